@@ -1,0 +1,18 @@
+# Compiler options of every target of ours.
+add_library(kerf_options INTERFACE)
+target_compile_options(kerf_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough
+  -ffp-contract=off)  # the same sums on every compiler and target: same input, same bytes
+if(KERF_WERROR)
+  target_compile_options(kerf_options INTERFACE -Werror)
+endif()
+if(KERF_SANITIZE)
+  target_compile_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE}
+    -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE})
+endif()
+find_program(KERF_CCACHE ccache)
+if(KERF_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${KERF_CCACHE})
+endif()

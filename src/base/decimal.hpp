@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace kerf::base {
+
+/// `value` rounded to the nearest integer, ties away from zero. |value| < 2^62.
+inline std::int64_t round_away(double value) {
+  return static_cast<std::int64_t>(value + (value < 0 ? -0.5 : 0.5));
+}
+
+/// Coordinates are sums of decimal words, but doubles hold no decimals: 0.1 + 0.2 is not 0.3. A value
+/// within 1e-9 of a multiple of 1e-5 (mm or degree; 1e-5 mm divides both 0.001 mm and 0.0001 inch)
+/// becomes the double nearest to that multiple; every other value stays as it is. So sums of words
+/// never drift and print as a person would write them.
+inline double tidy(double value) {
+  const double scaled = value * 1e5;
+  if (!(scaled < 1e15 && scaled > -1e15)) return value;
+  const auto nearest = static_cast<double>(round_away(scaled));
+  const double off = scaled - nearest;
+  return off < 1e-4 && off > -1e-4 ? nearest / 1e5 + 0.0 : value;
+}
+
+/// Appends the fewest digits that read back to the same double; -0 is 0, and what is not finite
+/// (which no result of Kerf is) prints as null, as JSON has no word for it.
+void append_number(std::string& out, double value);
+
+[[nodiscard]] std::string number_text(double value);
+
+}  // namespace kerf::base

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace kerf::base {
+
+/// What a diagnostic is about. One enumerator per row of diagnostic_codes.def.
+enum class Code : std::uint16_t {
+#define CODE(name, number, message, cause) name,
+#include "base/diagnostic_codes.def"
+#undef CODE
+};
+
+/// A row of the table of diagnostics.
+struct CodeText {
+  std::string_view name;     ///< the enumerator
+  std::string_view number;   ///< "PS0112", or a name in capitals where the control has no number
+  std::string_view message;  ///< the control's own words
+  std::string_view cause;    ///< what it means and what to do
+};
+
+[[nodiscard]] const CodeText& text_of(Code code);
+
+/// All rows in the order of the enumeration.
+[[nodiscard]] std::span<const CodeText> all_codes();
+
+}  // namespace kerf::base

@@ -1,0 +1,144 @@
+#include "base/output_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace kerf::base {
+namespace {
+
+constexpr std::size_t kBufferBytes = 1 << 18;
+
+// Names of unfinished files, where a signal handler can reach them. The one mutable global of Kerf:
+// signals belong to the process, not to a machine.
+constexpr std::size_t kMostUnfinished = 64;
+constexpr std::size_t kLongestName = 4096;
+struct Unfinished {
+  std::atomic<bool> used{false};
+  std::array<char, kLongestName> name{};
+};
+std::array<Unfinished, kMostUnfinished> unfinished;
+
+void remember(const std::string& name) {
+  if (name.size() + 1 > kLongestName) return;
+  for (Unfinished& slot : unfinished) {
+    bool expected = false;
+    if (slot.name[0] != '\0' || !slot.used.compare_exchange_strong(expected, true)) continue;
+    std::memcpy(slot.name.data() + 1, name.c_str() + 1, name.size());
+    slot.name[0] = name[0];
+    return;
+  }
+}
+
+void forget(const std::string& name) {
+  for (Unfinished& slot : unfinished) {
+    if (!slot.used || name != slot.name.data()) continue;
+    slot.name[0] = '\0';
+    slot.used = false;
+  }
+}
+
+std::string temporary_beside(const std::string& path) {
+  const std::filesystem::path target(path);
+  return (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
+}
+
+tl::unexpected<Failure> output_failure(const std::string& path, int error) {
+  return tl::unexpected(Failure{Failure::Kind::output, path + ": " + std::strerror(error)});
+}
+
+mode_t usual_mode() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return static_cast<mode_t>(0666 & ~mask);
+}
+
+bool is_renamable(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
+}
+
+bool sync_folder_of(const std::string& path) {
+  std::string folder = std::filesystem::path(path).parent_path().string();
+  if (folder.empty()) folder = ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool good = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  return good;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string path, std::string temporary, int descriptor)
+    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {
+  if (!temporary_.empty()) remember(temporary_);
+}
+
+OutputFile::~OutputFile() {
+  if (temporary_.empty()) flush();
+  if (descriptor_ >= 0) ::close(descriptor_);
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  forget(temporary_);
+}
+
+Outcome<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path) {
+  if (path == "-" || !is_renamable(path)) {
+    const int descriptor = path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) return output_failure(path, errno);
+    return std::unique_ptr<OutputFile>(new OutputFile(path, {}, descriptor));
+  }
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) return output_failure(path, EISDIR);
+  std::string temporary = temporary_beside(path);
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) return output_failure(path, errno);
+  ::fchmod(descriptor, usual_mode());
+  return std::unique_ptr<OutputFile>(new OutputFile(path, std::move(temporary), descriptor));
+}
+
+void OutputFile::write(std::string_view bytes) {
+  if (error_ != 0) return;
+  buffer_.append(bytes);
+  if (buffer_.size() >= kBufferBytes) flush();
+}
+
+void OutputFile::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty() && error_ == 0) {
+    const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
+    if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+    if (count < 0 && errno != EINTR) error_ = errno;
+  }
+  buffer_.clear();
+}
+
+Outcome<void> OutputFile::commit(Durability durability) {
+  flush();
+  const bool durable = durability == Durability::survives_power_loss;
+  if (error_ == 0 && durable && !temporary_.empty() && ::fsync(descriptor_) != 0) error_ = errno;
+  if (::close(descriptor_) != 0 && error_ == 0) error_ = errno;
+  descriptor_ = -1;
+  if (error_ != 0) return output_failure(path_, error_);
+  if (temporary_.empty()) return {};
+  if (::rename(temporary_.c_str(), path_.c_str()) != 0) return output_failure(path_, errno);
+  forget(temporary_);
+  temporary_.clear();
+  if (durable && !sync_folder_of(path_)) return output_failure(path_, errno);
+  return {};
+}
+
+void remove_unfinished_outputs() noexcept {
+  for (const Unfinished& slot : unfinished) {
+    if (slot.used && slot.name[0] != '\0') ::unlink(slot.name.data());
+  }
+}
+
+}  // namespace kerf::base

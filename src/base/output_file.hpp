@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+
+namespace kerf::base {
+
+/// A file that appears whole or not at all: written under a temporary name in the same folder, and
+/// renamed by commit(). Without commit() nothing is left behind. "-" is standard output, written as
+/// it comes; so are devices and pipes, which cannot be renamed over.
+///
+/// Writing never throws and never reports: a full disk is told once, by commit().
+class OutputFile {
+ public:
+  [[nodiscard]] static Outcome<std::unique_ptr<OutputFile>> create(const std::string& path);
+
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::string_view bytes);
+
+  /// False as soon as a write has failed: the rest need not be made.
+  [[nodiscard]] bool good() const { return error_ == 0; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  enum class Durability : std::uint8_t { ordinary, survives_power_loss };
+
+  /// Gives the file its name. Failure: what was written did not reach the disk; then no file is left.
+  [[nodiscard]] Outcome<void> commit(Durability durability = Durability::ordinary);
+
+ private:
+  OutputFile(std::string path, std::string temporary, int descriptor);
+  void flush();
+  Outcome<void> failure();
+
+  std::string path_;
+  std::string temporary_;  // empty: writes go straight to `path_`
+  int descriptor_;
+  int error_ = 0;
+  std::string buffer_;
+};
+
+/// Removes the temporary files of every OutputFile that is not committed yet. Async-signal-safe: for
+/// the handler of Ctrl-C.
+void remove_unfinished_outputs() noexcept;
+
+}  // namespace kerf::base

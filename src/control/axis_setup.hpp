@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/axes.hpp"
+
+namespace kerf::control {
+
+/// What the control knows of one axis.
+struct AxisConfig {
+  char letter = 'X';
+  bool rotary = false;          ///< degrees instead of millimetres
+  double rapid_per_min = 0;     ///< mm/min or degrees/min, > 0
+  double travel_min = 0;        ///< machine coordinates; used when min < max
+  double travel_max = 0;
+  double reference[4] = {};     ///< 1st to 4th reference point, machine coordinates
+};
+
+/// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
+struct AxisSetup {
+  std::vector<AxisConfig> axes;
+
+  [[nodiscard]] std::size_t count() const { return axes.size(); }
+  [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }
+  [[nodiscard]] std::optional<base::Axis> find(char letter) const {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes[i].letter == letter) return base::Axis{static_cast<std::uint8_t>(i)};
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,294 @@
+#include "lang/gcode/block_parser.hpp"
+
+#include <algorithm>
+
+namespace kerf::gcode {
+namespace {
+
+using base::Code;
+using vm::Op;
+
+constexpr int kLabelDigits = 8;
+constexpr std::size_t kLongestName = 32;  // of a program: O<NAME>
+
+std::string_view rest(const Cursor& cursor) {
+  return {cursor.at(), static_cast<std::size_t>(cursor.end() - cursor.at())};
+}
+
+// The statement word at the cursor. An address is one letter, so two letters side by side begin a
+// word of the macro language or a mistake.
+KeywordMatch statement_word(const Cursor& cursor) {
+  if (!is_letter(cursor.peek()) || !is_letter(cursor.peek_next())) return {};
+  return statement_at(rest(cursor));
+}
+
+std::uint16_t narrow(std::ptrdiff_t value) {
+  return static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(value, 0xffff));
+}
+
+[[noreturn]] void fail_at(const Cursor& cursor, Code code, std::string_view detail = {},
+                          std::string_view hint = {}) {
+  throw SyntaxError{code, cursor.at(), cursor.done() ? 0U : 1U, detail, hint};
+}
+
+[[noreturn]] void fail_since(const char* begin, const Cursor& cursor, Code code,
+                             std::string_view detail = {}, std::string_view hint = {}) {
+  const char* end = cursor.at();
+  while (end > begin + 1 && static_cast<unsigned char>(end[-1]) <= ' ') --end;
+  throw SyntaxError{code, begin, static_cast<std::size_t>(end - begin), detail, hint};
+}
+
+}  // namespace
+
+void BlockParser::compile(const BlockText& text) {
+  Cursor cursor(text.text);
+  if (cursor.done()) return;
+  line_begin_ = text.line_begin;
+  line_ = text.line;
+  arguments_ = false;
+  from_registers_ = false;
+  emitter_.begin_block(text.line_begin);
+  page_.marks.push_back({emitter_.here(), text.line, text.offset, text.line_offset});
+  const std::uint32_t begin = emitter_.here();
+  const std::size_t first_loop = page_.loop_marks.size();
+  try {
+    block(cursor, text);
+  } catch (const SyntaxError& error) {
+    page_.instructions.resize(begin);
+    page_.spans.resize(begin);
+    page_.loop_marks.resize(first_loop);
+    report(error, text);
+  }
+}
+
+void BlockParser::report(const SyntaxError& error, const BlockText& text) {
+  const auto column = static_cast<std::uint32_t>(error.at - text.line_begin + 1);
+  base::Place place{.file = page_.file,
+                    .line = text.line,
+                    .column = column,
+                    .length = static_cast<std::uint32_t>(error.length),
+                    .line_start = page_.text_begin + text.line_offset};
+  page_.failures.push_back(
+      base::make_error(error.code, place, std::string(error.detail), std::string(error.hint)));
+  emitter_.stand_at(error.at, error.at + error.length);
+  emitter_.emit({Op::fail, 0, 0, 0, static_cast<std::uint32_t>(page_.failures.size() - 1)});
+}
+
+void BlockParser::fail_long_line(std::uint32_t line, std::uint32_t line_offset) {
+  page_.marks.push_back({emitter_.here(), line, line_offset, line_offset});
+  const char* const begin = "";
+  emitter_.begin_block(begin);
+  report({Code::block_too_long, begin, 1, "more than 65,536 characters on one line", {}},
+       {{}, begin, line, line_offset, line_offset});
+}
+
+// block = { "/" [level] | N label } ( words | statement | nothing )
+void BlockParser::block(Cursor& cursor, const BlockText&) {
+  const std::vector<std::uint32_t> skips = head(cursor);
+  cursor.forget_comment();
+  if (!cursor.done()) {
+    const KeywordMatch match = statement_word(cursor);
+    const char next = cursor.peek();
+    if (match.keyword != Keyword::none) {
+      cursor.advance(match.length);
+      statement(cursor, match.keyword);
+    } else if (next == '#' || next == '[') {
+      assignment(cursor);
+    } else {
+      words(cursor);
+    }
+  }
+  for (const std::uint32_t skip : skips) emitter_.land(skip);
+}
+
+// Slashes and the sequence number, in either order (LEX-6, LEX-20).
+std::vector<std::uint32_t> BlockParser::head(Cursor& cursor) {
+  std::vector<std::uint32_t> skips;
+  bool labelled = false;
+  for (;;) {
+    const char next = cursor.peek();
+    if (next == '/') {
+      emitter_.stand_at(cursor.at(), cursor.at() + 1);
+      skips.push_back(emitter_.emit({Op::skip_when_on, skip_level(cursor), 0, 0, 0}));
+    } else if (next == 'N' && !labelled && !is_letter(cursor.peek_next())) {
+      label(cursor);
+      labelled = true;
+    } else {
+      return skips;
+    }
+  }
+}
+
+std::uint8_t BlockParser::skip_level(Cursor& cursor) {
+  cursor.advance();
+  const char digit = cursor.peek();
+  if (digit < '1' || digit > '9') return 1;
+  cursor.advance();
+  return static_cast<std::uint8_t>(digit - '0');
+}
+
+void BlockParser::label(Cursor& cursor) {
+  const char* const begin = cursor.at();
+  cursor.advance();
+  const char next = cursor.peek();
+  if (next == '#' || next == '[') {
+    fail_since(begin, cursor, Code::expression_format, "a sequence number is written in digits");
+  }
+  if (next == '-') fail_since(begin, cursor, Code::illegal_minus);
+  if (!is_digit(next)) fail_since(begin, cursor, Code::no_data_after_address);
+  const NumberText text = cursor.number();
+  if (text.point) fail_since(begin, cursor, Code::illegal_decimal_point);
+  if (text.digits > kLabelDigits) {
+    fail_since(begin, cursor, Code::too_many_digits, "a sequence number has at most 8 digits");
+  }
+  const auto number = static_cast<std::uint32_t>(text.value);
+  if (number == 0) return;  // LEX-7: no label
+  page_.labels.push_back({number, page_.marks.back().instruction});
+  emitter_.emit({Op::note, 0, 0, 0, number});
+}
+
+// words = { address value | "," address value | "/" [level] | "<" name ">" }
+void BlockParser::words(Cursor& cursor) {
+  const auto first = static_cast<std::uint32_t>(page_.words.size());
+  Statement statement{.first = first, .line = line_};
+  std::vector<MidSkip> skips;
+  while (!cursor.done()) {
+    const char next = cursor.peek();
+    if (is_letter(next) || next == ',') {
+      word(cursor);
+    } else if (next == '/') {
+      emitter_.stand_at(cursor.at(), cursor.at() + 1);
+      const std::uint32_t skip = emitter_.emit({Op::skip_when_on, skip_level(cursor), 0, 0, 0});
+      skips.push_back({skip, static_cast<std::uint32_t>(page_.words.size()) - first});
+    } else if (next == '<') {
+      program_name(cursor, statement);
+    } else {
+      stray(cursor);
+    }
+  }
+  statement.from_registers = from_registers_;
+  emitter_.stand_at(line_begin_, line_begin_);
+  do_words(statement, static_cast<std::uint32_t>(page_.words.size()) - first);
+  finish_mid_skips(statement, skips);
+}
+
+void BlockParser::do_words(Statement statement, std::uint32_t count) {
+  statement.count = count;
+  page_.statements.push_back(statement);
+  emitter_.emit({Op::do_block, 0, 0, 0, static_cast<std::uint32_t>(page_.statements.size() - 1)});
+}
+
+// With the switch of a slash in mid-block on, the words before it are the whole block (LEX-19).
+void BlockParser::finish_mid_skips(const Statement& statement, const std::vector<MidSkip>& skips) {
+  std::vector<std::uint32_t> jumps;
+  for (const MidSkip& skip : skips) {
+    jumps.push_back(emitter_.emit({Op::jump, 0, 0, 0, 0}));
+    emitter_.land(skip.instruction);
+    do_words(statement, skip.words);
+  }
+  for (const std::uint32_t jump : jumps) emitter_.land(jump);
+}
+
+// What stands where a word should begin (LEX-12, LEX-33).
+void BlockParser::stray(Cursor& cursor) {
+  const char next = cursor.peek();
+  Expression expression(cursor, emitter_, names_);
+  if (next == '#' || (next == '[' && expression.at_named_variable())) {
+    fail_at(cursor, Code::nc_and_macro, "an assignment stands behind NC words");
+  }
+  if (next == ']') fail_at(cursor, Code::missing_open_bracket);
+  if (is_digit(next) || std::string_view("+-.*=[").find(next) != std::string_view::npos) {
+    fail_at(cursor, Code::invalid_break_point, "an address letter is expected here",
+            next == '+' || next == '-' || next == '*'
+                ? "an expression in a word needs brackets: X[#1+2.]"
+                : "");
+  }
+  fail_at(cursor, Code::improper_address, "this character is not part of the language");
+}
+
+// value = [+|-] ( number | "#…" | "[" expression "]" )
+void BlockParser::word(Cursor& cursor) {
+  const char* const begin = cursor.at();
+  Word word;
+  if (cursor.peek() == ',') {
+    word.flags |= WordFlag::comma;
+    cursor.advance();
+    if (!is_letter(cursor.peek())) {
+      fail_since(begin, cursor, Code::improper_address, "a comma stands only before C, R or A",
+                 "a decimal point was probably meant");
+    }
+  }
+  if (is_letter(cursor.peek_next())) {
+    if (statement_word(cursor).keyword != Keyword::none) {
+      fail_at(cursor, Code::nc_and_macro, "a macro statement stands behind NC words");
+    }
+    fail_at(cursor, Code::no_data_after_address, {},
+            cursor.peek_next() == 'O' ? "is the letter O a digit 0?" : "");
+  }
+  word.letter = cursor.peek();
+  cursor.advance();
+  bool minus = false;
+  if (cursor.peek() == '-' || cursor.peek() == '+') {
+    minus = cursor.peek() == '-';
+    cursor.advance();
+  }
+  const char next = cursor.peek();
+  if (is_digit(next) || next == '.') {
+    literal(cursor, word, minus);
+    if (word.letter == 'G' && (word.value == 65 || word.value == 66 || word.value == 66.1)) arguments_ = true;
+  } else if (next == '#' || next == '[') {
+    Expression expression(cursor, emitter_, names_);
+    expression.set_address(arguments_ ? '\0' : word.letter);
+    const Operand operand = next == '[' && !expression.at_named_variable()
+                                ? expression.bracketed_number()
+                                : expression.load(next == '#' ? expression.variable()
+                                                              : expression.named_variable());
+    if (minus) word.flags |= WordFlag::minus;
+    if (operand.is_constant) {
+      word.value = minus ? -operand.value : operand.value;
+    } else {
+      word.value = operand.reg;
+      word.flags |= WordFlag::from_register;
+      from_registers_ = true;
+    }
+  } else {
+    fail_since(begin, cursor, Code::no_data_after_address, {},
+               next == 'O' ? "is the letter O a digit 0?" : "");
+  }
+  finish_word(begin, cursor.at(), word);
+}
+
+void BlockParser::literal(Cursor& cursor, Word& word, bool minus) {
+  const char* const begin = cursor.at();
+  const NumberText text = cursor.number();
+  if (text.digits < 0) fail_since(begin, cursor, Code::no_data_after_address, "a point without digits is no number");
+  word.value = minus ? -text.value : text.value;
+  word.flags |= static_cast<std::uint8_t>(WordFlag::literal | (text.point ? WordFlag::point : 0) |
+                                          (minus ? WordFlag::minus : 0));
+}
+
+void BlockParser::finish_word(const char* begin, const char* end, Word& word) {
+  while (end > begin + 1 && static_cast<unsigned char>(end[-1]) <= ' ') --end;
+  word.column = narrow(begin - line_begin_ + 1);
+  word.length = narrow(end - begin);
+  page_.words.push_back(word);
+}
+
+void BlockParser::program_name(Cursor& cursor, Statement& statement) {
+  const char* const begin = cursor.at();
+  const char* const close = std::find(begin, cursor.end(), '>');
+  const auto length = static_cast<std::size_t>(close - begin);
+  if (close == cursor.end() || length < 2 || length > kLongestName + 1) {
+    throw SyntaxError{Code::file_call_format, begin, length, "a program name stands between < and >", {}};
+  }
+  statement.name = static_cast<std::int32_t>(page_.names.size());
+  page_.names.emplace_back(begin + 1, close);
+  cursor.move_to(close + 1);
+}
+
+void BlockParser::host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count) {
+  page_.statements.push_back({.kind = kind, .first = first, .count = count, .line = line_});
+  emitter_.emit({Op::do_block, 0, 0, 0, static_cast<std::uint32_t>(page_.statements.size() - 1)});
+}
+
+}  // namespace kerf::gcode

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "lang/gcode/emitter.hpp"
+#include "lang/gcode/expression.hpp"
+#include "lang/gcode/keywords.hpp"
+#include "lang/gcode/lexer.hpp"
+#include "lang/gcode/name_table.hpp"
+
+namespace kerf::gcode {
+
+/// Text of a block and where it stands.
+struct BlockText {
+  std::string_view text;
+  const char* line_begin = nullptr;  ///< first byte of the block's line
+  std::uint32_t line = 0;
+  std::uint32_t offset = 0;       ///< of the block, from the start of the page's text
+  std::uint32_t line_offset = 0;  ///< of the line, likewise
+};
+
+/// Compiles one block after the other into a page (fanuc-dialect.md §1, §4, §5, §7).
+///
+/// A block with a mistake compiles to an instruction that raises its alarm, so that the alarm comes
+/// when the block is reached, as on the control.
+class BlockParser {
+ public:
+  BlockParser(GcodePage& page, NameTable& names) : page_(page), emitter_(page), names_(names) {}
+
+  void compile(const BlockText& block);
+
+  /// A line that is longer than any block can be; its text is not looked at.
+  void fail_long_line(std::uint32_t line, std::uint32_t line_offset);
+
+ private:
+  // A slash in mid-block: what to land on and how many words stand before it.
+  struct MidSkip {
+    std::uint32_t instruction = 0;
+    std::uint32_t words = 0;
+  };
+
+  void block(Cursor& cursor, const BlockText& text);
+  std::vector<std::uint32_t> head(Cursor& cursor);
+  std::uint8_t skip_level(Cursor& cursor);
+  void label(Cursor& cursor);
+  void report(const SyntaxError& error, const BlockText& text);
+
+  void words(Cursor& cursor);
+  void word(Cursor& cursor);
+  void literal(Cursor& cursor, Word& word, bool minus);
+  void program_name(Cursor& cursor, Statement& statement);
+  void finish_word(const char* begin, const char* end, Word& word);
+  [[noreturn]] void stray(Cursor& cursor);
+  void do_words(Statement statement, std::uint32_t count);
+  void finish_mid_skips(const Statement& statement, const std::vector<MidSkip>& skips);
+
+  void statement(Cursor& cursor, Keyword keyword);
+  void assignment(Cursor& cursor);
+  void if_statement(Cursor& cursor);
+  void go_to(Cursor& cursor);
+  void while_statement(Cursor& cursor);
+  void do_statement(Cursor& cursor, std::uint32_t head, bool conditional, const Operand& condition);
+  void end_statement(Cursor& cursor);
+  std::uint8_t loop_number(Cursor& cursor);
+  void print(Cursor& cursor, StatementKind kind);
+  void print_variable(Cursor& cursor);
+  void name_variables(Cursor& cursor);
+  std::string variable_name(Cursor& cursor);
+  void host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count);
+  void expect_end(Cursor& cursor);
+
+  GcodePage& page_;
+  Emitter emitter_;
+  NameTable& names_;
+  const char* line_begin_ = nullptr;
+  std::uint32_t line_ = 0;
+  bool arguments_ = false;       // the words are arguments of a macro call
+  bool from_registers_ = false;  // a word of the block takes its value from a register
+};
+
+}  // namespace kerf::gcode

@@ -1,0 +1,156 @@
+#include "lang/gcode/code_library.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "lang/gcode/loops.hpp"
+
+namespace kerf::gcode {
+
+CodeLibrary::CodeLibrary(base::SourceSet& sources, const Settings& settings)
+    : sources_(sources),
+      settings_(settings),
+      compiler_(settings.lines_per_page),
+      allowed_(settings.fresh_pages) {}
+
+CodeLibrary::~CodeLibrary() = default;
+
+void CodeLibrary::add_file(base::FileId file) { add_programs(file, 0); }
+
+void CodeLibrary::add_library_file(base::FileId file, std::uint32_t number_from_name) {
+  add_programs(file, number_from_name);
+}
+
+void CodeLibrary::add_programs(base::FileId file, std::uint32_t number_from_name) {
+  ProgramDirectory directory = read_directory(sources_[file], file);
+  for (ProgramEntry& entry : directory.programs) {
+    if (entry.number == 0 && entry.name.empty()) entry.number = number_from_name;
+    const PageStart start{entry.begin, entry.line, entry.line_start};
+    programs_.push_back({std::move(entry), file, {start}, false, std::nullopt});
+  }
+  findings_.insert(findings_.end(), directory.findings.begin(), directory.findings.end());
+}
+
+const ProgramEntry& CodeLibrary::entry(vm::CodeId code) const {
+  return programs_[static_cast<std::size_t>(code)].entry;
+}
+
+base::FileId CodeLibrary::file_of(vm::CodeId code) const {
+  return programs_[static_cast<std::size_t>(code)].file;
+}
+
+std::optional<vm::CodeId> CodeLibrary::find(std::uint32_t number) const {
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    if (number != 0 && programs_[i].entry.number == number) return vm::CodeId(i);
+  }
+  return std::nullopt;
+}
+
+std::optional<vm::CodeId> CodeLibrary::find(const std::string& name) const {
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    if (!name.empty() && programs_[i].entry.name == name) return vm::CodeId(i);
+  }
+  return std::nullopt;
+}
+
+CodeLibrary::Slot* CodeLibrary::find_slot(vm::CodeId code, std::uint32_t number) {
+  const auto holds = [&](const Slot& slot) { return slot.page->code == code && slot.page->number == number; };
+  if (newest_ < slots_.size() && holds(slots_[newest_])) return &slots_[newest_];
+  const auto found = std::find_if(slots_.begin(), slots_.end(), holds);
+  return found == slots_.end() ? nullptr : &*found;
+}
+
+// A page that had to be thrown away and is wanted again: the program loops, so more pages stay.
+CodeLibrary::Slot& CodeLibrary::free_slot(bool seen_before) {
+  if (seen_before) allowed_ = std::min(allowed_ * 2, settings_.most_pages);
+  if (slots_.size() < allowed_) return slots_.emplace_back(Slot{std::make_unique<GcodePage>(), 0});
+  return *std::min_element(slots_.begin(), slots_.end(),
+                           [](const Slot& a, const Slot& b) { return a.used < b.used; });
+}
+
+GcodePage& CodeLibrary::page(vm::CodeId code, std::uint32_t number) {
+  Slot* slot = find_slot(code, number);
+  if (slot == nullptr) {
+    learn_starts(code, number);
+    const bool seen_before = program(code).starts.size() > number + 1 || program(code).complete;
+    slot = &free_slot(seen_before && slots_.size() >= allowed_);
+    compile(code, number, *slot);
+  }
+  slot->used = ++clock_;
+  newest_ = static_cast<std::size_t>(slot - slots_.data());
+  return *slot->page;
+}
+
+// Compiles a page and notes where the next one begins.
+void CodeLibrary::compile(vm::CodeId code, std::uint32_t number, Slot& slot) {
+  Program& target = program(code);
+  GcodePage& page = *slot.page;
+  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end, names_,
+                    page);
+  page.code = code;
+  page.number = number;
+  if (page.last) {
+    target.complete = true;
+  } else if (target.starts.size() == number + 1) {
+    target.starts.push_back({page.text_end, page.next_line, page.text_end});
+  }
+}
+
+// A page that nobody has come near yet: the pages before it tell where it begins.
+void CodeLibrary::learn_starts(vm::CodeId code, std::uint32_t number) {
+  while (program(code).starts.size() <= number) {
+    assert(!program(code).complete);
+    const auto last = static_cast<std::uint32_t>(program(code).starts.size() - 1);
+    compile(code, last, free_slot(false));
+  }
+}
+
+const std::vector<CodeLibrary::PlacedLabel>& CodeLibrary::labels_of(vm::CodeId code) {
+  if (!program(code).labels) {
+    std::vector<PlacedLabel> labels;
+    for (std::uint32_t number = 0;; ++number) {
+      const GcodePage& current = page(code, number);
+      for (const Label& label : current.labels) {
+        labels.push_back({label.number, {number, label.instruction}});
+      }
+      if (current.last) break;
+    }
+    std::sort(labels.begin(), labels.end());
+    program(code).labels = std::move(labels);
+  }
+  return *program(code).labels;
+}
+
+// CTL-2: forward from the place of the jump to the end, then from the head.
+std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address from, std::uint32_t label) {
+  const std::vector<PlacedLabel>& labels = labels_of(code);
+  auto found = std::lower_bound(labels.begin(), labels.end(), PlacedLabel{label, from});
+  if (found == labels.end() || found->number != label) {
+    found = std::lower_bound(labels.begin(), labels.end(), PlacedLabel{label, {}});
+  }
+  if (found == labels.end() || found->number != label) return std::nullopt;
+  return found->at;
+}
+
+vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number, std::uint32_t region) {
+  std::vector<PlacedLoopMark> marks;
+  std::size_t wanted = 0;
+  vm::Region result;
+  for (std::uint32_t number = page_number;; ++number) {
+    const GcodePage& current = page(code, number);
+    for (const LoopMark& mark : current.loop_marks) {
+      if (number == page_number && !mark.is_end && mark.index == region) {
+        wanted = marks.size();
+        result = current.regions[region];
+      }
+      marks.push_back({mark, number});
+    }
+    const LoopEnding ending = find_end(marks, wanted, current.last);
+    if (ending.state == vm::Region::State::unresolved) continue;
+    result.state = ending.state;
+    result.end = ending.end;
+    return result;
+  }
+}
+
+}  // namespace kerf::gcode

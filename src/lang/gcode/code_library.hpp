@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/source_file.hpp"
+#include "lang/gcode/name_table.hpp"
+#include "lang/gcode/page_compiler.hpp"
+#include "lang/gcode/program_directory.hpp"
+#include "lang/vm/code_page.hpp"
+
+namespace kerf::gcode {
+
+/// All programs that a machine can call, compiled page by page when they are reached.
+///
+/// Pages are kept in a bounded store: a program that runs straight on uses the same few over and over,
+/// so its length costs nothing; a program that comes back to a page that had to go keeps more of them
+/// from then on, so that no loop reads its text twice per pass.
+class CodeLibrary : public vm::CodeSource {
+ public:
+  struct Settings {
+    std::uint32_t lines_per_page = 256;
+    std::size_t fresh_pages = 32;   ///< kept while a program runs straight on
+    std::size_t most_pages = 1024;  ///< kept at most, some 30 MiB
+  };
+
+  explicit CodeLibrary(base::SourceSet& sources) : CodeLibrary(sources, Settings{}) {}
+  CodeLibrary(base::SourceSet& sources, const Settings& settings);
+  ~CodeLibrary() override;
+
+  /// Adds all programs of a file. The programs of the first file are found first.
+  void add_file(base::FileId file);
+  /// Adds the programs of a file that may be named after its only program ("O9401.nc").
+  void add_library_file(base::FileId file, std::uint32_t number_from_name);
+
+  /// What is wrong with the program numbers of the files.
+  [[nodiscard]] const std::vector<base::Diagnostic>& findings() const { return findings_; }
+
+  [[nodiscard]] std::size_t program_count() const { return programs_.size(); }
+  [[nodiscard]] const ProgramEntry& entry(vm::CodeId code) const;
+  [[nodiscard]] base::FileId file_of(vm::CodeId code) const;
+  [[nodiscard]] std::optional<vm::CodeId> find(std::uint32_t number) const;
+  [[nodiscard]] std::optional<vm::CodeId> find(const std::string& name) const;
+  [[nodiscard]] NameTable& names() { return names_; }
+
+  // vm::CodeSource
+  GcodePage& page(vm::CodeId code, std::uint32_t number) override;
+  std::optional<vm::Address> find_label(vm::CodeId code, vm::Address from, std::uint32_t label) override;
+  vm::Region resolve_region(vm::CodeId code, std::uint32_t page, std::uint32_t region) override;
+
+ private:
+  struct PlacedLabel {
+    std::uint32_t number = 0;
+    vm::Address at;
+    friend auto operator<=>(const PlacedLabel&, const PlacedLabel&) = default;
+  };
+  struct Program {
+    ProgramEntry entry;
+    base::FileId file{};
+    std::vector<PageStart> starts;  ///< of the pages that are known so far
+    bool complete = false;          ///< the last page is among them
+    std::optional<std::vector<PlacedLabel>> labels;  ///< sorted by number, then address
+  };
+  struct Slot {
+    std::unique_ptr<GcodePage> page;
+    std::uint64_t used = 0;
+  };
+
+  Program& program(vm::CodeId code) { return programs_[static_cast<std::size_t>(code)]; }
+  Slot* find_slot(vm::CodeId code, std::uint32_t number);
+  Slot& free_slot(bool seen_before);
+  void compile(vm::CodeId code, std::uint32_t number, Slot& slot);
+  void learn_starts(vm::CodeId code, std::uint32_t number);
+  const std::vector<PlacedLabel>& labels_of(vm::CodeId code);
+  void add_programs(base::FileId file, std::uint32_t number_from_name);
+
+  base::SourceSet& sources_;
+  Settings settings_;
+  PageCompiler compiler_;
+  NameTable names_;
+  std::vector<Program> programs_;
+  std::vector<base::Diagnostic> findings_;
+  std::vector<Slot> slots_;
+  std::size_t newest_ = 0;       // slot that was asked for last
+  std::size_t allowed_ = 0;      // slots in use at most, for now
+  std::uint64_t clock_ = 0;
+};
+
+}  // namespace kerf::gcode

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lang/gcode/builtins.hpp"
+#include "lang/gcode/emitter.hpp"
+#include "lang/gcode/keywords.hpp"
+#include "lang/gcode/lexer.hpp"
+#include "lang/gcode/name_table.hpp"
+
+namespace kerf::gcode {
+
+/// The result of a part of an expression: a constant or a register, a number or a truth value.
+struct Operand {
+  bool is_constant = false;
+  bool is_truth = false;
+  double value = 0;             ///< of a constant
+  std::uint8_t reg = 0;         ///< otherwise
+  const char* begin = nullptr;  ///< the text that it was made from
+  const char* end = nullptr;
+};
+
+/// A variable as it stands on the left of '=' or as an operand.
+struct Variable {
+  enum class Kind : std::uint8_t { local, global, fixed, computed } kind = Kind::fixed;
+  std::uint32_t number = 0;  ///< register, global or host's number
+  std::uint8_t reg = 0;      ///< computed: holds the number
+  const char* begin = nullptr;
+  const char* end = nullptr;
+};
+
+/// The longest literal of a macro statement (VAR-4).
+inline constexpr int kLiteralDigits = 12;
+
+/// Reads expressions and emits their code (fanuc-dialect.md §4). Every function throws SyntaxError.
+///
+/// Precedence, from what binds tightest: brackets, functions and signs, * / AND MOD, + - OR XOR,
+/// comparisons; left to right within a level. AND, OR, XOR work on bits between numbers and as logic
+/// between comparisons.
+class Expression {
+ public:
+  Expression(Cursor& cursor, Emitter& emitter, NameTable& names)
+      : cursor_(cursor), emitter_(emitter), names_(names) {}
+
+  /// ROUND rounds to the least increment of this address instead of to an integer (EXP-12); 0: not.
+  void set_address(char letter) { address_ = letter; }
+
+  /// A numeric expression up to where it ends.
+  [[nodiscard]] Operand number();
+  /// "[ expression ]", standing on the bracket.
+  [[nodiscard]] Operand bracketed_number();
+  /// "[ condition ]" of IF or WHILE, standing on the bracket, which does not count as a nesting level.
+  /// Anything but a comparison is `format` (PS1137 or PS1138).
+  [[nodiscard]] Operand bracketed_condition(base::Code format);
+  /// "#…", standing on the '#'.
+  [[nodiscard]] Variable variable();
+  /// "[#NAME]", standing on the bracket.
+  [[nodiscard]] Variable named_variable();
+  [[nodiscard]] bool at_named_variable() const;
+
+  [[nodiscard]] Operand load(const Variable& variable);
+  [[nodiscard]] std::uint8_t in_register(const Operand& operand);
+  /// Emits `variable = operand`.
+  void store(const Variable& variable, const Operand& operand);
+  /// Emits a branch, to be landed by the caller, taken when the truth of `condition` is `when`.
+  [[nodiscard]] std::uint32_t branch(const Operand& condition, bool when);
+  /// Emits a call of a function with one or two arguments.
+  [[nodiscard]] Operand call(Function function, const Operand& argument, const char* begin);
+  [[nodiscard]] Operand call(Function function, const Operand& first, const Operand& second);
+
+ private:
+  Operand comparison();
+  Operand sum();
+  Operand term();
+  Operand signed_operand();
+  Operand primary();
+  Operand literal();
+  Operand bracketed();
+  Operand negated(const Operand& operand, const char* begin);
+  Operand function(Keyword keyword, const char* begin);
+  Operand rounded(const char* begin);
+  Operand arc_tangent(const char* begin);
+  Operand power();
+  Operand parameter(const char* begin);
+  Operand logic(Keyword keyword, const Operand& left, const Operand& right);
+  Operand arithmetic(char sign, const Operand& left, const Operand& right);
+  std::uint32_t system_variable(const std::string& name, const char* begin);
+  void require_number(const Operand& operand) const;
+  void open_bracket();
+  void close_bracket();
+  [[nodiscard]] KeywordMatch next_operator() const;
+  [[nodiscard]] Operand temporary(std::uint8_t reg, const char* begin, bool truth = false) const;
+  [[nodiscard]] std::uint8_t result_register(const Operand& left, const Operand& right);
+  void stand_at(const char* begin) { emitter_.stand_at(begin, cursor_.at()); }
+  [[noreturn]] void fail(base::Code code, std::string_view detail = {},
+                         std::string_view hint = {}) const;
+  [[noreturn]] void fail_since(base::Code code, const char* begin, std::string_view detail = {}) const;
+
+  Cursor& cursor_;
+  Emitter& emitter_;
+  NameTable& names_;
+  int depth_ = 0;
+  char address_ = 0;
+};
+
+}  // namespace kerf::gcode

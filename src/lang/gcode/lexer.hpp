@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "base/diagnostic_code.hpp"
+
+namespace kerf::gcode {
+
+/// A mistake in the text of a block. Thrown inside this room only; the block parser turns it into the
+/// alarm that the block raises when it is reached.
+struct SyntaxError {
+  base::Code code{};
+  const char* at = nullptr;  ///< first byte of the offending text
+  std::size_t length = 1;
+  std::string_view detail = {};  ///< text with static lifetime
+  std::string_view hint = {};    ///< likewise
+};
+
+/// A number as it was written.
+struct NumberText {
+  double value = 0;
+  bool point = false;
+  int digits = 0;  ///< without leading zeros
+};
+
+/// Walks over the text of one block. Blanks and comments mean nothing between any two characters; the
+/// cursor always stands on the next character that does mean something, or at the end.
+///
+/// Characters come folded to upper case; the end reads as kEnd.
+class Cursor {
+ public:
+  static constexpr char kEnd = '\0';
+
+  explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) { skip(); }
+
+  [[nodiscard]] const char* at() const { return at_; }
+  [[nodiscard]] const char* end() const { return end_; }
+  [[nodiscard]] bool done() const { return at_ == end_; }
+  [[nodiscard]] char peek() const { return at_ == end_ ? kEnd : fold(*at_); }
+  /// The character directly behind the current one, with nothing skipped between.
+  [[nodiscard]] char peek_next() const { return at_ + 1 >= end_ ? kEnd : fold(at_[1]); }
+  /// What follows the current character when blanks and comments are passed over.
+  [[nodiscard]] char peek_behind() const;
+
+  void advance() {
+    ++at_;
+    skip();
+  }
+  /// Passes over `count` characters that are known to be contiguous.
+  void advance(std::size_t count) {
+    at_ += count;
+    skip();
+  }
+  /// Takes `wanted` if it is next.
+  bool take(char wanted) {
+    if (peek() != wanted) return false;
+    advance();
+    return true;
+  }
+  /// Digits with at most one decimal point, blanks between them allowed. Throws SyntaxError for a
+  /// second point. Precondition: a digit or point is next; a lone point counts as no digits.
+  [[nodiscard]] NumberText number();
+
+  void move_to(const char* at) {
+    at_ = at;
+    skip();
+  }
+
+  /// The first comment that was passed over, without its parentheses.
+  [[nodiscard]] std::string_view comment() const { return comment_; }
+  void forget_comment() { comment_ = {}; }
+
+  static char fold(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+ private:
+  void skip() {
+    while (at_ != end_ && (static_cast<unsigned char>(*at_) <= ' ' || *at_ == '(' || *at_ == '\x7f')) {
+      skip_one();
+    }
+  }
+  void skip_one();
+  NumberText long_number(const char* begin);
+
+  const char* at_;
+  const char* end_;
+  std::string_view comment_;
+};
+
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+[[nodiscard]] constexpr bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+
+}  // namespace kerf::gcode

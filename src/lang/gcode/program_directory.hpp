@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/source_file.hpp"
+
+namespace kerf::gcode {
+
+/// A program in a file: from behind its O word to the next program, the closing '%' or the file's end.
+struct ProgramEntry {
+  std::uint32_t number = 0;  ///< 0: none (no O word, or a name)
+  std::string name;          ///< of O<NAME> or <NAME>
+  std::uint64_t begin = 0;   ///< byte offset behind the O word
+  std::uint64_t end = 0;     ///< byte offset behind the last byte
+  std::uint32_t line = 1;    ///< line number at `begin`
+  std::uint64_t line_start = 0;  ///< byte offset of that line
+};
+
+/// The programs of a file in the order of the text, and what is wrong with their numbers
+/// (fanuc-dialect.md §1.1; real-programs.md, "File conventions").
+struct ProgramDirectory {
+  std::vector<ProgramEntry> programs;
+  std::vector<base::Diagnostic> findings;  ///< PS0073, PS0074
+};
+
+/// Reads the file once from beginning to end. A file without O words is one program, if it holds
+/// anything at all.
+[[nodiscard]] ProgramDirectory read_directory(const base::SourceFile& file, base::FileId id);
+
+}  // namespace kerf::gcode

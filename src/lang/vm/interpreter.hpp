@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lang/vm/code_page.hpp"
+#include "lang/vm/host.hpp"
+
+namespace kerf::vm {
+
+/// Runs compiled programs. It knows numbers, jumps, calls and "do this block"; what a block means is
+/// the host's business, what null, a label or a function means was settled by the front end.
+///
+/// Registers: every frame has a window of kRegisters; the first `locals` are its local variables. A
+/// shared call gets the window of its caller, a fresh one a new window with all locals null.
+class Interpreter {
+ public:
+  struct Settings {
+    std::uint32_t locals = 0;          ///< local variables per level, < kRegisters
+    std::span<double> globals;         ///< storage of the global variables, owned by the caller
+    const void* builtin_rules = nullptr;
+  };
+
+  enum class Stop : std::uint8_t {
+    budget,  ///< the allowed number of instructions was used up; resumable
+    paused,  ///< the host said so; resumable
+    over     ///< the program is over
+  };
+
+  Interpreter(CodeSource& source, Host& host, const Settings& settings);
+
+  /// Forgets all frames and stands at the head of `main` with all locals null.
+  void start(CodeId main);
+
+  /// Runs at most about `instructions` instructions.
+  Stop run(std::uint64_t instructions);
+
+  // For the host, during one of its calls, and for whoever runs the interpreter between two runs.
+
+  enum class Locals : std::uint8_t { fresh, shared };
+
+  /// Goes to the head of `code`; return_to_caller() comes back behind the block that is executing.
+  void call(CodeId code, Locals locals);
+  /// Leaves the running frame. Not in the first one.
+  void return_to_caller();
+  /// Goes to the head of the running frame's code again; its registers stay.
+  void restart();
+  void jump(Address target);
+  /// Goes to a label of the running frame's code, searched from the executing block. False: missing.
+  [[nodiscard]] bool jump_to_label(std::uint32_t label);
+
+  [[nodiscard]] std::span<double> locals();
+  [[nodiscard]] std::span<double> locals_of_first_level() { return {registers_.data(), settings_.locals}; }
+  [[nodiscard]] std::size_t depth() const { return frames_.size(); }
+  [[nodiscard]] CodeId running_code() const { return frames_.back().code; }
+  [[nodiscard]] base::Place place();
+  [[nodiscard]] Address address() const { return frames_.back().at; }
+  /// The newest `note` of the program.
+  [[nodiscard]] std::uint32_t note() const { return note_; }
+
+  void set_switches(std::uint32_t bits) { switches_ = bits; }
+  void set_tracing(bool on) { tracing_ = on; }
+
+ private:
+  struct ActiveRegion {
+    bool active = false;
+    Address head;
+    Address end;
+  };
+  struct Frame {
+    CodeId code{};
+    Address at{};  // the next instruction
+    std::uint32_t base = 0;
+    std::array<ActiveRegion, kRegionSlots> regions{};
+  };
+  struct Running {
+    CodeId code{};
+    Address at;
+  };
+  struct CachedJump {
+    CodeId code{};
+    Address from;
+    std::uint32_t label = 0;
+    Address to;
+  };
+
+  template <bool kTracing>
+  Stop run_loop(std::uint64_t instructions);
+  void drop_left_regions(Address target);
+  bool go_to_label(double label);
+  bool enter_region(std::uint32_t number);
+  bool leave_region(std::uint32_t number);
+  bool repeat_region(std::uint8_t slot);
+  const Region* closed_region(std::uint32_t number);
+  bool fail(Fault fault);
+
+  CodeSource& source_;
+  Host& host_;
+  Settings settings_;
+  std::vector<double> registers_;
+  std::vector<Frame> frames_;
+  std::vector<CachedJump> jumps_;
+  Running running_;                // the instruction that executes, for place()
+  std::optional<Address> begun_;   // the block whose begin the host has already seen
+  std::uint32_t switches_ = 0;
+  std::uint32_t note_ = 0;
+  bool tracing_ = false;
+};
+
+}  // namespace kerf::vm

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "output/internal/plot/subject.hpp"
+#include "output/internal/plot/view.hpp"
+
+namespace kerf::output::plot {
+
+/// Draws the isometric view of a path: the box around it with rulers at three of its edges and a
+/// grid on its floor, the path, and arrows that show where X, Y and Z go.
+void draw_iso(DisplayList& sheet, const View& view, const Subject& subject);
+
+}  // namespace kerf::output::plot

@@ -1,0 +1,136 @@
+#include "output/internal/plot/path_recorder.hpp"
+
+#include <cmath>
+#include <type_traits>
+
+namespace kerf::output::plot {
+namespace {
+
+constexpr double kLargest = PathStore::kLargestCoordinate;
+
+// Every comparison with what is not a number is false.
+double drawable(double value, double otherwise) {
+  if (value > kLargest) return std::isinf(value) ? otherwise : kLargest;
+  if (value < -kLargest) return std::isinf(value) ? otherwise : -kLargest;
+  return value == value ? value : otherwise;
+}
+
+// The coordinates of a plane's axes, in the plane's order.
+std::array<std::size_t, 2> plane_axes(control::Plane plane) {
+  switch (plane) {
+    case control::Plane::xy:
+      return {kX, kY};
+    case control::Plane::zx:
+      return {kZ, kX};
+    case control::Plane::yz:
+      return {kY, kZ};
+  }
+  return {kX, kY};
+}
+
+}  // namespace
+
+PathRecorder::PathRecorder(const control::AxisSetup& axes, double x_scale) : x_scale_(x_scale) {
+  constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = axes.find(kLetters[i]);
+    if (axis && !axes[*axis].rotary) coordinates_[i] = {base::index(*axis), i == kX ? x_scale : 1};
+  }
+  all_.add(position_);
+}
+
+void PathRecorder::take(const control::Motion& motion) {
+  std::visit(
+      [this](const auto& action) {
+        using Action = std::decay_t<decltype(action)>;
+        if constexpr (std::is_same_v<Action, control::Rapid> ||
+                      std::is_same_v<Action, control::Probe>) {
+          straight(action.to, Trace::travel);
+        } else if constexpr (std::is_same_v<Action, control::Arc>) {
+          arc(action);
+        } else if constexpr (std::is_same_v<Action, control::ToolChange>) {
+          select_tool(action.tool);
+        } else if constexpr (std::is_same_v<Action, control::Power>) {
+          beam_off_ = !(action.percent > 0);
+        } else if constexpr (requires { action.to; }) {
+          straight(action.to, at_feed());
+        }
+      },
+      motion.action);
+}
+
+void PathRecorder::straight(const base::AxisVector& target, Trace trace) {
+  const Point3 to = point_of(target);
+  ++moves_;
+  if (to == position_) return;
+  const Pen pen = pen_for(trace);
+  if (has_y()) holes_.move(position_, to, pen);
+  store_.line(pen, position_, to);
+  arrive(to, trace);
+}
+
+void PathRecorder::arc(const control::Arc& arc) {
+  if (!can_bend(arc)) return straight(arc.to, at_feed());
+  ++moves_;
+  const ArcPath path(position_, arc, point_of(arc.to), center_of(arc));
+  const Trace trace = at_feed();
+  const Pen pen = pen_for(trace);
+  if (trace == Trace::cut) holes_.sideways_cut();
+  store_.arc(pen, path);
+  path.extend(all_);
+  if (trace == Trace::cut) path.extend(cuts_);
+  arrive(path.to(), trace);
+}
+
+void PathRecorder::select_tool(std::uint32_t number) {
+  std::size_t i = 0;
+  while (i < tools_.size() && tools_[i].number != number) ++i;
+  if (i == tools_.size() && i < kMaxTools) tools_.push_back({number, false, {}});
+  tool_ = static_cast<std::uint16_t>(std::min(i, kMaxTools - 1));
+}
+
+Pen PathRecorder::pen_for(Trace trace) {
+  if (trace == Trace::travel) return {Trace::travel, 0};
+  Tool& tool = tools_[tool_];
+  if (cuts_.empty()) first_cut_ = position_;
+  if (!tool.cuts) {
+    tool.cuts = true;
+    tool.first_cut = position_;
+  }
+  return {Trace::cut, tool_};
+}
+
+void PathRecorder::arrive(const Point3& to, Trace trace) {
+  if (trace == Trace::cut) {
+    cuts_.add(position_);
+    cuts_.add(to);
+    last_cut_ = to;
+  }
+  all_.add(to);
+  position_ = to;
+}
+
+Point3 PathRecorder::point_of(const base::AxisVector& to) const {
+  Point3 point;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Coordinate& from = coordinates_[i];
+    point[i] = from.scale == 0 ? 0 : drawable(to.values[from.axis] * from.scale, position_[i]);
+  }
+  return point;
+}
+
+std::array<double, 2> PathRecorder::center_of(const control::Arc& arc) const {
+  const auto axes = plane_axes(arc.plane);
+  return {arc.center[0] * coordinates_[axes[0]].scale, arc.center[1] * coordinates_[axes[1]].scale};
+}
+
+// An arc whose plane the machine lacks, or whose centre is nowhere, is drawn as its chord.
+bool PathRecorder::can_bend(const control::Arc& arc) const {
+  const auto axes = plane_axes(arc.plane);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (coordinates_[axes[i]].scale == 0 || !(std::abs(arc.center[i]) <= kLargest)) return false;
+  }
+  return true;
+}
+
+}  // namespace kerf::output::plot

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+#include "output/internal/plot/hole_finder.hpp"
+#include "output/internal/plot/path_store.hpp"
+#include "output/internal/plot/space.hpp"
+
+namespace kerf::output::plot {
+
+/// What the picture says of one tool.
+struct Tool {
+  std::uint32_t number = 0;  ///< 0: no tool was called yet
+  bool cuts = false;
+  Point3 first_cut{};  ///< where its first cut starts; when it cuts
+};
+
+/// Takes motions and keeps what the picture needs of them: the path, holes, tools and extents.
+/// Starts at machine zero. Bounded memory; about 20 ns for a short line.
+class PathRecorder {
+ public:
+  /// `x_scale`: lengths along X are the X words times this.
+  PathRecorder(const control::AxisSetup& axes, double x_scale);
+
+  void take(const control::Motion& motion);
+
+  [[nodiscard]] const PathStore& store() const { return store_; }
+  [[nodiscard]] const HoleFinder& hole_finder() const { return holes_; }
+  /// By the index of Pen and Hole, in order of first use. More than kMaxTools share the last one.
+  [[nodiscard]] std::span<const Tool> tools() const { return tools_; }
+  [[nodiscard]] const Box3& cut_extents() const { return cuts_; }  ///< empty without cuts
+  [[nodiscard]] const Box3& all_extents() const { return all_; }   ///< with machine zero
+  [[nodiscard]] std::uint64_t move_count() const { return moves_; }
+  [[nodiscard]] bool has_y() const { return coordinates_[kY].scale != 0; }
+  [[nodiscard]] double x_scale() const { return x_scale_; }
+  /// Where the first cut starts and the last one ends; without cuts, the path.
+  [[nodiscard]] const Point3& start() const { return first_cut_; }
+  [[nodiscard]] const Point3& end() const { return cuts_.empty() ? position_ : last_cut_; }
+
+  static constexpr std::size_t kMaxTools = 256;
+
+ private:
+  // Where a coordinate comes from; an axis that the machine lacks has scale 0.
+  struct Coordinate {
+    std::size_t axis = 0;
+    double scale = 0;
+  };
+
+  void straight(const base::AxisVector& to, Trace trace);
+  void arc(const control::Arc& arc);
+  void select_tool(std::uint32_t number);
+  Pen pen_for(Trace trace);
+  void arrive(const Point3& to, Trace trace);
+  [[nodiscard]] Point3 point_of(const base::AxisVector& to) const;
+  [[nodiscard]] std::array<double, 2> center_of(const control::Arc& arc) const;
+  [[nodiscard]] bool can_bend(const control::Arc& arc) const;
+  [[nodiscard]] Trace at_feed() const { return beam_off_ ? Trace::travel : Trace::cut; }
+
+  double x_scale_;
+  std::array<Coordinate, 3> coordinates_{};
+  Point3 position_{};
+  bool beam_off_ = false;  // known only on machines that have a beam
+  std::uint16_t tool_ = 0;
+  std::vector<Tool> tools_{Tool{}};
+  PathStore store_;
+  HoleFinder holes_;
+  Box3 cuts_, all_;
+  Point3 first_cut_{}, last_cut_{};
+  std::uint64_t moves_ = 0;
+};
+
+}  // namespace kerf::output::plot

@@ -1,0 +1,102 @@
+#include "output/internal/plot/sheet.hpp"
+
+#include <algorithm>
+
+#include "output/internal/plot/iso_view.hpp"
+#include "output/internal/plot/legend.hpp"
+#include "output/internal/plot/palette.hpp"
+#include "output/internal/plot/plan_view.hpp"
+#include "output/internal/plot/subject.hpp"
+#include "output/internal/plot/text.hpp"
+
+namespace kerf::output::plot {
+namespace {
+
+constexpr double kWidth = 1600;
+constexpr double kMargin = 36;
+constexpr double kInner = kWidth - 2 * kMargin;
+constexpr double kViewsTop = 112;
+constexpr double kLowest = 380, kHighest = 760;  // height of the views
+constexpr double kIsoWidth = (kInner - kRulerLeft) / 2;
+
+// Free space between a view's frame and the box in it.
+struct Padding {
+  double left, right, top, bottom;
+};
+constexpr Padding kPlanPadding{44, 44, 44, 44};
+constexpr Padding kIsoPadding{92, 92, 40, 52};
+
+Rect inside(const Rect& frame, const Padding& padding) {
+  return {frame.left + padding.left, frame.top + padding.top,
+          frame.width - padding.left - padding.right, frame.height - padding.top - padding.bottom};
+}
+
+// How high a frame of this width must be for the box to fill the width.
+double height_for(const Projection& projection, const Box3& box, double width,
+                  const Padding& padding) {
+  const Point size = seen_size(projection, box);
+  if (size.x <= 0) return kHighest;
+  return (width - padding.left - padding.right) * size.y / size.x + padding.top + padding.bottom;
+}
+
+std::string subtitle(const PathRecorder& recorder) {
+  const std::uint64_t moves = recorder.move_count();
+  std::string text = "Tool path in machine coordinates \u00b7 " + grouped(moves) +
+                     (moves == 1 ? " move" : " moves");
+  const double tolerance = recorder.store().tolerance();
+  if (tolerance > 0) text += " \u00b7 simplified to about " + rounded(tolerance, 6) + " mm";
+  return text;
+}
+
+void draw_head(DisplayList& sheet, const PathRecorder& recorder) {
+  const std::string title = fitted(sheet.title, 24, Weight::bold, kInner);
+  sheet.add(Text{{kMargin, 44}, title, 24, Anchor::start, kDark, true});
+  sheet.add(Text{{kMargin, 68}, subtitle(recorder), 13, Anchor::start, kSoft});
+}
+
+void draw_caption(DisplayList& sheet, const Rect& frame, const std::string& text) {
+  sheet.add(Text{{frame.left, frame.top - 10}, text, 14, Anchor::start, kSoft});
+}
+
+double draw_two_views(DisplayList& sheet, const Subject& subject) {
+  const double plan_width = kInner - kIsoWidth - kRulerLeft;
+  const double height =
+      std::clamp(std::max(height_for(kIsometric, subject.box, kIsoWidth, kIsoPadding),
+                          height_for(kFromAbove, subject.box, plan_width, kPlanPadding)),
+                 kLowest, kHighest);
+  const Rect iso{kMargin, kViewsTop, kIsoWidth, height};
+  const Rect plan{iso.right() + kRulerLeft, kViewsTop, plan_width, height};
+  draw_caption(sheet, iso, "Isometric");
+  draw_iso(sheet, View(kIsometric, subject.box, iso, inside(iso, kIsoPadding)), subject);
+  draw_caption(sheet, plan, "Top view");
+  draw_plan(sheet, View(kFromAbove, subject.box, plan, inside(plan, kPlanPadding)), subject);
+  return plan.bottom();
+}
+
+double draw_one_view(DisplayList& sheet, const Subject& subject) {
+  const double width = kInner - kRulerLeft;
+  const double height =
+      std::clamp(height_for(kLathe, subject.box, width, kPlanPadding), kLowest, kHighest);
+  const Rect frame{kMargin + kRulerLeft, kViewsTop, width, height};
+  draw_caption(sheet, frame, "ZX plane");
+  draw_plan(sheet, View(kLathe, subject.box, frame, inside(frame, kPlanPadding)), subject);
+  return frame.bottom();
+}
+
+}  // namespace
+
+DisplayList draw_sheet(const PathRecorder& recorder, const std::string& title) {
+  const Subject subject(recorder);
+  DisplayList sheet;
+  sheet.width = kWidth;
+  sheet.title = printable(title);
+  draw_head(sheet, recorder);
+  const double bottom =
+      recorder.has_y() ? draw_two_views(sheet, subject) : draw_one_view(sheet, subject);
+  const double legend_top = bottom + kRulerBelow + 24;
+  draw_legend(sheet, {kMargin, legend_top}, kInner, subject);
+  sheet.height = legend_top + kLegendHeight;
+  return sheet;
+}
+
+}  // namespace kerf::output::plot

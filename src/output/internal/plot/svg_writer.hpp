@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "output/internal/plot/display_list.hpp"
+
+namespace kerf::output::plot {
+
+/// The drawing as an SVG document that needs nothing else. Coordinates are rounded to a hundredth
+/// of a pixel and must stay within 1e6 pixels.
+[[nodiscard]] std::string write_svg(const DisplayList& drawing);
+
+}  // namespace kerf::output::plot

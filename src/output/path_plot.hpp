@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::output {
+
+namespace plot {
+class PathRecorder;
+}
+
+/// What the X values of a machine's motions measure; lathes say diameters.
+enum class XMeasure : std::uint8_t { length, diameter };
+
+/// The picture of a tool path: one sheet with an isometric view, the view from above with ruled
+/// axes, the holes, the extents and a legend of the tools. A machine without a Y axis gets one view
+/// instead, Z to the right and X upward.
+///
+/// Takes motions in order, starting at machine zero. Memory and the size of the picture are bounded
+/// however long the program is (SVG below 2 MB): a path of more than some ten thousand corners is
+/// simplified as it comes, finer than the picture shows unless the path is a tangle. Axes other
+/// than X, Y and Z are not drawn. Coordinates that are not finite are ignored, those beyond 1e9 mm
+/// are drawn there.
+///
+/// The same motions give the same bytes.
+class PathPlot : public control::MotionSink {
+ public:
+  /// `title` is UTF-8; what is not is shown as '?'. With XMeasure::diameter the path is drawn in
+  /// true shape, and numbers of X stay diameters.
+  PathPlot(const control::AxisSetup& axes, std::string title, XMeasure x = XMeasure::length);
+  ~PathPlot() override;
+  PathPlot(const PathPlot&) = delete;
+  PathPlot& operator=(const PathPlot&) = delete;
+
+  void take(const control::Motion& motion) override;
+
+  /// The whole SVG document of what was taken so far.
+  [[nodiscard]] std::string svg() const;
+  /// The whole PNG file of what was taken so far. Text is set in DejaVu Sans.
+  [[nodiscard]] std::string png() const;
+
+ private:
+  std::unique_ptr<plot::PathRecorder> recorder_;
+  std::string title_;
+};
+
+}  // namespace kerf::output

@@ -46,7 +46,10 @@ void forget(const std::string& name) {
 
 std::string temporary_beside(const std::string& path) {
   const std::filesystem::path target(path);
-  return (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
+  std::string name(".");
+  name += target.filename().string();
+  name += ".XXXXXX";
+  return (target.parent_path() / name).string();
 }
 
 tl::unexpected<Failure> output_failure(const std::string& path, int error) {

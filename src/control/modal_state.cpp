@@ -21,7 +21,7 @@ constexpr Entry kCodes[] = {
     {190, Group::plane},        {200, Group::unit},        {210, Group::unit},
     {220, Group::stroke},       {230, Group::stroke},      {270, Group::one_shot},
     {280, Group::one_shot},     {290, Group::one_shot},    {300, Group::one_shot},
-    {310, Group::one_shot},     {330, Group::motion},      {370, Group::one_shot},
+    {310, Group::one_shot},     {330, Group::motion},
     {400, Group::compensation}, {401, Group::normal_direction},
     {410, Group::compensation}, {420, Group::compensation}, {430, Group::length},
     {440, Group::length},       {450, Group::one_shot},    {460, Group::one_shot},

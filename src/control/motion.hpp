@@ -149,6 +149,9 @@ class MotionSink {
  public:
   virtual ~MotionSink() = default;
   virtual void take(const Motion& motion) = 0;
+  /// False while the receiver would rather not be given more: whoever can, pauses. A few motions more
+  /// are always taken.
+  [[nodiscard]] virtual bool ready() const { return true; }
 };
 
 /// The target of a moving action, or nullptr.

@@ -33,9 +33,7 @@ std::uint16_t narrow(std::ptrdiff_t value) {
 
 [[noreturn]] void fail_since(const char* begin, const Cursor& cursor, Code code,
                              std::string_view detail = {}, std::string_view hint = {}) {
-  const char* end = cursor.at();
-  while (end > begin + 1 && static_cast<unsigned char>(end[-1]) <= ' ') --end;
-  throw SyntaxError{code, begin, static_cast<std::size_t>(end - begin), detail, hint};
+  throw SyntaxError{code, begin, static_cast<std::size_t>(cursor.behind() - begin), detail, hint};
 }
 
 }  // namespace
@@ -149,6 +147,7 @@ void BlockParser::label(Cursor& cursor) {
 
 // words = { address value | "," address value | "/" [level] | "<" name ">" }
 void BlockParser::words(Cursor& cursor) {
+  const char* const begin = cursor.at();
   const auto first = static_cast<std::uint32_t>(page_.words.size());
   Statement statement{.first = first, .line = line_};
   std::vector<MidSkip> skips;
@@ -167,7 +166,7 @@ void BlockParser::words(Cursor& cursor) {
     }
   }
   statement.from_registers = from_registers_;
-  emitter_.stand_at(line_begin_, line_begin_);
+  emitter_.stand_at(begin, cursor.behind());
   do_words(statement, static_cast<std::uint32_t>(page_.words.size()) - first);
   finish_mid_skips(statement, skips);
 }
@@ -255,7 +254,7 @@ void BlockParser::word(Cursor& cursor) {
     fail_since(begin, cursor, Code::no_data_after_address, {},
                next == 'O' ? "is the letter O a digit 0?" : "");
   }
-  finish_word(begin, cursor.at(), word);
+  finish_word(begin, cursor.behind(), word);
 }
 
 void BlockParser::literal(Cursor& cursor, Word& word, bool minus) {
@@ -268,7 +267,6 @@ void BlockParser::literal(Cursor& cursor, Word& word, bool minus) {
 }
 
 void BlockParser::finish_word(const char* begin, const char* end, Word& word) {
-  while (end > begin + 1 && static_cast<unsigned char>(end[-1]) <= ' ') --end;
   word.column = narrow(begin - line_begin_ + 1);
   word.length = narrow(end - begin);
   page_.words.push_back(word);

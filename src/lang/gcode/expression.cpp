@@ -83,11 +83,11 @@ void Expression::fail(Code code, std::string_view detail, std::string_view hint)
 }
 
 void Expression::fail_since(Code code, const char* begin, std::string_view detail) const {
-  throw SyntaxError{code, begin, static_cast<std::size_t>(cursor_.at() - begin), detail, {}};
+  throw SyntaxError{code, begin, static_cast<std::size_t>(cursor_.behind() - begin), detail, {}};
 }
 
 Operand Expression::temporary(std::uint8_t reg, const char* begin, bool truth) const {
-  return {.is_truth = truth, .reg = reg, .begin = begin, .end = cursor_.at()};
+  return {.is_truth = truth, .reg = reg, .begin = begin, .end = cursor_.behind()};
 }
 
 void Expression::require_number(const Operand& operand) const {
@@ -233,7 +233,7 @@ Operand Expression::literal() {
   if (text.digits > kLiteralDigits) {
     fail_since(Code::too_many_digits, begin, "a number in a macro statement has at most 12 digits");
   }
-  return {.is_constant = true, .value = text.value, .begin = begin, .end = cursor_.at()};
+  return {.is_constant = true, .value = text.value, .begin = begin, .end = cursor_.behind()};
 }
 
 void Expression::open_bracket() {
@@ -254,7 +254,7 @@ Operand Expression::bracketed() {
   Operand result = comparison();
   close_bracket();
   result.begin = begin;
-  result.end = cursor_.at();
+  result.end = cursor_.behind();
   return result;
 }
 
@@ -414,7 +414,7 @@ Variable Expression::variable() {
     if (text.digits > kVariableDigits) fail_since(Code::variable_range, begin);
     Variable result = classify(static_cast<std::uint32_t>(text.value));
     result.begin = begin;
-    result.end = cursor_.at();
+    result.end = cursor_.behind();
     return result;
   }
   if (cursor_.peek() != '[') {
@@ -425,7 +425,7 @@ Variable Expression::variable() {
   address_ = 0;
   const Operand index = bracketed_number();
   address_ = address;
-  return {Variable::Kind::computed, 0, in_register(index), begin, cursor_.at()};
+  return {Variable::Kind::computed, 0, in_register(index), begin, cursor_.behind()};
 }
 
 bool Expression::at_named_variable() const {
@@ -450,7 +450,7 @@ Variable Expression::named_variable() {
   result.number = name[0] == '_' ? system_variable(name, begin) : kNamed + names_.number_of(name);
   if (cursor_.done()) fail(Code::missing_close_bracket);
   if (!cursor_.take(']')) fail(Code::variable_name, "a name has letters, digits and underscores");
-  result.end = cursor_.at();
+  result.end = cursor_.behind();
   return result;
 }
 

@@ -91,7 +91,7 @@ class Expression {
   [[nodiscard]] KeywordMatch next_operator() const;
   [[nodiscard]] Operand temporary(std::uint8_t reg, const char* begin, bool truth = false) const;
   [[nodiscard]] std::uint8_t result_register(const Operand& left, const Operand& right);
-  void stand_at(const char* begin) { emitter_.stand_at(begin, cursor_.at()); }
+  void stand_at(const char* begin) { emitter_.stand_at(begin, cursor_.behind()); }
   [[noreturn]] void fail(base::Code code, std::string_view detail = {},
                          std::string_view hint = {}) const;
   [[noreturn]] void fail_since(base::Code code, const char* begin, std::string_view detail = {}) const;

@@ -51,12 +51,13 @@ NumberText Cursor::number() {
       mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at_ - '0');
       ++at_;
     }
+    if (at_ != begin && (is_digit(at_[-1]) || at_[-1] == '.')) behind_ = at_;
     skip();
     if (at_ == end_) break;
     if (*at_ == '.') {
       if (result.point) throw SyntaxError{base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number"};
       result.point = true;
-      ++at_;
+      behind_ = ++at_;
       skip();
     } else if (!is_digit(*at_)) {
       break;
@@ -80,6 +81,7 @@ NumberText Cursor::long_number(const char* begin) {
       ++result.digits;
     }
     digits += *at_;
+    behind_ = at_ + 1;
   }
   std::from_chars(digits.data(), digits.data() + digits.size(), result.value);
   return result;

@@ -32,10 +32,15 @@ class Cursor {
  public:
   static constexpr char kEnd = '\0';
 
-  explicit Cursor(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) { skip(); }
+  explicit Cursor(std::string_view text)
+      : at_(text.data()), end_(text.data() + text.size()), behind_(text.data()) {
+    skip();
+  }
 
   [[nodiscard]] const char* at() const { return at_; }
   [[nodiscard]] const char* end() const { return end_; }
+  /// Behind the last character that was taken: where a token ends, before blanks and comments.
+  [[nodiscard]] const char* behind() const { return behind_; }
   [[nodiscard]] bool done() const { return at_ == end_; }
   [[nodiscard]] char peek() const { return at_ == end_ ? kEnd : fold(*at_); }
   /// The character directly behind the current one, with nothing skipped between.
@@ -44,12 +49,12 @@ class Cursor {
   [[nodiscard]] char peek_behind() const;
 
   void advance() {
-    ++at_;
+    behind_ = ++at_;
     skip();
   }
   /// Passes over `count` characters that are known to be contiguous.
   void advance(std::size_t count) {
-    at_ += count;
+    behind_ = at_ += count;
     skip();
   }
   /// Takes `wanted` if it is next.
@@ -63,7 +68,7 @@ class Cursor {
   [[nodiscard]] NumberText number();
 
   void move_to(const char* at) {
-    at_ = at;
+    behind_ = at_ = at;
     skip();
   }
 
@@ -84,6 +89,7 @@ class Cursor {
 
   const char* at_;
   const char* end_;
+  const char* behind_;
   std::string_view comment_;
 };
 

@@ -126,9 +126,9 @@ void BlockParser::go_to(Cursor& cursor) {
   if (is_digit(next)) {
     const double label = std::round(cursor.number().value);
     if (label < 1 || label > kLargestLabel) {
-      throw SyntaxError{Code::label_range, begin, static_cast<std::size_t>(cursor.at() - begin), {}, {}};
+      throw SyntaxError{Code::label_range, begin, static_cast<std::size_t>(cursor.behind() - begin), {}, {}};
     }
-    emitter_.stand_at(begin, cursor.at());
+    emitter_.stand_at(begin, cursor.behind());
     emitter_.emit({Op::jump_to_label, 0, 0, 1, static_cast<std::uint32_t>(label)});
     return;
   }
@@ -136,7 +136,7 @@ void BlockParser::go_to(Cursor& cursor) {
   if (next != '#' && next != '[') fail(cursor, Code::macro_format, "GOTO needs a sequence number");
   const Operand operand = next == '#' ? expression.load(expression.variable()) : expression.bracketed_number();
   const Operand label = expression.call(Function::label, operand, begin);
-  emitter_.stand_at(begin, cursor.at());
+  emitter_.stand_at(begin, cursor.behind());
   emitter_.emit({Op::jump_to_label, 0, label.reg, 0, 0});
 }
 
@@ -180,9 +180,9 @@ std::uint8_t BlockParser::loop_number(Cursor& cursor) {
     fail(cursor, Code::illegal_loop_number, "1, 2 or 3 is expected here");
   }
   const NumberText text = cursor.number();
-  emitter_.stand_at(begin, cursor.at());
+  emitter_.stand_at(begin, cursor.behind());
   if (text.point || text.value < 1 || text.value > 3) {
-    throw SyntaxError{Code::illegal_loop_number, begin, static_cast<std::size_t>(cursor.at() - begin), {}, {}};
+    throw SyntaxError{Code::illegal_loop_number, begin, static_cast<std::size_t>(cursor.behind() - begin), {}, {}};
   }
   return static_cast<std::uint8_t>(text.value);
 }
@@ -221,7 +221,7 @@ void BlockParser::print_variable(Cursor& cursor) {
   }
   const int digits = item.integers + item.decimals;
   if (count < 1 || count > 2 || digits < 1 || digits > kMostPrintDigits || cursor.peek() != ']') {
-    throw SyntaxError{Code::print_format, begin, static_cast<std::size_t>(cursor.at() - begin),
+    throw SyntaxError{Code::print_format, begin, static_cast<std::size_t>(cursor.behind() - begin),
                       "at most 8 digits: integers, then decimals", {}};
   }
   cursor.advance();
@@ -255,7 +255,7 @@ std::string BlockParser::variable_name(Cursor& cursor) {
     name += c;
     cursor.advance();
   }
-  const auto length = static_cast<std::size_t>(cursor.at() - begin);
+  const auto length = static_cast<std::size_t>(cursor.behind() - begin);
   if (name.empty()) fail(cursor, Code::setvn_format, "a name is expected here");
   if (name.size() > kLongestVariableName) throw SyntaxError{Code::setvn_length, begin, length, {}, {}};
   return name;

@@ -27,7 +27,7 @@ struct Region {
   std::uint8_t slot = 0;
   State state = State::unresolved;
   std::uint32_t head = 0;  ///< first instruction, of this page
-  Address end;             ///< its repeat_region, when closed
+  Address end{};           ///< its repeat_region, when closed
 };
 
 /// Where a block of the source begins in the code.

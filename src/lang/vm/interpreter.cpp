@@ -222,7 +222,10 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
       case Op::write_fixed: {
         save();
         const bool fixed = i.op == Op::write_fixed;
-        if (!host_.write(fixed ? i.n : zero_if_null(r[i.a]), fixed ? r[i.a] : r[i.b])) return Stop::over;
+        const Verdict verdict =
+            host_.write(fixed ? i.n : zero_if_null(r[i.a]), fixed ? r[i.a] : r[i.b]);
+        if (verdict == Verdict::stop) return Stop::over;
+        if (verdict == Verdict::pause) return Stop::paused;
         break;
       }
       case Op::negate: r[i.a] = -zero_if_null(r[i.b]); break;

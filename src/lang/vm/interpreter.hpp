@@ -57,7 +57,8 @@ class Interpreter {
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   [[nodiscard]] CodeId running_code() const { return frames_.back().code; }
   [[nodiscard]] base::Place place();
-  [[nodiscard]] Address address() const { return frames_.back().at; }
+  /// The instruction that executes, in running_code().
+  [[nodiscard]] Address running() const { return running_.at; }
   /// The newest `note` of the program.
   [[nodiscard]] std::uint32_t note() const { return note_; }
 

@@ -112,7 +112,7 @@ Bezier ArcPath::span(std::size_t number) const {
 // The sagitta of a chord over the angle a is r (1 - cos(a/2)), about r a^2 / 8.
 std::size_t ArcPath::chord_count(double tolerance) const {
   const double radius = std::max(radius_, radius_ + radius_growth_);
-  const double finest = kTurn / 360, coarsest = kTurn / 6;
+  const double finest = kTurn / 3600, coarsest = kTurn / 6;
   const double angle = std::clamp(std::sqrt(8 * tolerance / radius), finest, coarsest);
   return static_cast<std::size_t>(std::ceil(std::abs(sweep_rad_) / angle));
 }

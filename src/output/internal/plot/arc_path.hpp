@@ -37,8 +37,8 @@ class ArcPath {
   [[nodiscard]] std::size_t span_count() const;
   [[nodiscard]] Bezier span(std::size_t number) const;
 
-  /// How many equal chords stay within `tolerance` > 0 of the arc; at least six a turn, and no more
-  /// than 360.
+  /// How many equal chords stay within `tolerance` > 0 of the arc; at least six and at most 3600
+  /// a turn.
   [[nodiscard]] std::size_t chord_count(double tolerance) const;
 
  private:

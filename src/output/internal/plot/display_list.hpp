@@ -29,7 +29,8 @@ struct Color {
   std::uint8_t red = 0, green = 0, blue = 0;
 };
 
-/// Lines and cubic Bezier curves: steps, and the points that they take (1, 1, 3, 0).
+/// Lines and cubic Bezier curves: steps, and the points that they take (1, 1, 3, 0). After a close
+/// comes a move or nothing.
 struct Outline {
   enum class Step : std::uint8_t { move, line, curve, close };
   std::vector<Step> steps;
@@ -80,7 +81,7 @@ struct Text {
   std::string text;
   double size = 12;
   Anchor anchor = Anchor::start;
-  Color color;
+  Color color{};
   bool bold = false;
   bool halo = false;
 };

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "output/internal/plot/label_placer.hpp"
+#include "output/internal/plot/marks.hpp"
 #include "output/internal/plot/palette.hpp"
-#include "output/internal/plot/path_painter.hpp"
 #include "output/internal/plot/ruler.hpp"
 #include "output/internal/plot/text.hpp"
 
@@ -137,7 +137,7 @@ void draw_triad(DisplayList& sheet, const View& view, const Box3& box) {
 
 }  // namespace
 
-void draw_iso(DisplayList& sheet, const View& view, const Subject& subject) {
+Look draw_iso(DisplayList& sheet, const View& view, const Subject& subject) {
   LabelPlacer labels(view.frame().shrunk(3));
   const Box3& box = subject.box;
   const std::array<Edge, 3> edges = ruled_edges(box);
@@ -150,13 +150,14 @@ void draw_iso(DisplayList& sheet, const View& view, const Subject& subject) {
     if (i != kZ) draw_floor(sheet, view, box, edge, ticks[i]);
   }
   draw_box(sheet, view, box);
-  draw_path(sheet, view, subject);
+  const Look look = draw_path(sheet, view, subject, Shading::Order::back_to_front);
   for (const auto& edge : edges) {
     if (!ticks[edge.axis].empty()) draw_edge(sheet, view, box, edge, ticks[edge.axis], labels);
   }
   draw_ends(sheet, view, subject, labels);
   draw_tool_labels(sheet, view, subject, labels);
   draw_triad(sheet, view, box);
+  return look;
 }
 
 }  // namespace kerf::output::plot

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "output/internal/plot/path_painter.hpp"
 #include "output/internal/plot/subject.hpp"
 #include "output/internal/plot/view.hpp"
 
@@ -7,6 +8,6 @@ namespace kerf::output::plot {
 
 /// Draws the isometric view of a path: the box around it with rulers at three of its edges and a
 /// grid on its floor, the path, and arrows that show where X, Y and Z go.
-void draw_iso(DisplayList& sheet, const View& view, const Subject& subject);
+Look draw_iso(DisplayList& sheet, const View& view, const Subject& subject);
 
 }  // namespace kerf::output::plot

@@ -1,11 +1,9 @@
 #include "output/internal/plot/legend.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "output/internal/plot/marks.hpp"
 #include "output/internal/plot/palette.hpp"
-#include "output/internal/plot/path_painter.hpp"
-#include "output/internal/plot/plan_view.hpp"
 #include "output/internal/plot/text.hpp"
 
 namespace kerf::output::plot {
@@ -33,10 +31,11 @@ void draw_sample(DisplayList& sheet, Point row, const Ink& ink) {
   sheet.add(std::move(sample), ink);
 }
 
-// Columns of five; the last place says how many there is no room for.
-void draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
+// Columns of five, beginning at `corner`; the last place says how many there is no room for.
+// Returns the width taken.
+double draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
   constexpr std::size_t kRows = 5, kColumns = 5;
-  constexpr double kColumn = 118;
+  constexpr double kColumn = 114;
   draw_heading(sheet, corner, "Tools");
   const std::size_t count = subject.cutters.size();
   const std::size_t shown = count <= kRows * kColumns ? count : kRows * kColumns - 1;
@@ -51,6 +50,8 @@ void draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
   }
   if (shown < count) draw_words(sheet, place(shown), "+ " + grouped(count - shown) + " more");
   if (count == 0) draw_words(sheet, place(0), "nothing is cut");
+  const std::size_t columns = std::clamp<std::size_t>((count + kRows - 1) / kRows, 1, kColumns);
+  return std::max(1.6, static_cast<double>(columns)) * kColumn;
 }
 
 std::string hole_count(const HoleFinder& finder) {
@@ -85,26 +86,40 @@ void draw_cell(DisplayList& sheet, Point right, const std::string& text, Color c
   sheet.add(Text{right, text, kTextSize, Anchor::end, color});
 }
 
-// From and to, and the size when asked for, right-aligned in columns that end at `right`.
-void draw_range(DisplayList& sheet, Point row, std::span<const double> right, double low,
-                double high) {
+// Right ends of the table's columns, from the right edge of the table.
+constexpr std::array<double, 3> kCutColumns{-385, -300, -215};
+constexpr std::array<double, 2> kMoveColumns{-85, 0};
+constexpr double kTableWidth = 570;
+
+void draw_heads(DisplayList& sheet, Point corner, double right, const Subject& subject) {
+  const double y = corner.y + 8;
+  draw_heading(sheet, corner, "Extents, mm");
+  draw_cell(sheet, {right + kMoveColumns[0], y}, "all moves from", kSoft);
+  draw_cell(sheet, {right + kMoveColumns[1], y}, "to", kSoft);
+  if (!subject.has_cuts()) return;
+  draw_cell(sheet, {right + kCutColumns[0], y}, "cuts from", kSoft);
+  draw_cell(sheet, {right + kCutColumns[1], y}, "to", kSoft);
+  draw_cell(sheet, {right + kCutColumns[2], y}, "size", kSoft);
+}
+
+void draw_cuts_range(DisplayList& sheet, Point row, double low, double high) {
   const int decimals = decimals_for(high - low);
-  const double y = row.y + 4.5;
-  draw_cell(sheet, {right[0], y}, rounded(low, decimals), kDark);
-  draw_cell(sheet, {right[1], y}, rounded(high, decimals), kDark);
-  if (right.size() > 2) draw_cell(sheet, {right[2], y}, rounded(high - low, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[0], row.y}, rounded(low, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[1], row.y}, rounded(high, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[2], row.y}, rounded(high - low, decimals), kDark);
+}
+
+void draw_moves_range(DisplayList& sheet, Point row, double low, double high) {
+  const int decimals = decimals_for(high - low);
+  draw_cell(sheet, {row.x + kMoveColumns[0], row.y}, rounded(low, decimals), kDark);
+  draw_cell(sheet, {row.x + kMoveColumns[1], row.y}, rounded(high, decimals), kDark);
 }
 
 // A row an axis: what the cuts span, and what all moves span with machine zero.
 void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
   const PathRecorder& recorded = subject.recorded;
-  const std::array<double, 5> right{corner.x + 110, corner.x + 205, corner.x + 300, corner.x + 410,
-                                    corner.x + 505};
-  constexpr std::array<const char*, 5> kHeads{"cuts from", "to", "size", "all moves from", "to"};
-  draw_heading(sheet, corner, "mm");
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    draw_cell(sheet, {right[i], corner.y + 8}, kHeads[i], kSoft);
-  }
+  const double right = corner.x + kTableWidth;
+  draw_heads(sheet, corner, right, subject);
   std::size_t row = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (i == kY && !recorded.has_y()) continue;
@@ -112,20 +127,20 @@ void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
     const Point at = row_at(corner, row++);
     const std::string name = std::string(1, "XYZ"[i]) + (factor == 1 ? "" : " \u2300");
     sheet.add(Text{{at.x, at.y + 4.5}, name, kTextSize, Anchor::start, kDark, true});
-    const auto ends = [&](const Box3& box, std::span<const double> columns) {
-      draw_range(sheet, at, columns, box.low()[i] * factor, box.high()[i] * factor);
-    };
-    if (subject.has_cuts()) ends(recorded.cut_extents(), std::span(right).first(3));
-    ends(recorded.all_extents(), std::span(right).last(2));
+    const Point cells{right, at.y + 4.5};
+    const Box3 &cuts = recorded.cut_extents(), all = recorded.all_extents();
+    if (!cuts.empty())
+      draw_cuts_range(sheet, cells, cuts.low()[i] * factor, cuts.high()[i] * factor);
+    draw_moves_range(sheet, cells, all.low()[i] * factor, all.high()[i] * factor);
   }
 }
 
 }  // namespace
 
 void draw_legend(DisplayList& sheet, Point corner, double width, const Subject& subject) {
-  draw_tools(sheet, corner, subject);
-  draw_signs(sheet, {corner.x + width - 780, corner.y}, subject);
-  draw_extents(sheet, {corner.x + width - 505, corner.y}, subject);
+  const double tools = draw_tools(sheet, corner, subject);
+  draw_signs(sheet, {corner.x + tools, corner.y}, subject);
+  draw_extents(sheet, {corner.x + width - kTableWidth, corner.y}, subject);
 }
 
 }  // namespace kerf::output::plot

@@ -14,6 +14,7 @@ inline constexpr Color kFrame{150, 150, 150};
 inline constexpr Color kAxis{190, 190, 190};  // zero lines, edges of the box
 inline constexpr Color kGrid{233, 233, 233};
 inline constexpr Color kTravel{140, 140, 140};
+inline constexpr Color kFaintTravel{200, 200, 200};  // where there is much of it
 
 /// Colours that people who see colours differently can tell apart on white: Okabe and Ito's without
 /// the yellow, then the same ones darker. From the thirteenth tool on they repeat; labels tell.

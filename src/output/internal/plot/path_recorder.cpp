@@ -8,11 +8,10 @@ namespace {
 
 constexpr double kLargest = PathStore::kLargestCoordinate;
 
-// Every comparison with what is not a number is false.
 double drawable(double value, double otherwise) {
-  if (value > kLargest) return std::isinf(value) ? otherwise : kLargest;
-  if (value < -kLargest) return std::isinf(value) ? otherwise : -kLargest;
-  return value == value ? value : otherwise;
+  if (std::abs(value) <= kLargest) return value;
+  if (!std::isfinite(value)) return otherwise;
+  return value > 0 ? kLargest : -kLargest;
 }
 
 // The coordinates of a plane's axes, in the plane's order.
@@ -36,7 +35,7 @@ PathRecorder::PathRecorder(const control::AxisSetup& axes, double x_scale) : x_s
     const auto axis = axes.find(kLetters[i]);
     if (axis && !axes[*axis].rotary) coordinates_[i] = {base::index(*axis), i == kX ? x_scale : 1};
   }
-  all_.add(position_);
+  travels_.add(position_);
 }
 
 void PathRecorder::take(const control::Motion& motion) {
@@ -77,8 +76,7 @@ void PathRecorder::arc(const control::Arc& arc) {
   const Pen pen = pen_for(trace);
   if (trace == Trace::cut) holes_.sideways_cut();
   store_.arc(pen, path);
-  path.extend(all_);
-  if (trace == Trace::cut) path.extend(cuts_);
+  path.extend(trace == Trace::cut ? cuts_ : travels_);
   arrive(path.to(), trace);
 }
 
@@ -101,13 +99,23 @@ Pen PathRecorder::pen_for(Trace trace) {
 }
 
 void PathRecorder::arrive(const Point3& to, Trace trace) {
-  if (trace == Trace::cut) {
-    cuts_.add(position_);
+  if (trace == Trace::travel) {
+    travels_.add(to);
+  } else {
+    if (last_ == Trace::travel) cuts_.add(position_);
     cuts_.add(to);
     last_cut_ = to;
   }
-  all_.add(to);
   position_ = to;
+  last_ = trace;
+}
+
+Box3 PathRecorder::all_extents() const {
+  Box3 all = travels_;
+  if (cuts_.empty()) return all;
+  all.add(cuts_.low());
+  all.add(cuts_.high());
+  return all;
 }
 
 Point3 PathRecorder::point_of(const base::AxisVector& to) const {

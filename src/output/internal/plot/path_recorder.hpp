@@ -34,7 +34,7 @@ class PathRecorder {
   /// By the index of Pen and Hole, in order of first use. More than kMaxTools share the last one.
   [[nodiscard]] std::span<const Tool> tools() const { return tools_; }
   [[nodiscard]] const Box3& cut_extents() const { return cuts_; }  ///< empty without cuts
-  [[nodiscard]] const Box3& all_extents() const { return all_; }   ///< with machine zero
+  [[nodiscard]] Box3 all_extents() const;                          ///< with machine zero
   [[nodiscard]] std::uint64_t move_count() const { return moves_; }
   [[nodiscard]] bool has_y() const { return coordinates_[kY].scale != 0; }
   [[nodiscard]] double x_scale() const { return x_scale_; }
@@ -64,12 +64,13 @@ class PathRecorder {
   double x_scale_;
   std::array<Coordinate, 3> coordinates_{};
   Point3 position_{};
+  Trace last_ = Trace::travel;
   bool beam_off_ = false;  // known only on machines that have a beam
   std::uint16_t tool_ = 0;
   std::vector<Tool> tools_{Tool{}};
   PathStore store_;
   HoleFinder holes_;
-  Box3 cuts_, all_;
+  Box3 cuts_, travels_;
   Point3 first_cut_{}, last_cut_{};
   std::uint64_t moves_ = 0;
 };

@@ -8,6 +8,10 @@ namespace {
 // A Bezier curve takes three points to draw.
 std::size_t cost_of(const ArcPath& arc) { return 3 * arc.span_count(); }
 
+Point3 chord_end(const ArcPath& arc, std::size_t number, std::size_t count) {
+  return arc.at(static_cast<double>(number) / static_cast<double>(count));
+}
+
 double largest_extent(const Path& path) {
   Box3 cuts, all;
   for (std::size_t i = 0; i < path.strokes.size(); ++i) {
@@ -41,12 +45,13 @@ void PathStore::line(Pen pen, const Point3& from, const Point3& to) {
 void PathStore::arc(Pen pen, const ArcPath& arc) {
   use(pen, arc.from());
   if (tolerance_ > 0) {
-    simplified_arc(arc);
-  } else {
-    path_.arcs.push_back(arc);
-    append(arc.to(), static_cast<std::uint32_t>(path_.arcs.size() - 1));
-    cost_ += cost_of(arc);
+    const std::size_t chords = arc.chord_count(tolerance_);
+    for (std::size_t i = 1; i <= chords; ++i) line(pen, arc.from(), chord_end(arc, i, chords));
+    return;
   }
+  path_.arcs.push_back(arc);
+  append(arc.to(), static_cast<std::uint32_t>(path_.arcs.size() - 1));
+  cost_ += cost_of(arc);
   if (cost_ > kBudget) coarsen();
 }
 
@@ -78,13 +83,6 @@ void PathStore::simplified_line(const Point3& to) {
   if (sleeve_.add(to)) keep(sleeve_.anchor());
 }
 
-void PathStore::simplified_arc(const ArcPath& arc) {
-  const std::size_t chords = arc.chord_count(tolerance_);
-  for (std::size_t i = 1; i <= chords; ++i) {
-    simplified_line(arc.at(static_cast<double>(i) / static_cast<double>(chords)));
-  }
-}
-
 // A segment seen before leaves a gap between strokes, which the segment seen before closes.
 void PathStore::keep(const Point3& to) {
   const std::uint32_t label = pen_.tool * 2U + static_cast<std::uint32_t>(pen_.trace);
@@ -113,13 +111,14 @@ void PathStore::coarsen() {
   const Path original = std::exchange(path_, {});
   const Pen pen = pen_;
   const Point3 at = tail_;
-  double tolerance = tolerance_ > 0 ? tolerance_ * 2 : largest_extent(original) * kFinest;
-  tolerance = std::max(tolerance, kLeastTolerance);
-  while (!rebuild(original, tolerance)) tolerance *= 2;
+  constexpr double kCoarser = 1.5;
+  const double first = std::max(largest_extent(original) * kFinest, kLeastTolerance);
+  double tolerance = tolerance_ > 0 ? tolerance_ * kCoarser : first;
+  while (!rebuild(original, tolerance)) tolerance *= kCoarser;
   begin(pen, at);
 }
 
-// False, and the store is half done, as soon as half of the budget is not enough.
+// False, with the work half done, as soon as three quarters of the budget are not enough.
 bool PathStore::rebuild(const Path& path, double tolerance) {
   tolerance_ = tolerance;
   sleeve_ = Sleeve(tolerance);
@@ -130,14 +129,19 @@ bool PathStore::rebuild(const Path& path, double tolerance) {
     const auto vertices = path.vertices_of(i);
     begin(path.strokes[i].pen, vertices.front().at);
     for (const Path::Vertex& vertex : vertices.subspan(1)) {
-      if (vertex.arc == Path::kNoArc) {
-        simplified_line(vertex.at);
-      } else {
-        simplified_arc(path.arcs[vertex.arc]);
-      }
-      if (cost_ > kBudget / 2) return false;
+      if (!rebuild_vertex(path, vertex)) return false;
     }
     finish_stroke();
+  }
+  return true;
+}
+
+bool PathStore::rebuild_vertex(const Path& path, const Path::Vertex& vertex) {
+  const bool straight = vertex.arc == Path::kNoArc;
+  const std::size_t chords = straight ? 1 : path.arcs[vertex.arc].chord_count(tolerance_);
+  for (std::size_t i = 1; i <= chords; ++i) {
+    simplified_line(straight ? vertex.at : chord_end(path.arcs[vertex.arc], i, chords));
+    if (cost_ > kBudget / 4 * 3) return false;
   }
   return true;
 }

@@ -42,14 +42,14 @@ struct Path {
 /// Keeps a path of any length in bounded memory.
 ///
 /// While the path is small it is kept exactly. When it outgrows kBudget, it is simplified with a
-/// tolerance of kFinest of its extents, doubled until half of the budget is enough: arcs become
-/// chords, corners within the tolerance of a straight line go (Sleeve), and so do segments that
-/// repeat an earlier one of the same pen within twice the tolerance (SegmentSet) - a contour that
-/// is cut a million times, or hatching finer than any picture. What comes later is simplified as it
-/// comes. Everything kept is a point of the true path.
+/// tolerance of kFinest of its extents, half as much again until three quarters of the budget are
+/// enough: arcs become chords, corners within the tolerance of a straight line go (Sleeve), and so
+/// do segments that repeat an earlier one of the same pen within twice the tolerance (SegmentSet) -
+/// a contour that is cut a million times, or hatching finer than any picture. What comes later is
+/// simplified as it comes. Everything kept is a point of the true path.
 class PathStore {
  public:
-  static constexpr std::size_t kBudget = 60'000;     ///< vertices
+  static constexpr std::size_t kBudget = 50'000;     ///< vertices
   static constexpr double kFinest = 1.0 / 8192;      ///< of the largest extent of the cuts
   static constexpr double kLeastTolerance = 1e-6;    ///< mm
   static constexpr double kLargestCoordinate = 1e9;  ///< mm; the caller keeps within
@@ -62,20 +62,21 @@ class PathStore {
   [[nodiscard]] Path path() const;
 
   /// 0: the path is exact. Otherwise every point of the true path is, in each coordinate, within
-  /// six times this of a segment kept (once by Sleeve, twice by SegmentSet, the coarsenings before
-  /// add up to as much again); nearly all are within it.
+  /// kMostOff times this of a segment kept: once by Sleeve, twice by SegmentSet, the coarsenings
+  /// before add up to twice as much, and once by the chords of arcs. Nearly all are within it.
   [[nodiscard]] double tolerance() const { return tolerance_; }
+  static constexpr double kMostOff = 10;
 
  private:
   void use(Pen pen, const Point3& from);
   void begin(Pen pen, const Point3& from);
   void finish_stroke();
   void simplified_line(const Point3& to);
-  void simplified_arc(const ArcPath& arc);
   void keep(const Point3& to);
   void append(const Point3& to, std::uint32_t arc);
   void coarsen();
   bool rebuild(const Path& path, double tolerance);
+  bool rebuild_vertex(const Path& path, const Path::Vertex& vertex);
 
   Path path_;
   std::size_t cost_ = 0;

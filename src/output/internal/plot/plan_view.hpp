@@ -1,5 +1,6 @@
 #pragma once
 
+#include "output/internal/plot/path_painter.hpp"
 #include "output/internal/plot/subject.hpp"
 #include "output/internal/plot/view.hpp"
 
@@ -8,11 +9,8 @@ namespace kerf::output::plot {
 /// Draws the flat view of a path with rulers at its frame, which has room for their labels to the
 /// left (kRulerLeft) and below (kRulerBelow): from above with the holes marked, or, of a machine
 /// without Y, as a lathe is drawn.
-void draw_plan(DisplayList& sheet, const View& view, const Subject& subject);
+Look draw_plan(DisplayList& sheet, const View& view, const Subject& subject);
 
 inline constexpr double kRulerLeft = 84, kRulerBelow = 44;
-
-/// A hole's mark, for the legend.
-void draw_hole_mark(DisplayList& sheet, Point at);
 
 }  // namespace kerf::output::plot

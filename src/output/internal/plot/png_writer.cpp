@@ -22,39 +22,57 @@ void set_color(cairo_t* to, Color color) {
   cairo_set_source_rgb(to, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
 }
 
-void trace(cairo_t* to, const Outline& outline) {
-  const Point* p = outline.points.data();
-  cairo_new_path(to);
-  for (const Outline::Step step : outline.steps) {
-    switch (step) {
-      case Outline::Step::move:
-        cairo_move_to(to, p->x, p->y), ++p;
-        break;
-      case Outline::Step::line:
-        cairo_line_to(to, p->x, p->y), ++p;
-        break;
-      case Outline::Step::curve:
-        cairo_curve_to(to, p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y), p += 3;
-        break;
-      case Outline::Step::close:
-        cairo_close_path(to);
-        break;
-    }
+// Adds one step to cairo's path and returns the points behind it.
+const Point* add(cairo_t* to, Outline::Step step, const Point* p) {
+  switch (step) {
+    case Outline::Step::move:
+      cairo_move_to(to, p->x, p->y);
+      return p + 1;
+    case Outline::Step::line:
+      cairo_line_to(to, p->x, p->y);
+      return p + 1;
+    case Outline::Step::curve:
+      cairo_curve_to(to, p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y);
+      return p + 3;
+    case Outline::Step::close:
+      cairo_close_path(to);
+      return p;
   }
+  return p;
+}
+
+void fill(cairo_t* to, const Outline& outline, Color color) {
+  const Point* p = outline.points.data();
+  for (const Outline::Step step : outline.steps) p = add(to, step, p);
+  set_color(to, color);
+  cairo_fill(to);
+}
+
+// In pieces: the time that cairo takes for a path grows with the square of its crossings.
+void stroke(cairo_t* to, const Outline& outline, Color color) {
+  constexpr int kPiece = 128;
+  set_color(to, color);
+  const Point* p = outline.points.data();
+  int steps = 0;
+  for (const Outline::Step step : outline.steps) {
+    if (++steps > kPiece && step != Outline::Step::close) {
+      cairo_stroke(to);
+      if (step != Outline::Step::move) cairo_move_to(to, p[-1].x, p[-1].y);
+      steps = 0;
+    }
+    p = add(to, step, p);
+  }
+  cairo_stroke(to);
 }
 
 void draw(cairo_t* to, const Shape& shape) {
-  trace(to, shape.outline);
-  if (shape.ink.fill) {
-    set_color(to, *shape.ink.fill);
-    cairo_fill_preserve(to);
-  }
+  cairo_new_path(to);
+  if (shape.ink.fill) fill(to, shape.outline, *shape.ink.fill);
   if (!shape.ink.stroke) return;
   constexpr std::array<double, 2> kDashes{kDashOn, kDashOff};
   cairo_set_dash(to, kDashes.data(), shape.ink.dashed ? 2 : 0, 0);
   cairo_set_line_width(to, shape.ink.width);
-  set_color(to, *shape.ink.stroke);
-  cairo_stroke(to);
+  stroke(to, shape.outline, *shape.ink.stroke);
 }
 
 void draw(cairo_t* to, const Text& text) {

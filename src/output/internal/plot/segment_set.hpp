@@ -15,7 +15,7 @@ class SegmentSet {
  public:
   static constexpr std::size_t kCapacity = 100'000;
 
-  /// Forgets all segments. `cell` > 0 mm; coordinates divided by it stay below 2^52.
+  /// Forgets all segments. `cell` > 0 mm; coordinates divided by it stay below 2^51.
   void clear(double cell) {
     per_mm_ = 1 / cell;
     slots_.assign(kSlots, 0);
@@ -44,10 +44,10 @@ class SegmentSet {
   }
 
   [[nodiscard]] std::uint64_t cell_mark(const Point3& p) const {
-    constexpr double kToPositive = 4503599627370496;  // 2^52: truncation is rounding down
+    constexpr double kToWhole = 6755399441055744;  // 1.5 * 2^52: the sum has no room for a fraction
     std::uint64_t mark = 0;
     for (const double coordinate : p) {
-      const auto cell = static_cast<std::uint64_t>(coordinate * per_mm_ + kToPositive);
+      const auto cell = static_cast<std::uint64_t>(coordinate * per_mm_ + kToWhole);
       mark = mixed((mark ^ cell) * 0x9e3779b97f4a7c15ULL);
     }
     return mark;

@@ -1,6 +1,7 @@
 #include "output/internal/plot/sheet.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "output/internal/plot/iso_view.hpp"
 #include "output/internal/plot/legend.hpp"
@@ -44,7 +45,7 @@ std::string subtitle(const PathRecorder& recorder) {
   std::string text = "Tool path in machine coordinates \u00b7 " + grouped(moves) +
                      (moves == 1 ? " move" : " moves");
   const double tolerance = recorder.store().tolerance();
-  if (tolerance > 0) text += " \u00b7 simplified to about " + rounded(tolerance, 6) + " mm";
+  if (tolerance > 0) text += " \u00b7 simplified to about " + significant(tolerance) + " mm";
   return text;
 }
 
@@ -54,8 +55,9 @@ void draw_head(DisplayList& sheet, const PathRecorder& recorder) {
   sheet.add(Text{{kMargin, 68}, subtitle(recorder), 13, Anchor::start, kSoft});
 }
 
-void draw_caption(DisplayList& sheet, const Rect& frame, const std::string& text) {
-  sheet.add(Text{{frame.left, frame.top - 10}, text, 14, Anchor::start, kSoft});
+void draw_caption(DisplayList& sheet, const Rect& frame, std::string text, Look look) {
+  if (look == Look::shaded) text += ", dense path shaded: higher is lighter";
+  sheet.add(Text{{frame.left, frame.top - 10}, std::move(text), 14, Anchor::start, kSoft});
 }
 
 double draw_two_views(DisplayList& sheet, const Subject& subject) {
@@ -66,10 +68,10 @@ double draw_two_views(DisplayList& sheet, const Subject& subject) {
                  kLowest, kHighest);
   const Rect iso{kMargin, kViewsTop, kIsoWidth, height};
   const Rect plan{iso.right() + kRulerLeft, kViewsTop, plan_width, height};
-  draw_caption(sheet, iso, "Isometric");
-  draw_iso(sheet, View(kIsometric, subject.box, iso, inside(iso, kIsoPadding)), subject);
-  draw_caption(sheet, plan, "Top view");
-  draw_plan(sheet, View(kFromAbove, subject.box, plan, inside(plan, kPlanPadding)), subject);
+  const View from_front(kIsometric, subject.box, iso, inside(iso, kIsoPadding));
+  draw_caption(sheet, iso, "Isometric", draw_iso(sheet, from_front, subject));
+  const View from_above(kFromAbove, subject.box, plan, inside(plan, kPlanPadding));
+  draw_caption(sheet, plan, "Top view", draw_plan(sheet, from_above, subject));
   return plan.bottom();
 }
 
@@ -78,8 +80,8 @@ double draw_one_view(DisplayList& sheet, const Subject& subject) {
   const double height =
       std::clamp(height_for(kLathe, subject.box, width, kPlanPadding), kLowest, kHighest);
   const Rect frame{kMargin + kRulerLeft, kViewsTop, width, height};
-  draw_caption(sheet, frame, "ZX plane");
-  draw_plan(sheet, View(kLathe, subject.box, frame, inside(frame, kPlanPadding)), subject);
+  const View view(kLathe, subject.box, frame, inside(frame, kPlanPadding));
+  draw_caption(sheet, frame, "ZX plane", draw_plan(sheet, view, subject));
   return frame.bottom();
 }
 

@@ -44,6 +44,18 @@ class Sleeve {
   [[nodiscard]] const Point3& anchor() const { return anchor_; }
 
  private:
+  // An interval of slopes, aside over along > 0. The first point's slopes are at most 1.
+  struct Slopes {
+    double low = -2, high = 2;
+    [[nodiscard]] bool allows(double aside, double along) const {
+      return aside >= low * along && aside <= high * along;
+    }
+    void narrow(double aside, double along, double tolerance) {
+      if (aside - tolerance > low * along) low = (aside - tolerance) / along;
+      if (aside + tolerance < high * along) high = (aside + tolerance) / along;
+    }
+  };
+
   // Points within the tolerance of the anchor say nothing about a direction.
   void open(const Point3& step) {
     const Point3 reach{std::abs(step[kX]), std::abs(step[kY]), std::abs(step[kZ])};
@@ -53,8 +65,7 @@ class Sleeve {
     sign_ = step[along_] < 0 ? -1 : 1;
     side_ = {(along_ + 1) % 3, (along_ + 2) % 3};
     reach_ = 0;
-    low_ = {-kSteepest, -kSteepest};
-    high_ = {kSteepest, kSteepest};
+    first_ = second_ = Slopes{};
     open_ = true;
     narrow(step);
   }
@@ -62,20 +73,13 @@ class Sleeve {
   bool narrow(const Point3& step) {
     const double along = step[along_] * sign_;
     if (along < reach_) return false;
-    const double per_mm = 1 / along;
-    const std::array<double, 2> slope{step[side_[0]] * per_mm, step[side_[1]] * per_mm};
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (slope[i] < low_[i] || slope[i] > high_[i]) return false;
-    }
-    for (std::size_t i = 0; i < 2; ++i) {
-      low_[i] = std::max(low_[i], slope[i] - tolerance_ * per_mm);
-      high_[i] = std::min(high_[i], slope[i] + tolerance_ * per_mm);
-    }
+    const double a = step[side_[0]], b = step[side_[1]];
+    if (!first_.allows(a, along) || !second_.allows(b, along)) return false;
+    first_.narrow(a, along, tolerance_);
+    second_.narrow(b, along, tolerance_);
     reach_ = along;
     return true;
   }
-
-  static constexpr double kSteepest = 2;  // the first point's slopes are at most 1
 
   double tolerance_;
   Point3 anchor_{}, end_{};
@@ -84,7 +88,7 @@ class Sleeve {
   double sign_ = 1;
   std::array<std::size_t, 2> side_{};
   double reach_ = 0;  // s of the end
-  std::array<double, 2> low_{}, high_{};
+  Slopes first_, second_;
 };
 
 }  // namespace kerf::output::plot

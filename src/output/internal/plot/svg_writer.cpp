@@ -14,8 +14,11 @@ namespace {
 struct Grid {
   std::int64_t x = 0, y = 0;
 };
-Grid on_grid(Point point) {
-  return {base::round_away(point.x * 100), base::round_away(point.y * 100)};
+enum class Precision : std::int64_t { hundredths = 1, tenths = 10, pixels = 100 };
+
+std::int64_t on_grid(double value, Precision precision) {
+  const auto step = static_cast<std::int64_t>(precision);
+  return base::round_away(value * 100 / static_cast<double>(step)) * step;
 }
 
 // The fewest characters for hundredths, as SVG reads them: 1.50 is 1.5 and -0.07 is -.07.
@@ -38,6 +41,8 @@ std::string hundredths(double value) {
 // The `d` of a path: one absolute move, then steps relative to the point before.
 class PathData {
  public:
+  explicit PathData(Precision precision) : precision_(precision) {}
+
   void add(const Outline& outline) {
     std::size_t at = 0;
     for (const Outline::Step step : outline.steps) {
@@ -50,7 +55,7 @@ class PathData {
       const std::size_t count = step == Outline::Step::curve ? 3 : 1;
       for (std::size_t i = 0; i < count; ++i) offset(outline.points[at + i]);
       at += count;
-      here_ = on_grid(outline.points[at - 1]);
+      here_ = grid(outline.points[at - 1]);
       if (step == Outline::Step::move) start_ = here_;
     }
   }
@@ -78,8 +83,12 @@ class PathData {
     last_ = letter;
   }
 
+  [[nodiscard]] Grid grid(Point point) const {
+    return {on_grid(point.x, precision_), on_grid(point.y, precision_)};
+  }
+
   void offset(Point to) {
-    const Grid target = on_grid(to);
+    const Grid target = grid(to);
     number(target.x - here_.x);
     number(target.y - here_.y);
   }
@@ -96,6 +105,7 @@ class PathData {
   }
 
   static constexpr std::size_t kLineLength = 120;
+  Precision precision_;
   std::string text_;
   std::size_t line_start_ = 0;
   char last_ = 0;
@@ -132,8 +142,8 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-void write(std::string& out, const Shape& shape) {
-  PathData data;
+void write(std::string& out, const Shape& shape, Precision precision) {
+  PathData data(precision);
   data.add(shape.outline);
   out += "<path";
   if (shape.ink.fill) out += " fill=\"" + hex(*shape.ink.fill) + '"';
@@ -147,7 +157,7 @@ void write(std::string& out, const Shape& shape) {
   out += " d=\"" + data.text() + "\"/>\n";
 }
 
-void write(std::string& out, const Text& text) {
+void write(std::string& out, const Text& text, Precision) {
   constexpr std::array<std::string_view, 3> kAnchors{"start", "middle", "end"};
   out += "<text x=\"" + hundredths(text.at.x) + "\" y=\"" + hundredths(text.at.y) +
          "\" font-size=\"" + hundredths(text.size) + "\" fill=\"" + hex(text.color) + '"';
@@ -161,9 +171,15 @@ void write(std::string& out, const Text& text) {
   out += '>' + escaped(text.text) + "</text>\n";
 }
 
-}  // namespace
+std::size_t point_count(const DisplayList& drawing) {
+  std::size_t points = 0;
+  for (const auto& item : drawing.items) {
+    if (const auto* shape = std::get_if<Shape>(&item)) points += shape->outline.points.size();
+  }
+  return points;
+}
 
-std::string write_svg(const DisplayList& drawing) {
+std::string document(const DisplayList& drawing, Precision precision) {
   const std::string width = hundredths(drawing.width), height = hundredths(drawing.height);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out += "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
@@ -174,9 +190,19 @@ std::string write_svg(const DisplayList& drawing) {
       "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" "
       "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n";
   for (const auto& item : drawing.items) {
-    std::visit([&out](const auto& each) { write(out, each); }, item);
+    std::visit([&](const auto& each) { write(out, each, precision); }, item);
   }
   out += "</g>\n</svg>\n";
+  return out;
+}
+
+}  // namespace
+
+std::string write_svg(const DisplayList& drawing) {
+  constexpr std::size_t kManyPoints = 20'000, kLargeDocument = 2'000'000;
+  if (point_count(drawing) <= kManyPoints) return document(drawing, Precision::hundredths);
+  std::string out = document(drawing, Precision::tenths);
+  if (out.size() > kLargeDocument) out = document(drawing, Precision::pixels);
   return out;
 }
 

@@ -96,6 +96,12 @@ std::string rounded(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
+std::string significant(double value) {
+  int decimals = 1;
+  for (double power = 1; decimals < 12 && value * power < 1; power *= 10) ++decimals;
+  return rounded(value, decimals);
+}
+
 std::string grouped(std::size_t count) {
   std::string text = std::to_string(count);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ' ');

@@ -20,6 +20,9 @@ enum class Weight : bool { regular, bold };
 /// `value` rounded to `decimals` (0 to 12), without trailing zeros; -0 is 0.
 [[nodiscard]] std::string rounded(double value, int decimals);
 
+/// `value` > 0 rounded to two digits, if that is not finer than `rounded` gets.
+[[nodiscard]] std::string significant(double value);
+
 /// A count with its digits in groups of three.
 [[nodiscard]] std::string grouped(std::size_t count);
 

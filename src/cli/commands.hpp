@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/exit_status.hpp"
+
+namespace kerf::cli {
+
+enum class DiagnosticFormat : std::uint8_t { text, json };
+
+/// What the options of `kerf run` ask for; paths are empty when not asked for.
+struct RunOptions {
+  std::string program;
+  std::string machine;
+  std::string dialect;
+  std::vector<std::string> libraries;
+  std::vector<std::string> variables;     ///< "#100=5"
+  std::vector<std::string> parameters;    ///< "KEY=VALUE"
+  std::vector<std::string> machine_keys;  ///< "KEY=VALUE"
+  std::string decimal_point;
+  std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
+  std::string tools;
+  std::string offsets;
+  std::string state;
+  std::string block_skip;
+  bool optional_stop = false;
+  double max_seconds = 60;
+  std::uint64_t max_motions = 50'000'000;
+  bool keep_partial = false;
+  std::string summary;
+  std::string motion;
+  std::string plot;
+  std::string dprnt;
+  std::string post;
+  std::string coverage;
+  DiagnosticFormat diagnostics = DiagnosticFormat::text;
+};
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string machine;
+  std::vector<std::string> libraries;
+  std::vector<std::string> parameters;
+  unsigned jobs = 1;
+  std::string format = "text";
+};
+
+[[nodiscard]] ExitStatus run(const RunOptions& options);
+[[nodiscard]] ExitStatus check(const CheckOptions& options);
+/// Lists the built-in machines, or prints the file of one.
+[[nodiscard]] ExitStatus machines(const std::string& name);
+
+}  // namespace kerf::cli

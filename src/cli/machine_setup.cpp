@@ -1,0 +1,127 @@
+#include "cli/machine_setup.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "machine/offset_file.hpp"
+#include "machine/state_file.hpp"
+#include "output/diagnostic_text.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Failure;
+using base::Outcome;
+
+constexpr std::size_t kLargestOffsetFile = 16 << 20;
+constexpr const char* kDefaultMachine = "mill3";
+constexpr const char* kMillDialect = "fanuc-mill";
+
+tl::unexpected<Failure> usage(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+Outcome<std::string> read_text(const std::string& path) {
+  auto file = base::SourceFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  if ((*file)->size() > kLargestOffsetFile) return tl::unexpected(Failure{Failure::Kind::input, path + ": too large for a file of offsets"});
+  std::string text((*file)->size(), '\0');
+  text.resize((*file)->read(0, text));
+  return text;
+}
+
+// The control's own punch-out is a program of G10 blocks: a machine of its own runs it.
+Outcome<void> run_punch_out(const std::string& text, const std::string& path,
+                            const machine::MachineDefinition& definition, control::Memory& memory) {
+  machine::VirtualMachine reader(definition, memory);
+  reader.load(base::SourceFile::from_text(path, text + "\nM30\n"));
+  const auto status = reader.run_to_end();
+  const bool closed = status == machine::VirtualMachine::Status::alarm && reader.alarm()->code == base::Code::end_of_record;
+  if (status != machine::VirtualMachine::Status::end && !closed) {
+    const std::string message = reader.alarm() ? output::diagnostic_text(*reader.alarm(), reader.sources()) : path + ": does not end\n";
+    return tl::unexpected(Failure{Failure::Kind::input, message.substr(0, message.find('\n'))});
+  }
+  memory = reader.memory();
+  return {};
+}
+
+Outcome<void> read_offset_file(const std::string& path, const machine::MachineDefinition& definition, control::Memory& memory) {
+  if (path.empty()) return {};
+  auto text = read_text(path);
+  if (!text) return tl::unexpected(text.error());
+  if (machine::looks_like_toml(*text)) {
+    return machine::read_offsets(*text, path, definition.axes, definition.parameters, memory);
+  }
+  return run_punch_out(*text, path, definition, memory);
+}
+
+Outcome<void> apply_settings(const MachineSetup& setup, machine::MachineDefinition& definition) {
+  for (const std::string& text : setup.parameters) {
+    auto setting = split_setting(text, "--param");
+    if (!setting) return tl::unexpected(setting.error());
+    if (auto set = definition.parameters.set(setting->key, setting->value); !set) return set;
+  }
+  for (const std::string& text : setup.machine_keys) {
+    auto setting = split_setting(text, "--machine-set");
+    if (!setting) return tl::unexpected(setting.error());
+    if (auto set = definition.set(setting->key, setting->value); !set) return set;
+  }
+  if (setup.decimal_point.empty()) return {};
+  return definition.parameters.set("DPI", setup.decimal_point == "calculator" ? "1" : "0");
+}
+
+std::string ending_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+Outcome<std::string> choose_dialect(const std::string& wanted, const std::string& program) {
+  if (!wanted.empty() && wanted != kMillDialect) return usage("--dialect " + wanted + ": this dialect is not available; available: " + kMillDialect);
+  if (wanted.empty() && ending_of(program) == ".bas") {
+    return tl::unexpected(Failure{Failure::Kind::input, program + ": laser BASIC programs are not supported yet; available dialect: fanuc-mill"});
+  }
+  return std::string(kMillDialect);
+}
+
+}  // namespace
+
+std::optional<double> parse_number(const std::string& text) {
+  double value = 0;
+  const char* begin = text.data();
+  const char* const end = begin + text.size();
+  if (begin != end && *begin == '+') ++begin;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+Outcome<KeyValue> split_setting(const std::string& text, const std::string& option) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return usage(option + " " + text + ": KEY=VALUE is expected");
+  return KeyValue{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program) {
+  auto dialect = choose_dialect(setup.dialect, program);
+  if (!dialect) return tl::unexpected(dialect.error());
+  auto definition = machine::find_machine(setup.machine.empty() ? kDefaultMachine : setup.machine);
+  if (!definition) return tl::unexpected(definition.error());
+  if (auto applied = apply_settings(setup, *definition); !applied) return tl::unexpected(applied.error());
+  control::Memory memory(definition->parameters.n_offsets);
+  if (!setup.state.empty()) {
+    if (auto read = machine::read_state(setup.state, memory); !read) return tl::unexpected(read.error());
+  }
+  for (const std::string& path : {setup.tools, setup.offsets}) {
+    if (auto read = read_offset_file(path, *definition, memory); !read) return tl::unexpected(read.error());
+  }
+  ReadyMachine ready;
+  ready.dialect = *dialect;
+  ready.why = setup.machine.empty() ? "machine mill3 and dialect fanuc-mill because nothing else was asked for" : "";
+  ready.machine = std::make_unique<machine::VirtualMachine>(*definition, std::move(memory));
+  return ready;
+}
+
+}  // namespace kerf::cli

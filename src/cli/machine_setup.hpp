@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "machine/virtual_machine.hpp"
+
+namespace kerf::cli {
+
+/// What makes a machine ready for a program.
+struct MachineSetup {
+  std::string machine;  ///< name or file; empty: chosen from the program
+  std::string dialect{};
+  std::vector<std::string> parameters{};
+  std::vector<std::string> machine_keys{};
+  std::string decimal_point{};
+  std::string tools{};
+  std::string offsets{};
+  std::string state{};
+};
+
+/// A machine with its memory filled, and how it was chosen.
+struct ReadyMachine {
+  std::unique_ptr<machine::VirtualMachine> machine;
+  std::string dialect;
+  std::string why;  ///< sentence for the summary
+};
+
+[[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program);
+
+/// "KEY=VALUE" in two; the value may contain '='. Failure (usage) names the option.
+struct KeyValue {
+  std::string key;
+  std::string value;
+};
+[[nodiscard]] base::Outcome<KeyValue> split_setting(const std::string& text, const std::string& option);
+
+/// A number written out; nothing else may follow it.
+[[nodiscard]] std::optional<double> parse_number(const std::string& text);
+
+}  // namespace kerf::cli

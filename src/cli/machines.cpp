@@ -1,0 +1,25 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "cli/commands.hpp"
+#include "machine/machine_definition.hpp"
+
+namespace kerf::cli {
+
+ExitStatus machines(const std::string& name) {
+  for (const machine::BuiltinMachine& builtin : machine::builtin_machines()) {
+    if (name.empty()) {
+      const auto definition = machine::MachineDefinition::parse(builtin.toml, std::string(builtin.name));
+      fmt::print("{:<16}{}\n", builtin.name, definition ? definition->description : definition.error().message);
+    } else if (name == builtin.name) {
+      fmt::print("{}", builtin.toml);
+      return ExitStatus::well;
+    }
+  }
+  if (name.empty()) return ExitStatus::well;
+  fmt::print(stderr, "kerf: there is no built-in machine {}; `kerf machines` lists them\n", name);
+  return ExitStatus::usage;
+}
+
+}  // namespace kerf::cli

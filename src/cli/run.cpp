@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <unistd.h>
+
+#include "base/output_file.hpp"
+#include "cli/commands.hpp"
+#include "cli/machine_setup.hpp"
+#include "machine/state_file.hpp"
+#include "output/coverage.hpp"
+#include "output/diagnostic_text.hpp"
+#include "output/motion_json.hpp"
+#include "output/path_plot.hpp"
+#include "output/post.hpp"
+#include "output/summary.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Failure;
+using base::Outcome;
+using base::OutputFile;
+using machine::VirtualMachine;
+using Status = VirtualMachine::Status;
+
+tl::unexpected<Failure> usage(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+/// The outputs of a run: opened before the run, so that an output that cannot be written is told at
+/// once; committed behind it, so that none looks complete that is not.
+class Outputs {
+ public:
+  Outputs(const RunOptions& options, VirtualMachine& machine) : options_(options), machine_(machine) {}
+
+  Outcome<void> open();
+  Outcome<void> commit(const std::string& dialect);
+
+ private:
+  Outcome<void> open_file(const std::string& path, std::unique_ptr<OutputFile>& file);
+  Outcome<void> open_plot();
+  Outcome<void> commit_file(std::unique_ptr<OutputFile>& file);
+
+  const RunOptions& options_;
+  VirtualMachine& machine_;
+  std::unique_ptr<OutputFile> summary_, motion_, plot_file_, dprnt_, post_file_, coverage_file_;
+  std::unique_ptr<output::MotionJson> motion_json_;
+  std::unique_ptr<output::PathPlot> plot_;
+  std::unique_ptr<output::Post> post_;
+  output::Coverage coverage_;
+};
+
+Outcome<void> Outputs::open_file(const std::string& path, std::unique_ptr<OutputFile>& file) {
+  if (path.empty()) return {};
+  auto created = OutputFile::create(path);
+  if (!created) return tl::unexpected(created.error());
+  file = std::move(*created);
+  return {};
+}
+
+Outcome<void> Outputs::open_plot() {
+  if (options_.plot.empty()) return {};
+  if (!options_.plot.ends_with(".svg") && !options_.plot.ends_with(".png")) {
+    return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
+  }
+  if (auto opened = open_file(options_.plot, plot_file_); !opened) return opened;
+  plot_ = std::make_unique<output::PathPlot>(machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name);
+  machine_.add_sink(*plot_);
+  return {};
+}
+
+Outcome<void> Outputs::open() {
+  if (auto opened = open_file(options_.summary, summary_); !opened) return opened;
+  if (auto opened = open_file(options_.motion, motion_); !opened) return opened;
+  if (auto opened = open_file(options_.dprnt.empty() ? "-" : options_.dprnt, dprnt_); !opened) return opened;
+  if (auto opened = open_file(options_.post, post_file_); !opened) return opened;
+  if (auto opened = open_file(options_.coverage, coverage_file_); !opened) return opened;
+  if (auto opened = open_plot(); !opened) return opened;
+  if (motion_) {
+    motion_json_ = std::make_unique<output::MotionJson>(machine_.definition().axes, *motion_);
+    machine_.add_sink(*motion_json_);
+  }
+  if (post_file_) {
+    post_ = std::make_unique<output::Post>(machine_.definition().axes, *post_file_);
+    machine_.add_sink(*post_);
+  }
+  if (coverage_file_) {
+    machine_.observe_blocks([this](base::FileId file, std::uint32_t line) { coverage_.count(file, line); });
+  }
+  machine_.set_print_output([this](std::string_view text) { dprnt_->write(text); });
+  return {};
+}
+
+Outcome<void> Outputs::commit_file(std::unique_ptr<OutputFile>& file) {
+  if (!file) return {};
+  auto committed = file->commit();
+  file.reset();
+  return committed;
+}
+
+Outcome<void> Outputs::commit(const std::string& dialect) {
+  // What could drive a machine is written only when the run reached its end.
+  if (post_file_ && machine_.status() != Status::end && !options_.keep_partial) post_file_.reset();
+  if (post_file_) post_->finish();
+  if (coverage_file_) coverage_file_->write(coverage_.csv(machine_.sources(), machine_.controller().assumptions().list()));
+  if (plot_file_) plot_file_->write(options_.plot.ends_with(".png") ? plot_->png() : plot_->svg());
+  if (summary_) summary_->write(output::summary_json(machine_, dialect));
+  Outcome<void> result;
+  for (std::unique_ptr<OutputFile>* file : {&dprnt_, &motion_, &post_file_, &coverage_file_, &plot_file_, &summary_}) {
+    auto committed = commit_file(*file);
+    if (!committed && result) result = committed;
+  }
+  return result;
+}
+
+Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
+  std::uint32_t levels = 0;
+  if (list == "all") return 0x3feU;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t comma = std::min(list.find(',', at), list.size());
+    const std::string item = list.substr(at, comma - at);
+    if (item.size() != 1 || item[0] < '1' || item[0] > '9') return usage("--block-skip " + list + ": a list of 1 to 9, or all");
+    levels |= 1U << (item[0] - '0');
+    at = comma + 1;
+  }
+  return levels;
+}
+
+// The number behind '#', or -1.
+double variable_number(const std::string& key) {
+  constexpr double kMostVariable = 999999;
+  const double number = key.starts_with('#') ? parse_number(key.substr(1)).value_or(-1) : -1;
+  return number >= 0 && number <= kMostVariable && number == std::floor(number) ? number : -1;
+}
+
+Outcome<void> set_variables(const RunOptions& options, VirtualMachine& machine) {
+  for (const std::string& text : options.variables) {
+    auto setting = split_setting(text, "--set");
+    if (!setting) return tl::unexpected(setting.error());
+    const double number = variable_number(setting->key);
+    const auto value = parse_number(setting->value);
+    if (number < 0 || !value) return usage("--set " + text + ": '#NUMBER=VALUE' is expected");
+    if (auto set = machine.set_variable(static_cast<std::uint32_t>(number), *value); !set) {
+      return usage("--set " + text + ": " + set.error().message);
+    }
+  }
+  return {};
+}
+
+Outcome<void> set_contacts(const RunOptions& options, VirtualMachine& machine) {
+  for (const std::string& text : options.skip_at) {
+    auto setting = split_setting(text, "--skip-at");
+    if (!setting) return tl::unexpected(setting.error());
+    const auto value = parse_number(setting->value);
+    const auto axis = setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
+    if (!axis || !value) return usage("--skip-at " + text + ": AXIS=VALUE with an axis of the machine is expected");
+    machine.add_skip_contact({*axis, *value});
+  }
+  return {};
+}
+
+Outcome<void> prepare(const RunOptions& options, VirtualMachine& machine) {
+  for (const std::string& folder : options.libraries) machine.add_library_folder(folder);
+  auto file = base::SourceFile::open(options.program);
+  if (!file) return tl::unexpected(file.error());
+  machine.load(std::move(*file));
+  auto levels = parse_block_skip(options.block_skip);
+  if (!levels) return tl::unexpected(levels.error());
+  machine.set_block_skip(*levels);
+  machine.set_optional_stop(options.optional_stop);
+  if (auto set = set_variables(options, machine); !set) return set;
+  return set_contacts(options, machine);
+}
+
+void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+ExitStatus fail(const Failure& failure) {
+  tell("kerf: " + failure.message + "\n");
+  return status_of(failure);
+}
+
+ExitStatus exit_status(Status status) {
+  switch (status) {
+    case Status::alarm: return ExitStatus::findings;
+    case Status::budget: return ExitStatus::budget;
+    default: return ExitStatus::well;
+  }
+}
+
+void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready) {
+  const bool json = options.diagnostics == DiagnosticFormat::json;
+  if (machine.alarm()) {
+    tell(json ? output::diagnostic_json(*machine.alarm(), machine.sources())
+              : output::diagnostic_text(*machine.alarm(), machine.sources()));
+  }
+  if (json) return;
+  tell(output::summary_text(machine, ready.dialect));
+  if (!ready.why.empty()) tell("  " + ready.why + "\n");
+  for (const std::string& path : {options.plot, options.summary, options.motion, options.post, options.coverage}) {
+    if (!path.empty() && path != "-") tell("  wrote " + path + "\n");
+  }
+}
+
+}  // namespace
+
+ExitStatus run(const RunOptions& options) {
+  const MachineSetup setup{options.machine, options.dialect,       options.parameters, options.machine_keys,
+                           options.decimal_point, options.tools, options.offsets,    options.state};
+  auto ready = set_up(setup, options.program);
+  if (!ready) return fail(ready.error());
+  VirtualMachine& machine = *ready->machine;
+  if (auto prepared = prepare(options, machine); !prepared) return fail(prepared.error());
+  Outputs outputs(options, machine);
+  if (auto opened = outputs.open(); !opened) return fail(opened.error());
+  const Status status = machine.run_to_end({options.max_seconds, options.max_motions});
+  if (auto committed = outputs.commit(ready->dialect); !committed) return fail(committed.error());
+  if (!options.state.empty()) {
+    if (auto written = machine::write_state(options.state, machine.memory()); !written) return fail(written.error());
+  }
+  report(options, machine, *ready);
+  return exit_status(status);
+}
+
+}  // namespace kerf::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace kerf::control {
+
+/// Kinds of assumptions, for Assumptions::is_new. G codes without effect count from `g_code` on.
+struct Assumed {
+  static constexpr std::uint32_t least_increments = 1;
+  static constexpr std::uint32_t words_before_call = 2;
+  static constexpr std::uint32_t long_program_number = 3;
+  static constexpr std::uint32_t ignored_word = 4;       ///< + 1 to 26: letter
+  static constexpr std::uint32_t no_offset = 40;
+  static constexpr std::uint32_t sequence_number_inside = 41;
+  static constexpr std::uint32_t interrupt = 42;
+  static constexpr std::uint32_t parameter_entry = 43;
+  static constexpr std::uint32_t cycle_in_compensation = 44;
+  static constexpr std::uint32_t control_variable = 45;
+  static constexpr std::uint32_t scaled_arc = 46;
+  static constexpr std::uint32_t turning_without_speed = 47;
+  static constexpr std::uint32_t g_code = 100;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "control/motion.hpp"
+
+namespace kerf::control {
+
+/// Holds back what a block emits until the block is known to be right: an alarm drops it (a block is
+/// checked whole before it has any effect).
+class BlockBuffer : public MotionSink {
+ public:
+  explicit BlockBuffer(MotionSink& sink) : sink_(sink) {}
+
+  void take(const Motion& motion) override { held_.push_back(motion); }
+  [[nodiscard]] bool ready() const override { return sink_.ready(); }
+
+  void release() {
+    for (const Motion& motion : held_) sink_.take(motion);
+    held_.clear();
+  }
+  void drop() { held_.clear(); }
+
+ private:
+  MotionSink& sink_;
+  std::vector<Motion> held_;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,247 @@
+#include "control/controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "control/assumed.hpp"
+#include "control/print_format.hpp"
+#include "lang/vm/value.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Code;
+using gcode::Word;
+using gcode::WordFlag;
+using vm::Verdict;
+
+constexpr int kMostAlarm = 200;       // #3000 with MCA = 0
+constexpr int kMostOwnAlarm = 4095;   // with MCA = 1
+
+Code code_of(vm::Fault fault) {
+  switch (fault) {
+    case vm::Fault::zero_divide: return Code::zero_divide;
+    case vm::Fault::overflow: return Code::floating_overflow;
+    case vm::Fault::integer_overflow: return Code::integer_overflow;
+    case vm::Fault::domain: return Code::argument_range;
+    case vm::Fault::label_range: return Code::label_range;
+    case vm::Fault::label_missing: return Code::label_not_found;
+    case vm::Fault::region_open:
+    case vm::Fault::region_crossing: return Code::missing_end;
+    case vm::Fault::region_not_entered: return Code::end_without_do;
+    case vm::Fault::none: break;
+  }
+  return Code::macro_format;
+}
+
+const char* detail_of(vm::Fault fault) {
+  switch (fault) {
+    case vm::Fault::label_missing: return "the program has no such sequence number";
+    case vm::Fault::region_open: return "no END of this number follows";
+    case vm::Fault::region_crossing: return "a loop inside of it ends behind it";
+    case vm::Fault::region_not_entered: return "the DO of this END is not active";
+    default: return "";
+  }
+}
+
+}  // namespace
+
+Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory,
+                       gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings, MotionSink& sink)
+    : parameters_(parameters),
+      axes_(axes),
+      library_(library),
+      surroundings_(surroundings),
+      math_{parameters.signed_angles, parameters.small_is_zero, 1000},
+      alarms_(*this),
+      buffer_(sink),
+      state_(parameters_, axes_, memory, alarms_, assumptions_, surroundings, buffer_),
+      interpreter_(library, *this, {gcode::kLocals, memory.commons, &math_}),
+      targets_(state_),
+      moves_(state_, targets_),
+      settings_(state_, targets_, moves_),
+      references_(state_, targets_, moves_),
+      auxiliary_(state_),
+      cycle_(state_, targets_, moves_),
+      calls_(state_, interpreter_, library, finder),
+      variables_(state_, library.names()) {
+  targets_.learn_letters();
+  variables_.attach(&interpreter_, [this] { return calls_.running_number(); });
+  if (const auto z = axes.find('Z')) state_.length_axis = *z;
+}
+
+void Controller::start(vm::CodeId main) {
+  interpreter_.start(main);
+  calls_.start(main);
+  halt_ = Halt::none;
+  mid_block_ = false;
+}
+
+void Controller::reset() {
+  alarms_.clear();
+  halt_ = Halt::none;
+  mid_block_ = false;
+  interrupt_pending_ = false;
+  interrupt_program_ = 0;
+  cycle_.stop();
+  cycle_.cancel();
+  state_.path.reset_compensation();
+  state_.coordinates.set_transform({});
+  for (std::size_t i = 0; i < axes_.count(); ++i) {
+    state_.coordinates.set_local(base::Axis{static_cast<std::uint8_t>(i)}, 0);
+  }
+  state_.coordinates.set_length(state_.length_axis, 0);
+  state_.coordinates.select({});
+  state_.wanted_length = 0;
+  state_.modal = ModalState(parameters_);
+  state_.before = state_.modal;
+  state_.words = {};
+  state_.rigid_tapping = false;
+  state_.parameter_entry = false;
+  if (!parameters_.keep_commons) state_.memory.clear_volatile();
+}
+
+void Controller::observe_blocks(BlockObserver observer) {
+  observer_ = std::move(observer);
+  interpreter_.set_tracing(observer_ != nullptr);
+}
+
+base::AxisVector Controller::machine_position() const {
+  return state_.path.tip() + state_.coordinates.length();
+}
+
+Halt Controller::run(std::uint64_t instructions) {
+  halt_ = Halt::none;
+  if (mid_block_) {
+    const Verdict verdict = continue_block();
+    if (verdict == Verdict::stop || verdict == Verdict::pause) return halt_;
+  }
+  if (interrupt_pending_ && !take_interrupt()) return halt_ = Halt::alarm;
+  interpreter_.run(instructions);
+  if (alarms_.alarm()) halt_ = Halt::alarm;
+  return halt_;
+}
+
+base::Outcome<void> Controller::set_variable(std::uint32_t number, double value) {
+  SystemVariables::Event event;
+  const bool good = variables_.write(number, value, event) && event.kind == SystemVariables::Event::Kind::none;
+  if (good) return {};
+  std::string why = alarms_.alarm() ? alarms_.alarm()->message : "it cannot be set";
+  alarms_.clear();
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": " + why});
+}
+
+// vm::Host
+
+bool Controller::read(double number, double& value) { return variables_.read(number, value); }
+
+Verdict Controller::write(double number, double value) {
+  SystemVariables::Event event;
+  if (!variables_.write(number, value, event)) return Verdict::stop;
+  switch (event.kind) {
+    case SystemVariables::Event::Kind::alarm: return raise_user_alarm(event.number);
+    case SystemVariables::Event::Kind::message: return show_message();
+    case SystemVariables::Event::Kind::none: break;
+  }
+  return Verdict::go_on;
+}
+
+void Controller::fault(vm::Fault fault) { alarms_.raise(code_of(fault), detail_of(fault)); }
+
+void Controller::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
+
+Verdict Controller::end_of_code() {
+  alarms_.raise(Code::end_of_record, "the program runs out without M02, M30 or M99");
+  return Verdict::stop;
+}
+
+Verdict Controller::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
+  const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() || (&mark)[-1].line != mark.line;
+  if (observer_ && first_of_line) observer_(page.file, mark.line);
+  return Verdict::go_on;
+}
+
+Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block, const double* registers) {
+  const auto& page = static_cast<const gcode::GcodePage&>(code_page);
+  const gcode::Statement& statement = page.statements[block];
+  ++blocks_;
+  switch (statement.kind) {
+    case gcode::StatementKind::words: return execute_words(page, statement, registers);
+    case gcode::StatementKind::dprnt:
+    case gcode::StatementKind::bprnt: return print(page, statement, registers);
+    case gcode::StatementKind::setvn:
+      for (std::uint32_t i = 0; i < statement.count; ++i) {
+        const gcode::VariableName& name = page.variable_names[statement.first + i];
+        variables_.name(name.name, name.number);
+      }
+      return Verdict::go_on;
+    case gcode::StatementKind::popen:
+    case gcode::StatementKind::pclos: break;
+  }
+  return Verdict::go_on;
+}
+
+// Macro statements
+
+Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers) {
+  printed_.clear();
+  for (std::uint32_t i = 0; i < statement.count; ++i) {
+    const gcode::PrintItem& item = page.print_items[statement.first + i];
+    if (item.character != 0) {
+      printed_ += item.character;
+      continue;
+    }
+    const double value = vm::zero_if_null(registers[item.register_]);
+    if (statement.kind == gcode::StatementKind::bprnt) {
+      append_binary(printed_, value, item.decimals);
+    } else {
+      append_printed(printed_, value, item.integers, item.decimals, !parameters_.print_without_blanks);
+    }
+  }
+  printed_ += parameters_.print_cr ? "\r\n" : "\n";
+  surroundings_.print(printed_);
+  return Verdict::go_on;
+}
+
+std::string Controller::comment_of_block() {
+  const auto& page = static_cast<const gcode::GcodePage&>(library_.page(interpreter_.running_code(), interpreter_.running().page));
+  return std::string(page.comment_of(interpreter_.running().instruction));
+}
+
+// #3000 = n (text): MC 3000 + n, or n itself (MCA).
+Verdict Controller::raise_user_alarm(double number) {
+  const double rounded = std::round(vm::zero_if_null(number));
+  const int most = parameters_.alarm_number_itself ? kMostOwnAlarm : kMostAlarm;
+  if (vm::is_null(number) || rounded < 0 || rounded > most) {
+    alarms_.raise(Code::argument_range, "#3000 takes 0 to " + std::to_string(most));
+    return Verdict::stop;
+  }
+  std::string digits = std::to_string(static_cast<int>(rounded) + (parameters_.alarm_number_itself ? 0 : 3000));
+  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+  base::Diagnostic alarm = base::make_error(Code::user_alarm, interpreter_.place());
+  alarm.number = "MC" + digits;
+  alarm.message = comment_of_block();
+  if (alarm.message.empty()) alarm.message = "macro alarm without a text";
+  alarms_.report(alarm);
+  return Verdict::stop;
+}
+
+Verdict Controller::show_message() {
+  const base::Place place = interpreter_.place();
+  state_.path.begin_block({ProgramNumber{calls_.running_number()}, place.line, place.file});
+  state_.path.act(Message{ShortText(comment_of_block())});
+  state_.path.act(Stop{false});
+  buffer_.release();
+  halt_ = Halt::message;
+  return Verdict::pause;
+}
+
+// M96: the interrupt program runs on local variables of its own, between two blocks.
+bool Controller::take_interrupt() {
+  if (interrupt_program_ == 0) return true;
+  interrupt_pending_ = false;
+  return calls_.call_fixed(interrupt_program_, 1, ProgramCalls::Kind::interrupt);
+}
+
+}  // namespace kerf::control

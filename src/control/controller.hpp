@@ -1,0 +1,163 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/auxiliary.hpp"
+#include "control/block_buffer.hpp"
+#include "control/canned_cycle.hpp"
+#include "control/program_calls.hpp"
+#include "control/references.hpp"
+#include "control/settings.hpp"
+#include "control/state.hpp"
+#include "control/system_variables.hpp"
+#include "lang/gcode/code_library.hpp"
+#include "lang/gcode/math_rules.hpp"
+#include "lang/vm/interpreter.hpp"
+
+namespace kerf::control {
+
+/// Why the control has given up control.
+enum class Halt : std::uint8_t {
+  none,           ///< it can go on
+  single_block,   ///< a block is over and single block is on
+  program_stop,   ///< M00
+  optional_stop,  ///< M01 with the switch on
+  message,        ///< #3006
+  end,            ///< M02, M30
+  alarm
+};
+
+/// The control of a machining centre: executes the blocks that the interpreter hands it and emits what
+/// the machine must do. Reads all its settings from the machine; knows neither time nor files.
+class Controller : public vm::Host, private Whereabouts {
+ public:
+  Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory, gcode::CodeLibrary& library,
+             ProgramFinder& finder, Surroundings& surroundings, MotionSink& sink);
+
+  /// Power-on state of everything but memory and position, standing at the head of `main`.
+  void start(vm::CodeId main);
+
+  /// The reset button: power-on state of all modes and words, volatile variables vacant, no alarm. The
+  /// tool stays where it is, and so do offsets and the G92 shift.
+  void reset();
+
+  /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the motions
+  /// is not ready, or the budget is used up. Not after an end or an alarm.
+  Halt run(std::uint64_t instructions);
+
+  [[nodiscard]] Halt halt() const { return halt_; }
+  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarms_.alarm(); }
+  [[nodiscard]] const Assumptions& assumptions() const { return assumptions_; }
+  [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  [[nodiscard]] const Coordinates& coordinates() const { return state_.coordinates; }
+  /// Machine coordinates as #5021 reads them: tool length included.
+  [[nodiscard]] base::AxisVector machine_position() const;
+  [[nodiscard]] std::span<double> first_level_locals() { return interpreter_.locals_of_first_level(); }
+  [[nodiscard]] std::string running_program() const { return calls_.running_name(); }
+
+  void set_single_block(bool on) { single_block_ = on; }
+  void set_optional_stop(bool on) { optional_stop_ = on; }
+  void set_block_skip(std::uint32_t levels) { interpreter_.set_switches(levels); }
+  /// Called at the beginning of each block with its line and file; slows down.
+  using BlockObserver = std::function<void(base::FileId file, std::uint32_t line)>;
+  void observe_blocks(BlockObserver observer);
+
+  /// The signal of a macro interrupt; answered at the next block when M96 has allowed it.
+  void interrupt() { interrupt_pending_ = true; }
+
+  /// Writes a variable from outside, before the start: `#number`. Failure: why not.
+  [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
+
+  // vm::Host
+  vm::Verdict execute(const vm::CodePage& page, std::uint32_t block, const double* registers) override;
+  bool read(double number, double& value) override;
+  vm::Verdict write(double number, double value) override;
+  void fault(vm::Fault fault) override;
+  void failure(const base::Diagnostic& diagnostic) override;
+  vm::Verdict end_of_code() override;
+  vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
+
+ private:
+  // Whereabouts
+  base::Place place() override { return interpreter_.place(); }
+  std::string program_name() const override { return calls_.running_name(); }
+
+  struct BlockCall {
+    enum class Kind : std::uint8_t { none, macro, modal, every_block, code_macro } kind = Kind::none;
+    std::size_t first_argument = 0;  ///< index behind the call's own word
+    std::uint32_t program = 0;       ///< of a call by code
+    const gcode::Word* word = nullptr;
+  };
+
+  void begin(const gcode::GcodePage& page, const gcode::Statement& statement);
+  vm::Verdict execute_words(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
+  std::span<const gcode::Word> fetch(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
+  bool collect(std::span<const gcode::Word> block);
+  bool collect_g(const gcode::Word& word);
+  [[nodiscard]] bool calls_subprogram(const gcode::Word& word) const;
+  bool check_addresses(std::span<const gcode::Word> block);
+  bool find_call(std::span<const gcode::Word> block, BlockCall& call);
+  bool call_program(std::span<const gcode::Word> block, const BlockCall& call, const std::string& name);
+  bool call_by_code(const Words& words, bool& called);
+
+  bool execute_block(const std::string& name);
+  bool check_block(const Words::G* one_shot);
+  bool move(const Words::G* one_shot, bool& moved);
+  bool one_shot(const Words::G& g, bool& moved);
+  bool dwell();
+  bool select_cycle(bool& plain);
+  vm::Verdict continue_block();
+  vm::Verdict finish_block();
+  bool finish_calls();
+  bool set_interrupt();
+  vm::Verdict stopped(Halt halt);
+  vm::Verdict verdict_of(bool good);
+
+  vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
+  vm::Verdict raise_user_alarm(double number);
+  vm::Verdict show_message();
+  std::string comment_of_block();
+  bool take_interrupt();
+
+  Parameters parameters_;
+  const AxisSetup& axes_;
+  gcode::CodeLibrary& library_;
+  Surroundings& surroundings_;
+  gcode::MathRules math_;
+  Alarms alarms_;
+  Assumptions assumptions_;
+  BlockBuffer buffer_;
+  State state_;
+  vm::Interpreter interpreter_;
+  Targets targets_;
+  Moves moves_;
+  Settings settings_;
+  References references_;
+  Auxiliary auxiliary_;
+  CannedCycle cycle_;
+  ProgramCalls calls_;
+  SystemVariables variables_;
+
+  Words words_;
+  const gcode::Word* called_m_ = nullptr;  // the block's M code that calls a subprogram
+  std::vector<gcode::Word> fetched_;
+  Auxiliary::Codes codes_;
+  std::string call_name_;
+  std::string printed_;
+  bool mid_block_ = false;       // a block waits for its cycle to go on
+  bool moved_ = false;           // the block has commanded axis movement
+  bool transferred_ = false;     // the block has called or returned
+  Halt halt_ = Halt::none;
+  bool single_block_ = false;
+  bool optional_stop_ = false;
+  bool interrupt_pending_ = false;
+  std::uint32_t interrupt_program_ = 0;  // of M96; 0: not allowed
+  BlockObserver observer_;
+  std::uint64_t blocks_ = 0;
+};
+
+}  // namespace kerf::control

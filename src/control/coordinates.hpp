@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+
+#include "control/axis_setup.hpp"
+#include "control/memory.hpp"
+#include "control/transform.hpp"
+
+namespace kerf::control {
+
+/// Which work coordinate system is active.
+struct WorkSystem {
+  std::uint32_t index = 0;     ///< 0 to 5: G54 to G59
+  std::uint32_t extended = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
+};
+
+/// Where the programmed point is, in every coordinate system at once (fanuc-dialect.md §8.3):
+///
+///   path = transform(program) + origin,     origin = EXT + work offset + G52 shift + G92 shift
+///   machine = path + length offset
+///
+/// `program` is what the words of the program say (#5001), `path` the same point in the machine's
+/// coordinate system without tool length. mm and degrees.
+class Coordinates {
+ public:
+  Coordinates(const AxisSetup& axes, const Memory& memory) : axes_(axes), memory_(memory) {}
+
+  [[nodiscard]] const base::AxisVector& program() const { return program_; }
+  [[nodiscard]] const base::AxisVector& path() const { return path_; }
+  [[nodiscard]] const base::AxisVector& length() const { return length_; }
+  [[nodiscard]] const base::AxisVector& origin() const { return origin_; }
+  [[nodiscard]] const WorkSystem& work() const { return work_; }
+  [[nodiscard]] const Transform& transform() const { return transform_; }
+
+  /// The point of the machine's coordinate system where a programmed point lies.
+  [[nodiscard]] base::AxisVector path_of(const base::AxisVector& program) const;
+  /// The programmed point moves.
+  void move_to(const base::AxisVector& program, const base::AxisVector& path) {
+    program_ = program;
+    path_ = path;
+  }
+  /// The tool has come to a point of the machine's coordinate system by other means than a programmed
+  /// target (G28, G53, G31): the programmed point follows.
+  void arrive_at(const base::AxisVector& path);
+  void set_length(base::Axis axis, double offset) { length_[axis] = offset; }
+
+  // Each of these leaves the tool where it is and gives the programmed point its new coordinates.
+  void select(const WorkSystem& work);
+  /// After a change of the offsets in memory.
+  void offsets_changed();
+  void set_local(base::Axis axis, double shift);
+  /// G92: the programmed point reads `value` from now on.
+  void preset(base::Axis axis, double value);
+  /// G92.1: drops the G52 and G92 shifts of an axis.
+  void clear_shifts(base::Axis axis);
+  void set_transform(const Transform& transform);
+
+ private:
+  void refresh_origin();
+
+  const AxisSetup& axes_;
+  const Memory& memory_;
+  base::AxisVector program_;
+  base::AxisVector path_;
+  base::AxisVector length_;
+  base::AxisVector local_;
+  base::AxisVector shift_;
+  base::AxisVector origin_;
+  WorkSystem work_;
+  Transform transform_;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,363 @@
+#include "control/cutter_compensation.hpp"
+
+#include <cmath>
+
+#include "base/decimal.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Code;
+using geometry::Curve;
+using geometry::Vec2;
+
+constexpr double kSmall_mm = 1e-7;   // two points closer than this are one
+constexpr double kSmallTurn = 1e-9;  // sine of the angle below which directions are parallel
+constexpr int kMostIdleBlocks = 2;   // CRC-1
+
+Vec2 arc_direction(const PathStep& step, Vec2 point) {
+  const Vec2 tangent = geometry::left_of(geometry::unit(point - step.centre));
+  return step.clockwise ? -tangent : tangent;
+}
+
+Vec2 direction_at_start(const PathStep& step) {
+  return step.is_arc ? arc_direction(step, step.from) : geometry::unit(step.to - step.from);
+}
+
+Vec2 direction_at_end(const PathStep& step) {
+  return step.is_arc ? arc_direction(step, step.to) : geometry::unit(step.to - step.from);
+}
+
+// The left normal of a counterclockwise arc points to its centre.
+double offset_radius(const PathStep& step, Vec2 at, double offset) {
+  return geometry::length(at - step.centre) + (step.clockwise ? offset : -offset);
+}
+
+Curve offset_curve(const PathStep& step, Vec2 at, Vec2 direction, double offset) {
+  if (step.is_arc) return {true, step.centre, {}, offset_radius(step, at, offset)};
+  return {false, at + offset * geometry::left_of(direction), direction, 0};
+}
+
+bool near(Vec2 a, Vec2 b) { return geometry::length(a - b) <= kSmall_mm; }
+
+// Signed angle from a to b, both seen from the centre.
+double angle_between(Vec2 a, Vec2 b) { return std::atan2(geometry::cross(a, b), geometry::dot(a, b)); }
+
+}  // namespace
+
+base::AxisVector CutterCompensation::tip() const {
+  if (!held_) return tip_;
+  base::AxisVector result = *target_of(held_->step.motion);
+  for (const Motion& motion : beside_) {
+    if (const base::AxisVector* const to = target_of(motion)) result = *to;
+  }
+  const Vec2 normal = held_->offset * geometry::left_of(direction_at_end(held_->step));
+  plane_.place(result, held_->step.to + normal);
+  return result;
+}
+
+void CutterCompensation::begin(const PlaneAxes& plane, double offset) {
+  if (mode_ == Mode::off || mode_ == Mode::ending) {
+    mode_ = Mode::armed;
+    moved_since_begin_ = false;
+    idle_blocks_ = 0;
+  }
+  plane_ = plane;
+  offset_ = offset;
+}
+
+void CutterCompensation::end() {
+  if (mode_ == Mode::armed) mode_ = Mode::off;
+  if (mode_ != Mode::on) return;
+  if (release()) mode_ = Mode::ending;
+}
+
+void CutterCompensation::reset() {
+  mode_ = Mode::off;
+  held_.reset();
+  beside_.clear();
+}
+
+bool CutterCompensation::move(const PathStep& step) {
+  if (step.is_arc && (near(step.from, step.centre) || near(step.to, step.centre))) {
+    return alarms_.raise_at(Code::arc_interference, step.place);  // CRC-11
+  }
+  switch (mode_) {
+    case Mode::off: emit_to(step, step.to); return true;
+    case Mode::ending:
+      if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+      emit_to(step, step.to);
+      mode_ = Mode::off;
+      return true;
+    case Mode::armed: return start(step);
+    case Mode::on: break;
+  }
+  if (step.is_arc && offset_radius(step, step.from, offset_) < -kSmall_mm) {
+    return alarms_.raise_at(Code::interference, step.place,
+                            "the arc's radius is smaller than the cutter's");  // CRC-10
+  }
+  if (!held_) return hold(step, tip_in_plane(), false);
+  Corner way;
+  if (!corner(step, offset_, way) || !go_through(way)) return false;
+  return hold(step, way.start, false);
+}
+
+// CRC-1, CRC-6: the first move.
+bool CutterCompensation::start(const PathStep& step) {
+  if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+  mode_ = Mode::on;
+  if (settings_.start_up != 'C' || !moved_since_begin_) return hold(step, tip_in_plane(), true);
+  const Vec2 start = step.from + offset_ * geometry::left_of(direction_at_start(step));
+  PathStep lead_in = step;
+  emit_to(lead_in, start);
+  return hold(step, start, false);
+}
+
+bool CutterCompensation::hold(const PathStep& step, Vec2 start, bool start_up) {
+  held_ = Held{step, start, offset_, start_up};
+  idle_blocks_ = 0;
+  return true;
+}
+
+bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall) {
+  if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+  if (held_) {
+    PathStep next = step;
+    Corner way;
+    const Vec2 d1 = direction_at_end(held_->step);
+    const Vec2 at = held_->step.to;
+    const double offset = held_->offset;
+    way.end = at + offset * geometry::left_of(d1);  // type A: perpendicular (CRC-12)
+    const Vec2 d2 = wall ? geometry::unit(*wall) : direction_at_start(next);
+    const double turn = geometry::cross(d1, d2);
+    const bool outside = turn * offset < 0;
+    if (wall) {
+      const auto points = geometry::intersect(offset_curve(held_->step, at, d1, offset),
+                                              {false, at + offset * geometry::left_of(d2), d2, 0}, kSmall_mm);
+      if (points.count > 0) way.end = points.points[0];
+    } else if (settings_.start_up == 'B' && outside) {
+      turn_outside(at, d1, d2, offset, way);
+    }
+    if (!go_through(way)) return false;
+  }
+  emit_to(step, step.to);
+  mode_ = Mode::off;
+  return true;
+}
+
+void CutterCompensation::beside(const Motion& motion) {
+  if (held_) {
+    beside_.push_back(motion);
+  } else {
+    emit(motion);
+  }
+}
+
+bool CutterCompensation::idle_block() {
+  moved_since_begin_ = true;
+  if (!held_ || ++idle_blocks_ <= kMostIdleBlocks) return true;
+  return release();
+}
+
+bool CutterCompensation::release() {
+  if (!held_) return true;
+  Corner way;
+  way.end = held_->step.to + held_->offset * geometry::left_of(direction_at_end(held_->step));
+  return go_through(way);
+}
+
+bool CutterCompensation::interrupt() {
+  if (!release()) return false;
+  if (mode_ == Mode::on) mode_ = Mode::armed;
+  moved_since_begin_ = false;
+  return true;
+}
+
+// Emits what is held along a corner, then everything that waited behind it.
+bool CutterCompensation::go_through(const Corner& corner) {
+  const PathStep step = held_->step;
+  if (!emit_held(corner.end)) return false;
+  if (corner.arc) {
+    emit_corner_arc(step, step.to, corner);
+  } else {
+    for (std::size_t i = 0; i < corner.via_count; ++i) {
+      PathStep bevel = step;
+      bevel.is_arc = false;
+      emit_to(bevel, corner.via[i]);
+    }
+  }
+  held_.reset();
+  emit_beside();
+  return true;
+}
+
+// The way round the point where the held move meets the next one.
+bool CutterCompensation::corner(const PathStep& next, double next_offset, Corner& way) {
+  if (held_->start_up) return start_up_corner(next, way);
+  const Vec2 at = held_->step.to;
+  const Vec2 d1 = direction_at_end(held_->step);
+  const Vec2 d2 = direction_at_start(next);
+  way.end = at + held_->offset * geometry::left_of(d1);
+  way.start = at + next_offset * geometry::left_of(d2);
+  if (held_->offset != next_offset) {  // CRC-13: both end points, joined
+    way.via = {way.start};
+    way.via_count = 1;
+    return true;
+  }
+  const double turn = geometry::cross(d1, d2);
+  const double same_way = geometry::dot(d1, d2);
+  if (std::fabs(turn) <= kSmallTurn && same_way > 0) return true;
+  const bool inside = turn * next_offset > 0;
+  if (inside || same_way >= -kSmallTurn) {
+    Vec2 point;
+    if (meet(next, point)) {  // CRC-7, CRC-8
+      way.end = way.start = point;
+      return true;
+    }
+    if (inside) return alarms_.raise_at(Code::no_intersection, held_->step.place);
+  }
+  turn_outside(at, d1, d2, next_offset, way);
+  return true;
+}
+
+// Points round an outside corner: intersection of the tangents up to 90 degrees (CRC-4, CRC-8), the
+// bevel or arc beyond (CRC-5, CRC-9).
+void CutterCompensation::turn_outside(Vec2 at, Vec2 d1, Vec2 d2, double offset, Corner& way) const {
+  const Vec2 n1 = geometry::left_of(d1);
+  const Vec2 n2 = geometry::left_of(d2);
+  const double reach = std::fabs(offset);
+  const double same_way = geometry::dot(d1, d2);
+  way.start = at + offset * n2;
+  if (same_way >= -kSmallTurn) {
+    const Vec2 tip = at + (offset / (1 + geometry::dot(n1, n2))) * (n1 + n2);
+    const bool curved = held_->step.is_arc;
+    way.end = curved ? at + offset * n1 : tip;
+    way.via = {tip, way.start};
+    way.via_count = curved ? 2 : 0;
+    if (!curved) way.start = tip;
+  } else if (settings_.corner_arc) {
+    way.end = at + offset * n1;
+    way.arc = true;
+    way.clockwise = offset > 0;
+  } else {
+    way.end = at + offset * n1 + reach * d1;
+    if (held_->step.is_arc) {
+      way.via = {way.end, at + offset * n2 - reach * d2};
+      way.end = at + offset * n1;
+      way.via_count = 2;
+      way.start = way.via[1];
+    } else {
+      way.via = {at + offset * n2 - reach * d2};
+      way.via_count = 1;
+      way.start = way.via[0];
+    }
+  }
+}
+
+// CRC-2, CRC-3, CRC-4, CRC-5: the end of the start-up move.
+bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) const {
+  const Vec2 at = held_->step.to;
+  const Vec2 d1 = direction_at_end(held_->step);
+  const Vec2 d2 = direction_at_start(next);
+  const bool outside = geometry::cross(d1, d2) * offset_ < 0;
+  way.end = way.start = at + offset_ * geometry::left_of(d2);
+  if (settings_.start_up == 'B' && outside) turn_outside(at, d1, d2, offset_, way);
+  return true;
+}
+
+// The common point of the offsets of the held move and the next one that lies nearest to the corner.
+bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
+  const Vec2 at = held_->step.to;
+  const Curve a = offset_curve(held_->step, at, direction_at_end(held_->step), held_->offset);
+  const Curve b = offset_curve(next, next.from, direction_at_start(next), offset_);
+  const geometry::Intersections found = geometry::intersect(a, b, kSmall_mm);
+  if (found.count == 0) return false;
+  point = found.points[0];
+  if (found.count == 2 && geometry::length(found.points[1] - at) < geometry::length(point - at)) {
+    point = found.points[1];
+  }
+  return true;
+}
+
+// CRC-14: the compensated move must not run against the programmed one.
+bool CutterCompensation::runs_backwards(Vec2 end) const {
+  const PathStep& step = held_->step;
+  if (held_->start_up) return false;
+  if (!step.is_arc) {
+    return geometry::dot(end - held_->start, step.to - step.from) < -kSmall_mm * geometry::length(step.to - step.from);
+  }
+  const double sign = step.clockwise ? -1 : 1;
+  const Vec2 start = held_->start;
+  if (near(start, step.centre) || near(end, step.centre)) return false;
+  double sweep = sign * angle_between(step.from - step.centre, step.to - step.centre);
+  if (sweep <= 0) sweep += 2 * 3.14159265358979323846;
+  sweep += sign * (angle_between(step.to - step.centre, end - step.centre) -
+                   angle_between(step.from - step.centre, start - step.centre));
+  return sweep < -1e-9;
+}
+
+bool CutterCompensation::emit_held(Vec2 end) {
+  const PathStep& step = held_->step;
+  if (runs_backwards(end)) {
+    return alarms_.raise_at(Code::interference, step.place, "the compensated move would run backwards");
+  }
+  emit_to(step, end);
+  return true;
+}
+
+void CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
+  Motion motion = step.motion;
+  const auto place = [&](auto& action) {
+    if constexpr (requires { action.to; }) {
+      plane_.place(action.to, {base::tidy(to.u), base::tidy(to.v)});
+    }
+  };
+  if (step.is_arc && geometry::length(tip_in_plane() - step.centre) <= kSmall_mm) return;  // R' = 0
+  if (!step.is_arc && std::holds_alternative<Arc>(motion.action)) {
+    const Arc& arc = std::get<Arc>(step.motion.action);
+    motion.action = Line{arc.to, arc.feed};
+  }
+  std::visit(place, motion.action);
+  emit(motion);
+}
+
+void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, const Corner& corner) {
+  Motion motion = step.motion;
+  Feed feed;
+  base::AxisVector to = *target_of(motion);
+  std::visit([&](const auto& action) { if constexpr (requires { action.feed; }) feed = action.feed; },
+             motion.action);
+  plane_.place(to, {base::tidy(corner.start.u), base::tidy(corner.start.v)});
+  if (std::holds_alternative<Rapid>(motion.action)) {
+    motion.action = Rapid{to};
+  } else {
+    const Plane plane = plane_.first_offset == 'I' ? Plane::xy : plane_.first_offset == 'K' ? Plane::zx : Plane::yz;
+    motion.action = Arc{to, {centre.u, centre.v}, feed, 0, plane,
+                        corner.clockwise ? Direction::clockwise : Direction::counterclockwise};
+  }
+  emit(motion);
+}
+
+void CutterCompensation::emit(Motion motion) {
+  base::AxisVector target = tip_;
+  if (const base::AxisVector* const to = target_of(motion)) target = *to;
+  const bool moves = target_of(motion) != nullptr;
+  const bool closed_arc = std::holds_alternative<Arc>(motion.action);
+  const bool probe = std::holds_alternative<Probe>(motion.action);
+  if (moves && target == tip_ && !closed_arc && !probe) return;  // goes nowhere
+  tip_ = target;
+  sink_.take(motion);
+}
+
+void CutterCompensation::emit_beside() {
+  for (Motion& motion : beside_) {
+    const auto stay = [&](auto& action) {
+      if constexpr (requires { action.to; }) plane_.place(action.to, tip_in_plane());
+    };
+    std::visit(stay, motion.action);
+    emit(motion);
+  }
+  beside_.clear();
+}
+
+}  // namespace kerf::control

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "control/alarms.hpp"
+#include "control/assumptions.hpp"
+#include "control/coordinates.hpp"
+#include "control/memory.hpp"
+#include "control/modal_state.hpp"
+#include "control/parameters.hpp"
+#include "control/toolpath.hpp"
+#include "control/word_values.hpp"
+#include "control/words.hpp"
+
+namespace kerf::control {
+
+/// What the control needs of the world around it. Implemented by the machine.
+class Surroundings {
+ public:
+  virtual ~Surroundings() = default;
+
+  /// Seconds of machine time since power-on, all motions handed out so far finished.
+  [[nodiscard]] virtual double seconds() = 0;
+  /// Calendar date and time as yyyymmdd and hhmmss.
+  [[nodiscard]] virtual double date() = 0;
+  [[nodiscard]] virtual double time_of_day() = 0;
+
+  /// Where along a probing move from `from` to `to` (machine coordinates) the skip signal comes on: a
+  /// fraction of its length, or nothing.
+  [[nodiscard]] virtual std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) = 0;
+
+  /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
+  [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;
+
+  /// Output of DPRNT and BPRNT.
+  virtual void print(std::string_view text) = 0;
+};
+
+/// Spindle, tool and the other words that stay until they are changed.
+struct ModalWords {
+  double feed = 0;             ///< mm/min, mm/rev or 1/min by the active feed mode; 0: none
+  double feed_programmed = 0;  ///< as written, in the program's unit (#4109)
+  double speed = 0;            ///< S
+  double max_rpm = 0;          ///< G92 S
+  Spindle::Turning turning = Spindle::Turning::stopped;
+  std::int64_t tool = 0;       ///< last T (#4120)
+  std::int64_t length_offset = 0;  ///< H (#4111)
+  std::int64_t radius_offset = 0;  ///< D (#4107)
+  std::int64_t last_m = 0;         ///< #4113
+  double second_auxiliary = 0;     ///< B (#4102)
+  double e = 0;                    ///< #4108
+  std::int64_t extended_work = 1;  ///< P of the last G54.1 (#4130)
+};
+
+/// The state that the parts of the control share. Each part changes what its header says.
+struct State {
+  State(Parameters& parameters_in, const AxisSetup& axes_in, Memory& memory_in, Alarms& alarms_in,
+        Assumptions& assumptions_in, Surroundings& surroundings_in, MotionSink& sink)
+      : parameters(parameters_in),
+        axes(axes_in),
+        memory(memory_in),
+        alarms(alarms_in),
+        assumptions(assumptions_in),
+        surroundings(surroundings_in),
+        values(alarms_in),
+        modal(parameters_in),
+        before(parameters_in),
+        coordinates(axes_in, memory_in),
+        path(alarms_in, sink, {parameters_in.start_up, parameters_in.corner_arc}) {}
+
+  Parameters& parameters;
+  const AxisSetup& axes;
+  Memory& memory;
+  Alarms& alarms;
+  Assumptions& assumptions;
+  Surroundings& surroundings;
+  WordValues values;
+  ModalState modal;
+  ModalState before;  ///< as the previous block left it (#4001…)
+  ModalWords words;
+  Coordinates coordinates;
+  Toolpath path;
+  std::uint32_t line = 0;  ///< of the executing block
+  base::AxisVector skip_position;  ///< #5061: machine coordinates, tool length included
+  std::uint32_t outputs[4] = {};   ///< #1100 to #1135
+  std::optional<base::AxisVector> intermediate;  ///< of the last G28 or G30, programmed coordinates
+  base::AxisSet intermediate_axes = 0;
+  double wanted_length = 0;        ///< offset that G43 or G44 asks for; in force from the next move on
+  base::Axis length_axis{};        ///< its axis
+  bool rigid_tapping = false;      ///< M29
+  bool moved_since_m29 = false;
+  bool parameter_entry = false;    ///< between G10 L50 and G11
+
+  /// Says once per `key` that something was accepted without effect or read in a surprising way.
+  void assume(std::uint32_t key, const char* what) {
+    if (assumptions.is_new(key)) assumptions.add(line, what);
+  }
+};
+
+}  // namespace kerf::control

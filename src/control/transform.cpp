@@ -1,0 +1,117 @@
+#include "control/transform.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisVector;
+using geometry::Vec2;
+
+Vec2 turned(Vec2 point, Vec2 centre, const SineCosine& angle) {
+  const Vec2 arm = point - centre;
+  return centre + Vec2{arm.u * angle.cosine - arm.v * angle.sine, arm.u * angle.sine + arm.v * angle.cosine};
+}
+
+}  // namespace
+
+SineCosine sine_cosine_deg(double angle_deg) {
+  const double quarters = std::nearbyint(angle_deg / 90);
+  const double rest_rad = (angle_deg - quarters * 90) * std::numbers::pi / 180;
+  const double s = std::sin(rest_rad);
+  const double c = std::cos(rest_rad);
+  switch (static_cast<long long>(quarters) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+void Transform::scale(const AxisVector& centre, const AxisVector& factors) {
+  scaled_ = true;
+  scale_centre_ = centre;
+  factors_ = factors;
+}
+
+void Transform::cancel_scaling() { scaled_ = false; }
+
+void Transform::mirror(Axis axis, double at) {
+  mirrored_ = static_cast<base::AxisSet>(mirrored_ | base::only(axis));
+  mirror_at_[axis] = at;
+}
+
+void Transform::cancel_mirror(Axis axis) {
+  mirrored_ = static_cast<base::AxisSet>(mirrored_ & ~base::only(axis));
+}
+
+void Transform::rotate(const PlaneAxes& plane, Vec2 centre, double angle_deg) {
+  rotated_ = true;
+  rotation_plane_ = plane;
+  rotation_centre_ = centre;
+  angle_deg_ = angle_deg;
+}
+
+void Transform::move_rotation_centre(Vec2 centre) { rotation_centre_ = centre; }
+
+void Transform::cancel_rotation() { rotated_ = false; }
+
+AxisVector Transform::mirrored_and_scaled(AxisVector point) const {
+  for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (base::contains(mirrored_, axis)) point[axis] = 2 * mirror_at_[axis] - point[axis];
+    if (scaled_) point[axis] = scale_centre_[axis] + factors_[axis] * (point[axis] - scale_centre_[axis]);
+  }
+  return point;
+}
+
+double Transform::effective_angle_deg() const {
+  const bool first = base::contains(mirrored_, rotation_plane_.first);
+  const bool second = base::contains(mirrored_, rotation_plane_.second);
+  return first != second ? -angle_deg_ : angle_deg_;
+}
+
+AxisVector Transform::apply(const AxisVector& point) const {
+  AxisVector result = mirrored_and_scaled(point);
+  if (!rotated_) return result;
+  AxisVector centre = point;
+  rotation_plane_.place(centre, rotation_centre_);
+  const Vec2 pivot = rotation_plane_.project(mirrored_and_scaled(centre));
+  rotation_plane_.place(result, turned(rotation_plane_.project(result), pivot,
+                                       sine_cosine_deg(effective_angle_deg())));
+  return result;
+}
+
+AxisVector Transform::invert(const AxisVector& point) const {
+  AxisVector result = point;
+  if (rotated_) {
+    AxisVector centre = point;
+    rotation_plane_.place(centre, rotation_centre_);
+    const Vec2 pivot = rotation_plane_.project(mirrored_and_scaled(centre));
+    rotation_plane_.place(result, turned(rotation_plane_.project(result), pivot,
+                                         sine_cosine_deg(-effective_angle_deg())));
+  }
+  for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (scaled_ && factors_[axis] != 0) {
+      result[axis] = scale_centre_[axis] + (result[axis] - scale_centre_[axis]) / factors_[axis];
+    }
+    if (base::contains(mirrored_, axis)) result[axis] = 2 * mirror_at_[axis] - result[axis];
+  }
+  return result;
+}
+
+bool Transform::reverses(const PlaneAxes& plane) const {
+  bool result = base::contains(mirrored_, plane.first) != base::contains(mirrored_, plane.second);
+  if (scaled_ && factors_[plane.first] * factors_[plane.second] < 0) result = !result;
+  return result;
+}
+
+double Transform::radius_factor(const PlaneAxes& plane) const {
+  if (!scaled_) return 1;
+  return std::fmax(std::fabs(factors_[plane.first]), std::fabs(factors_[plane.second]));
+}
+
+}  // namespace kerf::control

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "base/axes.hpp"
+#include "control/plane_axes.hpp"
+
+namespace kerf::control {
+
+/// Scaling (G51), mirror image (G51.1) and rotation (G68) of programmed points, in this order:
+///   q = mirror(p);  s = c + k (q - c) per axis;  r = d + Rot(angle)(s - d),  d the image of the centre
+/// of rotation under the first two. One mirrored axis of the plane turns the sense of the rotation
+/// (fanuc-dialect.md §8.5). Value type; the identity when made.
+class Transform {
+ public:
+  void scale(const base::AxisVector& centre, const base::AxisVector& factors);
+  void cancel_scaling();
+  void mirror(base::Axis axis, double at);
+  void cancel_mirror(base::Axis axis);
+  void rotate(const PlaneAxes& plane, geometry::Vec2 centre, double angle_deg);
+  void move_rotation_centre(geometry::Vec2 centre);
+  void cancel_rotation();
+
+  [[nodiscard]] bool identity() const { return !scaled_ && mirrored_ == 0 && !rotated_; }
+  [[nodiscard]] bool scaled() const { return scaled_; }
+  [[nodiscard]] bool rotated() const { return rotated_; }
+  /// True when this is the plane of the rotation.
+  [[nodiscard]] bool rotates(const PlaneAxes& plane) const {
+    return rotated_ && plane.first == rotation_plane_.first && plane.second == rotation_plane_.second;
+  }
+  [[nodiscard]] double rotation_deg() const { return angle_deg_; }
+  [[nodiscard]] base::AxisSet mirrored() const { return mirrored_; }
+
+  [[nodiscard]] base::AxisVector apply(const base::AxisVector& point) const;
+  [[nodiscard]] base::AxisVector invert(const base::AxisVector& point) const;
+
+  /// True when the image of a counterclockwise arc in `plane` runs clockwise.
+  [[nodiscard]] bool reverses(const PlaneAxes& plane) const;
+  /// Factor by which a radius in `plane` grows: the larger one when the two differ.
+  [[nodiscard]] double radius_factor(const PlaneAxes& plane) const;
+
+ private:
+  [[nodiscard]] base::AxisVector mirrored_and_scaled(base::AxisVector point) const;
+  [[nodiscard]] double effective_angle_deg() const;
+
+  bool scaled_ = false;
+  base::AxisVector scale_centre_;
+  base::AxisVector factors_;
+  base::AxisSet mirrored_ = 0;
+  base::AxisVector mirror_at_;
+  bool rotated_ = false;
+  PlaneAxes rotation_plane_;
+  geometry::Vec2 rotation_centre_;
+  double angle_deg_ = 0;
+};
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90.
+struct SineCosine {
+  double sine = 0;
+  double cosine = 1;
+};
+[[nodiscard]] SineCosine sine_cosine_deg(double angle_deg);
+
+}  // namespace kerf::control

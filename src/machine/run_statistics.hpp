@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::machine {
+
+/// Lengths, times and extents of a run, added up motion by motion.
+///
+/// Time is that of the programmed feed and the machine's rapid rates, without acceleration: a rapid
+/// takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by its feed.
+class RunStatistics : public control::MotionSink {
+ public:
+  explicit RunStatistics(const control::AxisSetup& axes);
+
+  void take(const control::Motion& motion) override;
+
+  [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] double dwell_seconds() const { return dwell_seconds_; }
+  [[nodiscard]] double rapid_mm() const { return rapid_mm_; }
+  [[nodiscard]] double cut_mm() const { return cut_mm_; }
+  [[nodiscard]] std::uint64_t motions() const { return motions_; }
+  /// Smallest and largest target per axis; equal to each other and 0 before the first motion.
+  [[nodiscard]] const base::AxisVector& low() const { return low_; }
+  [[nodiscard]] const base::AxisVector& high() const { return high_; }
+  /// Tools in the order of their first use.
+  [[nodiscard]] const std::vector<std::uint32_t>& tools() const { return tools_; }
+  [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
+  /// A feed per revolution was used while no speed was known: its time is not counted.
+  [[nodiscard]] std::uint32_t untimed_line() const { return untimed_line_; }
+
+ private:
+  void reach(const base::AxisVector& point);
+  void rapid(const base::AxisVector& to);
+  void cut(const base::AxisVector& to, double length, double feed_length, const control::Feed& feed, std::uint32_t line);
+  void arc(const control::Arc& arc, std::uint32_t line);
+  void reach_arc(const control::Arc& arc, std::size_t first, std::size_t second);
+  [[nodiscard]] double distance(const base::AxisVector& to, bool& rotary_only) const;
+
+  const control::AxisSetup& axes_;
+  base::AxisVector at_;
+  base::AxisVector low_;
+  base::AxisVector high_;
+  std::array<double, base::kMaxAxes> rapid_s_per_unit_{};
+  std::array<bool, base::kMaxAxes> linear_{};
+  std::array<std::size_t, 3> xyz_{};  // index of X, Y, Z; kMaxAxes: none
+  double speed_rpm_ = 0;
+  double seconds_ = 0;
+  double dwell_seconds_ = 0;
+  double rapid_mm_ = 0;
+  double cut_mm_ = 0;
+  std::uint64_t motions_ = 0;
+  std::vector<std::uint32_t> tools_;
+  std::vector<std::string> messages_;
+  std::uint32_t untimed_line_ = 0;
+};
+
+}  // namespace kerf::machine

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/source_file.hpp"
+#include "control/controller.hpp"
+#include "control/memory.hpp"
+#include "lang/gcode/code_library.hpp"
+#include "machine/machine_definition.hpp"
+#include "machine/program_shelf.hpp"
+#include "machine/run_statistics.hpp"
+
+namespace kerf::machine {
+
+/// Where the skip signal of a probing move comes on: the machine position of an axis.
+struct SkipContact {
+  base::Axis axis{};
+  double machine = 0;
+};
+
+/// Limits of a run; 0: none.
+struct Budget {
+  double seconds = 60;                    ///< of computing
+  std::uint64_t motions = 50'000'000;
+};
+
+/// A machine with its control and the switches of its panel. A batch run and a live panel are the same
+/// thing; the one goes on by itself where the other waits for cycle start.
+///
+/// Owns everything that the machine needs; two machines never meet. Not thread-safe.
+class VirtualMachine : private control::Surroundings, private control::MotionSink {
+ public:
+  enum class Status : std::uint8_t {
+    idle,     ///< nothing has run since power-on or reset
+    running,  ///< waits for cycle start in the middle of a program: single block, M00, #3006
+    stopped,  ///< M01 with the switch on
+    end,      ///< M02 or M30
+    alarm,
+    budget  ///< a limit was reached
+  };
+
+  VirtualMachine(const MachineDefinition& definition, control::Memory memory);
+  ~VirtualMachine() override;
+
+  // Preparation
+
+  /// The file whose first program is to run. Alarms in its structure (PS0073, PS0074) are raised at
+  /// cycle start.
+  void load(std::unique_ptr<base::SourceFile> file);
+  void add_library_folder(const std::string& folder) { shelf_.add_folder(folder); }
+  void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
+  void set_print_output(std::function<void(std::string_view)> output) { print_output_ = std::move(output); }
+  void add_skip_contact(const SkipContact& contact) { contacts_.push_back(contact); }
+  /// A variable, an input bit (#1000 to #1035), or the calendar (#3011, #3012). Failure (usage).
+  [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
+
+  // The panel
+
+  void set_single_block(bool on) { controller_->set_single_block(on); }
+  void set_optional_stop(bool on) { controller_->set_optional_stop(on); }
+  /// One bit per level: bit n for /n, n = 1 to 9.
+  void set_block_skip(std::uint32_t levels) { controller_->set_block_skip(levels); }
+
+  /// Starts the program, or goes on after a stop, until the next stop.
+  Status cycle_start(const Budget& budget = {});
+  /// Goes on by itself after M00, #3006 and single block.
+  Status run_to_end(const Budget& budget = {});
+  /// Modal state, modal calls, local and volatile variables go; position and offsets stay.
+  void reset();
+  /// The signal of a macro interrupt (M96).
+  void interrupt() { controller_->interrupt(); }
+  /// Called at the beginning of every block; slows the machine down.
+  void observe_blocks(control::Controller::BlockObserver observer) { controller_->observe_blocks(std::move(observer)); }
+
+  // What there is to see
+
+  [[nodiscard]] Status status() const { return status_; }
+  [[nodiscard]] control::Halt halt() const { return controller_->halt(); }
+  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
+  [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
+  [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] control::Controller& controller() { return *controller_; }
+  [[nodiscard]] control::Memory& memory() { return memory_; }
+  [[nodiscard]] const base::SourceSet& sources() const { return sources_; }
+  [[nodiscard]] gcode::CodeLibrary& library() { return library_; }
+  /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
+  [[nodiscard]] std::string program_name() const;
+
+ private:
+  // control::Surroundings
+  double seconds() override { return statistics_.seconds(); }
+  double date() override;
+  double time_of_day() override;
+  std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
+  std::uint32_t inputs(std::size_t word) override { return inputs_[word]; }
+  void print(std::string_view text) override;
+
+  // control::MotionSink
+  void take(const control::Motion& motion) override;
+  bool ready() const override { return !motions_spent_; }
+
+  void power_on();
+  bool start_program();
+  Status go(const Budget& budget, bool batch);
+  Status finish(Status status);
+
+  MachineDefinition definition_;
+  control::Memory memory_;
+  base::SourceSet sources_;
+  gcode::CodeLibrary library_;
+  ProgramShelf shelf_;
+  RunStatistics statistics_;
+  std::vector<control::MotionSink*> sinks_;
+  std::function<void(std::string_view)> print_output_;
+  std::deque<SkipContact> contacts_;
+  std::array<std::uint32_t, 4> inputs_{};
+  std::unique_ptr<control::Controller> controller_;
+  std::optional<base::Diagnostic> alarm_;
+  std::chrono::sys_days start_day_ = std::chrono::year{2025} / 1 / 1;
+  double start_second_ = 0;  // of the day
+  Status status_ = Status::idle;
+  std::uint64_t most_motions_ = 0;
+  bool motions_spent_ = false;
+  base::FileId main_file_ = base::kNoFile;
+};
+
+}  // namespace kerf::machine

@@ -1,0 +1,173 @@
+#include "output/motion_json.hpp"
+
+#include <array>
+#include <charconv>
+
+#include <nlohmann/json.hpp>
+
+#include "base/decimal.hpp"
+
+namespace kerf::output {
+namespace {
+
+using namespace control;
+
+void append_integer(std::string& out, std::uint64_t value) {
+  std::array<char, 24> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  out.append(digits.data(), end);
+}
+
+void append_member(std::string& out, const char* name, double value) {
+  out += name;
+  base::append_number(out, value);
+}
+
+const char* plane_name(Plane plane) {
+  switch (plane) {
+    case Plane::xy: return "XY";
+    case Plane::zx: return "ZX";
+    case Plane::yz: return "YZ";
+  }
+  return "";
+}
+
+const char* turning_name(Spindle::Turning turning) {
+  switch (turning) {
+    case Spindle::Turning::clockwise: return "cw";
+    case Spindle::Turning::counterclockwise: return "ccw";
+    case Spindle::Turning::stopped: return "stop";
+    case Spindle::Turning::oriented: return "orient";
+  }
+  return "";
+}
+
+const char* coolant_name(Coolant::State state) {
+  switch (state) {
+    case Coolant::State::off: return "off";
+    case Coolant::State::mist: return "mist";
+    case Coolant::State::flood: return "flood";
+  }
+  return "";
+}
+
+const char* feed_mode_name(FeedMode mode) {
+  switch (mode) {
+    case FeedMode::per_minute: return "per-minute";
+    case FeedMode::per_revolution: return "per-revolution";
+    case FeedMode::inverse_time: return "inverse-time";
+  }
+  return "";
+}
+
+}  // namespace
+
+MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file) : file_(file) {
+  for (const AxisConfig& axis : axes.axes) {
+    keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
+  }
+}
+
+void MotionJson::begin(const char* kind, const Motion& motion) {
+  if (motion.program != program_number_) {
+    program_number_ = motion.program;
+    const std::string digits = std::to_string(static_cast<std::uint32_t>(motion.program));
+    program_ = "\",\"program\":\"O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + "\",\"line\":";
+  }
+  line_ = "{\"kind\":\"";
+  line_ += kind;
+  line_ += program_;
+  append_integer(line_, motion.line);
+}
+
+void MotionJson::target(const base::AxisVector& to) {
+  line_ += ",\"to\":{";
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    line_ += keys_[i];
+    base::append_number(line_, to.values[i]);
+  }
+  line_ += '}';
+}
+
+void MotionJson::feed(const Feed& feed) {
+  append_member(line_, ",\"feed\":", feed.value);
+  line_ += ",\"feed_mode\":\"";
+  line_ += feed_mode_name(feed.mode);
+  line_ += '"';
+}
+
+void MotionJson::take(const Motion& motion) {
+  write(motion);
+  line_ += "}\n";
+  file_.write(line_);
+}
+
+void MotionJson::write(const Motion& motion) {
+  const auto record = [&](const auto& action) {
+    using Action = std::decay_t<decltype(action)>;
+    if constexpr (std::is_same_v<Action, Rapid>) {
+      begin("rapid", motion);
+      target(action.to);
+    } else if constexpr (std::is_same_v<Action, Line>) {
+      begin("line", motion);
+      target(action.to);
+      feed(action.feed);
+    } else if constexpr (std::is_same_v<Action, Arc>) {
+      begin("arc", motion);
+      target(action.to);
+      line_ += ",\"plane\":\"";
+      line_ += plane_name(action.plane);
+      append_member(line_, "\",\"center\":[", action.center[0]);
+      append_member(line_, ",", action.center[1]);
+      line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\"" : "],\"direction\":\"ccw\"";
+      line_ += ",\"turns\":";
+      append_integer(line_, action.turns);
+      feed(action.feed);
+    } else if constexpr (std::is_same_v<Action, Dwell>) {
+      begin("dwell", motion);
+      append_member(line_, ",\"seconds\":", action.seconds);
+    } else if constexpr (std::is_same_v<Action, ToolChange>) {
+      begin("tool", motion);
+      line_ += ",\"tool\":";
+      append_integer(line_, action.tool);
+    } else if constexpr (std::is_same_v<Action, Spindle>) {
+      begin("spindle", motion);
+      const bool css = action.mode == Spindle::Mode::constant_surface_speed;
+      line_ += std::string(",\"direction\":\"") + turning_name(action.turning) + '"';
+      append_member(line_, ",\"speed\":", action.speed);
+      line_ += css ? ",\"mode\":\"css\"" : ",\"mode\":\"rpm\"";
+      if (css && action.max_rpm > 0) append_member(line_, ",\"max_rpm\":", action.max_rpm);
+    } else if constexpr (std::is_same_v<Action, Coolant>) {
+      begin("coolant", motion);
+      line_ += std::string(",\"state\":\"") + coolant_name(action.state) + '"';
+    } else if constexpr (std::is_same_v<Action, Power>) {
+      begin("power", motion);
+      append_member(line_, ",\"percent\":", action.percent);
+    } else if constexpr (std::is_same_v<Action, Probe>) {
+      begin("probe", motion);
+      target(action.to);
+      feed(action.feed);
+      line_ += action.contact ? ",\"contact\":true" : ",\"contact\":false";
+    } else if constexpr (std::is_same_v<Action, Thread>) {
+      begin("thread", motion);
+      target(action.to);
+      append_member(line_, ",\"lead\":", action.lead);
+    } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
+      begin("mcode", motion);
+      line_ += ",\"code\":";
+      append_integer(line_, action.code);
+    } else if constexpr (std::is_same_v<Action, Stop>) {
+      begin("stop", motion);
+      line_ += action.optional ? ",\"optional\":true" : ",\"optional\":false";
+    } else if constexpr (std::is_same_v<Action, Message>) {
+      begin("message", motion);
+      const nlohmann::json text = std::string(action.text.view());
+      line_ += ",\"text\":" + text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    } else {
+      begin("end", motion);
+    }
+  };
+  std::visit(record, motion.action);
+}
+
+}  // namespace kerf::output

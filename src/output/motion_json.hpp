@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/output_file.hpp"
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::output {
+
+/// Writes motions as JSON Lines (cli.md, "Motion records"): one object a line, in order. mm, degrees,
+/// mm/min.
+class MotionJson : public control::MotionSink {
+ public:
+  MotionJson(const control::AxisSetup& axes, base::OutputFile& file);
+  void take(const control::Motion& motion) override;
+
+ private:
+  void begin(const char* kind, const control::Motion& motion);
+  void target(const base::AxisVector& to);
+  void feed(const control::Feed& feed);
+  void write(const control::Motion& motion);
+
+  base::OutputFile& file_;
+  std::vector<std::string> keys_;  // per axis: what stands before its value
+  std::string line_;
+  std::string program_;            // text of the newest program number
+  control::ProgramNumber program_number_{0xffffffffU};
+};
+
+}  // namespace kerf::output

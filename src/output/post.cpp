@@ -1,0 +1,137 @@
+#include "output/post.hpp"
+
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "control/plane_axes.hpp"
+#include "geometry/arc.hpp"
+
+namespace kerf::output {
+namespace {
+
+using namespace control;
+
+constexpr double kStep = 1e4;  // coordinates are written to 0.0001
+
+double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
+
+}  // namespace
+
+Post::Post(const AxisSetup& axes, base::OutputFile& file) : axes_(axes), file_(file) {
+  file_.write("(KERF: TOOL CENTRE PATH IN MACHINE COORDINATES)\nG21 G90 G94 G17\n");
+}
+
+void Post::word(char letter, double value) {
+  if (!line_.empty()) line_ += ' ';
+  line_ += letter;
+  base::append_number(line_, value);
+}
+
+void Post::end_block() {
+  if (!line_.empty()) file_.write(line_ + "\n");
+  line_.clear();
+}
+
+void Post::move(const char* code, const base::AxisVector& to) {
+  if (modal_ != code) line_ += (line_.empty() ? "" : " ") + std::string(code);
+  modal_ = code;
+  for (std::size_t i = 0; i < axes_.count(); ++i) {
+    const double value = rounded(to.values[i]);
+    if (value != rounded(at_.values[i])) word(axes_.axes[i].letter, value);
+  }
+  at_ = to;
+}
+
+void Post::feed(const Feed& feed, double length_mm) {
+  double per_minute = feed.value;
+  if (feed.mode == FeedMode::per_revolution) per_minute = feed.value * speed_rpm_;
+  if (feed.mode == FeedMode::inverse_time) per_minute = feed.value * length_mm;
+  per_minute = rounded(per_minute);
+  if (per_minute == feed_) return;
+  feed_ = per_minute;
+  word('F', per_minute);
+}
+
+void Post::arc(const Arc& arc) {
+  const auto plane = plane_axes(arc.plane, axes_);
+  if (!plane) return;
+  if (arc.plane != plane_) {
+    plane_ = arc.plane;
+    line_ = arc.plane == Plane::xy ? "G17" : arc.plane == Plane::zx ? "G18" : "G19";
+    end_block();
+  }
+  const geometry::Vec2 from = plane->project(at_);
+  const geometry::Vec2 centre{arc.center[0], arc.center[1]};
+  const bool clockwise = arc.direction == Direction::clockwise;
+  const double length = geometry::arc_length(from, plane->project(arc.to), centre, clockwise, arc.turns, 0);
+  const bool full = from == plane->project(arc.to);
+  const base::AxisVector before = at_;
+  modal_.clear();
+  move(clockwise ? "G2" : "G3", arc.to);
+  if (full && at_ == before) {
+    word(axes_[plane->first].letter, rounded(arc.to[plane->first]));
+    word(axes_[plane->second].letter, rounded(arc.to[plane->second]));
+  }
+  word(plane->first_offset, rounded(centre.u - from.u));
+  word(plane->second_offset, rounded(centre.v - from.v));
+  feed(arc.feed, length);
+  end_block();
+}
+
+void Post::take(const Motion& motion) { write(motion); }
+
+void Post::write(const Motion& motion) {
+  const auto length_to = [&](const base::AxisVector& to) {
+    double sum = 0;
+    for (std::size_t i = 0; i < axes_.count(); ++i) sum += std::pow(to.values[i] - at_.values[i], 2);
+    return std::sqrt(sum);
+  };
+  const auto straight = [&](const base::AxisVector& to, const Feed& rate) {
+    const double length = length_to(to);
+    move("G1", to);
+    feed(rate, length);
+    end_block();
+  };
+  const auto code = [&](const std::string& text) {
+    line_ = text;
+    end_block();
+  };
+  if (const auto* const a = std::get_if<Rapid>(&motion.action)) {
+    move("G0", a->to);
+    end_block();
+  } else if (const auto* const a1 = std::get_if<Line>(&motion.action)) {
+    straight(a1->to, a1->feed);
+  } else if (const auto* const a2 = std::get_if<Arc>(&motion.action)) {
+    arc(*a2);
+  } else if (const auto* const a3 = std::get_if<Probe>(&motion.action)) {
+    straight(a3->to, a3->feed);
+  } else if (const auto* const a4 = std::get_if<Thread>(&motion.action)) {
+    straight(a4->to, {a4->lead, FeedMode::per_revolution});
+  } else if (const auto* const a5 = std::get_if<Dwell>(&motion.action)) {
+    code("G4 P" + base::number_text(a5->seconds));
+  } else if (const auto* const a6 = std::get_if<ToolChange>(&motion.action)) {
+    code("T" + std::to_string(a6->tool) + " M6");
+  } else if (const auto* const a7 = std::get_if<Spindle>(&motion.action)) {
+    speed_rpm_ = a7->speed;
+    switch (a7->turning) {
+      case Spindle::Turning::clockwise: code("M3 S" + base::number_text(a7->speed)); break;
+      case Spindle::Turning::counterclockwise: code("M4 S" + base::number_text(a7->speed)); break;
+      case Spindle::Turning::stopped:
+      case Spindle::Turning::oriented: code("M5"); break;
+    }
+  } else if (const auto* const a8 = std::get_if<Coolant>(&motion.action)) {
+    code(a8->state == Coolant::State::off ? "M9" : a8->state == Coolant::State::mist ? "M7" : "M8");
+  } else if (std::holds_alternative<Stop>(motion.action)) {
+    code("M0");
+  } else if (std::holds_alternative<End>(motion.action)) {
+    ended_ = true;
+    code("M30");
+  }
+}
+
+void Post::finish() {
+  if (!ended_) file_.write("M30\n");
+  ended_ = true;
+}
+
+}  // namespace kerf::output

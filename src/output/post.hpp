@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "base/output_file.hpp"
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::output {
+
+/// Writes the executed path as plain G-code for controllers without macros: no variables, no cycles,
+/// no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90 G94), arcs with
+/// I, J, K, dwell in seconds.
+class Post : public control::MotionSink {
+ public:
+  Post(const control::AxisSetup& axes, base::OutputFile& file);
+  void take(const control::Motion& motion) override;
+  /// Writes the end, unless the program's own has been written.
+  void finish();
+
+ private:
+  void write(const control::Motion& motion);
+  void move(const char* code, const base::AxisVector& to);
+  void feed(const control::Feed& feed, double length_mm);
+  void arc(const control::Arc& arc);
+  void word(char letter, double value);
+  void end_block();
+
+  const control::AxisSetup& axes_;
+  base::OutputFile& file_;
+  std::string line_;
+  base::AxisVector at_;
+  std::string modal_;
+  control::Plane plane_ = control::Plane::xy;
+  double feed_ = -1;
+  double speed_rpm_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace kerf::output

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "machine/virtual_machine.hpp"
+
+namespace kerf::output {
+
+/// The summary of a run as one JSON object (cli.md, "Summary"), on one line.
+[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine, const std::string& dialect);
+
+/// The same for people: a few lines of text.
+[[nodiscard]] std::string summary_text(machine::VirtualMachine& machine, const std::string& dialect);
+
+}  // namespace kerf::output

@@ -1,0 +1,5 @@
+O1 (PS0044: G30 before G80)
+G90 G00 Z5.
+G81 X0 Y0 Z-5. R1. F100
+G91 G30 Z0 (expect alarm PS0044)
+M30

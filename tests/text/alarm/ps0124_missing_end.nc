@@ -1,0 +1,5 @@
+O1 (PS0124: DO2 has no END2)
+#1=0
+WHILE[#1LT3]DO2 (expect alarm PS0124)
+END1
+M30

@@ -1,0 +1,4 @@
+O1 (PS0126: DO0)
+DO0 (expect alarm PS0126)
+END0
+M30

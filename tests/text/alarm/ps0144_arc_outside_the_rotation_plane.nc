@@ -1,0 +1,4 @@
+O1 (PS0144: G68 in G17, an arc in G19)
+G68 X0 Y0 R30.
+G19 G02 Y10. Z0 R5. F100 (expect alarm PS0144)
+M30

@@ -1,0 +1,4 @@
+O1 (PS0300: G28 before G50)
+G51 X0 Y0 P500
+G28 X0 (expect alarm PS0300)
+M30

@@ -1,0 +1,3 @@
+O1 (PS1133: a variable alone)
+#100 (expect alarm PS1133)
+M30

@@ -1,0 +1,7 @@
+O1 (CALL-1: P50012 is five times O0012)
+M98 P50012
+M30
+O12
+#100=#100+1
+M99
+(finally #100=5)

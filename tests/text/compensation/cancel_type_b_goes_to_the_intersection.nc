@@ -1,0 +1,8 @@
+(run with: --param SUP/SUV=B --set #13001=5)
+O1 (CRC-12: an outside obtuse corner at the end)
+G90 G00 X-20. Y-10.
+G41 D1 G01 X0 Y0 F100
+Y50.
+G40 X20. Y60.
+M30
+(finally moves: rapid X-20 Y-10; line X-5 Y0; line X-5 Y53.0902; line X20 Y60)

@@ -1,0 +1,9 @@
+(run with: --set #13001=5)
+O1 (CRC-13: both end points are joined)
+G90 G00 X-20. Y-10.
+G41 D1 G01 X0 Y0 F100
+Y50.
+G42 X50.
+G40 Y80.
+M30
+(finally moves: rapid X-20 Y-10; line X-5 Y0; line X-5 Y50; line X0 Y45; line X50 Y45; line X50 Y80)

@@ -1,0 +1,10 @@
+(run with: --set #13001=5)
+O1 (CRC-12: the offset is removed by Y80.)
+G90 G00 X-20. Y-10.
+G41 D1 G01 X0 Y0 F100
+Y50.
+X50.
+G40
+Y80.
+M30
+(finally moves: rapid X-20 Y-10; line X-5 Y0; line X-5 Y55; line X50 Y55; line X50 Y80)

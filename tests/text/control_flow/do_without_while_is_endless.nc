@@ -1,0 +1,8 @@
+O1 (CTL-11, P36: left by a GOTO)
+#100=0
+DO1
+#100=#100+1
+IF[#100EQ4]GOTO 9
+END1
+N9 M30
+(finally #100=4)

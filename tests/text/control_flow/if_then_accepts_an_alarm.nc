@@ -1,0 +1,4 @@
+O1 (CTL-5: #3000 is an assignment)
+#1=0
+IF[#1EQ0]THEN #3000=12(ARGUMENT MISSING) (expect alarm MC3012 says ARGUMENT MISSING)
+M30

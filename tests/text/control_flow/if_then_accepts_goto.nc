@@ -1,0 +1,5 @@
+O1 (CTL-5: THEN GOTO)
+IF[1EQ1]THEN GOTO 10
+#100=1
+N10 #101=1 (expect #100=null, #101=1)
+M30

@@ -1,0 +1,16 @@
+O1 (CTL-12, P41: two passes each)
+#1=1
+WHILE[#1LE2]DO1
+#2=1
+WHILE[#2LE2]DO2
+#3=1
+WHILE[#3LE2]DO3
+#100=#100+1
+#3=#3+1
+END3
+#2=#2+1
+END2
+#1=#1+1
+END1
+M30
+(finally #100=8)

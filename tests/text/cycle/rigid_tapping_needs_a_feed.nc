@@ -1,0 +1,5 @@
+O1 (CYC-13: F0)
+G90 G00 Z10.
+M29 S500
+G84 X0 Y0 Z-10. R2. F0 (expect alarm PS0201)
+M30

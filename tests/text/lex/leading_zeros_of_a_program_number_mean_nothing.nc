@@ -1,0 +1,8 @@
+O0001 (LEX-3: O0002 is found as P2 and as P0002)
+M98 P2
+M98 P0002
+M30
+O0002 (COUNT)
+#100=#100+1
+M99
+(finally #100=2)

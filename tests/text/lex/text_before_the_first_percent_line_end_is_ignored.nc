@@ -1,0 +1,7 @@
+JUNK G00 X99.
+% LEADER G00 X98.
+O1 (LEX-1: junk and leader are not part of the program)
+G90 G00 X1. (expect moves: rapid X1)
+M30
+(finally moves: rapid X1)
+%

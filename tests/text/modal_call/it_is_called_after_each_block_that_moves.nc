@@ -1,0 +1,13 @@
+O1 (CALL-14: not after M08 and G04)
+G66 P100
+G90 G00 X10.
+M08
+G04 P1
+X20.
+G67
+X30.
+M30
+O100
+#100=#100+1
+M99
+(finally #100=2)

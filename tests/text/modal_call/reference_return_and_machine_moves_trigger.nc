@@ -1,0 +1,10 @@
+O1 (CALL-14: G28 and G53 are motion)
+G66 P2
+G90 G53 G00 X10.
+G91 G28 X0
+G67
+M30
+O2
+#100=#100+1
+M99
+(finally #100=2)

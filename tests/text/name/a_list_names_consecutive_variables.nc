@@ -1,0 +1,7 @@
+O1 (section 7.2: WORKNO is #511)
+SETVN510[TOOLNO,WORKNO]
+[#WORKNO]=7
+#100=#511 (expect #100=7)
+#511=8
+#101=[#WORKNO] (expect #101=8)
+M30

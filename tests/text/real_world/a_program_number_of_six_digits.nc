@@ -1,0 +1,7 @@
+O1 (G65 P910001 takes all six)
+G65 P910001 A5.
+M30
+O910001 (LIBRARY)
+#100=#1
+M99
+(finally #100=5)

@@ -1,0 +1,6 @@
+O1 (IF[#20NEFIX[#20]])
+#20=3.5
+IF[#20NEFIX[#20]]THEN #100=1 (expect #100=1)
+#20=3
+IF[#20NEFIX[#20]]THEN #101=1 (expect #101=null)
+M30

@@ -1,0 +1,8 @@
+%
+O1 (LEX-2: one file of the collection has CR CR LF)
+G90 G00 X1.
+#100=1
+M30
+(finally #100=1)
+(finally moves: rapid X1)
+%

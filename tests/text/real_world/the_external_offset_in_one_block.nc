@@ -1,0 +1,5 @@
+O1 (G90G10L2P0X0Y0Z1.)
+G90G10L2P0X0Y0Z1.
+#100=#5203 (expect #100=1)
+G0Z0 (expect moves: rapid Z1)
+M30

@@ -1,0 +1,15 @@
+O9200 (section 12.2 as printed: A30 is 0.030 degrees)
+G90 G54 G00 X0 Y0 Z10.
+G99 G81 X0. Y0. Z-200. R-150. F1000 L0
+G65 P9401 X40. Y-200. A30 U10. H2
+G80
+M02
+O9401
+#3=#4003
+G90 X#24 Y#25
+WHILE[#11GT1]DO1
+G91 X[#21*COS[#1]] Y[#21*SIN[#1]] (expect moves: rapid X50 Y-199.995; line Z-200; rapid Z-150)
+#11=#11-1
+END1
+G#3
+M99

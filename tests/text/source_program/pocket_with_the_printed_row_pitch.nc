@@ -1,0 +1,13 @@
+(run with: --param offset_memory=A --set #2001=10)
+O1 (section 12.5 as printed: 29 instead of #29, rows too close)
+G65 P9802 J60. K0.5 T80 D1
+M30
+O9802
+#27=#[2000+#7]
+#28=#6+#27
+#29=#5-2*#28
+#30=2*#27*#20/100
+#31=FUP[#29/#30]
+#101=#29/#31 (expect #101=13)
+#102=29/#31 (expect #102=9.66666667)
+M99

@@ -1,0 +1,4 @@
+O1 (TRF-2: G53)
+G68 X0 Y0 R90.
+G90 G53 X0 (expect alarm PS0049)
+M30

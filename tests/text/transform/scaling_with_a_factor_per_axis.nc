@@ -1,0 +1,5 @@
+O1 (G51: I J K)
+G51 X0 Y0 Z0 I2000 J3000 K1000
+G90 G00 X1. Y1. Z1. (expect moves: rapid X2 Y3 Z1)
+G50
+M30

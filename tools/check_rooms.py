@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""Holds the #include lines of src/ against the order of the rooms.
+
+A room may include itself and the rooms above it in ORDER, never a room beside it (SIDE_BY_SIDE), only
+rooms that its own kerf_room(… LINKS …) names, and nothing of another room's internal/ folder.
+
+usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
+"""
+
+import re
+import sys
+from pathlib import Path
+from typing import Iterator, NamedTuple, Optional
+
+ORDER = [
+    "base",
+    "geometry",
+    "lang/vm",
+    "lang/gcode",
+    "lang/basic",
+    "lang/teach",
+    "control",
+    "motion",
+    "kinematics",
+    "drive",
+    "stock",
+    "features",
+    "machine",
+    "output",
+    "cli",
+    "server",
+]
+SIDE_BY_SIDE = [{"lang/gcode", "lang/basic", "lang/teach"}, {"cli", "server"}]
+
+SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+KERF_ROOM = re.compile(r"\bkerf_room\s*\(\s*(\w+)([^)]*)\)")
+
+
+class Include(NamedTuple):
+    line: int
+    path: str
+    quoted: bool
+
+
+class Links(NamedTuple):
+    """What one kerf_room(…) call says: where it stands and which rooms it names."""
+
+    file: Path
+    line: int
+    rooms: list[str]
+
+
+def room_of(path: str) -> Optional[str]:
+    """The room that a path below src/ lies in."""
+    return next((room for room in ORDER if path.startswith(room + "/")), None)
+
+
+def room_named(target: str) -> Optional[str]:
+    """The room whose target is kerf_<target>: its folder's last name."""
+    return next((room for room in ORDER if room.rsplit("/", 1)[-1] == target), None)
+
+
+def objection(user: str, used: str) -> Optional[str]:
+    """Why the room `user` may not know the room `used`; None when it may."""
+    if user == used:
+        return None
+    if any({user, used} <= rooms for rooms in SIDE_BY_SIDE):
+        return f"{used} stands beside {user}"
+    if ORDER.index(used) > ORDER.index(user):
+        return f"{used} stands below {user}"
+    return None
+
+
+def includes_of(file: Path) -> Iterator[Include]:
+    for number, text in enumerate(file.read_text(encoding="utf-8").splitlines(), start=1):
+        match = INCLUDE.match(text)
+        if match:
+            yield Include(number, match[1] or match[2], match[1] is not None)
+
+
+def linked_targets(arguments: str) -> list[str]:
+    words = arguments.split()
+    after = words[words.index("LINKS") + 1 :] if "LINKS" in words else []
+    return [word for word in after if word != "SOURCES"]
+
+
+def read_links(src: Path) -> dict[str, Links]:
+    """The LINKS of every room that has a kerf_room(…) call."""
+    links = {}
+    for file in sorted(src.rglob("CMakeLists.txt")):
+        text = re.sub(r"#[^\n]*", "", file.read_text(encoding="utf-8"))
+        for call in KERF_ROOM.finditer(text):
+            room = room_named(call[1])
+            if room is None:
+                raise SystemExit(f"{file}: kerf_room({call[1]}) is not in the ORDER of {__file__}")
+            targets = [t[len("kerf_") :] for t in linked_targets(call[2]) if t.startswith("kerf_")]
+            line = text.count("\n", 0, call.start()) + 1
+            links[room] = Links(file, line, [r for r in map(room_named, targets) if r])
+    return links
+
+
+def check_links(links: dict[str, Links]) -> Iterator[str]:
+    for room, entry in links.items():
+        for used in entry.rooms:
+            reason = objection(room, used)
+            if reason:
+                yield f"{entry.file}:{entry.line}: {room} may not link {used}: {reason}"
+
+
+def check_include(room: str, include: Include, links: dict[str, Links]) -> Optional[str]:
+    used = room_of(include.path)
+    if used is None:
+        if include.quoted:
+            return f'"{include.path}" is in no room; write the path from src/: "room/file.hpp"'
+        return None
+    if used == room:
+        return None
+    reason = objection(room, used)
+    if reason:
+        return f'{room} may not include "{include.path}": {reason}'
+    if "internal" in include.path[len(used) :].split("/"):
+        return f'{room} may not include "{include.path}": internal/ is for {used} alone'
+    target = "kerf_" + used.rsplit("/", 1)[-1]
+    if room not in links:
+        return f'{room} includes "{include.path}" but has no kerf_room(… LINKS {target})'
+    if used not in links[room].rooms:
+        where = f"{links[room].file}:{links[room].line}"
+        return f'{room} includes "{include.path}" but does not link {target} ({where})'
+    return None
+
+
+def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
+    room = room_of(file.relative_to(src).as_posix())
+    if room is None:
+        yield f"{file}:1: this folder is no room; rooms stand in the ORDER of {__file__}"
+        return
+    for include in includes_of(file):
+        finding = check_include(room, include, links)
+        if finding:
+            yield f"{file}:{include.line}: {finding}"
+
+
+def check(root: Path) -> tuple[int, list[str]]:
+    """Number of files read, and the findings."""
+    src = root / "src"
+    links = read_links(src)
+    files = sorted(f for f in src.rglob("*") if f.suffix in SOURCE_SUFFIXES)
+    findings = list(check_links(links))
+    for file in files:
+        findings += check_file(src, file, links)
+    return len(files), findings
+
+
+def main() -> int:
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
+    count, findings = check(root)
+    for finding in findings:
+        print(finding.replace(f"{root}/", ""), file=sys.stderr)
+    if count == 0:
+        print(f"{root}/src holds no sources", file=sys.stderr)
+    return 1 if findings or count == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -86,6 +86,65 @@ Outcome<std::string> choose_dialect(const std::string& wanted, const std::string
   return std::string(kMillDialect);
 }
 
+Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
+  std::uint32_t levels = 0;
+  if (list == "all") return 0x3feU;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t comma = std::min(list.find(',', at), list.size());
+    const std::string item = list.substr(at, comma - at);
+    if (item.size() != 1 || item[0] < '1' || item[0] > '9') return usage("--block-skip " + list + ": a list of 1 to 9, or all");
+    levels |= 1U << (item[0] - '0');
+    at = comma + 1;
+  }
+  return levels;
+}
+
+// The number behind '#', or -1.
+double variable_number(const std::string& key) {
+  constexpr double kMostVariable = 999999;
+  const double number = key.starts_with('#') ? parse_number(key.substr(1)).value_or(-1) : -1;
+  return number >= 0 && number <= kMostVariable && number == std::floor(number) ? number : -1;
+}
+
+Outcome<void> set_variables(const RunOptions& options, machine::VirtualMachine& machine) {
+  for (const std::string& text : options.variables) {
+    auto setting = split_setting(text, "--set");
+    if (!setting) return tl::unexpected(setting.error());
+    const double number = variable_number(setting->key);
+    const auto value = parse_number(setting->value);
+    if (number < 0 || !value) return usage("--set " + text + ": '#NUMBER=VALUE' is expected");
+    if (auto set = machine.set_variable(static_cast<std::uint32_t>(number), *value); !set) {
+      return usage("--set " + text + ": " + set.error().message);
+    }
+  }
+  return {};
+}
+
+Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& machine) {
+  for (const std::string& text : options.skip_at) {
+    auto setting = split_setting(text, "--skip-at");
+    if (!setting) return tl::unexpected(setting.error());
+    const auto value = parse_number(setting->value);
+    const auto axis = setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
+    if (!axis || !value) return usage("--skip-at " + text + ": AXIS=VALUE with an axis of the machine is expected");
+    machine.add_skip_contact({*axis, *value});
+  }
+  return {};
+}
+
+Outcome<void> prepare(const RunOptions& options, machine::VirtualMachine& machine) {
+  for (const std::string& folder : options.libraries) machine.add_library_folder(folder);
+  auto file = base::SourceFile::open(options.program);
+  if (!file) return tl::unexpected(file.error());
+  machine.load(std::move(*file));
+  auto levels = parse_block_skip(options.block_skip);
+  if (!levels) return tl::unexpected(levels.error());
+  machine.set_block_skip(*levels);
+  machine.set_optional_stop(options.optional_stop);
+  if (auto set = set_variables(options, machine); !set) return set;
+  return set_contacts(options, machine);
+}
+
 }  // namespace
 
 std::optional<double> parse_number(const std::string& text) {
@@ -102,6 +161,15 @@ Outcome<KeyValue> split_setting(const std::string& text, const std::string& opti
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) return usage(option + " " + text + ": KEY=VALUE is expected");
   return KeyValue{text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Outcome<ReadyMachine> make_ready(const RunOptions& options) {
+  auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys, options.decimal_point,
+                       options.tools, options.offsets, options.state},
+                      options.program);
+  if (!ready) return ready;
+  if (auto prepared = prepare(options, *ready->machine); !prepared) return tl::unexpected(prepared.error());
+  return ready;
 }
 
 Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program) {

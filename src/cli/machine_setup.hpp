@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
+#include "cli/commands.hpp"
 #include "machine/virtual_machine.hpp"
 
 namespace kerf::cli {
@@ -29,6 +31,9 @@ struct ReadyMachine {
 };
 
 [[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program);
+
+/// A machine as `kerf run` makes it from its options, the program loaded.
+[[nodiscard]] base::Outcome<ReadyMachine> make_ready(const RunOptions& options);
 
 /// "KEY=VALUE" in two; the value may contain '='. Failure (usage) names the option.
 struct KeyValue {

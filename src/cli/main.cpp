@@ -2,20 +2,15 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <thread>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
-
 #include "base/output_file.hpp"
+#include "cli/arguments.hpp"
 #include "cli/commands.hpp"
 
 namespace {
 
-using kerf::cli::CheckOptions;
-using kerf::cli::DiagnosticFormat;
-using kerf::cli::ExitStatus;
-using kerf::cli::RunOptions;
+using namespace kerf::cli;
 
 // Ctrl-C and its like: no half-written file stays behind.
 void stop(int signal) {
@@ -23,79 +18,26 @@ void stop(int signal) {
   _exit(128 + signal);
 }
 
-void add_run(CLI::App& app, RunOptions& o) {
-  CLI::App* run = app.add_subcommand("run", "runs a program on a virtual machine and prints a summary");
-  run->add_option("program", o.program, "program file; - is standard input")->required();
-  run->add_option("--machine", o.machine, "built-in machine or machine file (.toml)");
-  run->add_option("--dialect", o.dialect, "language of the program: fanuc-mill");
-  run->add_option("--library", o.libraries, "folder of further programs")->allow_extra_args(false);
-  run->add_option("--set", o.variables, "sets a variable before the start: '#100=5'")->allow_extra_args(false);
-  run->add_option("--param", o.parameters, "changes a parameter of the control: KEY=VALUE")->allow_extra_args(false);
-  run->add_option("--machine-set", o.machine_keys, "changes a key of the machine file: axis.X.velocity=12000")->allow_extra_args(false);
-  run->add_option("--decimal-point", o.decimal_point, "numbers without a point: increment or calculator")
-      ->check(CLI::IsMember({"increment", "calculator"}));
-  run->add_option("--skip-at", o.skip_at, "skip signal at a machine position: X=7.2")->allow_extra_args(false);
-  run->add_option("--tools", o.tools, "tools as TOML or G10 blocks");
-  run->add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks");
-  run->add_option("--state", o.state, "permanent memory of the control, read before and written behind");
-  run->add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all");
-  run->add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
-  run->add_option("--max-seconds", o.max_seconds, "computing time allowed, 0: any")->check(CLI::NonNegativeNumber);
-  run->add_option("--max-motions", o.max_motions, "motions allowed, 0: any number");
-  run->add_flag("--keep-partial", o.keep_partial, "writes --post also when the run does not reach its end");
-  run->add_option("--summary", o.summary, "summary as JSON");
-  run->add_option("--motion", o.motion, "motions as JSON Lines");
-  run->add_option("--plot", o.plot, "picture of the path: .svg or .png");
-  run->add_option("--dprnt", o.dprnt, "what the program prints; default standard output");
-  run->add_option("--post", o.post, "the path as plain G-code without macros");
-  run->add_option("--coverage", o.coverage, "how often each source line ran, as CSV");
-  run->add_option("--diagnostics", o.diagnostics, "text or json")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, DiagnosticFormat>{{"text", DiagnosticFormat::text},
-                                                                                   {"json", DiagnosticFormat::json}}));
-}
-
-void add_check(CLI::App& app, CheckOptions& o) {
-  CLI::App* check = app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
-  check->add_option("files", o.files, "program files")->required();
-  check->add_option("--machine", o.machine, "built-in machine or machine file (.toml)");
-  check->add_option("--library", o.libraries, "folder of further programs")->allow_extra_args(false);
-  check->add_option("--param", o.parameters, "changes a parameter of the control: KEY=VALUE")->allow_extra_args(false);
-  check->add_option("--jobs", o.jobs, "files checked at the same time")->check(CLI::Range(1U, 256U));
-  check->add_option("--format", o.format, "text, json, sarif or junit")->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
-}
-
-// What CLI11 says, as one sentence of ours.
-int usage_error(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
-  std::fprintf(stderr, "kerf: %s; `kerf --help` and `kerf COMMAND --help` list what there is\n", error.what());
-  return static_cast<int>(ExitStatus::usage);
-}
-
-int guarded_main(int argc, char** argv) {
-  CLI::App app("Kerf runs CNC programs: FANUC G-code with Custom Macro B");
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "kerf 0.1.0");
-  RunOptions run_options;
-  CheckOptions check_options;
-  check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
-  std::string machine_name;
-  add_run(app, run_options);
-  add_check(app, check_options);
-  app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")->add_option("name", machine_name);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return usage_error(app, error);
+struct Execute {
+  ExitStatus operator()(const RunOptions& options) const { return run(options); }
+  ExitStatus operator()(const CheckOptions& options) const { return check(options); }
+  ExitStatus operator()(const MachinesOptions& options) const { return machines(options.name); }
+  ExitStatus operator()(const Answer& answer) const {
+    std::fputs(answer.text.c_str(), stdout);
+    return ExitStatus::well;
   }
-  ExitStatus status = ExitStatus::well;
-  if (app.got_subcommand("run")) status = kerf::cli::run(run_options);
-  if (app.got_subcommand("check")) status = kerf::cli::check(check_options);
-  if (app.got_subcommand("machines")) status = kerf::cli::machines(machine_name);
-  if (std::fflush(stdout) != 0) {
-    std::fprintf(stderr, "kerf: standard output: cannot be written\n");
-    return static_cast<int>(ExitStatus::files);
+};
+
+ExitStatus guarded_main(int argc, char** argv) {
+  const auto request = parse_arguments({argv + 1, argv + argc});
+  if (!request) {
+    std::fprintf(stderr, "kerf: %s\n", request.error().message.c_str());
+    return ExitStatus::usage;
   }
-  return static_cast<int>(status);
+  const ExitStatus status = std::visit(Execute{}, *request);
+  if (std::fflush(stdout) == 0) return status;
+  std::fprintf(stderr, "kerf: standard output: cannot be written\n");
+  return ExitStatus::files;
 }
 
 }  // namespace
@@ -105,7 +47,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   std::signal(SIGPIPE, SIG_IGN);
   try {
-    return guarded_main(argc, argv);
+    return static_cast<int>(guarded_main(argc, argv));
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "kerf: out of memory\n");
   } catch (const std::exception& error) {

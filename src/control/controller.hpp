@@ -57,6 +57,7 @@ class Controller : public vm::Host, private Whereabouts {
   /// Machine coordinates as #5021 reads them: tool length included.
   [[nodiscard]] base::AxisVector machine_position() const;
   [[nodiscard]] std::span<double> first_level_locals() { return interpreter_.locals_of_first_level(); }
+  [[nodiscard]] std::span<double> running_locals() { return interpreter_.locals(); }
   [[nodiscard]] std::string running_program() const { return calls_.running_name(); }
 
   void set_single_block(bool on) { single_block_ = on; }

@@ -25,7 +25,11 @@ std::size_t slot_of(CodeId code, Address from, std::uint32_t label) {
 }  // namespace
 
 Interpreter::Interpreter(CodeSource& source, Host& host, const Settings& settings)
-    : source_(source), host_(host), settings_(settings), jumps_(kCachedJumps) {
+    : source_(source),
+      host_(host),
+      settings_(settings),
+      registers_(kRegisters, kNull),
+      jumps_(kCachedJumps) {
   assert(settings.locals < kRegisters);
 }
 

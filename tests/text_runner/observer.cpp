@@ -1,0 +1,110 @@
+#include "observer.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "base/decimal.hpp"
+
+namespace kerf::test {
+namespace {
+
+using namespace control;
+
+constexpr double kTolerance = 6e-4;  // half an increment and a little
+
+std::string number(double value) { return base::number_text(value); }
+
+const char* plane_name(Plane plane) {
+  return plane == Plane::xy ? "XY" : plane == Plane::zx ? "ZX" : "YZ";
+}
+
+struct Describe {
+  const AxisSetup& axes;
+
+  std::string target(const base::AxisVector& to) const {
+    std::string text;
+    for (std::size_t i = 0; i < axes.count(); ++i) text += std::string(" ") + axes.axes[i].letter + number(to.values[i]);
+    return text;
+  }
+  std::string operator()(const Rapid& a) const { return "rapid" + target(a.to); }
+  std::string operator()(const Line& a) const { return "line" + target(a.to) + " F" + number(a.feed.value); }
+  std::string operator()(const Arc& a) const {
+    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" + number(a.center[0]) + "," +
+           number(a.center[1]) + " " + plane_name(a.plane) + " F" + number(a.feed.value);
+  }
+  std::string operator()(const Probe& a) const { return "probe" + target(a.to) + " F" + number(a.feed.value); }
+  std::string operator()(const Thread& a) const { return "thread" + target(a.to) + " F" + number(a.lead); }
+  std::string operator()(const Dwell& a) const { return "dwell " + number(a.seconds); }
+  std::string operator()(const ToolChange& a) const { return "tool " + std::to_string(a.tool); }
+  std::string operator()(const Spindle& a) const {
+    switch (a.turning) {
+      case Spindle::Turning::clockwise: return "spindle cw " + number(a.speed);
+      case Spindle::Turning::counterclockwise: return "spindle ccw " + number(a.speed);
+      case Spindle::Turning::stopped: return "spindle stop";
+      case Spindle::Turning::oriented: return "spindle orient";
+    }
+    return "spindle";
+  }
+  std::string operator()(const Coolant& a) const {
+    return a.state == Coolant::State::off ? "coolant off" : a.state == Coolant::State::mist ? "coolant mist" : "coolant flood";
+  }
+  std::string operator()(const Power& a) const { return "power " + number(a.percent); }
+  std::string operator()(const AuxiliaryCode& a) const { return "mcode " + std::to_string(a.code); }
+  std::string operator()(const Stop&) const { return "stop"; }
+  std::string operator()(const Message& a) const { return "message " + std::string(a.text.view()); }
+  std::string operator()(const End&) const { return "end"; }
+};
+
+bool near(double a, double b) { return std::fabs(a - b) <= kTolerance; }
+
+double value_of(const std::string& word, std::size_t from) { return std::strtod(word.c_str() + from, nullptr); }
+
+std::string check_centre(const std::string& word, const Motion& motion) {
+  const auto* const arc = std::get_if<Arc>(&motion.action);
+  const std::size_t comma = word.find(',');
+  if (arc == nullptr || comma == std::string::npos) return "it is no arc";
+  if (near(arc->center[0], value_of(word, 1)) && near(arc->center[1], value_of(word, comma + 1))) return {};
+  return "its centre differs";
+}
+
+std::string check_word(const std::string& word, const Motion& motion, const AxisSetup& axes) {
+  if (word[0] == '@') return check_centre(word, motion);
+  if (word.size() == 2 && std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
+    const auto* const arc = std::get_if<Arc>(&motion.action);
+    return arc != nullptr && word == plane_name(arc->plane) ? "" : "its plane differs";
+  }
+  if (word[0] == 'F') {
+    double feed = -1;
+    std::visit(
+        [&](const auto& action) {
+          if constexpr (requires { action.feed; }) feed = action.feed.value;
+          if constexpr (requires { action.lead; }) feed = action.lead;
+        },
+        motion.action);
+    return near(feed, value_of(word, 1)) ? "" : "its feed differs";
+  }
+  const auto axis = axes.find(word[0]);
+  const base::AxisVector* const to = target_of(motion);
+  if (!axis || to == nullptr) return "there is no axis " + word.substr(0, 1);
+  return near((*to)[*axis], value_of(word, 1)) ? "" : word.substr(0, 1) + " differs";
+}
+
+}  // namespace
+
+void Recorder::take(const Motion& motion) {
+  observed_.push_back({motion.line, target_of(motion) != nullptr, std::visit(Describe{axes_}, motion.action), motion});
+}
+
+std::string difference(const std::string& wanted, const Observed& observed, const AxisSetup& axes) {
+  std::istringstream words(wanted);
+  std::string kind;
+  words >> kind;
+  if (observed.text.substr(0, observed.text.find(' ')) != kind) return "it is no " + kind;
+  for (std::string word; words >> word;) {
+    const std::string wrong = check_word(word, observed.motion, axes);
+    if (!wrong.empty()) return wrong;
+  }
+  return {};
+}
+
+}  // namespace kerf::test

@@ -1,0 +1,261 @@
+// Runs every program of tests/text as a test of its own name; what it expects stands in its comments.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "base/decimal.hpp"
+#include "cli/arguments.hpp"
+#include "cli/machine_setup.hpp"
+#include "expectations.hpp"
+#include "lang/vm/value.hpp"
+#include "observer.hpp"
+
+namespace kerf::test {
+namespace {
+
+namespace fs = std::filesystem;
+using machine::VirtualMachine;
+using Status = VirtualMachine::Status;
+
+constexpr double kVariableTolerance = 1e-6;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+const char* status_name(Status status) {
+  switch (status) {
+    case Status::end: return "end";
+    case Status::alarm: return "alarm";
+    case Status::budget: return "budget";
+    default: return "stopped";
+  }
+}
+
+// #1 to #33 of the main program's level, #100 to #199, #500 to #999.
+double variable(VirtualMachine& machine, const std::string& name) {
+  const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
+  if (number < gcode::kLocals) return machine.controller().first_level_locals()[number];
+  if (number < 200) return machine.memory().commons[number - 100];
+  return machine.memory().commons[number - 500 + gcode::kVolatileCommons];
+}
+
+std::string value_text(double value) { return vm::is_null(value) ? "null" : base::number_text(value); }
+
+class TextTest : public testing::Test {
+ public:
+  explicit TextTest(fs::path path) : path_(std::move(path)) {}
+  void TestBody() override;
+
+ private:
+  void prepare();
+  void run();
+  void check_variables(const std::vector<WantedVariable>& wanted, const std::string& when);
+  void check_alarm();
+  void check_end();
+  void check_moves();
+  void check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got, const std::string& what);
+  void check_records();
+  void check_assumed();
+  void check_positions();
+  double local(const std::string& name);
+
+  fs::path path_;
+  Expectations expected_;
+  cli::RunOptions options_;
+  std::unique_ptr<VirtualMachine> machine_;
+  std::unique_ptr<Recorder> recorder_;
+  std::string printed_;
+  std::uint32_t line_ = 0;  // of the block that began last
+};
+
+void TextTest::prepare() {
+  expected_ = read_expectations(read_file(path_));
+  for (const std::string& mistake : expected_.mistakes) ADD_FAILURE() << "not understood: " << mistake;
+  ASSERT_GT(expected_.count, 0U) << "the program expects nothing";
+  std::vector<std::string> words = {"run", path_.string()};
+  words.insert(words.end(), expected_.options.begin(), expected_.options.end());
+  auto request = cli::parse_arguments(words);
+  ASSERT_TRUE(request) << request.error().message;
+  options_ = std::get<cli::RunOptions>(*request);
+  auto ready = cli::make_ready(options_);
+  ASSERT_TRUE(ready) << ready.error().message;
+  machine_ = std::move(ready->machine);
+  recorder_ = std::make_unique<Recorder>(machine_->definition().axes);
+  machine_->add_sink(*recorder_);
+  machine_->set_print_output([this](std::string_view text) { printed_ += text; });
+}
+
+// A line is over when the next block begins, and at the end of the run.
+void TextTest::run() {
+  machine_->observe_blocks([this](base::FileId, std::uint32_t line) {
+    const auto wanted = expected_.variables_after_line.find(line_);
+    if (wanted != expected_.variables_after_line.end()) check_variables(wanted->second, "after line " + std::to_string(line_));
+    line_ = line;
+  });
+  machine_->run_to_end({options_.max_seconds, options_.max_motions});
+  const auto wanted = expected_.variables_after_line.find(line_);
+  if (wanted != expected_.variables_after_line.end()) check_variables(wanted->second, "after line " + std::to_string(line_));
+}
+
+double TextTest::local(const std::string& name) {
+  const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
+  if (number < gcode::kLocals) return machine_->controller().running_locals()[number];
+  return variable(*machine_, name);
+}
+
+void TextTest::check_variables(const std::vector<WantedVariable>& wanted, const std::string& when) {
+  for (const WantedVariable& item : wanted) {
+    const double got = when == "finally" ? variable(*machine_, item.name) : local(item.name);
+    const bool same = item.value ? std::fabs(got - *item.value) <= kVariableTolerance : vm::is_null(got);
+    EXPECT_TRUE(same) << item.name << " is " << value_text(got) << " " << when << ", wanted "
+                      << (item.value ? base::number_text(*item.value) : "null");
+  }
+}
+
+void TextTest::check_alarm() {
+  const auto& alarm = machine_->alarm();
+  if (!expected_.alarm) {
+    EXPECT_FALSE(alarm) << "unexpected alarm " << (alarm ? alarm->number + " " + alarm->message : "") << " in line "
+                        << (alarm ? alarm->place.line : 0);
+    return;
+  }
+  const WantedAlarm& wanted = *expected_.alarm;
+  ASSERT_TRUE(alarm) << "wanted alarm " << wanted.number << ", got none";
+  EXPECT_EQ(alarm->number, wanted.number) << alarm->message;
+  EXPECT_GT(alarm->place.line, 0U);
+  EXPECT_GT(alarm->place.column, 0U);
+  if (wanted.line != 0) {
+    EXPECT_EQ(alarm->place.line, wanted.line);
+  }
+  EXPECT_NE(alarm->message.find(wanted.says), std::string::npos) << alarm->message;
+  if (wanted.at.empty()) return;
+  const std::string text = read_file(path_);
+  EXPECT_EQ(text.substr(alarm->place.line_start + alarm->place.column - 1, std::max(1U, alarm->place.length)), wanted.at);
+}
+
+void TextTest::check_end() {
+  const std::string wanted = !expected_.status.empty() ? expected_.status : expected_.alarm ? "alarm" : "end";
+  EXPECT_EQ(status_name(machine_->status()), wanted);
+  check_variables(expected_.variables, "finally");
+  std::string prints;
+  for (const std::string& line : expected_.prints) prints += line + "\n";
+  if (!expected_.prints.empty()) {
+    EXPECT_EQ(printed_, prints);
+  }
+}
+
+void TextTest::check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got, const std::string& what) {
+  std::string list;
+  for (const Observed& item : got) list += "\n    " + item.text;
+  EXPECT_EQ(wanted.size(), got.size()) << what << ":" << list;
+  for (std::size_t i = 0; i < std::min(wanted.size(), got.size()); ++i) {
+    EXPECT_EQ(difference(wanted[i], got[i], machine_->definition().axes), "")
+        << what << ", number " << i + 1 << ": wanted " << wanted[i] << ", got" << list;
+  }
+}
+
+void TextTest::check_moves() {
+  std::vector<Observed> all;
+  for (const Observed& item : recorder_->observed()) {
+    if (item.moves) all.push_back(item);
+  }
+  if (expected_.moves) check_list(*expected_.moves, all, "all moves");
+  for (const auto& [line, wanted] : expected_.moves_of_line) {
+    std::vector<Observed> of_line;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(of_line), [&, at = line](const Observed& item) { return item.line == at; });
+    check_list(wanted, of_line, "moves of line " + std::to_string(line));
+  }
+}
+
+// The wanted records in this order, others between them.
+void TextTest::check_records() {
+  if (!expected_.records) return;
+  std::string list;
+  for (const Observed& item : recorder_->observed()) list += "\n    " + item.text;
+  auto at = recorder_->observed().begin();
+  for (const std::string& wanted : *expected_.records) {
+    at = std::find_if(at, recorder_->observed().end(), [&](const Observed& item) { return item.text == wanted; });
+    ASSERT_NE(at, recorder_->observed().end()) << "no record " << wanted << " (in this order) among" << list;
+    ++at;
+  }
+}
+
+void TextTest::check_assumed() {
+  const auto& list = machine_->controller().assumptions().list();
+  for (const auto& [line, text] : expected_.assumed_in_line) {
+    const bool found = std::any_of(list.begin(), list.end(), [&, at = line, what = text](const control::Assumption& assumption) {
+      return assumption.line == at && assumption.what.find(what) != std::string::npos;
+    });
+    EXPECT_TRUE(found) << "line " << line << " does not assume: " << text;
+  }
+}
+
+void TextTest::check_positions() {
+  const base::AxisVector machine = machine_->controller().machine_position();
+  const base::AxisVector work = machine - machine_->controller().coordinates().origin();
+  const auto check = [&](const std::vector<WantedPosition>& wanted, const base::AxisVector& got, const char* system) {
+    for (const WantedPosition& item : wanted) {
+      const auto axis = machine_->definition().axes.find(item.axis);
+      ASSERT_TRUE(axis) << item.axis;
+      EXPECT_NEAR(got[*axis], item.value, 6e-4) << system << " " << item.axis;
+    }
+  };
+  check(expected_.machine, machine, "machine");
+  check(expected_.work, work, "work");
+}
+
+void TextTest::TestBody() {
+  prepare();
+  if (HasFatalFailure()) return;
+  run();
+  check_alarm();
+  check_end();
+  check_moves();
+  check_records();
+  check_assumed();
+  check_positions();
+}
+
+std::string name_of(const fs::path& path) {
+  std::string name = path.stem().string();
+  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, '_');
+  return name;
+}
+
+// One test per program; a folder without programs is a mistake.
+void register_folder(const fs::path& folder) {
+  std::vector<fs::path> programs;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".nc") programs.push_back(entry.path());
+  }
+  std::sort(programs.begin(), programs.end());
+  const std::string area = folder.filename().string();
+  if (programs.empty()) {
+    std::fprintf(stderr, "no programs in %s\n", folder.c_str());
+    std::exit(1);
+  }
+  for (const fs::path& program : programs) {
+    testing::RegisterTest(area.c_str(), name_of(program).c_str(), nullptr, nullptr, program.c_str(), 1,
+                          [=]() -> testing::Test* { return new TextTest(program); });
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  std::vector<std::filesystem::path> folders;
+  for (const auto& entry : std::filesystem::directory_iterator(KERF_TEXT_TESTS)) {
+    if (entry.is_directory()) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  for (const auto& folder : folders) kerf::test::register_folder(folder);
+  return RUN_ALL_TESTS();
+}

@@ -256,7 +256,8 @@ bool Controller::execute_block(const std::string& name) {
   }
   if (!check_block(one_shot) || !auxiliary_.read(words_) || !auxiliary_.read_codes(words_, codes_)) return false;
   if (codes_.return_ && calls_.modal_active() &&
-      (words_.present() & ~(Words::mask('M') | Words::mask('P') | Words::mask('N') | Words::mask('L'))) != 0) {
+      (words_.m_end() - words_.m_begin() > 1 ||
+       (words_.present() & ~(Words::mask('M') | Words::mask('P') | Words::mask('N') | Words::mask('L'))) != 0)) {
     return alarms_.raise(Code::words_with_return, "M99 must stand alone here");
   }
   if (!settings_.apply_codes(words_)) return false;
@@ -327,7 +328,7 @@ bool Controller::one_shot(const Words::G& g, bool& moved) {
     case 520: return settings_.local_system(words_);
     case 920: return settings_.preset(words_);
     case 921: return settings_.clear_shifts(words_);
-    default: return references_.execute(g.code, words_, moved);
+    default: return references_.execute(g, words_, moved);
   }
 }
 

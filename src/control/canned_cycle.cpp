@@ -24,12 +24,12 @@ void CannedCycle::cancel() {
 }
 
 bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
-  const auto z = state_.axes.find('Z');
-  if (!z) return state_.alarms.raise(Code::drilling_axis, "the machine has no Z axis");
+  if (!find_drilling_axis(starts_mode)) return false;
+  const Axis z = drill_;
   if (state_.path.compensating()) {
     state_.assume(Assumed::cycle_in_compensation, "cutter compensation is not applied in a canned cycle");
   }
-  if (starts_mode) initial_ = state_.coordinates.program()[*z];
+  if (starts_mode) initial_ = state_.coordinates.program()[z];
   if (!read_data(words, starts_mode)) return false;
   std::int64_t repeats = 1;
   if (!read_counts(words, repeats)) return false;
@@ -39,8 +39,8 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   if (!check(words) || !targets_.read(words, target)) return false;
   moved = true;
   if (repeats == 0) return true;
-  target.program[*z] = state_.coordinates.program()[*z];
-  moves_.apply_length(base::only(*z));
+  target.program[z] = state_.coordinates.program()[z];
+  moves_.apply_length(base::only(z));
   increment_ = state_.modal.incremental() ? target.program - state_.coordinates.program() : base::AxisVector{};
   hole_ = target.program;
   holes_left_ = repeats;
@@ -48,6 +48,21 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   stage_ = Stage::position;
   code_ = state_.modal[Group::cycle];
   to_initial_ = state_.modal[Group::cycle_return] == 980 || code_ == 870;
+  return true;
+}
+
+// CYC-18: the normal of the plane of the block that starts the cycle, or always Z.
+bool CannedCycle::find_drilling_axis(bool starts_mode) {
+  std::optional<Axis> axis = state_.axes.find('Z');
+  if (state_.parameters.drill_along_normal) {
+    const auto plane = plane_axes(state_.modal.plane(), state_.axes);
+    axis = plane ? plane->normal : std::nullopt;
+  }
+  if (!axis) return state_.alarms.raise(Code::drilling_axis, "the machine lacks the drilling axis");
+  if (!starts_mode && *axis != drill_) {
+    return state_.alarms.raise(Code::drilling_axis, "the plane has changed since the cycle began");
+  }
+  drill_ = *axis;
   return true;
 }
 
@@ -74,8 +89,9 @@ bool CannedCycle::read_depths(const Words& words) {
     r_ = incremental ? base::tidy(initial_ + value) : value;
     r_given_ = true;
   }
-  if (words.has('Z')) {
-    if (!targets_.value(words['Z'], *state_.axes.find('Z'), value)) return false;
+  const char letter = state_.axes[drill_].letter;
+  if (words.has(letter)) {
+    if (!targets_.value(words[letter], drill_, value)) return false;
     if (!r_given_) r_ = initial_;
     z_ = incremental ? base::tidy(r_ + value) : value;
     z_given_ = true;
@@ -106,7 +122,7 @@ bool CannedCycle::check(const Words& words) {
 }
 
 bool CannedCycle::step() {
-  const Axis z = *state_.axes.find('Z');
+  const Axis z = drill_;
   if (stage_ == Stage::position) {
     if (!first_) hole_ = state_.coordinates.program() + increment_;
     if (!first_) {
@@ -144,13 +160,13 @@ bool CannedCycle::finish_hole() {
 
 bool CannedCycle::rapid_z(double z) {
   base::AxisVector target = state_.coordinates.program();
-  target[*state_.axes.find('Z')] = z;
+  target[drill_] = z;
   return moves_.rapid_to(target);
 }
 
 bool CannedCycle::feed_z(double z) {
   base::AxisVector target = state_.coordinates.program();
-  target[*state_.axes.find('Z')] = z;
+  target[drill_] = z;
   return moves_.line_to(target, feed_);
 }
 

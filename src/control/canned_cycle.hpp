@@ -26,6 +26,7 @@ class CannedCycle {
  private:
   enum class Stage : std::uint8_t { position, peck, retract };
 
+  bool find_drilling_axis(bool starts_mode);
   bool read_data(const Words& words, bool starts_mode);
   bool read_depths(const Words& words);
   bool read_counts(const Words& words, std::int64_t& repeats);
@@ -47,6 +48,7 @@ class CannedCycle {
   Targets& targets_;
   Moves& moves_;
 
+  base::Axis drill_{};
   double z_ = 0;
   double r_ = 0;
   double q_ = 0;

@@ -54,6 +54,7 @@ constexpr Row kRows[] = {
     {"SCR", "5400#7", &Parameters::scale_thousandth, 0, 1, "", "G51 P counts 0.001 (0: 0.00001)"},
     {"rotation_angle", "5410", &Parameters::rotation_default, -360, 360, "", "G68 without R, degrees"},
     {"shift_direction", "5148", &Parameters::shift_direction, -2, 2, "", "G76, G87 shift: 1 +X, -1 -X, 2 +Y, -2 -Y"},
+    {"drilling_axis", "5101#0", &Parameters::drill_along_normal, 0, 1, "", "cycles drill along: 0 Z, 1 the plane's normal"},
     {"stroke_check", "", &Parameters::stroke_check, 0, 1, "", "1: stored stroke limits are checked"},
     {"length_axis", "5001#0", &Parameters::length_axis_type, 0, 1, "", "tool length: 0 Z, 1 the axis of the block"},
     {"external_call", "6030", &Parameters::external_call_m, 0, 99999999, "", "M code that calls an external subprogram"}};

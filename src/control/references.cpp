@@ -14,8 +14,10 @@ constexpr double kReferenceWindow_mm = 0.0005;  // half an increment
 
 }  // namespace
 
-bool References::execute(GCode code, const Words& words, bool& moved) {
-  switch (code) {
+bool References::execute(const Words::G& g, const Words& words, bool& moved) {
+  const bool reference = g.code >= 270 && g.code <= 300;
+  if (reference && state_.modal.in_cycle()) return state_.alarms.raise(Code::reference_in_cycle, *g.word);  // REF-4
+  switch (g.code) {
     case 270: return check_reference(words, moved);
     case 280: return return_to_reference(words, 0, moved);
     case 290: return return_from_reference(words, moved);
@@ -26,7 +28,7 @@ bool References::execute(GCode code, const Words& words, bool& moved) {
       return return_to_reference(words, static_cast<std::size_t>(p - 1), moved);
     }
     case 310: return skip(words, moved);
-    case 450: case 460: case 470: case 480: return offset_move(code, words, moved);
+    case 450: case 460: case 470: case 480: return offset_move(g.code, words, moved);
     case 530: return machine_position(words, moved);
     default: return true;
   }
@@ -48,7 +50,6 @@ bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
 
 // REF-1, REF-2: to the intermediate point, then the named axes to their reference point.
 bool References::return_to_reference(const Words& words, std::size_t point, bool& moved) {
-  if (state_.modal.in_cycle()) return state_.alarms.raise(Code::reference_in_cycle);
   Target target;
   if (!targets_.read(words, target)) return false;
   if (target.named == 0) return true;
@@ -70,7 +71,6 @@ bool References::return_to_reference(const Words& words, std::size_t point, bool
 
 // REF-3
 bool References::return_from_reference(const Words& words, bool& moved) {
-  if (state_.modal.in_cycle()) return state_.alarms.raise(Code::reference_in_cycle);
   if (!state_.intermediate) return state_.alarms.raise(Code::no_intermediate_point);
   AxisVector middle = state_.coordinates.program();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
@@ -101,7 +101,6 @@ bool References::return_from_reference(const Words& words, bool& moved) {
 }
 
 bool References::check_reference(const Words& words, bool& moved) {
-  if (state_.modal.in_cycle()) return state_.alarms.raise(Code::reference_in_cycle);
   Target target;
   if (!targets_.read(words, target)) return false;
   if (target.named == 0) return true;

@@ -12,8 +12,8 @@ class References {
  public:
   References(State& state, Targets& targets, Moves& moves) : state_(state), targets_(targets), moves_(moves) {}
 
-  /// Executes `code`. `moved`: axis movement was commanded. False: an alarm was raised.
-  [[nodiscard]] bool execute(GCode code, const Words& words, bool& moved);
+  /// Executes a code. `moved`: axis movement was commanded. False: an alarm was raised.
+  [[nodiscard]] bool execute(const Words::G& g, const Words& words, bool& moved);
 
  private:
   bool return_to_reference(const Words& words, std::size_t point, bool& moved);

@@ -151,12 +151,14 @@ bool SystemVariables::read_clock(std::uint32_t number, double& value) {
 }
 
 bool SystemVariables::read_modal(std::uint32_t number, double& value) {
-  const std::uint32_t block = number / 100 * 100;  // #40xx, #41xx: before; #42xx, #43xx: executing
+  // Macro statements run between NC blocks, so the state that the previous block left (#40xx), that of
+  // the executing block (#42xx) and that of an interrupted one (#44xx) are the same.
+  const std::uint32_t block = number / 100 * 100;
   const bool codes = block == 4000 || block == 4200 || block == 4400;
   const bool words = block == 4100 || block == 4300 || block == 4500;
   const std::uint32_t item = number % 100;
   if (codes && between(item, 1, 30)) {
-    value = (block == 4000 ? state_.before : state_.modal).variable(item);
+    value = state_.modal.variable(item);
     return value >= 0 || missing(number);
   }
   if (!words) return missing(number);

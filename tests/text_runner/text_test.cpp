@@ -78,7 +78,11 @@ void TextTest::prepare() {
   expected_ = read_expectations(read_file(path_));
   for (const std::string& mistake : expected_.mistakes) ADD_FAILURE() << "not understood: " << mistake;
   ASSERT_GT(expected_.count, 0U) << "the program expects nothing";
-  std::vector<std::string> words = {"run", path_.string()};
+  // In a folder of its own: the programs of the same folder can be called.
+  const fs::path folder = fs::path(testing::TempDir()) / ("kerf_text_" + path_.parent_path().filename().string() + "_" + path_.stem().string());
+  fs::create_directories(folder);
+  fs::copy_file(path_, folder / "program.nc", fs::copy_options::overwrite_existing);
+  std::vector<std::string> words = {"run", (folder / "program.nc").string()};
   words.insert(words.end(), expected_.options.begin(), expected_.options.end());
   auto request = cli::parse_arguments(words);
   ASSERT_TRUE(request) << request.error().message;

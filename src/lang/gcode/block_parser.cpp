@@ -149,6 +149,7 @@ void BlockParser::label(Cursor& cursor) {
 void BlockParser::words(Cursor& cursor) {
   const char* const begin = cursor.at();
   const auto first = static_cast<std::uint32_t>(page_.words.size());
+  first_word_ = first;
   Statement statement{.first = first, .line = line_};
   std::vector<MidSkip> skips;
   while (!cursor.done()) {
@@ -193,6 +194,7 @@ void BlockParser::stray(Cursor& cursor) {
   const char next = cursor.peek();
   Expression expression(cursor, emitter_, names_);
   if (next == '#' || (next == '[' && expression.at_named_variable())) {
+    check_words_first(cursor);
     fail_at(cursor, Code::nc_and_macro, "an assignment stands behind NC words");
   }
   if (next == ']') fail_at(cursor, Code::missing_open_bracket);
@@ -203,6 +205,22 @@ void BlockParser::stray(Cursor& cursor) {
                 : "");
   }
   fail_at(cursor, Code::improper_address, "this character is not part of the language");
+}
+
+// Lexical mistakes of the whole block come before structural ones (fanuc-dialect.md §13).
+void BlockParser::check_words_first(const Cursor& cursor) {
+  constexpr std::string_view kIntegers = "MSTDHLN";
+  for (std::size_t i = first_word_; i < page_.words.size(); ++i) {
+    const Word& word = page_.words[i];
+    if (word.has(WordFlag::point) && kIntegers.find(word.letter) != std::string_view::npos) {
+      throw SyntaxError{Code::illegal_decimal_point, line_begin_ + word.column - 1, word.length, {}, {}};
+    }
+  }
+  for (Cursor ahead = cursor; !ahead.done(); ahead.advance()) {
+    if (!is_language_character(ahead.peek())) {
+      fail_at(ahead, Code::improper_address, "this character is not part of the language");
+    }
+  }
 }
 
 // value = [+|-] ( number | "#…" | "[" expression "]" )
@@ -219,6 +237,7 @@ void BlockParser::word(Cursor& cursor) {
   }
   if (is_letter(cursor.peek_next())) {
     if (statement_word(cursor).keyword != Keyword::none) {
+      check_words_first(cursor);
       fail_at(cursor, Code::nc_and_macro, "a macro statement stands behind NC words");
     }
     fail_at(cursor, Code::no_data_after_address, {},

@@ -53,6 +53,7 @@ class BlockParser {
   void program_name(Cursor& cursor, Statement& statement);
   void finish_word(const char* begin, const char* end, Word& word);
   [[noreturn]] void stray(Cursor& cursor);
+  void check_words_first(const Cursor& cursor);
   void do_words(Statement statement, std::uint32_t count);
   void finish_mid_skips(const Statement& statement, const std::vector<MidSkip>& skips);
 
@@ -76,6 +77,7 @@ class BlockParser {
   NameTable& names_;
   const char* line_begin_ = nullptr;
   std::uint32_t line_ = 0;
+  std::size_t first_word_ = 0;   // of the block, in the page's words
   bool arguments_ = false;       // the words are arguments of a macro call
   bool from_registers_ = false;  // a word of the block takes its value from a register
 };

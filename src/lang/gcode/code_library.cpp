@@ -85,10 +85,10 @@ GcodePage& CodeLibrary::page(vm::CodeId code, std::uint32_t number) {
 void CodeLibrary::compile(vm::CodeId code, std::uint32_t number, Slot& slot) {
   Program& target = program(code);
   GcodePage& page = *slot.page;
-  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end, names_,
-                    page);
   page.code = code;
   page.number = number;
+  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end, names_,
+                    page);
   if (page.last) {
     target.complete = true;
   } else if (target.starts.size() == number + 1) {
@@ -136,7 +136,7 @@ vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_numbe
   std::vector<PlacedLoopMark> marks;
   std::size_t wanted = 0;
   vm::Region result;
-  for (std::uint32_t number = page_number;; ++number) {
+  for (std::uint32_t number = 0;; ++number) {
     const GcodePage& current = page(code, number);
     for (const LoopMark& mark : current.loop_marks) {
       if (number == page_number && !mark.is_end && mark.index == region) {
@@ -145,7 +145,8 @@ vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_numbe
       }
       marks.push_back({mark, number});
     }
-    const LoopEnding ending = find_end(marks, wanted, current.last);
+    if (number < page_number) continue;
+    const LoopEnding ending = find_end(marks, wanted, true, current.last);
     if (ending.state == vm::Region::State::unresolved) continue;
     result.state = ending.state;
     result.end = ending.end;

@@ -223,6 +223,7 @@ Operand Expression::primary() {
     return function(match.keyword, begin);
   }
   if (next == ']' && depth_ == 0) fail(Code::missing_open_bracket);
+  if (!is_language_character(next)) fail(Code::improper_address, "this character is not part of the language");
   fail(Code::expression_format, "an operand is missing");
 }
 
@@ -243,6 +244,9 @@ void Expression::open_bracket() {
 
 void Expression::close_bracket() {
   if (cursor_.done()) fail(Code::missing_close_bracket);
+  if (!is_language_character(cursor_.peek())) {
+    fail(Code::improper_address, "this character is not part of the language");
+  }
   if (cursor_.peek() != ']') fail(Code::expression_format, "an operator or ']' is expected here");
   if (depth_ > 0) --depth_;
   cursor_.advance();
@@ -304,6 +308,7 @@ Operand Expression::arc_tangent(const char* begin) {
 Operand Expression::power() {
   open_bracket();
   const Operand base_operand = number();
+  if (cursor_.peek() == ']') fail(Code::argument_format, "POW has two arguments");
   if (!cursor_.take(',')) fail(Code::missing_comma, "POW has two arguments");
   const Operand exponent = number();
   close_bracket();

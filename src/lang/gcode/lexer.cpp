@@ -43,6 +43,7 @@ NumberText Cursor::number() {
   int decimals = 0;
   bool any = false;
   for (;;) {
+    const char* const run = at_;
     while (at_ != end_ && is_digit(*at_)) {
       any = true;
       result.digits += mantissa != 0 || *at_ != '0' ? 1 : 0;
@@ -51,9 +52,11 @@ NumberText Cursor::number() {
       mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at_ - '0');
       ++at_;
     }
-    if (at_ != begin && (is_digit(at_[-1]) || at_[-1] == '.')) behind_ = at_;
+    const char* const run_end = at_;
+    if (run_end != run) behind_ = run_end;
     skip();
     if (at_ == end_) break;
+    if (run_end - run > 1 && at_ != run_end && is_digit(*at_)) break;
     if (*at_ == '.') {
       if (result.point) throw SyntaxError{base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number"};
       result.point = true;

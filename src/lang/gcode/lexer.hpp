@@ -63,8 +63,9 @@ class Cursor {
     advance();
     return true;
   }
-  /// Digits with at most one decimal point, blanks between them allowed. Throws SyntaxError for a
-  /// second point. Precondition: a digit or point is next; a lone point counts as no digits.
+  /// Digits with at most one decimal point. Blanks may stand between single digits (G 0 0 X 1 0 .); a
+  /// blank behind two or more digits ends the number, so that G01 5X is the mistake that it looks like
+  /// (LEX-9, LEX-12). Throws SyntaxError for a second point. Precondition: a digit or point is next; a lone point counts as no digits.
   [[nodiscard]] NumberText number();
 
   void move_to(const char* at) {
@@ -94,6 +95,11 @@ class Cursor {
 };
 
 [[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// A character that can stand in a block outside of comments; the end of the text counts as one.
+[[nodiscard]] constexpr bool is_language_character(char c) {
+  constexpr std::string_view kSigns = "+-*/=.,#[]<>;:%&_";
+  return c == '\0' || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || kSigns.find(c) != std::string_view::npos;
+}
 [[nodiscard]] constexpr bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 }  // namespace kerf::gcode

@@ -96,7 +96,7 @@ void resolve_loops(GcodePage& page) {
   for (std::size_t i = 0; i < marks.size(); ++i) {
     if (marks[i].mark.is_end) continue;
     vm::Region& region = page.regions[marks[i].mark.index];
-    const LoopEnding ending = find_end(marks, i, page.last);
+    const LoopEnding ending = find_end(marks, i, page.number == 0, page.last);
     region.state = ending.state;
     region.end = ending.end;
   }

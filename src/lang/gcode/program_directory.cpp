@@ -106,7 +106,7 @@ void Scanner::scan(std::string_view chunk) {
       if (plain > 0) {
         for (std::size_t k = i + plain; k-- > i;) {
           if (is_blank(chunk[k])) continue;
-          before_ = chunk[k];
+          before_ = Cursor::fold(chunk[k]);
           break;
         }
         i += plain;
@@ -155,7 +155,6 @@ void Scanner::character(char c) {
   block_begin_ = false;
   if (c == '(') {
     reading_ = Reading::comment;
-    content_ |= !leader_;
   } else if (c == '%') {
     percent();
   } else if (c == ';') {

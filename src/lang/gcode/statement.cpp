@@ -65,8 +65,7 @@ void BlockParser::expect_end(Cursor& cursor) {
     fail(cursor, Code::nc_and_macro, "something else stands behind the macro statement",
          "put it into a block of its own");
   }
-  if (next == ')' || next == '!' || next == '"' || next == '{' || next == '}' || next == '?' ||
-      next == '$' || next == '&' || next == '@' || static_cast<unsigned char>(next) > 126) {
+  if (!is_language_character(next)) {
     fail(cursor, Code::improper_address, "this character is not part of the language");
   }
   fail(cursor, Code::expression_format, "the statement should end here");

@@ -30,7 +30,7 @@ bool flow_code(std::int64_t code) {
 bool Auxiliary::read(const Words& words) {
   State& s = state_;
   std::int64_t value = 0;
-  if (words.has('F') && !read_feed(words)) return false;
+  if (!read_feed(words)) return false;
   if (words.has('S')) {
     if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
     s.words.speed = static_cast<double>(value);
@@ -45,6 +45,7 @@ bool Auxiliary::read(const Words& words) {
 
 // NUM-4, NUM-5. F is kept in mm; what it counts depends on the feed mode.
 bool Auxiliary::read_feed(const Words& words) {
+  if (!words.has('F')) return true;
   State& s = state_;
   const Word& word = words['F'];
   double value = 0;

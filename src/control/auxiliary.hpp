@@ -26,6 +26,8 @@ class Auxiliary {
 
   /// Checks the words and takes their values over; emits nothing.
   [[nodiscard]] bool read(const Words& words);
+  /// F alone.
+  [[nodiscard]] bool read_feed(const Words& words);
   [[nodiscard]] bool read_codes(const Words& words, Codes& codes);
 
   /// Actions before the motion: S, T, M03, M04, M06, M07, M08, M19, M29.
@@ -34,7 +36,6 @@ class Auxiliary {
   void after_motion(const Words& words);
 
  private:
-  bool read_feed(const Words& words);
   bool read_offset(const Words& words, char letter, std::int64_t& number);
   void turn(Spindle::Turning turning);
   void emit_spindle();

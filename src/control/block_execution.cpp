@@ -94,7 +94,7 @@ Verdict Controller::execute_words(const gcode::GcodePage& page, const gcode::Sta
     buffer_.release();
     return transferred_ ? Verdict::transferred : Verdict::go_on;
   }
-  if (!collect(block) || !execute_block(call_name_)) {
+  if (!collect(block) || !(is_plain_move() ? plain_move() : execute_block(call_name_))) {
     buffer_.drop();
     if (!state_.path.release()) return Verdict::stop;
     buffer_.release();
@@ -119,7 +119,7 @@ bool Controller::collect_g(const Word& word) {
 
 // An M code that calls a subprogram has no other meaning and no strobe (CODE-2).
 bool Controller::calls_subprogram(const Word& word) const {
-  if (calls_.codes_are_ordinary() || word.has(WordFlag::point)) return false;
+  if (!codes_call_subprograms_ || calls_.codes_are_ordinary() || word.has(WordFlag::point)) return false;
   const auto code = code_number(word);
   return code != 0 && std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code) != parameters_.m_sub.end();
 }
@@ -170,7 +170,7 @@ bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
   const bool ordinary = calls_.codes_are_ordinary();
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Word& word = block[i];
-    if (word.letter == 'M' && i == 0 && !ordinary) {
+    if (codes_call_macros_ && word.letter == 'M' && i == 0 && !ordinary) {
       const auto m = std::find(parameters_.m_macro.begin(), parameters_.m_macro.end(), code_number(word));
       if (m != parameters_.m_macro.end() && *m != 0) {
         call = {Kind::code_macro, 1, kFirstMMacro + static_cast<std::uint32_t>(m - parameters_.m_macro.begin()), &word};
@@ -186,7 +186,7 @@ bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
         return alarms_.raise(macro_word ? Code::two_macro_calls : Code::argument_g, word);
       }
       call = {code == 650 ? Kind::macro : code == 660 ? Kind::modal : Kind::every_block, i + 1, 0, &word};
-    } else if (call.kind == Kind::none && !ordinary && code != 0) {
+    } else if (codes_call_macros_ && call.kind == Kind::none && !ordinary && code != 0) {
       const auto g = std::find(parameters_.g_macro.begin(), parameters_.g_macro.end(), code);
       if (g == parameters_.g_macro.end()) continue;
       call = {Kind::code_macro, i + 1, kFirstGMacro + static_cast<std::uint32_t>(g - parameters_.g_macro.begin()), &word};
@@ -239,6 +239,19 @@ bool Controller::call_program(std::span<const Word> block, const BlockCall& call
   return good;
 }
 
+// Most blocks of most programs command a motion and nothing else: group 01 codes, axes, F.
+bool Controller::is_plain_move() const {
+  constexpr std::uint32_t kPlain = Words::mask('G') | Words::mask('F') | Words::mask('N') | Words::mask('I') |
+                                   Words::mask('J') | Words::mask('K') | Words::mask('R');
+  if ((words_.present() & ~(kPlain | targets_.letters())) != 0 || state_.modal.in_cycle() || state_.parameter_entry) return false;
+  return std::all_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return group_of(g.code) == Group::motion; });
+}
+
+bool Controller::plain_move() {
+  for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) state_.modal.set(Group::motion, g->code);
+  return auxiliary_.read_feed(words_) && moves_.execute(words_, moved_);
+}
+
 // The block itself
 
 bool Controller::execute_block(const std::string& name) {
@@ -252,7 +265,9 @@ bool Controller::execute_block(const std::string& name) {
       state_.parameter_entry = false;
       return true;
     }
-    return settings_.enter_parameter(words_, interpreter_.note());
+    const bool entered = settings_.enter_parameter(words_, interpreter_.note());
+    learn_calling_codes();
+    return entered;
   }
   if (!check_block(one_shot) || !auxiliary_.read(words_) || !auxiliary_.read_codes(words_, codes_)) return false;
   if (codes_.return_ && calls_.modal_active() &&
@@ -435,7 +450,7 @@ bool Controller::finish_calls() {
 
 // M codes of 6071 to 6079, and T, S, B where they call programs (fanuc-dialect.md §6.4).
 bool Controller::call_by_code(const Words& words, bool& called) {
-  if (calls_.codes_are_ordinary()) return true;
+  if (!codes_call_subprograms_ || calls_.codes_are_ordinary()) return true;
   using Kind = ProgramCalls::Kind;
   std::int64_t repeats = 1;
   if (called_m_ != nullptr) {

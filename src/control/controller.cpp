@@ -69,6 +69,14 @@ Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memo
   targets_.learn_letters();
   variables_.attach(&interpreter_, [this] { return calls_.running_number(); });
   if (const auto z = axes.find('Z')) state_.length_axis = *z;
+  learn_calling_codes();
+}
+
+void Controller::learn_calling_codes() {
+  const auto any = [](const auto& codes) { return std::any_of(codes.begin(), codes.end(), [](int code) { return code != 0; }); };
+  codes_call_macros_ = any(parameters_.g_macro) || any(parameters_.m_macro);
+  codes_call_subprograms_ = any(parameters_.m_sub) || parameters_.t_calls_program || parameters_.s_calls_program ||
+                            parameters_.b_calls_program;
 }
 
 void Controller::start(vm::CodeId main) {

@@ -105,6 +105,8 @@ class Controller : public vm::Host, private Whereabouts {
   bool call_program(std::span<const gcode::Word> block, const BlockCall& call, const std::string& name);
   bool call_by_code(const Words& words, bool& called);
 
+  [[nodiscard]] bool is_plain_move() const;
+  bool plain_move();
   bool execute_block(const std::string& name);
   bool check_block(const Words::G* one_shot);
   bool move(const Words::G* one_shot, bool& moved);
@@ -123,6 +125,7 @@ class Controller : public vm::Host, private Whereabouts {
   vm::Verdict show_message();
   std::string comment_of_block();
   bool take_interrupt();
+  void learn_calling_codes();
 
   Parameters parameters_;
   const AxisSetup& axes_;
@@ -149,6 +152,8 @@ class Controller : public vm::Host, private Whereabouts {
   Auxiliary::Codes codes_;
   std::string call_name_;
   std::string printed_;
+  bool codes_call_macros_ = false;       // some G or M code does (6050, 6080)
+  bool codes_call_subprograms_ = false;  // some M code, T, S or B does (6071, TCS, SCS, BCS)
   bool mid_block_ = false;       // a block waits for its cycle to go on
   bool moved_ = false;           // the block has commanded axis movement
   bool transferred_ = false;     // the block has called or returned

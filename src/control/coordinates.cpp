@@ -8,14 +8,15 @@ namespace {
 using base::Axis;
 using base::AxisVector;
 
-AxisVector tidied(AxisVector point) {
-  for (double& value : point.values) value = base::tidy(value);
+}  // namespace
+
+AxisVector Coordinates::tidied(AxisVector point) const {
+  for (std::size_t i = 0; i < axes_.count(); ++i) point.values[i] = base::tidy(point.values[i]);
   return point;
 }
 
-}  // namespace
-
 AxisVector Coordinates::path_of(const AxisVector& program) const {
+  if (plain_) return program;
   return tidied((transform_.identity() ? program : transform_.apply(program)) + origin_);
 }
 
@@ -31,6 +32,7 @@ void Coordinates::refresh_origin() {
   const AxisVector before = origin_;
   origin_ = tidied(memory_.external + offset + local_ + shift_);
   program_ = tidied(program_ + before - origin_);
+  plain_ = transform_.identity() && origin_ == AxisVector{};
 }
 
 void Coordinates::select(const WorkSystem& work) {
@@ -60,6 +62,7 @@ void Coordinates::set_transform(const Transform& transform) {
   const bool cancels = transform.identity() && !transform_.identity();
   transform_ = transform;
   if (cancels) program_ = tidied(path_ - origin_);
+  plain_ = transform_.identity() && origin_ == AxisVector{};
 }
 
 }  // namespace kerf::control

@@ -57,6 +57,7 @@ class Coordinates {
 
  private:
   void refresh_origin();
+  [[nodiscard]] base::AxisVector tidied(base::AxisVector point) const;
 
   const AxisSetup& axes_;
   const Memory& memory_;
@@ -68,6 +69,7 @@ class Coordinates {
   base::AxisVector origin_;
   WorkSystem work_;
   Transform transform_;
+  bool plain_ = true;  // no transform, origin at machine zero: programmed points are machine points
 };
 
 }  // namespace kerf::control

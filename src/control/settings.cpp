@@ -60,6 +60,7 @@ bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
 }
 
 bool Settings::check_code(const Words&, const Words::G& g, Group group) {
+  if (group == Group::motion) return true;
   const Transform& transform = state_.coordinates.transform();
   const bool leaves_system = is_reference(g.code) || g.code == 530 || changes_work(state_, g.code);
   const bool shifts_system = g.code == 520 || g.code == 920 || g.code == 921;
@@ -73,10 +74,10 @@ bool Settings::check_code(const Words&, const Words::G& g, Group group) {
     }
     if (state_.rigid_tapping && state_.modal.in_cycle()) return state_.alarms.raise(Code::tap_plane, *g.word);
   }
+  const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
+  if (group == Group::motion || repeated) return true;
   for (const WithoutEffect& entry : kWithoutEffect) {
-    if (entry.code != g.code) continue;
-    const bool default_code = group != Group::one_shot && state_.modal[group] == g.code;
-    if (!default_code) state_.assume(Assumed::g_code + g.code, entry.what);
+    if (entry.code == g.code) state_.assume(Assumed::g_code + g.code, entry.what);
   }
   return true;
 }

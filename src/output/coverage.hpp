@@ -15,8 +15,10 @@ class Coverage {
  public:
   void count(base::FileId file, std::uint32_t line);
 
-  /// CSV with the columns file,line,count,source,assumed: every line of every file that ran in part.
-  [[nodiscard]] std::string csv(const base::SourceSet& sources, const std::vector<control::Assumption>& assumed) const;
+  /// CSV with the columns file,line,count,source,assumed: every line of every file that ran in
+  /// part.
+  [[nodiscard]] std::string csv(const base::SourceSet& sources,
+                                const std::vector<control::Assumption>& assumed) const;
 
  private:
   std::map<base::FileId, std::vector<std::uint64_t>> counts_;

@@ -7,15 +7,18 @@
 
 namespace kerf::output {
 
-/// A diagnostic as a compiler would print it: `path:line:column: error: PS0112 …`, then the source line
-/// with a caret under the offending text, then the hint. Ends with a line end.
-[[nodiscard]] std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::SourceSet& sources);
+/// A diagnostic as a compiler would print it: `path:line:column: error: PS0112 …`, then the source
+/// line with a caret under the offending text, then the hint. Ends with a line end.
+[[nodiscard]] std::string diagnostic_text(const base::Diagnostic& diagnostic,
+                                          const base::SourceSet& sources);
 
 /// The same as one JSON object on a line of its own.
-[[nodiscard]] std::string diagnostic_json(const base::Diagnostic& diagnostic, const base::SourceSet& sources);
+[[nodiscard]] std::string diagnostic_json(const base::Diagnostic& diagnostic,
+                                          const base::SourceSet& sources);
 
 /// Name of the file that a diagnostic speaks of; empty without one.
-[[nodiscard]] std::string file_name(const base::Diagnostic& diagnostic, const base::SourceSet& sources);
+[[nodiscard]] std::string file_name(const base::Diagnostic& diagnostic,
+                                    const base::SourceSet& sources);
 
 /// `text` as valid UTF-8 without control characters: other bytes read '?'.
 [[nodiscard]] std::string printable(const std::string& text);

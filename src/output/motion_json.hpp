@@ -9,8 +9,8 @@
 
 namespace kerf::output {
 
-/// Writes motions as JSON Lines (cli.md, "Motion records"): one object a line, in order. mm, degrees,
-/// mm/min.
+/// Writes motions as JSON Lines (cli.md, "Motion records"): one object a line, in order. mm,
+/// degrees, mm/min.
 class MotionJson : public control::MotionSink {
  public:
   MotionJson(const control::AxisSetup& axes, base::OutputFile& file);
@@ -25,7 +25,7 @@ class MotionJson : public control::MotionSink {
   base::OutputFile& file_;
   std::vector<std::string> keys_;  // per axis: what stands before its value
   std::string line_;
-  std::string program_;            // text of the newest program number
+  std::string program_;  // text of the newest program number
   control::ProgramNumber program_number_{0xffffffffU};
 };
 

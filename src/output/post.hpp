@@ -8,9 +8,9 @@
 
 namespace kerf::output {
 
-/// Writes the executed path as plain G-code for controllers without macros: no variables, no cycles,
-/// no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90 G94), arcs with
-/// I, J, K, dwell in seconds.
+/// Writes the executed path as plain G-code for controllers without macros: no variables, no
+/// cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
+/// G94), arcs with I, J, K, dwell in seconds.
 class Post : public control::MotionSink {
  public:
   Post(const control::AxisSetup& axes, base::OutputFile& file);

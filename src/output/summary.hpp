@@ -7,9 +7,11 @@
 namespace kerf::output {
 
 /// The summary of a run as one JSON object (cli.md, "Summary"), on one line.
-[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine, const std::string& dialect);
+[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine,
+                                       const std::string& dialect);
 
 /// The same for people: a few lines of text.
-[[nodiscard]] std::string summary_text(machine::VirtualMachine& machine, const std::string& dialect);
+[[nodiscard]] std::string summary_text(machine::VirtualMachine& machine,
+                                       const std::string& dialect);
 
 }  // namespace kerf::output

@@ -21,7 +21,7 @@ bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7
 ///
 /// Three states matter: in a comment, behind a letter (an O there belongs to a word like GOTO), and at
 /// the beginning of a block (where ':' and '<' begin a program as well). Text in which none of the
-/// characters O o : < % ( & occurs is passed over in long strides.
+/// characters O o : < % ( & ; occurs is passed over in long strides.
 class Scanner {
  public:
   Scanner(const base::SourceFile& file, base::FileId id) : file_(file), id_(id) {}
@@ -40,7 +40,8 @@ class Scanner {
   void end_program(std::uint64_t at);
   void report(Code code, const std::string& detail);
   void finish();
-  [[nodiscard]] static std::size_t plain_stretch(std::string_view text);
+  [[nodiscard]] static bool is_plain(std::string_view text);
+  void skip_plain(std::string_view text);
   [[nodiscard]] bool only_blanks_behind() const;
   [[nodiscard]] bool in_brackets(std::uint64_t at) const;
 
@@ -84,39 +85,47 @@ ProgramDirectory Scanner::run() {
   return std::move(result_);
 }
 
-// How many characters from the beginning of `text` cannot matter: none of them ends a line, begins a
-// comment or a program. Only called between words of an open program.
-std::size_t Scanner::plain_stretch(std::string_view text) {
-  std::size_t i = 0;
-  while (i < text.size()) {
-    const char c = text[i];
-    if (c == '\n' || c == '\r' || c == 'O' || c == 'o' || c == '%' || c == '(' || c == ';' || c == ':' ||
-        c == '<' || c == '&') {
-      break;
-    }
-    ++i;
+// True when none of the characters can begin a program, a comment or a block, end the tape, or be part
+// of an unusual line end. The loop has no exit in the middle, so that compilers make vector code of it.
+bool Scanner::is_plain(std::string_view text) {
+  unsigned special = 0;
+  for (const char c : text) {
+    special |= static_cast<unsigned>(c == 'O') | static_cast<unsigned>(c == 'o') | static_cast<unsigned>(c == '(') |
+               static_cast<unsigned>(c == ';') | static_cast<unsigned>(c == '%') | static_cast<unsigned>(c == ':') |
+               static_cast<unsigned>(c == '<') | static_cast<unsigned>(c == '&') | static_cast<unsigned>(c == '\r');
   }
-  return i;
+  return special == 0;
+}
+
+// Passes over plain text of an open program: only its lines are counted.
+void Scanner::skip_plain(std::string_view text) {
+  const std::size_t newline = text.rfind('\n');
+  if (newline != std::string_view::npos) {
+    line_ += static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+    line_start_ = offset_ + newline + 1;
+    block_begin_ = true;
+    before_ = ' ';
+  }
+  const std::string_view rest = newline == std::string_view::npos ? text : text.substr(newline + 1);
+  for (std::size_t k = rest.size(); k-- > 0;) {
+    if (is_blank(rest[k])) continue;
+    before_ = Cursor::fold(rest[k]);
+    block_begin_ = false;
+    break;
+  }
+  offset_ += text.size();
 }
 
 void Scanner::scan(std::string_view chunk) {
+  constexpr std::size_t kStride = 512;
   for (std::size_t i = 0; i < chunk.size() && !tape_end_;) {
-    if (reading_ == Reading::text && content_ && !leader_ && !carriage_return_ && !block_begin_) {
-      const std::size_t plain = plain_stretch(chunk.substr(i));
-      if (plain > 0) {
-        for (std::size_t k = i + plain; k-- > i;) {
-          if (is_blank(chunk[k])) continue;
-          before_ = Cursor::fold(chunk[k]);
-          break;
-        }
-        i += plain;
-        offset_ += plain;
-        continue;
-      }
+    const std::string_view stride = chunk.substr(i, kStride);
+    if (reading_ == Reading::text && content_ && !leader_ && !carriage_return_ && is_plain(stride)) {
+      skip_plain(stride);
+      i += stride.size();
+      continue;
     }
-    character(chunk[i]);
-    ++i;
-    ++offset_;
+    for (const std::size_t stop = i + stride.size(); i < stop && !tape_end_; ++i, ++offset_) character(chunk[i]);
   }
 }
 

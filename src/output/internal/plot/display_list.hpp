@@ -46,7 +46,10 @@ struct Outline {
   }
   void close() { steps.push_back(Step::close); }
 
-  void segment(Point from, Point to) { move_to(from), line_to(to); }
+  void segment(Point from, Point to) {
+    move_to(from);
+    line_to(to);
+  }
   void rectangle(const Rect& rect);
   void circle(Point center, double radius);
 

@@ -27,12 +27,14 @@ struct Edge {
 
 // The two lower edges in front and the upright one to the left:
 //
-//        .-'|-.        .
-//   Z | '   |   '-.
-//     |    .-'.     |
-//     '-.-'     '-. |
-//     X   '-.   .-'  Y
-//            '-'
+//           _.-'-._
+//       _.-'       '-._
+//     |'-._         _.-'|
+//   Z |    '-._ _.-'    |
+//     |        |        |
+//      '-._    |    _.-'
+//      X   '-._|_.-'   Y
+//
 std::array<Edge, 3> ruled_edges(const Box3& box) {
   const Point3 left = box.low();
   const Point3 front{box.high()[kX], box.low()[kY], box.low()[kZ]};

@@ -1,6 +1,7 @@
 #include "output/internal/plot/legend.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "output/internal/plot/marks.hpp"
 #include "output/internal/plot/palette.hpp"
@@ -79,8 +80,12 @@ void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_words(sheet, row_at(corner, 4), hole_count(subject.recorded.hole_finder()));
 }
 
-// Enough decimals to tell the two ends of a small part.
-int decimals_for(double size) { return size >= 1 || size == 0 ? 3 : 6; }
+// Enough decimals to tell the two ends of a small part, and few enough for a column.
+int decimals_for(double low, double high) {
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest >= 1e6) return 0;
+  return high - low >= 1 || high == low ? 3 : 6;
+}
 
 void draw_cell(DisplayList& sheet, Point right, const std::string& text, Color color) {
   sheet.add(Text{right, text, kTextSize, Anchor::end, color});
@@ -103,14 +108,14 @@ void draw_heads(DisplayList& sheet, Point corner, double right, const Subject& s
 }
 
 void draw_cuts_range(DisplayList& sheet, Point row, double low, double high) {
-  const int decimals = decimals_for(high - low);
+  const int decimals = decimals_for(low, high);
   draw_cell(sheet, {row.x + kCutColumns[0], row.y}, rounded(low, decimals), kDark);
   draw_cell(sheet, {row.x + kCutColumns[1], row.y}, rounded(high, decimals), kDark);
   draw_cell(sheet, {row.x + kCutColumns[2], row.y}, rounded(high - low, decimals), kDark);
 }
 
 void draw_moves_range(DisplayList& sheet, Point row, double low, double high) {
-  const int decimals = decimals_for(high - low);
+  const int decimals = decimals_for(low, high);
   draw_cell(sheet, {row.x + kMoveColumns[0], row.y}, rounded(low, decimals), kDark);
   draw_cell(sheet, {row.x + kMoveColumns[1], row.y}, rounded(high, decimals), kDark);
 }
@@ -129,8 +134,9 @@ void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
     sheet.add(Text{{at.x, at.y + 4.5}, name, kTextSize, Anchor::start, kDark, true});
     const Point cells{right, at.y + 4.5};
     const Box3 &cuts = recorded.cut_extents(), all = recorded.all_extents();
-    if (!cuts.empty())
+    if (!cuts.empty()) {
       draw_cuts_range(sheet, cells, cuts.low()[i] * factor, cuts.high()[i] * factor);
+    }
     draw_moves_range(sheet, cells, all.low()[i] * factor, all.high()[i] * factor);
   }
 }

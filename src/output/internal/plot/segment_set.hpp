@@ -30,7 +30,9 @@ class SegmentSet {
     for (; slots_[at] != 0; at = (at + 1) % kSlots) {
       if (slots_[at] == mark) return false;
     }
-    if (count_ < kCapacity) slots_[at] = mark, ++count_;
+    if (count_ == kCapacity) return true;
+    slots_[at] = mark;
+    ++count_;
     return true;
   }
 

@@ -28,7 +28,10 @@ class Sleeve {
   /// `tolerance` > 0, mm.
   explicit Sleeve(double tolerance = 1) : tolerance_(tolerance) {}
 
-  void start(const Point3& at) { anchor_ = end_ = at, open_ = false; }
+  void start(const Point3& at) {
+    anchor_ = end_ = at;
+    open_ = false;
+  }
 
   /// The last point added: the path's end, to be kept when the path stops here.
   [[nodiscard]] const Point3& end() const { return end_; }
@@ -36,7 +39,7 @@ class Sleeve {
   /// Adds the path's next point. True: the point before it must be kept; it is anchor() now.
   bool add(const Point3& point) {
     const bool fits = !open_ || narrow(point - anchor_);
-    if (!fits) anchor_ = end_, open_ = false;
+    if (!fits) start(end_);
     if (!open_) open(point - anchor_);
     end_ = point;
     return !fits;

@@ -1,5 +1,6 @@
 #include "output/internal/plot/text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -19,16 +20,20 @@ constexpr double kBold = 1.12;
 
 bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-// Bytes of the well-formed character at the start of `text`; 0 when there is none.
+std::size_t length_from_first_byte(unsigned char first) {
+  if (first < 0x80) return 1;
+  if (first < 0xC2) return 0;
+  if (first < 0xE0) return 2;
+  if (first < 0xF0) return 3;
+  return first < 0xF5 ? 4 : 0;
+}
+
+// Bytes of the well-formed character (Unicode, table 3-7) at the start of `text`; 0 when there is
+// none, or one that XML does not allow.
 std::size_t character_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xC2 ? 0
-                             : first < 0xE0 ? 2
-                             : first < 0xF0 ? 3
-                             : first < 0xF5 ? 4
-                                            : 0;
-  if (length == 0 || text.size() < length) return 0;
+  const std::size_t length = length_from_first_byte(first);
+  if (text.size() < length) return 0;
   for (std::size_t i = 1; i < length; ++i) {
     if (!continues(text[i])) return 0;
   }
@@ -37,9 +42,14 @@ std::size_t character_length(std::string_view text) {
   const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
   const bool surrogate = first == 0xED && second >= 0xA0;
   const bool beyond = first == 0xF4 && second >= 0x90;
-  const bool unassigned =
-      text.substr(0, 3) == "\xEF\xBF\xBE" || text.substr(0, 3) == "\xEF\xBF\xBF";
-  return overlong || surrogate || beyond || unassigned ? 0 : length;
+  const bool no_character = text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
+  return overlong || surrogate || beyond || no_character ? 0 : length;
+}
+
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  if (character.size() == 1) return first < ' ' || first == 0x7F;
+  return first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
 }  // namespace
@@ -61,15 +71,13 @@ std::string printable(std::string_view text) {
   std::string out;
   while (!text.empty()) {
     const std::size_t length = character_length(text);
-    const auto first = static_cast<unsigned char>(text[0]);
-    const bool control = first < ' ' || first == 0x7F ||
-                         (first == 0xC2 && static_cast<unsigned char>(text[length > 1]) < 0xA0);
-    if (length == 0 || control) {
+    const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+    if (length == 0 || is_control(character)) {
       out += '?';
     } else {
-      out += text.substr(0, length);
+      out += character;
     }
-    text.remove_prefix(length == 0 ? 1 : length);
+    text.remove_prefix(character.size());
   }
   return out;
 }

@@ -11,6 +11,14 @@ endif()
 if(KERF_WERROR)
   target_compile_options(kerf_options INTERFACE -Werror)
 endif()
+# The program is optimised across its files. The libraries carry ordinary code as well, so that tests
+# link quickly.
+set(KERF_LTO_COMPILE "")
+set(KERF_LTO_LINK "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT KERF_SANITIZE)
+  set(KERF_LTO_COMPILE -flto=auto -ffat-lto-objects)
+  set(KERF_LTO_LINK -flto=auto -O3)
+endif()
 if(KERF_SANITIZE)
   target_compile_options(kerf_options INTERFACE -fsanitize=${KERF_SANITIZE}
     -fno-sanitize-recover=all -fno-omit-frame-pointer)

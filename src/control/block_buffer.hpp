@@ -12,7 +12,15 @@ class BlockBuffer : public MotionSink {
  public:
   explicit BlockBuffer(MotionSink& sink) : sink_(sink) {}
 
-  void take(const Motion& motion) override { held_.push_back(motion); }
+  void take(const Motion& motion) override {
+    if (pass_through_) {
+      sink_.take(motion);
+    } else {
+      held_.push_back(motion);
+    }
+  }
+  /// Holds nothing back while on.
+  void pass_through(bool on) { pass_through_ = on; }
   [[nodiscard]] bool ready() const override { return sink_.ready(); }
 
   void release() {
@@ -24,6 +32,7 @@ class BlockBuffer : public MotionSink {
  private:
   MotionSink& sink_;
   std::vector<Motion> held_;
+  bool pass_through_ = false;
 };
 
 }  // namespace kerf::control

@@ -83,9 +83,10 @@ Verdict Controller::execute_words(const gcode::GcodePage& page, const gcode::Sta
                                   const double* registers) {
   begin(page, statement);
   const std::span<const Word> block = fetch(page, statement, registers);
-  call_name_ = statement.name < 0 ? std::string() : page.names[static_cast<std::size_t>(statement.name)];
+  call_name_.clear();
+  if (statement.name >= 0) call_name_ = page.names[static_cast<std::size_t>(statement.name)];
   BlockCall call;
-  if (!find_call(block, call)) return Verdict::stop;
+  if ((statement.may_call || codes_call_macros_ || calls_.modal_active()) && !find_call(block, call)) return Verdict::stop;
   if (call.kind != BlockCall::Kind::none) {
     if (!call_program(block, call, call_name_)) {
       buffer_.drop();
@@ -249,7 +250,11 @@ bool Controller::is_plain_move() const {
 
 bool Controller::plain_move() {
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) state_.modal.set(Group::motion, g->code);
-  return auxiliary_.read_feed(words_) && moves_.execute(words_, moved_);
+  if (!auxiliary_.read_feed(words_)) return false;
+  buffer_.pass_through(!state_.path.compensating());  // a move is checked whole before it is emitted
+  const bool good = moves_.execute(words_, moved_);
+  buffer_.pass_through(false);
+  return good;
 }
 
 // The block itself

@@ -45,6 +45,7 @@ void BlockParser::compile(const BlockText& text) {
   line_ = text.line;
   arguments_ = false;
   from_registers_ = false;
+  may_call_ = false;
   emitter_.begin_block(text.line_begin);
   page_.marks.push_back({emitter_.here(), text.line, text.offset, text.line_offset});
   const std::uint32_t begin = emitter_.here();
@@ -154,6 +155,7 @@ void BlockParser::words(Cursor& cursor) {
   std::vector<MidSkip> skips;
   while (!cursor.done()) {
     const char next = cursor.peek();
+    if (plain_word(cursor)) continue;
     if (is_letter(next) || next == ',') {
       word(cursor);
     } else if (next == '/') {
@@ -167,6 +169,7 @@ void BlockParser::words(Cursor& cursor) {
     }
   }
   statement.from_registers = from_registers_;
+  statement.may_call = may_call_;
   emitter_.stand_at(begin, cursor.behind());
   do_words(statement, static_cast<std::uint32_t>(page_.words.size()) - first);
   finish_mid_skips(statement, skips);
@@ -223,6 +226,26 @@ void BlockParser::check_words_first(const Cursor& cursor) {
   }
 }
 
+bool BlockParser::plain_word(Cursor& cursor) {
+  Cursor::PlainWord plain;
+  if (!cursor.take_plain_word(plain)) return false;
+  Word word;
+  word.value = plain.value;
+  word.letter = plain.letter;
+  word.flags = static_cast<std::uint8_t>(WordFlag::literal | (plain.point ? WordFlag::point : 0) |
+                                         (plain.minus ? WordFlag::minus : 0));
+  if (plain.letter == 'G') note_g(plain.value);
+  finish_word(plain.begin, plain.end, word);
+  return true;
+}
+
+// Codes of program calls: what follows them are arguments.
+void BlockParser::note_g(double code) {
+  if (code != 65 && code != 66 && code != 66.1 && code != 67) return;
+  may_call_ = true;
+  if (code != 67) arguments_ = true;
+}
+
 // value = [+|-] ( number | "#…" | "[" expression "]" )
 void BlockParser::word(Cursor& cursor) {
   const char* const begin = cursor.at();
@@ -253,7 +276,7 @@ void BlockParser::word(Cursor& cursor) {
   const char next = cursor.peek();
   if (is_digit(next) || next == '.') {
     literal(cursor, word, minus);
-    if (word.letter == 'G' && (word.value == 65 || word.value == 66 || word.value == 66.1)) arguments_ = true;
+    if (word.letter == 'G') note_g(word.value);
   } else if (next == '#' || next == '[') {
     Expression expression(cursor, emitter_, names_);
     expression.set_address(arguments_ ? '\0' : word.letter);
@@ -264,10 +287,12 @@ void BlockParser::word(Cursor& cursor) {
     if (minus) word.flags |= WordFlag::minus;
     if (operand.is_constant) {
       word.value = minus ? -operand.value : operand.value;
+      if (word.letter == 'G') note_g(word.value);
     } else {
       word.value = operand.reg;
       word.flags |= WordFlag::from_register;
       from_registers_ = true;
+      may_call_ |= word.letter == 'G';
     }
   } else {
     fail_since(begin, cursor, Code::no_data_after_address, {},

@@ -48,6 +48,8 @@ class BlockParser {
   void report(const SyntaxError& error, const BlockText& text);
 
   void words(Cursor& cursor);
+  bool plain_word(Cursor& cursor);
+  void note_g(double code);
   void word(Cursor& cursor);
   void literal(Cursor& cursor, Word& word, bool minus);
   void program_name(Cursor& cursor, Statement& statement);
@@ -79,6 +81,7 @@ class BlockParser {
   std::uint32_t line_ = 0;
   std::size_t first_word_ = 0;   // of the block, in the page's words
   bool arguments_ = false;       // the words are arguments of a macro call
+  bool may_call_ = false;        // the words hold a code of a macro call, or a G from a variable
   bool from_registers_ = false;  // a word of the block takes its value from a register
 };
 

@@ -23,7 +23,7 @@ class CodeLibrary : public vm::CodeSource {
  public:
   struct Settings {
     std::uint32_t lines_per_page = 256;
-    std::size_t fresh_pages = 32;   ///< kept while a program runs straight on
+    std::size_t fresh_pages = 8;    ///< kept while a program runs straight on
     std::size_t most_pages = 1024;  ///< kept at most, some 30 MiB
   };
 

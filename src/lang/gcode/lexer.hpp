@@ -68,6 +68,18 @@ class Cursor {
   /// (LEX-9, LEX-12). Throws SyntaxError for a second point. Precondition: a digit or point is next; a lone point counts as no digits.
   [[nodiscard]] NumberText number();
 
+  /// Takes a word of the commonest form at once: a letter, perhaps a minus sign, digits with at most one
+  /// point and nothing between them. False, with nothing taken, for every other form.
+  struct PlainWord {
+    double value = 0;
+    const char* begin = nullptr;
+    const char* end = nullptr;
+    char letter = 0;
+    bool minus = false;
+    bool point = false;
+  };
+  [[nodiscard]] bool take_plain_word(PlainWord& word);
+
   void move_to(const char* at) {
     behind_ = at_ = at;
     skip();
@@ -81,12 +93,20 @@ class Cursor {
 
  private:
   void skip() {
-    while (at_ != end_ && (static_cast<unsigned char>(*at_) <= ' ' || *at_ == '(' || *at_ == '\x7f')) {
-      skip_one();
+    while (at_ != end_ && static_cast<unsigned char>(*at_) <= '(' && is_skipped(*at_)) skip_one();
+    if (at_ != end_ && *at_ == '\x7f') skip_delete();
+  }
+  static bool is_skipped(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '('; }
+  void skip_one() {
+    if (*at_ != '(') {
+      ++at_;
+    } else {
+      skip_comment();
     }
   }
-  void skip_one();
-  NumberText long_number(const char* begin);
+  void skip_comment();
+  void skip_delete();
+  NumberText spaced_number(const char* begin);
 
   const char* at_;
   const char* end_;

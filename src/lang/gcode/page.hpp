@@ -42,6 +42,7 @@ enum class StatementKind : std::uint8_t { words, popen, pclos, dprnt, bprnt, set
 struct Statement {
   StatementKind kind = StatementKind::words;
   bool from_registers = false;  ///< some of the words take their value from a register
+  bool may_call = false;        ///< G65, G66, G66.1, G67, or a G whose value is not known yet
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t line = 0;

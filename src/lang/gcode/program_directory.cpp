@@ -40,8 +40,9 @@ class Scanner {
   void end_program(std::uint64_t at);
   void report(Code code, const std::string& detail);
   void finish();
-  [[nodiscard]] static bool is_plain(std::string_view text);
+  [[nodiscard]] static std::size_t plain_stretch(std::string_view text);
   void skip_plain(std::string_view text);
+  [[nodiscard]] std::size_t line_start_of_last_line(std::string_view text);
   [[nodiscard]] bool only_blanks_behind() const;
   [[nodiscard]] bool in_brackets(std::uint64_t at) const;
 
@@ -85,28 +86,27 @@ ProgramDirectory Scanner::run() {
   return std::move(result_);
 }
 
-// True when none of the characters can begin a program, a comment or a block, end the tape, or be part
-// of an unusual line end. The loop has no exit in the middle, so that compilers make vector code of it.
-bool Scanner::is_plain(std::string_view text) {
-  unsigned special = 0;
-  for (const char c : text) {
-    special |= static_cast<unsigned>(c == 'O') | static_cast<unsigned>(c == 'o') | static_cast<unsigned>(c == '(') |
-               static_cast<unsigned>(c == ';') | static_cast<unsigned>(c == '%') | static_cast<unsigned>(c == ':') |
-               static_cast<unsigned>(c == '<') | static_cast<unsigned>(c == '&') | static_cast<unsigned>(c == '\r');
+// How many characters from the beginning of `text` can neither begin a program, a comment or a block nor
+// end the tape.
+std::size_t Scanner::plain_stretch(std::string_view text) {
+  std::size_t stop = text.size();
+  for (const char special : {'O', 'o', '(', ';', '%', ':', '<', '&'}) {
+    const void* const found = std::memchr(text.data(), special, stop);
+    if (found != nullptr) stop = static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
   }
-  return special == 0;
+  while (stop > 0 && text[stop - 1] == '\r') --stop;  // what follows decides what kind of line end it is
+  return stop;
 }
 
 // Passes over plain text of an open program: only its lines are counted.
 void Scanner::skip_plain(std::string_view text) {
-  const std::size_t newline = text.rfind('\n');
-  if (newline != std::string_view::npos) {
-    line_ += static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
-    line_start_ = offset_ + newline + 1;
+  const std::size_t begin = line_start_of_last_line(text);
+  if (begin != std::string_view::npos) {
+    line_start_ = offset_ + begin;
     block_begin_ = true;
     before_ = ' ';
   }
-  const std::string_view rest = newline == std::string_view::npos ? text : text.substr(newline + 1);
+  const std::string_view rest = begin == std::string_view::npos ? text : text.substr(begin);
   for (std::size_t k = rest.size(); k-- > 0;) {
     if (is_blank(rest[k])) continue;
     before_ = Cursor::fold(rest[k]);
@@ -116,16 +116,37 @@ void Scanner::skip_plain(std::string_view text) {
   offset_ += text.size();
 }
 
+// Counts the line ends of a stretch; returns where its last line begins, or npos when it has no line end.
+std::size_t Scanner::line_start_of_last_line(std::string_view text) {
+  if (std::memchr(text.data(), '\r', text.size()) == nullptr) {
+    const std::size_t newline = text.rfind('\n');
+    if (newline == std::string_view::npos) return newline;
+    line_ += static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+    return newline + 1;
+  }
+  std::size_t begin = std::string_view::npos;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool lone_return = text[i] == '\r' && i + 1 < text.size() && text[i + 1] != '\r' && text[i + 1] != '\n';
+    if (text[i] != '\n' && !lone_return) continue;
+    ++line_;
+    begin = i + 1;
+  }
+  return begin;
+}
+
 void Scanner::scan(std::string_view chunk) {
-  constexpr std::size_t kStride = 512;
   for (std::size_t i = 0; i < chunk.size() && !tape_end_;) {
-    const std::string_view stride = chunk.substr(i, kStride);
-    if (reading_ == Reading::text && content_ && !leader_ && !carriage_return_ && is_plain(stride)) {
-      skip_plain(stride);
-      i += stride.size();
-      continue;
+    if (reading_ == Reading::text && content_ && !leader_ && !carriage_return_) {
+      const std::size_t plain = plain_stretch(chunk.substr(i));
+      if (plain > 0) {
+        skip_plain(chunk.substr(i, plain));
+        i += plain;
+        continue;
+      }
     }
-    for (const std::size_t stop = i + stride.size(); i < stop && !tape_end_; ++i, ++offset_) character(chunk[i]);
+    character(chunk[i]);
+    ++i;
+    ++offset_;
   }
 }
 

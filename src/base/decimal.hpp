@@ -6,8 +6,11 @@
 
 namespace kerf::base {
 
-/// `value` rounded to the nearest integer, ties away from zero. |value| < 2^62.
+/// `value` rounded to the nearest integer, ties away from zero; beyond ±2^62 that number.
 inline std::int64_t round_away(double value) {
+  constexpr double kMost = 4611686018427387904.0;
+  if (!(value < kMost)) return std::int64_t{1} << 62;
+  if (value < -kMost) return -(std::int64_t{1} << 62);
   return static_cast<std::int64_t>(value + (value < 0 ? -0.5 : 0.5));
 }
 

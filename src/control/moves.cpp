@@ -169,7 +169,6 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
 
 // G33: the lead is F, or E where it is used.
 bool Moves::thread(const Words& words, const Target& target) {
-  Feed rate;
   if (!words.has('F') && state_.words.feed == 0) return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
   double lead = state_.words.feed;
   if (words.has('F')) {

@@ -16,10 +16,10 @@ constexpr double kSecondsPerDay = 86400;
 
 }  // namespace
 
-VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Memory memory)
+VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Memory memory, const Settings& settings)
     : definition_(definition),
       memory_(std::move(memory)),
-      library_(sources_),
+      library_(sources_, settings.library),
       shelf_(sources_, library_),
       statistics_(definition_.axes) {
   power_on();
@@ -149,8 +149,10 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
   const bool fresh = status_ == Status::idle || status_ == Status::end;
   if (status_ == Status::alarm) return status_;
   if (fresh && !start_program()) return finish(Status::alarm);
-  for (;;) {
-    const Halt halt = controller_->run(kSlice);
+  for (std::uint64_t steps = 0;;) {
+    const std::uint64_t slice = budget.steps != 0 ? std::min(kSlice, budget.steps) : kSlice;
+    const Halt halt = controller_->run(slice);
+    steps += slice;
     switch (halt) {
       case Halt::end: return finish(Status::end);
       case Halt::alarm: return finish(Status::alarm);
@@ -162,7 +164,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
         break;
       case Halt::none: break;
     }
-    if (motions_spent_) return finish(Status::budget);
+    if (motions_spent_ || (budget.steps != 0 && steps >= budget.steps)) return finish(Status::budget);
     const std::chrono::duration<double> spent = Clock::now() - begin;
     if (budget.seconds > 0 && spent.count() > budget.seconds) return finish(Status::budget);
   }

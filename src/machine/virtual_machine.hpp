@@ -30,6 +30,7 @@ struct SkipContact {
 struct Budget {
   double seconds = 60;                    ///< of computing
   std::uint64_t motions = 50'000'000;
+  std::uint64_t steps = 0;                ///< jumps, blocks and pages, about
 };
 
 /// A machine with its control and the switches of its panel. A batch run and a live panel are the same
@@ -47,7 +48,13 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
     budget  ///< a limit was reached
   };
 
-  VirtualMachine(const MachineDefinition& definition, control::Memory memory);
+  struct Settings {
+    gcode::CodeLibrary::Settings library;
+  };
+
+  VirtualMachine(const MachineDefinition& definition, control::Memory memory)
+      : VirtualMachine(definition, std::move(memory), Settings{}) {}
+  VirtualMachine(const MachineDefinition& definition, control::Memory memory, const Settings& settings);
   ~VirtualMachine() override;
 
   // Preparation

@@ -33,7 +33,7 @@ std::uint16_t narrow(std::ptrdiff_t value) {
 
 [[noreturn]] void fail_since(const char* begin, const Cursor& cursor, Code code,
                              std::string_view detail = {}, std::string_view hint = {}) {
-  throw SyntaxError{code, begin, static_cast<std::size_t>(cursor.behind() - begin), detail, hint};
+  throw SyntaxError{code, begin, cursor.length_since(begin), detail, hint};
 }
 
 }  // namespace

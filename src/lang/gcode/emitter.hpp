@@ -56,7 +56,7 @@ class Emitter {
 
  private:
   static std::uint16_t narrow(std::ptrdiff_t value) {
-    return static_cast<std::uint16_t>(value < 0xffff ? value : 0xffff);
+    return static_cast<std::uint16_t>(value < 0 ? 0 : value < 0xffff ? value : 0xffff);
   }
 
   GcodePage& page_;

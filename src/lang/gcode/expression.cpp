@@ -83,7 +83,7 @@ void Expression::fail(Code code, std::string_view detail, std::string_view hint)
 }
 
 void Expression::fail_since(Code code, const char* begin, std::string_view detail) const {
-  throw SyntaxError{code, begin, static_cast<std::size_t>(cursor_.behind() - begin), detail, {}};
+  throw SyntaxError{code, begin, cursor_.length_since(begin), detail, {}};
 }
 
 Operand Expression::temporary(std::uint8_t reg, const char* begin, bool truth) const {

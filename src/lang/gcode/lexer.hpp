@@ -41,6 +41,10 @@ class Cursor {
   [[nodiscard]] const char* end() const { return end_; }
   /// Behind the last character that was taken: where a token ends, before blanks and comments.
   [[nodiscard]] const char* behind() const { return behind_; }
+  /// Bytes from `begin` to there; 0 when nothing has been taken since.
+  [[nodiscard]] std::size_t length_since(const char* begin) const {
+    return behind_ > begin ? static_cast<std::size_t>(behind_ - begin) : 0;
+  }
   [[nodiscard]] bool done() const { return at_ == end_; }
   [[nodiscard]] char peek() const { return at_ == end_ ? kEnd : fold(*at_); }
   /// The character directly behind the current one, with nothing skipped between.

@@ -125,7 +125,7 @@ void BlockParser::go_to(Cursor& cursor) {
   if (is_digit(next)) {
     const double label = std::round(cursor.number().value);
     if (label < 1 || label > kLargestLabel) {
-      throw SyntaxError{Code::label_range, begin, static_cast<std::size_t>(cursor.behind() - begin), {}, {}};
+      throw SyntaxError{Code::label_range, begin, cursor.length_since(begin), {}, {}};
     }
     emitter_.stand_at(begin, cursor.behind());
     emitter_.emit({Op::jump_to_label, 0, 0, 1, static_cast<std::uint32_t>(label)});
@@ -181,7 +181,7 @@ std::uint8_t BlockParser::loop_number(Cursor& cursor) {
   const NumberText text = cursor.number();
   emitter_.stand_at(begin, cursor.behind());
   if (text.point || text.value < 1 || text.value > 3) {
-    throw SyntaxError{Code::illegal_loop_number, begin, static_cast<std::size_t>(cursor.behind() - begin), {}, {}};
+    throw SyntaxError{Code::illegal_loop_number, begin, cursor.length_since(begin), {}, {}};
   }
   return static_cast<std::uint8_t>(text.value);
 }
@@ -220,7 +220,7 @@ void BlockParser::print_variable(Cursor& cursor) {
   }
   const int digits = item.integers + item.decimals;
   if (count < 1 || count > 2 || digits < 1 || digits > kMostPrintDigits || cursor.peek() != ']') {
-    throw SyntaxError{Code::print_format, begin, static_cast<std::size_t>(cursor.behind() - begin),
+    throw SyntaxError{Code::print_format, begin, cursor.length_since(begin),
                       "at most 8 digits: integers, then decimals", {}};
   }
   cursor.advance();
@@ -254,7 +254,7 @@ std::string BlockParser::variable_name(Cursor& cursor) {
     name += c;
     cursor.advance();
   }
-  const auto length = static_cast<std::size_t>(cursor.behind() - begin);
+  const auto length = cursor.length_since(begin);
   if (name.empty()) fail(cursor, Code::setvn_format, "a name is expected here");
   if (name.size() > kLongestVariableName) throw SyntaxError{Code::setvn_length, begin, length, {}, {}};
   return name;

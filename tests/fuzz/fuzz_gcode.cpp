@@ -1,0 +1,51 @@
+// Any bytes as a program: reading them must end in a result or an alarm with a place, never in a crash,
+// a hang or unbounded memory. The first byte chooses the length of the pages, the machine and the panel's
+// switches, so that loops and jumps cross pages of one line as well as of many.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "machine/virtual_machine.hpp"
+
+namespace {
+
+using namespace kerf;
+
+constexpr std::uint64_t kMostMotions = 2000;
+constexpr std::uint64_t kMostSteps = 20000;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void check_alarm(const base::Diagnostic& alarm, std::size_t size) {
+  require(!alarm.number.empty() && !alarm.message.empty());
+  require(alarm.place.line_start <= size);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::uint8_t choice = data[0];
+  const auto& machines = machine::builtin_machines();
+  static const auto definition = *machine::MachineDefinition::parse(machines[0].toml, "fuzz");
+  machine::VirtualMachine::Settings settings;
+  settings.library.lines_per_page = 1U << (choice & 7U);
+  settings.library.fresh_pages = 2;
+  settings.library.most_pages = 8;
+  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets), settings);
+  machine.load(base::SourceFile::from_text("-", {reinterpret_cast<const char*>(data + 1), size - 1}));
+  machine.set_block_skip((choice & 8U) != 0 ? 0x3feU : 0);
+  machine.set_optional_stop((choice & 16U) != 0);
+  machine.set_single_block((choice & 32U) != 0);
+  const machine::Budget budget{0, kMostMotions, kMostSteps};
+  machine.run_to_end(budget);
+  if (machine.alarm()) check_alarm(*machine.alarm(), size);
+  if ((choice & 64U) != 0) {
+    machine.reset();
+    machine.run_to_end(budget);
+  }
+  return 0;
+}

@@ -37,6 +37,8 @@ struct AxisVector {
 using AxisSet = std::uint8_t;
 
 constexpr AxisSet only(Axis axis) { return static_cast<AxisSet>(1U << index(axis)); }
-constexpr bool contains(AxisSet set, Axis axis) { return (static_cast<unsigned>(set) >> index(axis) & 1U) != 0; }
+constexpr bool contains(AxisSet set, Axis axis) {
+  return (static_cast<unsigned>(set) >> index(axis) & 1U) != 0;
+}
 
 }  // namespace kerf::base

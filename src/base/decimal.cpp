@@ -6,8 +6,9 @@
 namespace kerf::base {
 namespace {
 
-// A decimal of at most 15 digits that reads back to `value` is the shortest one: no two of them read
-// as the same double. Nearly all coordinates have at most five decimals, which makes this worth it.
+// A decimal of at most 15 digits that reads back to `value` is the shortest one: no two of them
+// read as the same double. Nearly all coordinates have at most five decimals, which makes this
+// worth it.
 bool append_short_decimal(std::string& out, double value) {
   const double scaled = value * 1e5;
   if (!(scaled < 1e14 && scaled > -1e14)) return false;

@@ -14,10 +14,10 @@ inline std::int64_t round_away(double value) {
   return static_cast<std::int64_t>(value + (value < 0 ? -0.5 : 0.5));
 }
 
-/// Coordinates are sums of decimal words, but doubles hold no decimals: 0.1 + 0.2 is not 0.3. A value
-/// within 1e-9 of a multiple of 1e-5 (mm or degree; 1e-5 mm divides both 0.001 mm and 0.0001 inch)
-/// becomes the double nearest to that multiple; every other value stays as it is. So sums of words
-/// never drift and print as a person would write them.
+/// Coordinates are sums of decimal words, but doubles hold no decimals: 0.1 + 0.2 is not 0.3. A
+/// value within 1e-9 of a multiple of 1e-5 (mm or degree; 1e-5 mm divides both 0.001 mm and 0.0001
+/// inch) becomes the double nearest to that multiple; every other value stays as it is. So sums of
+/// words never drift and print as a person would write them.
 inline double tidy(double value) {
   const double scaled = value * 1e5;
   if (!(scaled < 1e15 && scaled > -1e15)) return value;

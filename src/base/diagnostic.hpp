@@ -13,7 +13,7 @@ enum class Severity : std::uint8_t { error, warning, note };
 struct Diagnostic {
   Severity severity = Severity::error;
   Code code{};
-  std::string number;   ///< as printed: text_of(code).number, or the number of a user alarm (MC3005)
+  std::string number;  ///< as printed: text_of(code).number, or the number of a user alarm (MC3005)
   std::string message;  ///< the control's words, then what is wrong here with the values
   Place place;
   std::string program;  ///< "O0001" or a program's name; empty outside of programs

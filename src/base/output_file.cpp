@@ -94,12 +94,14 @@ OutputFile::~OutputFile() {
 
 Outcome<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path) {
   if (path == "-" || !is_renamable(path)) {
-    const int descriptor = path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    const int descriptor =
+        path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return output_failure(path, errno);
     return std::unique_ptr<OutputFile>(new OutputFile(path, {}, descriptor));
   }
   struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) return output_failure(path, EISDIR);
+  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+    return output_failure(path, EISDIR);
   std::string temporary = temporary_beside(path);
   const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) return output_failure(path, errno);

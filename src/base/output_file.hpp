@@ -29,7 +29,8 @@ class OutputFile {
 
   enum class Durability : std::uint8_t { ordinary, survives_power_loss };
 
-  /// Gives the file its name. Failure: what was written did not reach the disk; then no file is left.
+  /// Gives the file its name. Failure: what was written did not reach the disk; then no file is
+  /// left.
   [[nodiscard]] Outcome<void> commit(Durability durability = Durability::ordinary);
 
  private:
@@ -44,8 +45,8 @@ class OutputFile {
   std::string buffer_;
 };
 
-/// Removes the temporary files of every OutputFile that is not committed yet. Async-signal-safe: for
-/// the handler of Ctrl-C.
+/// Removes the temporary files of every OutputFile that is not committed yet. Async-signal-safe:
+/// for the handler of Ctrl-C.
 void remove_unfinished_outputs() noexcept;
 
 }  // namespace kerf::base

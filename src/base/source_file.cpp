@@ -34,7 +34,8 @@ int open_unnamed_file() {
   return descriptor;
 }
 
-// Reads `from` to its end into an unnamed file. Returns its descriptor and size, or what went wrong.
+// Reads `from` to its end into an unnamed file. Returns its descriptor and size, or what went
+// wrong.
 tl::expected<std::pair<int, std::uint64_t>, std::string> spool(int from) {
   const int to = open_unnamed_file();
   if (to < 0) return tl::unexpected(std::string("no temporary file: ") + std::strerror(errno));
@@ -67,7 +68,8 @@ SourceFile::~SourceFile() {
 
 Outcome<std::unique_ptr<SourceFile>> SourceFile::open(const std::string& path) {
   const bool standard_input = path == "-";
-  const int descriptor = standard_input ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor =
+      standard_input ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return input_failure(path, std::strerror(errno));
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || S_ISDIR(status.st_mode)) {

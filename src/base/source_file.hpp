@@ -11,12 +11,12 @@
 
 namespace kerf::base {
 
-/// The bytes of one program file, readable at any offset, never held in memory as a whole: a file of
-/// any size costs the same. Not copyable; shared by whoever points into it.
+/// The bytes of one program file, readable at any offset, never held in memory as a whole: a file
+/// of any size costs the same. Not copyable; shared by whoever points into it.
 class SourceFile {
  public:
-  /// Opens a regular file, or copies what cannot be read twice (a pipe, "-" for standard input) to an
-  /// unnamed temporary file first. Failure: missing, unreadable, a folder, no room to copy to.
+  /// Opens a regular file, or copies what cannot be read twice (a pipe, "-" for standard input) to
+  /// an unnamed temporary file first. Failure: missing, unreadable, a folder, no room to copy to.
   [[nodiscard]] static Outcome<std::unique_ptr<SourceFile>> open(const std::string& path);
 
   /// A file that exists only in memory: tests, MDI, editors.
@@ -30,8 +30,8 @@ class SourceFile {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] std::uint64_t size() const { return size_; }
 
-  /// Copies bytes from `offset` into `into`; returns how many there were (less only at the end of the
-  /// file, or when the file has been cut short or damaged since it was opened).
+  /// Copies bytes from `offset` into `into`; returns how many there were (less only at the end of
+  /// the file, or when the file has been cut short or damaged since it was opened).
   [[nodiscard]] std::size_t read(std::uint64_t offset, std::span<char> into) const;
 
   /// The line that starts at byte `offset`, without its end, at most `limit` bytes.

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <thread>
-
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cli/commands.hpp"
 #include "cli/machine_setup.hpp"
@@ -15,8 +14,8 @@ namespace {
 using base::Diagnostic;
 using Json = nlohmann::ordered_json;
 
-/// What is wrong with one file. Diagnostics are kept as text because their places point into sources
-/// that go with the machine.
+/// What is wrong with one file. Diagnostics are kept as text because their places point into
+/// sources that go with the machine.
 struct FileReport {
   std::string text;
   std::vector<Json> findings;
@@ -38,7 +37,9 @@ std::vector<Diagnostic> find_all(machine::VirtualMachine& machine) {
   };
   machine.run_to_end();
   if (machine.alarm()) {
-    const bool known = std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) { return same_place(d, *machine.alarm()); });
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) {
+      return same_place(d, *machine.alarm());
+    });
     if (!known) found.push_back(*machine.alarm());
   }
   if (machine.status() == machine::VirtualMachine::Status::budget) {
@@ -76,10 +77,12 @@ std::vector<FileReport> check_all(const CheckOptions& options) {
   std::vector<FileReport> reports(options.files.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < options.files.size(); i = next++) reports[i] = check_file(options.files[i], options);
+    for (std::size_t i = next++; i < options.files.size(); i = next++)
+      reports[i] = check_file(options.files[i], options);
   };
   std::vector<std::jthread> workers;
-  for (unsigned i = 1; i < std::min<std::size_t>(options.jobs, options.files.size()); ++i) workers.emplace_back(work);
+  for (unsigned i = 1; i < std::min<std::size_t>(options.jobs, options.files.size()); ++i)
+    workers.emplace_back(work);
   work();
   workers.clear();
   return reports;
@@ -89,14 +92,22 @@ std::string sarif(const std::vector<FileReport>& reports) {
   Json results = Json::array();
   for (const FileReport& report : reports) {
     for (const Json& finding : report.findings) {
-      Json region = {{"startLine", std::max(1, finding["line"].get<int>())}, {"startColumn", std::max(1, finding["column"].get<int>())}};
-      Json location = {{"physicalLocation", {{"artifactLocation", {{"uri", finding["file"]}}}, {"region", region}}}};
-      results.push_back({{"ruleId", finding["code"]}, {"level", "error"}, {"message", {{"text", finding["message"]}}},
+      Json region = {{"startLine", std::max(1, finding["line"].get<int>())},
+                     {"startColumn", std::max(1, finding["column"].get<int>())}};
+      Json location = {{"physicalLocation",
+                        {{"artifactLocation", {{"uri", finding["file"]}}}, {"region", region}}}};
+      results.push_back({{"ruleId", finding["code"]},
+                         {"level", "error"},
+                         {"message", {{"text", finding["message"]}}},
                          {"locations", Json::array({location})}});
     }
   }
   Json run = {{"tool", {{"driver", {{"name", "kerf"}}}}}, {"results", results}};
-  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}}.dump(2) + "\n";
+  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+              {"version", "2.1.0"},
+              {"runs", Json::array({run})}}
+             .dump(2) +
+         "\n";
 }
 
 std::string escaped(const std::string& text) {
@@ -117,18 +128,21 @@ std::string junit(const std::vector<FileReport>& reports, const CheckOptions& op
   std::size_t failed = 0;
   std::string cases;
   for (std::size_t i = 0; i < reports.size(); ++i) {
-    const std::string name = "  <testcase classname=\"kerf check\" name=\"" + escaped(output::printable(options.files[i])) + "\"";
+    const std::string name = "  <testcase classname=\"kerf check\" name=\"" +
+                             escaped(output::printable(options.files[i])) + "\"";
     if (reports[i].findings.empty() && !reports[i].failure) {
       cases += name + "/>\n";
       continue;
     }
     ++failed;
     const std::string text = reports[i].failure ? reports[i].failure->message : reports[i].text;
-    cases += name + ">\n    <failure message=\"" + escaped(output::printable(text.substr(0, text.find('\n')))) + "\">" + escaped(text) +
+    cases += name + ">\n    <failure message=\"" +
+             escaped(output::printable(text.substr(0, text.find('\n')))) + "\">" + escaped(text) +
              "</failure>\n  </testcase>\n";
   }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"kerf check\" tests=\"" + std::to_string(reports.size()) +
-         "\" failures=\"" + std::to_string(failed) + "\">\n" + cases + "</testsuite>\n";
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"kerf check\" tests=\"" +
+         std::to_string(reports.size()) + "\" failures=\"" + std::to_string(failed) + "\">\n" +
+         cases + "</testsuite>\n";
 }
 
 std::string in_format(const std::vector<FileReport>& reports, const CheckOptions& options) {

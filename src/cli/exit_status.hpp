@@ -9,8 +9,8 @@ enum class ExitStatus : int {
   well = 0,
   findings = 1,  ///< the NC program is wrong, raised an alarm, or a check has findings
   usage = 2,
-  files = 3,   ///< an input is missing or unreadable, an output cannot be written
-  fault = 4,   ///< a fault of Kerf itself
+  files = 3,  ///< an input is missing or unreadable, an output cannot be written
+  fault = 4,  ///< a fault of Kerf itself
   budget = 5
 };
 

@@ -26,7 +26,9 @@ tl::unexpected<Failure> usage(const std::string& message) {
 Outcome<std::string> read_text(const std::string& path) {
   auto file = base::SourceFile::open(path);
   if (!file) return tl::unexpected(file.error());
-  if ((*file)->size() > kLargestOffsetFile) return tl::unexpected(Failure{Failure::Kind::input, path + ": too large for a file of offsets"});
+  if ((*file)->size() > kLargestOffsetFile)
+    return tl::unexpected(
+        Failure{Failure::Kind::input, path + ": too large for a file of offsets"});
   std::string text((*file)->size(), '\0');
   text.resize((*file)->read(0, text));
   return text;
@@ -38,16 +40,21 @@ Outcome<void> run_punch_out(const std::string& text, const std::string& path,
   machine::VirtualMachine reader(definition, memory);
   reader.load(base::SourceFile::from_text(path, text + "\nM30\n"));
   const auto status = reader.run_to_end();
-  const bool closed = status == machine::VirtualMachine::Status::alarm && reader.alarm()->code == base::Code::end_of_record;
+  const bool closed = status == machine::VirtualMachine::Status::alarm &&
+                      reader.alarm()->code == base::Code::end_of_record;
   if (status != machine::VirtualMachine::Status::end && !closed) {
-    const std::string message = reader.alarm() ? output::diagnostic_text(*reader.alarm(), reader.sources()) : path + ": does not end\n";
+    const std::string message = reader.alarm()
+                                    ? output::diagnostic_text(*reader.alarm(), reader.sources())
+                                    : path + ": does not end\n";
     return tl::unexpected(Failure{Failure::Kind::input, message.substr(0, message.find('\n'))});
   }
   memory = reader.memory();
   return {};
 }
 
-Outcome<void> read_offset_file(const std::string& path, const machine::MachineDefinition& definition, control::Memory& memory) {
+Outcome<void> read_offset_file(const std::string& path,
+                               const machine::MachineDefinition& definition,
+                               control::Memory& memory) {
   if (path.empty()) return {};
   auto text = read_text(path);
   if (!text) return tl::unexpected(text.error());
@@ -74,14 +81,19 @@ Outcome<void> apply_settings(const MachineSetup& setup, machine::MachineDefiniti
 
 std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return ending;
 }
 
 Outcome<std::string> choose_dialect(const std::string& wanted, const std::string& program) {
-  if (!wanted.empty() && wanted != kMillDialect) return usage("--dialect " + wanted + ": this dialect is not available; available: " + kMillDialect);
+  if (!wanted.empty() && wanted != kMillDialect)
+    return usage("--dialect " + wanted +
+                 ": this dialect is not available; available: " + kMillDialect);
   if (wanted.empty() && ending_of(program) == ".bas") {
-    return tl::unexpected(Failure{Failure::Kind::input, program + ": laser BASIC programs are not supported yet; available dialect: fanuc-mill"});
+    return tl::unexpected(Failure{
+        Failure::Kind::input,
+        program + ": laser BASIC programs are not supported yet; available dialect: fanuc-mill"});
   }
   return std::string(kMillDialect);
 }
@@ -92,7 +104,8 @@ Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
   for (std::size_t at = 0; at < list.size();) {
     const std::size_t comma = std::min(list.find(',', at), list.size());
     const std::string item = list.substr(at, comma - at);
-    if (item.size() != 1 || item[0] < '1' || item[0] > '9') return usage("--block-skip " + list + ": a list of 1 to 9, or all");
+    if (item.size() != 1 || item[0] < '1' || item[0] > '9')
+      return usage("--block-skip " + list + ": a list of 1 to 9, or all");
     levels |= 1U << (item[0] - '0');
     at = comma + 1;
   }
@@ -125,8 +138,10 @@ Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& m
     auto setting = split_setting(text, "--skip-at");
     if (!setting) return tl::unexpected(setting.error());
     const auto value = parse_number(setting->value);
-    const auto axis = setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
-    if (!axis || !value) return usage("--skip-at " + text + ": AXIS=VALUE with an axis of the machine is expected");
+    const auto axis =
+        setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
+    if (!axis || !value)
+      return usage("--skip-at " + text + ": AXIS=VALUE with an axis of the machine is expected");
     machine.add_skip_contact({*axis, *value});
   }
   return {};
@@ -159,16 +174,18 @@ std::optional<double> parse_number(const std::string& text) {
 
 Outcome<KeyValue> split_setting(const std::string& text, const std::string& option) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) return usage(option + " " + text + ": KEY=VALUE is expected");
+  if (equals == std::string::npos || equals == 0)
+    return usage(option + " " + text + ": KEY=VALUE is expected");
   return KeyValue{text.substr(0, equals), text.substr(equals + 1)};
 }
 
 Outcome<ReadyMachine> make_ready(const RunOptions& options) {
-  auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys, options.decimal_point,
-                       options.tools, options.offsets, options.state},
+  auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
+                       options.decimal_point, options.tools, options.offsets, options.state},
                       options.program);
   if (!ready) return ready;
-  if (auto prepared = prepare(options, *ready->machine); !prepared) return tl::unexpected(prepared.error());
+  if (auto prepared = prepare(options, *ready->machine); !prepared)
+    return tl::unexpected(prepared.error());
   return ready;
 }
 
@@ -177,17 +194,22 @@ Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& progr
   if (!dialect) return tl::unexpected(dialect.error());
   auto definition = machine::find_machine(setup.machine.empty() ? kDefaultMachine : setup.machine);
   if (!definition) return tl::unexpected(definition.error());
-  if (auto applied = apply_settings(setup, *definition); !applied) return tl::unexpected(applied.error());
+  if (auto applied = apply_settings(setup, *definition); !applied)
+    return tl::unexpected(applied.error());
   control::Memory memory(definition->parameters.n_offsets);
   if (!setup.state.empty()) {
-    if (auto read = machine::read_state(setup.state, memory); !read) return tl::unexpected(read.error());
+    if (auto read = machine::read_state(setup.state, memory); !read)
+      return tl::unexpected(read.error());
   }
   for (const std::string& path : {setup.tools, setup.offsets}) {
-    if (auto read = read_offset_file(path, *definition, memory); !read) return tl::unexpected(read.error());
+    if (auto read = read_offset_file(path, *definition, memory); !read)
+      return tl::unexpected(read.error());
   }
   ReadyMachine ready;
   ready.dialect = *dialect;
-  ready.why = setup.machine.empty() ? "machine mill3 and dialect fanuc-mill because nothing else was asked for" : "";
+  ready.why = setup.machine.empty()
+                  ? "machine mill3 and dialect fanuc-mill because nothing else was asked for"
+                  : "";
   ready.machine = std::make_unique<machine::VirtualMachine>(*definition, std::move(memory));
   return ready;
 }

@@ -30,7 +30,8 @@ struct ReadyMachine {
   std::string why;  ///< sentence for the summary
 };
 
-[[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program);
+[[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup,
+                                                 const std::string& program);
 
 /// A machine as `kerf run` makes it from its options, the program loaded.
 [[nodiscard]] base::Outcome<ReadyMachine> make_ready(const RunOptions& options);
@@ -40,7 +41,8 @@ struct KeyValue {
   std::string key;
   std::string value;
 };
-[[nodiscard]] base::Outcome<KeyValue> split_setting(const std::string& text, const std::string& option);
+[[nodiscard]] base::Outcome<KeyValue> split_setting(const std::string& text,
+                                                    const std::string& option);
 
 /// A number written out; nothing else may follow it.
 [[nodiscard]] std::optional<double> parse_number(const std::string& text);

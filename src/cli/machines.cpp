@@ -1,6 +1,6 @@
-#include <cstdio>
-
 #include <fmt/format.h>
+
+#include <cstdio>
 
 #include "cli/commands.hpp"
 #include "machine/machine_definition.hpp"
@@ -10,8 +10,10 @@ namespace kerf::cli {
 ExitStatus machines(const std::string& name) {
   for (const machine::BuiltinMachine& builtin : machine::builtin_machines()) {
     if (name.empty()) {
-      const auto definition = machine::MachineDefinition::parse(builtin.toml, std::string(builtin.name));
-      fmt::print("{:<16}{}\n", builtin.name, definition ? definition->description : definition.error().message);
+      const auto definition =
+          machine::MachineDefinition::parse(builtin.toml, std::string(builtin.name));
+      fmt::print("{:<16}{}\n", builtin.name,
+                 definition ? definition->description : definition.error().message);
     } else if (name == builtin.name) {
       fmt::print("{}", builtin.toml);
       return ExitStatus::well;

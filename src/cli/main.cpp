@@ -1,8 +1,9 @@
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <unistd.h>
 
 #include "base/output_file.hpp"
 #include "cli/arguments.hpp"

@@ -1,8 +1,9 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <unistd.h>
 
 #include "base/output_file.hpp"
 #include "cli/commands.hpp"
@@ -32,7 +33,8 @@ tl::unexpected<Failure> usage(const std::string& message) {
 /// once; committed behind it, so that none looks complete that is not.
 class Outputs {
  public:
-  Outputs(const RunOptions& options, VirtualMachine& machine) : options_(options), machine_(machine) {}
+  Outputs(const RunOptions& options, VirtualMachine& machine)
+      : options_(options), machine_(machine) {}
 
   Outcome<void> open();
   Outcome<void> commit(const std::string& dialect);
@@ -65,7 +67,8 @@ Outcome<void> Outputs::open_plot() {
     return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
   }
   if (auto opened = open_file(options_.plot, plot_file_); !opened) return opened;
-  plot_ = std::make_unique<output::PathPlot>(machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name);
+  plot_ = std::make_unique<output::PathPlot>(
+      machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name);
   machine_.add_sink(*plot_);
   return {};
 }
@@ -73,7 +76,8 @@ Outcome<void> Outputs::open_plot() {
 Outcome<void> Outputs::open() {
   if (auto opened = open_file(options_.summary, summary_); !opened) return opened;
   if (auto opened = open_file(options_.motion, motion_); !opened) return opened;
-  if (auto opened = open_file(options_.dprnt.empty() ? "-" : options_.dprnt, dprnt_); !opened) return opened;
+  if (auto opened = open_file(options_.dprnt.empty() ? "-" : options_.dprnt, dprnt_); !opened)
+    return opened;
   if (auto opened = open_file(options_.post, post_file_); !opened) return opened;
   if (auto opened = open_file(options_.coverage, coverage_file_); !opened) return opened;
   if (auto opened = open_plot(); !opened) return opened;
@@ -86,7 +90,8 @@ Outcome<void> Outputs::open() {
     machine_.add_sink(*post_);
   }
   if (coverage_file_) {
-    machine_.observe_blocks([this](base::FileId file, std::uint32_t line) { coverage_.count(file, line); });
+    machine_.observe_blocks(
+        [this](base::FileId file, std::uint32_t line) { coverage_.count(file, line); });
   }
   machine_.set_print_output([this](std::string_view text) { dprnt_->write(text); });
   return {};
@@ -103,11 +108,14 @@ Outcome<void> Outputs::commit(const std::string& dialect) {
   // What could drive a machine is written only when the run reached its end.
   if (post_file_ && machine_.status() != Status::end && !options_.keep_partial) post_file_.reset();
   if (post_file_) post_->finish();
-  if (coverage_file_) coverage_file_->write(coverage_.csv(machine_.sources(), machine_.controller().assumptions().list()));
+  if (coverage_file_)
+    coverage_file_->write(
+        coverage_.csv(machine_.sources(), machine_.controller().assumptions().list()));
   if (plot_file_) plot_file_->write(options_.plot.ends_with(".png") ? plot_->png() : plot_->svg());
   if (summary_) summary_->write(output::summary_json(machine_, dialect));
   Outcome<void> result;
-  for (std::unique_ptr<OutputFile>* file : {&dprnt_, &motion_, &post_file_, &coverage_file_, &plot_file_, &summary_}) {
+  for (std::unique_ptr<OutputFile>* file :
+       {&dprnt_, &motion_, &post_file_, &coverage_file_, &plot_file_, &summary_}) {
     auto committed = commit_file(*file);
     if (!committed && result) result = committed;
   }
@@ -135,10 +143,15 @@ void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachi
     tell(json ? output::diagnostic_json(*machine.alarm(), machine.sources())
               : output::diagnostic_text(*machine.alarm(), machine.sources()));
   }
+  if (machine.notice()) {
+    tell(json ? output::diagnostic_json(*machine.notice(), machine.sources())
+              : output::diagnostic_text(*machine.notice(), machine.sources()));
+  }
   if (json) return;
   tell(output::summary_text(machine, ready.dialect));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
-  for (const std::string& path : {options.plot, options.summary, options.motion, options.post, options.coverage}) {
+  for (const std::string& path :
+       {options.plot, options.summary, options.motion, options.post, options.coverage}) {
     if (!path.empty() && path != "-") tell("  wrote " + path + "\n");
   }
 }
@@ -154,7 +167,8 @@ ExitStatus run(const RunOptions& options) {
   const Status status = machine.run_to_end({options.max_seconds, options.max_motions});
   if (auto committed = outputs.commit(ready->dialect); !committed) return fail(committed.error());
   if (!options.state.empty()) {
-    if (auto written = machine::write_state(options.state, machine.memory()); !written) return fail(written.error());
+    if (auto written = machine::write_state(options.state, machine.memory()); !written)
+      return fail(written.error());
   }
   report(options, machine, *ready);
   return exit_status(status);

@@ -12,7 +12,7 @@ using gcode::WordFlag;
 constexpr int kMostSets = 10;
 
 // Variable of each letter, A to Z; 0: no argument (G, L, N, O, P) or counted by sets (I, J, K).
-constexpr std::uint8_t kVariable[26] = {1, 2, 3, 7, 8, 9,  0,  11, 4,  5,  6,  0,  13,
+constexpr std::uint8_t kVariable[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
                                         0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
 // G66.1 only.
@@ -40,13 +40,15 @@ double value_of(const Word& word, const ArgumentRules& rules) {
 
 }  // namespace
 
-bool read_arguments(std::span<const Word> words, const ArgumentRules& rules, Alarms& alarms, CallWords& call) {
+bool read_arguments(std::span<const Word> words, const ArgumentRules& rules, Alarms& alarms,
+                    CallWords& call) {
   call.locals.fill(vm::kNull);
   int set = 1;
   int last = -1;
   for (const Word& word : words) {
     const char letter = word.letter;
-    if (word.has(WordFlag::comma)) return alarms.raise(Code::improper_address, word, "a comma word is no argument");
+    if (word.has(WordFlag::comma))
+      return alarms.raise(Code::improper_address, word, "a comma word is no argument");
     std::uint8_t variable = kVariable[letter - 'A'];
     if (letter == 'P') call.program = &word;
     if (letter == 'L') call.repeats = &word;

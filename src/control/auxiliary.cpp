@@ -40,7 +40,8 @@ bool Auxiliary::read(const Words& words) {
     s.words.tool = value;
   }
   if (words.has('E') && !s.values.plain(words['E'], s.words.e)) return false;
-  return read_offset(words, 'H', s.words.length_offset) && read_offset(words, 'D', s.words.radius_offset);
+  return read_offset(words, 'H', s.words.length_offset) &&
+         read_offset(words, 'D', s.words.radius_offset);
 }
 
 // NUM-4, NUM-5. F is kept in mm; what it counts depends on the feed mode.
@@ -53,8 +54,10 @@ bool Auxiliary::read_feed(const Words& words) {
   if (!s.values.plain(word, value)) return false;
   const FeedMode mode = s.modal.feed_mode();
   const bool inch = s.modal.inch();
-  const bool bare = word.has(WordFlag::literal) && !word.has(WordFlag::point) && !s.parameters.calculator_point;
-  if (bare && (mode == FeedMode::per_revolution || (mode == FeedMode::per_minute && inch))) value *= 0.01;
+  const bool bare =
+      word.has(WordFlag::literal) && !word.has(WordFlag::point) && !s.parameters.calculator_point;
+  if (bare && (mode == FeedMode::per_revolution || (mode == FeedMode::per_minute && inch)))
+    value *= 0.01;
   s.words.feed_programmed = value;
   if (mode != FeedMode::inverse_time && inch) value = base::tidy(value * 25.4);
   if (value > kMostFeed) {
@@ -69,8 +72,9 @@ bool Auxiliary::read_offset(const Words& words, char letter, std::int64_t& numbe
   std::int64_t value = 0;
   if (!state_.values.integer(words[letter], 0, kMostCode, value)) return false;
   if (value > state_.parameters.n_offsets) {
-    return state_.alarms.raise(Code::illegal_offset_number, words[letter],
-                               "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
+    return state_.alarms.raise(
+        Code::illegal_offset_number, words[letter],
+        "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
   }
   number = value;
   return true;
@@ -91,7 +95,8 @@ bool Auxiliary::read_codes(const Words& words, Codes& codes) {
     codes.rewind |= code == 30;
     codes.interrupt_on |= code == 96;
     codes.interrupt_off |= code == 97;
-    if ((code == 98 && codes.call) || (code == state_.parameters.external_call_m && codes.external_call)) {
+    if ((code == 98 && codes.call) ||
+        (code == state_.parameters.external_call_m && codes.external_call)) {
       return state_.alarms.raise(Code::two_sub_calls, **m);
     }
     codes.call |= code == 98;
@@ -144,7 +149,8 @@ void Auxiliary::after_motion(const Words& words) {
       turn(Spindle::Turning::stopped);
     } else if (code == 9) {
       state_.path.act(Coolant{Coolant::State::off});
-    } else if (!before_the_move(code) && !flow_code(code) && code != state_.parameters.external_call_m) {
+    } else if (!before_the_move(code) && !flow_code(code) &&
+               code != state_.parameters.external_call_m) {
       state_.path.act(AuxiliaryCode{static_cast<std::uint32_t>(code)});
     }
   }

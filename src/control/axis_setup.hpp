@@ -11,11 +11,11 @@ namespace kerf::control {
 /// What the control knows of one axis.
 struct AxisConfig {
   char letter = 'X';
-  bool rotary = false;          ///< degrees instead of millimetres
-  double rapid_per_min = 0;     ///< mm/min or degrees/min, > 0
-  double acceleration = 1000;   ///< mm/s² or degrees/s², > 0
-  double jerk = 50000;          ///< mm/s³ or degrees/s³, > 0
-  double travel_min = 0;        ///< machine coordinates; used when min < max
+  bool rotary = false;         ///< degrees instead of millimetres
+  double rapid_per_min = 0;    ///< mm/min or degrees/min, > 0
+  double acceleration = 1000;  ///< mm/s² or degrees/s², > 0
+  double jerk = 50000;         ///< mm/s³ or degrees/s³, > 0
+  double travel_min = 0;       ///< machine coordinates; used when min < max
   double travel_max = 0;
   std::array<double, 4> reference{};  ///< 1st to 4th reference point, machine coordinates
 };

@@ -6,8 +6,8 @@
 
 namespace kerf::control {
 
-/// Holds back what a block emits until the block is known to be right: an alarm drops it (a block is
-/// checked whole before it has any effect).
+/// Holds back what a block emits until the block is known to be right: an alarm drops it (a block
+/// is checked whole before it has any effect).
 class BlockBuffer : public MotionSink {
  public:
   explicit BlockBuffer(MotionSink& sink) : sink_(sink) {}

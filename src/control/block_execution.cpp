@@ -20,10 +20,11 @@ using gcode::Word;
 using gcode::WordFlag;
 using vm::Verdict;
 
-constexpr std::uint32_t kAlwaysAllowed = Words::mask('D') | Words::mask('E') | Words::mask('F') | Words::mask('G') |
-                                         Words::mask('H') | Words::mask('I') | Words::mask('J') | Words::mask('K') |
-                                         Words::mask('L') | Words::mask('M') | Words::mask('N') | Words::mask('P') |
-                                         Words::mask('Q') | Words::mask('R') | Words::mask('S') | Words::mask('T');
+constexpr std::uint32_t kAlwaysAllowed =
+    Words::mask('D') | Words::mask('E') | Words::mask('F') | Words::mask('G') | Words::mask('H') |
+    Words::mask('I') | Words::mask('J') | Words::mask('K') | Words::mask('L') | Words::mask('M') |
+    Words::mask('N') | Words::mask('P') | Words::mask('Q') | Words::mask('R') | Words::mask('S') |
+    Words::mask('T');
 
 constexpr std::uint32_t kFirstGMacro = 9010;
 constexpr std::uint32_t kFirstMMacro = 9020;
@@ -40,9 +41,22 @@ constexpr std::size_t kSecondAuxiliaryCommon = 146 - 100;
 // The block's axis words belong to this one-shot code, not to a motion.
 bool takes_over(GCode code) {
   switch (code) {
-    case 40: case 100: case 110: case 520: case 920: case 921: case 270: case 280: case 290: case 300: case 310:
-    case 450: case 460: case 470: case 480: case 530:
-      return true;
+    case 40:
+    case 100:
+    case 110:
+    case 520:
+    case 920:
+    case 921:
+    case 270:
+    case 280:
+    case 290:
+    case 300:
+    case 310:
+    case 450:
+    case 460:
+    case 470:
+    case 480:
+    case 530: return true;
     default: return false;
   }
 }
@@ -63,9 +77,11 @@ void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& sta
 }
 
 // The block's words with their values; words whose value is null are dropped (VAR-7).
-std::span<const Word> Controller::fetch(const gcode::GcodePage& page, const gcode::Statement& statement,
+std::span<const Word> Controller::fetch(const gcode::GcodePage& page,
+                                        const gcode::Statement& statement,
                                         const double* registers) {
-  const std::span<const Word> compiled = std::span(page.words).subspan(statement.first, statement.count);
+  const std::span<const Word> compiled =
+      std::span(page.words).subspan(statement.first, statement.count);
   if (!statement.from_registers) return compiled;
   fetched_.clear();
   for (Word word : compiled) {
@@ -86,7 +102,9 @@ Verdict Controller::execute_words(const gcode::GcodePage& page, const gcode::Sta
   call_name_.clear();
   if (statement.name >= 0) call_name_ = page.names[static_cast<std::size_t>(statement.name)];
   BlockCall call;
-  if ((statement.may_call || codes_call_macros_ || calls_.modal_active()) && !find_call(block, call)) return Verdict::stop;
+  if ((statement.may_call || codes_call_macros_ || calls_.modal_active()) &&
+      !find_call(block, call))
+    return Verdict::stop;
   if (call.kind != BlockCall::Kind::none) {
     if (!call_program(block, call, call_name_)) {
       buffer_.drop();
@@ -112,7 +130,8 @@ bool Controller::collect_g(const Word& word) {
   const auto rounded = base::round_away(tenths);
   const bool exact = std::fabs(tenths - static_cast<double>(rounded)) < 1e-6;
   if (rounded > 65535 || (word.has(WordFlag::literal) && !exact)) {
-    return alarms_.raise(Code::improper_g_code, word, "G" + base::number_text(word.value) + " does not exist");
+    return alarms_.raise(Code::improper_g_code, word,
+                         "G" + base::number_text(word.value) + " does not exist");
   }
   return words_.put_g(static_cast<GCode>(rounded), word) ||
          alarms_.raise(Code::improper_g_code, word, "more than 16 G codes in one block");
@@ -120,9 +139,11 @@ bool Controller::collect_g(const Word& word) {
 
 // An M code that calls a subprogram has no other meaning and no strobe (CODE-2).
 bool Controller::calls_subprogram(const Word& word) const {
-  if (!codes_call_subprograms_ || calls_.codes_are_ordinary() || word.has(WordFlag::point)) return false;
+  if (!codes_call_subprograms_ || calls_.codes_are_ordinary() || word.has(WordFlag::point))
+    return false;
   const auto code = code_number(word);
-  return code != 0 && std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code) != parameters_.m_sub.end();
+  return code != 0 && std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code) !=
+                          parameters_.m_sub.end();
 }
 
 bool Controller::collect(std::span<const Word> block) {
@@ -130,7 +151,8 @@ bool Controller::collect(std::span<const Word> block) {
   called_m_ = nullptr;
   for (const Word& word : block) {
     if (word.has(WordFlag::comma)) {
-      return alarms_.raise(Code::improper_address, word, "chamfers and corner radii are not available on this machine");
+      return alarms_.raise(Code::improper_address, word,
+                           "chamfers and corner radii are not available on this machine");
     }
     if (word.letter == 'G') {
       if (!collect_g(word)) return false;
@@ -138,7 +160,8 @@ bool Controller::collect(std::span<const Word> block) {
       if (called_m_ != nullptr) return alarms_.raise(Code::two_sub_calls, word);
       called_m_ = &word;
     } else if (word.letter == 'M') {
-      if (!words_.put_m(word)) return alarms_.raise(Code::improper_address_word, word, "a block takes three M codes");
+      if (!words_.put_m(word))
+        return alarms_.raise(Code::improper_address_word, word, "a block takes three M codes");
     } else {
       words_.put(word);
     }
@@ -151,7 +174,8 @@ bool Controller::check_addresses(std::span<const Word> block) {
   std::uint32_t allowed = kAlwaysAllowed | targets_.letters();
   if (parameters_.b_calls_program) allowed |= Words::mask('B');
   // G04 takes its time under X or U.
-  const bool is_dwell = std::any_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return g.code == 40; });
+  const bool is_dwell =
+      std::any_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return g.code == 40; });
   if (is_dwell) allowed |= Words::mask('X') | Words::mask('U');
   if ((words_.present() & ~allowed) == 0) return true;
   const auto bad = std::find_if(block.begin(), block.end(), [&](const Word& word) {
@@ -160,7 +184,8 @@ bool Controller::check_addresses(std::span<const Word> block) {
   if (bad->letter == 'O') {
     return alarms_.raise(Code::expression_format, *bad, "a program number is written in digits");
   }
-  return alarms_.raise(Code::improper_address, *bad, std::string("this machine has no axis ") + bad->letter);
+  return alarms_.raise(Code::improper_address, *bad,
+                       std::string("this machine has no axis ") + bad->letter);
 }
 
 // Program calls by code: G65, G66, the G and M codes of parameters 6050 and 6080.
@@ -172,9 +197,11 @@ bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     const Word& word = block[i];
     if (codes_call_macros_ && word.letter == 'M' && i == 0 && !ordinary) {
-      const auto m = std::find(parameters_.m_macro.begin(), parameters_.m_macro.end(), code_number(word));
+      const auto m =
+          std::find(parameters_.m_macro.begin(), parameters_.m_macro.end(), code_number(word));
       if (m != parameters_.m_macro.end() && *m != 0) {
-        call = {Kind::code_macro, 1, kFirstMMacro + static_cast<std::uint32_t>(m - parameters_.m_macro.begin()), &word};
+        call = {Kind::code_macro, 1,
+                kFirstMMacro + static_cast<std::uint32_t>(m - parameters_.m_macro.begin()), &word};
         return true;
       }
     }
@@ -186,20 +213,26 @@ bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
         const bool macro_word = call.kind != Kind::code_macro;
         return alarms_.raise(macro_word ? Code::two_macro_calls : Code::argument_g, word);
       }
-      call = {code == 650 ? Kind::macro : code == 660 ? Kind::modal : Kind::every_block, i + 1, 0, &word};
+      call = {code == 650   ? Kind::macro
+              : code == 660 ? Kind::modal
+                            : Kind::every_block,
+              i + 1, 0, &word};
     } else if (codes_call_macros_ && call.kind == Kind::none && !ordinary && code != 0) {
       const auto g = std::find(parameters_.g_macro.begin(), parameters_.g_macro.end(), code);
       if (g == parameters_.g_macro.end()) continue;
-      call = {Kind::code_macro, i + 1, kFirstGMacro + static_cast<std::uint32_t>(g - parameters_.g_macro.begin()), &word};
+      call = {Kind::code_macro, i + 1,
+              kFirstGMacro + static_cast<std::uint32_t>(g - parameters_.g_macro.begin()), &word};
     }
   }
-  if (call.kind == Kind::none && every_block && !block.empty()) call = {Kind::every_block, 0, 0, nullptr};
+  if (call.kind == Kind::none && every_block && !block.empty())
+    call = {Kind::every_block, 0, 0, nullptr};
   return true;
 }
 
-// CALL-4: what stands before the call must be G codes, which act as usual; what stands behind it are
-// arguments.
-bool Controller::call_program(std::span<const Word> block, const BlockCall& call, const std::string& name) {
+// CALL-4: what stands before the call must be G codes, which act as usual; what stands behind it
+// are arguments.
+bool Controller::call_program(std::span<const Word> block, const BlockCall& call,
+                              const std::string& name) {
   using Kind = BlockCall::Kind;
   const std::size_t before = call.first_argument == 0 ? 0 : call.first_argument - 1;
   for (const Word& word : block.subspan(0, before)) {
@@ -207,19 +240,25 @@ bool Controller::call_program(std::span<const Word> block, const BlockCall& call
     return alarms_.raise(Code::argument_g, *call.word, "arguments stand behind the macro call");
   }
   if (before > 0) {
-    if (std::any_of(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(before), [](const Word& w) { return w.letter == 'G'; })) {
-      state_.assume(Assumed::words_before_call, "G codes before a macro call in its block act as usual");
+    if (std::any_of(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(before),
+                    [](const Word& w) { return w.letter == 'G'; })) {
+      state_.assume(Assumed::words_before_call,
+                    "G codes before a macro call in its block act as usual");
     }
-    if (!collect(block.subspan(0, before)) || !execute_block({}) || !state_.path.end_block()) return false;
+    if (!collect(block.subspan(0, before)) || !execute_block({}) || !state_.path.end_block())
+      return false;
   }
-  const ArgumentRules rules{state_.modal.inch(), parameters_.calculator_point, parameters_.single_ijk,
+  const ArgumentRules rules{state_.modal.inch(), parameters_.calculator_point,
+                            parameters_.single_ijk,
                             call.kind == Kind::every_block && call.word == nullptr};
   CallWords arguments;
   if (!read_arguments(block.subspan(call.first_argument), rules, alarms_, arguments)) return false;
   const std::size_t depth = interpreter_.depth();
   bool good = true;
   switch (call.kind) {
-    case Kind::macro: good = calls_.call_macro(arguments, name, ProgramCalls::Kind::macro, std::nullopt); break;
+    case Kind::macro:
+      good = calls_.call_macro(arguments, name, ProgramCalls::Kind::macro, std::nullopt);
+      break;
     case Kind::code_macro:
       good = calls_.call_macro(arguments, {}, ProgramCalls::Kind::code_macro, call.program);
       break;
@@ -242,16 +281,22 @@ bool Controller::call_program(std::span<const Word> block, const BlockCall& call
 
 // Most blocks of most programs command a motion and nothing else: group 01 codes, axes, F.
 bool Controller::is_plain_move() const {
-  constexpr std::uint32_t kPlain = Words::mask('G') | Words::mask('F') | Words::mask('N') | Words::mask('I') |
-                                   Words::mask('J') | Words::mask('K') | Words::mask('R');
-  if ((words_.present() & ~(kPlain | targets_.letters())) != 0 || state_.modal.in_cycle() || state_.parameter_entry) return false;
-  return std::all_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return group_of(g.code) == Group::motion; });
+  constexpr std::uint32_t kPlain = Words::mask('G') | Words::mask('F') | Words::mask('N') |
+                                   Words::mask('I') | Words::mask('J') | Words::mask('K') |
+                                   Words::mask('R');
+  if ((words_.present() & ~(kPlain | targets_.letters())) != 0 || state_.modal.in_cycle() ||
+      state_.parameter_entry)
+    return false;
+  return std::all_of(words_.g_begin(), words_.g_end(),
+                     [](const Words::G& g) { return group_of(g.code) == Group::motion; });
 }
 
 bool Controller::plain_move() {
-  for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) state_.modal.set(Group::motion, g->code);
+  for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g)
+    state_.modal.set(Group::motion, g->code);
   if (!auxiliary_.read_feed(words_)) return false;
-  buffer_.pass_through(!state_.path.compensating());  // a move is checked whole before it is emitted
+  buffer_.pass_through(
+      !state_.path.compensating());  // a move is checked whole before it is emitted
   const bool good = moves_.execute(words_, moved_);
   buffer_.pass_through(false);
   return good;
@@ -274,10 +319,12 @@ bool Controller::execute_block(const std::string& name) {
     learn_calling_codes();
     return entered;
   }
-  if (!check_block(one_shot) || !auxiliary_.read(words_) || !auxiliary_.read_codes(words_, codes_)) return false;
+  if (!check_block(one_shot) || !auxiliary_.read(words_) || !auxiliary_.read_codes(words_, codes_))
+    return false;
   if (codes_.return_ && calls_.modal_active() &&
       (words_.m_end() - words_.m_begin() > 1 ||
-       (words_.present() & ~(Words::mask('M') | Words::mask('P') | Words::mask('N') | Words::mask('L'))) != 0)) {
+       (words_.present() &
+        ~(Words::mask('M') | Words::mask('P') | Words::mask('N') | Words::mask('L'))) != 0)) {
     return alarms_.raise(Code::words_with_return, "M99 must stand alone here");
   }
   if (!settings_.apply_codes(words_)) return false;
@@ -294,12 +341,14 @@ bool Controller::execute_block(const std::string& name) {
 // Words that may not stand beside a one-shot code.
 bool Controller::check_block(const Words::G* one_shot) {
   if (one_shot == nullptr || !words_.has('T')) return true;
-  if (one_shot->code == 40 || one_shot->code == 100) return alarms_.raise(Code::tool_not_allowed, words_['T']);
+  if (one_shot->code == 40 || one_shot->code == 100)
+    return alarms_.raise(Code::tool_not_allowed, words_['T']);
   return true;
 }
 
 bool Controller::move(const Words::G* one_shot_code, bool& moved) {
-  if (one_shot_code != nullptr && takes_over(one_shot_code->code)) return one_shot(*one_shot_code, moved);
+  if (one_shot_code != nullptr && takes_over(one_shot_code->code))
+    return one_shot(*one_shot_code, moved);
   if (one_shot_code != nullptr && one_shot_code->code == 80) {
     std::int64_t p = 0;
     if (words_.has('P') && !state_.values.integer(words_['P'], 0, 99999999, p)) return false;
@@ -317,8 +366,8 @@ bool Controller::move(const Words::G* one_shot_code, bool& moved) {
   return good;
 }
 
-// CYC-15: of a cycle code and a group 01 code in one block the last one counts. `plain` is false when
-// the block belongs to the cycle.
+// CYC-15: of a cycle code and a group 01 code in one block the last one counts. `plain` is false
+// when the block belongs to the cycle.
 bool Controller::select_cycle(bool& plain) {
   const Words::G* cycle = nullptr;
   const Words::G* motion = nullptr;
@@ -405,7 +454,8 @@ Verdict Controller::finish_block() {
   if (halt == Halt::end || halt == Halt::program_stop || halt == Halt::optional_stop) {
     if (!state_.path.release()) return Verdict::stop;
   }
-  if (halt == Halt::program_stop || halt == Halt::optional_stop) state_.path.act(Stop{halt == Halt::optional_stop});
+  if (halt == Halt::program_stop || halt == Halt::optional_stop)
+    state_.path.act(Stop{halt == Halt::optional_stop});
   if (halt == Halt::end) state_.path.act(End{});
   buffer_.release();
   if (halt == Halt::end) {
@@ -426,7 +476,8 @@ bool Controller::set_interrupt() {
   if (!words_.has('P')) return alarms_.raise(Code::interrupt_statement, "M96 needs P");
   if (!state_.values.integer(words_['P'], 0, 99999999, p)) return false;
   interrupt_program_ = static_cast<std::uint32_t>(p);
-  state_.assume(Assumed::interrupt, "M96: the interrupt program runs only when a signal is injected");
+  state_.assume(Assumed::interrupt,
+                "M96: the interrupt program runs only when a signal is injected");
   return true;
 }
 
@@ -444,8 +495,11 @@ bool Controller::finish_calls() {
     transferred_ = true;
     return calls_.return_from_program(label);
   }
-  if (codes_.call && !calls_.call_subprogram(words_, call_name_, ProgramCalls::Kind::subprogram)) return false;
-  if (codes_.external_call && !calls_.call_subprogram(words_, call_name_, ProgramCalls::Kind::external)) return false;
+  if (codes_.call && !calls_.call_subprogram(words_, call_name_, ProgramCalls::Kind::subprogram))
+    return false;
+  if (codes_.external_call &&
+      !calls_.call_subprogram(words_, call_name_, ProgramCalls::Kind::external))
+    return false;
   bool called = false;
   if (!call_by_code(words_, called)) return false;
   if (moved_ && !calls_.trigger()) return false;
@@ -459,7 +513,8 @@ bool Controller::call_by_code(const Words& words, bool& called) {
   using Kind = ProgramCalls::Kind;
   std::int64_t repeats = 1;
   if (called_m_ != nullptr) {
-    const auto sub = std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code_number(*called_m_));
+    const auto sub =
+        std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code_number(*called_m_));
     if (words.has('L') && !state_.values.integer(words['L'], 0, 9999, repeats)) return false;
     called = true;
     const auto number = kFirstMSub + static_cast<std::uint32_t>(sub - parameters_.m_sub.begin());

@@ -27,7 +27,8 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   if (!find_drilling_axis(starts_mode)) return false;
   const Axis z = drill_;
   if (state_.path.compensating()) {
-    state_.assume(Assumed::cycle_in_compensation, "cutter compensation is not applied in a canned cycle");
+    state_.assume(Assumed::cycle_in_compensation,
+                  "cutter compensation is not applied in a canned cycle");
   }
   if (starts_mode) initial_ = state_.coordinates.program()[z];
   if (!read_data(words, starts_mode)) return false;
@@ -41,7 +42,8 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   if (repeats == 0) return true;
   target.program[z] = state_.coordinates.program()[z];
   moves_.apply_length(base::only(z));
-  increment_ = state_.modal.incremental() ? target.program - state_.coordinates.program() : base::AxisVector{};
+  increment_ = state_.modal.incremental() ? target.program - state_.coordinates.program()
+                                          : base::AxisVector{};
   hole_ = target.program;
   holes_left_ = repeats;
   first_ = true;
@@ -107,7 +109,8 @@ bool CannedCycle::read_counts(const Words& words, std::int64_t& repeats) {
 bool CannedCycle::check(const Words& words) {
   const GCode code = state_.modal[Group::cycle];
   if ((code == 730 || code == 830) && q_ <= 0) {
-    return words.has('Q') ? state_.alarms.raise(Code::peck_missing, words['Q']) : state_.alarms.raise(Code::peck_missing);
+    return words.has('Q') ? state_.alarms.raise(Code::peck_missing, words['Q'])
+                          : state_.alarms.raise(Code::peck_missing);
   }
   const bool tapping = code == 840 || code == 740;
   if (tapping && state_.rigid_tapping) {
@@ -136,8 +139,10 @@ bool CannedCycle::step() {
     return true;
   }
   switch (code_) {
-    case 730: case 830: return peck();
-    case 740: case 840: return tap();
+    case 730:
+    case 830: return peck();
+    case 740:
+    case 840: return tap();
     case 870: return back_bore();
     default: return bore();
   }
@@ -174,7 +179,8 @@ bool CannedCycle::feed_z(double z) {
 bool CannedCycle::shift(double distance) {
   const int direction = state_.parameters.shift_direction;
   const auto axis = state_.axes.find(direction == 2 || direction == -2 ? 'Y' : 'X');
-  if (!axis) return state_.alarms.raise(Code::drilling_axis, "the machine lacks the axis of the shift");
+  if (!axis)
+    return state_.alarms.raise(Code::drilling_axis, "the machine lacks the axis of the shift");
   base::AxisVector target = state_.coordinates.program();
   target[*axis] = base::tidy(target[*axis] + (direction < 0 ? -distance : distance));
   return moves_.rapid_to(target);
@@ -194,7 +200,10 @@ bool CannedCycle::bore() {
   if (!feed_z(z_)) return false;
   bool out = true;
   switch (code_) {
-    case 820: dwell(); out = rapid_z(return_level()); break;
+    case 820:
+      dwell();
+      out = rapid_z(return_level());
+      break;
     case 850: out = feed_z(r_) && rapid_z(return_level()); break;
     case 860:
       spindle(Spindle::Turning::stopped);
@@ -208,7 +217,10 @@ bool CannedCycle::bore() {
       out = rapid_z(return_level());
       spindle(Spindle::Turning::clockwise);
       break;
-    case 890: dwell(); out = feed_z(r_) && rapid_z(return_level()); break;
+    case 890:
+      dwell();
+      out = feed_z(r_) && rapid_z(return_level());
+      break;
     case 760:
       dwell();
       spindle(Spindle::Turning::oriented);

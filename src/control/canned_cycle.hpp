@@ -8,11 +8,12 @@
 
 namespace kerf::control {
 
-/// Drilling cycles G73 to G89 (fanuc-dialect.md §10). A block only starts its holes; step() then makes
-/// one peck, or one hole, at a time, so that no block floods whoever receives the motions.
+/// Drilling cycles G73 to G89 (fanuc-dialect.md §10). A block only starts its holes; step() then
+/// makes one peck, or one hole, at a time, so that no block floods whoever receives the motions.
 class CannedCycle {
  public:
-  CannedCycle(State& state, Targets& targets, Moves& moves) : state_(state), targets_(targets), moves_(moves) {}
+  CannedCycle(State& state, Targets& targets, Moves& moves)
+      : state_(state), targets_(targets), moves_(moves) {}
 
   /// A block in cycle mode: stores its data and starts its holes if it names a position.
   [[nodiscard]] bool begin(const Words& words, bool starts_mode, bool& moved);

@@ -16,8 +16,8 @@ using gcode::Word;
 using gcode::WordFlag;
 using vm::Verdict;
 
-constexpr int kMostAlarm = 200;       // #3000 with MCA = 0
-constexpr int kMostOwnAlarm = 4095;   // with MCA = 1
+constexpr int kMostAlarm = 200;      // #3000 with MCA = 0
+constexpr int kMostOwnAlarm = 4095;  // with MCA = 1
 
 Code code_of(vm::Fault fault) {
   switch (fault) {
@@ -48,7 +48,8 @@ const char* detail_of(vm::Fault fault) {
 }  // namespace
 
 Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory,
-                       gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings, MotionSink& sink)
+                       gcode::CodeLibrary& library, ProgramFinder& finder,
+                       Surroundings& surroundings, MotionSink& sink)
     : parameters_(parameters),
       axes_(axes),
       library_(library),
@@ -73,10 +74,12 @@ Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memo
 }
 
 void Controller::learn_calling_codes() {
-  const auto any = [](const auto& codes) { return std::any_of(codes.begin(), codes.end(), [](int code) { return code != 0; }); };
+  const auto any = [](const auto& codes) {
+    return std::any_of(codes.begin(), codes.end(), [](int code) { return code != 0; });
+  };
   codes_call_macros_ = any(parameters_.g_macro) || any(parameters_.m_macro);
-  codes_call_subprograms_ = any(parameters_.m_sub) || parameters_.t_calls_program || parameters_.s_calls_program ||
-                            parameters_.b_calls_program;
+  codes_call_subprograms_ = any(parameters_.m_sub) || parameters_.t_calls_program ||
+                            parameters_.s_calls_program || parameters_.b_calls_program;
 }
 
 void Controller::start(vm::CodeId main) {
@@ -133,11 +136,13 @@ Halt Controller::run(std::uint64_t instructions) {
 
 base::Outcome<void> Controller::set_variable(std::uint32_t number, double value) {
   SystemVariables::Event event;
-  const bool good = variables_.write(number, value, event) && event.kind == SystemVariables::Event::Kind::none;
+  const bool good =
+      variables_.write(number, value, event) && event.kind == SystemVariables::Event::Kind::none;
   if (good) return {};
   std::string why = alarms_.alarm() ? alarms_.alarm()->message : "it cannot be set";
   alarms_.clear();
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": " + why});
+  return tl::unexpected(
+      base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": " + why});
 }
 
 // vm::Host
@@ -165,12 +170,14 @@ Verdict Controller::end_of_code() {
 }
 
 Verdict Controller::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() || (&mark)[-1].line != mark.line;
+  const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() ||
+                             (&mark)[-1].line != mark.line;
   if (observer_ && first_of_line) observer_(page.file, mark.line);
   return Verdict::go_on;
 }
 
-Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block, const double* registers) {
+Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block,
+                            const double* registers) {
   const auto& page = static_cast<const gcode::GcodePage&>(code_page);
   const gcode::Statement& statement = page.statements[block];
   ++blocks_;
@@ -192,7 +199,8 @@ Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block, 
 
 // Macro statements
 
-Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers) {
+Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& statement,
+                          const double* registers) {
   printed_.clear();
   for (std::uint32_t i = 0; i < statement.count; ++i) {
     const gcode::PrintItem& item = page.print_items[statement.first + i];
@@ -204,7 +212,8 @@ Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& 
     if (statement.kind == gcode::StatementKind::bprnt) {
       append_binary(printed_, value, item.decimals);
     } else {
-      append_printed(printed_, value, item.integers, item.decimals, !parameters_.print_without_blanks);
+      append_printed(printed_, value, item.integers, item.decimals,
+                     !parameters_.print_without_blanks);
     }
   }
   printed_ += parameters_.print_cr ? "\r\n" : "\n";
@@ -213,7 +222,8 @@ Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& 
 }
 
 std::string Controller::comment_of_block() {
-  const auto& page = static_cast<const gcode::GcodePage&>(library_.page(interpreter_.running_code(), interpreter_.running().page));
+  const auto& page = static_cast<const gcode::GcodePage&>(
+      library_.page(interpreter_.running_code(), interpreter_.running().page));
   return std::string(page.comment_of(interpreter_.running().instruction));
 }
 
@@ -225,7 +235,8 @@ Verdict Controller::raise_user_alarm(double number) {
     alarms_.raise(Code::argument_range, "#3000 takes 0 to " + std::to_string(most));
     return Verdict::stop;
   }
-  std::string digits = std::to_string(static_cast<int>(rounded) + (parameters_.alarm_number_itself ? 0 : 3000));
+  std::string digits =
+      std::to_string(static_cast<int>(rounded) + (parameters_.alarm_number_itself ? 0 : 3000));
   digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
   base::Diagnostic alarm = base::make_error(Code::user_alarm, interpreter_.place());
   alarm.number = "MC" + digits;

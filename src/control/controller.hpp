@@ -31,22 +31,23 @@ enum class Halt : std::uint8_t {
   alarm
 };
 
-/// The control of a machining centre: executes the blocks that the interpreter hands it and emits what
-/// the machine must do. Reads all its settings from the machine; knows neither time nor files.
+/// The control of a machining centre: executes the blocks that the interpreter hands it and emits
+/// what the machine must do. Reads all its settings from the machine; knows neither time nor files.
 class Controller : public vm::Host, private Whereabouts {
  public:
-  Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory, gcode::CodeLibrary& library,
-             ProgramFinder& finder, Surroundings& surroundings, MotionSink& sink);
+  Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory,
+             gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings,
+             MotionSink& sink);
 
   /// Power-on state of everything but memory and position, standing at the head of `main`.
   void start(vm::CodeId main);
 
-  /// The reset button: power-on state of all modes and words, volatile variables vacant, no alarm. The
-  /// tool stays where it is, and so do offsets and the G92 shift.
+  /// The reset button: power-on state of all modes and words, volatile variables vacant, no alarm.
+  /// The tool stays where it is, and so do offsets and the G92 shift.
   void reset();
 
-  /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the motions
-  /// is not ready, or the budget is used up. Not after an end or an alarm.
+  /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the
+  /// motions is not ready, or the budget is used up. Not after an end or an alarm.
   Halt run(std::uint64_t instructions);
 
   [[nodiscard]] Halt halt() const { return halt_; }
@@ -56,8 +57,12 @@ class Controller : public vm::Host, private Whereabouts {
   [[nodiscard]] const Coordinates& coordinates() const { return state_.coordinates; }
   /// Machine coordinates as #5021 reads them: tool length included.
   [[nodiscard]] base::AxisVector machine_position() const;
-  [[nodiscard]] std::span<double> first_level_locals() { return interpreter_.locals_of_first_level(); }
+  [[nodiscard]] std::span<double> first_level_locals() {
+    return interpreter_.locals_of_first_level();
+  }
   [[nodiscard]] std::span<double> running_locals() { return interpreter_.locals(); }
+  /// The text that is executing, or that comes next.
+  [[nodiscard]] base::Place standing_at() { return interpreter_.place(); }
   [[nodiscard]] std::string running_program() const { return calls_.running_name(); }
 
   void set_single_block(bool on) { single_block_ = on; }
@@ -74,7 +79,8 @@ class Controller : public vm::Host, private Whereabouts {
   [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
 
   // vm::Host
-  vm::Verdict execute(const vm::CodePage& page, std::uint32_t block, const double* registers) override;
+  vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
+                      const double* registers) override;
   bool read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
@@ -88,21 +94,30 @@ class Controller : public vm::Host, private Whereabouts {
   std::string program_name() const override { return calls_.running_name(); }
 
   struct BlockCall {
-    enum class Kind : std::uint8_t { none, macro, modal, every_block, code_macro } kind = Kind::none;
+    enum class Kind : std::uint8_t {
+      none,
+      macro,
+      modal,
+      every_block,
+      code_macro
+    } kind = Kind::none;
     std::size_t first_argument = 0;  ///< index behind the call's own word
     std::uint32_t program = 0;       ///< of a call by code
     const gcode::Word* word = nullptr;
   };
 
   void begin(const gcode::GcodePage& page, const gcode::Statement& statement);
-  vm::Verdict execute_words(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
-  std::span<const gcode::Word> fetch(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
+  vm::Verdict execute_words(const gcode::GcodePage& page, const gcode::Statement& statement,
+                            const double* registers);
+  std::span<const gcode::Word> fetch(const gcode::GcodePage& page,
+                                     const gcode::Statement& statement, const double* registers);
   bool collect(std::span<const gcode::Word> block);
   bool collect_g(const gcode::Word& word);
   [[nodiscard]] bool calls_subprogram(const gcode::Word& word) const;
   bool check_addresses(std::span<const gcode::Word> block);
   bool find_call(std::span<const gcode::Word> block, BlockCall& call);
-  bool call_program(std::span<const gcode::Word> block, const BlockCall& call, const std::string& name);
+  bool call_program(std::span<const gcode::Word> block, const BlockCall& call,
+                    const std::string& name);
   bool call_by_code(const Words& words, bool& called);
 
   [[nodiscard]] bool is_plain_move() const;
@@ -120,7 +135,8 @@ class Controller : public vm::Host, private Whereabouts {
   vm::Verdict stopped(Halt halt);
   vm::Verdict verdict_of(bool good);
 
-  vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement, const double* registers);
+  vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement,
+                    const double* registers);
   vm::Verdict raise_user_alarm(double number);
   vm::Verdict show_message();
   std::string comment_of_block();
@@ -154,9 +170,9 @@ class Controller : public vm::Host, private Whereabouts {
   std::string printed_;
   bool codes_call_macros_ = false;       // some G or M code does (6050, 6080)
   bool codes_call_subprograms_ = false;  // some M code, T, S or B does (6071, TCS, SCS, BCS)
-  bool mid_block_ = false;       // a block waits for its cycle to go on
-  bool moved_ = false;           // the block has commanded axis movement
-  bool transferred_ = false;     // the block has called or returned
+  bool mid_block_ = false;               // a block waits for its cycle to go on
+  bool moved_ = false;                   // the block has commanded axis movement
+  bool transferred_ = false;             // the block has called or returned
   Halt halt_ = Halt::none;
   bool single_block_ = false;
   bool optional_stop_ = false;

@@ -39,8 +39,8 @@ class Coordinates {
     program_ = program;
     path_ = path;
   }
-  /// The tool has come to a point of the machine's coordinate system by other means than a programmed
-  /// target (G28, G53, G31): the programmed point follows.
+  /// The tool has come to a point of the machine's coordinate system by other means than a
+  /// programmed target (G28, G53, G31): the programmed point follows.
   void arrive_at(const base::AxisVector& path);
   void set_length(base::Axis axis, double offset) { length_[axis] = offset; }
 

@@ -41,7 +41,9 @@ Curve offset_curve(const PathStep& step, Vec2 at, Vec2 direction, double offset)
 bool near(Vec2 a, Vec2 b) { return geometry::length(a - b) <= kSmall_mm; }
 
 // Signed angle from a to b, both seen from the centre.
-double angle_between(Vec2 a, Vec2 b) { return std::atan2(geometry::cross(a, b), geometry::dot(a, b)); }
+double angle_between(Vec2 a, Vec2 b) {
+  return std::atan2(geometry::cross(a, b), geometry::dot(a, b));
+}
 
 }  // namespace
 
@@ -132,8 +134,9 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
     const double turn = geometry::cross(d1, d2);
     const bool outside = turn * offset < 0;
     if (wall) {
-      const auto points = geometry::intersect(offset_curve(held_->step, at, d1, offset),
-                                              {false, at + offset * geometry::left_of(d2), d2, 0}, kSmall_mm);
+      const auto points =
+          geometry::intersect(offset_curve(held_->step, at, d1, offset),
+                              {false, at + offset * geometry::left_of(d2), d2, 0}, kSmall_mm);
       if (points.count > 0) way.end = points.points[0];
     } else if (settings_.start_up == 'B' && outside) {
       turn_outside(at, d1, d2, offset, way);
@@ -265,7 +268,8 @@ bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) cons
   return true;
 }
 
-// The common point of the offsets of the held move and the next one that lies nearest to the corner.
+// The common point of the offsets of the held move and the next one that lies nearest to the
+// corner.
 bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
   const Vec2 at = held_->step.to;
   const Curve a = offset_curve(held_->step, at, direction_at_end(held_->step), held_->offset);
@@ -284,7 +288,8 @@ bool CutterCompensation::runs_backwards(Vec2 end) const {
   const PathStep& step = held_->step;
   if (held_->start_up) return false;
   if (!step.is_arc) {
-    return geometry::dot(end - held_->start, step.to - step.from) < -kSmall_mm * geometry::length(step.to - step.from);
+    return geometry::dot(end - held_->start, step.to - step.from) <
+           -kSmall_mm * geometry::length(step.to - step.from);
   }
   const double sign = step.clockwise ? -1 : 1;
   const Vec2 start = held_->start;
@@ -299,7 +304,8 @@ bool CutterCompensation::runs_backwards(Vec2 end) const {
 bool CutterCompensation::emit_held(Vec2 end) {
   const PathStep& step = held_->step;
   if (runs_backwards(end)) {
-    return alarms_.raise_at(Code::interference, step.place, "the compensated move would run backwards");
+    return alarms_.raise_at(Code::interference, step.place,
+                            "the compensated move would run backwards");
   }
   emit_to(step, end);
   return true;
@@ -325,15 +331,22 @@ void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
   Motion motion = step.motion;
   Feed feed;
   base::AxisVector to = *target_of(motion);
-  std::visit([&](const auto& action) { if constexpr (requires { action.feed; }) feed = action.feed; },
-             motion.action);
+  std::visit(
+      [&](const auto& action) {
+        if constexpr (requires { action.feed; }) feed = action.feed;
+      },
+      motion.action);
   plane_.place(to, {base::tidy(corner.start.u), base::tidy(corner.start.v)});
   if (std::holds_alternative<Rapid>(motion.action)) {
     motion.action = Rapid{to};
   } else {
-    const Plane plane = plane_.first_offset == 'I' ? Plane::xy : plane_.first_offset == 'K' ? Plane::zx : Plane::yz;
-    motion.action = Arc{to, {centre.u, centre.v}, feed, 0, plane,
-                        corner.clockwise ? Direction::clockwise : Direction::counterclockwise};
+    const Plane plane = plane_.first_offset == 'I'   ? Plane::xy
+                        : plane_.first_offset == 'K' ? Plane::zx
+                                                     : Plane::yz;
+    motion.action =
+        Arc{to,    {centre.u, centre.v},
+            feed,  0,
+            plane, corner.clockwise ? Direction::clockwise : Direction::counterclockwise};
   }
   emit(motion);
 }

@@ -35,8 +35,8 @@ struct PathStep {
 ///        ----+   |                    |   |P  path          tool | P   \        b' = P + N2 - r d2
 ///                |P                   |   |                      |/\    \       .
 ///
-/// N1, N2 are the offset vectors at the end of one move and at the beginning of the next, d1, d2 their
-/// directions. What is not a move in the plane keeps its place in the order.
+/// N1, N2 are the offset vectors at the end of one move and at the beginning of the next, d1, d2
+/// their directions. What is not a move in the plane keeps its place in the order.
 class CutterCompensation {
  public:
   struct Settings {
@@ -64,8 +64,8 @@ class CutterCompensation {
   [[nodiscard]] bool end_with(const PathStep& step, std::optional<geometry::Vec2> wall);
   /// Anything else, in order. A target keeps the tool where it is in the plane.
   void beside(const Motion& motion);
-  /// A block without a move in the plane is over; behind two of them the corner is not looked at any
-  /// more (CRC-1).
+  /// A block without a move in the plane is over; behind two of them the corner is not looked at
+  /// any more (CRC-1).
   [[nodiscard]] bool idle_block();
   /// Lets go of what is held: the move ends perpendicular to its end. False: an alarm was raised.
   [[nodiscard]] bool release();
@@ -79,7 +79,7 @@ class CutterCompensation {
 
   // How the tool gets from one move to the next.
   struct Corner {
-    geometry::Vec2 end;                  // of the first move
+    geometry::Vec2 end;                   // of the first move
     std::array<geometry::Vec2, 2> via{};  // further points before the second begins
     std::size_t via_count = 0;
     bool arc = false;        // the way from `end` to via[0] is an arc about the corner
@@ -98,7 +98,8 @@ class CutterCompensation {
   bool corner(const PathStep& next, double next_offset, Corner& corner);
   bool start_up_corner(const PathStep& next, Corner& corner) const;
   bool meet(const PathStep& next, geometry::Vec2& point) const;
-  void turn_outside(geometry::Vec2 at, geometry::Vec2 d1, geometry::Vec2 d2, double offset, Corner& corner) const;
+  void turn_outside(geometry::Vec2 at, geometry::Vec2 d1, geometry::Vec2 d2, double offset,
+                    Corner& corner) const;
   bool go_through(const Corner& corner);
   bool emit_held(geometry::Vec2 end);
   void emit_to(const PathStep& step, geometry::Vec2 to);

@@ -34,8 +34,9 @@ bool Settings::set_data(const Words& words) {
     return true;
   }
   if (tool_part(state_.parameters.offset_memory, l) < 0) {
-    return state_.alarms.raise(Code::g10_format, words['L'], "this L does not exist with offset memory " +
-                                                                 std::string(1, state_.parameters.offset_memory));
+    return state_.alarms.raise(Code::g10_format, words['L'],
+                               "this L does not exist with offset memory " +
+                                   std::string(1, state_.parameters.offset_memory));
   }
   return set_tool_offset(words, l);
 }
@@ -47,7 +48,8 @@ bool Settings::set_work_offset(const Words& words) {
   const bool extended = base::round_away(words['L'].value) == 20;
   const auto most = static_cast<std::int64_t>(extended ? kExtendedSystems : kWorkSystems);
   if (p < (extended ? 1 : 0) || p > most) {
-    return state_.alarms.raise(Code::g10_format, words['P'], "there is no such work coordinate system");
+    return state_.alarms.raise(Code::g10_format, words['P'],
+                               "there is no such work coordinate system");
   }
   AxisVector values;
   AxisSet named = 0;
@@ -64,7 +66,8 @@ bool Settings::set_work_offset(const Words& words) {
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(named, axis)) continue;
-    target[axis] = state_.modal.incremental() ? base::tidy(target[axis] + values[axis]) : values[axis];
+    target[axis] =
+        state_.modal.incremental() ? base::tidy(target[axis] + values[axis]) : values[axis];
   }
   state_.coordinates.offsets_changed();
   return true;
@@ -76,13 +79,17 @@ bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
   if (!words.has('P') || !words.has('R')) {
     return state_.alarms.raise(Code::g10_format, words.has('P') ? "R is missing" : "P is missing");
   }
-  if (!state_.values.integer(words['P'], 0, 99999999, p) || !state_.values.length(words['R'], value)) return false;
+  if (!state_.values.integer(words['P'], 0, 99999999, p) ||
+      !state_.values.length(words['R'], value))
+    return false;
   if (p < 1 || p > state_.parameters.n_offsets) {
-    return state_.alarms.raise(Code::illegal_offset_number, words['P'],
-                               "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
+    return state_.alarms.raise(
+        Code::illegal_offset_number, words['P'],
+        "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
   }
   ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(p)];
-  double* const parts[] = {&tool.length_geometry, &tool.length_wear, &tool.radius_geometry, &tool.radius_wear};
+  double* const parts[] = {&tool.length_geometry, &tool.length_wear, &tool.radius_geometry,
+                           &tool.radius_wear};
   double& part = *parts[tool_part(state_.parameters.offset_memory, l)];
   if (state_.modal.incremental()) value = base::tidy(part + value);
   if (value > kMostToolOffset || value < -kMostToolOffset) {
@@ -100,7 +107,8 @@ bool Settings::enter_parameter(const Words& words, std::uint32_t number) {
   if (!state_.values.plain(words['R'], value)) return false;
   const std::string key = std::to_string(number);
   if (!Parameters::is_key(key)) {
-    state_.assume(Assumed::parameter_entry, "parameter entry by G10 L50: Kerf does not have this parameter");
+    state_.assume(Assumed::parameter_entry,
+                  "parameter entry by G10 L50: Kerf does not have this parameter");
     return true;
   }
   const auto set = state_.parameters.set(key, base::number_text(value));

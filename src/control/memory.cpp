@@ -10,8 +10,6 @@ Memory::Memory(int n_offsets) : tools(static_cast<std::size_t>(n_offsets) + 1) {
   commons.fill(vm::kNull);
 }
 
-void Memory::clear_volatile() {
-  std::fill_n(commons.begin(), gcode::kVolatileCommons, vm::kNull);
-}
+void Memory::clear_volatile() { std::fill_n(commons.begin(), gcode::kVolatileCommons, vm::kNull); }
 
 }  // namespace kerf::control

@@ -24,16 +24,18 @@ struct ToolOffset {
 inline constexpr std::size_t kWorkSystems = 6;        ///< G54 to G59
 inline constexpr std::size_t kExtendedSystems = 300;  ///< G54.1 P1 to P300
 
-/// What survives power-off, and the volatile common variables beside it. Lengths in mm, machine axes.
+/// What survives power-off, and the volatile common variables beside it. Lengths in mm, machine
+/// axes.
 struct Memory {
-  std::array<double, gcode::kGlobals> commons{};  ///< #100 to #199, then #500 to #999; vm::kNull: vacant
-  base::AxisVector external;                      ///< EXT
+  std::array<double, gcode::kGlobals>
+      commons{};              ///< #100 to #199, then #500 to #999; vm::kNull: vacant
+  base::AxisVector external;  ///< EXT
   std::array<base::AxisVector, kWorkSystems> work{};
   std::vector<base::AxisVector> extended = std::vector<base::AxisVector>(kExtendedSystems);
-  std::vector<ToolOffset> tools;      ///< index 1 to n_offsets; entry 0 is "no offset" and stays 0
-  double parts = 0;                   ///< #3901
-  double parts_required = 0;          ///< #3902
-  double running_hours = 0;           ///< #3002
+  std::vector<ToolOffset> tools;  ///< index 1 to n_offsets; entry 0 is "no offset" and stays 0
+  double parts = 0;               ///< #3901
+  double parts_required = 0;      ///< #3902
+  double running_hours = 0;       ///< #3002
   std::map<std::string, std::uint32_t> names;  ///< of SETVN
 
   explicit Memory(int n_offsets);

@@ -46,7 +46,9 @@ class ModalState {
  public:
   explicit ModalState(const Parameters& parameters);
 
-  [[nodiscard]] GCode operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
+  [[nodiscard]] GCode operator[](Group group) const {
+    return codes_[static_cast<std::size_t>(group)];
+  }
   void set(Group group, GCode code) { codes_[static_cast<std::size_t>(group)] = code; }
 
   [[nodiscard]] bool incremental() const { return (*this)[Group::distance] == 910; }

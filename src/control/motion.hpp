@@ -62,9 +62,9 @@ struct Line {
   Feed feed;
 };
 
-/// Circular arc in `plane` about `center`, from where the tool stands to `to`. The radius may change
-/// linearly with the angle within the control's tolerance; axes outside of the plane move linearly
-/// with the angle (helix). An end equal to the start is a full circle.
+/// Circular arc in `plane` about `center`, from where the tool stands to `to`. The radius may
+/// change linearly with the angle within the control's tolerance; axes outside of the plane move
+/// linearly with the angle (helix). An end equal to the start is a full circle.
 struct Arc {
   base::AxisVector to;
   std::array<double, 2> center{};  ///< in the order of the plane's axes
@@ -133,8 +133,8 @@ struct Message {
 /// End of the program: M02, M30.
 struct End {};
 
-/// One item of what the machine must do, in the order in which it happens. Plain value: no pointers,
-/// copies bytewise.
+/// One item of what the machine must do, in the order in which it happens. Plain value: no
+/// pointers, copies bytewise.
 struct Motion {
   using Action = std::variant<Rapid, Line, Arc, Dwell, ToolChange, Spindle, Coolant, Power, Probe,
                               Thread, AuxiliaryCode, Stop, Message, End>;
@@ -149,8 +149,8 @@ class MotionSink {
  public:
   virtual ~MotionSink() = default;
   virtual void take(const Motion& motion) = 0;
-  /// False while the receiver would rather not be given more: whoever can, pauses. A few motions more
-  /// are always taken.
+  /// False while the receiver would rather not be given more: whoever can, pauses. A few motions
+  /// more are always taken.
   [[nodiscard]] virtual bool ready() const { return true; }
 };
 

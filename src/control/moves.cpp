@@ -27,7 +27,8 @@ bool Moves::feed(const Words* words, Feed& feed) {
   }
   feed.value = state_.words.feed;
   if (feed.value > 0) return true;
-  return state_.alarms.raise(Code::feed_zero, words != nullptr && words->has('F') ? "F is 0" : "no F has been commanded");
+  return state_.alarms.raise(
+      Code::feed_zero, words != nullptr && words->has('F') ? "F is 0" : "no F has been commanded");
 }
 
 void Moves::apply_length(base::AxisSet named) {
@@ -50,8 +51,10 @@ bool Moves::check_limits(const AxisVector& target) {
     if (machine > config.travel_max || machine < config.travel_min) {
       return state_.alarms.raise(
           machine > config.travel_max ? Code::overtravel_plus : Code::overtravel_minus,
-          std::string(1, config.letter) + " would go to " + base::number_text(machine) + ", the limit is " +
-              base::number_text(machine > config.travel_max ? config.travel_max : config.travel_min));
+          std::string(1, config.letter) + " would go to " + base::number_text(machine) +
+              ", the limit is " +
+              base::number_text(machine > config.travel_max ? config.travel_max
+                                                            : config.travel_min));
     }
   }
   return true;
@@ -92,7 +95,8 @@ bool Moves::execute(const Words& words, bool& moved) {
     if (!state_.path.rapid(state_.coordinates.path(), path)) return false;
   } else {
     Feed rate;
-    if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate)) return false;
+    if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate))
+      return false;
   }
   return finish(target, path);
 }
@@ -103,8 +107,8 @@ bool Moves::centre_offset(const Words& words, char letter, double& mm) {
 }
 
 // The centre in programmed coordinates. `nothing`: R with an end equal to the start (ARC-4).
-bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target& target, bool clockwise,
-                        Vec2& centre, bool& nothing) {
+bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target& target,
+                        bool clockwise, Vec2& centre, bool& nothing) {
   const Vec2 from = plane.project(state_.coordinates.program());
   const Vec2 to = plane.project(target.program);
   if (words.has('R')) {
@@ -112,21 +116,25 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
     if (!state_.values.length(words['R'], radius)) return false;
     nothing = from == to;
     if (nothing) return true;
-    const auto found = geometry::centre_from_radius(from, to, radius, clockwise, state_.parameters.arc_tolerance);
+    const auto found =
+        geometry::centre_from_radius(from, to, radius, clockwise, state_.parameters.arc_tolerance);
     if (!found) {
-      return state_.alarms.raise(Code::arc_radius_tolerance, words['R'],
-                                 "the chord is " + base::number_text(base::tidy(geometry::length(to - from))) +
-                                     " mm long, the diameter " + base::number_text(2 * std::fabs(radius)));
+      return state_.alarms.raise(
+          Code::arc_radius_tolerance, words['R'],
+          "the chord is " + base::number_text(base::tidy(geometry::length(to - from))) +
+              " mm long, the diameter " + base::number_text(2 * std::fabs(radius)));
     }
     centre = *found;
     return true;
   }
   if (!words.has(plane.first_offset) && !words.has(plane.second_offset)) {
     if (!words.has_any(kCentreLetters)) return state_.alarms.raise(Code::arc_without_centre);
-    return state_.alarms.raise(Code::illegal_plane_axis, "I, J or K belongs to an axis outside of the plane");
+    return state_.alarms.raise(Code::illegal_plane_axis,
+                               "I, J or K belongs to an axis outside of the plane");
   }
   Vec2 offset;
-  if (!centre_offset(words, plane.first_offset, offset.u) || !centre_offset(words, plane.second_offset, offset.v)) {
+  if (!centre_offset(words, plane.first_offset, offset.u) ||
+      !centre_offset(words, plane.second_offset, offset.v)) {
     return false;
   }
   centre = from + offset;
@@ -134,26 +142,31 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
   const double end_radius = geometry::length(to - centre);
   if (std::fabs(start_radius - end_radius) > state_.parameters.arc_tolerance) {
     return state_.alarms.raise(Code::arc_radius_tolerance,
-                               "radius " + base::number_text(base::tidy(start_radius)) + " at the start, " +
-                                   base::number_text(base::tidy(end_radius)) + " at the end");
+                               "radius " + base::number_text(base::tidy(start_radius)) +
+                                   " at the start, " + base::number_text(base::tidy(end_radius)) +
+                                   " at the end");
   }
   return true;
 }
 
 bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane) return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
+  if (!plane)
+    return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   const Transform& transform = state_.coordinates.transform();
   if (transform.rotated() && !transform.rotates(*plane)) {
     return state_.alarms.raise(Code::illegal_transform_plane);
   }
-  const auto outside = static_cast<unsigned>(target.named & ~(base::only(plane->first) | base::only(plane->second)));
+  const auto outside =
+      static_cast<unsigned>(target.named & ~(base::only(plane->first) | base::only(plane->second)));
   if (std::popcount(outside) > kMostHelixAxes) return state_.alarms.raise(Code::helix_axes);
-  if (words.has('F') && state_.words.feed == 0) return state_.alarms.raise(Code::arc_in_rapid, words['F']);
+  if (words.has('F') && state_.words.feed == 0)
+    return state_.alarms.raise(Code::arc_in_rapid, words['F']);
   Feed rate;
   Vec2 centre;
   bool nothing = false;
-  if (!feed(&words, rate) || !read_centre(words, *plane, target, clockwise, centre, nothing)) return false;
+  if (!feed(&words, rate) || !read_centre(words, *plane, target, clockwise, centre, nothing))
+    return false;
   const AxisVector path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   const AxisVector from = state_.coordinates.path();
@@ -163,23 +176,27 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   const Vec2 image = plane->project(state_.coordinates.path_of(centre_point));
   const bool reversed = transform.reverses(*plane);
   const ArcShape shape{state_.modal.plane(), *plane, image,
-                       clockwise != reversed ? Direction::clockwise : Direction::counterclockwise, 0};
+                       clockwise != reversed ? Direction::clockwise : Direction::counterclockwise,
+                       0};
   return state_.path.arc(from, path, shape, rate) && finish(target, path);
 }
 
 // G33: the lead is F, or E where it is used.
 bool Moves::thread(const Words& words, const Target& target) {
-  if (!words.has('F') && state_.words.feed == 0) return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
+  if (!words.has('F') && state_.words.feed == 0)
+    return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
   double lead = state_.words.feed;
   if (words.has('F')) {
     lead = words['F'].value;
-    const bool bare = words['F'].has(gcode::WordFlag::literal) && !words['F'].has(gcode::WordFlag::point);
+    const bool bare =
+        words['F'].has(gcode::WordFlag::literal) && !words['F'].has(gcode::WordFlag::point);
     if (bare && !state_.parameters.calculator_point) lead *= state_.modal.inch() ? 0.0001 : 0.01;
     if (state_.modal.inch()) lead = base::tidy(lead * 25.4);
     state_.words.feed = lead;
   }
   const AxisVector path = state_.coordinates.path_of(target.program);
-  return check_limits(path) && state_.path.straight(Thread{path, base::tidy(lead)}) && finish(target, path);
+  return check_limits(path) && state_.path.straight(Thread{path, base::tidy(lead)}) &&
+         finish(target, path);
 }
 
 }  // namespace kerf::control

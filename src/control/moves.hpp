@@ -11,8 +11,9 @@ class Moves {
  public:
   Moves(State& state, Targets& targets) : state_(state), targets_(targets) {}
 
-  /// Executes the move of a block in the active motion mode. `moved` tells whether the block commands
-  /// axis movement, be it of length zero. False: an alarm was raised, nothing has happened.
+  /// Executes the move of a block in the active motion mode. `moved` tells whether the block
+  /// commands axis movement, be it of length zero. False: an alarm was raised, nothing has
+  /// happened.
   [[nodiscard]] bool execute(const Words& words, bool& moved);
 
   /// The feed of a cutting move; alarm PS0011 without one, PS1202 in G93 without F in the block.
@@ -22,7 +23,8 @@ class Moves {
   void apply_length(base::AxisSet named);
   /// Stored stroke limits and the largest coordinate. `target` without tool length.
   [[nodiscard]] bool check_limits(const base::AxisVector& target);
-  /// Straight move, fast or at feed, to a programmed point; the programmed point is there afterwards.
+  /// Straight move, fast or at feed, to a programmed point; the programmed point is there
+  /// afterwards.
   [[nodiscard]] bool rapid_to(const base::AxisVector& program);
   [[nodiscard]] bool line_to(const base::AxisVector& program, const Feed& feed);
 

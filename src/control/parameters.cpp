@@ -8,7 +8,8 @@
 namespace kerf::control {
 namespace {
 
-using Member = std::variant<bool Parameters::*, int Parameters::*, double Parameters::*, char Parameters::*>;
+using Member =
+    std::variant<bool Parameters::*, int Parameters::*, double Parameters::*, char Parameters::*>;
 
 struct Row {
   std::string_view key;
@@ -20,27 +21,35 @@ struct Row {
   std::string_view meaning;
 };
 
-
 constexpr Row kRows[] = {
-    {"DPI", "3401#0", &Parameters::calculator_point, 0, 1, "", "numbers without a point count whole units"},
-    {"unit", "0000#2", &Parameters::power_on_inch, 0, 1, "", "power-on unit: 0 mm (G21), 1 inch (G20)"},
-    {"G01_default", "3402#0", &Parameters::power_on_line, 0, 1, "", "power-on motion: 0 G00, 1 G01"},
+    {"DPI", "3401#0", &Parameters::calculator_point, 0, 1, "",
+     "numbers without a point count whole units"},
+    {"unit", "0000#2", &Parameters::power_on_inch, 0, 1, "",
+     "power-on unit: 0 mm (G21), 1 inch (G20)"},
+    {"G01_default", "3402#0", &Parameters::power_on_line, 0, 1, "",
+     "power-on motion: 0 G00, 1 G01"},
     {"offset_memory", "", &Parameters::offset_memory, 0, 0, "ABC", "tool offset memory"},
     {"n_offsets", "", &Parameters::n_offsets, 1, 999, "", "number of tool offsets"},
-    {"V15", "6000#3", &Parameters::offset_numbering_15, 0, 1, "", "numbering of the tool offset variables"},
+    {"V15", "6000#3", &Parameters::offset_numbering_15, 0, 1, "",
+     "numbering of the tool offset variables"},
     {"macro_levels", "", &Parameters::macro_levels, 0, 99, "", "macro calls inside each other"},
     {"sub_levels", "", &Parameters::sub_levels, 0, 99, "", "subprograms inside each other"},
     {"total_levels", "", &Parameters::total_levels, 0, 199, "", "macros and subprograms together"},
     {"CLV", "6001#7", &Parameters::keep_locals, 0, 1, "", "1: local variables survive the reset"},
     {"CCV", "6001#6", &Parameters::keep_commons, 0, 1, "", "1: #100 to #199 survive the reset"},
-    {"PRT", "6001#1", &Parameters::print_without_blanks, 0, 1, "", "DPRNT: 1 without leading blanks"},
+    {"PRT", "6001#1", &Parameters::print_without_blanks, 0, 1, "",
+     "DPRNT: 1 without leading blanks"},
     {"print_cr", "", &Parameters::print_cr, 0, 1, "", "DPRNT: 1 ends its lines with CR LF"},
-    {"NAT", "6004#0", &Parameters::signed_angles, 0, 1, "", "1: ATAN gives -180 to 180, ASIN -90 to 90"},
+    {"NAT", "6004#0", &Parameters::signed_angles, 0, 1, "",
+     "1: ATAN gives -180 to 180, ASIN -90 to 90"},
     {"MFZ", "6004#1", &Parameters::small_is_zero, 0, 1, "", "1: SIN, COS, TAN below 1e-8 are 0"},
-    {"MCA", "6008#1", &Parameters::alarm_number_itself, 0, 1, "", "1: #3000=n shows n instead of 3000+n"},
+    {"MCA", "6008#1", &Parameters::alarm_number_itself, 0, 1, "",
+     "1: #3000=n shows n instead of 3000+n"},
     {"IJK", "6008#7", &Parameters::single_ijk, 0, 1, "", "1: I, J, K are always #4, #5, #6"},
-    {"G67", "6000#0", &Parameters::ignore_lone_g67, 0, 1, "", "1: G67 without a modal call is ignored"},
-    {"SBM", "6000#5", &Parameters::stop_at_macro, 0, 1, "", "1: single block stops at macro statements"},
+    {"G67", "6000#0", &Parameters::ignore_lone_g67, 0, 1, "",
+     "1: G67 without a modal call is ignored"},
+    {"SBM", "6000#5", &Parameters::stop_at_macro, 0, 1, "",
+     "1: single block stops at macro statements"},
     {"TCS", "6001#5", &Parameters::t_calls_program, 0, 1, "", "1: T calls O9000"},
     {"SCS", "", &Parameters::s_calls_program, 0, 1, "", "1: S calls O9029"},
     {"BCS", "", &Parameters::b_calls_program, 0, 1, "", "1: B calls O9028"},
@@ -52,12 +61,18 @@ constexpr Row kRows[] = {
     {"d_G73", "5114", &Parameters::d_g73, 0, 1000, "", "retract of G73, mm"},
     {"d_G83", "5115", &Parameters::d_g83, 0, 1000, "", "clearance of G83, mm"},
     {"SCR", "5400#7", &Parameters::scale_thousandth, 0, 1, "", "G51 P counts 0.001 (0: 0.00001)"},
-    {"rotation_angle", "5410", &Parameters::rotation_default, -360, 360, "", "G68 without R, degrees"},
-    {"shift_direction", "5148", &Parameters::shift_direction, -2, 2, "", "G76, G87 shift: 1 +X, -1 -X, 2 +Y, -2 -Y"},
-    {"drilling_axis", "5101#0", &Parameters::drill_along_normal, 0, 1, "", "cycles drill along: 0 Z, 1 the plane's normal"},
-    {"stroke_check", "", &Parameters::stroke_check, 0, 1, "", "1: stored stroke limits are checked"},
-    {"length_axis", "5001#0", &Parameters::length_axis_type, 0, 1, "", "tool length: 0 Z, 1 the axis of the block"},
-    {"external_call", "6030", &Parameters::external_call_m, 0, 99999999, "", "M code that calls an external subprogram"}};
+    {"rotation_angle", "5410", &Parameters::rotation_default, -360, 360, "",
+     "G68 without R, degrees"},
+    {"shift_direction", "5148", &Parameters::shift_direction, -2, 2, "",
+     "G76, G87 shift: 1 +X, -1 -X, 2 +Y, -2 -Y"},
+    {"drilling_axis", "5101#0", &Parameters::drill_along_normal, 0, 1, "",
+     "cycles drill along: 0 Z, 1 the plane's normal"},
+    {"stroke_check", "", &Parameters::stroke_check, 0, 1, "",
+     "1: stored stroke limits are checked"},
+    {"length_axis", "5001#0", &Parameters::length_axis_type, 0, 1, "",
+     "tool length: 0 Z, 1 the axis of the block"},
+    {"external_call", "6030", &Parameters::external_call_m, 0, 99999999, "",
+     "M code that calls an external subprogram"}};
 
 const Row* find(std::string_view key) {
   for (const Row& row : kRows) {
@@ -66,9 +81,11 @@ const Row* find(std::string_view key) {
   return nullptr;
 }
 
-tl::unexpected<base::Failure> usage(std::string_view key, std::string_view value, const std::string& what) {
-  return tl::unexpected(base::Failure{
-      base::Failure::Kind::usage, "parameter " + std::string(key) + "=" + std::string(value) + ": " + what});
+tl::unexpected<base::Failure> usage(std::string_view key, std::string_view value,
+                                    const std::string& what) {
+  return tl::unexpected(
+      base::Failure{base::Failure::Kind::usage,
+                    "parameter " + std::string(key) + "=" + std::string(value) + ": " + what});
 }
 
 bool parse(std::string_view text, double& number) {
@@ -96,7 +113,8 @@ int* code_slot(Parameters& parameters, std::string_view key, double& scale) {
     scale = 10;
     return &parameters.g_macro[static_cast<std::size_t>(code - 6050)];
   }
-  if (code >= 6080 && code <= 6089) return &parameters.m_macro[static_cast<std::size_t>(code - 6080)];
+  if (code >= 6080 && code <= 6089)
+    return &parameters.m_macro[static_cast<std::size_t>(code - 6080)];
   if (code >= 6071 && code <= 6079) return &parameters.m_sub[static_cast<std::size_t>(code - 6071)];
   return nullptr;
 }
@@ -113,7 +131,8 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
   double number = 0;
   double scale = 1;
   if (int* const slot = code_slot(*this, key, scale)) {
-    if (!parse(value, number) || number < 0 || number > 99999999) return usage(key, value, "a code is expected");
+    if (!parse(value, number) || number < 0 || number > 99999999)
+      return usage(key, value, "a code is expected");
     *slot = static_cast<int>(std::lround(number * scale));
     return {};
   }
@@ -128,8 +147,9 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
   }
   if (row->key == "unit") value = unit_value(value);
   if (!parse(value, number) || number < row->low || number > row->high) {
-    return usage(key, value, "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
-                                 std::to_string(static_cast<int>(row->high)) + " is expected");
+    return usage(key, value,
+                 "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
+                     std::to_string(static_cast<int>(row->high)) + " is expected");
   }
   const bool whole = !std::holds_alternative<double Parameters::*>(row->member);
   if (whole && number != std::floor(number)) return usage(key, value, "a whole number is expected");

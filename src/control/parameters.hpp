@@ -10,8 +10,8 @@
 
 namespace kerf::control {
 
-/// Settings of the control: data of the machine file, each changeable by name (fanuc-dialect.md §0.1).
-/// Lengths in mm.
+/// Settings of the control: data of the machine file, each changeable by name (fanuc-dialect.md
+/// §0.1). Lengths in mm.
 struct Parameters {
   bool calculator_point = false;  ///< DPI: a number without a point counts whole units
   bool power_on_inch = false;     ///< unit
@@ -22,8 +22,8 @@ struct Parameters {
   int macro_levels = 4;
   int sub_levels = 10;
   int total_levels = 15;
-  bool keep_locals = false;   ///< CLV
-  bool keep_commons = false;  ///< CCV
+  bool keep_locals = false;          ///< CLV
+  bool keep_commons = false;         ///< CCV
   bool print_without_blanks = true;  ///< PRT
   bool print_cr = false;             ///< end lines of DPRNT with CR LF
   bool signed_angles = false;        ///< NAT
@@ -35,22 +35,24 @@ struct Parameters {
   bool t_calls_program = false;      ///< TCS
   bool s_calls_program = false;      ///< SCS
   bool b_calls_program = false;      ///< BCS
-  bool long_program_numbers = false; ///< M98 P takes a program number of up to 8 digits, no repeats
-  char start_up = 'A';               ///< SUP/SUV: cutter compensation start-up type A, B or C
-  bool corner_arc = false;           ///< CCC: outer corners as arcs
-  double arc_tolerance = 0.010;      ///< CRE
+  bool long_program_numbers =
+      false;                     ///< M98 P takes a program number of up to 8 digits, no repeats
+  char start_up = 'A';           ///< SUP/SUV: cutter compensation start-up type A, B or C
+  bool corner_arc = false;       ///< CCC: outer corners as arcs
+  double arc_tolerance = 0.010;  ///< CRE
   double d_g73 = 1.0;
   double d_g83 = 1.0;
   bool scale_thousandth = true;  ///< SCR: G51 P counts 0.001, else 0.00001
   double rotation_default = 0;   ///< 5410: G68 without R, degrees
   int shift_direction = 1;       ///< 5148: ±1 = ±X, ±2 = ±Y: where G76 and G87 shift to
-  bool drill_along_normal = true;  ///< 5101#0: cycles drill along the normal of the plane, else along Z
+  bool drill_along_normal =
+      true;  ///< 5101#0: cycles drill along the normal of the plane, else along Z
   bool stroke_check = false;
-  int length_axis_type = 0;      ///< 5001#0: 0 = always Z, 1 = the axis of the block
-  int external_call_m = 198;     ///< 6030
+  int length_axis_type = 0;       ///< 5001#0: 0 = always Z, 1 = the axis of the block
+  int external_call_m = 198;      ///< 6030
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
-  std::array<int, 9> m_sub{};     ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram
+  std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram
 
   /// Sets the parameter `key` (a name of §0.1 or a FANUC number) from text.
   /// Failure (usage): no such key, or a value that it cannot take.

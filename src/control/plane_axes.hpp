@@ -8,8 +8,8 @@
 
 namespace kerf::control {
 
-/// The axes of a plane: first, second and the normal to both (fanuc-dialect.md §8.2), and the letters
-/// of the centre offsets along the first two.
+/// The axes of a plane: first, second and the normal to both (fanuc-dialect.md §8.2), and the
+/// letters of the centre offsets along the first two.
 struct PlaneAxes {
   base::Axis first{};
   base::Axis second{};
@@ -17,7 +17,9 @@ struct PlaneAxes {
   char first_offset = 'I';
   char second_offset = 'J';
 
-  [[nodiscard]] geometry::Vec2 project(const base::AxisVector& point) const { return {point[first], point[second]}; }
+  [[nodiscard]] geometry::Vec2 project(const base::AxisVector& point) const {
+    return {point[first], point[second]};
+  }
   void place(base::AxisVector& point, geometry::Vec2 at) const {
     point[first] = at.u;
     point[second] = at.v;

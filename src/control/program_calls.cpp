@@ -29,13 +29,15 @@ std::string ProgramCalls::running_name() const {
 }
 
 bool ProgramCalls::has_own_locals(Kind kind) {
-  return kind == Kind::macro || kind == Kind::modal || kind == Kind::code_macro || kind == Kind::interrupt;
+  return kind == Kind::macro || kind == Kind::modal || kind == Kind::code_macro ||
+         kind == Kind::interrupt;
 }
 
 bool ProgramCalls::find(const gcode::Word* p, const std::string& name, vm::CodeId& code) {
   if (!name.empty()) {
     const auto found = finder_.find_program(name);
-    if (!found) return state_.alarms.raise(Code::file_not_found, "there is no program <" + name + ">");
+    if (!found)
+      return state_.alarms.raise(Code::file_not_found, "there is no program <" + name + ">");
     code = *found;
     return true;
   }
@@ -43,7 +45,9 @@ bool ProgramCalls::find(const gcode::Word* p, const std::string& name, vm::CodeI
   std::int64_t number = 0;
   if (!state_.values.integer(*p, 0, kMostProgram, number)) return false;
   const auto found = finder_.find_program(static_cast<std::uint32_t>(number));
-  if (!found) return state_.alarms.raise(Code::program_not_found, *p, "there is no program O" + std::to_string(number));
+  if (!found)
+    return state_.alarms.raise(Code::program_not_found, *p,
+                               "there is no program O" + std::to_string(number));
   code = *found;
   return true;
 }
@@ -55,17 +59,22 @@ bool ProgramCalls::repeats_of(const gcode::Word* l, std::int64_t& repeats) {
 
 // CALL-9, NEST-1
 bool ProgramCalls::check_depth(Kind kind) {
-  const auto macros = std::count_if(levels_.begin(), levels_.end(), [](const Level& l) { return has_own_locals(l.kind); });
+  const auto macros = std::count_if(levels_.begin(), levels_.end(),
+                                    [](const Level& l) { return has_own_locals(l.kind); });
   const auto total = static_cast<std::ptrdiff_t>(levels_.size()) - 1;
   const auto subs = total - macros;
   if (has_own_locals(kind) && macros >= state_.parameters.macro_levels) {
-    return state_.alarms.raise(Code::macro_too_deep, std::to_string(state_.parameters.macro_levels) + " levels are allowed");
+    return state_.alarms.raise(
+        Code::macro_too_deep,
+        std::to_string(state_.parameters.macro_levels) + " levels are allowed");
   }
   if (!has_own_locals(kind) && subs >= state_.parameters.sub_levels) {
-    return state_.alarms.raise(Code::too_deep, std::to_string(state_.parameters.sub_levels) + " levels are allowed");
+    return state_.alarms.raise(
+        Code::too_deep, std::to_string(state_.parameters.sub_levels) + " levels are allowed");
   }
   if (total >= state_.parameters.total_levels) {
-    return state_.alarms.raise(Code::too_deep, std::to_string(state_.parameters.total_levels) + " levels are allowed in all");
+    return state_.alarms.raise(Code::too_deep, std::to_string(state_.parameters.total_levels) +
+                                                   " levels are allowed in all");
   }
   return true;
 }
@@ -81,10 +90,14 @@ bool ProgramCalls::enter(const Level& level, const LocalVariables* locals) {
 
 bool ProgramCalls::call_macro(const CallWords& call, const std::string& name, Kind kind,
                               std::optional<std::uint32_t> number) {
-  Level level{.kind = kind, .modal_depth = levels_.back().modal_depth, .codes_ordinary = levels_.back().codes_ordinary};
+  Level level{.kind = kind,
+              .modal_depth = levels_.back().modal_depth,
+              .codes_ordinary = levels_.back().codes_ordinary};
   if (number) {
     const auto found = finder_.find_program(*number);
-    if (!found) return state_.alarms.raise(Code::program_not_found, "there is no program O" + std::to_string(*number));
+    if (!found)
+      return state_.alarms.raise(Code::program_not_found,
+                                 "there is no program O" + std::to_string(*number));
     level.code = *found;
     level.codes_ordinary = true;
   } else if (!find(call.program, name, level.code)) {
@@ -98,17 +111,20 @@ bool ProgramCalls::call_macro(const CallWords& call, const std::string& name, Ki
 }
 
 // CALL-1: P of 5 to 8 digits is repeats and program, unless the control takes long program numbers.
-bool ProgramCalls::split_subprogram(const Words& words, std::uint32_t& number, std::int64_t& repeats, Kind kind) {
+bool ProgramCalls::split_subprogram(const Words& words, std::uint32_t& number,
+                                    std::int64_t& repeats, Kind kind) {
   std::int64_t p = 0;
   if (!words.has('P')) return state_.alarms.raise(Code::program_not_found, "P is missing");
   if (!state_.values.integer(words['P'], 0, kMostProgram, p)) return false;
   if (!repeats_of(words.find('L'), repeats)) return false;
   number = static_cast<std::uint32_t>(p);
-  if (p < kPackedFrom || state_.parameters.long_program_numbers || kind == Kind::external) return true;
+  if (p < kPackedFrom || state_.parameters.long_program_numbers || kind == Kind::external)
+    return true;
   const auto packed = static_cast<std::uint32_t>(p % kPackedFrom);
   if (!finder_.find_program(packed) && finder_.find_program(number)) {
     state_.assume(Assumed::long_program_number,
-                  "M98 P with more than four digits is read as a program number, because that program exists and "
+                  "M98 P with more than four digits is read as a program number, because that "
+                  "program exists and "
                   "the one of its last four digits does not");
     return true;
   }
@@ -118,7 +134,9 @@ bool ProgramCalls::split_subprogram(const Words& words, std::uint32_t& number, s
 }
 
 bool ProgramCalls::call_subprogram(const Words& words, const std::string& name, Kind kind) {
-  Level level{.kind = kind, .modal_depth = levels_.back().modal_depth, .codes_ordinary = levels_.back().codes_ordinary};
+  Level level{.kind = kind,
+              .modal_depth = levels_.back().modal_depth,
+              .codes_ordinary = levels_.back().codes_ordinary};
   std::int64_t repeats = 1;
   if (!name.empty()) {
     if (!find(nullptr, name, level.code) || !repeats_of(words.find('L'), repeats)) return false;
@@ -126,12 +144,13 @@ bool ProgramCalls::call_subprogram(const Words& words, const std::string& name, 
     std::uint32_t number = 0;
     if (!split_subprogram(words, number, repeats, kind)) return false;
     const bool external = kind == Kind::external;
-    const bool nested = std::any_of(levels_.begin(), levels_.end(), [](const Level& l) { return l.kind == Kind::external; });
+    const bool nested = std::any_of(levels_.begin(), levels_.end(),
+                                    [](const Level& l) { return l.kind == Kind::external; });
     if (external && nested) return state_.alarms.raise(Code::external_nested, words['P']);
     const auto found = external ? finder_.find_external(number) : finder_.find_program(number);
     if (!found) {
-      return state_.alarms.raise(external ? Code::external_not_found : Code::program_not_found, words['P'],
-                                 "there is no program O" + std::to_string(number));
+      return state_.alarms.raise(external ? Code::external_not_found : Code::program_not_found,
+                                 words['P'], "there is no program O" + std::to_string(number));
     }
     level.code = *found;
   }
@@ -142,7 +161,9 @@ bool ProgramCalls::call_subprogram(const Words& words, const std::string& name, 
 
 bool ProgramCalls::call_fixed(std::uint32_t number, std::int64_t repeats, Kind kind) {
   const auto found = finder_.find_program(number);
-  if (!found) return state_.alarms.raise(Code::program_not_found, "there is no program O" + std::to_string(number));
+  if (!found)
+    return state_.alarms.raise(Code::program_not_found,
+                               "there is no program O" + std::to_string(number));
   if (repeats == 0) return true;
   Level level{kind, *found, repeats - 1, levels_.back().modal_depth, true, -1};
   if (kind != Kind::interrupt) return enter(level, nullptr);
@@ -155,7 +176,8 @@ bool ProgramCalls::push_modal(const CallWords& call, const std::string& name, bo
   ModalCall modal;
   modal.every_block = every_block;
   modal.locals = call.locals;
-  if (!find(call.program, name, modal.code) || !repeats_of(call.repeats, modal.repeats)) return false;
+  if (!find(call.program, name, modal.code) || !repeats_of(call.repeats, modal.repeats))
+    return false;
   modal_.push_back(modal);
   return true;
 }
@@ -192,8 +214,12 @@ bool ProgramCalls::call_every_block(const CallWords& call) {
 bool ProgramCalls::call_modal(std::size_t index, const LocalVariables& locals) {
   const ModalCall& modal = modal_[index];
   if (modal.repeats == 0) return true;
-  const Level level{Kind::modal, modal.code, modal.repeats - 1, levels_.back().modal_depth + 1,
-                    levels_.back().codes_ordinary, static_cast<int>(index)};
+  const Level level{Kind::modal,
+                    modal.code,
+                    modal.repeats - 1,
+                    levels_.back().modal_depth + 1,
+                    levels_.back().codes_ordinary,
+                    static_cast<int>(index)};
   return enter(level, &locals);
 }
 
@@ -201,7 +227,8 @@ bool ProgramCalls::call_modal(std::size_t index, const LocalVariables& locals) {
 void ProgramCalls::keep_modal_locals(const Level& level) {
   if (level.modal < 0 || static_cast<std::size_t>(level.modal) >= modal_.size()) return;
   const auto locals = interpreter_.locals();
-  std::copy(locals.begin(), locals.end(), modal_[static_cast<std::size_t>(level.modal)].locals.begin());
+  std::copy(locals.begin(), locals.end(),
+            modal_[static_cast<std::size_t>(level.modal)].locals.begin());
 }
 
 // M99-1 to M99-3
@@ -222,7 +249,8 @@ bool ProgramCalls::return_from_program(std::optional<std::uint32_t> label) {
     levels_.pop_back();
   }
   if (!label || interpreter_.jump_to_label(*label)) return true;
-  return state_.alarms.raise(Code::return_label_not_found, "the program has no N" + std::to_string(*label));
+  return state_.alarms.raise(Code::return_label_not_found,
+                             "the program has no N" + std::to_string(*label));
 }
 
 }  // namespace kerf::control

@@ -25,9 +25,9 @@ class ProgramFinder {
 
 /// Calls, returns and modal calls: who runs, how deep, and what comes back (fanuc-dialect.md §6).
 ///
-/// A motion in a program of modal depth d triggers the modal macro M(k-d) of the k that are stacked,
-/// and that macro runs at depth d + 1; programs called otherwise inherit the depth of their caller
-/// (CALL-17).
+/// A motion in a program of modal depth d triggers the modal macro M(k-d) of the k that are
+/// stacked, and that macro runs at depth d + 1; programs called otherwise inherit the depth of
+/// their caller (CALL-17).
 class ProgramCalls {
  public:
   /// How a program came to run.
@@ -42,7 +42,8 @@ class ProgramCalls {
     interrupt    ///< M96
   };
 
-  ProgramCalls(State& state, vm::Interpreter& interpreter, gcode::CodeLibrary& library, ProgramFinder& finder)
+  ProgramCalls(State& state, vm::Interpreter& interpreter, gcode::CodeLibrary& library,
+               ProgramFinder& finder)
       : state_(state), interpreter_(interpreter), library_(library), finder_(finder) {}
 
   void start(vm::CodeId main);
@@ -50,7 +51,8 @@ class ProgramCalls {
   // Each raises an alarm and returns false when the program is missing or nests too deeply.
 
   /// G65, or the call by a G or M code when `number` is given.
-  [[nodiscard]] bool call_macro(const CallWords& call, const std::string& name, Kind kind, std::optional<std::uint32_t> number);
+  [[nodiscard]] bool call_macro(const CallWords& call, const std::string& name, Kind kind,
+                                std::optional<std::uint32_t> number);
   /// M98 or M198 with its P and L.
   [[nodiscard]] bool call_subprogram(const Words& words, const std::string& name, Kind kind);
   /// A subprogram of fixed number, without arguments.
@@ -96,7 +98,8 @@ class ProgramCalls {
 
   bool find(const gcode::Word* p, const std::string& name, vm::CodeId& code);
   bool repeats_of(const gcode::Word* l, std::int64_t& repeats);
-  bool split_subprogram(const Words& words, std::uint32_t& number, std::int64_t& repeats, Kind kind);
+  bool split_subprogram(const Words& words, std::uint32_t& number, std::int64_t& repeats,
+                        Kind kind);
   bool enter(const Level& level, const LocalVariables* locals);
   bool check_depth(Kind kind);
   bool call_modal(std::size_t index, const LocalVariables& locals);

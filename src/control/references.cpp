@@ -16,7 +16,8 @@ constexpr double kReferenceWindow_mm = 0.0005;  // half an increment
 
 bool References::execute(const Words::G& g, const Words& words, bool& moved) {
   const bool reference = g.code >= 270 && g.code <= 300;
-  if (reference && state_.modal.in_cycle()) return state_.alarms.raise(Code::reference_in_cycle, *g.word);  // REF-4
+  if (reference && state_.modal.in_cycle())
+    return state_.alarms.raise(Code::reference_in_cycle, *g.word);  // REF-4
   switch (g.code) {
     case 270: return check_reference(words, moved);
     case 280: return return_to_reference(words, 0, moved);
@@ -24,11 +25,15 @@ bool References::execute(const Words::G& g, const Words& words, bool& moved) {
     case 300: {
       std::int64_t p = 2;
       if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, p)) return false;
-      if (p < 2 || p > 4) return state_.alarms.raise(Code::illegal_reference, words['P'], "P is 2, 3 or 4");
+      if (p < 2 || p > 4)
+        return state_.alarms.raise(Code::illegal_reference, words['P'], "P is 2, 3 or 4");
       return return_to_reference(words, static_cast<std::size_t>(p - 1), moved);
     }
     case 310: return skip(words, moved);
-    case 450: case 460: case 470: case 480: return offset_move(g.code, words, moved);
+    case 450:
+    case 460:
+    case 470:
+    case 480: return offset_move(g.code, words, moved);
     case 530: return machine_position(words, moved);
     default: return true;
   }
@@ -76,7 +81,8 @@ bool References::return_from_reference(const Words& words, bool& moved) {
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     const bool named = words.has(state_.axes[axis].letter);
-    if (named && base::contains(state_.intermediate_axes, axis)) middle[axis] = (*state_.intermediate)[axis];
+    if (named && base::contains(state_.intermediate_axes, axis))
+      middle[axis] = (*state_.intermediate)[axis];
   }
   const AxisVector before = state_.coordinates.program();
   if (!state_.path.interrupt_compensation()) return false;
@@ -114,7 +120,8 @@ bool References::check_reference(const Words& words, bool& moved) {
     if (!base::contains(target.named, axis)) continue;
     const double machine = path[axis] + state_.coordinates.length()[axis];
     if (std::fabs(machine - state_.axes[axis].reference[0]) > kReferenceWindow_mm) {
-      return state_.alarms.raise(Code::reference_check, std::string(1, state_.axes[axis].letter) + " stands at " +
+      return state_.alarms.raise(Code::reference_check, std::string(1, state_.axes[axis].letter) +
+                                                            " stands at " +
                                                             base::number_text(base::tidy(machine)));
     }
   }
@@ -140,7 +147,8 @@ bool References::machine_position(const Words& words, bool& moved) {
 
 // REF-5
 bool References::skip(const Words& words, bool& moved) {
-  if (state_.modal.compensating() || state_.path.compensating()) return state_.alarms.raise(Code::skip_in_compensation);
+  if (state_.modal.compensating() || state_.path.compensating())
+    return state_.alarms.raise(Code::skip_in_compensation);
   std::int64_t signal = 1;
   if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, signal)) return false;
   if (signal > 99) return state_.alarms.raise(Code::skip_format, words['P']);
@@ -182,9 +190,11 @@ bool References::offset_move(GCode code, const Words& words, bool& moved) {
   if (!targets_.read(words, target)) return false;
   if (target.named == 0) return true;
   moved = true;
-  const ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(state_.words.radius_offset)];
-  const double offset = state_.parameters.offset_memory == 'C' ? tool.radius_geometry + tool.radius_wear
-                                                               : tool.length_geometry + tool.length_wear;
+  const ToolOffset& tool =
+      state_.memory.tools[static_cast<std::size_t>(state_.words.radius_offset)];
+  const double offset = state_.parameters.offset_memory == 'C'
+                            ? tool.radius_geometry + tool.radius_wear
+                            : tool.length_geometry + tool.length_wear;
   const double amount = offset * (code == 450 ? 1 : code == 460 ? -1 : code == 470 ? 2 : -2);
   AxisVector program = target.program;
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {

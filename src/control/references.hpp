@@ -6,11 +6,12 @@
 
 namespace kerf::control {
 
-/// One-shot codes that move: G27 to G30 (reference points), G31 (skip), G45 to G48 (offset moves), G53
-/// (machine coordinates), G60 (fanuc-dialect.md §8.3, §8.6).
+/// One-shot codes that move: G27 to G30 (reference points), G31 (skip), G45 to G48 (offset moves),
+/// G53 (machine coordinates), G60 (fanuc-dialect.md §8.3, §8.6).
 class References {
  public:
-  References(State& state, Targets& targets, Moves& moves) : state_(state), targets_(targets), moves_(moves) {}
+  References(State& state, Targets& targets, Moves& moves)
+      : state_(state), targets_(targets), moves_(moves) {}
 
   /// Executes a code. `moved`: axis movement was commanded. False: an alarm was raised.
   [[nodiscard]] bool execute(const Words::G& g, const Words& words, bool& moved);

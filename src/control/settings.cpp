@@ -18,20 +18,19 @@ struct WithoutEffect {
   GCode code;
   const char* what;
 };
-constexpr WithoutEffect kWithoutEffect[] = {
-    {41, "G04.1 (look-ahead stop) has no effect"},
-    {50, "G05 (high-speed machining) has no effect"},
-    {51, "G05.1 (look-ahead) has no effect"},
-    {80, "G08 (look-ahead) has no effect"},
-    {90, "G09 (exact stop) has no effect on the path"},
-    {220, "G22 (stroke check area) has no effect"},
-    {230, "G23 (stroke check area) has no effect"},
-    {600, "G60 (single direction positioning) runs as G00"},
-    {610, "G61 (exact stop) has no effect on the path"},
-    {620, "G62 (corner override) has no effect"},
-    {630, "G63 (tapping mode) has no effect"},
-    {640, "G64 (cutting mode) has no effect on the path"},
-    {1610, "G161 (in-feed control) has no effect"}};
+constexpr WithoutEffect kWithoutEffect[] = {{41, "G04.1 (look-ahead stop) has no effect"},
+                                            {50, "G05 (high-speed machining) has no effect"},
+                                            {51, "G05.1 (look-ahead) has no effect"},
+                                            {80, "G08 (look-ahead) has no effect"},
+                                            {90, "G09 (exact stop) has no effect on the path"},
+                                            {220, "G22 (stroke check area) has no effect"},
+                                            {230, "G23 (stroke check area) has no effect"},
+                                            {600, "G60 (single direction positioning) runs as G00"},
+                                            {610, "G61 (exact stop) has no effect on the path"},
+                                            {620, "G62 (corner override) has no effect"},
+                                            {630, "G63 (tapping mode) has no effect"},
+                                            {640, "G64 (cutting mode) has no effect on the path"},
+                                            {1610, "G161 (in-feed control) has no effect"}};
 
 bool is_reference(GCode code) { return code >= 270 && code <= 300; }
 
@@ -46,7 +45,8 @@ bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
     const Group group = group_of(g->code);
     if (group == Group::none) {
-      return state_.alarms.raise(Code::improper_g_code, *g->word, "G" + base::number_text(g->code / 10.0) + " is not available");
+      return state_.alarms.raise(Code::improper_g_code, *g->word,
+                                 "G" + base::number_text(g->code / 10.0) + " is not available");
     }
     if (!check_code(words, *g, group)) return false;
     if (group == Group::one_shot) {
@@ -67,12 +67,14 @@ bool Settings::check_code(const Words&, const Words::G& g, Group group) {
   if (transform.scaled() && (leaves_system || shifts_system)) {  // TRF-2
     return state_.alarms.raise(Code::illegal_in_scaling, *g.word);
   }
-  if (transform.rotated() && leaves_system) return state_.alarms.raise(Code::illegal_rotation, *g.word);
+  if (transform.rotated() && leaves_system)
+    return state_.alarms.raise(Code::illegal_rotation, *g.word);
   if (group == Group::plane && g.code != state_.modal[Group::plane]) {
     if (state_.path.compensating() || state_.modal.compensating()) {
       return state_.alarms.raise(Code::plane_change_in_compensation, *g.word);
     }
-    if (state_.rigid_tapping && state_.modal.in_cycle()) return state_.alarms.raise(Code::tap_plane, *g.word);
+    if (state_.rigid_tapping && state_.modal.in_cycle())
+      return state_.alarms.raise(Code::tap_plane, *g.word);
   }
   const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
   if (group == Group::motion || repeated) return true;
@@ -85,7 +87,10 @@ bool Settings::check_code(const Words&, const Words::G& g, Group group) {
 bool Settings::takes_axis_words(const Words& words) const {
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
     switch (g->code) {
-      case 510: case 501: case 511: case 680: return true;
+      case 510:
+      case 501:
+      case 511:
+      case 680: return true;
       default: break;
     }
   }
@@ -116,7 +121,8 @@ bool Settings::apply_codes(const Words& words) {
         break;
       }
       case 510: good = set_scaling(words); break;
-      case 501: case 511: good = set_mirror(words, g->code == 511); break;
+      case 501:
+      case 511: good = set_mirror(words, g->code == 511); break;
       case 680: good = set_rotation(words); break;
       case 160: targets_.begin_polar(); break;
       default:
@@ -126,7 +132,8 @@ bool Settings::apply_codes(const Words& words) {
     if (!good) return false;
   }
   // F counts something else now: the old one means nothing any more.
-  if (feed_mode && state_.before.feed_mode() != state_.modal.feed_mode() && !words.has('F')) state_.words.feed = 0;
+  if (feed_mode && state_.before.feed_mode() != state_.modal.feed_mode() && !words.has('F'))
+    state_.words.feed = 0;
   return set_length(words, length) && set_compensation(words, compensation);
 }
 
@@ -157,7 +164,8 @@ double Settings::length_of(std::int64_t number) const {
 
 double Settings::radius_of(std::int64_t number) const {
   const ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(number)];
-  if (state_.parameters.offset_memory != 'C') return base::tidy(tool.length_geometry + tool.length_wear);
+  if (state_.parameters.offset_memory != 'C')
+    return base::tidy(tool.length_geometry + tool.length_wear);
   return base::tidy(tool.radius_geometry + tool.radius_wear);
 }
 
@@ -204,10 +212,15 @@ bool Settings::set_compensation(const Words& words, bool switched) {
     if (!switched || !state_.path.compensating()) return true;
     std::optional<geometry::Vec2> wall;
     const auto plane = plane_axes(state_.modal.plane(), state_.axes);
-    if (plane && (words.has(plane->first_offset) || words.has(plane->second_offset)) && state_.modal[Group::motion] < 20) {
+    if (plane && (words.has(plane->first_offset) || words.has(plane->second_offset)) &&
+        state_.modal[Group::motion] < 20) {
       geometry::Vec2 direction;
-      if (words.has(plane->first_offset) && !state_.values.length(words[plane->first_offset], direction.u)) return false;
-      if (words.has(plane->second_offset) && !state_.values.length(words[plane->second_offset], direction.v)) return false;
+      if (words.has(plane->first_offset) &&
+          !state_.values.length(words[plane->first_offset], direction.u))
+        return false;
+      if (words.has(plane->second_offset) &&
+          !state_.values.length(words[plane->second_offset], direction.v))
+        return false;
       if (geometry::length(direction) > 0) wall = direction;
     }
     const GCode motion = state_.modal[Group::motion];
@@ -219,7 +232,8 @@ bool Settings::set_compensation(const Words& words, bool switched) {
   }
   if (!switched && !words.has('D')) return true;
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane) return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
+  if (!plane)
+    return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   const double radius = radius_of(state_.words.radius_offset);
   if (state_.words.radius_offset == 0 || radius == 0) {  // D0 cancels (CRC-1, CRC-12)
     if (switched && state_.words.radius_offset == 0) {
@@ -269,7 +283,9 @@ bool Settings::set_scaling(const Words& words) {
     const auto axis = state_.axes.find(axis_letter);
     if (!axis) continue;
     factors[*axis] = common;
-    if (!words.has('P') && words.has(factor_letter) && !scale_factor(words, factor_letter, factors[*axis])) return false;
+    if (!words.has('P') && words.has(factor_letter) &&
+        !scale_factor(words, factor_letter, factors[*axis]))
+      return false;
   }
   Transform transform = state_.coordinates.transform();
   transform.scale(centre, factors);
@@ -294,7 +310,8 @@ bool Settings::set_mirror(const Words& words, bool on) {
 
 bool Settings::set_rotation(const Words& words) {
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane) return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
+  if (!plane)
+    return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   AxisVector centre = state_.coordinates.program();
   AxisSet named = 0;
   if (!axis_values(words, centre, named)) return false;

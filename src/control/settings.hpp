@@ -7,22 +7,24 @@
 namespace kerf::control {
 
 /// What blocks set without moving: modal codes and everything that they switch (coordinate systems,
-/// tool length, cutter compensation, scaling, mirror image, rotation), and the one-shot codes G10, G52,
-/// G92 (fanuc-dialect.md §7.4, §8.3 to §8.5, §9).
+/// tool length, cutter compensation, scaling, mirror image, rotation), and the one-shot codes G10,
+/// G52, G92 (fanuc-dialect.md §7.4, §8.3 to §8.5, §9).
 class Settings {
  public:
-  Settings(State& state, Targets& targets, Moves& moves) : state_(state), targets_(targets), moves_(moves) {}
+  Settings(State& state, Targets& targets, Moves& moves)
+      : state_(state), targets_(targets), moves_(moves) {}
 
   /// Takes the modal codes of a block over; checks each.
   [[nodiscard]] bool read_codes(const Words& words, const Words::G*& one_shot);
   /// Carries out what the modal codes of the block switch, before its motion.
   [[nodiscard]] bool apply_codes(const Words& words);
 
-  [[nodiscard]] bool local_system(const Words& words);    ///< G52
-  [[nodiscard]] bool preset(const Words& words);          ///< G92
-  [[nodiscard]] bool clear_shifts(const Words& words);    ///< G92.1
-  [[nodiscard]] bool set_data(const Words& words);        ///< G10
-  [[nodiscard]] bool enter_parameter(const Words& words, std::uint32_t number);  ///< between G10 L50 and G11
+  [[nodiscard]] bool local_system(const Words& words);  ///< G52
+  [[nodiscard]] bool preset(const Words& words);        ///< G92
+  [[nodiscard]] bool clear_shifts(const Words& words);  ///< G92.1
+  [[nodiscard]] bool set_data(const Words& words);      ///< G10
+  [[nodiscard]] bool enter_parameter(const Words& words,
+                                     std::uint32_t number);  ///< between G10 L50 and G11
 
   /// True when the words X, Y, … of the block are data of its codes, not a move.
   [[nodiscard]] bool takes_axis_words(const Words& words) const;

@@ -29,9 +29,10 @@ class Surroundings {
   [[nodiscard]] virtual double date() = 0;
   [[nodiscard]] virtual double time_of_day() = 0;
 
-  /// Where along a probing move from `from` to `to` (machine coordinates) the skip signal comes on: a
-  /// fraction of its length, or nothing.
-  [[nodiscard]] virtual std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) = 0;
+  /// Where along a probing move from `from` to `to` (machine coordinates) the skip signal comes on:
+  /// a fraction of its length, or nothing.
+  [[nodiscard]] virtual std::optional<double> contact(const base::AxisVector& from,
+                                                      const base::AxisVector& to) = 0;
 
   /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
   [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;
@@ -47,7 +48,7 @@ struct ModalWords {
   double speed = 0;            ///< S
   double max_rpm = 0;          ///< G92 S
   Spindle::Turning turning = Spindle::Turning::stopped;
-  std::int64_t tool = 0;       ///< last T (#4120)
+  std::int64_t tool = 0;           ///< last T (#4120)
   std::int64_t length_offset = 0;  ///< H (#4111)
   std::int64_t radius_offset = 0;  ///< D (#4107)
   std::int64_t last_m = 0;         ///< #4113
@@ -84,16 +85,16 @@ struct State {
   ModalWords words;
   Coordinates coordinates;
   Toolpath path;
-  std::uint32_t line = 0;  ///< of the executing block
+  std::uint32_t line = 0;          ///< of the executing block
   base::AxisVector skip_position;  ///< #5061: machine coordinates, tool length included
   std::uint32_t outputs[4] = {};   ///< #1100 to #1135
   std::optional<base::AxisVector> intermediate;  ///< of the last G28 or G30, programmed coordinates
   base::AxisSet intermediate_axes = 0;
-  double wanted_length = 0;        ///< offset that G43 or G44 asks for; in force from the next move on
-  base::Axis length_axis{};        ///< its axis
-  bool rigid_tapping = false;      ///< M29
+  double wanted_length = 0;    ///< offset that G43 or G44 asks for; in force from the next move on
+  base::Axis length_axis{};    ///< its axis
+  bool rigid_tapping = false;  ///< M29
   bool moved_since_m29 = false;
-  bool parameter_entry = false;    ///< between G10 L50 and G11
+  bool parameter_entry = false;  ///< between G10 L50 and G11
 
   /// Says once per `key` that something was accepted without effect or read in a surprising way.
   void assume(std::uint32_t key, const char* what) {

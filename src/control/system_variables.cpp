@@ -36,14 +36,16 @@ double SystemVariables::from_unit(double value, bool linear) const {
 }
 
 bool SystemVariables::missing(std::uint32_t number) {
-  return state_.alarms.raise(Code::variable_range, "there is no variable #" + std::to_string(number));
+  return state_.alarms.raise(Code::variable_range,
+                             "there is no variable #" + std::to_string(number));
 }
 
 // VAR-2: the number is rounded; names are looked up.
 bool SystemVariables::resolve(double number, std::uint32_t& result) {
   const double rounded = std::round(number);
   if (!(rounded >= 0 && rounded <= 4294967295.0)) {
-    return state_.alarms.raise(Code::variable_range, "there is no variable #" + base::number_text(rounded));
+    return state_.alarms.raise(Code::variable_range,
+                               "there is no variable #" + base::number_text(rounded));
   }
   result = static_cast<std::uint32_t>(rounded);
   if (result < gcode::kNamed || result >= gcode::kIncrementOf) return true;
@@ -51,7 +53,8 @@ bool SystemVariables::resolve(double number, std::uint32_t& result) {
   if (index >= names_.size()) return missing(result);
   const auto found = state_.memory.names.find(names_[index]);
   if (found == state_.memory.names.end()) {
-    return state_.alarms.raise(Code::variable_name_unknown, "no variable is named " + names_[index]);
+    return state_.alarms.raise(Code::variable_name_unknown,
+                               "no variable is named " + names_[index]);
   }
   result = found->second;
   return true;
@@ -60,7 +63,8 @@ bool SystemVariables::resolve(double number, std::uint32_t& result) {
 double* SystemVariables::common_or_local(std::uint32_t number) {
   if (number < gcode::kLocals) return &interpreter_->locals()[number];
   if (between(number, 100, 199)) return &state_.memory.commons[number - 100];
-  if (between(number, 500, 999)) return &state_.memory.commons[number - 500 + gcode::kVolatileCommons];
+  if (between(number, 500, 999))
+    return &state_.memory.commons[number - 500 + gcode::kVolatileCommons];
   return nullptr;
 }
 
@@ -128,14 +132,20 @@ bool SystemVariables::read_interface(std::uint32_t number, double& value) {
 }
 
 bool SystemVariables::read_clock(std::uint32_t number, double& value) {
-  const auto wrapped = [](double amount, double wrap) { return amount - wrap * std::floor(amount / wrap); };
+  const auto wrapped = [](double amount, double wrap) {
+    return amount - wrap * std::floor(amount / wrap);
+  };
   switch (number) {
-    case 3000: case 3006: return state_.alarms.raise(Code::read_protected);
+    case 3000:
+    case 3006: return state_.alarms.raise(Code::read_protected);
     case 3001:
-      value = std::floor(wrapped((state_.surroundings.seconds() - clock_start_s_) * 1000, kClockWrap_ms));
+      value = std::floor(
+          wrapped((state_.surroundings.seconds() - clock_start_s_) * 1000, kClockWrap_ms));
       return true;
     case 3002:
-      value = wrapped(state_.memory.running_hours + (state_.surroundings.seconds() - hours_start_s_) / 3600, kHoursWrap);
+      value = wrapped(
+          state_.memory.running_hours + (state_.surroundings.seconds() - hours_start_s_) / 3600,
+          kHoursWrap);
       return true;
     case 3003: value = control_1_; return true;
     case 3004: value = control_2_; return true;
@@ -151,8 +161,8 @@ bool SystemVariables::read_clock(std::uint32_t number, double& value) {
 }
 
 bool SystemVariables::read_modal(std::uint32_t number, double& value) {
-  // Macro statements run between NC blocks, so the state that the previous block left (#40xx), that of
-  // the executing block (#42xx) and that of an interrupted one (#44xx) are the same.
+  // Macro statements run between NC blocks, so the state that the previous block left (#40xx), that
+  // of the executing block (#42xx) and that of an interrupted one (#44xx) are the same.
   const std::uint32_t block = number / 100 * 100;
   const bool codes = block == 4000 || block == 4200 || block == 4400;
   const bool words = block == 4100 || block == 4300 || block == 4500;
@@ -191,11 +201,14 @@ bool SystemVariables::read_position(std::uint32_t number, double& value) {
     case 2: value = state_.path.tip()[axis] + c.length()[axis] - c.origin()[axis]; break;
     case 3: value = state_.skip_position[axis] - c.origin()[axis]; break;
     case 4: value = c.length()[axis]; break;
-    case 5: case 6: case 9: value = 0; break;
+    case 5:
+    case 6:
+    case 9: value = 0; break;
     default: return missing(number);
   }
   const double per_unit = linear && state_.modal.inch() ? 10000 : 1000;
-  value = std::round(to_unit(value, linear) * per_unit + std::copysign(1e-6, value)) / per_unit + 0.0;
+  value =
+      std::round(to_unit(value, linear) * per_unit + std::copysign(1e-6, value)) / per_unit + 0.0;
   return true;
 }
 
@@ -214,10 +227,12 @@ bool SystemVariables::read_parameter(std::uint32_t encoded, double& value) {
   const std::uint32_t suffix = encoded % 100;
   const std::uint32_t axis_number = suffix > 50 ? suffix - 51 : 0;
   if (between(number, kFirstReference, kFirstReference + 3) && axis_number < state_.axes.count()) {
-    value = to_unit(state_.axes.axes[axis_number].reference[number - kFirstReference], is_linear(axis_number));
+    value = to_unit(state_.axes.axes[axis_number].reference[number - kFirstReference],
+                    is_linear(axis_number));
     return true;
   }
-  return state_.alarms.raise(Code::variable_range, "PRM[" + std::to_string(number) + "] is not a parameter of this machine");
+  return state_.alarms.raise(Code::variable_range, "PRM[" + std::to_string(number) +
+                                                       "] is not a parameter of this machine");
 }
 
 bool SystemVariables::write_system(std::uint32_t number, double value, Event& event) {
@@ -227,7 +242,8 @@ bool SystemVariables::write_system(std::uint32_t number, double value, Event& ev
   if (between(number, 4000, 5200) || number == 2000) {
     double ignored = 0;
     if (!read_system(number, ignored)) return false;
-    return state_.alarms.raise(Code::write_protected, "#" + std::to_string(number) + " can only be read");
+    return state_.alarms.raise(Code::write_protected,
+                               "#" + std::to_string(number) + " can only be read");
   }
   if (double* const offset = tool_offset(number)) {
     const double length = from_unit(amount, true);
@@ -254,8 +270,10 @@ bool SystemVariables::write_interface(std::uint32_t number, double value) {
   }
   if (number == 1132 || between(number, 1133, 1135)) {
     const double rounded = std::round(value);
-    if (rounded < -2147483648.0 || rounded > 4294967295.0) return state_.alarms.raise(Code::integer_overflow);
-    state_.outputs[number - 1132] = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded)) & (number == 1132 ? 0xffffU : ~0U);
+    if (rounded < -2147483648.0 || rounded > 4294967295.0)
+      return state_.alarms.raise(Code::integer_overflow);
+    state_.outputs[number - 1132] = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded)) &
+                                    (number == 1132 ? 0xffffU : ~0U);
     return true;
   }
   double ignored = 0;
@@ -273,21 +291,26 @@ bool SystemVariables::write_clock(std::uint32_t number, double value, Event& eve
       state_.memory.running_hours = amount;
       hours_start_s_ = state_.surroundings.seconds();
       return true;
-    case 3003: case 3004:
+    case 3003:
+    case 3004:
       if (amount != 0) {
-        state_.assume(Assumed::control_variable + 1000 + number, "#3003 and #3004 (single block, feed hold, exact stop) have no effect");
+        state_.assume(Assumed::control_variable + 1000 + number,
+                      "#3003 and #3004 (single block, feed hold, exact stop) have no effect");
       }
       (number == 3003 ? control_1_ : control_2_) = amount;
       return true;
     case 3005: settings_ = amount; return true;
-    case 3901: case 3902:
-      if (amount < 0) return state_.alarms.raise(Code::argument_range, "a part count is not negative");
+    case 3901:
+    case 3902:
+      if (amount < 0)
+        return state_.alarms.raise(Code::argument_range, "a part count is not negative");
       (number == 3901 ? state_.memory.parts : state_.memory.parts_required) = amount;
       return true;
     default: {
       double ignored = 0;
       if (!read_clock(number, ignored)) return false;
-      return state_.alarms.raise(Code::write_protected, "#" + std::to_string(number) + " can only be read");
+      return state_.alarms.raise(Code::write_protected,
+                                 "#" + std::to_string(number) + " can only be read");
     }
   }
 }
@@ -332,8 +355,9 @@ double* SystemVariables::tool_offset(std::uint32_t number) {
                                         {10000, 999, Part::length_wear, Part::length_geometry},
                                         {2200, 200, Part::length_geometry, Part::length_wear},
                                         {11000, 999, Part::length_geometry, Part::length_wear}};
-  static constexpr Range kMemoryCRadius[] = {{12000, 999, Part::radius_wear, Part::radius_geometry},
-                                             {13000, 999, Part::radius_geometry, Part::radius_wear}};
+  static constexpr Range kMemoryCRadius[] = {
+      {12000, 999, Part::radius_wear, Part::radius_geometry},
+      {13000, 999, Part::radius_geometry, Part::radius_wear}};
   static constexpr Range kMemoryC15[] = {{2400, 200, Part::radius_geometry, Part::radius_geometry},
                                          {2600, 200, Part::radius_wear, Part::radius_wear}};
   const bool v15 = state_.parameters.offset_numbering_15;

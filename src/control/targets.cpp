@@ -16,12 +16,14 @@ void Targets::learn_letters() {
 bool Targets::value(const gcode::Word& word, Axis axis, double& value) {
   const bool rotary = state_.axes[axis].rotary;
   const bool bare = word.has(WordFlag::literal) && !word.has(WordFlag::point) && word.value != 0;
-  if (bare && !state_.parameters.calculator_point && state_.assumptions.is_new(Assumed::least_increments)) {
+  if (bare && !state_.parameters.calculator_point &&
+      state_.assumptions.is_new(Assumed::least_increments)) {
     const double unit = rotary || !state_.modal.inch() ? 0.001 : 0.0001;
     const char* const name = rotary ? " degrees" : state_.modal.inch() ? " inch" : " mm";
     state_.assumptions.add(
-        state_.line, std::string("a number without a decimal point counts least increments: ") + word.letter +
-                         base::number_text(word.value) + " is " + base::number_text(base::tidy(word.value * unit)) + name);
+        state_.line, std::string("a number without a decimal point counts least increments: ") +
+                         word.letter + base::number_text(word.value) + " is " +
+                         base::number_text(base::tidy(word.value * unit)) + name);
   }
   return rotary ? state_.values.angle(word, value) : state_.values.length(word, value);
 }

@@ -30,7 +30,7 @@ class Targets {
 
   State& state_;
   std::uint32_t letters_ = 0;
-  double radius_ = 0;       // of the last polar point
+  double radius_ = 0;  // of the last polar point
   double angle_deg_ = 0;
 };
 

@@ -33,8 +33,10 @@ bool Toolpath::line(const AxisVector& from, const AxisVector& to, const Feed& fe
   return move(from, make(Line{to, feed}), nullptr);
 }
 
-bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape& shape, const Feed& feed) {
-  const Arc arc{to, {shape.centre.u, shape.centre.v}, feed, shape.turns, shape.plane, shape.direction};
+bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape& shape,
+                   const Feed& feed) {
+  const Arc arc{
+      to, {shape.centre.u, shape.centre.v}, feed, shape.turns, shape.plane, shape.direction};
   return move(from, make(arc), &shape);
 }
 
@@ -85,7 +87,8 @@ bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape
   return good;
 }
 
-// A rapid or line that goes nowhere is no motion; an arc that ends where it begins is a full circle.
+// A rapid or line that goes nowhere is no motion; an arc that ends where it begins is a full
+// circle.
 void Toolpath::emit(const Motion& motion) {
   if (const AxisVector* const to = target_of(motion)) {
     const bool straight_line =

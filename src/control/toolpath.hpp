@@ -23,8 +23,8 @@ struct ArcShape {
   std::uint16_t turns = 0;
 };
 
-/// The last station before the motions leave the control: knows where the tool stands, leaves out moves
-/// that go nowhere, and passes moves through the cutter compensation while that is on.
+/// The last station before the motions leave the control: knows where the tool stands, leaves out
+/// moves that go nowhere, and passes moves through the cutter compensation while that is on.
 class Toolpath {
  public:
   Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings)
@@ -35,11 +35,13 @@ class Toolpath {
   /// The block is over. False: an alarm was raised.
   [[nodiscard]] bool end_block();
 
-  // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was raised.
+  // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was
+  // raised.
   [[nodiscard]] bool rapid(const base::AxisVector& from, const base::AxisVector& to);
-  [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to, const Feed& feed);
-  [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to, const ArcShape& shape,
-                         const Feed& feed);
+  [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to,
+                          const Feed& feed);
+  [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to,
+                         const ArcShape& shape, const Feed& feed);
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
   [[nodiscard]] bool straight(const Motion::Action& action);
   /// Anything that is not a move.
@@ -49,17 +51,23 @@ class Toolpath {
   /// G40: with the move of this block, or with the next one when it has none.
   void end_compensation(std::optional<geometry::Vec2> wall);
   [[nodiscard]] bool compensating() const { return compensation_.active(); }
-  [[nodiscard]] bool interrupt_compensation() { return !compensation_.active() || compensation_.interrupt(); }
+  [[nodiscard]] bool interrupt_compensation() {
+    return !compensation_.active() || compensation_.interrupt();
+  }
   [[nodiscard]] bool release() { return !compensation_.active() || compensation_.release(); }
   void reset_compensation() { compensation_.reset(); }
 
   /// Where the tool stands, machine coordinates without tool length.
-  [[nodiscard]] base::AxisVector tip() const { return compensation_.active() ? compensation_.tip() : tip_; }
+  [[nodiscard]] base::AxisVector tip() const {
+    return compensation_.active() ? compensation_.tip() : tip_;
+  }
 
  private:
   bool move(const base::AxisVector& from, const Motion& motion, const ArcShape* shape);
   void emit(const Motion& motion);
-  [[nodiscard]] Motion make(const Motion::Action& action) const { return {source_.program, source_.line, source_.file, action}; }
+  [[nodiscard]] Motion make(const Motion::Action& action) const {
+    return {source_.program, source_.line, source_.file, action};
+  }
 
   Alarms& alarms_;
   MotionSink& sink_;

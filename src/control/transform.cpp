@@ -12,7 +12,8 @@ using geometry::Vec2;
 
 Vec2 turned(Vec2 point, Vec2 centre, const SineCosine& angle) {
   const Vec2 arm = point - centre;
-  return centre + Vec2{arm.u * angle.cosine - arm.v * angle.sine, arm.u * angle.sine + arm.v * angle.cosine};
+  return centre +
+         Vec2{arm.u * angle.cosine - arm.v * angle.sine, arm.u * angle.sine + arm.v * angle.cosine};
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ AxisVector Transform::mirrored_and_scaled(AxisVector point) const {
   for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (base::contains(mirrored_, axis)) point[axis] = 2 * mirror_at_[axis] - point[axis];
-    if (scaled_) point[axis] = scale_centre_[axis] + factors_[axis] * (point[axis] - scale_centre_[axis]);
+    if (scaled_)
+      point[axis] = scale_centre_[axis] + factors_[axis] * (point[axis] - scale_centre_[axis]);
   }
   return point;
 }

@@ -6,7 +6,8 @@
 namespace kerf::control {
 
 /// Scaling (G51), mirror image (G51.1) and rotation (G68) of programmed points, in this order:
-///   q = mirror(p);  s = c + k (q - c) per axis;  r = d + Rot(angle)(s - d),  d the image of the centre
+///   q = mirror(p);  s = c + k (q - c) per axis;  r = d + Rot(angle)(s - d),  d the image of the
+///   centre
 /// of rotation under the first two. One mirrored axis of the plane turns the sense of the rotation
 /// (fanuc-dialect.md §8.5). Value type; the identity when made.
 class Transform {
@@ -24,7 +25,8 @@ class Transform {
   [[nodiscard]] bool rotated() const { return rotated_; }
   /// True when this is the plane of the rotation.
   [[nodiscard]] bool rotates(const PlaneAxes& plane) const {
-    return rotated_ && plane.first == rotation_plane_.first && plane.second == rotation_plane_.second;
+    return rotated_ && plane.first == rotation_plane_.first &&
+           plane.second == rotation_plane_.second;
   }
   [[nodiscard]] double rotation_deg() const { return angle_deg_; }
   [[nodiscard]] base::AxisSet mirrored() const { return mirrored_; }

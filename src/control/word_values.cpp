@@ -14,19 +14,20 @@ using gcode::WordFlag;
 constexpr double kPerMillimetre = 1000;  // least increments, IS-B
 constexpr double kPerInch = 10000;
 constexpr double kMostIncrements = 1e9;  // more than 9 digits (LEX-28)
-constexpr double kTieGuard = 1e-6;       // of an increment: 1.2345 is stored as 1.23449999… (NUM-14)
+constexpr double kTieGuard = 1e-6;  // of an increment: 1.2345 is stored as 1.23449999… (NUM-14)
 
 }  // namespace
 
 bool WordValues::too_large(const Word& word) {
   if (word.has(WordFlag::literal)) return alarms_.raise(Code::too_many_digits, word);
-  return alarms_.raise(Code::improper_address_word, word, "the value is " + base::number_text(word.value));
+  return alarms_.raise(Code::improper_address_word, word,
+                       "the value is " + base::number_text(word.value));
 }
 
 // The word's value in least increments, a whole number.
 bool WordValues::increments(const Word& word, double per_unit, double& count) {
-  const bool counts_increments = word.has(WordFlag::literal) && !word.has(WordFlag::point) &&
-                                 !format_.calculator_point;
+  const bool counts_increments =
+      word.has(WordFlag::literal) && !word.has(WordFlag::point) && !format_.calculator_point;
   const double scaled = counts_increments ? word.value : word.value * per_unit;
   if (!(scaled < kMostIncrements && scaled > -kMostIncrements)) return too_large(word);
   count = static_cast<double>(base::round_away(scaled + (scaled < 0 ? -kTieGuard : kTieGuard)));
@@ -48,7 +49,8 @@ bool WordValues::angle(const Word& word, double& degrees) {
   return true;
 }
 
-bool WordValues::integer(const Word& word, std::int64_t low, std::int64_t high, std::int64_t& value) {
+bool WordValues::integer(const Word& word, std::int64_t low, std::int64_t high,
+                         std::int64_t& value) {
   if (word.has(WordFlag::point)) return alarms_.raise(Code::illegal_decimal_point, word);
   if (low >= 0 && word.value < 0) return alarms_.raise(Code::illegal_minus, word);
   if (!(std::fabs(word.value) < kMostIncrements)) return too_large(word);
@@ -66,13 +68,21 @@ bool WordValues::plain(const Word& word, double& value) {
 
 double WordValues::increment(char letter, bool rotary) const {
   switch (letter) {
-    case 'D': case 'F': case 'G': case 'H': case 'L': case 'M': case 'N': case 'O': case 'P': case 'S':
-    case 'T':
-      return 1;
-    case 'A': case 'B': case 'C':
-      return rotary || !format_.inch ? 0.001 : 0.0001;
-    default:
-      return format_.inch && !rotary ? 0.0001 : 0.001;
+    case 'D':
+    case 'F':
+    case 'G':
+    case 'H':
+    case 'L':
+    case 'M':
+    case 'N':
+    case 'O':
+    case 'P':
+    case 'S':
+    case 'T': return 1;
+    case 'A':
+    case 'B':
+    case 'C': return rotary || !format_.inch ? 0.001 : 0.0001;
+    default: return format_.inch && !rotary ? 0.0001 : 0.001;
   }
 }
 

@@ -27,7 +27,8 @@ class WordValues {
   /// Degrees, rounded to 0.001.
   [[nodiscard]] bool angle(const gcode::Word& word, double& degrees);
   /// A whole number from `low` to `high`; a variable or bracket is rounded (NUM-16).
-  [[nodiscard]] bool integer(const gcode::Word& word, std::int64_t low, std::int64_t high, std::int64_t& value);
+  [[nodiscard]] bool integer(const gcode::Word& word, std::int64_t low, std::int64_t high,
+                             std::int64_t& value);
   /// A number as it is, without scaling.
   [[nodiscard]] bool plain(const gcode::Word& word, double& value);
 

@@ -26,7 +26,9 @@ class Words {
   [[nodiscard]] std::uint32_t present() const { return present_; }
   /// The last word with this letter. Precondition: has(letter).
   [[nodiscard]] const gcode::Word& operator[](char letter) const { return *last_[bit(letter)]; }
-  [[nodiscard]] const gcode::Word* find(char letter) const { return has(letter) ? last_[bit(letter)] : nullptr; }
+  [[nodiscard]] const gcode::Word* find(char letter) const {
+    return has(letter) ? last_[bit(letter)] : nullptr;
+  }
 
   [[nodiscard]] const G* g_begin() const { return g_.data(); }
   [[nodiscard]] const G* g_end() const { return g_.data() + g_count_; }

@@ -5,7 +5,8 @@
 
 namespace kerf::geometry {
 
-std::optional<Vec2> centre_from_radius(Vec2 from, Vec2 to, double radius, bool clockwise, double tolerance) {
+std::optional<Vec2> centre_from_radius(Vec2 from, Vec2 to, double radius, bool clockwise,
+                                       double tolerance) {
   const Vec2 chord = to - from;
   const double d = length(chord);
   const double r = std::fabs(radius);
@@ -26,7 +27,8 @@ double sweep_rad(Vec2 from, Vec2 to, Vec2 centre, bool clockwise) {
   return angle <= 0 ? angle + kFull : angle;
 }
 
-double arc_length(Vec2 from, Vec2 to, Vec2 centre, bool clockwise, unsigned extra_turns, double rise) {
+double arc_length(Vec2 from, Vec2 to, Vec2 centre, bool clockwise, unsigned extra_turns,
+                  double rise) {
   const double sweep = sweep_rad(from, to, centre, clockwise) + 2 * std::numbers::pi * extra_turns;
   const double mean_radius = (length(from - centre) + length(to - centre)) / 2;
   return std::hypot(sweep * mean_radius, rise);

@@ -19,7 +19,8 @@ struct MachineDefinition {
   control::Parameters parameters;
 
   /// Reads a definition. Failure (input): what is wrong, with the line; every unknown key is wrong.
-  [[nodiscard]] static base::Outcome<MachineDefinition> parse(std::string_view toml, const std::string& source);
+  [[nodiscard]] static base::Outcome<MachineDefinition> parse(std::string_view toml,
+                                                              const std::string& source);
 
   /// `--machine-set`: axis.X.velocity, axis.X.acceleration, axis.X.jerk. Failure (usage).
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);

@@ -1,9 +1,9 @@
 #include "machine/offset_file.hpp"
 
+#include <toml++/toml.h>
+
 #include <charconv>
 #include <cmath>
-
-#include <toml++/toml.h>
 
 namespace kerf::machine {
 namespace {
@@ -25,7 +25,8 @@ double number(const toml::node& node) {
 std::size_t offset_number(const toml::node& node, const std::string& text, const Memory& memory) {
   unsigned value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value >= memory.tools.size()) {
+  if (error != std::errc() || end != text.data() + text.size() || value < 1 ||
+      value >= memory.tools.size()) {
     throw Wrong{&node, "there is no tool offset " + text};
   }
   return value;
@@ -47,7 +48,8 @@ base::AxisVector* work_system(const std::string& name, Memory& memory) {
 void read_work(const toml::table& table, const control::AxisSetup& axes, Memory& memory) {
   for (const auto& [key, node] : table) {
     base::AxisVector* const system = work_system(std::string(key.str()), memory);
-    if (system == nullptr || !node.is_table()) throw Wrong{&node, "there is no work coordinate system " + std::string(key.str())};
+    if (system == nullptr || !node.is_table())
+      throw Wrong{&node, "there is no work coordinate system " + std::string(key.str())};
     for (const auto& [letter, value] : *node.as_table()) {
       const auto axis = letter.str().size() == 1 ? axes.find(letter.str()[0]) : std::nullopt;
       if (!axis) throw Wrong{&value, "the machine has no axis " + std::string(letter.str())};
@@ -75,7 +77,8 @@ void read_offset(const toml::table& table, ToolOffset& offset) {
 void read_offset_tables(const toml::table& table, Memory& memory) {
   for (const auto& [key, node] : table) {
     if (!node.is_table()) throw Wrong{&node, "a table is expected"};
-    read_offset(*node.as_table(), memory.tools[offset_number(node, std::string(key.str()), memory)]);
+    read_offset(*node.as_table(),
+                memory.tools[offset_number(node, std::string(key.str()), memory)]);
   }
 }
 
@@ -86,27 +89,30 @@ void read_tool(const toml::table& table, const control::Parameters& parameters, 
   if (!n) throw Wrong{&table, "a tool needs its number"};
   ToolOffset& offset = memory.tools[offset_number(table, std::to_string(*n), memory)];
   for (const auto& [key, value] : table) {
-    if (key.str() == "number" || key.str() == "name" || key.str() == "corner_radius" || key.str() == "flutes" ||
-        key.str() == "type" || key.str() == "comment") {
+    if (key.str() == "number" || key.str() == "name" || key.str() == "corner_radius" ||
+        key.str() == "flutes" || key.str() == "type" || key.str() == "comment") {
       continue;
     }
     if (key.str() == "length") {
       offset.length_geometry = number(value);
     } else if (key.str() == "diameter") {
       offset.radius_geometry = number(value) / 2;
-      if (parameters.offset_memory != 'C' && table.get("length") == nullptr) offset.length_geometry = number(value) / 2;
+      if (parameters.offset_memory != 'C' && table.get("length") == nullptr)
+        offset.length_geometry = number(value) / 2;
     } else {
       throw Wrong{&value, "a tool has no key " + std::string(key.str())};
     }
   }
 }
 
-void read_all(const toml::table& table, const control::AxisSetup& axes, const control::Parameters& parameters, Memory& memory) {
+void read_all(const toml::table& table, const control::AxisSetup& axes,
+              const control::Parameters& parameters, Memory& memory) {
   for (const auto& [key, node] : table) {
     if (key.str() == "work" && node.is_table()) {
       read_work(*node.as_table(), axes, memory);
     } else if (key.str() == "tool" && node.is_array_of_tables()) {
-      for (const toml::node& tool : *node.as_array()) read_tool(*tool.as_table(), parameters, memory);
+      for (const toml::node& tool : *node.as_array())
+        read_tool(*tool.as_table(), parameters, memory);
     } else if ((key.str() == "tool" || key.str() == "tool_offset") && node.is_table()) {
       read_offset_tables(*node.as_table(), memory);
     } else {
@@ -119,15 +125,17 @@ void read_all(const toml::table& table, const control::AxisSetup& axes, const co
 
 bool looks_like_toml(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (text[first] == '[' || text[first] == '#' || text.find(" = ") != std::string::npos) &&
+  return first != std::string::npos &&
+         (text[first] == '[' || text[first] == '#' || text.find(" = ") != std::string::npos) &&
          text.find('[') != std::string::npos;
 }
 
-base::Outcome<void> read_offsets(const std::string& text, const std::string& source, const control::AxisSetup& axes,
+base::Outcome<void> read_offsets(const std::string& text, const std::string& source,
+                                 const control::AxisSetup& axes,
                                  const control::Parameters& parameters, Memory& memory) {
   const auto failure = [&](std::uint32_t line, const std::string& what) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::input, source + ":" + std::to_string(line) + ": " + what});
+    return tl::unexpected(base::Failure{base::Failure::Kind::input,
+                                        source + ":" + std::to_string(line) + ": " + what});
   };
   Memory read = memory;
   try {

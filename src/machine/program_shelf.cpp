@@ -9,8 +9,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 14> kEndings = {"",     ".nc",  ".NC",  ".txt", ".TXT", ".tap", ".cnc",
-                                                       ".CNC", ".prg", ".min", ".eia", ".iso", ".ngc", ".gcode"};
+constexpr std::array<std::string_view, 14> kEndings = {"",     ".nc",  ".NC",  ".txt",  ".TXT",
+                                                       ".tap", ".cnc", ".CNC", ".prg",  ".min",
+                                                       ".eia", ".iso", ".ngc", ".gcode"};
 constexpr std::uintmax_t kLargestLibraryFile = 64U << 20;
 constexpr std::size_t kMostLibraryFiles = 10000;
 
@@ -39,7 +40,8 @@ bool ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number)
     for (const std::string_view ending : kEndings) {
       const fs::path path = fs::path(folder) / (stem + std::string(ending));
       std::error_code error;
-      if (fs::is_regular_file(path, error) && load(path.string(), number) && library_.find(number)) return true;
+      if (fs::is_regular_file(path, error) && load(path.string(), number) && library_.find(number))
+        return true;
     }
   }
   return false;
@@ -49,7 +51,8 @@ bool ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number)
 void ProgramShelf::load_folder(const std::string& folder) {
   std::vector<std::string> paths;
   std::error_code error;
-  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+       at.increment(error)) {
     const std::string ending = at->path().extension().string();
     std::error_code ignored;
     if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;

@@ -15,7 +15,8 @@ namespace kerf::machine {
 /// `O9401.nc`, `9401.nc`, …, then any file there that holds that O number).
 class ProgramShelf : public control::ProgramFinder {
  public:
-  ProgramShelf(base::SourceSet& sources, gcode::CodeLibrary& library) : sources_(sources), library_(library) {}
+  ProgramShelf(base::SourceSet& sources, gcode::CodeLibrary& library)
+      : sources_(sources), library_(library) {}
 
   /// Folders are searched in the order in which they are added.
   void add_folder(const std::string& folder) { folders_.push_back(folder); }

@@ -65,7 +65,8 @@ void RunStatistics::rapid(const AxisVector& to) {
   seconds_ += seconds;
 }
 
-void RunStatistics::cut(const AxisVector&, double length, double feed_length, const Feed& feed, std::uint32_t line) {
+void RunStatistics::cut(const AxisVector&, double length, double feed_length, const Feed& feed,
+                        std::uint32_t line) {
   cut_mm_ += length;
   if (feed.value <= 0) return;
   switch (feed.mode) {
@@ -91,7 +92,8 @@ void RunStatistics::arc(const control::Arc& arc, std::uint32_t line) {
   double rise = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const base::Axis axis{static_cast<std::uint8_t>(i)};
-    if (linear_[i] && !plane->contains(axis)) rise = std::hypot(rise, arc.to.values[i] - at_.values[i]);
+    if (linear_[i] && !plane->contains(axis))
+      rise = std::hypot(rise, arc.to.values[i] - at_.values[i]);
   }
   const double flat = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
   const double whole = std::hypot(flat, rise);
@@ -105,7 +107,8 @@ void RunStatistics::reach_arc(const control::Arc& arc, std::size_t first, std::s
   const Vec2 from{at_.values[first], at_.values[second]};
   const Vec2 to{arc.to.values[first], arc.to.values[second]};
   const Vec2 centre{arc.center[0], arc.center[1]};
-  const double sweep = arc.turns > 0 ? 2 * std::numbers::pi : geometry::sweep_rad(from, to, centre, clockwise);
+  const double sweep =
+      arc.turns > 0 ? 2 * std::numbers::pi : geometry::sweep_rad(from, to, centre, clockwise);
   const double radius = std::max(geometry::length(from - centre), geometry::length(to - centre));
   constexpr Vec2 kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   for (const Vec2 quadrant : kQuadrants) {
@@ -154,7 +157,8 @@ void RunStatistics::take(const control::Motion& motion) {
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
     speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
   } else if (const auto* const tool = std::get_if<ToolChange>(&motion.action)) {
-    if (std::find(tools_.begin(), tools_.end(), tool->tool) == tools_.end()) tools_.push_back(tool->tool);
+    if (std::find(tools_.begin(), tools_.end(), tool->tool) == tools_.end())
+      tools_.push_back(tool->tool);
   } else if (const auto* const message = std::get_if<Message>(&motion.action)) {
     if (messages_.size() < kMostMessages) messages_.emplace_back(message->text.view());
   }

@@ -13,7 +13,8 @@ namespace kerf::machine {
 /// Lengths, times and extents of a run, added up motion by motion.
 ///
 /// Time is that of the programmed feed and the machine's rapid rates, without acceleration: a rapid
-/// takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by its feed.
+/// takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by its
+/// feed.
 class RunStatistics : public control::MotionSink {
  public:
   explicit RunStatistics(const control::AxisSetup& axes);
@@ -37,7 +38,8 @@ class RunStatistics : public control::MotionSink {
  private:
   void reach(const base::AxisVector& point);
   void rapid(const base::AxisVector& to);
-  void cut(const base::AxisVector& to, double length, double feed_length, const control::Feed& feed, std::uint32_t line);
+  void cut(const base::AxisVector& to, double length, double feed_length, const control::Feed& feed,
+           std::uint32_t line);
   void arc(const control::Arc& arc, std::uint32_t line);
   void reach_arc(const control::Arc& arc, std::size_t first, std::size_t second);
   [[nodiscard]] double distance(const base::AxisVector& to, bool& rotary_only) const;

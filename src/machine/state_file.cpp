@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-
 #include <nlohmann/json.hpp>
 
 #include "base/output_file.hpp"
@@ -12,9 +11,9 @@
 namespace kerf::machine {
 namespace {
 
-using nlohmann::json;
 using control::Memory;
 using control::ToolOffset;
+using nlohmann::json;
 
 constexpr std::size_t kLargestFile = 64 << 20;
 constexpr int kFirstRetained = 500;
@@ -25,7 +24,8 @@ struct Unreadable {
 };
 
 double number(const json& value, const char* where) {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) throw Unreadable{std::string(where) + " holds no number"};
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
+    throw Unreadable{std::string(where) + " holds no number"};
   return value.get<double>();
 }
 
@@ -52,7 +52,8 @@ json axes_json(const base::AxisVector& values) {
 
 base::AxisVector axes_from(const json& list, const char* where) {
   base::AxisVector values;
-  if (!list.is_array() || list.size() > base::kMaxAxes) throw Unreadable{std::string(where) + " is no list of axes"};
+  if (!list.is_array() || list.size() > base::kMaxAxes)
+    throw Unreadable{std::string(where) + " is no list of axes"};
   for (std::size_t i = 0; i < list.size(); ++i) values.values[i] = number(list[i], where);
   return values;
 }
@@ -61,11 +62,13 @@ json to_json(const Memory& memory) {
   json variables = json::object();
   for (std::size_t i = 0; i < gcode::kRetainedCommons; ++i) {
     const double value = memory.commons[gcode::kVolatileCommons + i];
-    if (!vm::is_null(value)) variables[std::to_string(static_cast<std::size_t>(kFirstRetained) + i)] = value;
+    if (!vm::is_null(value))
+      variables[std::to_string(static_cast<std::size_t>(kFirstRetained) + i)] = value;
   }
   json extended = json::object();
   for (std::size_t i = 0; i < memory.extended.size(); ++i) {
-    if (memory.extended[i] != base::AxisVector{}) extended[std::to_string(i + 1)] = axes_json(memory.extended[i]);
+    if (memory.extended[i] != base::AxisVector{})
+      extended[std::to_string(i + 1)] = axes_json(memory.extended[i]);
   }
   json work = json::array();
   for (const base::AxisVector& offset : memory.work) work.push_back(axes_json(offset));
@@ -73,7 +76,8 @@ json to_json(const Memory& memory) {
   for (std::size_t i = 1; i < memory.tools.size(); ++i) {
     const ToolOffset& tool = memory.tools[i];
     if (tool == ToolOffset{}) continue;
-    tools[std::to_string(i)] = {tool.length_geometry, tool.length_wear, tool.radius_geometry, tool.radius_wear};
+    tools[std::to_string(i)] = {tool.length_geometry, tool.length_wear, tool.radius_geometry,
+                                tool.radius_wear};
   }
   return {{"kerf_state", 1},
           {"variables", variables},
@@ -91,21 +95,26 @@ void read_tools(const json& tools, Memory& memory) {
   for (const auto& [key, value] : tools.items()) {
     const int n = index(key, 1, static_cast<int>(memory.tools.size()) - 1, "tools");
     if (!value.is_array() || value.size() != 4) throw Unreadable{"tools holds no four numbers"};
-    memory.tools[static_cast<std::size_t>(n)] = {number(value[0], "tools"), number(value[1], "tools"),
-                                                 number(value[2], "tools"), number(value[3], "tools")};
+    memory.tools[static_cast<std::size_t>(n)] = {
+        number(value[0], "tools"), number(value[1], "tools"), number(value[2], "tools"),
+        number(value[3], "tools")};
   }
 }
 
 void from_json(const json& state, Memory& memory) {
-  if (!state.is_object() || state.value("kerf_state", 0) != 1) throw Unreadable{"this is not a state file of Kerf"};
+  if (!state.is_object() || state.value("kerf_state", 0) != 1)
+    throw Unreadable{"this is not a state file of Kerf"};
   for (const auto& [key, value] : state.at("variables").items()) {
     const int n = index(key, kFirstRetained, 999, "variables");
-    memory.commons[gcode::kVolatileCommons + static_cast<std::size_t>(n - kFirstRetained)] = number(value, "variables");
+    memory.commons[gcode::kVolatileCommons + static_cast<std::size_t>(n - kFirstRetained)] =
+        number(value, "variables");
   }
   memory.external = axes_from(state.at("external"), "external");
   const json& work = state.at("work");
-  if (!work.is_array() || work.size() != control::kWorkSystems) throw Unreadable{"work must hold six systems"};
-  for (std::size_t i = 0; i < control::kWorkSystems; ++i) memory.work[i] = axes_from(work[i], "work");
+  if (!work.is_array() || work.size() != control::kWorkSystems)
+    throw Unreadable{"work must hold six systems"};
+  for (std::size_t i = 0; i < control::kWorkSystems; ++i)
+    memory.work[i] = axes_from(work[i], "work");
   for (const auto& [key, value] : state.at("extended").items()) {
     const int n = index(key, 1, static_cast<int>(control::kExtendedSystems), "extended");
     memory.extended[static_cast<std::size_t>(n - 1)] = axes_from(value, "extended");

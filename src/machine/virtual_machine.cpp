@@ -16,7 +16,8 @@ constexpr double kSecondsPerDay = 86400;
 
 }  // namespace
 
-VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Memory memory, const Settings& settings)
+VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Memory memory,
+                               const Settings& settings)
     : definition_(definition),
       memory_(std::move(memory)),
       library_(sources_, settings.library),
@@ -30,8 +31,8 @@ VirtualMachine::~VirtualMachine() = default;
 void VirtualMachine::power_on() {
   control::Surroundings& surroundings = *this;
   control::MotionSink& sink = *this;
-  controller_ = std::make_unique<control::Controller>(definition_.parameters, definition_.axes, memory_, library_,
-                                                      shelf_, surroundings, sink);
+  controller_ = std::make_unique<control::Controller>(
+      definition_.parameters, definition_.axes, memory_, library_, shelf_, surroundings, sink);
 }
 
 void VirtualMachine::load(std::unique_ptr<base::SourceFile> file) {
@@ -57,7 +58,8 @@ base::Outcome<void> VirtualMachine::set_variable(std::uint32_t number, double va
   if (number >= 1000 && number <= 1035) {
     const std::uint32_t word = number < 1016 ? 0 : number >= 1032 ? number - 1032 : 4;
     if (word == 4 || rounded < -2147483648.0 || rounded > 4294967295.0) {
-      return tl::unexpected(base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": there is no such input"});
+      return tl::unexpected(base::Failure{
+          base::Failure::Kind::usage, "#" + std::to_string(number) + ": there is no such input"});
     }
     const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded));
     if (number >= 1032) {
@@ -70,9 +72,13 @@ base::Outcome<void> VirtualMachine::set_variable(std::uint32_t number, double va
   }
   if (number == 3011) {
     const auto date = static_cast<int>(rounded);
-    const std::chrono::year_month_day day{std::chrono::year{date / 10000}, std::chrono::month{static_cast<unsigned>(date / 100 % 100)},
-                                          std::chrono::day{static_cast<unsigned>(date % 100)}};
-    if (!day.ok() || rounded != value) return tl::unexpected(base::Failure{base::Failure::Kind::usage, "#3011: a date is written yyyymmdd"});
+    const std::chrono::year_month_day day{
+        std::chrono::year{date / 10000},
+        std::chrono::month{static_cast<unsigned>(date / 100 % 100)},
+        std::chrono::day{static_cast<unsigned>(date % 100)}};
+    if (!day.ok() || rounded != value)
+      return tl::unexpected(
+          base::Failure{base::Failure::Kind::usage, "#3011: a date is written yyyymmdd"});
     start_day_ = day;
     return {};
   }
@@ -87,23 +93,28 @@ base::Outcome<void> VirtualMachine::set_variable(std::uint32_t number, double va
 // The calendar of the machine runs with its simulated time: same input, same output.
 double VirtualMachine::date() {
   const double total = start_second_ + statistics_.seconds();
-  const std::chrono::year_month_day day{start_day_ + std::chrono::days{static_cast<int>(total / kSecondsPerDay)}};
+  const std::chrono::year_month_day day{
+      start_day_ + std::chrono::days{static_cast<int>(total / kSecondsPerDay)}};
   return static_cast<int>(day.year()) * 10000.0 + static_cast<unsigned>(day.month()) * 100.0 +
          static_cast<unsigned>(day.day());
 }
 
 double VirtualMachine::time_of_day() {
-  const double second = std::fmod(std::floor(start_second_ + statistics_.seconds()), kSecondsPerDay);
-  return std::floor(second / 3600) * 10000 + std::floor(std::fmod(second, 3600) / 60) * 100 + std::fmod(second, 60);
+  const double second =
+      std::fmod(std::floor(start_second_ + statistics_.seconds()), kSecondsPerDay);
+  return std::floor(second / 3600) * 10000 + std::floor(std::fmod(second, 3600) / 60) * 100 +
+         std::fmod(second, 60);
 }
 
 // Contacts are used up in order: the next one waits until a probing move passes it.
-std::optional<double> VirtualMachine::contact(const base::AxisVector& from, const base::AxisVector& to) {
+std::optional<double> VirtualMachine::contact(const base::AxisVector& from,
+                                              const base::AxisVector& to) {
   if (contacts_.empty()) return std::nullopt;
   const SkipContact& next = contacts_.front();
   const double begin = from[next.axis];
   const double end = to[next.axis];
-  const bool passed = (begin <= next.machine && next.machine <= end) || (end <= next.machine && next.machine <= begin);
+  const bool passed = (begin <= next.machine && next.machine <= end) ||
+                      (end <= next.machine && next.machine <= begin);
   if (!passed) return std::nullopt;
   const double fraction = begin == end ? 0 : (next.machine - begin) / (end - begin);
   contacts_.pop_front();
@@ -127,7 +138,8 @@ bool VirtualMachine::start_program() {
   if (!findings.empty()) {
     alarm_ = findings.front();
   } else if (library_.program_count() == 0) {
-    alarm_ = base::make_error(base::Code::empty_program, {.file = main_file_, .line = 1, .column = 1});
+    alarm_ =
+        base::make_error(base::Code::empty_program, {.file = main_file_, .line = 1, .column = 1});
   }
   if (alarm_) {
     alarm_->program = program_name();
@@ -140,6 +152,13 @@ bool VirtualMachine::start_program() {
 VirtualMachine::Status VirtualMachine::finish(Status status) {
   if (status == Status::alarm && !alarm_) alarm_ = controller_->alarm();
   return status_ = status;
+}
+
+VirtualMachine::Status VirtualMachine::spent(const std::string& what) {
+  notice_ = base::make_error(base::Code::budget_spent, controller_->standing_at(), what);
+  notice_->severity = base::Severity::warning;
+  notice_->program = controller_->running_program();
+  return finish(Status::budget);
 }
 
 VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
@@ -164,19 +183,25 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
         break;
       case Halt::none: break;
     }
-    if (motions_spent_ || (budget.steps != 0 && steps >= budget.steps)) return finish(Status::budget);
-    const std::chrono::duration<double> spent = Clock::now() - begin;
-    if (budget.seconds > 0 && spent.count() > budget.seconds) return finish(Status::budget);
+    if (motions_spent_) return spent("the motions allowed are made");
+    if (budget.steps != 0 && steps >= budget.steps) return spent("the steps allowed are made");
+    const std::chrono::duration<double> elapsed = Clock::now() - begin;
+    if (budget.seconds > 0 && elapsed.count() > budget.seconds) {
+      return spent(base::number_text(budget.seconds) + " s of computing are over");
+    }
   }
 }
 
-VirtualMachine::Status VirtualMachine::cycle_start(const Budget& budget) { return go(budget, false); }
+VirtualMachine::Status VirtualMachine::cycle_start(const Budget& budget) {
+  return go(budget, false);
+}
 
 VirtualMachine::Status VirtualMachine::run_to_end(const Budget& budget) { return go(budget, true); }
 
 void VirtualMachine::reset() {
   controller_->reset();
   alarm_.reset();
+  notice_.reset();
   status_ = Status::idle;
 }
 

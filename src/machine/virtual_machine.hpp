@@ -28,13 +28,13 @@ struct SkipContact {
 
 /// Limits of a run; 0: none.
 struct Budget {
-  double seconds = 60;                    ///< of computing
+  double seconds = 60;  ///< of computing
   std::uint64_t motions = 50'000'000;
-  std::uint64_t steps = 0;                ///< jumps, blocks and pages, about
+  std::uint64_t steps = 0;  ///< jumps, blocks and pages, about
 };
 
-/// A machine with its control and the switches of its panel. A batch run and a live panel are the same
-/// thing; the one goes on by itself where the other waits for cycle start.
+/// A machine with its control and the switches of its panel. A batch run and a live panel are the
+/// same thing; the one goes on by itself where the other waits for cycle start.
 ///
 /// Owns everything that the machine needs; two machines never meet. Not thread-safe.
 class VirtualMachine : private control::Surroundings, private control::MotionSink {
@@ -54,7 +54,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
   VirtualMachine(const MachineDefinition& definition, control::Memory memory)
       : VirtualMachine(definition, std::move(memory), Settings{}) {}
-  VirtualMachine(const MachineDefinition& definition, control::Memory memory, const Settings& settings);
+  VirtualMachine(const MachineDefinition& definition, control::Memory memory,
+                 const Settings& settings);
   ~VirtualMachine() override;
 
   // Preparation
@@ -64,7 +65,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   void load(std::unique_ptr<base::SourceFile> file);
   void add_library_folder(const std::string& folder) { shelf_.add_folder(folder); }
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
-  void set_print_output(std::function<void(std::string_view)> output) { print_output_ = std::move(output); }
+  void set_print_output(std::function<void(std::string_view)> output) {
+    print_output_ = std::move(output);
+  }
   void add_skip_contact(const SkipContact& contact) { contacts_.push_back(contact); }
   /// A variable, an input bit (#1000 to #1035), or the calendar (#3011, #3012). Failure (usage).
   [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
@@ -85,13 +88,17 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// The signal of a macro interrupt (M96).
   void interrupt() { controller_->interrupt(); }
   /// Called at the beginning of every block; slows the machine down.
-  void observe_blocks(control::Controller::BlockObserver observer) { controller_->observe_blocks(std::move(observer)); }
+  void observe_blocks(control::Controller::BlockObserver observer) {
+    controller_->observe_blocks(std::move(observer));
+  }
 
   // What there is to see
 
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] control::Halt halt() const { return controller_->halt(); }
   [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
+  /// Why and where a budget ended the run.
+  [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
   [[nodiscard]] control::Controller& controller() { return *controller_; }
@@ -118,6 +125,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool start_program();
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
+  Status spent(const std::string& what);
 
   MachineDefinition definition_;
   control::Memory memory_;
@@ -131,6 +139,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::array<std::uint32_t, 4> inputs_{};
   std::unique_ptr<control::Controller> controller_;
   std::optional<base::Diagnostic> alarm_;
+  std::optional<base::Diagnostic> notice_;
   std::chrono::sys_days start_day_ = std::chrono::year{2025} / 1 / 1;
   double start_second_ = 0;  // of the day
   Status status_ = Status::idle;

@@ -21,7 +21,8 @@ void Coverage::count(base::FileId file, std::uint32_t line) {
   ++counts[line];
 }
 
-std::string Coverage::csv(const base::SourceSet& sources, const std::vector<control::Assumption>& assumed) const {
+std::string Coverage::csv(const base::SourceSet& sources,
+                          const std::vector<control::Assumption>& assumed) const {
   std::string text = "file,line,count,source,assumed\n";
   for (const auto& [file, counts] : counts_) {
     const base::SourceFile& source = sources[file];
@@ -29,11 +30,12 @@ std::string Coverage::csv(const base::SourceSet& sources, const std::vector<cont
     for (std::uint32_t line = 1; offset < source.size(); ++line) {
       const std::string content = source.line_at(offset, kLongestLine);
       const std::uint64_t count = line < counts.size() ? counts[line] : 0;
-      text += quoted(printable(source.name())) + "," + std::to_string(line) + "," + std::to_string(count) + "," +
-              quoted(printable(content)) + ",";
+      text += quoted(printable(source.name())) + "," + std::to_string(line) + "," +
+              std::to_string(count) + "," + quoted(printable(content)) + ",";
       std::string what;
       for (const control::Assumption& assumption : assumed) {
-        if (assumption.line == line && file == base::FileId{0}) what += (what.empty() ? "" : "; ") + assumption.what;
+        if (assumption.line == line && file == base::FileId{0})
+          what += (what.empty() ? "" : "; ") + assumption.what;
       }
       text += what.empty() ? "\n" : quoted(what) + "\n";
       offset += content.size();

@@ -1,13 +1,12 @@
 #include "output/diagnostic_text.hpp"
 
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
 
 namespace kerf::output {
 namespace {
 
-constexpr std::size_t kWidth = 120;       // of the source text that is shown
+constexpr std::size_t kWidth = 120;        // of the source text that is shown
 constexpr std::size_t kLongest = 1 << 17;  // of a line that is read
 
 const char* severity_name(base::Severity severity) {
@@ -23,20 +22,25 @@ const char* severity_name(base::Severity severity) {
 std::size_t character_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
-  const std::size_t length = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
   if (length == 0 || at + length > text.size()) return 0;
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(at + i) & 0xc0) != 0x80) return 0;
   }
-  const bool overlong = (first == 0xe0 && byte(at + 1) < 0xa0) || (first == 0xf0 && byte(at + 1) < 0x90);
+  const bool overlong =
+      (first == 0xe0 && byte(at + 1) < 0xa0) || (first == 0xf0 && byte(at + 1) < 0x90);
   const bool surrogate = first == 0xed && byte(at + 1) >= 0xa0;
   const bool too_high = first == 0xf4 && byte(at + 1) >= 0x90;
   return overlong || surrogate || too_high ? 0 : length;
 }
 
 struct Column {
-  std::string text;    // what stands there
-  std::size_t byte;    // where it begins in the source line
+  std::string text;  // what stands there
+  std::size_t byte;  // where it begins in the source line
 };
 
 std::vector<Column> columns_of(const std::string& line) {
@@ -47,7 +51,10 @@ std::vector<Column> columns_of(const std::string& line) {
     if (length == 0) {
       columns.push_back({"?", i++});
     } else if (length == 1) {
-      columns.push_back({c == '\t' ? " " : c < ' ' || c == 0x7f ? "?" : std::string(1, line[i]), i});
+      columns.push_back({c == '\t'              ? " "
+                         : c < ' ' || c == 0x7f ? "?"
+                                                : std::string(1, line[i]),
+                         i});
       ++i;
     } else {
       columns.push_back({line.substr(i, length), i});
@@ -62,7 +69,8 @@ std::string excerpt(const base::Place& place, const base::SourceFile& file) {
   const std::string line = file.line_at(place.line_start, kLongest);
   const std::vector<Column> columns = columns_of(line);
   const auto index_of = [&](std::size_t byte) {
-    return static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(), [&](const Column& c) { return c.byte < byte; }));
+    return static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(),
+                                                  [&](const Column& c) { return c.byte < byte; }));
   };
   const std::size_t first = index_of(place.column > 0 ? place.column - 1 : 0);
   const std::size_t last = std::max(first + 1, index_of(place.column - 1 + place.length));
@@ -86,7 +94,8 @@ std::string printable(const std::string& text) {
 }
 
 std::string file_name(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
-  return sources.contains(diagnostic.place.file) ? sources[diagnostic.place.file].name() : std::string();
+  return sources.contains(diagnostic.place.file) ? sources[diagnostic.place.file].name()
+                                                 : std::string();
 }
 
 std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
@@ -94,13 +103,15 @@ std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::Sour
   const std::string file = file_name(diagnostic, sources);
   if (!file.empty()) text += file + ":";
   if (diagnostic.place.line > 0) {
-    text += std::to_string(diagnostic.place.line) + ":" + std::to_string(diagnostic.place.column) + ":";
+    text +=
+        std::to_string(diagnostic.place.line) + ":" + std::to_string(diagnostic.place.column) + ":";
   }
-  text += std::string(text.empty() ? "" : " ") + severity_name(diagnostic.severity) + ": " + diagnostic.number + " " +
-          printable(diagnostic.message);
+  text += std::string(text.empty() ? "" : " ") + severity_name(diagnostic.severity) + ": " +
+          diagnostic.number + " " + printable(diagnostic.message);
   if (!diagnostic.program.empty()) text += " (" + printable(diagnostic.program) + ")";
   text += "\n";
-  if (!file.empty() && diagnostic.place.line > 0) text += excerpt(diagnostic.place, sources[diagnostic.place.file]);
+  if (!file.empty() && diagnostic.place.line > 0)
+    text += excerpt(diagnostic.place, sources[diagnostic.place.file]);
   if (!diagnostic.hint.empty()) text += "    hint: " + diagnostic.hint + "\n";
   return text;
 }

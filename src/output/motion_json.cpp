@@ -2,7 +2,6 @@
 
 #include <array>
 #include <charconv>
-
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
@@ -72,7 +71,8 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   if (motion.program != program_number_) {
     program_number_ = motion.program;
     const std::string digits = std::to_string(static_cast<std::uint32_t>(motion.program));
-    program_ = "\",\"program\":\"O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + "\",\"line\":";
+    program_ = "\",\"program\":\"O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') +
+               digits + "\",\"line\":";
   }
   line_ = "{\"kind\":\"";
   line_ += kind;
@@ -119,7 +119,8 @@ void MotionJson::write(const Motion& motion) {
       line_ += plane_name(action.plane);
       append_member(line_, "\",\"center\":[", action.center[0]);
       append_member(line_, ",", action.center[1]);
-      line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\"" : "],\"direction\":\"ccw\"";
+      line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\""
+                                                        : "],\"direction\":\"ccw\"";
       line_ += ",\"turns\":";
       append_integer(line_, action.turns);
       feed(action.feed);

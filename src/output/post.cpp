@@ -63,7 +63,8 @@ void Post::arc(const Arc& arc) {
   const geometry::Vec2 from = plane->project(at_);
   const geometry::Vec2 centre{arc.center[0], arc.center[1]};
   const bool clockwise = arc.direction == Direction::clockwise;
-  const double length = geometry::arc_length(from, plane->project(arc.to), centre, clockwise, arc.turns, 0);
+  const double length =
+      geometry::arc_length(from, plane->project(arc.to), centre, clockwise, arc.turns, 0);
   const bool full = from == plane->project(arc.to);
   const base::AxisVector before = at_;
   modal_.clear();
@@ -83,7 +84,8 @@ void Post::take(const Motion& motion) { write(motion); }
 void Post::write(const Motion& motion) {
   const auto length_to = [&](const base::AxisVector& to) {
     double sum = 0;
-    for (std::size_t i = 0; i < axes_.count(); ++i) sum += std::pow(to.values[i] - at_.values[i], 2);
+    for (std::size_t i = 0; i < axes_.count(); ++i)
+      sum += std::pow(to.values[i] - at_.values[i], 2);
     return std::sqrt(sum);
   };
   const auto straight = [&](const base::AxisVector& to, const Feed& rate) {

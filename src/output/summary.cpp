@@ -1,8 +1,8 @@
 #include "output/summary.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
@@ -27,15 +27,15 @@ const char* status_name(Status status) {
   return "";
 }
 
-std::string quoted(const std::string& text) {
-  return nlohmann::json(printable(text)).dump();
-}
+std::string quoted(const std::string& text) { return nlohmann::json(printable(text)).dump(); }
 
 // Builds a JSON object with our own number format: the fewest digits that read back.
 class Object {
  public:
   Object& text(const char* key, const std::string& value) { return raw(key, quoted(value)); }
-  Object& number(const std::string& key, double value) { return raw(key, base::number_text(value)); }
+  Object& number(const std::string& key, double value) {
+    return raw(key, base::number_text(value));
+  }
   Object& raw(const std::string& key, const std::string& value) {
     out_ += out_.empty() ? "{" : ",";
     out_ += "\"" + key + "\":" + value;
@@ -57,8 +57,12 @@ std::string alarm_json(const VirtualMachine& machine) {
   if (!machine.alarm()) return "null";
   const base::Diagnostic& alarm = *machine.alarm();
   Object object;
-  object.text("code", alarm.number).text("message", alarm.message).text("file", file_name(alarm, machine.sources()));
-  object.number("line", alarm.place.line).number("column", alarm.place.column).text("program", alarm.program);
+  object.text("code", alarm.number)
+      .text("message", alarm.message)
+      .text("file", file_name(alarm, machine.sources()));
+  object.number("line", alarm.place.line)
+      .number("column", alarm.place.column)
+      .text("program", alarm.program);
   return object.done();
 }
 
@@ -96,7 +100,8 @@ std::string position_json(VirtualMachine& machine) {
 std::vector<control::Assumption> assumptions(VirtualMachine& machine) {
   std::vector<control::Assumption> list = machine.controller().assumptions().list();
   if (machine.statistics().untimed_line() != 0) {
-    list.push_back({machine.statistics().untimed_line(), "feed per revolution without a spindle speed: its time is not counted"});
+    list.push_back({machine.statistics().untimed_line(),
+                    "feed per revolution without a spindle speed: its time is not counted"});
   }
   if (machine.statistics().motions() > 0) {
     list.push_back({0, "time_s is programmed feed and rapid rates, without acceleration"});
@@ -134,7 +139,8 @@ std::string main_file(VirtualMachine& machine) {
 std::string duration_text(double seconds) {
   const auto whole = static_cast<long long>(seconds);
   if (whole < 60) return fmt::format("{:.1f} s", seconds);
-  return fmt::format("{}:{:02}:{:02} ({:.1f} s)", whole / 3600, whole / 60 % 60, whole % 60, seconds);
+  return fmt::format("{}:{:02}:{:02} ({:.1f} s)", whole / 3600, whole / 60 % 60, whole % 60,
+                     seconds);
 }
 
 }  // namespace
@@ -147,13 +153,19 @@ std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
   for (const std::string& message : run.messages()) messages.push_back(quoted(message));
   Object object;
   object.text("program", machine.program_name()).text("file", main_file(machine));
-  object.text("machine", machine.definition().name).text("dialect", dialect).text("status", status_name(machine.status()));
+  object.text("machine", machine.definition().name)
+      .text("dialect", dialect)
+      .text("status", status_name(machine.status()));
   object.raw("alarm", alarm_json(machine));
-  object.number("blocks", static_cast<double>(machine.controller().blocks())).number("motions", static_cast<double>(run.motions()));
-  object.number("time_s", base::tidy(run.seconds())).number("dwell_s", base::tidy(run.dwell_seconds()));
+  object.number("blocks", static_cast<double>(machine.controller().blocks()))
+      .number("motions", static_cast<double>(run.motions()));
+  object.number("time_s", base::tidy(run.seconds()))
+      .number("dwell_s", base::tidy(run.dwell_seconds()));
   object.number("rapid_mm", base::tidy(run.rapid_mm())).number("cut_mm", base::tidy(run.cut_mm()));
   object.raw("extents", extents_json(machine)).raw("position", position_json(machine));
-  object.raw("tools", join(tools)).raw("messages", join(messages)).number("parts", machine.memory().parts);
+  object.raw("tools", join(tools))
+      .raw("messages", join(messages))
+      .number("parts", machine.memory().parts);
   object.raw("assumed", assumed_json(machine)).raw("variables", variables_json(machine));
   return object.done() + "\n";
 }
@@ -161,19 +173,23 @@ std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
 std::string summary_text(VirtualMachine& machine, const std::string& dialect) {
   const machine::RunStatistics& run = machine.statistics();
   const control::AxisSetup& axes = machine.definition().axes;
-  std::string text = fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()), machine.definition().name, dialect,
-                                 status_name(machine.status()));
-  text += fmt::format("  {} blocks, {} motions, {}\n", machine.controller().blocks(), run.motions(), duration_text(run.seconds()));
+  std::string text = fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
+                                 machine.definition().name, dialect, status_name(machine.status()));
+  text += fmt::format("  {} blocks, {} motions, {}\n", machine.controller().blocks(), run.motions(),
+                      duration_text(run.seconds()));
   text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm(), run.cut_mm());
   for (std::size_t i = 0; i < axes.count() && run.motions() > 0; ++i) {
     text += fmt::format("{} {} {} to {}", i == 0 ? "\n  extents" : ",", axes.axes[i].letter,
-                        base::number_text(base::tidy(run.low().values[i])), base::number_text(base::tidy(run.high().values[i])));
+                        base::number_text(base::tidy(run.low().values[i])),
+                        base::number_text(base::tidy(run.high().values[i])));
   }
   text += "\n";
-  for (const std::string& message : run.messages()) text += "  message: " + printable(message) + "\n";
+  for (const std::string& message : run.messages())
+    text += "  message: " + printable(message) + "\n";
   for (const control::Assumption& assumption : assumptions(machine)) {
-    text += assumption.line > 0 ? fmt::format("  assumed, line {}: {}\n", assumption.line, assumption.what)
-                                : fmt::format("  assumed: {}\n", assumption.what);
+    text += assumption.line > 0
+                ? fmt::format("  assumed, line {}: {}\n", assumption.line, assumption.what)
+                : fmt::format("  assumed: {}\n", assumption.what);
   }
   return text;
 }

@@ -1,6 +1,6 @@
-// Any bytes as a program: reading them must end in a result or an alarm with a place, never in a crash,
-// a hang or unbounded memory. The first byte chooses the length of the pages, the machine and the panel's
-// switches, so that loops and jumps cross pages of one line as well as of many.
+// Any bytes as a program: reading them must end in a result or an alarm with a place, never in a
+// crash, a hang or unbounded memory. The first byte chooses the length of the pages, the machine
+// and the panel's switches, so that loops and jumps cross pages of one line as well as of many.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -35,8 +35,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   settings.library.lines_per_page = 1U << (choice & 7U);
   settings.library.fresh_pages = 2;
   settings.library.most_pages = 8;
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets), settings);
-  machine.load(base::SourceFile::from_text("-", {reinterpret_cast<const char*>(data + 1), size - 1}));
+  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
+                                  settings);
+  machine.load(
+      base::SourceFile::from_text("-", {reinterpret_cast<const char*>(data + 1), size - 1}));
   machine.set_block_skip((choice & 8U) != 0 ? 0x3feU : 0);
   machine.set_optional_stop((choice & 16U) != 0);
   machine.set_single_block((choice & 32U) != 0);

@@ -60,7 +60,8 @@ Expectations Reader::read(const std::string& text) {
   std::uint32_t line = 1;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool line_feed = text[i] == '\n';
-    const bool lone_return = text[i] == '\r' && (i + 1 == text.size() || (text[i + 1] != '\n' && text[i + 1] != '\r'));
+    const bool lone_return =
+        text[i] == '\r' && (i + 1 == text.size() || (text[i + 1] != '\n' && text[i + 1] != '\r'));
     if (line_feed || lone_return) ++line;
     if (text[i] != '(') continue;
     const std::size_t close = text.find_first_of(")\r\n", i);

@@ -23,17 +23,25 @@ struct Describe {
 
   std::string target(const base::AxisVector& to) const {
     std::string text;
-    for (std::size_t i = 0; i < axes.count(); ++i) text += std::string(" ") + axes.axes[i].letter + number(to.values[i]);
+    for (std::size_t i = 0; i < axes.count(); ++i)
+      text += std::string(" ") + axes.axes[i].letter + number(to.values[i]);
     return text;
   }
   std::string operator()(const Rapid& a) const { return "rapid" + target(a.to); }
-  std::string operator()(const Line& a) const { return "line" + target(a.to) + " F" + number(a.feed.value); }
-  std::string operator()(const Arc& a) const {
-    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" + number(a.center[0]) + "," +
-           number(a.center[1]) + " " + plane_name(a.plane) + " F" + number(a.feed.value);
+  std::string operator()(const Line& a) const {
+    return "line" + target(a.to) + " F" + number(a.feed.value);
   }
-  std::string operator()(const Probe& a) const { return "probe" + target(a.to) + " F" + number(a.feed.value); }
-  std::string operator()(const Thread& a) const { return "thread" + target(a.to) + " F" + number(a.lead); }
+  std::string operator()(const Arc& a) const {
+    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" +
+           number(a.center[0]) + "," + number(a.center[1]) + " " + plane_name(a.plane) + " F" +
+           number(a.feed.value);
+  }
+  std::string operator()(const Probe& a) const {
+    return "probe" + target(a.to) + " F" + number(a.feed.value);
+  }
+  std::string operator()(const Thread& a) const {
+    return "thread" + target(a.to) + " F" + number(a.lead);
+  }
   std::string operator()(const Dwell& a) const { return "dwell " + number(a.seconds); }
   std::string operator()(const ToolChange& a) const { return "tool " + std::to_string(a.tool); }
   std::string operator()(const Spindle& a) const {
@@ -46,7 +54,9 @@ struct Describe {
     return "spindle";
   }
   std::string operator()(const Coolant& a) const {
-    return a.state == Coolant::State::off ? "coolant off" : a.state == Coolant::State::mist ? "coolant mist" : "coolant flood";
+    return a.state == Coolant::State::off    ? "coolant off"
+           : a.state == Coolant::State::mist ? "coolant mist"
+                                             : "coolant flood";
   }
   std::string operator()(const Power& a) const { return "power " + number(a.percent); }
   std::string operator()(const AuxiliaryCode& a) const { return "mcode " + std::to_string(a.code); }
@@ -57,13 +67,16 @@ struct Describe {
 
 bool near(double a, double b) { return std::fabs(a - b) <= kTolerance; }
 
-double value_of(const std::string& word, std::size_t from) { return std::strtod(word.c_str() + from, nullptr); }
+double value_of(const std::string& word, std::size_t from) {
+  return std::strtod(word.c_str() + from, nullptr);
+}
 
 std::string check_centre(const std::string& word, const Motion& motion) {
   const auto* const arc = std::get_if<Arc>(&motion.action);
   const std::size_t comma = word.find(',');
   if (arc == nullptr || comma == std::string::npos) return "it is no arc";
-  if (near(arc->center[0], value_of(word, 1)) && near(arc->center[1], value_of(word, comma + 1))) return {};
+  if (near(arc->center[0], value_of(word, 1)) && near(arc->center[1], value_of(word, comma + 1)))
+    return {};
   return "its centre differs";
 }
 
@@ -92,7 +105,8 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
 }  // namespace
 
 void Recorder::take(const Motion& motion) {
-  observed_.push_back({motion.line, target_of(motion) != nullptr, std::visit(Describe{axes_}, motion.action), motion});
+  observed_.push_back({motion.line, target_of(motion) != nullptr,
+                       std::visit(Describe{axes_}, motion.action), motion});
 }
 
 std::string difference(const std::string& wanted, const Observed& observed, const AxisSetup& axes) {

@@ -1,11 +1,12 @@
-// Runs every program of tests/text as a test of its own name; what it expects stands in its comments.
+// Runs every program of tests/text as a test of its own name; what it expects stands in its
+// comments.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-
-#include <gtest/gtest.h>
 
 #include "base/decimal.hpp"
 #include "cli/arguments.hpp"
@@ -45,7 +46,9 @@ double variable(VirtualMachine& machine, const std::string& name) {
   return machine.memory().commons[number - 500 + gcode::kVolatileCommons];
 }
 
-std::string value_text(double value) { return vm::is_null(value) ? "null" : base::number_text(value); }
+std::string value_text(double value) {
+  return vm::is_null(value) ? "null" : base::number_text(value);
+}
 
 class TextTest : public testing::Test {
  public:
@@ -59,7 +62,8 @@ class TextTest : public testing::Test {
   void check_alarm();
   void check_end();
   void check_moves();
-  void check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got, const std::string& what);
+  void check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got,
+                  const std::string& what);
   void check_records();
   void check_assumed();
   void check_positions();
@@ -76,10 +80,13 @@ class TextTest : public testing::Test {
 
 void TextTest::prepare() {
   expected_ = read_expectations(read_file(path_));
-  for (const std::string& mistake : expected_.mistakes) ADD_FAILURE() << "not understood: " << mistake;
+  for (const std::string& mistake : expected_.mistakes)
+    ADD_FAILURE() << "not understood: " << mistake;
   ASSERT_GT(expected_.count, 0U) << "the program expects nothing";
   // In a folder of its own: the programs of the same folder can be called.
-  const fs::path folder = fs::path(testing::TempDir()) / ("kerf_text_" + path_.parent_path().filename().string() + "_" + path_.stem().string());
+  const fs::path folder =
+      fs::path(testing::TempDir()) /
+      ("kerf_text_" + path_.parent_path().filename().string() + "_" + path_.stem().string());
   fs::create_directories(folder);
   fs::copy_file(path_, folder / "program.nc", fs::copy_options::overwrite_existing);
   std::vector<std::string> words = {"run", (folder / "program.nc").string()};
@@ -99,12 +106,14 @@ void TextTest::prepare() {
 void TextTest::run() {
   machine_->observe_blocks([this](base::FileId, std::uint32_t line) {
     const auto wanted = expected_.variables_after_line.find(line_);
-    if (wanted != expected_.variables_after_line.end()) check_variables(wanted->second, "after line " + std::to_string(line_));
+    if (wanted != expected_.variables_after_line.end())
+      check_variables(wanted->second, "after line " + std::to_string(line_));
     line_ = line;
   });
   machine_->run_to_end({options_.max_seconds, options_.max_motions});
   const auto wanted = expected_.variables_after_line.find(line_);
-  if (wanted != expected_.variables_after_line.end()) check_variables(wanted->second, "after line " + std::to_string(line_));
+  if (wanted != expected_.variables_after_line.end())
+    check_variables(wanted->second, "after line " + std::to_string(line_));
 }
 
 double TextTest::local(const std::string& name) {
@@ -116,7 +125,8 @@ double TextTest::local(const std::string& name) {
 void TextTest::check_variables(const std::vector<WantedVariable>& wanted, const std::string& when) {
   for (const WantedVariable& item : wanted) {
     const double got = when == "finally" ? variable(*machine_, item.name) : local(item.name);
-    const bool same = item.value ? std::fabs(got - *item.value) <= kVariableTolerance : vm::is_null(got);
+    const bool same =
+        item.value ? std::fabs(got - *item.value) <= kVariableTolerance : vm::is_null(got);
     EXPECT_TRUE(same) << item.name << " is " << value_text(got) << " " << when << ", wanted "
                       << (item.value ? base::number_text(*item.value) : "null");
   }
@@ -125,7 +135,8 @@ void TextTest::check_variables(const std::vector<WantedVariable>& wanted, const 
 void TextTest::check_alarm() {
   const auto& alarm = machine_->alarm();
   if (!expected_.alarm) {
-    EXPECT_FALSE(alarm) << "unexpected alarm " << (alarm ? alarm->number + " " + alarm->message : "") << " in line "
+    EXPECT_FALSE(alarm) << "unexpected alarm "
+                        << (alarm ? alarm->number + " " + alarm->message : "") << " in line "
                         << (alarm ? alarm->place.line : 0);
     return;
   }
@@ -140,11 +151,15 @@ void TextTest::check_alarm() {
   EXPECT_NE(alarm->message.find(wanted.says), std::string::npos) << alarm->message;
   if (wanted.at.empty()) return;
   const std::string text = read_file(path_);
-  EXPECT_EQ(text.substr(alarm->place.line_start + alarm->place.column - 1, std::max(1U, alarm->place.length)), wanted.at);
+  EXPECT_EQ(text.substr(alarm->place.line_start + alarm->place.column - 1,
+                        std::max(1U, alarm->place.length)),
+            wanted.at);
 }
 
 void TextTest::check_end() {
-  const std::string wanted = !expected_.status.empty() ? expected_.status : expected_.alarm ? "alarm" : "end";
+  const std::string wanted = !expected_.status.empty() ? expected_.status
+                             : expected_.alarm         ? "alarm"
+                                                       : "end";
   EXPECT_EQ(status_name(machine_->status()), wanted);
   check_variables(expected_.variables, "finally");
   std::string prints;
@@ -154,7 +169,8 @@ void TextTest::check_end() {
   }
 }
 
-void TextTest::check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got, const std::string& what) {
+void TextTest::check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got,
+                          const std::string& what) {
   std::string list;
   for (const Observed& item : got) list += "\n    " + item.text;
   EXPECT_EQ(wanted.size(), got.size()) << what << ":" << list;
@@ -172,7 +188,8 @@ void TextTest::check_moves() {
   if (expected_.moves) check_list(*expected_.moves, all, "all moves");
   for (const auto& [line, wanted] : expected_.moves_of_line) {
     std::vector<Observed> of_line;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(of_line), [&, at = line](const Observed& item) { return item.line == at; });
+    std::copy_if(all.begin(), all.end(), std::back_inserter(of_line),
+                 [&, at = line](const Observed& item) { return item.line == at; });
     check_list(wanted, of_line, "moves of line " + std::to_string(line));
   }
 }
@@ -184,8 +201,10 @@ void TextTest::check_records() {
   for (const Observed& item : recorder_->observed()) list += "\n    " + item.text;
   auto at = recorder_->observed().begin();
   for (const std::string& wanted : *expected_.records) {
-    at = std::find_if(at, recorder_->observed().end(), [&](const Observed& item) { return item.text == wanted; });
-    ASSERT_NE(at, recorder_->observed().end()) << "no record " << wanted << " (in this order) among" << list;
+    at = std::find_if(at, recorder_->observed().end(),
+                      [&](const Observed& item) { return item.text == wanted; });
+    ASSERT_NE(at, recorder_->observed().end())
+        << "no record " << wanted << " (in this order) among" << list;
     ++at;
   }
 }
@@ -193,9 +212,11 @@ void TextTest::check_records() {
 void TextTest::check_assumed() {
   const auto& list = machine_->controller().assumptions().list();
   for (const auto& [line, text] : expected_.assumed_in_line) {
-    const bool found = std::any_of(list.begin(), list.end(), [&, at = line, what = text](const control::Assumption& assumption) {
-      return assumption.line == at && assumption.what.find(what) != std::string::npos;
-    });
+    const bool found = std::any_of(
+        list.begin(), list.end(),
+        [&, at = line, what = text](const control::Assumption& assumption) {
+          return assumption.line == at && assumption.what.find(what) != std::string::npos;
+        });
     EXPECT_TRUE(found) << "line " << line << " does not assume: " << text;
   }
 }
@@ -203,7 +224,8 @@ void TextTest::check_assumed() {
 void TextTest::check_positions() {
   const base::AxisVector machine = machine_->controller().machine_position();
   const base::AxisVector work = machine - machine_->controller().coordinates().origin();
-  const auto check = [&](const std::vector<WantedPosition>& wanted, const base::AxisVector& got, const char* system) {
+  const auto check = [&](const std::vector<WantedPosition>& wanted, const base::AxisVector& got,
+                         const char* system) {
     for (const WantedPosition& item : wanted) {
       const auto axis = machine_->definition().axes.find(item.axis);
       ASSERT_TRUE(axis) << item.axis;
@@ -228,7 +250,9 @@ void TextTest::TestBody() {
 
 std::string name_of(const fs::path& path) {
   std::string name = path.stem().string();
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; },
+      '_');
   return name;
 }
 
@@ -245,8 +269,8 @@ void register_folder(const fs::path& folder) {
     std::exit(1);
   }
   for (const fs::path& program : programs) {
-    testing::RegisterTest(area.c_str(), name_of(program).c_str(), nullptr, nullptr, program.c_str(), 1,
-                          [=]() -> testing::Test* { return new TextTest(program); });
+    testing::RegisterTest(area.c_str(), name_of(program).c_str(), nullptr, nullptr, program.c_str(),
+                          1, [=]() -> testing::Test* { return new TextTest(program); });
   }
 }
 

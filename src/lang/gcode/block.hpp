@@ -8,8 +8,8 @@ namespace kerf::gcode {
 
 /// One address word of a block with its value.
 struct Word {
-  double value = 0;          ///< as written; while compiled and `from_register`: the register's number
-  char letter = 0;           ///< 'A' to 'Z', or ',' combined codes below
+  double value = 0;  ///< as written; while compiled and `from_register`: the register's number
+  char letter = 0;   ///< 'A' to 'Z', or ',' combined codes below
   std::uint8_t flags = 0;    ///< WordFlag bits
   std::uint16_t column = 0;  ///< from 1; columns beyond 65535 read 65535
   std::uint16_t length = 0;  ///< bytes of the word's text
@@ -27,8 +27,8 @@ struct WordFlag {
   static constexpr std::uint8_t many_digits = 32;   ///< more significant digits than a double holds
 };
 
-/// An executable NC block: its words in the order of the text, null words dropped. A view: valid only
-/// while the control executes it.
+/// An executable NC block: its words in the order of the text, null words dropped. A view: valid
+/// only while the control executes it.
 struct Block {
   std::span<const Word> words;
   std::uint32_t line = 0;

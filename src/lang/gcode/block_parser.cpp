@@ -77,8 +77,8 @@ void BlockParser::fail_long_line(std::uint32_t line, std::uint32_t line_offset) 
   page_.marks.push_back({emitter_.here(), line, line_offset, line_offset});
   const char* const begin = "";
   emitter_.begin_block(begin);
-  report({Code::block_too_long, begin, 1, "more than 65,536 characters on one line", {}},
-       {{}, begin, line, line_offset, line_offset});
+  report({Code::block_too_long, begin, 1, "more than 1,048,576 characters on one line", {}},
+         {{}, begin, line, line_offset, line_offset});
 }
 
 // block = { "/" [level] | N label } ( words | statement | nothing )
@@ -216,7 +216,8 @@ void BlockParser::check_words_first(const Cursor& cursor) {
   for (std::size_t i = first_word_; i < page_.words.size(); ++i) {
     const Word& word = page_.words[i];
     if (word.has(WordFlag::point) && kIntegers.find(word.letter) != std::string_view::npos) {
-      throw SyntaxError{Code::illegal_decimal_point, line_begin_ + word.column - 1, word.length, {}, {}};
+      throw SyntaxError{
+          Code::illegal_decimal_point, line_begin_ + word.column - 1, word.length, {}, {}};
     }
   }
   for (Cursor ahead = cursor; !ahead.done(); ahead.advance()) {
@@ -280,10 +281,10 @@ void BlockParser::word(Cursor& cursor) {
   } else if (next == '#' || next == '[') {
     Expression expression(cursor, emitter_, names_);
     expression.set_address(arguments_ ? '\0' : word.letter);
-    const Operand operand = next == '[' && !expression.at_named_variable()
-                                ? expression.bracketed_number()
-                                : expression.load(next == '#' ? expression.variable()
-                                                              : expression.named_variable());
+    const Operand operand =
+        next == '[' && !expression.at_named_variable()
+            ? expression.bracketed_number()
+            : expression.load(next == '#' ? expression.variable() : expression.named_variable());
     if (minus) word.flags |= WordFlag::minus;
     if (operand.is_constant) {
       word.value = minus ? -operand.value : operand.value;
@@ -304,7 +305,8 @@ void BlockParser::word(Cursor& cursor) {
 void BlockParser::literal(Cursor& cursor, Word& word, bool minus) {
   const char* const begin = cursor.at();
   const NumberText text = cursor.number();
-  if (text.digits < 0) fail_since(begin, cursor, Code::no_data_after_address, "a point without digits is no number");
+  if (text.digits < 0)
+    fail_since(begin, cursor, Code::no_data_after_address, "a point without digits is no number");
   word.value = minus ? -text.value : text.value;
   word.flags |= static_cast<std::uint8_t>(WordFlag::literal | (text.point ? WordFlag::point : 0) |
                                           (minus ? WordFlag::minus : 0));
@@ -321,7 +323,8 @@ void BlockParser::program_name(Cursor& cursor, Statement& statement) {
   const char* const close = std::find(begin, cursor.end(), '>');
   const auto length = static_cast<std::size_t>(close - begin);
   if (close == cursor.end() || length < 2 || length > kLongestName + 1) {
-    throw SyntaxError{Code::file_call_format, begin, length, "a program name stands between < and >", {}};
+    throw SyntaxError{
+        Code::file_call_format, begin, length, "a program name stands between < and >", {}};
   }
   statement.name = static_cast<std::int32_t>(page_.names.size());
   page_.names.emplace_back(begin + 1, close);

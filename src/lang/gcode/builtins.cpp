@@ -14,7 +14,7 @@ using vm::BuiltinContext;
 using vm::Fault;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kSmallestResult = 1e-8;      // MFZ
+constexpr double kSmallestResult = 1e-8;  // MFZ
 constexpr double kLargestBcd = 99999999;
 constexpr double kLargestLabel = 99999999;
 
@@ -29,8 +29,8 @@ double fail(BuiltinContext& context, Fault fault) {
   return 0;
 }
 
-// An angle as quarter turns and a rest in [-45, 45] degrees. Exact: for |angle| < 2^44 the remainder
-// of a division by 90 is a double.
+// An angle as quarter turns and a rest in [-45, 45] degrees. Exact: for |angle| < 2^44 the
+// remainder of a division by 90 is a double.
 struct Quarters {
   int quarter = 0;  // 0 to 3
   double rest_deg = 0;
@@ -210,16 +210,17 @@ double call_label(const double* a, BuiltinContext& c) {
 double call_parameter(const double* a, BuiltinContext& c) {
   const double parameter = std::round(number(a));
   const double suffix = std::round(number(a, 1));
-  if (parameter < 0 || parameter > 99999 || suffix < 0 || suffix > 99) return fail(c, Fault::domain);
+  if (parameter < 0 || parameter > 99999 || suffix < 0 || suffix > 99)
+    return fail(c, Fault::domain);
   return kParameter + 100 * parameter + suffix;
 }
 
 // In the order of Function.
 constexpr vm::Builtin kBuiltins[] = {
-    {call_sin, 1},  {call_cos, 1},   {call_tan, 1},      {call_asin, 1}, {call_acos, 1},
-    {call_atan, 1}, {call_atan2, 2}, {call_sqrt, 1},     {call_abs, 1},  {call_bin, 1},
-    {call_bcd, 1},  {call_round, 1}, {call_round_to, 2}, {call_fix, 1},  {call_fup, 1},
-    {call_ln, 1},   {call_exp, 1},   {call_pow, 2},      {call_adp, 1},  {call_mod, 2},
+    {call_sin, 1},  {call_cos, 1},   {call_tan, 1},      {call_asin, 1},  {call_acos, 1},
+    {call_atan, 1}, {call_atan2, 2}, {call_sqrt, 1},     {call_abs, 1},   {call_bin, 1},
+    {call_bcd, 1},  {call_round, 1}, {call_round_to, 2}, {call_fix, 1},   {call_fup, 1},
+    {call_ln, 1},   {call_exp, 1},   {call_pow, 2},      {call_adp, 1},   {call_mod, 2},
     {call_and, 2},  {call_or, 2},    {call_xor, 2},      {call_label, 1}, {call_parameter, 2}};
 
 }  // namespace

@@ -32,13 +32,15 @@ enum class Function : std::uint32_t {
   and_,
   or_,
   xor_,
-  label,       ///< checks and rounds the operand of GOTO (CTL-1)
-  parameter,   ///< (number, suffix): the variable number of PRM
+  label,      ///< checks and rounds the operand of GOTO (CTL-1)
+  parameter,  ///< (number, suffix): the variable number of PRM
 };
 
 /// The table that vm::CodePage::builtins points to; its context's rules are a MathRules.
 [[nodiscard]] const vm::Builtin* builtin_table();
 
-[[nodiscard]] inline std::uint32_t number_of(Function function) { return static_cast<std::uint32_t>(function); }
+[[nodiscard]] inline std::uint32_t number_of(Function function) {
+  return static_cast<std::uint32_t>(function);
+}
 
 }  // namespace kerf::gcode

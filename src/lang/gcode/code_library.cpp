@@ -54,7 +54,9 @@ std::optional<vm::CodeId> CodeLibrary::find(const std::string& name) const {
 }
 
 CodeLibrary::Slot* CodeLibrary::find_slot(vm::CodeId code, std::uint32_t number) {
-  const auto holds = [&](const Slot& slot) { return slot.page->code == code && slot.page->number == number; };
+  const auto holds = [&](const Slot& slot) {
+    return slot.page->code == code && slot.page->number == number;
+  };
   if (newest_ < slots_.size() && holds(slots_[newest_])) return &slots_[newest_];
   const auto found = std::find_if(slots_.begin(), slots_.end(), holds);
   return found == slots_.end() ? nullptr : &*found;
@@ -87,8 +89,8 @@ void CodeLibrary::compile(vm::CodeId code, std::uint32_t number, Slot& slot) {
   GcodePage& page = *slot.page;
   page.code = code;
   page.number = number;
-  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end, names_,
-                    page);
+  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end,
+                    names_, page);
   if (page.last) {
     target.complete = true;
   } else if (target.starts.size() == number + 1) {
@@ -122,7 +124,8 @@ const std::vector<CodeLibrary::PlacedLabel>& CodeLibrary::labels_of(vm::CodeId c
 }
 
 // CTL-2: forward from the place of the jump to the end, then from the head.
-std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address from, std::uint32_t label) {
+std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address from,
+                                                   std::uint32_t label) {
   const std::vector<PlacedLabel>& labels = labels_of(code);
   auto found = std::lower_bound(labels.begin(), labels.end(), PlacedLabel{label, from});
   if (found == labels.end() || found->number != label) {
@@ -132,7 +135,8 @@ std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address 
   return found->at;
 }
 
-vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number, std::uint32_t region) {
+vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number,
+                                       std::uint32_t region) {
   std::vector<PlacedLoopMark> marks;
   std::size_t wanted = 0;
   vm::Region result;

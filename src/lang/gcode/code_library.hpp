@@ -16,9 +16,9 @@ namespace kerf::gcode {
 
 /// All programs that a machine can call, compiled page by page when they are reached.
 ///
-/// Pages are kept in a bounded store: a program that runs straight on uses the same few over and over,
-/// so its length costs nothing; a program that comes back to a page that had to go keeps more of them
-/// from then on, so that no loop reads its text twice per pass.
+/// Pages are kept in a bounded store: a program that runs straight on uses the same few over and
+/// over, so its length costs nothing; a program that comes back to a page that had to go keeps more
+/// of them from then on, so that no loop reads its text twice per pass.
 class CodeLibrary : public vm::CodeSource {
  public:
   struct Settings {
@@ -48,7 +48,8 @@ class CodeLibrary : public vm::CodeSource {
 
   // vm::CodeSource
   GcodePage& page(vm::CodeId code, std::uint32_t number) override;
-  std::optional<vm::Address> find_label(vm::CodeId code, vm::Address from, std::uint32_t label) override;
+  std::optional<vm::Address> find_label(vm::CodeId code, vm::Address from,
+                                        std::uint32_t label) override;
   vm::Region resolve_region(vm::CodeId code, std::uint32_t page, std::uint32_t region) override;
 
  private:
@@ -60,8 +61,8 @@ class CodeLibrary : public vm::CodeSource {
   struct Program {
     ProgramEntry entry;
     base::FileId file{};
-    std::vector<PageStart> starts;  ///< of the pages that are known so far
-    bool complete = false;          ///< the last page is among them
+    std::vector<PageStart> starts;                   ///< of the pages that are known so far
+    bool complete = false;                           ///< the last page is among them
     std::optional<std::vector<PlacedLabel>> labels;  ///< sorted by number, then address
   };
   struct Slot {
@@ -84,8 +85,8 @@ class CodeLibrary : public vm::CodeSource {
   std::vector<Program> programs_;
   std::vector<base::Diagnostic> findings_;
   std::vector<Slot> slots_;
-  std::size_t newest_ = 0;       // slot that was asked for last
-  std::size_t allowed_ = 0;      // slots in use at most, for now
+  std::size_t newest_ = 0;   // slot that was asked for last
+  std::size_t allowed_ = 0;  // slots in use at most, for now
   std::uint64_t clock_ = 0;
 };
 

@@ -7,7 +7,8 @@
 
 namespace kerf::gcode {
 
-/// Appends instructions to a page, each with the text that it was made from, and hands out registers.
+/// Appends instructions to a page, each with the text that it was made from, and hands out
+/// registers.
 class Emitter {
  public:
   explicit Emitter(GcodePage& page) : page_(page) {}
@@ -30,7 +31,9 @@ class Emitter {
     page_.spans.push_back(span_);
     return static_cast<std::uint32_t>(page_.instructions.size() - 1);
   }
-  [[nodiscard]] std::uint32_t here() const { return static_cast<std::uint32_t>(page_.instructions.size()); }
+  [[nodiscard]] std::uint32_t here() const {
+    return static_cast<std::uint32_t>(page_.instructions.size());
+  }
   /// Makes the jump or branch `instruction` go to the next instruction to be emitted.
   void land(std::uint32_t instruction) { page_.instructions[instruction].n = here(); }
 
@@ -42,7 +45,8 @@ class Emitter {
   /// A free register. Throws SyntaxError when a block needs more than there are.
   [[nodiscard]] std::uint8_t allocate() {
     if (next_register_ >= vm::kRegisters) {
-      throw SyntaxError{base::Code::block_too_long, line_text_, 1, "too many expressions in one block"};
+      throw SyntaxError{base::Code::block_too_long, line_text_, 1,
+                        "too many expressions in one block"};
     }
     return static_cast<std::uint8_t>(next_register_++);
   }

@@ -92,9 +92,11 @@ Operand Expression::temporary(std::uint8_t reg, const char* begin, bool truth) c
 
 void Expression::require_number(const Operand& operand) const {
   if (!operand.is_truth) return;
-  throw SyntaxError{Code::expression_format, operand.begin,
+  throw SyntaxError{Code::expression_format,
+                    operand.begin,
                     static_cast<std::size_t>(operand.end - operand.begin),
-                    "a comparison is not a number", {}};
+                    "a comparison is not a number",
+                    {}};
 }
 
 KeywordMatch Expression::next_operator() const {
@@ -120,8 +122,11 @@ Operand Expression::bracketed_condition(Code format) {
   if (is_comparison(next_operator().keyword)) fail(format, "comparisons cannot be chained");
   close_bracket();
   if (!result.is_truth) {
-    throw SyntaxError{format, result.begin, static_cast<std::size_t>(result.end - result.begin),
-                      "a comparison is expected", {}};
+    throw SyntaxError{format,
+                      result.begin,
+                      static_cast<std::size_t>(result.end - result.begin),
+                      "a comparison is expected",
+                      {}};
   }
   return result;
 }
@@ -214,7 +219,8 @@ Operand Expression::primary() {
   if (next == '[') return at_named_variable() ? load(named_variable()) : bracketed();
   if (is_letter(next)) {
     const char* const begin = cursor_.at();
-    const KeywordMatch match = function_at({begin, static_cast<std::size_t>(cursor_.end() - begin)});
+    const KeywordMatch match =
+        function_at({begin, static_cast<std::size_t>(cursor_.end() - begin)});
     if (match.keyword == Keyword::none) {
       if (is_letter(cursor_.peek_next())) fail(Code::undefined_word, "no function has this name");
       fail(Code::expression_format, "an address cannot stand in an expression");
@@ -223,14 +229,16 @@ Operand Expression::primary() {
     return function(match.keyword, begin);
   }
   if (next == ']' && depth_ == 0) fail(Code::missing_open_bracket);
-  if (!is_language_character(next)) fail(Code::improper_address, "this character is not part of the language");
+  if (!is_language_character(next))
+    fail(Code::improper_address, "this character is not part of the language");
   fail(Code::expression_format, "an operand is missing");
 }
 
 Operand Expression::literal() {
   const char* const begin = cursor_.at();
   const NumberText text = cursor_.number();
-  if (text.digits < 0) fail_since(Code::expression_format, begin, "a point without digits is no number");
+  if (text.digits < 0)
+    fail_since(Code::expression_format, begin, "a point without digits is no number");
   if (text.digits > kLiteralDigits) {
     fail_since(Code::too_many_digits, begin, "a number in a macro statement has at most 12 digits");
   }
@@ -281,7 +289,8 @@ Operand Expression::rounded(const char* begin) {
   const std::uint8_t value = in_register(argument);
   const std::uint8_t increment = emitter_.allocate();
   stand_at(begin);
-  emitter_.emit({Op::read_fixed, increment, 0, 0, kIncrementOf + static_cast<std::uint32_t>(address_)});
+  emitter_.emit(
+      {Op::read_fixed, increment, 0, 0, kIncrementOf + static_cast<std::uint32_t>(address_)});
   return call(Function::round_to, temporary(value, begin), temporary(increment, begin));
 }
 
@@ -415,7 +424,8 @@ Variable Expression::variable() {
   cursor_.advance();
   if (is_digit(cursor_.peek())) {
     const NumberText text = cursor_.number();
-    if (text.point) fail_since(Code::illegal_decimal_point, begin, "a variable number is an integer");
+    if (text.point)
+      fail_since(Code::illegal_decimal_point, begin, "a variable number is an integer");
     if (text.digits > kVariableDigits) fail_since(Code::variable_range, begin);
     Variable result = classify(static_cast<std::uint32_t>(text.value));
     result.begin = begin;

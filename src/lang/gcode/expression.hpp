@@ -35,8 +35,8 @@ inline constexpr int kLiteralDigits = 12;
 /// Reads expressions and emits their code (fanuc-dialect.md §4). Every function throws SyntaxError.
 ///
 /// Precedence, from what binds tightest: brackets, functions and signs, * / AND MOD, + - OR XOR,
-/// comparisons; left to right within a level. AND, OR, XOR work on bits between numbers and as logic
-/// between comparisons.
+/// comparisons; left to right within a level. AND, OR, XOR work on bits between numbers and as
+/// logic between comparisons.
 class Expression {
  public:
   Expression(Cursor& cursor, Emitter& emitter, NameTable& names)
@@ -49,8 +49,8 @@ class Expression {
   [[nodiscard]] Operand number();
   /// "[ expression ]", standing on the bracket.
   [[nodiscard]] Operand bracketed_number();
-  /// "[ condition ]" of IF or WHILE, standing on the bracket, which does not count as a nesting level.
-  /// Anything but a comparison is `format` (PS1137 or PS1138).
+  /// "[ condition ]" of IF or WHILE, standing on the bracket, which does not count as a nesting
+  /// level. Anything but a comparison is `format` (PS1137 or PS1138).
   [[nodiscard]] Operand bracketed_condition(base::Code format);
   /// "#…", standing on the '#'.
   [[nodiscard]] Variable variable();
@@ -94,7 +94,8 @@ class Expression {
   void stand_at(const char* begin) { emitter_.stand_at(begin, cursor_.behind()); }
   [[noreturn]] void fail(base::Code code, std::string_view detail = {},
                          std::string_view hint = {}) const;
-  [[noreturn]] void fail_since(base::Code code, const char* begin, std::string_view detail = {}) const;
+  [[noreturn]] void fail_since(base::Code code, const char* begin,
+                               std::string_view detail = {}) const;
 
   Cursor& cursor_;
   Emitter& emitter_;

@@ -14,7 +14,7 @@ struct Spelling {
 
 // Longer spellings stand before their abbreviations.
 constexpr Spelling kStatements[] = {
-    {"GOTO", Keyword::go_to},  {"IF", Keyword::if_},      {"THEN", Keyword::then},
+    {"GOTO", Keyword::go_to},   {"IF", Keyword::if_},      {"THEN", Keyword::then},
     {"WHILE", Keyword::while_}, {"DO", Keyword::do_},      {"END", Keyword::end},
     {"POPEN", Keyword::popen},  {"PCLOS", Keyword::pclos}, {"BPRNT", Keyword::bprnt},
     {"DPRNT", Keyword::dprnt},  {"SETVN", Keyword::setvn}, {"GO", Keyword::go_to},
@@ -29,18 +29,18 @@ constexpr Spelling kOperators[] = {
     {"MO", Keyword::mod}};
 
 constexpr Spelling kFunctions[] = {
-    {"SIN", Keyword::sin},     {"COS", Keyword::cos},   {"TAN", Keyword::tan},
-    {"ASIN", Keyword::asin},   {"ACOS", Keyword::acos}, {"ATAN", Keyword::atan},
-    {"SQRT", Keyword::sqrt},   {"SQR", Keyword::sqrt},  {"ABS", Keyword::abs},
-    {"BIN", Keyword::bin},     {"BCD", Keyword::bcd},   {"ROUND", Keyword::round},
-    {"RND", Keyword::round},   {"FIX", Keyword::fix},   {"FUP", Keyword::fup},
-    {"LN", Keyword::ln},       {"EXP", Keyword::exp},   {"POW", Keyword::pow},
-    {"ADP", Keyword::adp},     {"PRM", Keyword::prm},   {"SI", Keyword::sin},
-    {"CO", Keyword::cos},      {"TA", Keyword::tan},    {"AS", Keyword::asin},
-    {"AC", Keyword::acos},     {"AT", Keyword::atan},   {"SQ", Keyword::sqrt},
-    {"AB", Keyword::abs},      {"BI", Keyword::bin},    {"BC", Keyword::bcd},
-    {"RO", Keyword::round},    {"FI", Keyword::fix},    {"FU", Keyword::fup},
-    {"EX", Keyword::exp},      {"PO", Keyword::pow},    {"AD", Keyword::adp},
+    {"SIN", Keyword::sin},   {"COS", Keyword::cos},   {"TAN", Keyword::tan},
+    {"ASIN", Keyword::asin}, {"ACOS", Keyword::acos}, {"ATAN", Keyword::atan},
+    {"SQRT", Keyword::sqrt}, {"SQR", Keyword::sqrt},  {"ABS", Keyword::abs},
+    {"BIN", Keyword::bin},   {"BCD", Keyword::bcd},   {"ROUND", Keyword::round},
+    {"RND", Keyword::round}, {"FIX", Keyword::fix},   {"FUP", Keyword::fup},
+    {"LN", Keyword::ln},     {"EXP", Keyword::exp},   {"POW", Keyword::pow},
+    {"ADP", Keyword::adp},   {"PRM", Keyword::prm},   {"SI", Keyword::sin},
+    {"CO", Keyword::cos},    {"TA", Keyword::tan},    {"AS", Keyword::asin},
+    {"AC", Keyword::acos},   {"AT", Keyword::atan},   {"SQ", Keyword::sqrt},
+    {"AB", Keyword::abs},    {"BI", Keyword::bin},    {"BC", Keyword::bcd},
+    {"RO", Keyword::round},  {"FI", Keyword::fix},    {"FU", Keyword::fup},
+    {"EX", Keyword::exp},    {"PO", Keyword::pow},    {"AD", Keyword::adp},
     {"PR", Keyword::prm}};
 
 bool starts_with(std::string_view text, std::string_view word) {

@@ -8,16 +8,16 @@
 namespace kerf::gcode {
 namespace {
 
-// Powers of ten that a double holds exactly: a mantissa below 2^53 divided by one of them is rounded
-// once, so the quotient is the double nearest to the decimal.
-constexpr std::array kPowersOfTen = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
-                                     1e12, 1e13, 1e14, 1e15};
+// Powers of ten that a double holds exactly: a mantissa below 2^53 divided by one of them is
+// rounded once, so the quotient is the double nearest to the decimal.
+constexpr std::array kPowersOfTen = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 constexpr int kExactDigits = 15;
 
 }  // namespace
 
-// A comment ends at the first ')' (LEX-13); one that is not closed takes the rest of the block, which
-// the caller has made the rest of the line (LEX-15).
+// A comment ends at the first ')' (LEX-13); one that is not closed takes the rest of the block,
+// which the caller has made the rest of the line (LEX-15).
 void Cursor::skip_comment() {
   const char* const close = std::find(at_, end_, ')');
   if (comment_.data() == nullptr) {
@@ -38,20 +38,22 @@ char Cursor::peek_behind() const {
   return copy.peek();
 }
 
-// Nearly every number is a run of digits with a point somewhere and nothing between; everything else
-// takes the slow way from its beginning.
+// Nearly every number is a run of digits with a point somewhere and nothing between; everything
+// else takes the slow way from its beginning.
 NumberText Cursor::number() {
   const char* const begin = at_;
   const char* at = at_;
   std::uint64_t mantissa = 0;
-  for (; at != end_ && is_digit(*at); ++at) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+  for (; at != end_ && is_digit(*at); ++at)
+    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
   std::ptrdiff_t digits = at - begin;
   std::ptrdiff_t decimals = 0;
   NumberText result;
   if (at != end_ && *at == '.') {
     result.point = true;
     const char* const fraction = ++at;
-    for (; at != end_ && is_digit(*at); ++at) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+    for (; at != end_ && is_digit(*at); ++at)
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
     decimals = at - fraction;
     digits += decimals;
   }
@@ -59,7 +61,8 @@ NumberText Cursor::number() {
   behind_ = at_ = at;
   skip();
   if (at_ != end_ && (is_digit(*at_) || *at_ == '.')) return spaced_number(begin);
-  for (const char* zero = begin; digits > 0 && (*zero == '0' || *zero == '.'); ++zero) digits -= *zero == '0' ? 1 : 0;
+  for (const char* zero = begin; digits > 0 && (*zero == '0' || *zero == '.'); ++zero)
+    digits -= *zero == '0' ? 1 : 0;
   result.digits = static_cast<int>(digits);
   result.value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
   return result;
@@ -75,13 +78,15 @@ bool Cursor::take_plain_word(PlainWord& word) {
   at += word.minus ? 1 : 0;
   const char* const first = at;
   std::uint64_t mantissa = 0;
-  for (; at != end_ && is_digit(*at); ++at) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+  for (; at != end_ && is_digit(*at); ++at)
+    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
   std::ptrdiff_t digits = at - first;
   std::ptrdiff_t decimals = 0;
   word.point = at != end_ && *at == '.';
   if (word.point) {
     const char* const fraction = ++at;
-    for (; at != end_ && is_digit(*at); ++at) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
+    for (; at != end_ && is_digit(*at); ++at)
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
     decimals = at - fraction;
     digits += decimals;
   }
@@ -91,7 +96,8 @@ bool Cursor::take_plain_word(PlainWord& word) {
   if (next != end_ && !is_letter(fold(*next))) return false;
   word.end = behind_ = at;
   at_ = next;
-  const double value = static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
+  const double value =
+      static_cast<double>(mantissa) / kPowersOfTen[static_cast<std::size_t>(decimals)];
   word.value = word.minus ? -value : value;
   return true;
 }
@@ -112,7 +118,9 @@ NumberText Cursor::spaced_number(const char* begin) {
     skip();
     if (at_ == end_) break;
     if (*at_ == '.') {
-      if (result.point) throw SyntaxError{base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number", {}};
+      if (result.point)
+        throw SyntaxError{
+            base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number", {}};
       result.point = true;
       digits += '.';
       behind_ = ++at_;

@@ -7,8 +7,8 @@
 
 namespace kerf::gcode {
 
-/// A mistake in the text of a block. Thrown inside this room only; the block parser turns it into the
-/// alarm that the block raises when it is reached.
+/// A mistake in the text of a block. Thrown inside this room only; the block parser turns it into
+/// the alarm that the block raises when it is reached.
 struct SyntaxError {
   base::Code code{};
   const char* at = nullptr;  ///< first byte of the offending text
@@ -24,8 +24,8 @@ struct NumberText {
   int digits = 0;  ///< without leading zeros
 };
 
-/// Walks over the text of one block. Blanks and comments mean nothing between any two characters; the
-/// cursor always stands on the next character that does mean something, or at the end.
+/// Walks over the text of one block. Blanks and comments mean nothing between any two characters;
+/// the cursor always stands on the next character that does mean something, or at the end.
 ///
 /// Characters come folded to upper case; the end reads as kEnd.
 class Cursor {
@@ -67,13 +67,14 @@ class Cursor {
     advance();
     return true;
   }
-  /// Digits with at most one decimal point. Blanks may stand between single digits (G 0 0 X 1 0 .); a
-  /// blank behind two or more digits ends the number, so that G01 5X is the mistake that it looks like
-  /// (LEX-9, LEX-12). Throws SyntaxError for a second point. Precondition: a digit or point is next; a lone point counts as no digits.
+  /// Digits with at most one decimal point. Blanks may stand between single digits (G 0 0 X 1 0 .);
+  /// a blank behind two or more digits ends the number, so that G01 5X is the mistake that it looks
+  /// like (LEX-9, LEX-12). Throws SyntaxError for a second point. Precondition: a digit or point is
+  /// next; a lone point counts as no digits.
   [[nodiscard]] NumberText number();
 
-  /// Takes a word of the commonest form at once: a letter, perhaps a minus sign, digits with at most one
-  /// point and nothing between them. False, with nothing taken, for every other form.
+  /// Takes a word of the commonest form at once: a letter, perhaps a minus sign, digits with at
+  /// most one point and nothing between them. False, with nothing taken, for every other form.
   struct PlainWord {
     double value = 0;
     const char* begin = nullptr;
@@ -122,7 +123,8 @@ class Cursor {
 /// A character that can stand in a block outside of comments; the end of the text counts as one.
 [[nodiscard]] constexpr bool is_language_character(char c) {
   constexpr std::string_view kSigns = "+-*/=.,#[]<>;:%&_";
-  return c == '\0' || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || kSigns.find(c) != std::string_view::npos;
+  return c == '\0' || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+         kSigns.find(c) != std::string_view::npos;
 }
 [[nodiscard]] constexpr bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 

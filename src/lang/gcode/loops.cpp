@@ -6,7 +6,8 @@ namespace kerf::gcode {
 
 using State = vm::Region::State;
 
-LoopEnding find_end(std::span<const PlacedLoopMark> marks, std::size_t index, bool from_head, bool complete) {
+LoopEnding find_end(std::span<const PlacedLoopMark> marks, std::size_t index, bool from_head,
+                    bool complete) {
   const std::uint8_t slot = marks[index].mark.slot;
   std::array<bool, vm::kRegionSlots> open_around{};
   for (std::size_t i = 0; i < index; ++i) open_around[marks[i].mark.slot] = !marks[i].mark.is_end;

@@ -7,8 +7,9 @@
 
 namespace kerf::gcode {
 
-/// Names of variables that programs use, numbered in the order of their first appearance. The number
-/// stands for the name in compiled code; which variable it is, SETVN decides while the program runs.
+/// Names of variables that programs use, numbered in the order of their first appearance. The
+/// number stands for the name in compiled code; which variable it is, SETVN decides while the
+/// program runs.
 class NameTable {
  public:
   std::uint32_t number_of(std::string_view name) {

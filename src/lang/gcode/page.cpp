@@ -30,8 +30,9 @@ std::string_view GcodePage::comment_of(std::uint32_t instruction) const {
   const vm::BlockMark* const mark = mark_of(instruction);
   if (mark == nullptr) return {};
   const auto wanted = static_cast<std::uint32_t>(mark - marks.data());
-  const auto found = std::find_if(comments.begin(), comments.end(),
-                                  [&](const BlockComment& comment) { return comment.mark == wanted; });
+  const auto found =
+      std::find_if(comments.begin(), comments.end(),
+                   [&](const BlockComment& comment) { return comment.mark == wanted; });
   return found == comments.end() ? std::string_view{} : std::string_view(found->text);
 }
 

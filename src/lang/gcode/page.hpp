@@ -18,16 +18,18 @@ inline constexpr std::uint32_t kRetainedCommons = 500;
 inline constexpr std::uint32_t kGlobals = kVolatileCommons + kRetainedCommons;
 
 /// Variables that no program can name by number; the compiler asks the control for them.
-inline constexpr std::uint32_t kIncrementOf = 4'000'000'000U;  ///< + letter: least increment of an address
-inline constexpr std::uint32_t kNamed = 3'500'000'000U;        ///< + n: variable with name number n
-inline constexpr std::uint32_t kParameter = 3'000'000'000U;    ///< + 100·number + suffix: PRM[number, …]
+inline constexpr std::uint32_t kIncrementOf =
+    4'000'000'000U;  ///< + letter: least increment of an address
+inline constexpr std::uint32_t kNamed = 3'500'000'000U;  ///< + n: variable with name number n
+inline constexpr std::uint32_t kParameter =
+    3'000'000'000U;  ///< + 100·number + suffix: PRM[number, …]
 
 /// A part of DPRNT's or BPRNT's list: a character, or a variable with its digits.
 struct PrintItem {
-  char character = 0;           ///< 0: a variable
-  std::uint8_t register_ = 0;   ///< holds its value
-  std::uint8_t integers = 0;    ///< digits before the point
-  std::uint8_t decimals = 0;    ///< digits behind it
+  char character = 0;          ///< 0: a variable
+  std::uint8_t register_ = 0;  ///< holds its value
+  std::uint8_t integers = 0;   ///< digits before the point
+  std::uint8_t decimals = 0;   ///< digits behind it
 };
 
 /// A name that SETVN gives to a variable.
@@ -55,7 +57,6 @@ struct Label {
   std::uint32_t instruction = 0;
 };
 
-
 /// A DO or an END in the order of the text.
 struct LoopMark {
   std::uint8_t slot = 0;
@@ -82,7 +83,7 @@ struct GcodePage : vm::CodePage {
   std::vector<PrintItem> print_items;
   std::vector<VariableName> variable_names;
   std::vector<std::string> names;
-  std::vector<Label> labels;        ///< in the order of the text
+  std::vector<Label> labels;         ///< in the order of the text
   std::vector<LoopMark> loop_marks;  ///< in the order of the text
   std::vector<BlockComment> comments;
   std::vector<Remark> remarks;

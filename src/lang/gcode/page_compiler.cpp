@@ -19,13 +19,14 @@ struct LineEnd {
   std::size_t next = 0;  // where the next line begins
 };
 
-// A line ends at LF, at CR…CR LF, or at a CR that no LF follows. `found` is false when the text ends
-// first. An LF CR pair counts as LF: the stray CR is a blank of the next line.
+// A line ends at LF, at CR…CR LF, or at a CR that no LF follows. `found` is false when the text
+// ends first. An LF CR pair counts as LF: the stray CR is a blank of the next line.
 bool find_line_end(std::string_view text, std::size_t from, LineEnd& end) {
   const void* const newline = std::memchr(text.data() + from, '\n', text.size() - from);
-  const std::size_t stop = newline == nullptr
-                               ? text.size()
-                               : static_cast<std::size_t>(static_cast<const char*>(newline) - text.data());
+  const std::size_t stop =
+      newline == nullptr
+          ? text.size()
+          : static_cast<std::size_t>(static_cast<const char*>(newline) - text.data());
   const void* const carriage = std::memchr(text.data() + from, '\r', stop - from);
   if (carriage == nullptr) {
     if (newline == nullptr) return false;
@@ -78,9 +79,9 @@ void resolve_jumps(GcodePage& page) {
     vm::Instruction& instruction = page.instructions[at];
     if (instruction.op != Op::jump_to_label || instruction.c == 0) continue;
     const auto matches = [&](const Label& label) { return label.number == instruction.n; };
-    const auto behind = std::find_if(page.labels.begin(), page.labels.end(), [&](const Label& label) {
-      return label.instruction > at && matches(label);
-    });
+    const auto behind =
+        std::find_if(page.labels.begin(), page.labels.end(),
+                     [&](const Label& label) { return label.instruction > at && matches(label); });
     auto found = behind;
     if (found == page.labels.end() && whole_program) {
       found = std::find_if(page.labels.begin(), page.labels.end(), matches);
@@ -153,7 +154,8 @@ void PageCompiler::compile(const base::SourceFile& file, base::FileId id, const 
     const bool complete = find_line_end(text_, position_, line_end);
     if (!complete) line_end = {text_.size(), text_.size()};
     if (!complete && !more && position_ == text_.size()) break;
-    const std::string_view text = std::string_view(text_).substr(position_, line_end.text - position_);
+    const std::string_view text =
+        std::string_view(text_).substr(position_, line_end.text - position_);
     if (text.size() > kLongestBlock) {
       parser.fail_long_line(line, static_cast<std::uint32_t>(position_));
       if (!complete) {

@@ -17,7 +17,7 @@ struct PageStart {
 };
 
 /// Longest block, and longest line, in bytes. A longer one raises BLOCK_TOO_LONG.
-inline constexpr std::size_t kLongestBlock = 65536;
+inline constexpr std::size_t kLongestBlock = 1 << 20;
 
 /// Compiles a program page by page. Holds the text of one page at a time, so its memory does not
 /// depend on the length of the program.
@@ -25,19 +25,19 @@ class PageCompiler {
  public:
   explicit PageCompiler(std::uint32_t lines_per_page) : lines_per_page_(lines_per_page) {}
 
-  /// Fills `page` from the text at `start` up to at most `end`. `page.code` and `page.number` are the
-  /// caller's.
-  void compile(const base::SourceFile& file, base::FileId id, const PageStart& start, std::uint64_t end,
-               NameTable& names, GcodePage& page);
+  /// Fills `page` from the text at `start` up to at most `end`. `page.code` and `page.number` are
+  /// the caller's.
+  void compile(const base::SourceFile& file, base::FileId id, const PageStart& start,
+               std::uint64_t end, NameTable& names, GcodePage& page);
 
  private:
   [[nodiscard]] bool fill(const base::SourceFile& file, std::uint64_t end);
   void skip_long_line(const base::SourceFile& file, std::uint64_t end);
 
   std::uint32_t lines_per_page_;
-  std::string text_;            // of the page, from its first byte
-  std::uint64_t text_at_ = 0;   // byte offset of text_ in the file
-  std::size_t position_ = 0;    // of the next line in text_
+  std::string text_;           // of the page, from its first byte
+  std::uint64_t text_at_ = 0;  // byte offset of text_ in the file
+  std::size_t position_ = 0;   // of the next line in text_
 };
 
 }  // namespace kerf::gcode

@@ -19,9 +19,9 @@ bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7
 
 /// Finds the O words and percent signs of a file in one pass over its bytes.
 ///
-/// Three states matter: in a comment, behind a letter (an O there belongs to a word like GOTO), and at
-/// the beginning of a block (where ':' and '<' begin a program as well). Text in which none of the
-/// characters O o : < % ( & ; occurs is passed over in long strides.
+/// Three states matter: in a comment, behind a letter (an O there belongs to a word like GOTO), and
+/// at the beginning of a block (where ':' and '<' begin a program as well). Text in which none of
+/// the characters O o : < % ( & ; occurs is passed over in long strides.
 class Scanner {
  public:
   Scanner(const base::SourceFile& file, base::FileId id) : file_(file), id_(id) {}
@@ -56,15 +56,15 @@ class Scanner {
   std::uint64_t line_start_ = 0;
   std::uint32_t line_ = 1;
   Reading reading_ = Reading::text;
-  bool open_ = false;          // a program is being collected
-  bool content_ = false;       // it holds something besides blanks
-  bool leader_ = false;        // between the first '%' and the end of its line
-  bool tape_end_ = false;      // behind the closing '%'
+  bool open_ = false;      // a program is being collected
+  bool content_ = false;   // it holds something besides blanks
+  bool leader_ = false;    // between the first '%' and the end of its line
+  bool tape_end_ = false;  // behind the closing '%'
   bool percent_seen_ = false;
   bool block_begin_ = true;
   bool carriage_return_ = false;
   bool number_seen_ = false;
-  char before_ = ' ';          // last character that is not blank
+  char before_ = ' ';  // last character that is not blank
   std::uint64_t word_at_ = 0;
   std::uint32_t word_line_ = 1;
   std::uint64_t word_line_start_ = 0;
@@ -86,15 +86,17 @@ ProgramDirectory Scanner::run() {
   return std::move(result_);
 }
 
-// How many characters from the beginning of `text` can neither begin a program, a comment or a block nor
-// end the tape.
+// How many characters from the beginning of `text` can neither begin a program, a comment or a
+// block nor end the tape.
 std::size_t Scanner::plain_stretch(std::string_view text) {
   std::size_t stop = text.size();
   for (const char special : {'O', 'o', '(', ';', '%', ':', '<', '&'}) {
     const void* const found = std::memchr(text.data(), special, stop);
-    if (found != nullptr) stop = static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
+    if (found != nullptr)
+      stop = static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
   }
-  while (stop > 0 && text[stop - 1] == '\r') --stop;  // what follows decides what kind of line end it is
+  while (stop > 0 && text[stop - 1] == '\r')
+    --stop;  // what follows decides what kind of line end it is
   return stop;
 }
 
@@ -116,7 +118,8 @@ void Scanner::skip_plain(std::string_view text) {
   offset_ += text.size();
 }
 
-// Counts the line ends of a stretch; returns where its last line begins, or npos when it has no line end.
+// Counts the line ends of a stretch; returns where its last line begins, or npos when it has no
+// line end.
 std::size_t Scanner::line_start_of_last_line(std::string_view text) {
   if (std::memchr(text.data(), '\r', text.size()) == nullptr) {
     const std::size_t newline = text.rfind('\n');
@@ -126,7 +129,8 @@ std::size_t Scanner::line_start_of_last_line(std::string_view text) {
   }
   std::size_t begin = std::string_view::npos;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool lone_return = text[i] == '\r' && i + 1 < text.size() && text[i + 1] != '\r' && text[i + 1] != '\n';
+    const bool lone_return =
+        text[i] == '\r' && i + 1 < text.size() && text[i + 1] != '\r' && text[i + 1] != '\n';
     if (text[i] != '\n' && !lone_return) continue;
     ++line_;
     begin = i + 1;
@@ -272,7 +276,8 @@ void Scanner::number_character(char c) {
   }
   if (is_digit(c)) {
     name_ += c;
-    number_ = std::min<std::uint64_t>(number_ * 10 + static_cast<std::uint64_t>(c - '0'), 1ULL << 40);
+    number_ =
+        std::min<std::uint64_t>(number_ * 10 + static_cast<std::uint64_t>(c - '0'), 1ULL << 40);
     return;
   }
   if (is_blank(c) && c != '\n' && c != '\r') return;
@@ -283,7 +288,8 @@ void Scanner::number_character(char c) {
   }
   name_.clear();
   if (in_brackets(word_at_)) return;
-  begin_program(static_cast<std::uint32_t>(std::min<std::uint64_t>(number_, kLargestProgram + 1)), {}, word_at_);
+  begin_program(static_cast<std::uint32_t>(std::min<std::uint64_t>(number_, kLargestProgram + 1)),
+                {}, word_at_);
 }
 
 void Scanner::name_character(char c) {
@@ -317,8 +323,8 @@ void Scanner::begin_program(std::uint32_t number, std::string name, std::uint64_
   if (name.empty() && (number == 0 || number > kLargestProgram)) {
     report(Code::illegal_program_number, "program numbers run from 1 to 99999999");
   }
-  const bool taken = std::any_of(
-      result_.programs.begin(), result_.programs.end(), [&](const ProgramEntry& other) {
+  const bool taken =
+      std::any_of(result_.programs.begin(), result_.programs.end(), [&](const ProgramEntry& other) {
         return number != 0 ? other.number == number : !name.empty() && other.name == name;
       });
   if (taken) report(Code::duplicate_program, "the file has two programs of this number");
@@ -326,7 +332,10 @@ void Scanner::begin_program(std::uint32_t number, std::string name, std::uint64_
   open_ = true;
   content_ = true;
   leader_ = false;
-  current_ = {.number = number, .name = std::move(name), .begin = offset_, .line = line_,
+  current_ = {.number = number,
+              .name = std::move(name),
+              .begin = offset_,
+              .line = line_,
               .line_start = line_start_};
 }
 

@@ -9,13 +9,14 @@
 
 namespace kerf::gcode {
 
-/// A program in a file: from behind its O word to the next program, the closing '%' or the file's end.
+/// A program in a file: from behind its O word to the next program, the closing '%' or the file's
+/// end.
 struct ProgramEntry {
-  std::uint32_t number = 0;  ///< 0: none (no O word, or a name)
-  std::string name;          ///< of O<NAME> or <NAME>
-  std::uint64_t begin = 0;   ///< byte offset behind the O word
-  std::uint64_t end = 0;     ///< byte offset behind the last byte
-  std::uint32_t line = 1;    ///< line number at `begin`
+  std::uint32_t number = 0;      ///< 0: none (no O word, or a name)
+  std::string name;              ///< of O<NAME> or <NAME>
+  std::uint64_t begin = 0;       ///< byte offset behind the O word
+  std::uint64_t end = 0;         ///< byte offset behind the last byte
+  std::uint32_t line = 1;        ///< line number at `begin`
   std::uint64_t line_start = 0;  ///< byte offset of that line
 };
 

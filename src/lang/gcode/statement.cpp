@@ -133,7 +133,8 @@ void BlockParser::go_to(Cursor& cursor) {
   }
   if (next == '-') fail(cursor, Code::label_range, "a sequence number is positive");
   if (next != '#' && next != '[') fail(cursor, Code::macro_format, "GOTO needs a sequence number");
-  const Operand operand = next == '#' ? expression.load(expression.variable()) : expression.bracketed_number();
+  const Operand operand =
+      next == '#' ? expression.load(expression.variable()) : expression.bracketed_number();
   const Operand label = expression.call(Function::label, operand, begin);
   emitter_.stand_at(begin, cursor.behind());
   emitter_.emit({Op::jump_to_label, 0, label.reg, 0, 0});
@@ -220,8 +221,11 @@ void BlockParser::print_variable(Cursor& cursor) {
   }
   const int digits = item.integers + item.decimals;
   if (count < 1 || count > 2 || digits < 1 || digits > kMostPrintDigits || cursor.peek() != ']') {
-    throw SyntaxError{Code::print_format, begin, cursor.length_since(begin),
-                      "at most 8 digits: integers, then decimals", {}};
+    throw SyntaxError{Code::print_format,
+                      begin,
+                      cursor.length_since(begin),
+                      "at most 8 digits: integers, then decimals",
+                      {}};
   }
   cursor.advance();
   page_.print_items.push_back(item);
@@ -229,7 +233,8 @@ void BlockParser::print_variable(Cursor& cursor) {
 
 // setvn = "SETVN" n "[" name { "," name } "]"
 void BlockParser::name_variables(Cursor& cursor) {
-  if (!is_digit(cursor.peek())) fail(cursor, Code::setvn_format, "a variable number is expected here");
+  if (!is_digit(cursor.peek()))
+    fail(cursor, Code::setvn_format, "a variable number is expected here");
   const double number = cursor.number().value;
   if (!cursor.take('[')) fail(cursor, Code::setvn_format, "'[' is expected here");
   const auto first = static_cast<std::uint32_t>(page_.variable_names.size());
@@ -238,7 +243,8 @@ void BlockParser::name_variables(Cursor& cursor) {
     if (!nameable(number + count)) {
       fail(cursor, Code::setvn_format, "only #100 to #199 and #500 to #999 have names");
     }
-    page_.variable_names.push_back({static_cast<std::uint32_t>(number) + count, variable_name(cursor)});
+    page_.variable_names.push_back(
+        {static_cast<std::uint32_t>(number) + count, variable_name(cursor)});
     ++count;
   } while (cursor.take(','));
   if (!cursor.take(']')) fail(cursor, Code::setvn_format, "',' or ']' is expected here");
@@ -256,7 +262,8 @@ std::string BlockParser::variable_name(Cursor& cursor) {
   }
   const auto length = cursor.length_since(begin);
   if (name.empty()) fail(cursor, Code::setvn_format, "a name is expected here");
-  if (name.size() > kLongestVariableName) throw SyntaxError{Code::setvn_length, begin, length, {}, {}};
+  if (name.size() > kLongestVariableName)
+    throw SyntaxError{Code::setvn_length, begin, length, {}, {}};
   return name;
 }
 

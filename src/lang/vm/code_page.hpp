@@ -33,8 +33,8 @@ struct Region {
 /// Where a block of the source begins in the code.
 struct BlockMark {
   std::uint32_t instruction = 0;
-  std::uint32_t line = 0;    ///< from 1
-  std::uint32_t offset = 0;  ///< of the block's first byte, from the start of the page's text
+  std::uint32_t line = 0;         ///< from 1
+  std::uint32_t offset = 0;       ///< of the block's first byte, from the start of the page's text
   std::uint32_t line_offset = 0;  ///< of its line's first byte, likewise
 };
 

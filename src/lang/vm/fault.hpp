@@ -4,7 +4,8 @@
 
 namespace kerf::vm {
 
-/// What an instruction can fail with. The front end of a language gives each its own number and words.
+/// What an instruction can fail with. The front end of a language gives each its own number and
+/// words.
 enum class Fault : std::uint8_t {
   none,
   zero_divide,

@@ -24,8 +24,8 @@ class Host {
   /// Executes a block. `registers` are those of the running frame.
   virtual Verdict execute(const CodePage& page, std::uint32_t block, const double* registers) = 0;
 
-  /// Reads a variable that is not a register or a global. False: the host has reported why not, and the
-  /// program is over.
+  /// Reads a variable that is not a register or a global. False: the host has reported why not, and
+  /// the program is over.
   virtual bool read(double number, double& value) = 0;
   /// Writes one. What happens then: go_on, pause or stop.
   virtual Verdict write(double number, double value) = 0;

@@ -37,19 +37,19 @@ enum class Op : std::uint8_t {
   branch_less_equal,
   branch_greater,
   branch_greater_equal,
-  branch,          ///< to instruction n if (R[b] is neither 0 nor null) is a
-  jump,            ///< to instruction n of the page
-  jump_to_label,   ///< to the label R[b], or with c = 1 to the label n
-  call_builtin,    ///< R[a] = function n of the page's table (R[b], R[b+1], …)
-  do_block,        ///< the host executes block n of the page
-  enter_region,    ///< region n of the page is active from here on
-  leave_region,    ///< region n is over: on behind its end
-  repeat_region,   ///< the end of the region in slot a: back to its head
-  skip_when_on,    ///< to instruction n if operator switch a is on
-  note,            ///< remember n (a sequence number)
-  fail,            ///< the host reports failure n of the page
-  next_page,       ///< on with the page behind this one
-  end_of_code      ///< there is nothing behind this
+  branch,         ///< to instruction n if (R[b] is neither 0 nor null) is a
+  jump,           ///< to instruction n of the page
+  jump_to_label,  ///< to the label R[b], or with c = 1 to the label n
+  call_builtin,   ///< R[a] = function n of the page's table (R[b], R[b+1], …)
+  do_block,       ///< the host executes block n of the page
+  enter_region,   ///< region n of the page is active from here on
+  leave_region,   ///< region n is over: on behind its end
+  repeat_region,  ///< the end of the region in slot a: back to its head
+  skip_when_on,   ///< to instruction n if operator switch a is on
+  note,           ///< remember n (a sequence number)
+  fail,           ///< the host reports failure n of the page
+  next_page,      ///< on with the page behind this one
+  end_of_code     ///< there is nothing behind this
 };
 
 /// One instruction. 8 bytes.

@@ -234,15 +234,15 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
       }
       case Op::negate: r[i.a] = -zero_if_null(r[i.b]); break;
 
-#define KERF_ARITHMETIC(operation, right)                                     \
-  {                                                                           \
-    double result = r[i.b] operation right;                                   \
-    if (!is_number(result)) {                                                 \
-      result = zero_if_null(r[i.b]) operation zero_if_null(right);            \
-      if (!is_number(result)) return faulty(Fault::overflow);                 \
-    }                                                                         \
-    r[i.a] = result;                                                          \
-    break;                                                                    \
+#define KERF_ARITHMETIC(operation, right)                          \
+  {                                                                \
+    double result = r[i.b] operation right;                        \
+    if (!is_number(result)) {                                      \
+      result = zero_if_null(r[i.b]) operation zero_if_null(right); \
+      if (!is_number(result)) return faulty(Fault::overflow);      \
+    }                                                              \
+    r[i.a] = result;                                               \
+    break;                                                         \
   }
       case Op::add: KERF_ARITHMETIC(+, r[i.c])
       case Op::subtract: KERF_ARITHMETIC(-, r[i.c])

@@ -11,16 +11,16 @@
 
 namespace kerf::vm {
 
-/// Runs compiled programs. It knows numbers, jumps, calls and "do this block"; what a block means is
-/// the host's business, what null, a label or a function means was settled by the front end.
+/// Runs compiled programs. It knows numbers, jumps, calls and "do this block"; what a block means
+/// is the host's business, what null, a label or a function means was settled by the front end.
 ///
 /// Registers: every frame has a window of kRegisters; the first `locals` are its local variables. A
 /// shared call gets the window of its caller, a fresh one a new window with all locals null.
 class Interpreter {
  public:
   struct Settings {
-    std::uint32_t locals = 0;          ///< local variables per level, < kRegisters
-    std::span<double> globals;         ///< storage of the global variables, owned by the caller
+    std::uint32_t locals = 0;   ///< local variables per level, < kRegisters
+    std::span<double> globals;  ///< storage of the global variables, owned by the caller
     const void* builtin_rules = nullptr;
   };
 
@@ -49,11 +49,14 @@ class Interpreter {
   /// Goes to the head of the running frame's code again; its registers stay.
   void restart();
   void jump(Address target);
-  /// Goes to a label of the running frame's code, searched from the executing block. False: missing.
+  /// Goes to a label of the running frame's code, searched from the executing block. False:
+  /// missing.
   [[nodiscard]] bool jump_to_label(std::uint32_t label);
 
   [[nodiscard]] std::span<double> locals();
-  [[nodiscard]] std::span<double> locals_of_first_level() { return {registers_.data(), settings_.locals}; }
+  [[nodiscard]] std::span<double> locals_of_first_level() {
+    return {registers_.data(), settings_.locals};
+  }
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   [[nodiscard]] CodeId running_code() const { return frames_.back().code; }
   [[nodiscard]] base::Place place();
@@ -104,8 +107,8 @@ class Interpreter {
   std::vector<double> registers_;
   std::vector<Frame> frames_;
   std::vector<CachedJump> jumps_;
-  Running running_;                // the instruction that executes, for place()
-  std::optional<Address> begun_;   // the block whose begin the host has already seen
+  Running running_;               // the instruction that executes, for place()
+  std::optional<Address> begun_;  // the block whose begin the host has already seen
   std::uint32_t switches_ = 0;
   std::uint32_t note_ = 0;
   bool tracing_ = false;

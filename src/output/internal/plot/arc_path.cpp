@@ -14,12 +14,9 @@ struct PlaneAxes {
 
 PlaneAxes axes_of(control::Plane plane) {
   switch (plane) {
-    case control::Plane::xy:
-      return {kX, kY, kZ};
-    case control::Plane::zx:
-      return {kZ, kX, kY};
-    case control::Plane::yz:
-      return {kY, kZ, kX};
+    case control::Plane::xy: return {kX, kY, kZ};
+    case control::Plane::zx: return {kZ, kX, kY};
+    case control::Plane::yz: return {kY, kZ, kX};
   }
   return {kX, kY, kZ};
 }

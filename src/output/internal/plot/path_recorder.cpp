@@ -17,12 +17,9 @@ double drawable(double value, double otherwise) {
 // The coordinates of a plane's axes, in the plane's order.
 std::array<std::size_t, 2> plane_axes(control::Plane plane) {
   switch (plane) {
-    case control::Plane::xy:
-      return {kX, kY};
-    case control::Plane::zx:
-      return {kZ, kX};
-    case control::Plane::yz:
-      return {kY, kZ};
+    case control::Plane::xy: return {kX, kY};
+    case control::Plane::zx: return {kZ, kX};
+    case control::Plane::yz: return {kY, kZ};
   }
   return {kX, kY};
 }

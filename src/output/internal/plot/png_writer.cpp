@@ -25,18 +25,12 @@ void set_color(cairo_t* to, Color color) {
 // Adds one step to cairo's path and returns the points behind it.
 const Point* add(cairo_t* to, Outline::Step step, const Point* p) {
   switch (step) {
-    case Outline::Step::move:
-      cairo_move_to(to, p->x, p->y);
-      return p + 1;
-    case Outline::Step::line:
-      cairo_line_to(to, p->x, p->y);
-      return p + 1;
+    case Outline::Step::move: cairo_move_to(to, p->x, p->y); return p + 1;
+    case Outline::Step::line: cairo_line_to(to, p->x, p->y); return p + 1;
     case Outline::Step::curve:
       cairo_curve_to(to, p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y);
       return p + 3;
-    case Outline::Step::close:
-      cairo_close_path(to);
-      return p;
+    case Outline::Step::close: cairo_close_path(to); return p;
   }
   return p;
 }

@@ -64,14 +64,10 @@ class PathData {
  private:
   static char letter(Outline::Step step) {
     switch (step) {
-      case Outline::Step::move:
-        return 'm';
-      case Outline::Step::line:
-        return 'l';
-      case Outline::Step::curve:
-        return 'c';
-      case Outline::Step::close:
-        return 'z';
+      case Outline::Step::move: return 'm';
+      case Outline::Step::line: return 'l';
+      case Outline::Step::curve: return 'c';
+      case Outline::Step::close: return 'z';
     }
     return 'z';
   }
@@ -126,17 +122,10 @@ std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      default:
-        out += c;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      default: out += c;
     }
   }
   return out;

@@ -17,7 +17,7 @@ struct Assumed {
   static constexpr std::uint32_t cycle_in_compensation = 44;
   static constexpr std::uint32_t control_variable = 45;
   static constexpr std::uint32_t scaled_arc = 46;
-  static constexpr std::uint32_t turning_without_speed = 47;
+  static constexpr std::uint32_t feed_hundredths = 47;
   static constexpr std::uint32_t g_code = 100;
 };
 

@@ -33,6 +33,11 @@ bool Auxiliary::read(const Words& words) {
   if (!read_feed(words)) return false;
   if (words.has('S')) {
     if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
+    const int most = s.parameters.spindle_max_rpm;
+    if (most > 0 && value > most && s.modal[Group::speed] == 970) {
+      return s.alarms.raise(Code::speed_over_max, words['S'],
+                            "the spindle turns at most " + std::to_string(most) + " rpm");
+    }
     s.words.speed = static_cast<double>(value);
   }
   if (words.has('T')) {
@@ -56,8 +61,11 @@ bool Auxiliary::read_feed(const Words& words) {
   const bool inch = s.modal.inch();
   const bool bare =
       word.has(WordFlag::literal) && !word.has(WordFlag::point) && !s.parameters.calculator_point;
-  if (bare && (mode == FeedMode::per_revolution || (mode == FeedMode::per_minute && inch)))
+  if (bare && (mode == FeedMode::per_revolution || (mode == FeedMode::per_minute && inch))) {
     value *= 0.01;
+    s.assume(Assumed::feed_hundredths,
+             "F without a decimal point counts 0.01 (per revolution, or inch per minute)");
+  }
   s.words.feed_programmed = value;
   if (mode != FeedMode::inverse_time && inch) value = base::tidy(value * 25.4);
   if (value > kMostFeed) {

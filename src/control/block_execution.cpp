@@ -340,6 +340,11 @@ bool Controller::execute_block(const std::string& name) {
 
 // Words that may not stand beside a one-shot code.
 bool Controller::check_block(const Words::G* one_shot) {
+  for (const Word* const* m = words_.m_begin(); m != words_.m_end(); ++m) {
+    if (code_number(**m) == 29 && state_.before.in_cycle()) {
+      return alarms_.raise(Code::tap_order, **m, "M29 stands before the tapping cycle, not in it");
+    }
+  }
   if (one_shot == nullptr || !words_.has('T')) return true;
   if (one_shot->code == 40 || one_shot->code == 100)
     return alarms_.raise(Code::tool_not_allowed, words_['T']);

@@ -14,6 +14,9 @@ using base::AxisVector;
 using base::Code;
 using geometry::Vec2;
 
+// For messages: to 0.0001 mm.
+std::string millimetres(double value) { return base::number_text(std::round(value * 1e4) / 1e4); }
+
 constexpr double kMostCoordinate = 999999.999;
 constexpr int kMostHelixAxes = 2;
 constexpr std::uint32_t kCentreLetters = Words::mask('I') | Words::mask('J') | Words::mask('K');
@@ -85,6 +88,11 @@ bool Moves::execute(const Words& words, bool& moved) {
   if (!words.has_any(targets_.letters()) && !centre_alone) return true;
   Target target;
   if (!targets_.read(words, target)) return false;
+  if (std::popcount(target.named) > state_.parameters.simultaneous_axes) {  // G-4
+    return state_.alarms.raise(
+        Code::too_many_axes,
+        std::to_string(state_.parameters.simultaneous_axes) + " axes can move together");
+  }
   moved = true;
   apply_length(target.named);
   if (circular) return arc(words, mode == 20, target);
@@ -119,10 +127,10 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
     const auto found =
         geometry::centre_from_radius(from, to, radius, clockwise, state_.parameters.arc_tolerance);
     if (!found) {
-      return state_.alarms.raise(
-          Code::arc_radius_tolerance, words['R'],
-          "the chord is " + base::number_text(base::tidy(geometry::length(to - from))) +
-              " mm long, the diameter " + base::number_text(2 * std::fabs(radius)));
+      return state_.alarms.raise(Code::arc_radius_tolerance, words['R'],
+                                 "the chord is " + millimetres(geometry::length(to - from)) +
+                                     " mm long, the diameter " +
+                                     millimetres(2 * std::fabs(radius)));
     }
     centre = *found;
     return true;
@@ -142,9 +150,8 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
   const double end_radius = geometry::length(to - centre);
   if (std::fabs(start_radius - end_radius) > state_.parameters.arc_tolerance) {
     return state_.alarms.raise(Code::arc_radius_tolerance,
-                               "radius " + base::number_text(base::tidy(start_radius)) +
-                                   " at the start, " + base::number_text(base::tidy(end_radius)) +
-                                   " at the end");
+                               "radius " + millimetres(start_radius) + " at the start, " +
+                                   millimetres(end_radius) + " at the end");
   }
   return true;
 }
@@ -185,6 +192,8 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
 bool Moves::thread(const Words& words, const Target& target) {
   if (!words.has('F') && state_.words.feed == 0)
     return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
+  if (state_.words.speed == 0)
+    return state_.alarms.raise(Code::speed_zero, "a thread needs a turning spindle");
   double lead = state_.words.feed;
   if (words.has('F')) {
     lead = words['F'].value;

@@ -46,7 +46,9 @@ struct Parameters {
   double rotation_default = 0;   ///< 5410: G68 without R, degrees
   int shift_direction = 1;       ///< 5148: ±1 = ±X, ±2 = ±Y: where G76 and G87 shift to
   bool drill_along_normal =
-      true;  ///< 5101#0: cycles drill along the normal of the plane, else along Z
+      true;                   ///< 5101#0: cycles drill along the normal of the plane, else along Z
+  int simultaneous_axes = 8;  ///< axes that one block may move
+  int spindle_max_rpm = 0;    ///< 3772; 0: no limit
   bool stroke_check = false;
   int length_axis_type = 0;       ///< 5001#0: 0 = always Z, 1 = the axis of the block
   int external_call_m = 198;      ///< 6030

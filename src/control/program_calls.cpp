@@ -140,6 +140,9 @@ bool ProgramCalls::call_subprogram(const Words& words, const std::string& name, 
   std::int64_t repeats = 1;
   if (!name.empty()) {
     if (!find(nullptr, name, level.code) || !repeats_of(words.find('L'), repeats)) return false;
+  } else if (!words.has('P') && words.has('Q')) {
+    level.code = running();  // a part of the same program
+    if (!repeats_of(words.find('L'), repeats)) return false;
   } else {
     std::uint32_t number = 0;
     if (!split_subprogram(words, number, repeats, kind)) return false;
@@ -156,7 +159,17 @@ bool ProgramCalls::call_subprogram(const Words& words, const std::string& name, 
   }
   if (repeats == 0) return true;
   level.repeats_left = repeats - 1;
-  return enter(level, nullptr);
+  return enter(level, nullptr) && start_at(words);
+}
+
+// M98 Q: not from the head but from a sequence number.
+bool ProgramCalls::start_at(const Words& words) {
+  if (!words.has('Q')) return true;
+  std::int64_t label = 0;
+  if (!state_.values.integer(words['Q'], 1, kMostProgram, label)) return false;
+  return interpreter_.jump_to_label(static_cast<std::uint32_t>(label)) ||
+         state_.alarms.raise(Code::return_label_not_found, words['Q'],
+                             "the program has no N" + std::to_string(label));
 }
 
 bool ProgramCalls::call_fixed(std::uint32_t number, std::int64_t repeats, Kind kind) {

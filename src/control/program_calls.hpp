@@ -100,6 +100,7 @@ class ProgramCalls {
   bool repeats_of(const gcode::Word* l, std::int64_t& repeats);
   bool split_subprogram(const Words& words, std::uint32_t& number, std::int64_t& repeats,
                         Kind kind);
+  bool start_at(const Words& words);
   bool enter(const Level& level, const LocalVariables* locals);
   bool check_depth(Kind kind);
   bool call_modal(std::size_t index, const LocalVariables& locals);

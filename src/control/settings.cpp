@@ -13,6 +13,8 @@ using base::Code;
 using gcode::Word;
 using gcode::WordFlag;
 
+constexpr double kMostOffset = 9999.999;  // mm, geometry and wear together
+
 // Codes that are accepted and change nothing here, with what to say about them.
 struct WithoutEffect {
   GCode code;
@@ -59,7 +61,16 @@ bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
   return true;
 }
 
-bool Settings::check_code(const Words&, const Words::G& g, Group group) {
+// G96 P: the axis whose position is the diameter, by number.
+bool Settings::check_css_axis(const Word& word) {
+  std::int64_t axis = 0;
+  if (!state_.values.integer(word, 0, 99999999, axis)) return false;
+  if (axis <= static_cast<std::int64_t>(state_.axes.count())) return true;
+  return state_.alarms.raise(Code::css_axis, word,
+                             "the machine has " + std::to_string(state_.axes.count()) + " axes");
+}
+
+bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
   if (group == Group::motion) return true;
   const Transform& transform = state_.coordinates.transform();
   const bool leaves_system = is_reference(g.code) || g.code == 530 || changes_work(state_, g.code);
@@ -78,6 +89,7 @@ bool Settings::check_code(const Words&, const Words::G& g, Group group) {
   }
   const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
   if (group == Group::motion || repeated) return true;
+  if (g.code == 960 && words.has('P') && !check_css_axis(words['P'])) return false;
   for (const WithoutEffect& entry : kWithoutEffect) {
     if (entry.code == g.code) state_.assume(Assumed::g_code + g.code, entry.what);
   }
@@ -198,6 +210,10 @@ bool Settings::set_length(const Words& words, bool switched) {
     state_.length_axis = axis;
   }
   const double offset = length_of(state_.words.length_offset);
+  if (std::fabs(offset) > kMostOffset)
+    return state_.alarms.raise(
+        Code::illegal_offset_value,
+        "H" + std::to_string(state_.words.length_offset) + " is " + base::number_text(offset));
   state_.wanted_length = mode == 490 ? 0 : mode == 430 ? offset : -offset;
   if (switched && mode != 490 && state_.words.length_offset == 0) {
     state_.assume(Assumed::no_offset, "G43 or G44 without an offset number: length offset 0");
@@ -235,6 +251,10 @@ bool Settings::set_compensation(const Words& words, bool switched) {
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   const double radius = radius_of(state_.words.radius_offset);
+  if (std::fabs(radius) > kMostOffset)
+    return state_.alarms.raise(
+        Code::illegal_offset_value,
+        "D" + std::to_string(state_.words.radius_offset) + " is " + base::number_text(radius));
   if (state_.words.radius_offset == 0 || radius == 0) {  // D0 cancels (CRC-1, CRC-12)
     if (switched && state_.words.radius_offset == 0) {
       state_.assume(Assumed::no_offset + 500, "G41 or G42 without an offset number: radius 0");
@@ -323,6 +343,7 @@ bool Settings::set_rotation(const Words& words) {
   Transform transform = state_.coordinates.transform();
   transform.rotate(*plane, plane->project(centre), angle);
   state_.coordinates.set_transform(transform);
+  state_.rotation_centre = plane->project(centre);
   return true;
 }
 

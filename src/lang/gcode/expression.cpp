@@ -12,6 +12,8 @@ using vm::Op;
 
 constexpr int kBracketLevels = 5;  // fanuc-dialect.md §4.1
 constexpr int kVariableDigits = 9;
+constexpr std::size_t kLongestName = 8;
+constexpr std::size_t kLongestSystemName = 31;
 
 bool is_comparison(Keyword keyword) { return keyword >= Keyword::eq && keyword <= Keyword::le; }
 bool is_product(Keyword keyword) { return keyword == Keyword::and_ || keyword == Keyword::mod; }
@@ -460,6 +462,9 @@ Variable Expression::named_variable() {
   for (char c = cursor_.peek(); is_letter(c) || is_digit(c) || c == '_'; c = cursor_.peek()) {
     name += c;
     cursor_.advance();
+  }
+  if (name.size() > (name[0] == '_' ? kLongestSystemName : kLongestName)) {
+    fail_since(Code::variable_name_long, begin);
   }
   Variable result{Variable::Kind::fixed, 0, 0, begin, begin};
   result.number = name[0] == '_' ? system_variable(name, begin) : kNamed + names_.number_of(name);

@@ -32,6 +32,7 @@ class Scanner {
   void scan(std::string_view chunk);
   void character(char c);
   void line_end();
+  void end_leader(std::uint64_t next);
   void percent();
   void begin_number();
   void number_character(char c);
@@ -160,7 +161,15 @@ void Scanner::line_end() {
   block_begin_ = true;
   before_ = ' ';
   if (reading_ == Reading::comment || reading_ == Reading::folder) reading_ = Reading::text;
+  if (leader_) end_leader(line_start_);
+}
+
+// The rest of the line of the first '%' is no part of any program.
+void Scanner::end_leader(std::uint64_t next) {
   leader_ = false;
+  current_.begin = next;
+  current_.line = line_;
+  current_.line_start = line_start_;
 }
 
 void Scanner::character(char c) {
@@ -193,7 +202,7 @@ void Scanner::character(char c) {
     percent();
   } else if (c == ';') {
     block_begin_ = true;
-    leader_ = false;
+    if (leader_) end_leader(offset_ + 1);
     before_ = ' ';
   } else if ((folded == 'O' && !is_letter(before_)) || (c == ':' && at_block_begin)) {
     begin_number();

@@ -146,13 +146,24 @@ bool Controller::calls_subprogram(const Word& word) const {
                           parameters_.m_sub.end();
 }
 
+// ",C" and ",R".
+bool Controller::collect_corner(const Word& word) {
+  if (word.letter != 'C' && word.letter != 'R') {
+    return alarms_.raise(Code::improper_address, word, "a comma stands only before C and R");
+  }
+  if (corner_ != nullptr) return alarms_.raise(Code::corner_too_many, word);
+  corner_ = &word;
+  return true;
+}
+
 bool Controller::collect(std::span<const Word> block) {
   words_.clear();
   called_m_ = nullptr;
+  corner_ = nullptr;
   for (const Word& word : block) {
     if (word.has(WordFlag::comma)) {
-      return alarms_.raise(Code::improper_address, word,
-                           "chamfers and corner radii are not available on this machine");
+      if (!collect_corner(word)) return false;
+      continue;
     }
     if (word.letter == 'G') {
       if (!collect_g(word)) return false;
@@ -284,8 +295,8 @@ bool Controller::is_plain_move() const {
   constexpr std::uint32_t kPlain = Words::mask('G') | Words::mask('F') | Words::mask('N') |
                                    Words::mask('I') | Words::mask('J') | Words::mask('K') |
                                    Words::mask('R');
-  if ((words_.present() & ~(kPlain | targets_.letters())) != 0 || state_.modal.in_cycle() ||
-      state_.parameter_entry)
+  if (corner_ != nullptr || (words_.present() & ~(kPlain | targets_.letters())) != 0 ||
+      state_.modal.in_cycle() || state_.parameter_entry)
     return false;
   return std::all_of(words_.g_begin(), words_.g_end(),
                      [](const Words::G& g) { return group_of(g.code) == Group::motion; });
@@ -363,12 +374,32 @@ bool Controller::move(const Words::G* one_shot_code, bool& moved) {
   bool plain = true;
   if (!select_cycle(plain)) return false;
   if (!plain) return true;
+  if (corner_ != nullptr && !request_corner()) return false;
   const bool single_direction = one_shot_code != nullptr && one_shot_code->code == 600;
   const GCode mode = state_.modal[Group::motion];
   if (single_direction) state_.modal.set(Group::motion, 0);
   const bool good = moves_.execute(words_, moved);
   state_.modal.set(Group::motion, mode);
   return good;
+}
+
+// A chamfer or corner radius at the end of a G01, G02 or G03 move.
+bool Controller::request_corner() {
+  const GCode mode = state_.modal[Group::motion];
+  if (mode != 10 && mode != 20 && mode != 30) {
+    return alarms_.raise(Code::corner_second, *corner_, "it needs a G01, G02 or G03 move");
+  }
+  const auto plane = plane_axes(state_.modal.plane(), axes_);
+  if (!plane) return alarms_.raise(Code::illegal_plane_axis);
+  if (!words_.has_any(targets_.letters()))
+    return alarms_.raise(Code::corner_missing_move, *corner_, "this block does not move");
+  double size = 0;
+  if (!state_.values.length(*corner_, size)) return false;
+  if (size < 0) return alarms_.raise(Code::illegal_minus, *corner_);
+  const auto kind =
+      corner_->letter == 'C' ? CornerRounding::Kind::chamfer : CornerRounding::Kind::radius;
+  state_.path.round_corner({{kind, size}, state_.modal.plane(), *plane});
+  return true;
 }
 
 // CYC-15: of a cycle code and a group 01 code in one block the last one counts. `plain` is false

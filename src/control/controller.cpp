@@ -97,7 +97,7 @@ void Controller::reset() {
   interrupt_program_ = 0;
   cycle_.stop();
   cycle_.cancel();
-  state_.path.reset_compensation();
+  state_.path.reset();
   state_.coordinates.set_transform({});
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     state_.coordinates.set_local(base::Axis{static_cast<std::uint8_t>(i)}, 0);

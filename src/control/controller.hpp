@@ -113,6 +113,8 @@ class Controller : public vm::Host, private Whereabouts {
                                      const gcode::Statement& statement, const double* registers);
   bool collect(std::span<const gcode::Word> block);
   bool collect_g(const gcode::Word& word);
+  bool collect_corner(const gcode::Word& word);
+  bool request_corner();
   [[nodiscard]] bool calls_subprogram(const gcode::Word& word) const;
   bool check_addresses(std::span<const gcode::Word> block);
   bool find_call(std::span<const gcode::Word> block, BlockCall& call);
@@ -163,6 +165,7 @@ class Controller : public vm::Host, private Whereabouts {
   SystemVariables variables_;
 
   Words words_;
+  const gcode::Word* corner_ = nullptr;    // the block's ",C" or ",R"
   const gcode::Word* called_m_ = nullptr;  // the block's M code that calls a subprogram
   std::vector<gcode::Word> fetched_;
   Auxiliary::Codes codes_;

@@ -15,26 +15,16 @@ constexpr double kSmall_mm = 1e-7;   // two points closer than this are one
 constexpr double kSmallTurn = 1e-9;  // sine of the angle below which directions are parallel
 constexpr int kMostIdleBlocks = 2;   // CRC-1
 
-Vec2 arc_direction(const PathStep& step, Vec2 point) {
-  const Vec2 tangent = geometry::left_of(geometry::unit(point - step.centre));
-  return step.clockwise ? -tangent : tangent;
-}
-
-Vec2 direction_at_start(const PathStep& step) {
-  return step.is_arc ? arc_direction(step, step.from) : geometry::unit(step.to - step.from);
-}
-
-Vec2 direction_at_end(const PathStep& step) {
-  return step.is_arc ? arc_direction(step, step.to) : geometry::unit(step.to - step.from);
-}
+Vec2 direction_at_start(const PathStep& step) { return geometry::direction_at_start(step.piece); }
+Vec2 direction_at_end(const PathStep& step) { return geometry::direction_at_end(step.piece); }
 
 // The left normal of a counterclockwise arc points to its centre.
 double offset_radius(const PathStep& step, Vec2 at, double offset) {
-  return geometry::length(at - step.centre) + (step.clockwise ? offset : -offset);
+  return geometry::length(at - step.piece.centre) + (step.piece.clockwise ? offset : -offset);
 }
 
 Curve offset_curve(const PathStep& step, Vec2 at, Vec2 direction, double offset) {
-  if (step.is_arc) return {true, step.centre, {}, offset_radius(step, at, offset)};
+  if (step.piece.is_arc) return {true, step.piece.centre, {}, offset_radius(step, at, offset)};
   return {false, at + offset * geometry::left_of(direction), direction, 0};
 }
 
@@ -54,7 +44,7 @@ base::AxisVector CutterCompensation::tip() const {
     if (const base::AxisVector* const to = target_of(motion)) result = *to;
   }
   const Vec2 normal = held_->offset * geometry::left_of(direction_at_end(held_->step));
-  plane_.place(result, held_->step.to + normal);
+  plane_.place(result, held_->step.piece.to + normal);
   return result;
 }
 
@@ -81,20 +71,21 @@ void CutterCompensation::reset() {
 }
 
 bool CutterCompensation::move(const PathStep& step) {
-  if (step.is_arc && (near(step.from, step.centre) || near(step.to, step.centre))) {
+  if (step.piece.is_arc &&
+      (near(step.piece.from, step.piece.centre) || near(step.piece.to, step.piece.centre))) {
     return alarms_.raise_at(Code::arc_interference, step.place);  // CRC-11
   }
   switch (mode_) {
-    case Mode::off: emit_to(step, step.to); return true;
+    case Mode::off: emit_to(step, step.piece.to); return true;
     case Mode::ending:
-      if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
-      emit_to(step, step.to);
+      if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+      emit_to(step, step.piece.to);
       mode_ = Mode::off;
       return true;
     case Mode::armed: return start(step);
     case Mode::on: break;
   }
-  if (step.is_arc && offset_radius(step, step.from, offset_) < -kSmall_mm) {
+  if (step.piece.is_arc && offset_radius(step, step.piece.from, offset_) < -kSmall_mm) {
     return alarms_.raise_at(Code::interference, step.place,
                             "the arc's radius is smaller than the cutter's");  // CRC-10
   }
@@ -106,10 +97,10 @@ bool CutterCompensation::move(const PathStep& step) {
 
 // CRC-1, CRC-6: the first move.
 bool CutterCompensation::start(const PathStep& step) {
-  if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+  if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
   mode_ = Mode::on;
   if (settings_.start_up != 'C' || !moved_since_begin_) return hold(step, tip_in_plane(), true);
-  const Vec2 start = step.from + offset_ * geometry::left_of(direction_at_start(step));
+  const Vec2 start = step.piece.from + offset_ * geometry::left_of(direction_at_start(step));
   PathStep lead_in = step;
   emit_to(lead_in, start);
   return hold(step, start, false);
@@ -122,12 +113,12 @@ bool CutterCompensation::hold(const PathStep& step, Vec2 start, bool start_up) {
 }
 
 bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall) {
-  if (step.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
+  if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
   if (held_) {
     PathStep next = step;
     Corner way;
     const Vec2 d1 = direction_at_end(held_->step);
-    const Vec2 at = held_->step.to;
+    const Vec2 at = held_->step.piece.to;
     const double offset = held_->offset;
     way.end = at + offset * geometry::left_of(d1);  // type A: perpendicular (CRC-12)
     const Vec2 d2 = wall ? geometry::unit(*wall) : direction_at_start(next);
@@ -143,7 +134,7 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
     }
     if (!go_through(way)) return false;
   }
-  emit_to(step, step.to);
+  emit_to(step, step.piece.to);
   mode_ = Mode::off;
   return true;
 }
@@ -165,7 +156,7 @@ bool CutterCompensation::idle_block() {
 bool CutterCompensation::release() {
   if (!held_) return true;
   Corner way;
-  way.end = held_->step.to + held_->offset * geometry::left_of(direction_at_end(held_->step));
+  way.end = held_->step.piece.to + held_->offset * geometry::left_of(direction_at_end(held_->step));
   return go_through(way);
 }
 
@@ -181,11 +172,11 @@ bool CutterCompensation::go_through(const Corner& corner) {
   const PathStep step = held_->step;
   if (!emit_held(corner.end)) return false;
   if (corner.arc) {
-    emit_corner_arc(step, step.to, corner);
+    emit_corner_arc(step, step.piece.to, corner);
   } else {
     for (std::size_t i = 0; i < corner.via_count; ++i) {
       PathStep bevel = step;
-      bevel.is_arc = false;
+      bevel.piece.is_arc = false;
       emit_to(bevel, corner.via[i]);
     }
   }
@@ -197,7 +188,7 @@ bool CutterCompensation::go_through(const Corner& corner) {
 // The way round the point where the held move meets the next one.
 bool CutterCompensation::corner(const PathStep& next, double next_offset, Corner& way) {
   if (held_->start_up) return start_up_corner(next, way);
-  const Vec2 at = held_->step.to;
+  const Vec2 at = held_->step.piece.to;
   const Vec2 d1 = direction_at_end(held_->step);
   const Vec2 d2 = direction_at_start(next);
   way.end = at + held_->offset * geometry::left_of(d1);
@@ -233,7 +224,7 @@ void CutterCompensation::turn_outside(Vec2 at, Vec2 d1, Vec2 d2, double offset, 
   way.start = at + offset * n2;
   if (same_way >= -kSmallTurn) {
     const Vec2 tip = at + (offset / (1 + geometry::dot(n1, n2))) * (n1 + n2);
-    const bool curved = held_->step.is_arc;
+    const bool curved = held_->step.piece.is_arc;
     way.end = curved ? at + offset * n1 : tip;
     way.via = {tip, way.start};
     way.via_count = curved ? 2 : 0;
@@ -244,7 +235,7 @@ void CutterCompensation::turn_outside(Vec2 at, Vec2 d1, Vec2 d2, double offset, 
     way.clockwise = offset > 0;
   } else {
     way.end = at + offset * n1 + reach * d1;
-    if (held_->step.is_arc) {
+    if (held_->step.piece.is_arc) {
       way.via = {way.end, at + offset * n2 - reach * d2};
       way.end = at + offset * n1;
       way.via_count = 2;
@@ -259,7 +250,7 @@ void CutterCompensation::turn_outside(Vec2 at, Vec2 d1, Vec2 d2, double offset, 
 
 // CRC-2, CRC-3, CRC-4, CRC-5: the end of the start-up move.
 bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) const {
-  const Vec2 at = held_->step.to;
+  const Vec2 at = held_->step.piece.to;
   const Vec2 d1 = direction_at_end(held_->step);
   const Vec2 d2 = direction_at_start(next);
   const bool outside = geometry::cross(d1, d2) * offset_ < 0;
@@ -271,9 +262,9 @@ bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) cons
 // The common point of the offsets of the held move and the next one that lies nearest to the
 // corner.
 bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
-  const Vec2 at = held_->step.to;
+  const Vec2 at = held_->step.piece.to;
   const Curve a = offset_curve(held_->step, at, direction_at_end(held_->step), held_->offset);
-  const Curve b = offset_curve(next, next.from, direction_at_start(next), offset_);
+  const Curve b = offset_curve(next, next.piece.from, direction_at_start(next), offset_);
   const geometry::Intersections found = geometry::intersect(a, b, kSmall_mm);
   if (found.count == 0) return false;
   point = found.points[0];
@@ -287,17 +278,18 @@ bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
 bool CutterCompensation::runs_backwards(Vec2 end) const {
   const PathStep& step = held_->step;
   if (held_->start_up) return false;
-  if (!step.is_arc) {
-    return geometry::dot(end - held_->start, step.to - step.from) <
-           -kSmall_mm * geometry::length(step.to - step.from);
+  if (!step.piece.is_arc) {
+    return geometry::dot(end - held_->start, step.piece.to - step.piece.from) <
+           -kSmall_mm * geometry::length(step.piece.to - step.piece.from);
   }
-  const double sign = step.clockwise ? -1 : 1;
+  const double sign = step.piece.clockwise ? -1 : 1;
   const Vec2 start = held_->start;
-  if (near(start, step.centre) || near(end, step.centre)) return false;
-  double sweep = sign * angle_between(step.from - step.centre, step.to - step.centre);
+  if (near(start, step.piece.centre) || near(end, step.piece.centre)) return false;
+  double sweep =
+      sign * angle_between(step.piece.from - step.piece.centre, step.piece.to - step.piece.centre);
   if (sweep <= 0) sweep += 2 * 3.14159265358979323846;
-  sweep += sign * (angle_between(step.to - step.centre, end - step.centre) -
-                   angle_between(step.from - step.centre, start - step.centre));
+  sweep += sign * (angle_between(step.piece.to - step.piece.centre, end - step.piece.centre) -
+                   angle_between(step.piece.from - step.piece.centre, start - step.piece.centre));
   return sweep < -1e-9;
 }
 
@@ -318,8 +310,9 @@ void CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
       plane_.place(action.to, {base::tidy(to.u), base::tidy(to.v)});
     }
   };
-  if (step.is_arc && geometry::length(tip_in_plane() - step.centre) <= kSmall_mm) return;  // R' = 0
-  if (!step.is_arc && std::holds_alternative<Arc>(motion.action)) {
+  if (step.piece.is_arc && geometry::length(tip_in_plane() - step.piece.centre) <= kSmall_mm)
+    return;  // R' = 0
+  if (!step.piece.is_arc && std::holds_alternative<Arc>(motion.action)) {
     const Arc& arc = std::get<Arc>(step.motion.action);
     motion.action = Line{arc.to, arc.feed};
   }

@@ -7,21 +7,11 @@
 
 #include "control/alarms.hpp"
 #include "control/motion.hpp"
+#include "control/path_step.hpp"
 #include "control/plane_axes.hpp"
 #include "geometry/intersect.hpp"
 
 namespace kerf::control {
-
-/// A programmed move within the plane of compensation: a line (fast or at feed) or an arc.
-struct PathStep {
-  Motion motion;      ///< as programmed
-  base::Place place;  ///< of its block, for alarms
-  geometry::Vec2 from;
-  geometry::Vec2 to;
-  bool is_arc = false;
-  bool clockwise = false;
-  geometry::Vec2 centre;
-};
 
 /// Cutter radius compensation, fanuc-dialect.md §9 (rule ids CRC-n stand at the code).
 ///
@@ -49,6 +39,8 @@ class CutterCompensation {
 
   [[nodiscard]] bool active() const { return mode_ != Mode::off; }
   [[nodiscard]] const PlaneAxes& plane() const { return plane_; }
+  /// G41 or G42 was given and no move has followed.
+  [[nodiscard]] bool starting() const { return mode_ == Mode::armed; }
   /// Where the tool centre stands: at the end of what has been handed in, as if it stopped there.
   [[nodiscard]] base::AxisVector tip() const;
   /// While nothing is held: the tool has been moved by someone else.

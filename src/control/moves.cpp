@@ -180,7 +180,8 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   if (nothing) return (outside == 0 || state_.path.line(from, path, rate)) && finish(target, path);
   AxisVector centre_point = target.program;
   plane->place(centre_point, centre);
-  const Vec2 image = plane->project(state_.coordinates.path_of(centre_point));
+  const Vec2 exact = plane->project(state_.coordinates.path_of(centre_point));
+  const Vec2 image{base::tidy(exact.u), base::tidy(exact.v)};
   const bool reversed = transform.reverses(*plane);
   const ArcShape shape{state_.modal.plane(), *plane, image,
                        clockwise != reversed ? Direction::clockwise : Direction::counterclockwise,

@@ -4,13 +4,23 @@ namespace kerf::control {
 
 using base::AxisVector;
 
+Toolpath::Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings)
+    : alarms_(alarms),
+      sink_(sink),
+      corners_(
+          alarms, [this](const PathStep& step) { return compensate(step); },
+          [this](const Motion& motion) { pass(motion); }),
+      compensation_(alarms, sink, settings) {}
+
 void Toolpath::begin_block(const Source& source) {
   source_ = source;
   ending_ = false;
   moved_in_plane_ = false;
+  corner_at_end_.reset();
 }
 
 bool Toolpath::end_block() {
+  if (!corners_.end_block()) return false;
   if (!compensation_.active()) return true;
   if (ending_ && !moved_in_plane_) {
     compensation_.end();
@@ -23,6 +33,26 @@ bool Toolpath::end_block() {
 void Toolpath::end_compensation(std::optional<geometry::Vec2> wall) {
   ending_ = true;
   wall_ = wall;
+}
+
+bool Toolpath::interrupt_compensation() {
+  return corners_.refuse() && (!compensation_.active() || compensation_.interrupt());
+}
+
+bool Toolpath::release() {
+  return corners_.refuse() && (!compensation_.active() || compensation_.release());
+}
+
+void Toolpath::reset() {
+  tip_ = tip();
+  corners_.reset();
+  compensation_.reset();
+  compensation_.set_tip(tip_);
+}
+
+AxisVector Toolpath::tip() const {
+  if (corners_.holding()) return *target_of(corners_.held().motion);
+  return compensation_.active() ? compensation_.tip() : tip_;
 }
 
 bool Toolpath::rapid(const AxisVector& from, const AxisVector& to) {
@@ -41,11 +71,11 @@ bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape&
 }
 
 bool Toolpath::straight(const Motion::Action& action) {
+  if (!interrupt_compensation()) return false;
   if (!compensation_.active()) {
     emit(make(action));
     return true;
   }
-  if (!compensation_.interrupt()) return false;
   tip_ = compensation_.tip();
   emit(make(action));
   compensation_.set_tip(tip_);
@@ -53,36 +83,67 @@ bool Toolpath::straight(const Motion::Action& action) {
 }
 
 void Toolpath::act(const Motion::Action& action) {
-  if (compensation_.active()) {
-    compensation_.beside(make(action));
+  if (corners_.holding()) {
+    corners_.beside(make(action));
   } else {
-    sink_.take(make(action));
+    pass(make(action));
   }
 }
 
-bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape* shape) {
-  if (!compensation_.active()) {
-    emit(motion);
-    compensation_.set_tip(tip_);
-    return true;
-  }
-  const PlaneAxes& plane = compensation_.plane();
-  const AxisVector& to = *target_of(motion);
-  const PathStep step{.motion = motion,
-                      .place = {},
-                      .from = plane.project(from),
-                      .to = plane.project(to),
-                      .is_arc = shape != nullptr,
-                      .clockwise = shape != nullptr && shape->direction == Direction::clockwise,
-                      .centre = shape != nullptr ? shape->centre : geometry::Vec2{}};
-  if (shape == nullptr && step.from == step.to) {
+// What is no move in the plane keeps its place among the moves.
+void Toolpath::pass(const Motion& motion) {
+  if (compensation_.active()) {
     compensation_.beside(motion);
+  } else {
+    emit(motion);
+  }
+}
+
+// Most moves meet neither a corner nor compensation.
+bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape* shape) {
+  const bool rounds = corner_at_end_.has_value() || corners_.holding();
+  if (!compensation_.active() && !rounds) {
+    emit(motion);
     return true;
   }
+  const PlaneAxes plane = compensation_.active() ? compensation_.plane()
+                          : corner_at_end_       ? corner_at_end_->axes
+                                                 : corners_.axes();
+  const AxisVector& to = *target_of(motion);
+  PathStep step{.motion = motion, .piece = {.from = plane.project(from), .to = plane.project(to)}};
+  if (shape != nullptr) {
+    step.piece.is_arc = true;
+    step.piece.clockwise = shape->direction == Direction::clockwise;
+    step.piece.centre = shape->centre;
+  }
+  if (shape == nullptr && step.piece.from == step.piece.to) return move_beside_plane(motion);
   moved_in_plane_ = true;
-  PathStep placed = step;
-  placed.place = alarms_.place();
-  const bool good = ending_ ? compensation_.end_with(placed, wall_) : compensation_.move(placed);
+  step.place = alarms_.place();
+  return rounds ? round(step) : compensate(step);
+}
+
+bool Toolpath::move_beside_plane(const Motion& motion) {
+  if (corner_at_end_)
+    return alarms_.raise(base::Code::corner_missing_move, "this block does not move in the plane");
+  if (!corners_.refuse()) return false;
+  pass(motion);
+  return true;
+}
+
+bool Toolpath::round(const PathStep& step) {
+  if (!corner_at_end_) return corners_.move(step, corners_.plane(), corners_.axes(), std::nullopt);
+  if (ending_ || compensation_.starting()) {
+    return alarms_.raise_at(base::Code::corner_in_compensation, step.place);
+  }
+  return corners_.move(step, corner_at_end_->plane, corner_at_end_->axes, corner_at_end_->request);
+}
+
+bool Toolpath::compensate(const PathStep& step) {
+  if (!compensation_.active()) {
+    emit(step.motion);
+    return true;
+  }
+  const bool good = ending_ ? compensation_.end_with(step, wall_) : compensation_.move(step);
   if (!compensation_.active()) tip_ = compensation_.tip();
   return good;
 }
@@ -95,6 +156,7 @@ void Toolpath::emit(const Motion& motion) {
         std::holds_alternative<Rapid>(motion.action) || std::holds_alternative<Line>(motion.action);
     if (straight_line && *to == tip_) return;
     tip_ = *to;
+    compensation_.set_tip(tip_);
   }
   sink_.take(motion);
 }

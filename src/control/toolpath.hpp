@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "control/coordinates.hpp"
+#include "control/corner_rounding.hpp"
 #include "control/cutter_compensation.hpp"
 
 namespace kerf::control {
@@ -23,15 +24,23 @@ struct ArcShape {
   std::uint16_t turns = 0;
 };
 
-/// The last station before the motions leave the control: knows where the tool stands, leaves out
-/// moves that go nowhere, and passes moves through the cutter compensation while that is on.
+/// A corner that the block's move asks for at its end, and the plane in which it lies.
+struct CornerAtEnd {
+  CornerRounding::Request request;
+  Plane plane = Plane::xy;
+  PlaneAxes axes;
+};
+
+/// The last stations before the motions leave the control: chamfers and corner radii, then cutter
+/// compensation. Knows where the tool stands and leaves out moves that go nowhere.
 class Toolpath {
  public:
-  Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings)
-      : alarms_(alarms), sink_(sink), compensation_(alarms, sink, settings) {}
+  Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings);
 
   /// A block begins: what it emits comes from `source`.
   void begin_block(const Source& source);
+  /// The block's move ends in a corner.
+  void round_corner(const CornerAtEnd& corner) { corner_at_end_ = corner; }
   /// The block is over. False: an alarm was raised.
   [[nodiscard]] bool end_block();
 
@@ -51,19 +60,21 @@ class Toolpath {
   /// G40: with the move of this block, or with the next one when it has none.
   void end_compensation(std::optional<geometry::Vec2> wall);
   [[nodiscard]] bool compensating() const { return compensation_.active(); }
-  [[nodiscard]] bool interrupt_compensation() {
-    return !compensation_.active() || compensation_.interrupt();
-  }
-  [[nodiscard]] bool release() { return !compensation_.active() || compensation_.release(); }
-  void reset_compensation() { compensation_.reset(); }
+  [[nodiscard]] bool interrupt_compensation();
+  /// Emits everything that waits for a move to come.
+  [[nodiscard]] bool release();
+  /// Forgets what is held: the reset button.
+  void reset();
 
   /// Where the tool stands, machine coordinates without tool length.
-  [[nodiscard]] base::AxisVector tip() const {
-    return compensation_.active() ? compensation_.tip() : tip_;
-  }
+  [[nodiscard]] base::AxisVector tip() const;
 
  private:
   bool move(const base::AxisVector& from, const Motion& motion, const ArcShape* shape);
+  bool move_beside_plane(const Motion& motion);
+  bool round(const PathStep& step);
+  bool compensate(const PathStep& step);
+  void pass(const Motion& motion);
   void emit(const Motion& motion);
   [[nodiscard]] Motion make(const Motion::Action& action) const {
     return {source_.program, source_.line, source_.file, action};
@@ -71,9 +82,11 @@ class Toolpath {
 
   Alarms& alarms_;
   MotionSink& sink_;
+  CornerRounding corners_;
   CutterCompensation compensation_;
   Source source_;
   base::AxisVector tip_;
+  std::optional<CornerAtEnd> corner_at_end_;
   bool ending_ = false;  // G40 stands in this block
   std::optional<geometry::Vec2> wall_;
   bool moved_in_plane_ = false;

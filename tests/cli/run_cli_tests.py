@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Tests of the contract of the command line (spec/cli.md) for run, check and machines.
+
+usage: run_cli_tests.py --kerf PATH [--only TEXT] [--jobs N] [--list]
+
+Prints a line for each test that fails or cannot be done here, then `N passed, M failed`. Exit
+status: 0 all passed, 1 otherwise.
+"""
+
+import argparse
+import concurrent.futures
+import os
+import sys
+
+import harness
+
+# Each of these adds its tests.
+import check_tests  # noqa: F401
+import diagnostic_tests  # noqa: F401
+import input_tests  # noqa: F401
+import library_tests  # noqa: F401
+import limit_tests  # noqa: F401
+import offset_tests  # noqa: F401
+import option_tests  # noqa: F401
+import output_tests  # noqa: F401
+import post_tests  # noqa: F401
+import signal_tests  # noqa: F401
+import state_tests  # noqa: F401
+import usage_tests  # noqa: F401
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--kerf", required=True, help="the program to test")
+    parser.add_argument("--only", default="", help="tests whose sentence holds this text")
+    parser.add_argument("--jobs", type=int, default=min(4, (os.cpu_count() or 1) + 1))
+    parser.add_argument("--list", action="store_true", help="prints the sentences only")
+    options = parser.parse_args()
+    program = os.path.abspath(options.kerf)
+    tests = [test for test in harness.TESTS if options.only in test.sentence]
+    sentences = [test.sentence for test in harness.TESTS + harness.LAST_TESTS]
+    twice = {sentence for sentence in sentences if sentences.count(sentence) > 1}
+    if twice:
+        sys.exit(f"two tests have the same name: {sorted(twice)}")
+    if options.list:
+        print("\n".join(sentences))
+        return 0
+    if not os.access(program, os.X_OK):
+        sys.exit(f"{program}: there is no program to test")
+
+    report = harness.Report()
+    commands = []
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for test in tests:
+            pool.submit(harness.run_test, test, program, report, commands)
+    if not options.only:
+        for test in harness.LAST_TESTS:
+            look_back = harness.Test(test.sentence,
+                                     lambda box, f=test.function: f(box, list(commands)))
+            harness.run_test(look_back, program, report, commands)
+    if report.passed + report.failed == 0:
+        print("no tests ran")
+        report.failed += 1
+    print(f"{report.passed} passed, {report.failed} failed")
+    return 1 if report.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,189 @@
+"""Wrong usage, help, version and the list of machines."""
+
+import re
+
+from harness import check, contains, equal, last_test, one_sentence, refused, status, test
+
+PROGRAM = "O1\nG21G90\nG00X1.Y2.Z3.\nM30\n"
+
+WRONG_RUNS = {
+    "an option that does not exist": ["--nosuch"],
+    "a second program": ["more.nc"],
+    "an option of check": ["--jobs", "3"],
+    "--machine without its value": ["--machine"],
+    "--dialect that does not exist": ["--dialect", "foo"],
+    "--dialect that is not built yet": ["--dialect", "laser-basic"],
+    "--library without its value": ["--library"],
+    "--set without an equals sign": ["--set", "#100"],
+    "--set without a number sign": ["--set", "100=1"],
+    "--set without a value": ["--set", "#100="],
+    "--set with a word for a value": ["--set", "#100=abc"],
+    "--set with more behind the number": ["--set", "#100=1mm"],
+    "--set with an infinite value": ["--set", "#100=inf"],
+    "--set with a value that is no number": ["--set", "#100=nan"],
+    "--set with a value beyond all doubles": ["--set", "#100=1e999"],
+    "--set of a variable that is always vacant": ["--set", "#0=1"],
+    "--set of a variable that does not exist": ["--set", "#50=1"],
+    "--set of a variable that cannot be written": ["--set", "#4001=1"],
+    "--set of a fraction of a variable": ["--set", "#100.5=1"],
+    "--set of a negative variable": ["--set", "#-1=1"],
+    "--set of a BASIC variable": ["--set", "x=1"],
+    "--param without an equals sign": ["--param", "DPI"],
+    "--param that does not exist": ["--param", "nosuch=1"],
+    "--param with a value out of range": ["--param", "DPI=7"],
+    "--param with a word for a value": ["--param", "DPI=on"],
+    "--param with a letter that it does not take": ["--param", "offset_memory=Q"],
+    "--param with an empty value": ["--param", "DPI="],
+    "--machine-set without an equals sign": ["--machine-set", "axis.X.velocity"],
+    "--machine-set of an unknown key": ["--machine-set", "axis.X.colour=1"],
+    "--machine-set of an unknown table": ["--machine-set", "spindle.speed=1"],
+    "--machine-set of an axis that the machine lacks": ["--machine-set", "axis.Q.velocity=1"],
+    "--machine-set of a velocity of 0": ["--machine-set", "axis.X.velocity=0"],
+    "--machine-set with a word for a value": ["--machine-set", "axis.X.velocity=fast"],
+    "--decimal-point of another kind": ["--decimal-point", "comma"],
+    "--skip-at without a value": ["--skip-at", "X"],
+    "--skip-at of an axis that the machine lacks": ["--skip-at", "Q=1"],
+    "--skip-at with a word for a value": ["--skip-at", "X=here"],
+    "--skip-at with a value that is no number": ["--skip-at", "X=nan"],
+    "--block-skip level 0": ["--block-skip", "0"],
+    "--block-skip level 10": ["--block-skip", "10"],
+    "--block-skip with an empty item": ["--block-skip", "1,,2"],
+    "--block-skip with a word": ["--block-skip", "some"],
+    "--optional-stop with a value": ["--optional-stop=maybe"],
+    "--max-seconds with a negative value": ["--max-seconds", "-1"],
+    "--max-seconds with a word": ["--max-seconds", "long"],
+    "--max-seconds with a value that is no number": ["--max-seconds", "nan"],
+    "--max-motions with a negative value": ["--max-motions", "-1"],
+    "--max-motions with a fraction": ["--max-motions", "1.5"],
+    "--max-motions with a word": ["--max-motions", "many"],
+    "--keep-partial with a value": ["--keep-partial=maybe"],
+    "--summary without its file": ["--summary"],
+    "--motion without its file": ["--motion"],
+    "--plot without its file": ["--plot"],
+    "--plot with an ending of another kind": ["--plot", "path.pdf"],
+    "--plot without an ending": ["--plot", "path"],
+    "--dprnt without its file": ["--dprnt"],
+    "--post without its file": ["--post"],
+    "--coverage without its file": ["--coverage"],
+    "--tools without its file": ["--tools"],
+    "--offsets without its file": ["--offsets"],
+    "--state without its file": ["--state"],
+    "--diagnostics of another kind": ["--diagnostics", "xml"],
+}
+
+WRONG_COMMANDS = {
+    "kerf without a command": [],
+    "a command that does not exist": ["mill"],
+    "a command that is not built yet": ["simulate", "part.nc"],
+    "run without a program": ["run"],
+    "check without a file": ["check"],
+    "check --jobs 0": ["check", "part.nc", "--jobs", "0"],
+    "check --jobs with a word": ["check", "part.nc", "--jobs", "all"],
+    "check --format of another kind": ["check", "part.nc", "--format", "xml"],
+    "check --param that does not exist": ["check", "part.nc", "--param", "nosuch=1"],
+    "check with an option of run": ["check", "part.nc", "--post", "out.nc"],
+    "machines with a name that is not built in": ["machines", "mill99"],
+    "machines with two names": ["machines", "mill3", "mill4"],
+}
+
+
+def wrong_usage(words):
+    def run(box):
+        box.write("part.nc", PROGRAM)
+        result = box.kerf(*words)
+        refused(result, 2)
+        equal(box.files(), ["part.nc"], "files behind it")
+    return run
+
+
+for name, words in WRONG_RUNS.items():
+    test(f"wrong usage: {name}")(wrong_usage(["run", "part.nc", *words]))
+for name, words in WRONG_COMMANDS.items():
+    test(f"wrong usage: {name}")(wrong_usage(words))
+
+
+@test("an option that is given twice where one can count is wrong usage")
+def repeated_option(box):
+    box.write("part.nc", PROGRAM)
+    refused(box.kerf("run", "part.nc", "--summary", "a", "--summary", "b"), 2)
+    equal(box.files(), ["part.nc"], "files behind it")
+
+
+@test("--help goes to standard output and names exactly the commands that are built")
+def help_of_kerf(box):
+    result = box.kerf("--help")
+    status(result, 0)
+    equal(result.err, "", "standard error")
+    commands = re.findall(r"^  ([a-z]+) {3,}", result.text, re.MULTILINE)
+    equal(sorted(commands), ["check", "machines", "run"], "commands in the help")
+
+
+@test("the help of every command is whole text without control characters")
+def help_of_commands(box):
+    last_words = {"run": "--diagnostics", "check": "--format", "machines": "name"}
+    for command, last in last_words.items():
+        result = box.kerf(command, "--help")
+        status(result, 0)
+        contains(result.text, last, f"help of {command}")
+        strange = sorted({c for c in result.text if not c.isprintable() and c != "\n"})
+        equal(strange, [], f"control characters in the help of {command}")
+        check(result.text.endswith("\n"),
+              f"the help of {command} breaks off: …{result.text[-60:]!r}")
+        check(re.search(rf"{last}.*\n?.*\b(text or json|sarif or junit|TEXT)", result.text),
+              f"the help of {command} breaks off before the end: …{result.text[-60:]!r}")
+
+
+@test("--version names the program and its version")
+def version(box):
+    result = box.kerf("--version")
+    status(result, 0)
+    check(re.fullmatch(r"kerf \d+\.\d+\.\d+\n", result.text), f"the version is {result.text!r}")
+
+
+@test("machines lists the built-in machines, one a line with a sentence")
+def machines(box):
+    result = box.kerf("machines")
+    status(result, 0)
+    equal(result.err, "", "standard error")
+    names = [line.split()[0] for line in result.lines()]
+    for name in ("mill3", "mill4", "mill5"):
+        check(name in names, f"machines does not list {name}: {names}")
+    check(all(len(line.split()) > 2 for line in result.lines()), "a machine has no sentence")
+
+
+@test("machines NAME prints a file that can be copied, changed and used")
+def machine_file(box):
+    for line in box.kerf("machines").lines():
+        name = line.split()[0]
+        result = box.kerf("machines", name)
+        status(result, 0)
+        contains(result.text, f'name = "{name}"', f"the file of {name}")
+        box.write("mine.toml", result.text.replace(f'name = "{name}"', 'name = "mine"'))
+        box.write("part.nc", PROGRAM)
+        run = box.kerf("run", "part.nc", "--machine", "mine.toml", "--summary", "s.json")
+        status(run, 0)
+        equal(box.json("s.json")["machine"], "mine", "machine of the summary")
+
+
+@test("a machine name that is not built in is refused with the names that are")
+def unknown_machine(box):
+    box.write("part.nc", PROGRAM)
+    result = box.kerf("run", "part.nc", "--machine", "mill99")
+    check(result.status in (2, 3), f"exit status {result.status}, wanted 2 or 3")
+    one_sentence(result, "mill99", "mill3")
+
+
+@test("run and machines answer an unknown machine name with the same exit status")
+def unknown_machine_twice(box):
+    box.write("part.nc", PROGRAM)
+    run = box.kerf("run", "part.nc", "--machine", "mill99")
+    equal(run.status, box.kerf("machines", "mill99").status, "exit status of run")
+
+
+@last_test("every option that the help names was used by a test")
+def options_are_tested(box, commands):
+    for command in ("run", "check", "machines"):
+        named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", box.kerf(command, "--help").text))
+        used = {word.split("=")[0] for words in commands
+                if command in words[:12] for word in words if word.startswith("--")}
+        equal(sorted(named - used - {"--help"}), [], f"options of {command} without a test")

@@ -184,6 +184,7 @@ bool Controller::collect(std::span<const Word> block) {
 bool Controller::check_addresses(std::span<const Word> block) {
   std::uint32_t allowed = kAlwaysAllowed | targets_.letters();
   if (parameters_.b_calls_program) allowed |= Words::mask('B');
+  if ((words_.present() & ~allowed) == 0) return true;
   // G04 takes its time under X or U.
   const bool is_dwell =
       std::any_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return g.code == 40; });

@@ -88,7 +88,8 @@ bool Moves::execute(const Words& words, bool& moved) {
   if (!words.has_any(targets_.letters()) && !centre_alone) return true;
   Target target;
   if (!targets_.read(words, target)) return false;
-  if (std::popcount(target.named) > state_.parameters.simultaneous_axes) {  // G-4
+  if (state_.axes.count() > static_cast<std::size_t>(state_.parameters.simultaneous_axes) &&
+      std::popcount(target.named) > state_.parameters.simultaneous_axes) {  // G-4
     return state_.alarms.raise(
         Code::too_many_axes,
         std::to_string(state_.parameters.simultaneous_axes) + " axes can move together");

@@ -1,0 +1,227 @@
+"""`kerf check`: all findings of a file, in four formats."""
+
+import json
+import os
+import xml.etree.ElementTree as xml
+
+from harness import check, contains, equal, status, test
+
+# Mistakes in lines 3, 5, 7, 8 (twice: two blocks), 11, 14 and 16; 6 is the first that a run meets.
+WRONG = ("%\n"
+         "O1 (PART)\n"
+         "/G01 5X\n"                     # 3: behind a switch that is off
+         "GOTO6\n"
+         "#1=[2+\n"                      # 5: jumped over
+         "N6#1=1\n"
+         "#3=SIN30\n"                    # 7: raises the alarm of the run
+         "G01 X1.2.3; #5=;\n"            # 8: two blocks
+         "M30\n"
+         "\n"
+         "X\n"                           # 11: behind the end
+         "O2\n"
+         "G00X1.\n"
+         "WHILE[#1]DO1\n"                # 14: a program that nobody calls
+         "M99\n"
+         "G00 Y1 {\n"                    # 16: behind its end
+         "%\n")
+WRONG_LINES = [3, 5, 7, 8, 8, 11, 14, 16]
+GOOD = "O1\nG21G90\nG00X1.\nM30\n"
+
+
+def findings(box, *words, wanted=1):
+    result = box.kerf("check", *words, "--format", "json")
+    status(result, wanted)
+    return [json.loads(line) for line in result.lines()]
+
+
+@test("check lists every wrong block of a file, also those that are never reached")
+def all_findings(box):
+    box.write("wrong.nc", WRONG)
+    result = box.kerf("check", "wrong.nc")
+    status(result, 1)
+    equal(result.err, "", "standard error")
+    heads = [line for line in result.lines() if line.startswith("wrong.nc:")]
+    equal(sorted(int(head.split(":")[1]) for head in heads), WRONG_LINES, "lines")
+
+
+@test("check finds what only the run shows, next to what does not compile")
+def alarms_of_the_run(box):
+    box.write("wrong.nc", "O1\nG21G90\nG00X1.\n#1=0\n#2=1/#1\nM30\nG01 5X\n")
+    told = findings(box, "wrong.nc")
+    equal(sorted((item["line"], item["code"]) for item in told),
+          [(5, "PS0112"), (7, "PS0004")], "findings")
+
+
+@test("check is silent and ends with 0 when nothing is wrong")
+def nothing_wrong(box):
+    box.write("good.nc", GOOD)
+    for words in ([], ["--format", "json"]):
+        result = box.kerf("check", "good.nc", *words)
+        status(result, 0)
+        equal((result.out, result.err), (b"", ""), "output")
+
+
+@test("check of an NC program prints nothing of what the program itself prints")
+def prints_nothing(box):
+    box.write("good.nc", "O1\nDPRNT[HELLO]\nM30\n")
+    equal(box.kerf("check", "good.nc").out, b"", "standard output")
+
+
+@test("check as text gives each finding its source line and caret")
+def text_format(box):
+    box.write("wrong.nc", WRONG)
+    lines = box.kerf("check", "wrong.nc", "--format", "text").lines()
+    source = WRONG.splitlines()
+    for i, line in enumerate(lines):
+        if line.startswith("wrong.nc:"):
+            row = int(line.split(":")[1])
+            equal(lines[i + 1], "    " + source[row - 1], f"source of line {row}")
+            check("^" in lines[i + 2], f"no caret below line {row}")
+
+
+@test("check as JSON gives one object a line with all keys")
+def json_format(box):
+    box.write("wrong.nc", WRONG)
+    told = findings(box, "wrong.nc")
+    equal(sorted(item["line"] for item in told), WRONG_LINES, "lines")
+    for item in told:
+        equal(list(item), ["severity", "code", "message", "file", "line", "column", "program",
+                           "hint"], "keys")
+        check(item["column"] > 0, f"column {item['column']} in line {item['line']}")
+
+
+@test("check as SARIF 2.1.0 has a run with a result per finding")
+def sarif_format(box):
+    box.write("wrong.nc", WRONG)
+    box.write("good.nc", GOOD)
+    result = box.kerf("check", "good.nc", "wrong.nc", "--format", "sarif")
+    status(result, 1)
+    document = json.loads(result.text)
+    equal((document["version"], len(document["runs"])), ("2.1.0", 1), "version, runs")
+    contains(document["$schema"], "sarif", "the schema")
+    equal(document["runs"][0]["tool"]["driver"]["name"], "kerf", "tool")
+    results = document["runs"][0]["results"]
+    rows = []
+    for item in results:
+        check(item["ruleId"] and item["message"]["text"], f"a result without rule or text: {item}")
+        equal(item["level"], "error", "level")
+        location = item["locations"][0]["physicalLocation"]
+        equal(location["artifactLocation"]["uri"], "wrong.nc", "file")
+        check(location["region"]["startColumn"] >= 1, f"column in {location}")
+        rows.append(location["region"]["startLine"])
+    equal(sorted(rows), WRONG_LINES, "lines")
+    clean = json.loads(box.kerf("check", "good.nc", "--format", "sarif").text)
+    equal(clean["runs"][0]["results"], [], "results of a good file")
+
+
+@test("check as JUnit has a test case per file, and the findings in those that failed")
+def junit_format(box):
+    box.write("wrong.nc", WRONG)
+    box.write("good.nc", GOOD)
+    result = box.kerf("check", "good.nc", "wrong.nc", "--format", "junit")
+    status(result, 1)
+    suite = xml.fromstring(result.out)
+    equal((suite.tag, suite.get("tests"), suite.get("failures")), ("testsuite", "2", "1"), "suite")
+    cases = suite.findall("testcase")
+    equal([case.get("name") for case in cases], ["good.nc", "wrong.nc"], "cases")
+    equal([len(case.findall("failure")) for case in cases], [0, 1], "failures")
+    failure = cases[1].find("failure")
+    for line in WRONG_LINES:
+        contains(failure.text, f"wrong.nc:{line}:", "the failure")
+
+
+NASTY_NAMES = ["a&b.nc", "a<b>.nc", "\"quoted\" 'name'.nc", "two\nlines.nc", "tab\there.nc",
+               "bell\x07.nc", "größe 日本.nc", b"latin1 gr\xf6\xdfe.nc".decode(errors="surrogateescape"),
+               "]]>.nc", "%20 100%.nc"]
+NASTY_TEXT = (b"O1\n#3000=1(<a href=\"x\">&amp; ]]> \xe4 \x01\x0b\x1f\x7f \xef\xbf\xbe \xef\xbf\xbf "
+              b"\xc2\x85 \xed\xa0\x80)\nM30\nG01 5X (\xef\xbf\xbe \x08 <&\">)\n")
+
+
+@test("check stays valid in every format whatever bytes names and programs hold")
+def nasty_bytes(box):
+    names = []
+    for name in NASTY_NAMES:
+        box.write(name, NASTY_TEXT)
+        names.append(name)
+    for name in names:
+        for form in ("json", "sarif", "junit"):
+            result = box.kerf("check", name, "--format", form)
+            try:
+                status(result, 1)
+                told = parsed(result.out, form)
+                equal(told, 2, "findings")
+            except Exception as error:
+                raise type(error)(f"{name!r} as {form}: {error}") from None
+
+
+def parsed(out, form):
+    """How many findings a document holds; raises when it is not valid."""
+    if form == "json":
+        return len([json.loads(line) for line in out.decode().splitlines()])
+    if form == "sarif":
+        return len(json.loads(out.decode())["runs"][0]["results"])
+    failure = xml.fromstring(out).find("testcase/failure")
+    return failure.text.count(": error: ")
+
+
+@test("check of many files gives the same bytes with any number of jobs")
+def jobs(box):
+    names = []
+    for i in range(24):
+        text = WRONG.replace("O1", f"O{i + 10}") if i % 3 else GOOD + "(FILL)\n" * (i * 400)
+        names.append(box.write(f"f{i:02}.nc", text))
+    names.insert(7, "gone.nc")
+    for form in ("text", "json", "sarif", "junit"):
+        one = box.kerf("check", *names, "--jobs", "1", "--format", form)
+        status(one, 3)
+        for count in ("2", "8", "64"):
+            many = box.kerf("check", *names, "--jobs", count, "--format", form)
+            status(many, 3)
+            check(many.out == one.out, f"--jobs {count} gives other bytes than --jobs 1 as {form}")
+            equal(many.err, one.err, f"standard error with --jobs {count}")
+
+
+@test("check goes on behind a file that is missing and ends with 3")
+def missing_file(box):
+    box.write("wrong.nc", WRONG)
+    result = box.kerf("check", "gone.nc", "wrong.nc", "gone too.nc")
+    status(result, 3)
+    contains(result.text, "wrong.nc:7:", "standard output")
+    equal(len(result.err.splitlines()), 2, "sentences on standard error")
+    suite = xml.fromstring(box.kerf("check", "gone.nc", "wrong.nc", "--format", "junit").out)
+    equal(suite.get("failures"), "2", "failures as JUnit")
+
+
+@test("check --machine, --param and --library change what is wrong")
+def options(box):
+    box.write("axis.nc", "O1\nG21G90\nG00A90.\nM30\n")
+    status(box.kerf("check", "axis.nc"), 1)
+    status(box.kerf("check", "axis.nc", "--machine", "mill4"), 0)
+    box.write("call.nc", "O1\nM98P9000\nM30\n")
+    box.write("folder/O9000.nc", "O9000\nM99\n")
+    status(box.kerf("check", "call.nc"), 1)
+    status(box.kerf("check", "call.nc", "--library", "folder"), 0)
+    box.write("levels.nc", "O1\nG65P2\nM30\nO2\nG65P3\nM99\nO3\nM99\n")
+    status(box.kerf("check", "levels.nc"), 0)
+    status(box.kerf("check", "levels.nc", "--param", "macro_levels=1"), 1)
+
+
+@test("check reads standard input as -")
+def standard_input(box):
+    result = box.kerf("check", "-", stdin=WRONG)
+    status(result, 1)
+    contains(result.text, "-:7:", "standard output")
+
+
+@test("check names each wrong O number once")
+def program_numbers(box):
+    box.write("twice.nc", "%\nO1\nM30\nO2\nM99\nO2\nM99\n%\n")
+    told = findings(box, "twice.nc")
+    equal([(item["code"], item["line"]) for item in told], [("PS0073", 6)], "findings")
+
+
+@test("check writes no file")
+def no_files(box):
+    box.write("wrong.nc", WRONG)
+    box.kerf("check", "wrong.nc")
+    equal(os.listdir(box.folder), ["wrong.nc"], "files behind it")

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "base/source_file.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/gcode/page.hpp"
+#include "lang/gcode/text_window.hpp"
 
 namespace kerf::gcode {
 
@@ -15,9 +15,6 @@ struct PageStart {
   std::uint32_t line = 1;        ///< line number there
   std::uint64_t line_start = 0;  ///< byte offset of that line
 };
-
-/// Longest block, and longest line, in bytes. A longer one raises BLOCK_TOO_LONG.
-inline constexpr std::size_t kLongestBlock = 1 << 20;
 
 /// Compiles a program page by page. Holds the text of one page at a time, so its memory does not
 /// depend on the length of the program.
@@ -31,13 +28,8 @@ class PageCompiler {
                std::uint64_t end, NameTable& names, GcodePage& page);
 
  private:
-  [[nodiscard]] bool fill(const base::SourceFile& file, std::uint64_t end);
-  void skip_long_line(const base::SourceFile& file, std::uint64_t end);
-
   std::uint32_t lines_per_page_;
-  std::string text_;           // of the page, from its first byte
-  std::uint64_t text_at_ = 0;  // byte offset of text_ in the file
-  std::size_t position_ = 0;   // of the next line in text_
+  TextWindow window_;
 };
 
 }  // namespace kerf::gcode

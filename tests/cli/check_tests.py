@@ -4,7 +4,7 @@ import json
 import os
 import xml.etree.ElementTree as xml
 
-from harness import check, contains, equal, status, test
+from harness import Failed, check, contains, equal, status, test
 
 # Mistakes in lines 3, 5, 7, 8 (twice: two blocks), 11, 14 and 16; 6 is the first that a run meets.
 WRONG = ("%\n"
@@ -150,14 +150,14 @@ def nasty_bytes(box):
                 status(result, 1)
                 told = parsed(result.out, form)
                 equal(told, 2, "findings")
-            except Exception as error:
-                raise type(error)(f"{name!r} as {form}: {error}") from None
+            except (Failed, ValueError, xml.ParseError) as error:
+                raise Failed(f"{name!r} as {form}: {error}") from None
 
 
 def parsed(out, form):
     """How many findings a document holds; raises when it is not valid."""
     if form == "json":
-        return len([json.loads(line) for line in out.decode().splitlines()])
+        return len([json.loads(line) for line in out.decode().split("\n") if line])
     if form == "sarif":
         return len(json.loads(out.decode())["runs"][0]["results"])
     failure = xml.fromstring(out).find("testcase/failure")

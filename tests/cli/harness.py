@@ -14,13 +14,13 @@ import tempfile
 import threading
 import time
 
-TIMEOUT_S = 50
+TIMEOUT_S = 25
 
 # Runs the words behind the first two and writes the peak memory (KiB) of that process to the first. A
 # process starts out with the peak of the one that made it, so a small one has to stand between.
 PEAK_SCRIPT = """
 import os, sys
-pid = os.posix_spawn(sys.argv[2], sys.argv[2:], os.environ)
+pid = os.posix_spawnp(sys.argv[2], sys.argv[2:], os.environ)
 status, usage = os.wait4(pid, 0)[1:]
 open(sys.argv[1], "w").write(str(usage.ru_maxrss))
 sys.exit(os.waitstatus_to_exitcode(status) & 255)

@@ -3,7 +3,7 @@
 import os
 import shutil
 
-from harness import Skipped, check, contains, equal, one_sentence, refused, status, test
+from harness import Failed, Skipped, check, contains, equal, one_sentence, refused, status, test
 
 # Enough of everything that each output of a run has more to write than a small disk holds.
 BIG = ("O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT4000]DO1\nG01X[#1*0.01]Y[SIN[#1]*20]Z-[#1/1000]\n"
@@ -246,8 +246,8 @@ def full_standard_output(box):
         try:
             status(result, 3)
             one_sentence(result)
-        except Exception as error:
-            raise type(error)(f"kerf {' '.join(words)} > /dev/full: {error}") from None
+        except Failed as error:
+            raise Failed(f"kerf {' '.join(words)} > /dev/full: {error}") from None
 
 
 @test("a reader that has gone away ends the run without a crash")

@@ -17,6 +17,20 @@ constexpr std::size_t kLongestName = 32;
 
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; }
 
+// Counts in bytes, 255 characters at a time, which compilers turn into vector code.
+std::uint32_t count_newlines(std::string_view text) {
+  constexpr std::size_t kMostInByte = 255;
+  std::uint32_t total = 0;
+  for (std::size_t begin = 0; begin < text.size(); begin += kMostInByte) {
+    unsigned char count = 0;
+    for (const char c : text.substr(begin, kMostInByte)) {
+      count = static_cast<unsigned char>(count + static_cast<unsigned char>(c == '\n'));
+    }
+    total += count;
+  }
+  return total;
+}
+
 /// Finds the O words and percent signs of a file in one pass over its bytes.
 ///
 /// Three states matter: in a comment, behind a letter (an O there belongs to a word like GOTO), and
@@ -125,7 +139,7 @@ std::size_t Scanner::line_start_of_last_line(std::string_view text) {
   if (std::memchr(text.data(), '\r', text.size()) == nullptr) {
     const std::size_t newline = text.rfind('\n');
     if (newline == std::string_view::npos) return newline;
-    line_ += static_cast<std::uint32_t>(std::count(text.begin(), text.end(), '\n'));
+    line_ += count_newlines(text);
     return newline + 1;
   }
   std::size_t begin = std::string_view::npos;

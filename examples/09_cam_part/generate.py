@@ -375,7 +375,8 @@ def grip(post: Post) -> None:
 def program() -> str:
     post = Post()
     post.lines += ["%", "O0009 (BRACKET)"]
-    post.comment("STOCK 150 X 100 X 26 ALUMINIUM, X0 Y0 LOWER LEFT CORNER OF THE PART, Z0 ITS TOP")
+    post.comment("STOCK 150 X 100 X 26, ALUMINIUM")
+    post.comment("X0 Y0 LOWER LEFT CORNER OF THE PART, Z0 ITS TOP")
     for tool in TOOLS:
         post.comment(f"T{tool.number} D={tool.diameter:g} {tool.name}")
     post.block("G90 G94 G17 G40 G49 G80")

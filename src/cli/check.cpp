@@ -26,10 +26,8 @@ struct FileReport {
 std::vector<Diagnostic> find_all(machine::VirtualMachine& machine) {
   std::vector<Diagnostic> found = machine.library().findings();
   for (std::size_t program = 0; program < machine.library().program_count(); ++program) {
-    for (std::uint32_t number = 0;; ++number) {
-      const gcode::GcodePage& page = machine.library().page(vm::CodeId(program), number);
-      found.insert(found.end(), page.failures.begin(), page.failures.end());
-      if (page.last) break;
+    for (Diagnostic& diagnostic : machine.library().check(vm::CodeId(program))) {
+      found.push_back(std::move(diagnostic));
     }
   }
   const auto same_place = [](const Diagnostic& a, const Diagnostic& b) {

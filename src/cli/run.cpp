@@ -8,6 +8,7 @@
 #include "base/output_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/machine_setup.hpp"
+#include "cli/progress.hpp"
 #include "machine/state_file.hpp"
 #include "output/coverage.hpp"
 #include "output/diagnostic_text.hpp"
@@ -156,6 +157,22 @@ void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachi
   }
 }
 
+Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) {
+  Progress progress;
+  if (progress.wanted()) {
+    machine.observe_progress([&] {
+      const base::Place place = machine.controller().standing_at();
+      const bool in_main = place.file == base::FileId{0};
+      if (!in_main) return;
+      progress.show(place.line_start, machine.sources()[place.file].size(),
+                    machine.statistics().motions());
+    });
+  }
+  const Status status = machine.run_to_end({options.max_seconds, options.max_motions, 0});
+  machine.observe_progress(nullptr);
+  return status;
+}
+
 }  // namespace
 
 ExitStatus run(const RunOptions& options) {
@@ -164,7 +181,7 @@ ExitStatus run(const RunOptions& options) {
   VirtualMachine& machine = *ready->machine;
   Outputs outputs(options, machine);
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
-  const Status status = machine.run_to_end({options.max_seconds, options.max_motions});
+  const Status status = run_showing_progress(options, machine);
   if (auto committed = outputs.commit(ready->dialect); !committed) return fail(committed.error());
   if (!options.state.empty()) {
     if (auto written = machine::write_state(options.state, machine.memory()); !written)

@@ -172,6 +172,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     const std::uint64_t slice = budget.steps != 0 ? std::min(kSlice, budget.steps) : kSlice;
     const Halt halt = controller_->run(slice);
     steps += slice;
+    if (progress_) progress_();
     switch (halt) {
       case Halt::end: return finish(Status::end);
       case Halt::alarm: return finish(Status::alarm);

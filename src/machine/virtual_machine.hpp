@@ -64,6 +64,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// cycle start.
   void load(std::unique_ptr<base::SourceFile> file);
   void add_library_folder(const std::string& folder) { shelf_.add_folder(folder); }
+  /// Called every few milliseconds of computing while the machine runs.
+  void observe_progress(std::function<void()> observer) { progress_ = std::move(observer); }
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
@@ -135,6 +137,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   RunStatistics statistics_;
   std::vector<control::MotionSink*> sinks_;
   std::function<void(std::string_view)> print_output_;
+  std::function<void()> progress_;
   std::deque<SkipContact> contacts_;
   std::array<std::uint32_t, 4> inputs_{};
   std::unique_ptr<control::Controller> controller_;

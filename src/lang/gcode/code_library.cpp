@@ -158,4 +158,35 @@ vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_numbe
   }
 }
 
+std::vector<base::Diagnostic> CodeLibrary::check(vm::CodeId code) {
+  std::vector<base::Diagnostic> found;
+  for (std::uint32_t number = 0;; ++number) {
+    check_page(code, number, found);
+    if (page(code, number).last) return found;
+  }
+}
+
+// Jumps and loops are looked up by number, because a lookup may throw the page away.
+void CodeLibrary::check_page(vm::CodeId code, std::uint32_t number,
+                             std::vector<base::Diagnostic>& found) {
+  using vm::Op;
+  const std::vector<vm::Instruction> instructions = page(code, number).instructions;
+  for (std::uint32_t at = 0; at < instructions.size(); ++at) {
+    const vm::Instruction& instruction = instructions[at];
+    const auto place = [&] { return page(code, number).place_of(at); };
+    if (instruction.op == Op::fail) {
+      found.push_back(page(code, number).failures[instruction.n]);
+    } else if (instruction.op == Op::jump_to_label && instruction.c != 0) {
+      if (find_label(code, {number, at + 1}, instruction.n)) continue;
+      found.push_back(base::make_error(base::Code::label_not_found, place(),
+                                       "the program has no N" + std::to_string(instruction.n)));
+      found.back().severity = base::Severity::warning;
+    } else if (instruction.op == Op::enter_region) {
+      const vm::Region::State state = resolve_region(code, number, instruction.n).state;
+      if (state == vm::Region::State::closed) continue;
+      found.push_back(base::make_error(base::Code::missing_end, place()));
+    }
+  }
+}
+
 }  // namespace kerf::gcode

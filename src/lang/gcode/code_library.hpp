@@ -44,6 +44,10 @@ class CodeLibrary : public vm::CodeSource {
   [[nodiscard]] base::FileId file_of(vm::CodeId code) const;
   [[nodiscard]] std::optional<vm::CodeId> find(std::uint32_t number) const;
   [[nodiscard]] std::optional<vm::CodeId> find(const std::string& name) const;
+  /// Mistakes of a program that show without running it: blocks that do not compile, GOTOs to sequence
+  /// numbers that do not exist (warnings: such a GOTO may never be reached), DOs without END.
+  [[nodiscard]] std::vector<base::Diagnostic> check(vm::CodeId code);
+
   [[nodiscard]] NameTable& names() { return names_; }
 
   // vm::CodeSource
@@ -76,6 +80,7 @@ class CodeLibrary : public vm::CodeSource {
   void compile(vm::CodeId code, std::uint32_t number, Slot& slot);
   void learn_starts(vm::CodeId code, std::uint32_t number);
   const std::vector<PlacedLabel>& labels_of(vm::CodeId code);
+  void check_page(vm::CodeId code, std::uint32_t number, std::vector<base::Diagnostic>& found);
   void add_programs(base::FileId file, std::uint32_t number_from_name);
 
   base::SourceSet& sources_;

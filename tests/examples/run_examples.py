@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+"""Runs every example as its README tells the user to, and compares what comes out.
+
+usage: run_examples.py --kerf PATH [--update] [NAME ...]
+
+An example is a folder examples/NN_name/ with these files; each kind may also come in variants, with
+an ending _VARIANT before the point:
+
+  command        one line, as typed in the root of the repository: ./kerf run examples/...
+  expected.json  the stable part of the summary that --summary writes
+  picture.svg    what --plot wrote, where the command has it (or .png)
+  printed.txt    what --dprnt wrote, where the command has it
+  generate.py    writes the program of `command`, where a script made it
+  README.md      quotes every command
+
+--update rewrites expected files, pictures and printed texts, but never accepts another ending: a new
+run must reach status end, and a run that used to end in an alarm must end in the same one. To expect
+an alarm, first write {"status": "alarm", "alarm": {"code": "PS0112"}} into expected_VARIANT.json.
+
+Exit status: 0 all well, 1 an example fails, 2 wrong usage.
+"""
+
+import argparse
+import json
+import math
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+
+STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
+          "extents", "time_s", "cut_mm", "rapid_mm", "variables")
+STABLE_IN_ALARM = ("code", "program", "line")
+RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
+PICTURE_BYTES = (4_000, 250_000)
+PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
+EXIT_STATUS = {"end": 0, "alarm": 1}
+SECONDS = 60
+
+
+class Failed(Exception):
+    """An example does not do what it should; the text says what."""
+
+
+@dataclass
+class Result:
+    """What one command left behind."""
+
+    exit_status: int
+    errors: str
+    summary: dict
+    picture: Path = None
+    printed: Path = None
+
+
+@dataclass
+class Variant:
+    """One command of an example, and the files that belong to it."""
+
+    folder: Path
+    ending: str  # "" or "_as_printed"
+    words: list = field(default_factory=list)
+
+    @property
+    def command(self) -> Path:
+        return self.folder / f"command{self.ending}"
+
+    @property
+    def expected(self) -> Path:
+        return self.folder / f"expected{self.ending}.json"
+
+    @property
+    def printed(self) -> Path:
+        return self.folder / f"printed{self.ending}.txt"
+
+    @property
+    def program(self) -> Path:
+        return ROOT / self.words[2]
+
+    def picture(self, suffix: str) -> Path:
+        return self.folder / f"picture{self.ending}{suffix}"
+
+    def option(self, name: str) -> str:
+        """The value of an option of the command, "" without it."""
+        return self.words[self.words.index(name) + 1] if name in self.words else ""
+
+    def read(self, readme: str) -> None:
+        text = self.command.read_text()
+        if text.count("\n") != 1 or not text.endswith("\n"):
+            raise Failed(f"{self.command.name}: must be one line")
+        self.words = shlex.split(text)
+        if self.words[:2] != ["./kerf", "run"]:
+            raise Failed(f"{self.command.name}: must begin with ./kerf run")
+        if self.program.parent != self.folder or not self.program.is_file():
+            raise Failed(f"{self.command.name}: {self.words[2]} is no program of this example")
+        if not self.option("--summary"):
+            raise Failed(f"{self.command.name}: needs --summary")
+        if text.strip() not in readme:
+            raise Failed(f"README.md does not quote {self.command.name}")
+
+
+def variants_of(folder: Path) -> list:
+    """All commands of an example, read, the plain one first."""
+    readme = folder / "README.md"
+    if not readme.is_file() or not (folder / "command").is_file():
+        raise Failed("needs README.md and command")
+    found = [Variant(folder, path.name[len("command"):]) for path in folder.glob("command*")]
+    found.sort(key=lambda variant: variant.ending)
+    for variant in found:
+        variant.read(readme.read_text())
+    if not found[0].option("--plot"):
+        raise Failed("command: needs --plot")
+    return found
+
+
+def check_no_orphans(folder: Path, variants: list) -> None:
+    """Programs, expectations and pictures that no command speaks of."""
+    known = {variant.program.name for variant in variants}
+    for variant in variants:
+        known |= {variant.expected.name, variant.printed.name}
+        known |= {variant.picture(suffix).name for suffix in PICTURE_HEADS}
+    for path in sorted(folder.iterdir()):
+        if path.suffix in (".nc", ".json", ".svg", ".png", ".txt") and path.name not in known:
+            raise Failed(f"no command speaks of {path.name}")
+
+
+def check_generator(folder: Path, variants: list) -> None:
+    """generate.py must write the program of `command`, byte for byte."""
+    generator = folder / "generate.py"
+    if not generator.is_file():
+        return
+    made = subprocess.run([sys.executable, str(generator)], capture_output=True, timeout=SECONDS)
+    if made.returncode != 0 or made.stdout != variants[0].program.read_bytes():
+        raise Failed(f"generate.py does not write {variants[0].program.name}")
+
+
+def run(variant: Variant, kerf: Path, place: Path) -> Result:
+    """Runs a command in `place`, a copy of the repository that holds only the examples."""
+    done = subprocess.run([str(kerf), *variant.words[1:]], cwd=place, capture_output=True,
+                          text=True, timeout=SECONDS)
+    summary = place / variant.option("--summary")
+    if not summary.is_file():
+        raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary\n"
+                     + done.stderr.rstrip())
+    result = Result(done.returncode, done.stderr, stable(json.loads(summary.read_text())))
+    if variant.option("--plot"):
+        result.picture = place / variant.option("--plot")
+    if variant.option("--dprnt"):
+        result.printed = place / variant.option("--dprnt")
+    return result
+
+
+def stable(summary: dict) -> dict:
+    kept = {key: summary.get(key) for key in STABLE}
+    if kept["alarm"]:
+        kept["alarm"] = {key: kept["alarm"].get(key) for key in STABLE_IN_ALARM}
+    return kept
+
+
+def ending(summary: dict) -> str:
+    alarm = summary.get("alarm")
+    return summary["status"] + (f" {alarm['code']}" if alarm else "")
+
+
+def differences(expected, actual, path: str = "") -> list:
+    """One line for each place where two JSON values differ."""
+    if isinstance(expected, dict) and isinstance(actual, dict):
+        return [line for key in [*expected, *(key for key in actual if key not in expected)]
+                for line in differences(expected.get(key, "nothing"), actual.get(key, "nothing"),
+                                        f"{path}.{key}" if path else key)]
+    if isinstance(expected, list) and isinstance(actual, list) and len(expected) == len(actual):
+        return [line for i, pair in enumerate(zip(expected, actual))
+                for line in differences(*pair, f"{path}[{i}]")]
+    if is_number(expected) and is_number(actual):
+        same = math.isclose(expected, actual, rel_tol=RELATIVE, abs_tol=ABSOLUTE)
+    else:
+        same = expected == actual
+    return [] if same else [f"{path}: expected {json.dumps(expected)}, got {json.dumps(actual)}"]
+
+
+def is_number(value) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def check_ending(variant: Variant, result: Result) -> None:
+    """Refuses a run that failed, or that does not end as it did before."""
+    before = {"status": "end"}
+    if variant.expected.is_file():
+        before = json.loads(variant.expected.read_text())
+    if ending(result.summary) != ending(before):
+        raise Failed(f"{variant.command.name}: must reach {ending(before)}, "
+                     f"reached {ending(result.summary)}\n" + result.errors.rstrip())
+    if result.exit_status != EXIT_STATUS.get(result.summary["status"]):
+        raise Failed(f"{variant.command.name}: exit status {result.exit_status} "
+                     f"with status {result.summary['status']}")
+
+
+def check_outputs(variant: Variant, result: Result) -> None:
+    """The picture is a picture of decent size, and what was asked for is there."""
+    if result.picture is not None:
+        if not result.picture.is_file():
+            raise Failed(f"{variant.command.name}: no picture was written")
+        data = result.picture.read_bytes()
+        if not data.startswith(PICTURE_HEADS[result.picture.suffix]):
+            raise Failed(f"{result.picture.name}: is not {result.picture.suffix}")
+        if not PICTURE_BYTES[0] <= len(data) <= PICTURE_BYTES[1]:
+            raise Failed(f"{result.picture.name}: {len(data)} bytes, not within "
+                         f"{PICTURE_BYTES[0]} to {PICTURE_BYTES[1]}")
+    if result.printed is not None and not result.printed.is_file():
+        raise Failed(f"{variant.command.name}: nothing was printed to {result.printed.name}")
+
+
+def compare(variant: Variant, result: Result) -> None:
+    if not variant.expected.is_file():
+        raise Failed(f"{variant.expected.name} is missing; --update writes it")
+    found = differences(json.loads(variant.expected.read_text()), result.summary)
+    if result.printed is not None:
+        before = variant.printed.read_text() if variant.printed.is_file() else ""
+        if result.printed.read_text() != before:
+            found.append(f"{variant.printed.name}: expected\n{before}got\n"
+                         + result.printed.read_text().rstrip())
+    if result.picture is not None and not variant.picture(result.picture.suffix).is_file():
+        found.append(f"{variant.picture(result.picture.suffix).name} is missing; --update writes it")
+    if found:
+        raise Failed(f"{variant.command.name}: " + "\n".join(found))
+
+
+def update(variant: Variant, result: Result) -> None:
+    lines = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in result.summary.items()]
+    replace(variant.expected, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
+    if result.printed is not None:
+        replace(variant.printed, result.printed.read_bytes())
+    if result.picture is not None:
+        replace(variant.picture(result.picture.suffix), result.picture.read_bytes())
+
+
+def replace(path: Path, data: bytes) -> None:
+    if path.is_file() and path.read_bytes() == data:
+        return
+    part = path.with_name(path.name + ".part")
+    part.write_bytes(data)
+    os.replace(part, path)
+    print(f"     wrote {path.relative_to(ROOT)}")
+
+
+def try_example(folder: Path, kerf: Path, place: Path, rewrite: bool) -> int:
+    """The number of commands of a good example. With `rewrite`, all of its runs must be good before
+    one file is rewritten."""
+    variants = variants_of(folder)
+    check_no_orphans(folder, variants)
+    check_generator(folder, variants)
+    results = [run(variant, kerf, place) for variant in variants]
+    for variant, result in zip(variants, results):
+        check_ending(variant, result)
+        check_outputs(variant, result)
+        if not rewrite:
+            compare(variant, result)
+    if rewrite:
+        for variant, result in zip(variants, results):
+            update(variant, result)
+    return len(variants)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="runs the examples and compares what comes out")
+    parser.add_argument("--kerf", type=Path, required=True, help="the program kerf")
+    parser.add_argument("--update", action="store_true", help="rewrites what is expected")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="only these examples")
+    options = parser.parse_args()
+    if not os.access(options.kerf, os.X_OK):
+        parser.error(f"{options.kerf} is no program")
+    folders = sorted(path for path in EXAMPLES.glob("*/") if path.is_dir())
+    unknown = set(options.names) - {folder.name for folder in folders}
+    if unknown:
+        parser.error("no example " + ", ".join(sorted(unknown)))
+    if options.names:
+        folders = [folder for folder in folders if folder.name in options.names]
+    if not folders:
+        print("FAIL there are no examples in examples/")
+        return 1
+
+    failures = commands = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        for folder in folders:
+            place = Path(scratch) / folder.name  # a root of its own: outputs never meet
+            shutil.copytree(folder, place / "examples" / folder.name)
+            try:
+                count = try_example(folder, options.kerf.resolve(), place, options.update)
+                commands += count
+                print(f"ok   {folder.name}: {count} run{'s' if count > 1 else ''}")
+            except (Failed, subprocess.TimeoutExpired) as problem:
+                failures += 1
+                print(f"FAIL {folder.name}: {problem}".replace("\n", "\n     "))
+    print(f"{len(folders)} examples, {failures} failed" if failures
+          else f"{len(folders)} examples, {commands} runs, all as expected")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   machine::VirtualMachine::Settings settings;
   settings.library.lines_per_page = 1U << (choice & 7U);
   settings.library.fresh_pages = 2;
-  settings.library.most_pages = 8;
+  settings.library.most_pages = 64;
   machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
                                   settings);
   machine.load(

@@ -70,9 +70,14 @@ TEST(CentreFromRadius, ShortWayForPositiveAndLongWayForNegativeRadius) {
 }
 
 TEST(CentreFromRadius, IsThatOfTheSpecificationsExamples) {  // ARC-5
-  EXPECT_EQ(centre_from_radius({0, 0}, {10, 10}, 10, true, kTolerance), (Vec2{10, 0}));
-  EXPECT_EQ(centre_from_radius({0, 0}, {10, 10}, 10, false, kTolerance), (Vec2{0, 10}));
-  EXPECT_EQ(centre_from_radius({0, 0}, {10, 10}, -10, true, kTolerance), (Vec2{0, 10}));
+  const auto expect_centre = [](double radius, bool clockwise, Vec2 wanted) {
+    const auto centre = centre_from_radius({0, 0}, {10, 10}, radius, clockwise, kTolerance);
+    ASSERT_TRUE(centre);
+    EXPECT_LT(length(*centre - wanted), 1e-12) << text(*centre) << ", wanted " << text(wanted);
+  };
+  expect_centre(10, true, {10, 0});
+  expect_centre(10, false, {0, 10});
+  expect_centre(-10, true, {0, 10});
 }
 
 TEST(CentreFromRadius, IsTheMidpointOfAChordThatIsTooLongWithinTheTolerance) {

@@ -26,7 +26,7 @@ void CodeLibrary::add_programs(base::FileId file, std::uint32_t number_from_name
   for (ProgramEntry& entry : directory.programs) {
     if (entry.number == 0 && entry.name.empty()) entry.number = number_from_name;
     const PageStart start{entry.begin, entry.line, entry.line_start};
-    programs_.push_back({std::move(entry), file, {start}, false, std::nullopt});
+    programs_.push_back({std::move(entry), file, {start}, false, std::nullopt, {}});
   }
   findings_.insert(findings_.end(), directory.findings.begin(), directory.findings.end());
 }
@@ -137,6 +137,9 @@ std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address 
 
 vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number,
                                        std::uint32_t region) {
+  const vm::Address key{page_number, region};
+  const auto known = program(code).regions.find(key);
+  if (known != program(code).regions.end()) return known->second;
   std::vector<PlacedLoopMark> marks;
   std::size_t wanted = 0;
   vm::Region result;
@@ -154,6 +157,7 @@ vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_numbe
     if (ending.state == vm::Region::State::unresolved) continue;
     result.state = ending.state;
     result.end = ending.end;
+    program(code).regions[key] = result;
     return result;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -68,6 +69,7 @@ class CodeLibrary : public vm::CodeSource {
     std::vector<PageStart> starts;                   ///< of the pages that are known so far
     bool complete = false;                           ///< the last page is among them
     std::optional<std::vector<PlacedLabel>> labels;  ///< sorted by number, then address
+    std::map<vm::Address, vm::Region> regions{};     ///< resolved ones, by page and number
   };
   struct Slot {
     std::unique_ptr<GcodePage> page;

@@ -122,14 +122,14 @@ TEST(Interpreter, BranchesGoWhereTheComparisonsSay) {
   for (const auto& [branch, compare] : pairs) {
     for (const double a : {kNull, 0.0, 1.0}) {
       for (const double b : {kNull, 0.0, 1.0}) {
-        for (const std::uint8_t sense : {0, 1}) {
+        for (const bool sense : {false, true}) {
           Machine machine;
           PageBuilder page;
           page.load(1, a).load(2, b).load(4, 1).three(compare, 3, 1, 2);
-          page.add({branch, sense, 1, 2, 6}).load(4, 0).end();
+          page.add({branch, static_cast<std::uint8_t>(sense), 1, 2, 6}).load(4, 0).end();
           machine.run(page);
           const bool taken = machine.local(4) == 1;
-          EXPECT_EQ(taken, (machine.local(3) != 0) == (sense != 0))
+          EXPECT_EQ(taken, (machine.local(3) != 0) == sense)
               << text(a) << ", " << text(b) << ", branch " << static_cast<int>(branch);
         }
       }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Writes bracket.nc to standard output, the way a CAM system writes a part: no variables, no loops,
-some thousand numbered blocks, words left out where nothing changes. Every run writes the same bytes.
+"""Writes bracket.nc to standard output, the way a CAM system writes a part: no variables, no
+loops, some thousand numbered blocks, words left out where nothing changes. Every run writes the
+same bytes.
 
 usage: generate.py > bracket.nc
 """

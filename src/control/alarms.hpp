@@ -15,6 +15,8 @@ class Whereabouts {
   virtual ~Whereabouts() = default;
   [[nodiscard]] virtual base::Place place() = 0;
   [[nodiscard]] virtual std::string program_name() const = 0;
+  /// "called from line 5 of O0001", from the nearest caller to the main program; empty there.
+  [[nodiscard]] virtual std::string callers() = 0;
 };
 
 /// The alarm of a machine. The first one counts: it stops the program.
@@ -41,6 +43,8 @@ class Alarms {
   bool report(base::Diagnostic diagnostic) {
     if (alarm_) return false;
     if (diagnostic.program.empty()) diagnostic.program = where_.program_name();
+    const std::string callers = where_.callers();
+    if (!callers.empty()) diagnostic.hint += (diagnostic.hint.empty() ? "" : "; ") + callers;
     alarm_ = std::move(diagnostic);
     return false;
   }

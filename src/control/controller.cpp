@@ -221,6 +221,16 @@ Verdict Controller::print(const gcode::GcodePage& page, const gcode::Statement& 
   return Verdict::go_on;
 }
 
+std::string Controller::callers() {
+  std::string text;
+  for (std::size_t depth = interpreter_.depth(); depth-- > 1;) {
+    text += (text.empty() ? "called from line " : ", line ") +
+            std::to_string(interpreter_.place_of_call(depth).line) + " of " +
+            calls_.name_at(depth - 1);
+  }
+  return text;
+}
+
 std::string Controller::comment_of_block() {
   const auto& page = static_cast<const gcode::GcodePage&>(
       library_.page(interpreter_.running_code(), interpreter_.running().page));

@@ -92,6 +92,7 @@ class Controller : public vm::Host, private Whereabouts {
   // Whereabouts
   base::Place place() override { return interpreter_.place(); }
   std::string program_name() const override { return calls_.running_name(); }
+  std::string callers() override;
 
   struct BlockCall {
     enum class Kind : std::uint8_t {

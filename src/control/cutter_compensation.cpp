@@ -1,8 +1,10 @@
 #include "control/cutter_compensation.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/decimal.hpp"
+#include "geometry/arc.hpp"
 
 namespace kerf::control {
 namespace {
@@ -274,23 +276,29 @@ bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
   return true;
 }
 
+// Angle that the compensated arc sweeps in its direction, radians: that of the programmed one,
+// changed by what its ends have moved. Negative when it would run backwards.
+double CutterCompensation::compensated_sweep(Vec2 end) const {
+  const geometry::Piece& arc = held_->step.piece;
+  const double sign = arc.clockwise ? -1 : 1;
+  const auto moved = [&](Vec2 from, Vec2 to) {
+    return sign * angle_between(from - arc.centre, to - arc.centre);
+  };
+  return geometry::sweep_rad(arc.from, arc.to, arc.centre, arc.clockwise) + moved(arc.to, end) -
+         moved(arc.from, held_->start);
+}
+
 // CRC-14: the compensated move must not run against the programmed one.
 bool CutterCompensation::runs_backwards(Vec2 end) const {
-  const PathStep& step = held_->step;
+  const geometry::Piece& piece = held_->step.piece;
   if (held_->start_up) return false;
-  if (!step.piece.is_arc) {
-    return geometry::dot(end - held_->start, step.piece.to - step.piece.from) <
-           -kSmall_mm * geometry::length(step.piece.to - step.piece.from);
+  if (!piece.is_arc) {
+    const Vec2 programmed = piece.to - piece.from;
+    return geometry::dot(end - held_->start, programmed) <
+           -kSmall_mm * geometry::length(programmed);
   }
-  const double sign = step.piece.clockwise ? -1 : 1;
-  const Vec2 start = held_->start;
-  if (near(start, step.piece.centre) || near(end, step.piece.centre)) return false;
-  double sweep =
-      sign * angle_between(step.piece.from - step.piece.centre, step.piece.to - step.piece.centre);
-  if (sweep <= 0) sweep += 2 * 3.14159265358979323846;
-  sweep += sign * (angle_between(step.piece.to - step.piece.centre, end - step.piece.centre) -
-                   angle_between(step.piece.from - step.piece.centre, start - step.piece.centre));
-  return sweep < -1e-9;
+  if (near(held_->start, piece.centre) || near(end, piece.centre)) return false;
+  return compensated_sweep(end) < -kSmallTurn;
 }
 
 bool CutterCompensation::emit_held(Vec2 end) {
@@ -298,6 +306,12 @@ bool CutterCompensation::emit_held(Vec2 end) {
   if (runs_backwards(end)) {
     return alarms_.raise_at(Code::interference, step.place,
                             "the compensated move would run backwards");
+  }
+  // An arc that ends where it begins is a full circle to whoever reads it: rounding must not make
+  // one of an arc that has shrunk to nothing, nor nothing of a circle.
+  if (step.piece.is_arc && near(end, tip_in_plane())) {
+    if (compensated_sweep(end) < std::numbers::pi) return true;
+    end = tip_in_plane();
   }
   emit_to(step, end);
   return true;

@@ -98,6 +98,7 @@ class CutterCompensation {
   void emit_corner_arc(const PathStep& step, geometry::Vec2 centre, const Corner& corner);
   void emit(Motion motion);
   void emit_beside();
+  [[nodiscard]] double compensated_sweep(geometry::Vec2 end) const;
   [[nodiscard]] bool runs_backwards(geometry::Vec2 end) const;
   [[nodiscard]] geometry::Vec2 tip_in_plane() const { return plane_.project(tip_); }
 

@@ -21,8 +21,8 @@ void ProgramCalls::start(vm::CodeId main) {
   modal_.clear();
 }
 
-std::string ProgramCalls::running_name() const {
-  const gcode::ProgramEntry& entry = library_.entry(running());
+std::string ProgramCalls::name_at(std::size_t level) const {
+  const gcode::ProgramEntry& entry = library_.entry(levels_[level].code);
   if (!entry.name.empty()) return entry.name;
   std::string digits = std::to_string(entry.number);
   return "O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;

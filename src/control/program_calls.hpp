@@ -78,7 +78,9 @@ class ProgramCalls {
   [[nodiscard]] vm::CodeId running() const { return levels_.back().code; }
   [[nodiscard]] std::uint32_t running_number() const { return library_.entry(running()).number; }
   /// "O0001", or the program's name.
-  [[nodiscard]] std::string running_name() const;
+  [[nodiscard]] std::string running_name() const { return name_at(levels_.size() - 1); }
+  /// The name of the program at a level, 0: main.
+  [[nodiscard]] std::string name_at(std::size_t level) const;
 
  private:
   struct Level {

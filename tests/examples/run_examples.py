@@ -13,9 +13,10 @@ an ending _VARIANT before the point:
   generate.py    writes the program of `command`, where a script made it
   README.md      quotes every command
 
---update rewrites expected files, pictures and printed texts, but never accepts another ending: a new
-run must reach status end, and a run that used to end in an alarm must end in the same one. To expect
-an alarm, first write {"status": "alarm", "alarm": {"code": "PS0112"}} into expected_VARIANT.json.
+--update rewrites expected files, pictures and printed texts, but never accepts another ending: a
+new run must reach status end, and a run that used to end in an alarm must end in the same one. To
+expect an alarm, first write {"status": "alarm", "alarm": {"code": "PS0112"}} into
+expected_VARIANT.json.
 
 Exit status: 0 all well, 1 an example fails, 2 wrong usage.
 """
@@ -227,7 +228,8 @@ def compare(variant: Variant, result: Result) -> None:
             found.append(f"{variant.printed.name}: expected\n{before}got\n"
                          + result.printed.read_text().rstrip())
     if result.picture is not None and not variant.picture(result.picture.suffix).is_file():
-        found.append(f"{variant.picture(result.picture.suffix).name} is missing; --update writes it")
+        found.append(f"{variant.picture(result.picture.suffix).name} is missing; "
+                     "--update writes it")
     if found:
         raise Failed(f"{variant.command.name}: " + "\n".join(found))
 
@@ -298,6 +300,9 @@ def main() -> int:
             except (Failed, subprocess.TimeoutExpired) as problem:
                 failures += 1
                 print(f"FAIL {folder.name}: {problem}".replace("\n", "\n     "))
+            except (ValueError, LookupError) as problem:  # a command or an expectation is misspelt
+                failures += 1
+                print(f"FAIL {folder.name}: {type(problem).__name__}: {problem}")
     print(f"{len(folders)} examples, {failures} failed" if failures
           else f"{len(folders)} examples, {commands} runs, all as expected")
     return 1 if failures else 0

@@ -56,6 +56,7 @@ void BlockParser::compile(const BlockText& text) {
     page_.instructions.resize(begin);
     page_.spans.resize(begin);
     page_.loop_marks.resize(first_loop);
+    if (error.code == Code::nc_and_macro) keep_loop_end(error, text);
     report(error, text);
   }
 }
@@ -71,6 +72,17 @@ void BlockParser::report(const SyntaxError& error, const BlockText& text) {
       base::make_error(error.code, place, std::string(error.detail), std::string(error.hint)));
   emitter_.stand_at(error.at, error.at + error.length);
   emitter_.emit({Op::fail, 0, 0, 0, static_cast<std::uint32_t>(page_.failures.size() - 1)});
+}
+
+// An END that shares its block with words is still the END of its loop: the alarm comes when the
+// loop gets there, not at its DO.
+void BlockParser::keep_loop_end(const SyntaxError& error, const BlockText& text) {
+  const char* const end = text.text.data() + text.text.size();
+  const KeywordMatch match = statement_at({error.at, static_cast<std::size_t>(end - error.at)});
+  if (match.keyword != Keyword::end) return;
+  const char* const digit = error.at + match.length;
+  if (digit == end || *digit < '1' || *digit > '3') return;
+  page_.loop_marks.push_back({static_cast<std::uint8_t>(*digit - '0'), true, emitter_.here()});
 }
 
 void BlockParser::fail_long_line(std::uint32_t line, std::uint32_t line_offset) {

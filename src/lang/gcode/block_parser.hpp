@@ -45,6 +45,7 @@ class BlockParser {
   std::vector<std::uint32_t> head(Cursor& cursor);
   std::uint8_t skip_level(Cursor& cursor);
   void label(Cursor& cursor);
+  void keep_loop_end(const SyntaxError& error, const BlockText& text);
   void report(const SyntaxError& error, const BlockText& text);
 
   void words(Cursor& cursor);

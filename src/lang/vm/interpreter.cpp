@@ -76,6 +76,12 @@ base::Place Interpreter::place() {
   return source_.page(running_.code, running_.at.page).place_of(running_.at.instruction);
 }
 
+base::Place Interpreter::place_of_call(std::size_t depth) {
+  const Frame& caller = frames_[depth - 1];
+  const std::uint32_t behind = caller.at.instruction;
+  return source_.page(caller.code, caller.at.page).place_of(behind == 0 ? 0 : behind - 1);
+}
+
 // Leaving a region by a jump ends it; one whose text still surrounds the target stays active.
 void Interpreter::drop_left_regions(Address target) {
   for (ActiveRegion& region : frames_.back().regions) {

@@ -62,6 +62,8 @@ class Interpreter {
   [[nodiscard]] base::Place place();
   /// The instruction that executes, in running_code().
   [[nodiscard]] Address running() const { return running_.at; }
+  /// The text of the call in frame `depth`, 1 to depth() - 1, counted from the first.
+  [[nodiscard]] base::Place place_of_call(std::size_t depth);
   /// The newest `note` of the program.
   [[nodiscard]] std::uint32_t note() const { return note_; }
 

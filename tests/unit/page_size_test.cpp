@@ -1,0 +1,168 @@
+// How a program is cut into pages changes nothing that it does: every program of tests/text runs with
+// pages of 1, 2, 7 and 256 lines, and with room for one page alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/decimal.hpp"
+#include "cli/arguments.hpp"
+#include "cli/machine_setup.hpp"
+#include "expectations.hpp"
+#include "lang/vm/value.hpp"
+#include "observer.hpp"
+
+namespace kerf::test {
+namespace {
+
+namespace fs = std::filesystem;
+using machine::VirtualMachine;
+using Settings = gcode::CodeLibrary::Settings;
+
+// Long enough for every program of the text tests that ends, short for those that do not.
+constexpr machine::Budget kBudget{.seconds = 0, .motions = 20'000, .steps = 400'000};
+
+std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// A machine as the options of the program want it, with pages of its own.
+std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
+                                             const Settings& settings) {
+  auto ready = cli::set_up({options.machine, options.dialect, options.parameters,
+                            options.machine_keys, options.decimal_point, options.tools,
+                            options.offsets, options.state},
+                           options.program);
+  if (!ready) {
+    ADD_FAILURE() << ready.error().message;
+    return nullptr;
+  }
+  auto machine = std::make_unique<VirtualMachine>(
+      ready->machine->definition(), ready->machine->memory(), VirtualMachine::Settings{settings});
+  machine->load(std::move(*base::SourceFile::open(options.program)));
+  std::uint32_t levels = 0;
+  for (const char c : options.block_skip) {
+    if (c >= '1' && c <= '9') levels |= 1U << (c - '0');
+  }
+  machine->set_block_skip(options.block_skip == "all" ? 0x3feU : levels);
+  machine->set_optional_stop(options.optional_stop);
+  for (const std::string& text : options.variables) {
+    const auto setting = cli::split_setting(text, "--set");
+    const auto set = machine->set_variable(
+        static_cast<std::uint32_t>(*cli::parse_number(setting->key.substr(1))),
+        *cli::parse_number(setting->value));
+    EXPECT_TRUE(set) << text;
+  }
+  for (const std::string& text : options.skip_at) {
+    const auto setting = cli::split_setting(text, "--skip-at");
+    machine->add_skip_contact({*machine->definition().axes.find(setting->key[0]),
+                               *cli::parse_number(setting->value)});
+  }
+  return machine;
+}
+
+// Everything that a run shows, as text.
+std::vector<std::string> story_of(const cli::RunOptions& options, const Settings& settings,
+                                  bool tracing) {
+  std::vector<std::string> story;
+  auto machine = make_machine(options, settings);
+  if (machine == nullptr) return story;
+  Recorder recorder(machine->definition().axes);
+  std::string printed;
+  machine->add_sink(recorder);
+  machine->set_print_output([&](std::string_view text) { printed += text; });
+  if (tracing) machine->observe_blocks([](base::FileId, std::uint32_t) {});
+  const auto status = machine->run_to_end(kBudget);
+  // Where a budget ends a run depends on the pages: only the way there is compared.
+  const bool ended = status != VirtualMachine::Status::budget;
+  for (const Observed& observed : recorder.observed())
+    story.push_back("line " + std::to_string(observed.line) + ": " + observed.text);
+  if (!ended) {
+    story.resize(std::min<std::size_t>(story.size(), 1000));
+    story.push_back("budget");
+    return story;
+  }
+  if (machine->alarm()) {
+    const base::Diagnostic& alarm = *machine->alarm();
+    story.push_back("alarm " + alarm.number + " " + alarm.message + " at " +
+                    std::to_string(alarm.place.line) + ":" + std::to_string(alarm.place.column) +
+                    "+" + std::to_string(alarm.place.length) + " byte " +
+                    std::to_string(alarm.place.line_start) + " in " + alarm.program);
+  }
+  const auto variable = [&](std::size_t number, double value) {
+    if (!vm::is_null(value))
+      story.push_back("#" + std::to_string(number) + "=" + base::number_text(value));
+  };
+  const auto locals = machine->controller().first_level_locals();
+  for (std::size_t i = 0; i < locals.size(); ++i) variable(i, locals[i]);
+  const auto& commons = machine->memory().commons;
+  for (std::size_t i = 0; i < commons.size(); ++i)
+    variable(i < gcode::kVolatileCommons ? 100 + i : 400 + i, commons[i]);
+  story.push_back("printed " + printed);
+  story.push_back("blocks " + std::to_string(machine->controller().blocks()));
+  story.push_back("status " + std::to_string(static_cast<int>(status)));
+  return story;
+}
+
+std::string first_difference(const std::vector<std::string>& got,
+                             const std::vector<std::string>& wanted) {
+  const auto [a, b] = std::mismatch(got.begin(), got.end(), wanted.begin(), wanted.end());
+  if (a == got.end() && b == wanted.end()) return {};
+  return "got    " + (a == got.end() ? "nothing more" : *a) + "\nwanted " +
+         (b == wanted.end() ? "nothing more" : *b);
+}
+
+class PageSize : public testing::TestWithParam<fs::path> {};
+
+TEST_P(PageSize, DoesNotMatter) {
+  std::vector<fs::path> programs;
+  for (const auto& entry : fs::directory_iterator(GetParam())) {
+    if (entry.path().extension() == ".nc") programs.push_back(entry.path());
+  }
+  std::sort(programs.begin(), programs.end());
+  ASSERT_FALSE(programs.empty());
+  // In a folder of its own: the programs of the same folder can be called.
+  const fs::path folder = fs::path(testing::TempDir()) / ("kerf_pages_" + GetParam().filename().string());
+  fs::create_directories(folder);
+  for (const fs::path& program : programs) {
+    const Expectations expected = read_expectations(read_file(program));
+    fs::copy_file(program, folder / "program.nc", fs::copy_options::overwrite_existing);
+    std::vector<std::string> words = {"run", (folder / "program.nc").string()};
+    words.insert(words.end(), expected.options.begin(), expected.options.end());
+    auto request = cli::parse_arguments(words);
+    ASSERT_TRUE(request) << request.error().message;
+    const auto& options = std::get<cli::RunOptions>(*request);
+    const std::vector<std::string> wanted = story_of(options, {}, false);
+    ASSERT_FALSE(wanted.empty()) << program;
+    for (const std::uint32_t lines : {1U, 2U, 7U, 256U}) {
+      const Settings usual{.lines_per_page = lines};
+      const Settings tight{.lines_per_page = lines, .fresh_pages = 1, .most_pages = 1};
+      EXPECT_EQ(first_difference(story_of(options, usual, false), wanted), "")
+          << program.filename() << " with " << lines << " lines a page";
+      EXPECT_EQ(first_difference(story_of(options, tight, false), wanted), "")
+          << program.filename() << " with " << lines << " lines a page and room for one page";
+      EXPECT_EQ(first_difference(story_of(options, usual, true), wanted), "")
+          << program.filename() << " with " << lines << " lines a page, watched block by block";
+    }
+  }
+  fs::remove_all(folder);
+}
+
+std::vector<fs::path> folders() {
+  std::vector<fs::path> result;
+  for (const auto& entry : fs::directory_iterator(KERF_TEXT_TESTS)) {
+    if (entry.is_directory()) result.push_back(entry.path());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(TextTests, PageSize, testing::ValuesIn(folders()), [](const auto& folder) {
+  return folder.param.filename().string();
+});
+
+}  // namespace
+}  // namespace kerf::test

@@ -78,8 +78,7 @@ bool prints_well(double value) {
   const std::string text = number_text(value);
   double back = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), back);
-  const bool reads_back =
-      error == std::errc() && end == text.data() + text.size() && back == value;
+  const bool reads_back = error == std::errc() && end == text.data() + text.size() && back == value;
   const bool shortest = significant_digits(text) == shortest_digits(value);
   if (reads_back && shortest && is_json_number(text)) return true;
   ADD_FAILURE() << "the double " << std::hexfloat << value << " prints as " << text
@@ -151,7 +150,8 @@ TEST(Decimal, AppendKeepsWhatStandsBefore) {
 TEST(Tidy, AMultipleOfAHundredThousandthStaysTheDoubleNearestToIt) {
   std::mt19937_64 random(kSeed);
   for (int i = 0; i < kDoubles; ++i) {
-    const auto units = static_cast<std::int64_t>(random() % 20'000'000'000'000) - 10'000'000'000'000;
+    const auto units =
+        static_cast<std::int64_t>(random() % 20'000'000'000'000) - 10'000'000'000'000;
     const double value = static_cast<double>(units) / 1e5;
     ASSERT_EQ(tidy(value), value) << units << " hundred-thousandths, seed " << kSeed;
   }
@@ -194,8 +194,8 @@ TEST(Tidy, SumsOfWordsNeverDrift) {
     double sum = 0;
     for (int i = 0; i < 5000; ++i) {
       // least increments: 0.001 mm, or 0.0001 inch = 0.00254 mm
-      const std::int64_t step = (static_cast<std::int64_t>(random() % 2001) - 1000) *
-                                ((random() & 1) != 0 ? 100 : 254);
+      const std::int64_t step =
+          (static_cast<std::int64_t>(random() % 2001) - 1000) * ((random() & 1) != 0 ? 100 : 254);
       exact += step;
       sum = tidy(sum + static_cast<double>(step) / 1e5);
       ASSERT_EQ(sum, static_cast<double>(exact) / 1e5) << "run " << run << ", step " << i;
@@ -225,9 +225,9 @@ TEST(RoundAway, TiesGoAwayFromZero) {
 }
 
 TEST(RoundAway, EverythingElseGoesToTheNearestInteger) {
-  for (const double value : {0.4, 0.49999999999999994, 0.6, 1.4999999999999998, 1e6 + 0.25,
-                             4503599627370495.5, 4503599627370497.0, 9007199254740991.0,
-                             -0.49999999999999994, -4503599627370497.0}) {
+  for (const double value :
+       {0.4, 0.49999999999999994, 0.6, 1.4999999999999998, 1e6 + 0.25, 4503599627370495.5,
+        4503599627370497.0, 9007199254740991.0, -0.49999999999999994, -4503599627370497.0}) {
     EXPECT_EQ(static_cast<double>(round_away(value)), std::round(value))
         << "of " << number_text(value);
   }

@@ -59,10 +59,10 @@ TEST(CentreFromRadius, ShortWayForPositiveAndLongWayForNegativeRadius) {
     const Vec2 to = random.point();
     const double r = length(to - from) / 2 * (1 + random.size(1e-3, 10));
     const bool clockwise = random.coin();
-    const double short_way = sweep_rad(
-        from, to, *centre_from_radius(from, to, r, clockwise, kTolerance), clockwise);
-    const double long_way = sweep_rad(
-        from, to, *centre_from_radius(from, to, -r, clockwise, kTolerance), clockwise);
+    const double short_way =
+        sweep_rad(from, to, *centre_from_radius(from, to, r, clockwise, kTolerance), clockwise);
+    const double long_way =
+        sweep_rad(from, to, *centre_from_radius(from, to, -r, clockwise, kTolerance), clockwise);
     ASSERT_LT(short_way, std::numbers::pi) << text(from) << " to " << text(to) << " R" << r;
     ASSERT_GT(long_way, std::numbers::pi) << text(from) << " to " << text(to) << " R" << -r;
     ASSERT_NEAR(short_way + long_way, kFull, 1e-9);
@@ -271,7 +271,9 @@ TEST(Intersect, CurvesThatMissEachOtherByNoMoreThanTheToleranceTouch) {
     ASSERT_GE(intersect(circle, outside, kMiss).count, 1U) << text(circle) << ", " << text(outside);
     if (std::fabs(r - r2) < 10 * kMiss) continue;
     const Curve inside{
-        true, centre + (std::fabs(r - r2) - std::min(gap, std::fabs(r - r2) / 2)) * direction, {},
+        true,
+        centre + (std::fabs(r - r2) - std::min(gap, std::fabs(r - r2) / 2)) * direction,
+        {},
         r2};
     ASSERT_GE(intersect(circle, inside, kMiss).count, 1U) << text(circle) << ", " << text(inside);
   }

@@ -87,8 +87,8 @@ TEST(Interpreter, TheNegativeOfNullIsZero) {
 
 TEST(Interpreter, ACopyOfNullIsNull) {
   Machine machine;
-  machine.run(PageBuilder().load(1, 5).add({.op = Op::load_null, .a = 2}).three(Op::move, 1, 2, 0)
-                  .end());
+  machine.run(
+      PageBuilder().load(1, 5).add({.op = Op::load_null, .a = 2}).three(Op::move, 1, 2, 0).end());
   EXPECT_TRUE(is_null(machine.local(1)));
 }
 
@@ -97,28 +97,26 @@ TEST(Interpreter, NullEqualsOnlyNullButIsOrderedAsZero) {
     double a, b;
     bool equal, less;
   };
-  for (const Case& c : {Case{kNull, kNull, true, false}, Case{kNull, 0, false, false},
-                        Case{0, kNull, false, false}, Case{kNull, 1, false, true},
-                        Case{kNull, -1, false, false}, Case{-1, kNull, false, true},
-                        Case{2, 2, true, false}, Case{1, 2, false, true},
-                        Case{2, 1, false, false}, Case{0, -0.0, true, false}}) {
+  for (const Case& c :
+       {Case{kNull, kNull, true, false}, Case{kNull, 0, false, false}, Case{0, kNull, false, false},
+        Case{kNull, 1, false, true}, Case{kNull, -1, false, false}, Case{-1, kNull, false, true},
+        Case{2, 2, true, false}, Case{1, 2, false, true}, Case{2, 1, false, false},
+        Case{0, -0.0, true, false}}) {
     const double a = zero_if_null(c.a);
     const double b = zero_if_null(c.b);
-    const std::pair<Op, bool> wanted[] = {
-        {Op::equal, c.equal},          {Op::not_equal, !c.equal}, {Op::less, c.less},
-        {Op::less_equal, a <= b},      {Op::greater, a > b},      {Op::greater_equal, a >= b}};
+    const std::pair<Op, bool> wanted[] = {{Op::equal, c.equal}, {Op::not_equal, !c.equal},
+                                          {Op::less, c.less},   {Op::less_equal, a <= b},
+                                          {Op::greater, a > b}, {Op::greater_equal, a >= b}};
     for (const auto& [op, truth] : wanted)
       expect_result(op, op, c.a, c.b, truth ? 1 : 0, Fault::none);
   }
 }
 
 TEST(Interpreter, BranchesGoWhereTheComparisonsSay) {
-  const std::pair<Op, Op> pairs[] = {{Op::branch_equal, Op::equal},
-                                     {Op::branch_not_equal, Op::not_equal},
-                                     {Op::branch_less, Op::less},
-                                     {Op::branch_less_equal, Op::less_equal},
-                                     {Op::branch_greater, Op::greater},
-                                     {Op::branch_greater_equal, Op::greater_equal}};
+  const std::pair<Op, Op> pairs[] = {
+      {Op::branch_equal, Op::equal},     {Op::branch_not_equal, Op::not_equal},
+      {Op::branch_less, Op::less},       {Op::branch_less_equal, Op::less_equal},
+      {Op::branch_greater, Op::greater}, {Op::branch_greater_equal, Op::greater_equal}};
   for (const auto& [branch, compare] : pairs) {
     for (const double a : {kNull, 0.0, 1.0}) {
       for (const double b : {kNull, 0.0, 1.0}) {
@@ -339,16 +337,16 @@ TEST(Interpreter, AStartForgetsEverythingButTheGlobals) {
 PageBuilder loop(double passes, const Region& region) {
   PageBuilder page;
   page.region(region);
-  page.load(1, 0);                                          // 0
-  page.load(2, passes);                                     // 1
-  page.three(Op::less, 3, 1, 2);                            // 2: head
-  page.add({Op::branch, 1, 3, 0, 5});                       // 3
-  page.add({.op = Op::leave_region, .n = 0});               // 4
-  page.add({.op = Op::enter_region, .n = 0});               // 5
-  page.with_constant(Op::add_constant, 1, 1, 1);            // 6
-  page.block(7);                                            // 7
-  page.add({.op = Op::repeat_region, .a = region.slot});    // 8
-  page.block(9).end();                                      // 9
+  page.load(1, 0);                                        // 0
+  page.load(2, passes);                                   // 1
+  page.three(Op::less, 3, 1, 2);                          // 2: head
+  page.add({Op::branch, 1, 3, 0, 5});                     // 3
+  page.add({.op = Op::leave_region, .n = 0});             // 4
+  page.add({.op = Op::enter_region, .n = 0});             // 5
+  page.with_constant(Op::add_constant, 1, 1, 1);          // 6
+  page.block(7);                                          // 7
+  page.add({.op = Op::repeat_region, .a = region.slot});  // 8
+  page.block(9).end();                                    // 9
   return page;
 }
 
@@ -419,8 +417,8 @@ TEST(Interpreter, AJumpOutOfARegionEndsItAndOneInsideDoesNot) {
 
 TEST(Interpreter, ACalledProgramHasRegionsOfItsOwn) {
   Machine machine;
-  const CodeId callee = machine.source.add(
-      PageBuilder().add({.op = Op::repeat_region, .a = 2}).end());
+  const CodeId callee =
+      machine.source.add(PageBuilder().add({.op = Op::repeat_region, .a = 2}).end());
   machine.host.on_block = [&](std::uint32_t) {
     machine.interpreter.call(callee, Interpreter::Locals::shared);
     return Verdict::transferred;
@@ -646,8 +644,8 @@ TEST(Interpreter, WhileTracingEveryBlockBeginsBeforeItRuns) {
   Machine machine;
   machine.interpreter.set_tracing(true);
   machine.run(PageBuilder().block(0).load(1, 2).block(1).end());
-  EXPECT_EQ(machine.host.events, (Events{"begin 1", "block 0", "begin 2", "begin 3", "block 1",
-                                         "begin 4", "end"}));
+  EXPECT_EQ(machine.host.events,
+            (Events{"begin 1", "block 0", "begin 2", "begin 3", "block 1", "begin 4", "end"}));
 }
 
 TEST(Interpreter, ABlockThatIsJumpedToAgainBeginsAgain) {

@@ -27,8 +27,8 @@ std::vector<Told> blocks_of(const std::string& text, std::uint32_t lines_per_pag
     for (std::uint32_t number = 0;; ++number) {
       const GcodePage& page = library.page(vm::CodeId(static_cast<std::uint32_t>(program)), number);
       for (const vm::BlockMark& mark : page.marks) {
-        told.push_back({mark.line, page.text_begin + mark.offset,
-                        page.text_begin + mark.line_offset});
+        told.push_back(
+            {mark.line, page.text_begin + mark.offset, page.text_begin + mark.line_offset});
       }
       if (page.last) break;
     }
@@ -119,8 +119,8 @@ TEST(LineNumbers, BehindALineThatIsTooLongAreRightHoweverItEnds) {
       for (const std::size_t chunks : {0U, 1U, 2U}) {
         const std::size_t length =
             kLongestBlock + (chunks + 1) * kChunk + static_cast<std::size_t>(shift + 6);
-        const std::string text = "#1=1" + end + "(" + std::string(length, 'c') + end + "#1=2" +
-                                 end + "#1=3" + end;
+        const std::string text =
+            "#1=1" + end + "(" + std::string(length, 'c') + end + "#1=2" + end + "#1=3" + end;
         const std::vector<Told> told = blocks_of(text, 256);
         ASSERT_EQ(told.size(), 4U);  // the long line counts as a block that alarms
         const std::string what = "behind " + std::to_string(length + 1) + " characters and " +

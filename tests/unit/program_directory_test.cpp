@@ -17,7 +17,8 @@ struct Found {
 };
 
 void PrintTo(const Found& found, std::ostream* out) {
-  *out << found.program << " from line " << found.line << ": " << testing::PrintToString(found.text);
+  *out << found.program << " from line " << found.line << ": "
+       << testing::PrintToString(found.text);
 }
 
 std::string trimmed(const std::string& text) {
@@ -219,9 +220,10 @@ TEST(ProgramDirectory, ManyProgramsAreFoundInTheOrderOfTheText) {
 // A comment line of any length before a program moves everything behind it by one line and its own
 // bytes, wherever the file is cut into what is read at once.
 TEST(ProgramDirectory, DoesNotDependOnWhereTheFileIsCutIntoChunks) {
-  const std::vector<std::string> texts = {
-      "O1 (A)\r\r\nX1.\r\r\nM30\r\r\nO2\r\nM99\r\n", "O1\rX1.\rM99O0810(N)\rM99\r%\rO9\r",
-      "O 1 2 3\nX1.\nM30 ; O4\n<NAME>\nM99\n&F=/O5/\nO6\nM99\n", "GOTO5\n(O5)DPRNT[O7]\nO8\n%\nO9\n"};
+  const std::vector<std::string> texts = {"O1 (A)\r\r\nX1.\r\r\nM30\r\r\nO2\r\nM99\r\n",
+                                          "O1\rX1.\rM99O0810(N)\rM99\r%\rO9\r",
+                                          "O 1 2 3\nX1.\nM30 ; O4\n<NAME>\nM99\n&F=/O5/\nO6\nM99\n",
+                                          "GOTO5\n(O5)DPRNT[O7]\nO8\n%\nO9\n"};
   for (const std::string& text : texts) {
     const std::vector<Found> alone = programs_of("(\n" + text);
     for (std::size_t length = 65'500; length < 65'540; ++length) {
@@ -244,8 +246,9 @@ TEST(ProgramDirectory, DoesNotDependOnWhereTheFileIsCutIntoChunks) {
 TEST(ProgramDirectory, ReadsBackWhatWasPutTogetherFromRandomPieces) {
   constexpr unsigned kSeed = 20260101;
   std::mt19937 random(kSeed);
-  const std::vector<std::string> pieces = {"X1.", "GOTO5", " ", "\t", "(C O5 %)", "#1=#2", "M99",
-                                           "N10", ";", "/", "[#1EQ2]", "[O5]", "()"};
+  const std::vector<std::string> pieces = {"X1.",     "GOTO5", " ",   "\t", "(C O5 %)",
+                                           "#1=#2",   "M99",   "N10", ";",  "/",
+                                           "[#1EQ2]", "[O5]",  "()"};
   const std::vector<std::string> ends = {"\n", "\r\n", "\r", "\r\r\n"};
   for (int run = 0; run < 3000; ++run) {
     const std::string end = ends[random() % ends.size()];

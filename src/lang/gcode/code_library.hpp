@@ -45,8 +45,9 @@ class CodeLibrary : public vm::CodeSource {
   [[nodiscard]] base::FileId file_of(vm::CodeId code) const;
   [[nodiscard]] std::optional<vm::CodeId> find(std::uint32_t number) const;
   [[nodiscard]] std::optional<vm::CodeId> find(const std::string& name) const;
-  /// Mistakes of a program that show without running it: blocks that do not compile, GOTOs to sequence
-  /// numbers that do not exist (warnings: such a GOTO may never be reached), DOs without END.
+  /// Mistakes of a program that show without running it: blocks that do not compile, GOTOs to
+  /// sequence numbers that do not exist (warnings: such a GOTO may never be reached), DOs without
+  /// END.
   [[nodiscard]] std::vector<base::Diagnostic> check(vm::CodeId code);
 
   [[nodiscard]] NameTable& names() { return names_; }

@@ -1,0 +1,192 @@
+// In the steady state a block allocates nothing: this program counts every call of operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "base/output_file.hpp"
+#include "machine/virtual_machine.hpp"
+#include "output/coverage.hpp"
+#include "output/motion_json.hpp"
+#include "output/post.hpp"
+
+namespace {
+std::atomic<std::uint64_t> allocations{0};
+
+void* counted(std::size_t size) {
+  ++allocations;
+  if (void* const memory = std::malloc(size != 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace kerf::test {
+namespace {
+
+constexpr std::uint64_t kPasses = 100'000;
+/// What may still grow now and then, whatever the number of blocks: tables that double.
+constexpr std::uint64_t kConstant = 32;
+
+/// Reads the counter when the steady state begins, and at the end.
+class Watch : public control::MotionSink {
+ public:
+  explicit Watch(std::uint64_t begin_at) : begin_at_(begin_at) {}
+  void take(const control::Motion&) override {
+    ++motions_;
+    if (motions_ == begin_at_) begin_ = allocations;
+    end_ = allocations;
+  }
+  [[nodiscard]] std::uint64_t motions() const { return motions_; }
+  [[nodiscard]] std::uint64_t allocated() const { return end_ - begin_; }
+
+ private:
+  std::uint64_t begin_at_;
+  std::uint64_t motions_ = 0;
+  std::uint64_t begin_ = 0;
+  std::uint64_t end_ = 0;
+};
+
+struct Outputs {
+  bool motion = false;
+  bool post = false;
+  bool coverage = false;
+};
+
+// Runs a program and expects nothing to be allocated in its last three quarters.
+void expect_no_allocation(const std::string& program, const Outputs& outputs = {},
+                          std::uint64_t least_motions = kPasses) {
+  const machine::MachineDefinition definition = *machine::find_machine("mill3");
+  control::Memory memory(definition.parameters.n_offsets);
+  memory.tools[1].radius_geometry = 3;
+  machine::VirtualMachine machine(definition, std::move(memory));
+  Watch watch(least_motions / 4);
+  const auto nowhere = std::move(*base::OutputFile::create("/dev/null"));
+  output::MotionJson motion(machine.definition().axes, *nowhere);
+  output::Post post(machine.definition().axes, *nowhere);
+  output::Coverage coverage;
+  if (outputs.motion) machine.add_sink(motion);
+  if (outputs.post) machine.add_sink(post);
+  if (outputs.coverage) {
+    machine.observe_blocks(
+        [&](base::FileId file, std::uint32_t line) { coverage.count(file, line); });
+  }
+  machine.set_print_output([&](std::string_view text) { nowhere->write(text); });
+  machine.add_sink(watch);
+  machine.load(base::SourceFile::from_text("part.nc", program));
+  const auto status = machine.run_to_end({.seconds = 0, .motions = 0});
+  ASSERT_EQ(status, machine::VirtualMachine::Status::end)
+      << (machine.alarm() ? machine.alarm()->number + " " + machine.alarm()->message : "");
+  ASSERT_GE(watch.motions(), least_motions);
+  EXPECT_LE(watch.allocated(), kConstant)
+      << static_cast<double>(watch.allocated()) /
+             (0.75 * static_cast<double>(watch.motions()))
+      << " allocations per motion";
+}
+
+std::string loop(const std::string& blocks, std::uint64_t passes = kPasses) {
+  return "O1\nG21G90G17G94F500S100\n#1=0\nWHILE[#1LT" + std::to_string(passes) + "]DO1\n" + blocks +
+         "#1=#1+1\nEND1\nM30\nO2\nG01X[#1/1000]\nM99\nO3\nG01X#24Y#25\nM99\n";
+}
+
+TEST(NoAllocation, InALoopOfLines) { expect_no_allocation(loop("G01X[#1/1000]Y1.\n")); }
+
+TEST(NoAllocation, InALoopOfArcs) {
+  expect_no_allocation(loop("G02X10.Y0R5.\nG03X0Y0I-5.J0\n"));
+}
+
+TEST(NoAllocation, InALoopOfModalCodesAndMiscellaneousFunctions) {
+  expect_no_allocation(loop("G91G01X.001\nG90G55\nG54M08\nG00X0\nM09T5\nM60\n"));
+}
+
+TEST(NoAllocation, InALoopOfCannedCycles) {
+  expect_no_allocation(loop("G99G83X[#1/1000]Z-10.R2.Q4.\nG80\n", kPasses / 5));
+}
+
+TEST(NoAllocation, InALoopThatCompensatesTheCutter) {
+  expect_no_allocation(
+      loop("G41D1G01X0Y0\nY50.\nX50.\nM08\nY0\nX0\nG40X-20.Y-10.\n", kPasses / 5));
+}
+
+TEST(NoAllocation, InALoopThatCallsSubprograms) { expect_no_allocation(loop("M98P2\n")); }
+
+TEST(NoAllocation, InALoopThatCallsMacros) { expect_no_allocation(loop("G65P3X[#1/1000]Y2.\n")); }
+
+TEST(NoAllocation, InALoopUnderAModalCall) {
+  expect_no_allocation("O1\nG21G90G17G94F500\nG66P3X1.Y2.\n#1=0\nWHILE[#1LT" +
+                       std::to_string(kPasses) +
+                       "]DO1\nG01X[#1/1000]\n#1=#1+1\nEND1\nG67\nM30\nO3\nG01Z#24\nM99\n");
+}
+
+TEST(NoAllocation, InALoopThatJumps) {
+  expect_no_allocation(loop("IF[#1GT-1]GOTO7\nN6G01Y1.\nGOTO8\nN7G01X[#1/1000]\nGOTO6\nN8\n"));
+}
+
+TEST(NoAllocation, InALoopThatComputesItsJumps) {
+  expect_no_allocation(loop("GOTO[6+[#1MOD2]]\nN6G01X[#1/1000]\nGOTO8\nN7G01X-[#1/1000]\nN8\n"));
+}
+
+TEST(NoAllocation, InALoopThatTurnsScalesAndMirrors) {
+  expect_no_allocation(
+      loop("G68X0Y0R[#1/1000]\nG01X10.Y[#1/1000]\nG69\nG51X0Y0P2000\nG01X1.\nG50\n"));
+}
+
+TEST(NoAllocation, InALoopThatUsesFunctionsAndSystemVariables) {
+  expect_no_allocation(
+      loop("#2=SIN[#1]*COS[#1]+ATAN[#1]/[2]+SQRT[#1]\n#5221=#1/10000\n#3=#5001+#4003\n"
+           "G01X[#2]Y[#1/1000]\n#[100+[#1MOD50]]=#2\n"));
+}
+
+TEST(NoAllocation, InALoopThatPrints) {
+  expect_no_allocation(loop("DPRNT[PASS*#1[60]*AT*X#5001[43]]\nG01X[#1/1000]\n"));
+}
+
+TEST(NoAllocation, InALoopOverManyPages) {
+  std::string blocks;
+  for (int i = 0; i < 3000; ++i) blocks += "G01X[#1+" + std::to_string(i) + ".]\n";
+  expect_no_allocation(loop(blocks, 100), {}, 200'000);
+}
+
+std::string straight(const std::string& (*block)(std::uint64_t), std::uint64_t lines) {
+  std::string text = "O1\nG21G90G17G94F500\n";
+  for (std::uint64_t i = 0; i < lines; ++i) text += block(i);
+  return text + "M30\n";
+}
+
+TEST(NoAllocation, InAStraightProgram) {
+  expect_no_allocation(straight(
+      [](std::uint64_t i) -> const std::string& {
+        static std::string text;
+        return text = "G01X" + std::to_string(i % 397) + ".Y-" + std::to_string(i % 241) + ".5\n";
+      },
+      kPasses + 1));
+}
+
+TEST(NoAllocation, InAStraightProgramWithNumbersCommentsAndArcs) {
+  expect_no_allocation(straight(
+      [](std::uint64_t i) -> const std::string& {
+        static std::string text;
+        text = "N" + std::to_string(i + 1) + " (STEP " + std::to_string(i) + ") G01 X" +
+               std::to_string(i % 397) + ". F" + std::to_string(100 + i % 5) + "\n";
+        return i % 3 == 0 ? text += "G02 I5.\n" : text;
+      },
+      kPasses));
+}
+
+TEST(NoAllocation, WhileMotionsAndPlainCodeAreWritten) {
+  expect_no_allocation(loop("G01X[#1/997]Y1.\nG02I5.\n"), {.motion = true, .post = true});
+}
+
+TEST(NoAllocation, WhileLinesAreCounted) {
+  expect_no_allocation(loop("G01X[#1/997]Y1.\n"), {.coverage = true});
+}
+
+}  // namespace
+}  // namespace kerf::test

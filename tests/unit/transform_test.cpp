@@ -1,0 +1,189 @@
+#include "control/transform.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisVector;
+using geometry::Vec2;
+
+constexpr int kCases = 50'000;
+constexpr unsigned kSeed = 20260101;
+constexpr PlaneAxes kXY{Axis{0}, Axis{1}, Axis{2}, 'I', 'J'};
+constexpr PlaneAxes kZX{Axis{2}, Axis{0}, Axis{1}, 'K', 'I'};
+constexpr PlaneAxes kYZ{Axis{1}, Axis{2}, Axis{0}, 'J', 'K'};
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double in(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  bool coin() { return (engine_() & 1U) != 0; }
+  AxisVector point() { return {{in(-500, 500), in(-500, 500), in(-500, 500)}}; }
+  PlaneAxes plane() {
+    const auto which = engine_() % 3;
+    return which == 0 ? kXY : which == 1 ? kZX : kYZ;
+  }
+  // Not near 0, of either sign.
+  double factor() { return (coin() ? 1 : -1) * std::exp(in(-2, 2)); }
+  double angle() { return coin() ? 90 * std::floor(in(-8, 8)) : in(-720, 720); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+struct Recipe {
+  Transform transform;
+  std::string text;
+};
+
+// Any mixture of scaling, mirror image and rotation.
+Recipe random_transform(Random& random, const PlaneAxes& plane) {
+  Recipe recipe;
+  if (random.coin()) {
+    const AxisVector factors{{random.factor(), random.factor(), random.factor()}};
+    recipe.transform.scale(random.point(), factors);
+    recipe.text += " scaled by " + std::to_string(factors.values[0]) + ", " +
+                   std::to_string(factors.values[1]) + ", " + std::to_string(factors.values[2]);
+  }
+  for (std::uint8_t i = 0; i < 3; ++i) {
+    if (!random.coin()) continue;
+    recipe.transform.mirror(Axis{i}, random.in(-100, 100));
+    recipe.text += " mirrored in axis " + std::to_string(i);
+  }
+  if (random.coin()) {
+    const double angle = random.angle();
+    recipe.transform.rotate(plane, {random.in(-100, 100), random.in(-100, 100)}, angle);
+    recipe.text += " rotated by " + std::to_string(angle);
+  }
+  return recipe;
+}
+
+void expect_near(const AxisVector& got, const AxisVector& wanted, double tolerance,
+                 const std::string& what) {
+  for (std::size_t i = 0; i < 3; ++i)
+    ASSERT_NEAR(got.values[i], wanted.values[i], tolerance) << "axis " << i << ":" << what;
+}
+
+TEST(Transform, InvertUndoesApply) {
+  Random random(kSeed);
+  for (int i = 0; i < kCases; ++i) {
+    const Recipe recipe = random_transform(random, random.plane());
+    const AxisVector point = random.point();
+    expect_near(recipe.transform.invert(recipe.transform.apply(point)), point, 1e-9, recipe.text);
+    expect_near(recipe.transform.apply(recipe.transform.invert(point)), point, 1e-8, recipe.text);
+  }
+}
+
+TEST(Transform, OfNothingLeavesEveryPoint) {
+  Random random(kSeed);
+  const Transform identity;
+  EXPECT_TRUE(identity.identity());
+  for (int i = 0; i < 100; ++i) {
+    const AxisVector point = random.point();
+    EXPECT_EQ(identity.apply(point), point);
+    EXPECT_EQ(identity.invert(point), point);
+  }
+}
+
+TEST(Transform, IsTheFormulaOfTheSpecification) {  // §8.5: mirror, then scale, then rotation
+  Transform transform;
+  transform.mirror(Axis{0}, 10);                                // x' = 20 - x
+  transform.scale({{1, 2, 3}}, {{2, 3, 4}});                    // c + k (p - c)
+  expect_near(transform.apply({{5, 6, 7}}), {{29, 14, 19}}, 1e-12, "mirror, then scale");
+  Transform turned;
+  turned.rotate(kXY, {1, 1}, 90);
+  expect_near(turned.apply({{3, 1, 5}}), {{1, 3, 5}}, 1e-15, "a quarter turn");
+}
+
+TEST(Transform, AMirroredPlaneTurnsTheOtherWay) {
+  Transform transform;
+  transform.rotate(kXY, {0, 0}, 30);
+  transform.mirror(Axis{0}, 0);
+  // (10, 0) is mirrored to (-10, 0) and turned by -30 degrees.
+  expect_near(transform.apply({{10, 0, 0}}),
+              {{-10 * std::cos(std::numbers::pi / 6), 5, 0}}, 1e-12, "mirrored rotation");
+}
+
+// Twice the signed area of a triangle in a plane.
+double area(const Transform& transform, const PlaneAxes& plane, const AxisVector& a,
+            const AxisVector& b, const AxisVector& c) {
+  const Vec2 p = plane.project(transform.apply(a));
+  return geometry::cross(plane.project(transform.apply(b)) - p,
+                         plane.project(transform.apply(c)) - p);
+}
+
+TEST(Transform, ReversesSaysWhetherATriangleTurnsOver) {
+  Random random(kSeed);
+  for (int i = 0; i < kCases; ++i) {
+    const PlaneAxes plane = random.plane();
+    const Recipe recipe = random_transform(random, plane);
+    AxisVector a = random.point();
+    AxisVector b = a;
+    AxisVector c = a;
+    b[plane.first] += 10;
+    c[plane.second] += 10;
+    const bool turned_over = area(recipe.transform, plane, a, b, c) < 0;
+    ASSERT_EQ(recipe.transform.reverses(plane), turned_over) << recipe.text;
+  }
+}
+
+TEST(Transform, ALengthInThePlaneGrowsByTheFactorWhenBothAreEqual) {
+  Random random(kSeed);
+  for (int i = 0; i < kCases; ++i) {
+    const double k = random.factor();
+    Transform transform;
+    transform.scale(random.point(), {{k, k, random.factor()}});
+    if (random.coin()) transform.mirror(Axis{0}, 5);
+    transform.rotate(kXY, {3, 4}, random.angle());
+    const AxisVector a = random.point();
+    AxisVector b = random.point();
+    b.values[2] = a.values[2];
+    const double before = geometry::length(kXY.project(a) - kXY.project(b));
+    const double after = geometry::length(kXY.project(transform.apply(a)) -
+                                          kXY.project(transform.apply(b)));
+    ASSERT_NEAR(after, before * transform.radius_factor(kXY), 1e-9 * after);
+  }
+}
+
+TEST(Transform, EachPartCanBeCancelledAlone) {
+  Transform transform;
+  transform.scale({}, {{2, 2, 2}});
+  transform.mirror(Axis{1}, 5);
+  transform.rotate(kXY, {}, 45);
+  transform.cancel_rotation();
+  expect_near(transform.apply({{1, 1, 1}}), {{2, 18, 2}}, 1e-12, "without the rotation");
+  transform.cancel_scaling();
+  expect_near(transform.apply({{1, 1, 1}}), {{1, 9, 1}}, 1e-12, "without the scaling");
+  transform.cancel_mirror(Axis{1});
+  EXPECT_TRUE(transform.identity());
+}
+
+TEST(SineCosine, IsExactAtMultiplesOfNinetyDegrees) {
+  for (int quarter = -12; quarter <= 12; ++quarter) {
+    const SineCosine at = sine_cosine_deg(90.0 * quarter);
+    const int phase = ((quarter % 4) + 4) % 4;
+    EXPECT_EQ(at.sine, phase == 1 ? 1 : phase == 3 ? -1 : 0) << 90 * quarter;
+    EXPECT_EQ(at.cosine, phase == 0 ? 1 : phase == 2 ? -1 : 0) << 90 * quarter;
+  }
+}
+
+TEST(SineCosine, IsThatOfTheLibraryEverywhereElse) {
+  Random random(kSeed);
+  for (int i = 0; i < kCases; ++i) {
+    const double angle = random.in(-1000, 1000);
+    const SineCosine at = sine_cosine_deg(angle);
+    ASSERT_NEAR(at.sine, std::sin(angle * std::numbers::pi / 180), 1e-13) << angle;
+    ASSERT_NEAR(at.cosine, std::cos(angle * std::numbers::pi / 180), 1e-13) << angle;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::control

@@ -86,8 +86,7 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
       << (machine.alarm() ? machine.alarm()->number + " " + machine.alarm()->message : "");
   ASSERT_GE(watch.motions(), least_motions);
   EXPECT_LE(watch.allocated(), kConstant)
-      << static_cast<double>(watch.allocated()) /
-             (0.75 * static_cast<double>(watch.motions()))
+      << static_cast<double>(watch.allocated()) / (0.75 * static_cast<double>(watch.motions()))
       << " allocations per motion";
 }
 
@@ -98,9 +97,7 @@ std::string loop(const std::string& blocks, std::uint64_t passes = kPasses) {
 
 TEST(NoAllocation, InALoopOfLines) { expect_no_allocation(loop("G01X[#1/1000]Y1.\n")); }
 
-TEST(NoAllocation, InALoopOfArcs) {
-  expect_no_allocation(loop("G02X10.Y0R5.\nG03X0Y0I-5.J0\n"));
-}
+TEST(NoAllocation, InALoopOfArcs) { expect_no_allocation(loop("G02X10.Y0R5.\nG03X0Y0I-5.J0\n")); }
 
 TEST(NoAllocation, InALoopOfModalCodesAndMiscellaneousFunctions) {
   expect_no_allocation(loop("G91G01X.001\nG90G55\nG54M08\nG00X0\nM09T5\nM60\n"));
@@ -111,8 +108,7 @@ TEST(NoAllocation, InALoopOfCannedCycles) {
 }
 
 TEST(NoAllocation, InALoopThatCompensatesTheCutter) {
-  expect_no_allocation(
-      loop("G41D1G01X0Y0\nY50.\nX50.\nM08\nY0\nX0\nG40X-20.Y-10.\n", kPasses / 5));
+  expect_no_allocation(loop("G41D1G01X0Y0\nY50.\nX50.\nM08\nY0\nX0\nG40X-20.Y-10.\n", kPasses / 5));
 }
 
 TEST(NoAllocation, InALoopThatCallsSubprograms) { expect_no_allocation(loop("M98P2\n")); }

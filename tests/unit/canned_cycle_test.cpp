@@ -78,12 +78,8 @@ std::string by_hand(int code, const Hole& h) {
     case 85: hand.feed(h.z).feed(h.r).back(); break;
     case 86: hand.feed(h.z).block("M05").back().block("M03"); break;
     case 89: hand.feed(h.z).dwell().feed(h.r).back(); break;
-    case 84:
-      hand.feed(h.z).dwell().block("M04").feed(h.r).dwell().block("M03").back();
-      break;
-    case 74:
-      hand.feed(h.z).dwell().block("M03").feed(h.r).dwell().block("M04").back();
-      break;
+    case 84: hand.feed(h.z).dwell().block("M04").feed(h.r).dwell().block("M03").back(); break;
+    case 74: hand.feed(h.z).dwell().block("M03").feed(h.r).dwell().block("M04").back(); break;
     case 83:
       for (double depth = h.r; depth > h.z;) {
         if (depth != h.r) hand.rapid(h.r).rapid(depth + 1);
@@ -120,8 +116,9 @@ void expect_twins(const std::string& cycle, const std::string& hand) {
   const RunResult other = run_program(kHead + hand + "M30\n");
   ASSERT_EQ(one.alarm, "") << cycle;
   ASSERT_EQ(other.alarm, "") << hand;
-  ASSERT_EQ(difference(one.motions, other.motions, kTolerance), "")
-      << "cycle:\n" << cycle << "by hand:\n" << hand;
+  ASSERT_EQ(difference(one.motions, other.motions, kTolerance), "") << "cycle:\n"
+                                                                    << cycle << "by hand:\n"
+                                                                    << hand;
 }
 
 class Cycle : public testing::TestWithParam<int> {};
@@ -171,8 +168,7 @@ TEST(CannedCycle, RepeatsOfAnIncrementAreARowOfHoles) {
     const int holes = random.count(1, 9);
     const std::string start = "G00Z" + decimal(hole.initial) + "\n";
     std::string hand = start;
-    for (int k = 1; k <= holes; ++k)
-      hand += "G00" + xy(k * dx, k * dy) + "\n" + by_hand(81, hole);
+    for (int k = 1; k <= holes; ++k) hand += "G00" + xy(k * dx, k * dy) + "\n" + by_hand(81, hole);
     for (const std::string count : {"K", "L"}) {
       expect_twins(start + "G91" + xy(dx, dy) + cycle_words(81, hole, true) + count +
                        std::to_string(holes) + "\nG80G90\n",

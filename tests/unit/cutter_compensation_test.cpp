@@ -42,8 +42,8 @@ Vec2 middle_of(Vec2 a, Vec2 b) {
   return {thousandths((a.u + b.u) / 2), thousandths((a.v + b.v) / 2)};
 }
 
-// The middle of the last edge becomes a corner, the last one: there the tool comes and goes. (To the
-// thousandth it is not quite in the middle, so it does change the contour.)
+// The middle of the last edge becomes a corner, the last one: there the tool comes and goes. (To
+// the thousandth it is not quite in the middle, so it does change the contour.)
 Contour with_entry(Contour contour) {
   contour.push_back(middle_of(contour.back(), contour.front()));
   return contour;
@@ -155,11 +155,13 @@ double distance_to_way(Vec2 p, const std::vector<Vec2>& way) {
 
 std::string text(const Contour& contour) {
   std::string result;
-  for (const Vec2 point : contour) result += " (" + decimal(point.u) + ", " + decimal(point.v) + ")";
+  for (const Vec2 point : contour)
+    result += " (" + decimal(point.u) + ", " + decimal(point.v) + ")";
   return result;
 }
 
-// The first point of a way whose distance from the contour is not from `low` to `high`; empty: none.
+// The first point of a way whose distance from the contour is not from `low` to `high`; empty:
+// none.
 std::string strays(const std::vector<Vec2>& way, const Contour& contour, double low, double high) {
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     for (int k = 0; k <= 10; ++k) {
@@ -261,8 +263,8 @@ TEST(CutterCompensation, AMovedContourHasTheMovedPath) {
     const Vec2 shift{thousandths(random.in(-300, 300)), thousandths(random.in(-300, 300))};
     const RunResult here = run(program_round(contour, "G41"), r);
     const RunResult there = run(program_round(contour, "G41", shift), r);
-    const RunResult shifted = run(program_round(contour, "G41"), r, "0",
-                                  "G52" + xy(shift.u, shift.v) + "\n");
+    const RunResult shifted =
+        run(program_round(contour, "G41"), r, "0", "G52" + xy(shift.u, shift.v) + "\n");
     ASSERT_EQ(difference(moves_of(there), moves_of(shifted), kTolerance), "") << text(contour);
     const std::vector<Vec2> one = way_of(here);
     const std::vector<Vec2> other = way_of(there);
@@ -280,8 +282,8 @@ TEST(CutterCompensation, ATurnedContourHasTheTurnedPath) {
     const double angle_deg = thousandths(random.in(-180, 180));
     const double angle_rad = angle_deg * kPi / 180;
     const std::vector<Vec2> one = way_of(run(program_round(contour, "G41"), r));
-    const std::vector<Vec2> other = way_of(
-        run(program_round(contour, "G41"), r, "0", "G68X0Y0R" + decimal(angle_deg) + "\n"));
+    const std::vector<Vec2> other =
+        way_of(run(program_round(contour, "G41"), r, "0", "G68X0Y0R" + decimal(angle_deg) + "\n"));
     ASSERT_EQ(one.size(), other.size()) << text(contour) << ", " << angle_deg << " degrees";
     for (std::size_t k = 0; k < one.size(); ++k) {
       const Vec2 turned{one[k].u * std::cos(angle_rad) - one[k].v * std::sin(angle_rad),
@@ -298,8 +300,7 @@ TEST(CutterCompensation, AMirroredContourHasTheMirroredPath) {
     const Contour contour = random_star(random);
     const double r = thousandths(random.in(0.2, 1.5));
     const std::vector<Vec2> one = way_of(run(program_round(contour, "G41"), r));
-    const std::vector<Vec2> other =
-        way_of(run(program_round(contour, "G41"), r, "0", "G51.1X0\n"));
+    const std::vector<Vec2> other = way_of(run(program_round(contour, "G41"), r, "0", "G51.1X0\n"));
     ASSERT_EQ(one.size(), other.size()) << text(contour);
     for (std::size_t k = 0; k < one.size(); ++k)
       ASSERT_LT(geometry::length(Vec2{-one[k].u, one[k].v} - other[k]), kTolerance)
@@ -388,7 +389,8 @@ TEST(CutterCompensation, AnInsideRadiusSmallerThanTheToolsIsAnAlarm) {
   for (int i = 0; i < 50; ++i) {
     const double c = thousandths(random.in(1, 5));
     const double r = thousandths(c * random.in(1.01, 3));
-    const std::string blocks = "G00X0Y10.\nG42D1" + round_rectangle(40, 40, c, true) + "G40X0Y10.\n";
+    const std::string blocks =
+        "G00X0Y10.\nG42D1" + round_rectangle(40, 40, c, true) + "G40X0Y10.\n";
     const RunResult result = run(blocks, r);
     ASSERT_EQ(result.alarm.substr(0, 6), "PS0041") << "corner " << c << ", radius " << r;
   }

@@ -95,8 +95,8 @@ TEST(Transform, OfNothingLeavesEveryPoint) {
 
 TEST(Transform, IsTheFormulaOfTheSpecification) {  // §8.5: mirror, then scale, then rotation
   Transform transform;
-  transform.mirror(Axis{0}, 10);                                // x' = 20 - x
-  transform.scale({{1, 2, 3}}, {{2, 3, 4}});                    // c + k (p - c)
+  transform.mirror(Axis{0}, 10);              // x' = 20 - x
+  transform.scale({{1, 2, 3}}, {{2, 3, 4}});  // c + k (p - c)
   expect_near(transform.apply({{5, 6, 7}}), {{29, 14, 19}}, 1e-12, "mirror, then scale");
   Transform turned;
   turned.rotate(kXY, {1, 1}, 90);
@@ -108,8 +108,8 @@ TEST(Transform, AMirroredPlaneTurnsTheOtherWay) {
   transform.rotate(kXY, {0, 0}, 30);
   transform.mirror(Axis{0}, 0);
   // (10, 0) is mirrored to (-10, 0) and turned by -30 degrees.
-  expect_near(transform.apply({{10, 0, 0}}),
-              {{-10 * std::cos(std::numbers::pi / 6), 5, 0}}, 1e-12, "mirrored rotation");
+  expect_near(transform.apply({{10, 0, 0}}), {{-10 * std::cos(std::numbers::pi / 6), 5, 0}}, 1e-12,
+              "mirrored rotation");
 }
 
 // Twice the signed area of a triangle in a plane.
@@ -147,8 +147,8 @@ TEST(Transform, ALengthInThePlaneGrowsByTheFactorWhenBothAreEqual) {
     AxisVector b = random.point();
     b.values[2] = a.values[2];
     const double before = geometry::length(kXY.project(a) - kXY.project(b));
-    const double after = geometry::length(kXY.project(transform.apply(a)) -
-                                          kXY.project(transform.apply(b)));
+    const double after =
+        geometry::length(kXY.project(transform.apply(a)) - kXY.project(transform.apply(b)));
     ASSERT_NEAR(after, before * transform.radius_factor(kXY), 1e-9 * after);
   }
 }

@@ -73,16 +73,20 @@ struct Units {
         const std::string x = length(-800, 800);
         return "G00X" + x + "\nG02I" + length(10, 200) + feed();
       }
-      case 4: return "G91G03X" + length(50, 90) + "Y" + length(50, 90) + "R" + length(200, 400) +
-                     feed() + "\nG90";
-      case 5: return "G98G81X" + length(-800, 800) + "Z" + length(-200, -100) + "R" +
-                     length(10, 90) + feed() + "\nG80";
-      case 6: return "G83Y" + length(-800, 800) + "Z" + length(-200, -100) + "R" + length(10, 90) +
-                     "Q" + length(20, 60) + feed() + "\nG80";
+      case 4:
+        return "G91G03X" + length(50, 90) + "Y" + length(50, 90) + "R" + length(200, 400) + feed() +
+               "\nG90";
+      case 5:
+        return "G98G81X" + length(-800, 800) + "Z" + length(-200, -100) + "R" + length(10, 90) +
+               feed() + "\nG80";
+      case 6:
+        return "G83Y" + length(-800, 800) + "Z" + length(-200, -100) + "R" + length(10, 90) + "Q" +
+               length(20, 60) + feed() + "\nG80";
       case 7: return "G52X" + length(-100, 100) + "\nG00X" + length(-100, 100) + "\nG52X0";
       case 8: return "G92X" + length(-100, 100) + "\nG00X" + length(-100, 100) + "\nG92.1X0";
-      default: return "G68X" + length(-100, 100) + "Y" + length(-100, 100) + "R30.\nG01X" +
-                      length(-300, 300) + feed() + "\nG69\nG00X0Y0";
+      default:
+        return "G68X" + length(-100, 100) + "Y" + length(-100, 100) + "R30.\nG01X" +
+               length(-300, 300) + feed() + "\nG69\nG00X0Y0";
     }
   }
 
@@ -177,16 +181,19 @@ TEST(Twins, WordsInAnyOrderAndInAnyWriting) {
 }
 
 TEST(Twins, ALoopAndTheSameBlocksWrittenOut) {
-  std::string loop = "O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT200]DO1\nG01X[#1*.5]Y[#1*#1/100]\n"
-                     "#1=#1+1\nEND1\nM30\n";
+  std::string loop =
+      "O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT200]DO1\nG01X[#1*.5]Y[#1*#1/100]\n"
+      "#1=#1+1\nEND1\nM30\n";
   std::string straight = "O1\nG21G90G17G94F500\n";
   for (int i = 0; i < 200; ++i) straight += "G01" + xy(i * 0.5, i * i / 100.0) + "\n";
   expect_same(loop, straight + "M30\n");
-  const std::string jumps = "O1\nG21G90G17G94F500\n#1=0\nN5G01X[#1*.5]Y[#1*#1/100]\n#1=#1+1\n"
-                            "IF[#1LT200]GOTO5\nM30\n";
+  const std::string jumps =
+      "O1\nG21G90G17G94F500\n#1=0\nN5G01X[#1*.5]Y[#1*#1/100]\n#1=#1+1\n"
+      "IF[#1LT200]GOTO5\nM30\n";
   expect_same(loop, jumps);
-  const std::string calls = "O1\nG21G90G17G94F500\n#1=0\nM98P2L200\nM30\nO2\n"
-                            "G01X[#1*.5]Y[#1*#1/100]\n#1=#1+1\nM99\n";
+  const std::string calls =
+      "O1\nG21G90G17G94F500\n#1=0\nM98P2L200\nM30\nO2\n"
+      "G01X[#1*.5]Y[#1*#1/100]\n#1=#1+1\nM99\n";
   expect_same(loop, calls);
 }
 
@@ -261,8 +268,8 @@ TEST(Twins, AnArcReachesAsFarAsManyShortLines) {
     const Vec2 to{thousandths(r * std::cos(from_angle + angle)),
                   thousandths(r * std::sin(from_angle + angle))};
     const std::string start = "O1\nG21G90G17F500\nG00" + xy(from.u, from.v) + "\n";
-    const std::string arc = "G03" + xy(to.u, to.v) + "I" + decimal(-from.u) + "J" +
-                            decimal(-from.v) + "\nM30\n";
+    const std::string arc =
+        "G03" + xy(to.u, to.v) + "I" + decimal(-from.u) + "J" + decimal(-from.v) + "\nM30\n";
     std::string lines;
     constexpr int kLines = 500;
     for (int k = 1; k <= kLines; ++k) {

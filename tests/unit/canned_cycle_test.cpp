@@ -1,31 +1,16 @@
 // Canned cycles do what a person would write by hand with G00 and G01 (fanuc-dialect.md §10).
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "machine_run.hpp"
 #include "program_text.hpp"
+#include "seeded_random.hpp"
 
 namespace kerf::test {
 namespace {
 
-constexpr unsigned kSeed = 20260101;
 constexpr int kCases = 400;
 constexpr double kTolerance = 1e-9;
 const std::string kHead = "O1\nG21G90G17G94S500M03\n";
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return thousandths(std::uniform_real_distribution<double>(low, high)(engine_));
-  }
-  bool coin() { return (engine_() & 1U) != 0; }
-  int count(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
-
- private:
-  std::mt19937 engine_;
-};
 
 /// A hole: where the tool comes from and what the cycle is told.
 struct Hole {
@@ -34,13 +19,17 @@ struct Hole {
   bool to_initial;
 };
 
-Hole random_hole(Random& random) {
+double length(SeededRandom& random, double low, double high) {
+  return thousandths(random.in(low, high));
+}
+
+Hole random_hole(SeededRandom& random) {
   Hole hole{};
-  hole.z = random.in(-40, -1);
-  hole.r = random.in(1, 10);
-  hole.initial = hole.r + random.in(0, 40);
-  hole.q = random.in(0.5, 15);
-  hole.feed = random.in(50, 900);
+  hole.z = length(random, -40, -1);
+  hole.r = length(random, 1, 10);
+  hole.initial = hole.r + length(random, 0, 40);
+  hole.q = length(random, 0.5, 15);
+  hole.feed = length(random, 50, 900);
   hole.dwell_ms = random.count(0, 2000);
   hole.to_initial = random.coin();
   return hole;
@@ -124,11 +113,11 @@ void expect_twins(const std::string& cycle, const std::string& hand) {
 class Cycle : public testing::TestWithParam<int> {};
 
 TEST_P(Cycle, MovesAsWrittenByHand) {
-  Random random(kSeed + static_cast<unsigned>(GetParam()));
+  SeededRandom random(kSeed + static_cast<unsigned>(GetParam()));
   for (int i = 0; i < kCases; ++i) {
     const Hole hole = random_hole(random);
-    const double x = random.in(-100, 100);
-    const double y = random.in(-100, 100);
+    const double x = length(random, -100, 100);
+    const double y = length(random, -100, 100);
     const std::string start = "G00Z" + decimal(hole.initial) + "\n";
     const bool incremental = random.coin();
     const std::string place = incremental ? "G91" + xy(x, y) : xy(x, y);
@@ -142,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(G, Cycle, testing::Values(73, 74, 81, 82, 83, 84, 85, 8
                          [](const auto& code) { return std::to_string(code.param); });
 
 TEST(CannedCycle, HolesOfOneCycleAreHolesOneByOne) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
     const Hole hole = random_hole(random);
     const std::string start = "G00Z" + decimal(hole.initial) + "\n";
@@ -150,7 +139,7 @@ TEST(CannedCycle, HolesOfOneCycleAreHolesOneByOne) {
     std::string hand = start;
     const int holes = random.count(2, 6);
     for (int k = 0; k < holes; ++k) {
-      const std::string place = xy(random.in(-100, 100), random.in(-100, 100));
+      const std::string place = xy(length(random, -100, 100), length(random, -100, 100));
       cycle += place + (k == 0 ? cycle_words(81, hole, false) : "") + "\n";
       hand += "G00" + place + "\n" + by_hand(81, hole);
     }
@@ -160,11 +149,11 @@ TEST(CannedCycle, HolesOfOneCycleAreHolesOneByOne) {
 }
 
 TEST(CannedCycle, RepeatsOfAnIncrementAreARowOfHoles) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
     const Hole hole = random_hole(random);
-    const double dx = random.in(-20, 20);
-    const double dy = random.in(-20, 20);
+    const double dx = length(random, -20, 20);
+    const double dy = length(random, -20, 20);
     const int holes = random.count(1, 9);
     const std::string start = "G00Z" + decimal(hole.initial) + "\n";
     std::string hand = start;
@@ -179,7 +168,7 @@ TEST(CannedCycle, RepeatsOfAnIncrementAreARowOfHoles) {
 }
 
 TEST(CannedCycle, DrillsAlongTheNormalOfItsPlane) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
     const Hole hole = random_hole(random);
     const auto turned = [](std::string text, char from, char to) {
@@ -196,10 +185,10 @@ TEST(CannedCycle, DrillsAlongTheNormalOfItsPlane) {
 }
 
 TEST(CannedCycle, PeckingAsDeepAsTheHoleIsDrillingInOneGo) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
     Hole hole = random_hole(random);
-    hole.q = hole.r - hole.z + random.in(0, 5);
+    hole.q = hole.r - hole.z + length(random, 0, 5);
     const std::string start = "G00Z" + decimal(hole.initial) + "\nX5.";
     for (const int code : {73, 83}) {
       expect_twins(start + cycle_words(code, hole, false) + "\nG80\n",

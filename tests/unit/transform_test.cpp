@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "seeded_random.hpp"
 
 namespace kerf::control {
 namespace {
@@ -12,32 +13,28 @@ namespace {
 using base::Axis;
 using base::AxisVector;
 using geometry::Vec2;
+using test::kSeed;
+using test::SeededRandom;
 
 constexpr int kCases = 50'000;
-constexpr unsigned kSeed = 20260101;
 constexpr PlaneAxes kXY{Axis{0}, Axis{1}, Axis{2}, 'I', 'J'};
 constexpr PlaneAxes kZX{Axis{2}, Axis{0}, Axis{1}, 'K', 'I'};
 constexpr PlaneAxes kYZ{Axis{1}, Axis{2}, Axis{0}, 'J', 'K'};
 
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double in(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
-  bool coin() { return (engine_() & 1U) != 0; }
-  AxisVector point() { return {{in(-500, 500), in(-500, 500), in(-500, 500)}}; }
-  PlaneAxes plane() {
-    const auto which = engine_() % 3;
-    return which == 0 ? kXY : which == 1 ? kZX : kYZ;
-  }
-  // Not near 0, of either sign.
-  double factor() { return (coin() ? 1 : -1) * std::exp(in(-2, 2)); }
-  double angle() { return coin() ? 90 * std::floor(in(-8, 8)) : in(-720, 720); }
-
- private:
-  std::mt19937 engine_;
-};
+AxisVector random_point(SeededRandom& random) {
+  return {{random.in(-500, 500), random.in(-500, 500), random.in(-500, 500)}};
+}
+PlaneAxes random_plane(SeededRandom& random) {
+  const int which = random.count(0, 2);
+  return which == 0 ? kXY : which == 1 ? kZX : kYZ;
+}
+// Not near 0, of either sign.
+double random_factor(SeededRandom& random) {
+  return (random.coin() ? 1 : -1) * random.size(0.1, 10);
+}
+double random_angle(SeededRandom& random) {
+  return random.coin() ? 90 * random.count(-8, 8) : random.in(-720, 720);
+}
 
 struct Recipe {
   Transform transform;
@@ -45,11 +42,11 @@ struct Recipe {
 };
 
 // Any mixture of scaling, mirror image and rotation.
-Recipe random_transform(Random& random, const PlaneAxes& plane) {
+Recipe random_transform(SeededRandom& random, const PlaneAxes& plane) {
   Recipe recipe;
   if (random.coin()) {
-    const AxisVector factors{{random.factor(), random.factor(), random.factor()}};
-    recipe.transform.scale(random.point(), factors);
+    const AxisVector factors{{random_factor(random), random_factor(random), random_factor(random)}};
+    recipe.transform.scale(random_point(random), factors);
     recipe.text += " scaled by " + std::to_string(factors.values[0]) + ", " +
                    std::to_string(factors.values[1]) + ", " + std::to_string(factors.values[2]);
   }
@@ -59,7 +56,7 @@ Recipe random_transform(Random& random, const PlaneAxes& plane) {
     recipe.text += " mirrored in axis " + std::to_string(i);
   }
   if (random.coin()) {
-    const double angle = random.angle();
+    const double angle = random_angle(random);
     recipe.transform.rotate(plane, {random.in(-100, 100), random.in(-100, 100)}, angle);
     recipe.text += " rotated by " + std::to_string(angle);
   }
@@ -73,21 +70,21 @@ void expect_near(const AxisVector& got, const AxisVector& wanted, double toleran
 }
 
 TEST(Transform, InvertUndoesApply) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const Recipe recipe = random_transform(random, random.plane());
-    const AxisVector point = random.point();
+    const Recipe recipe = random_transform(random, random_plane(random));
+    const AxisVector point = random_point(random);
     expect_near(recipe.transform.invert(recipe.transform.apply(point)), point, 1e-9, recipe.text);
     expect_near(recipe.transform.apply(recipe.transform.invert(point)), point, 1e-8, recipe.text);
   }
 }
 
 TEST(Transform, OfNothingLeavesEveryPoint) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   const Transform identity;
   EXPECT_TRUE(identity.identity());
   for (int i = 0; i < 100; ++i) {
-    const AxisVector point = random.point();
+    const AxisVector point = random_point(random);
     EXPECT_EQ(identity.apply(point), point);
     EXPECT_EQ(identity.invert(point), point);
   }
@@ -121,11 +118,11 @@ double area(const Transform& transform, const PlaneAxes& plane, const AxisVector
 }
 
 TEST(Transform, ReversesSaysWhetherATriangleTurnsOver) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const PlaneAxes plane = random.plane();
+    const PlaneAxes plane = random_plane(random);
     const Recipe recipe = random_transform(random, plane);
-    AxisVector a = random.point();
+    AxisVector a = random_point(random);
     AxisVector b = a;
     AxisVector c = a;
     b[plane.first] += 10;
@@ -136,15 +133,15 @@ TEST(Transform, ReversesSaysWhetherATriangleTurnsOver) {
 }
 
 TEST(Transform, ALengthInThePlaneGrowsByTheFactorWhenBothAreEqual) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const double k = random.factor();
+    const double k = random_factor(random);
     Transform transform;
-    transform.scale(random.point(), {{k, k, random.factor()}});
+    transform.scale(random_point(random), {{k, k, random_factor(random)}});
     if (random.coin()) transform.mirror(Axis{0}, 5);
-    transform.rotate(kXY, {3, 4}, random.angle());
-    const AxisVector a = random.point();
-    AxisVector b = random.point();
+    transform.rotate(kXY, {3, 4}, random_angle(random));
+    const AxisVector a = random_point(random);
+    AxisVector b = random_point(random);
     b.values[2] = a.values[2];
     const double before = geometry::length(kXY.project(a) - kXY.project(b));
     const double after =
@@ -176,7 +173,7 @@ TEST(SineCosine, IsExactAtMultiplesOfNinetyDegrees) {
 }
 
 TEST(SineCosine, IsThatOfTheLibraryEverywhereElse) {
-  Random random(kSeed);
+  SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
     const double angle = random.in(-1000, 1000);
     const SineCosine at = sine_cosine_deg(angle);

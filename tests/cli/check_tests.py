@@ -131,10 +131,10 @@ def junit_format(box):
 
 
 NASTY_NAMES = ["a&b.nc", "a<b>.nc", "\"quoted\" 'name'.nc", "two\nlines.nc", "tab\there.nc",
-               "bell\x07.nc", "größe 日本.nc", b"latin1 gr\xf6\xdfe.nc".decode(errors="surrogateescape"),
-               "]]>.nc", "%20 100%.nc"]
-NASTY_TEXT = (b"O1\n#3000=1(<a href=\"x\">&amp; ]]> \xe4 \x01\x0b\x1f\x7f \xef\xbf\xbe \xef\xbf\xbf "
-              b"\xc2\x85 \xed\xa0\x80)\nM30\nG01 5X (\xef\xbf\xbe \x08 <&\">)\n")
+               "bell\x07.nc", "größe 日本.nc", "]]>.nc", "%20 100%.nc",
+               b"latin1 gr\xf6\xdfe.nc".decode(errors="surrogateescape")]
+NASTY_TEXT = (b"O1\n#3000=1(<a href=\"x\">&amp; ]]> \xe4 \x01\x0b\x1f\x7f \xef\xbf\xbe "
+              b"\xef\xbf\xbf \xc2\x85 \xed\xa0\x80)\nM30\nG01 5X (\xef\xbf\xbe \x08 <&\">)\n")
 
 
 @test("check stays valid in every format whatever bytes names and programs hold")

@@ -99,7 +99,7 @@ def excerpt(box):
     _, shown, caret = underlined(box.kerf("run", "part.nc").err)
     equal(caret, "G999", "text above the caret")
     check(len(shown) <= 130, f"{len(shown)} characters of the line are shown")
-    check(shown.startswith("…") and shown.endswith("…"), f"no sign of what is left out: {shown!r}")
+    check(shown.startswith("…") and shown.endswith("…"), f"no sign of what is left out: {shown}")
 
 
 @test("a hint stands on a line of its own")

@@ -16,8 +16,8 @@ import time
 
 TIMEOUT_S = 25
 
-# Runs the words behind the first two and writes the peak memory (KiB) of that process to the first. A
-# process starts out with the peak of the one that made it, so a small one has to stand between.
+# Runs the words behind the first two and writes the peak memory (KiB) of that process to the first.
+# A process starts out with the peak of the one that made it, so a small one has to stand between.
 PEAK_SCRIPT = """
 import os, sys
 pid = os.posix_spawnp(sys.argv[2], sys.argv[2:], os.environ)
@@ -153,13 +153,14 @@ def status(result, wanted):
 
 
 def one_sentence(result, *parts):
-    """Standard error is one line of Kerf's own that names `parts`; standard output is empty."""
+    """Standard error is one line of Kerf's own that names `parts`, standard output empty."""
     lines = result.err.splitlines()
     check(len(lines) == 1 and lines[0].startswith("kerf: ") and result.err.endswith("\n"),
           f"standard error must be one sentence 'kerf: …': {shortened(result.err)}")
     check(all(c.isprintable() for c in lines[0]),
           f"the sentence holds control characters: {lines[0]!r}")
-    check(len(lines[0]) < 300, f"the sentence has {len(lines[0])} characters: {shortened(lines[0])}")
+    check(len(lines[0]) < 300,
+          f"the sentence has {len(lines[0])} characters: {shortened(lines[0], 100)}")
     for part in parts:
         contains(lines[0], part, "the sentence")
     equal(result.out, b"", "standard output")

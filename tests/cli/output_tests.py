@@ -1,4 +1,4 @@
-"""Where output goes: standard output, files that appear whole or not at all, disks that are full."""
+"""Where output goes: standard output, files that appear whole or not at all, full disks."""
 
 import os
 import shutil
@@ -10,15 +10,16 @@ BIG = ("O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT4000]DO1\nG01X[#1*0.01]Y[SIN[#1]*2
        "DPRNT[LINE*#1[60]*OF*THE*PROTOCOL]\n#1=#1+1\nEND1\nM30\n" + "(FILL)\n" * 2000)
 
 # Option and the name of its file.
-OUTPUTS = {"--motion": "out.json", "--summary": "out.txt", "--plot": "out.svg", "--dprnt": "out.log",
-           "--post": "out.nc", "--coverage": "out.csv", "--state": "out.state"}
+OUTPUTS = {"--motion": "out.json", "--summary": "out.txt", "--plot": "out.svg",
+           "--dprnt": "out.log", "--post": "out.nc", "--coverage": "out.csv",
+           "--state": "out.state"}
 # Those that are larger than a disk of this size for the program above.
 LARGE_OUTPUTS = ("--motion", "--dprnt", "--post", "--coverage")
 SMALL_DISK = "48k"
 
 
 def in_namespace(box, mount, command):
-    """Words that run `command` (of sh, with "$@" for kerf) on a disk of its own, mounted at disk/."""
+    """Words that run `command` (of sh, "$@" is kerf) with a disk of its own mounted at disk/."""
     if os.geteuid() != 0 or not shutil.which("unshare"):
         raise Skipped("only root can mount a disk of its own")
     os.makedirs(box.path("disk"), exist_ok=True)

@@ -5,49 +5,69 @@ import re
 from harness import check, equal, near, status, test
 
 TOLERANCE = 1e-3
-HEAD = "O1\nG21G90G17G94\n"
+HEAD = "O1; G21G90G17G94; "
 
+# Blocks end in semicolons.
 PROGRAMS = {
-    "lines and rapids": HEAD + "G00X10.Y20.Z5.\nG01Z-1.F100\nX30.F250.5\nG91Y-.125\nG90G00Z5.\nM30\n",
-    "arcs by R in all planes": HEAD + "F300\nG00X10.Y10.Z10.\nG17G02X20.Y20.R10.\nG03X10.Y10.R-10.\n"
-        "G18G02X20.Z20.R12.\nG03X10.Z10.R-15.\nG19G03Y20.Z20.R10.\nG02Y10.Z10.R20.\nM30\n",
-    "arcs by I, J, K in all planes": HEAD + "F300\nG00X10.Y10.Z10.\nG02X20.I5.\nG03X10.I-5.\n"
-        "G18G02X20.I5.\nG03X10.I-5.\nG19G02Z20.K5.\nG03Z10.K-5.\nM30\n",
-    "full circles and helices": HEAD + "F300\nG00X10.\nG02I5.\nG03J-7.5\nG02I5.Z-3.\nG03X20.I5.Z-4.\n"
-        "G18G02K3.\nG03K3.Y2.\nG19G03J2.X5.\nM30\n",
-    "arcs whose centre is no decimal": HEAD + "F300\nG00X0Y0\n#1=0\nWHILE[#1LT40]DO1\n"
-        "G02X[#1*1.7]Y[#1*0.3+1]R[20+#1]\nG03X[#1*1.1]Y[#1*0.7]R-[30+#1/3]\n#1=#1+1\nEND1\nM30\n",
-    "canned cycles": HEAD + "G00Z50.\nG98G81X10.Y10.Z-5.R2.F100\nX20.\nG99X30.\nG82X10.Y20.P500Z-6.\n"
-        "G83X5.Y5.Z-10.R2.Q4.\nG73X6.Z-10.Q3.\nG98G85X1.Z-3.R1.\nG86X2.\nG89X3.P250\nG76X4.Q1.\n"
-        "G80G00X0\nM30\n",
-    "tapping and back boring": HEAD + "S500M03\nG00Z50.\nG84X10.Z-5.R2.F100P100\nG74X20.\n"
-        "G87X30.Z-10.R-20.Q2.\nG88X40.Z-2.R1.\nG80\nM30\n",
-    "rows of holes": HEAD + "G00Z10.\nG91G99G81X10.Z-12.R-8.K3F100\nY10.L2\nG80G90\nM30\n",
-    "a macro with a loop": HEAD + "G65P9207X0Y0R25.A30.H7.Z-3.\nG65P9207X5.Y5.R10.H3.Z-1.\nM30\n"
-        "O9207\n#31=1\nG00X#24Y#25Z5.\nWHILE[#31LE#11]DO1\n"
-        "G00X[#24+#18*COS[#1+[#31-1]*360/#11]]Y[#25+#18*SIN[#1+[#31-1]*360/#11]]\nG01Z#26F200\n"
-        "G00Z5.\n#31=#31+1\nEND1\nM99\n",
-    "subprograms and modal calls": HEAD + "G00Z5.\nM98P51002\nG66P1003A2.\nX1.\nX2.\nG67\nM30\n"
-        "O1002\nG91G00X1.5Y.25\nG90M99\nO1003\nG01Z-#1F100\nG00Z5.\nM99\n",
-    "work offsets and shifts": HEAD + "G10L2P1X100.Y50.Z-20.\nG10L2P2X-3.333\nG54G00X0Y0Z0\nG55X1.\n"
-        "G52X5.Y5.\nG01X0Y0F100\nG52X0Y0\nG92X0Y0\nG01X10.\nG53X0Y0\nG28Z0\nM30\n",
-    "tool length": HEAD + "G10L10P1R50.\nT1M06\nG43H1G00Z100.\nG01Z-1.F100\nG49G00Z100.\nM30\n",
-    "cutter compensation": HEAD + "G10L12P1R5.\nG00X-20.Y-10.\nG41D1G01X0Y0F200\nY50.\nX50.\n"
-        "G02X70.Y30.R20.\nG03X90.Y10.R20.\nG01Y0\nX0\nG40X-20.Y-10.\nM30\n",
-    "rounded corners of the compensation": HEAD + "G10L12P1R4.\nG00X-20.Y-10.\nG41D1G01X0Y0F200\n"
-        "X20.Y40.\nX40.Y0\nX0\nG40X-20.Y-10.\nM30\n",
-    "rotation, scaling and mirror": HEAD + "F200\nG68X10.Y5.R33.3\nG01X20.Y7.\nG02X30.R9.\nG69\n"
-        "G51X0Y0Z0P2500\nG01X3.Y4.Z-1.\nG03X5.Y6.R4.\nG50\nG51.1X50.\nG01X40.Y10.\nG02X45.Y12.R8.\n"
-        "G50.1X0\nG51X1.Y2.I2000J-2000K1000\nG01X3.Y4.\nG03X7.Y8.R9.\nG50\nM30\n",
-    "polar coordinates": HEAD + "G16\nG00X50.Y0\nG81X50.Y30.Z-5.R2.F200\nY60.\nY90.\nG80\nG15\nM30\n",
-    "an inch program": "O1\nG20G90G17G94\nG00X1.Y2.Z.5\nG01Z-.125F10.\nG02X2.Y3.R1.5\nG03X1.5I-.25\n"
-        "G81X.1Y.2Z-.3R.1F5.\nG80\nM30\n",
-    "feed per revolution and inverse time": HEAD + "S600M03\nG95G01X10.F.1\nY5.\nG93G01X20.F4.\n"
-        "G02X30.R8.F3.\nG94G01X0F100\nM30\n",
-    "probing": HEAD + "G31X10.F50\nG31Z-5.\nG01X0\nM30\n",
-    "spindle, tool, coolant, dwell and stop": HEAD + "T7M06\nM03S1200.\nM08\nG04P1500\nG04X.25\nM00\n"
-        "M04S800\nM07\nM05M09\nM30\n".replace("S1200.", "S1200"),
-    "single precision traps": HEAD + "G00X123456.789Y-99999.999\nG01X-0.001Y0.0005F0.5\nX.0004\nM30\n",
+    "lines and rapids":
+        HEAD + "G00X10.Y20.Z5.; G01Z-1.F100; X30.F250.5; G91Y-.125; G90G00Z5.; M30;",
+    "arcs by R in all planes":
+        HEAD + "F300; G00X10.Y10.Z10.; G17G02X20.Y20.R10.; G03X10.Y10.R-10.; G18G02X20.Z20.R12.; "
+        "G03X10.Z10.R-15.; G19G03Y20.Z20.R10.; G02Y10.Z10.R20.; M30;",
+    "arcs by I, J, K in all planes":
+        HEAD + "F300; G00X10.Y10.Z10.; G02X20.I5.; G03X10.I-5.; G18G02X20.I5.; G03X10.I-5.; "
+        "G19G02Z20.K5.; G03Z10.K-5.; M30;",
+    "full circles and helices":
+        HEAD + "F300; G00X10.; G02I5.; G03J-7.5; G02I5.Z-3.; G03X20.I5.Z-4.; G18G02K3.; G03K3.Y2.; "
+        "G19G03J2.X5.; M30;",
+    "arcs whose centre is no decimal":
+        HEAD + "F300; G00X0Y0; #1=0; WHILE[#1LT40]DO1; G02X[#1*1.7]Y[#1*0.3+1]R[20+#1]; "
+        "G03X[#1*1.1]Y[#1*0.7]R-[30+#1/3]; #1=#1+1; END1; M30;",
+    "canned cycles":
+        HEAD + "G00Z50.; G98G81X10.Y10.Z-5.R2.F100; X20.; G99X30.; G82X10.Y20.P500Z-6.; "
+        "G83X5.Y5.Z-10.R2.Q4.; G73X6.Z-10.Q3.; G98G85X1.Z-3.R1.; G86X2.; G89X3.P250; "
+        "G76X4.Q1.; G80G00X0; M30;",
+    "tapping and back boring":
+        HEAD + "S500M03; G00Z50.; G84X10.Z-5.R2.F100P100; G74X20.; G87X30.Z-10.R-20.Q2.; "
+        "G88X40.Z-2.R1.; G80; M30;",
+    "rows of holes":
+        HEAD + "G00Z10.; G91G99G81X10.Z-12.R-8.K3F100; Y10.L2; G80G90; M30;",
+    "a macro with a loop":
+        HEAD + "G65P9207X0Y0R25.A30.H7.Z-3.; G65P9207X5.Y5.R10.H3.Z-1.; M30; O9207; #31=1; "
+        "G00X#24Y#25Z5.; WHILE[#31LE#11]DO1; "
+        "G00X[#24+#18*COS[#1+[#31-1]*360/#11]]Y[#25+#18*SIN[#1+[#31-1]*360/#11]]; "
+        "G01Z#26F200; G00Z5.; #31=#31+1; END1; M99;",
+    "subprograms and modal calls":
+        HEAD + "G00Z5.; M98P51002; G66P1003A2.; X1.; X2.; G67; M30; O1002; G91G00X1.5Y.25; G90M99; "
+        "O1003; G01Z-#1F100; G00Z5.; M99;",
+    "work offsets and shifts":
+        HEAD + "G10L2P1X100.Y50.Z-20.; G10L2P2X-3.333; G54G00X0Y0Z0; G55X1.; G52X5.Y5.; "
+        "G01X0Y0F100; G52X0Y0; G92X0Y0; G01X10.; G53X0Y0; G28Z0; M30;",
+    "tool length":
+        HEAD + "G10L10P1R50.; T1M06; G43H1G00Z100.; G01Z-1.F100; G49G00Z100.; M30;",
+    "cutter compensation":
+        HEAD + "G10L12P1R5.; G00X-20.Y-10.; G41D1G01X0Y0F200; Y50.; X50.; G02X70.Y30.R20.; "
+        "G03X90.Y10.R20.; G01Y0; X0; G40X-20.Y-10.; M30;",
+    "rounded corners of the compensation":
+        HEAD + "G10L12P1R4.; G00X-20.Y-10.; G41D1G01X0Y0F200; X20.Y40.; X40.Y0; X0; G40X-20.Y-10.; "
+        "M30;",
+    "rotation, scaling and mirror":
+        HEAD + "F200; G68X10.Y5.R33.3; G01X20.Y7.; G02X30.R9.; G69; G51X0Y0Z0P2500; G01X3.Y4.Z-1.; "
+        "G03X5.Y6.R4.; G50; G51.1X50.; G01X40.Y10.; G02X45.Y12.R8.; G50.1X0; "
+        "G51X1.Y2.I2000J-2000K1000; G01X3.Y4.; G03X7.Y8.R9.; G50; M30;",
+    "polar coordinates":
+        HEAD + "G16; G00X50.Y0; G81X50.Y30.Z-5.R2.F200; Y60.; Y90.; G80; G15; M30;",
+    "an inch program":
+        "O1; G20G90G17G94; G00X1.Y2.Z.5; G01Z-.125F10.; G02X2.Y3.R1.5; G03X1.5I-.25; "
+        "G81X.1Y.2Z-.3R.1F5.; G80; M30;",
+    "feed per revolution and inverse time":
+        HEAD + "S600M03; G95G01X10.F.1; Y5.; G93G01X20.F4.; G02X30.R8.F3.; G94G01X0F100; M30;",
+    "probing":
+        HEAD + "G31X10.F50; G31Z-5.; G01X0; M30;",
+    "spindle, tool, coolant, dwell and stop":
+        HEAD + "T7M06; M03S1200; M08; G04P1500; G04X.25; M00; M04S800; M07; M05M09; M30;",
+    "single precision traps":
+        HEAD + "G00X123456.789Y-99999.999; G01X-0.001Y0.0005F0.5; X.0004; M30;",
 }
 
 

@@ -12,6 +12,8 @@ import concurrent.futures
 import os
 import sys
 
+sys.dont_write_bytecode = True  # nothing is left behind in the sources
+
 import harness
 
 # Each of these adds its tests.

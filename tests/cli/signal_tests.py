@@ -28,9 +28,9 @@ def stopped_by(number, exit_status):
     def run(box):
         box.write("old.state", box_state(box))
         before = box.read("old.state")
-        process, unfinished = running(box, "--motion", "m.json", "--post", "p.nc", "--plot", "p.svg",
-                                      "--dprnt", "log", "--coverage", "c.csv", "--summary", "s.json",
-                                      "--state", "old.state")
+        process, unfinished = running(
+            box, "--motion", "m.json", "--post", "p.nc", "--plot", "p.svg", "--dprnt", "log",
+            "--coverage", "c.csv", "--summary", "s.json", "--state", "old.state")
         check(len(unfinished) >= 6, f"unfinished files while it runs: {unfinished}")
         process.send_signal(number)
         begin = time.monotonic()

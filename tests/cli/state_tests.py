@@ -117,7 +117,8 @@ def unchanged(box):
     before = box.read("memory")
     box.write("part.nc", "O1\n#500=2\nM30\n")
     for words, wanted in ((["gone.nc"], 3), (["part.nc", "--motion", "gone/m.json"], 3),
-                          (["part.nc", "--set", "100"], 2), (["part.nc", "--motion", "/dev/full"], 3)):
+                          (["part.nc", "--motion", "/dev/full"], 3),
+                          (["part.nc", "--set", "100"], 2)):
         status(box.kerf("run", *words, "--state", "memory"), wanted)
         check(box.read("memory") == before, f"kerf run {' '.join(words)} changed the state")
 

@@ -42,6 +42,13 @@ std::string significant_digits(std::string_view text) {
   return digits;
 }
 
+// The library's own shortest text: of the plain and the scientific form the one with fewer
+// characters.
+std::string shortest_text(double value) {
+  std::array<char, 64> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 std::string shortest_digits(double value) {
   std::array<char, 64> text;
   const auto end =
@@ -79,7 +86,8 @@ bool prints_well(double value) {
   double back = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), back);
   const bool reads_back = error == std::errc() && end == text.data() + text.size() && back == value;
-  const bool shortest = significant_digits(text) == shortest_digits(value);
+  const bool shortest =
+      text == shortest_text(value) || significant_digits(text) == shortest_digits(value);
   if (reads_back && shortest && is_json_number(text)) return true;
   ADD_FAILURE() << "the double " << std::hexfloat << value << " prints as " << text
                 << (reads_back ? "" : ", which reads back as another double")

@@ -10,6 +10,7 @@ using base::Code;
 using gcode::Word;
 using gcode::WordFlag;
 
+constexpr GCode kPreset = 920;
 constexpr std::int64_t kMostCode = 99999999;
 constexpr std::int64_t kMostSpeed = 99999;
 constexpr double kMostFeed = 240000;  // mm/min
@@ -31,7 +32,10 @@ bool Auxiliary::read(const Words& words) {
   State& s = state_;
   std::int64_t value = 0;
   if (!read_feed(words)) return false;
-  if (words.has('S')) {
+  if (words.has('S') && words.has_g(kPreset)) {  // G92 S: the highest speed of G96
+    if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
+    s.words.max_rpm = static_cast<double>(value);
+  } else if (words.has('S')) {
     if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
     const int most = s.parameters.spindle_max_rpm;
     if (most > 0 && value > most && s.modal[Group::speed] == 970) {
@@ -147,7 +151,8 @@ void Auxiliary::before_motion(const Words& words) {
   }
   const bool turning = state_.words.turning == Spindle::Turning::clockwise ||
                        state_.words.turning == Spindle::Turning::counterclockwise;
-  if (words.has('S') && turning && !told) emit_spindle();
+  const bool changes_speed = !words.has_g(kPreset) || state_.modal[Group::speed] == 960;
+  if (words.has('S') && turning && !told && changes_speed) emit_spindle();
 }
 
 void Auxiliary::after_motion(const Words& words) {

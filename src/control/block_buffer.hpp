@@ -6,8 +6,8 @@
 
 namespace kerf::control {
 
-/// Holds back what a block emits until the block is known to be right: an alarm drops it (a block
-/// is checked whole before it has any effect).
+/// Holds back what a block emits until the block is known to be right: an alarm drops what it would
+/// have switched (a block is checked whole before it has any effect).
 class BlockBuffer : public MotionSink {
  public:
   explicit BlockBuffer(MotionSink& sink) : sink_(sink) {}
@@ -27,7 +27,12 @@ class BlockBuffer : public MotionSink {
     for (const Motion& motion : held_) sink_.take(motion);
     held_.clear();
   }
-  void drop() { held_.clear(); }
+  /// Drops what is no move and comes from a line of a program.
+  void drop_functions_of(ProgramNumber program, std::uint32_t line) {
+    std::erase_if(held_, [&](const Motion& motion) {
+      return target_of(motion) == nullptr && motion.line == line && motion.program == program;
+    });
+  }
 
  private:
   MotionSink& sink_;

@@ -71,6 +71,7 @@ void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& sta
   state_.line = statement.line;
   state_.before = state_.modal;
   state_.path.begin_block({ProgramNumber{calls_.running_number()}, statement.line, page.file});
+  in_block_ = true;
   moved_ = false;
   transferred_ = false;
   codes_ = {};
@@ -106,19 +107,13 @@ Verdict Controller::execute_words(const gcode::GcodePage& page, const gcode::Sta
       !find_call(block, call))
     return Verdict::stop;
   if (call.kind != BlockCall::Kind::none) {
-    if (!call_program(block, call, call_name_)) {
-      buffer_.drop();
-      return Verdict::stop;
-    }
+    if (!call_program(block, call, call_name_)) return Verdict::stop;
     buffer_.release();
+    in_block_ = false;
     return transferred_ ? Verdict::transferred : Verdict::go_on;
   }
-  if (!collect(block) || !(is_plain_move() ? plain_move() : execute_block(call_name_))) {
-    buffer_.drop();
-    if (!state_.path.release()) return Verdict::stop;
-    buffer_.release();
+  if (!collect(block) || !(is_plain_move() ? plain_move() : execute_block(call_name_)))
     return Verdict::stop;
-  }
   return continue_block();
 }
 
@@ -463,11 +458,7 @@ Verdict Controller::continue_block() {
       mid_block_ = true;
       return Verdict::pause;
     }
-    if (!cycle_.step()) {
-      cycle_.stop();
-      buffer_.drop();
-      return Verdict::stop;
-    }
+    if (!cycle_.step()) return Verdict::stop;
     buffer_.release();
   }
   return finish_block();
@@ -480,10 +471,7 @@ Verdict Controller::stopped(Halt halt) {
 
 Verdict Controller::finish_block() {
   auxiliary_.after_motion(words_);
-  if (!state_.path.end_block()) {
-    buffer_.release();
-    return Verdict::stop;
-  }
+  if (!state_.path.end_block()) return Verdict::stop;
   Halt halt = Halt::none;
   if (codes_.stop) halt = Halt::program_stop;
   if (codes_.optional_stop && optional_stop_) halt = Halt::optional_stop;
@@ -495,6 +483,7 @@ Verdict Controller::finish_block() {
     state_.path.act(Stop{halt == Halt::optional_stop});
   if (halt == Halt::end) state_.path.act(End{});
   buffer_.release();
+  in_block_ = false;
   if (halt == Halt::end) {
     if (codes_.rewind) state_.memory.parts += 1;
     return stopped(halt);

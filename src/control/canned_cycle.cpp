@@ -14,7 +14,7 @@ using base::Code;
 constexpr std::int64_t kMostRepeats = 9999;
 
 // NUM-8: dwell P counts milliseconds.
-constexpr double kDwellUnit_s = 0.001;
+constexpr double kDwellUnits_per_s = 1000;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ bool CannedCycle::read_data(const Words& words, bool) {
   if (words.has('P')) {
     std::int64_t milliseconds = 0;
     if (!state_.values.integer(words['P'], 0, 99999999, milliseconds)) return false;
-    p_ = static_cast<double>(milliseconds) * kDwellUnit_s;
+    p_ = static_cast<double>(milliseconds) / kDwellUnits_per_s;
   }
   return true;
 }
@@ -182,6 +182,7 @@ bool CannedCycle::shift(double distance) {
   if (!axis)
     return state_.alarms.raise(Code::drilling_axis, "the machine lacks the axis of the shift");
   base::AxisVector target = state_.coordinates.program();
+  distance /= state_.coordinates.transform().factor(*axis);  // scaling leaves it alone
   target[*axis] = base::tidy(target[*axis] + (direction < 0 ? -distance : distance));
   return moves_.rapid_to(target);
 }
@@ -236,13 +237,16 @@ bool CannedCycle::bore() {
 bool CannedCycle::peck() {
   const double sign = z_ < r_ ? -1 : 1;
   const bool chip_break = code_ == 730;
-  const double clearance = chip_break ? state_.parameters.d_g73 : state_.parameters.d_g83;
+  // Scaling leaves the peck and its clearance alone, and only them.
+  const double factor = state_.coordinates.transform().factor(drill_);
+  const double clearance =
+      (chip_break ? state_.parameters.d_g73 : state_.parameters.d_g83) / factor;
   if (depth_ != r_) {
     const double restart = base::tidy(depth_ - sign * clearance);
     if (!chip_break && !rapid_z(r_)) return false;
     if (!rapid_z(restart)) return false;
   }
-  double next = base::tidy(depth_ + sign * q_);
+  double next = base::tidy(depth_ + sign * q_ / factor);
   if (sign * (next - z_) >= 0) next = z_;
   if (!feed_z(next)) return false;
   depth_ = next;

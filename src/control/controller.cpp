@@ -87,6 +87,7 @@ void Controller::start(vm::CodeId main) {
   calls_.start(main);
   halt_ = Halt::none;
   mid_block_ = false;
+  in_block_ = false;
 }
 
 void Controller::reset() {
@@ -124,14 +125,29 @@ base::AxisVector Controller::machine_position() const {
 
 Halt Controller::run(std::uint64_t instructions) {
   halt_ = Halt::none;
+  if (resume()) interpreter_.run(instructions);
+  if (alarms_.alarm()) settle_alarm();
+  return halt_;
+}
+
+// What a run begins with: the rest of a block that was left, then an interrupt. False: the run ends
+// here.
+bool Controller::resume() {
   if (mid_block_) {
     const Verdict verdict = continue_block();
-    if (verdict == Verdict::stop || verdict == Verdict::pause) return halt_;
+    if (verdict == Verdict::stop || verdict == Verdict::pause) return false;
   }
-  if (interrupt_pending_ && !take_interrupt()) return halt_ = Halt::alarm;
-  interpreter_.run(instructions);
-  if (alarms_.alarm()) halt_ = Halt::alarm;
-  return halt_;
+  return !interrupt_pending_ || take_interrupt();
+}
+
+// Moves that were commanded before the alarm are made, also those that waited for the next one. The
+// block that is wrong switches nothing.
+void Controller::settle_alarm() {
+  halt_ = Halt::alarm;
+  cycle_.stop();
+  static_cast<void>(state_.path.release());  // a second alarm changes nothing
+  if (in_block_) buffer_.drop_functions_of(state_.path.source().program, state_.line);
+  buffer_.release();
 }
 
 base::Outcome<void> Controller::set_variable(std::uint32_t number, double value) {
@@ -259,6 +275,7 @@ Verdict Controller::raise_user_alarm(double number) {
 Verdict Controller::show_message() {
   const base::Place place = interpreter_.place();
   state_.path.begin_block({ProgramNumber{calls_.running_number()}, place.line, place.file});
+  if (!state_.path.release()) return Verdict::stop;
   state_.path.act(Message{ShortText(comment_of_block())});
   state_.path.act(Stop{false});
   buffer_.release();

@@ -107,6 +107,8 @@ class Controller : public vm::Host, private Whereabouts {
     const gcode::Word* word = nullptr;
   };
 
+  bool resume();
+  void settle_alarm();
   void begin(const gcode::GcodePage& page, const gcode::Statement& statement);
   vm::Verdict execute_words(const gcode::GcodePage& page, const gcode::Statement& statement,
                             const double* registers);
@@ -175,6 +177,7 @@ class Controller : public vm::Host, private Whereabouts {
   bool codes_call_macros_ = false;       // some G or M code does (6050, 6080)
   bool codes_call_subprograms_ = false;  // some M code, T, S or B does (6071, TCS, SCS, BCS)
   bool mid_block_ = false;               // a block waits for its cycle to go on
+  bool in_block_ = false;                // an NC block has begun and is not over
   bool moved_ = false;                   // the block has commanded axis movement
   bool transferred_ = false;             // the block has called or returned
   Halt halt_ = Halt::none;

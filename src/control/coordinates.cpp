@@ -15,15 +15,22 @@ AxisVector Coordinates::tidied(AxisVector point) const {
   return point;
 }
 
+AxisVector Coordinates::image_of(const AxisVector& program) const {
+  return transform_.identity() ? program : transform_.apply(program);
+}
+
+AxisVector Coordinates::program_of(const AxisVector& image) const {
+  return tidied(transform_.identity() ? image : transform_.invert(image));
+}
+
 AxisVector Coordinates::path_of(const AxisVector& program) const {
   if (plain_) return program;
-  return tidied((transform_.identity() ? program : transform_.apply(program)) + origin_);
+  return tidied(image_of(program) + origin_);
 }
 
 void Coordinates::arrive_at(const AxisVector& path) {
   path_ = path;
-  const AxisVector work = path - origin_;
-  program_ = tidied(transform_.identity() ? work : transform_.invert(work));
+  program_ = program_of(path - origin_);
 }
 
 void Coordinates::refresh_origin() {
@@ -31,7 +38,7 @@ void Coordinates::refresh_origin() {
       work_.extended != 0 ? memory_.extended[work_.extended - 1] : memory_.work[work_.index];
   const AxisVector before = origin_;
   origin_ = tidied(memory_.external + offset + local_ + shift_);
-  program_ = tidied(program_ + before - origin_);
+  if (before != origin_) program_ = program_of(image_of(program_) + before - origin_);
   plain_ = transform_.identity() && origin_ == AxisVector{};
 }
 
@@ -47,9 +54,10 @@ void Coordinates::set_local(Axis axis, double shift) {
   refresh_origin();
 }
 
-void Coordinates::preset(Axis axis, double value) {
-  shift_[axis] += program_[axis] - value;
+void Coordinates::preset(const AxisVector& program) {
+  shift_ = tidied(shift_ + image_of(program_) - image_of(program));
   refresh_origin();
+  program_ = program;
 }
 
 void Coordinates::clear_shifts(Axis axis) {
@@ -59,10 +67,9 @@ void Coordinates::clear_shifts(Axis axis) {
 }
 
 void Coordinates::set_transform(const Transform& transform) {
-  const bool cancels = transform.identity() && !transform_.identity();
   transform_ = transform;
-  if (cancels) program_ = tidied(path_ - origin_);
   plain_ = transform_.identity() && origin_ == AxisVector{};
+  program_ = program_of(path_ - origin_);
 }
 
 }  // namespace kerf::control

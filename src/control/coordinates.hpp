@@ -49,14 +49,16 @@ class Coordinates {
   /// After a change of the offsets in memory.
   void offsets_changed();
   void set_local(base::Axis axis, double shift);
-  /// G92: the programmed point reads `value` from now on.
-  void preset(base::Axis axis, double value);
+  /// G92: the programmed point reads `program` from now on.
+  void preset(const base::AxisVector& program);
   /// G92.1: drops the G52 and G92 shifts of an axis.
   void clear_shifts(base::Axis axis);
   void set_transform(const Transform& transform);
 
  private:
   void refresh_origin();
+  [[nodiscard]] base::AxisVector image_of(const base::AxisVector& program) const;
+  [[nodiscard]] base::AxisVector program_of(const base::AxisVector& image) const;
   [[nodiscard]] base::AxisVector tidied(base::AxisVector point) const;
 
   const AxisSetup& axes_;

@@ -51,7 +51,11 @@ bool CornerRounding::blend(PathStep& next) {
   const auto blend = request_.kind == Kind::radius
                          ? geometry::fillet(held_->piece, next.piece, request_.size_mm)
                          : geometry::chamfer(held_->piece, next.piece, request_.size_mm);
-  if (!blend) return alarms_.raise_at(Code::corner_too_short, held_->place);
+  if (!blend) {
+    alarms_.raise_at(Code::corner_too_short, held_->place);
+    reset();  // the machine stops before a move that it cannot make
+    return false;
+  }
   const PathStep first = ended_at(*held_, blend->begin, axes_);
   PathStep corner = ended_at(*held_, blend->end, axes_);
   corner.piece = {first.piece.to, tidied(blend->end), blend->is_arc, blend->clockwise,

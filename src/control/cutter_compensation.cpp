@@ -142,11 +142,8 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
 }
 
 void CutterCompensation::beside(const Motion& motion) {
-  if (held_) {
-    beside_.push_back(motion);
-  } else {
-    emit(motion);
-  }
+  beside_.push_back(motion);
+  if (!held_) emit_beside();
 }
 
 bool CutterCompensation::idle_block() {
@@ -167,6 +164,14 @@ bool CutterCompensation::interrupt() {
   if (mode_ == Mode::on) mode_ = Mode::armed;
   moved_since_begin_ = false;
   return true;
+}
+
+// The held move cannot be made, and nothing behind it: the machine stops before it.
+bool CutterCompensation::refuse_held(Code code, const std::string& detail) {
+  alarms_.raise_at(code, held_->step.place, detail);
+  held_.reset();
+  beside_.clear();
+  return false;
 }
 
 // Emits what is held along a corner, then everything that waited behind it.
@@ -210,7 +215,7 @@ bool CutterCompensation::corner(const PathStep& next, double next_offset, Corner
       way.end = way.start = point;
       return true;
     }
-    if (inside) return alarms_.raise_at(Code::no_intersection, held_->step.place);
+    if (inside) return refuse_held(Code::no_intersection);
   }
   turn_outside(at, d1, d2, next_offset, way);
   return true;
@@ -304,8 +309,7 @@ bool CutterCompensation::runs_backwards(Vec2 end) const {
 bool CutterCompensation::emit_held(Vec2 end) {
   const PathStep& step = held_->step;
   if (runs_backwards(end)) {
-    return alarms_.raise_at(Code::interference, step.place,
-                            "the compensated move would run backwards");
+    return refuse_held(Code::interference, "the compensated move would run backwards");
   }
   // An arc that ends where it begins is a full circle to whoever reads it: rounding must not make
   // one of an arc that has shrunk to nothing, nor nothing of a circle.

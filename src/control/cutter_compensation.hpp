@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "control/alarms.hpp"
@@ -92,6 +93,7 @@ class CutterCompensation {
   bool meet(const PathStep& next, geometry::Vec2& point) const;
   void turn_outside(geometry::Vec2 at, geometry::Vec2 d1, geometry::Vec2 d2, double offset,
                     Corner& corner) const;
+  bool refuse_held(base::Code code, const std::string& detail = {});
   bool go_through(const Corner& corner);
   bool emit_held(geometry::Vec2 end);
   void emit_to(const PathStep& step, geometry::Vec2 to);

@@ -1,6 +1,7 @@
 #include "control/moves.hpp"
 
 #include <bit>
+#include <numbers>
 
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
@@ -71,13 +72,13 @@ bool Moves::finish(const Target& target, const AxisVector& path) {
 
 bool Moves::rapid_to(const AxisVector& program) {
   const AxisVector path = state_.coordinates.path_of(program);
-  if (!check_limits(path) || !state_.path.rapid(state_.coordinates.path(), path)) return false;
+  if (!check_limits(path) || !state_.path.straight(Rapid{path})) return false;
   return finish({program, 0}, path);
 }
 
 bool Moves::line_to(const AxisVector& program, const Feed& feed) {
   const AxisVector path = state_.coordinates.path_of(program);
-  if (!check_limits(path) || !state_.path.line(state_.coordinates.path(), path, feed)) return false;
+  if (!check_limits(path) || !state_.path.straight(Line{path, feed})) return false;
   return finish({program, 0}, path);
 }
 
@@ -157,6 +158,37 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
   return true;
 }
 
+// An arc stays a circle when the factors of its plane differ: its ends are scaled each by their
+// factor, its radius by the larger one (fanuc-dialect.md §8.5).
+bool Moves::unevenly_scaled_centre(const PlaneAxes& plane, const Target& target, Vec2 centre,
+                                   bool clockwise, Vec2& image) {
+  state_.assume(Assumed::scaled_arc,
+                "an arc with unequal scaling factors is a circle by the larger factor");
+  const Transform& transform = state_.coordinates.transform();
+  const Vec2 from = plane.project(state_.coordinates.program());
+  const Vec2 to = plane.project(target.program);
+  const Vec2 image_from = plane.project(state_.coordinates.path());
+  const Vec2 image_to = plane.project(state_.coordinates.path_of(target.program));
+  const double radius = geometry::length(from - centre) * transform.radius_factor(plane);
+  if (from == to) {
+    AxisVector centre_point = target.program;
+    plane.place(centre_point, centre);
+    const Vec2 arm = plane.project(state_.coordinates.path_of(centre_point)) - image_from;
+    image = image_from + radius * geometry::unit(arm);
+    return true;
+  }
+  const bool long_way = geometry::sweep_rad(from, to, centre, clockwise) > std::numbers::pi;
+  const auto found = geometry::centre_from_radius(image_from, image_to, long_way ? -radius : radius,
+                                                  clockwise != transform.reverses(plane),
+                                                  state_.parameters.arc_tolerance);
+  if (!found) {
+    return state_.alarms.raise(Code::arc_radius_tolerance,
+                               "the scaled end points do not lie on a circle of the scaled radius");
+  }
+  image = *found;
+  return true;
+}
+
 bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
   if (!plane)
@@ -179,13 +211,19 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   if (!check_limits(path)) return false;
   const AxisVector from = state_.coordinates.path();
   if (nothing) return (outside == 0 || state_.path.line(from, path, rate)) && finish(target, path);
-  AxisVector centre_point = target.program;
-  plane->place(centre_point, centre);
-  const Vec2 exact = plane->project(state_.coordinates.path_of(centre_point));
-  const Vec2 image{base::tidy(exact.u), base::tidy(exact.v)};
-  const bool reversed = transform.reverses(*plane);
-  const ArcShape shape{state_.modal.plane(), *plane, image,
-                       clockwise != reversed ? Direction::clockwise : Direction::counterclockwise,
+  const bool image_clockwise = clockwise != transform.reverses(*plane);
+  Vec2 image;
+  if (transform.scales_evenly(*plane)) {
+    AxisVector centre_point = target.program;
+    plane->place(centre_point, centre);
+    image = plane->project(state_.coordinates.path_of(centre_point));
+  } else if (!unevenly_scaled_centre(*plane, target, centre, clockwise, image)) {
+    return false;
+  }
+  const ArcShape shape{state_.modal.plane(),
+                       *plane,
+                       {base::tidy(image.u), base::tidy(image.v)},
+                       image_clockwise ? Direction::clockwise : Direction::counterclockwise,
                        0};
   return state_.path.arc(from, path, shape, rate) && finish(target, path);
 }

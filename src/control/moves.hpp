@@ -29,6 +29,8 @@ class Moves {
   [[nodiscard]] bool line_to(const base::AxisVector& program, const Feed& feed);
 
  private:
+  bool unevenly_scaled_centre(const PlaneAxes& plane, const Target& target, geometry::Vec2 centre,
+                              bool clockwise, geometry::Vec2& image);
   bool arc(const Words& words, bool clockwise, const Target& target);
   bool thread(const Words& words, const Target& target);
   bool read_centre(const Words& words, const PlaneAxes& plane, const Target& target, bool clockwise,

@@ -40,15 +40,16 @@ bool References::execute(const Words::G& g, const Words& words, bool& moved) {
 }
 
 bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
-  AxisVector path = state_.path.tip();
+  AxisVector tip = state_.path.tip();
+  AxisVector programmed = state_.coordinates.path();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(named, axis)) continue;
     state_.coordinates.set_length(axis, 0);
-    path[axis] = machine[axis];
+    tip[axis] = programmed[axis] = machine[axis];
   }
-  if (!moves_.check_limits(path) || !state_.path.straight(Rapid{path})) return false;
-  state_.coordinates.arrive_at(path);
+  if (!moves_.check_limits(tip) || !state_.path.straight(Rapid{tip})) return false;
+  state_.coordinates.arrive_at(programmed);
   state_.moved_since_m29 = true;
   return true;
 }

@@ -343,7 +343,6 @@ bool Settings::set_rotation(const Words& words) {
   Transform transform = state_.coordinates.transform();
   transform.rotate(*plane, plane->project(centre), angle);
   state_.coordinates.set_transform(transform);
-  state_.rotation_centre = plane->project(centre);
   return true;
 }
 
@@ -361,14 +360,10 @@ bool Settings::local_system(const Words& words) {
 
 // WCS-4
 bool Settings::preset(const Words& words) {
-  AxisVector values;
+  AxisVector program = state_.coordinates.program();
   AxisSet named = 0;
-  if (!axis_values(words, values, named)) return false;
-  if (words.has('S')) state_.words.max_rpm = state_.words.speed;
-  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
-    const Axis axis{static_cast<std::uint8_t>(i)};
-    if (base::contains(named, axis)) state_.coordinates.preset(axis, values[axis]);
-  }
+  if (!axis_values(words, program, named)) return false;
+  state_.coordinates.preset(program);
   return true;
 }
 

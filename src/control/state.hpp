@@ -90,10 +90,9 @@ struct State {
   std::uint32_t outputs[4] = {};   ///< #1100 to #1135
   std::optional<base::AxisVector> intermediate;  ///< of the last G28 or G30, programmed coordinates
   base::AxisSet intermediate_axes = 0;
-  double wanted_length = 0;  ///< offset that G43 or G44 asks for; in force from the next move on
-  base::Axis length_axis{};  ///< its axis
-  std::optional<geometry::Vec2> rotation_centre;  ///< of G68, waiting for the first absolute move
-  bool rigid_tapping = false;                     ///< M29
+  double wanted_length = 0;    ///< offset that G43 or G44 asks for; in force from the next move on
+  base::Axis length_axis{};    ///< its axis
+  bool rigid_tapping = false;  ///< M29
   bool moved_since_m29 = false;
   bool parameter_entry = false;  ///< between G10 L50 and G11
 

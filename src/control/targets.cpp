@@ -32,7 +32,6 @@ bool Targets::read(const Words& words, Target& target) {
   target.program = state_.coordinates.program();
   target.named = 0;
   if (!words.has_any(letters_)) return true;
-  if (state_.rotation_centre) settle_rotation_centre();
   if (state_.modal[Group::polar] == 160) return read_polar(words, target);
   const bool incremental = state_.modal.incremental();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
@@ -45,26 +44,6 @@ bool Targets::read(const Words& words, Target& target) {
     target.named = static_cast<base::AxisSet>(target.named | base::only(axis));
   }
   return true;
-}
-
-// Until the first absolute move behind G68, incremental moves turn about where the tool stood
-// (fanuc-dialect.md §8.5).
-void Targets::settle_rotation_centre() {
-  Transform transform = state_.coordinates.transform();
-  if (!transform.rotated()) {
-    state_.rotation_centre.reset();
-    return;
-  }
-  const auto plane = plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane) return;
-  if (!state_.modal.incremental()) {
-    transform.move_rotation_centre(*state_.rotation_centre);
-    state_.rotation_centre.reset();
-  } else if (!turns_about_tool_) {
-    transform.move_rotation_centre(plane->project(state_.coordinates.program()));
-  }
-  turns_about_tool_ = state_.rotation_centre.has_value();
-  state_.coordinates.set_transform(transform);
 }
 
 // G16: the first axis of the plane is a radius, the second an angle. The origin is work zero for an

@@ -26,14 +26,12 @@ class Targets {
   void begin_polar() { radius_ = angle_deg_ = 0; }
 
  private:
-  void settle_rotation_centre();
   bool read_polar(const Words& words, Target& target);
 
   State& state_;
   std::uint32_t letters_ = 0;
   double radius_ = 0;  // of the last polar point
   double angle_deg_ = 0;
-  bool turns_about_tool_ = false;  // incremental moves behind G68, before an absolute one
 };
 
 }  // namespace kerf::control

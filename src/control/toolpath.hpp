@@ -66,6 +66,7 @@ class Toolpath {
   /// Forgets what is held: the reset button.
   void reset();
 
+  [[nodiscard]] const Source& source() const { return source_; }
   /// Where the tool stands, machine coordinates without tool length.
   [[nodiscard]] base::AxisVector tip() const;
 

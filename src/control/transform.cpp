@@ -55,8 +55,6 @@ void Transform::rotate(const PlaneAxes& plane, Vec2 centre, double angle_deg) {
   angle_deg_ = angle_deg;
 }
 
-void Transform::move_rotation_centre(Vec2 centre) { rotation_centre_ = centre; }
-
 void Transform::cancel_rotation() { rotated_ = false; }
 
 AxisVector Transform::mirrored_and_scaled(AxisVector point) const {
@@ -111,9 +109,14 @@ bool Transform::reverses(const PlaneAxes& plane) const {
   return result;
 }
 
+double Transform::factor(Axis axis) const { return scaled_ ? std::fabs(factors_[axis]) : 1; }
+
+bool Transform::scales_evenly(const PlaneAxes& plane) const {
+  return factor(plane.first) == factor(plane.second);
+}
+
 double Transform::radius_factor(const PlaneAxes& plane) const {
-  if (!scaled_) return 1;
-  return std::fmax(std::fabs(factors_[plane.first]), std::fabs(factors_[plane.second]));
+  return std::fmax(factor(plane.first), factor(plane.second));
 }
 
 }  // namespace kerf::control

@@ -17,7 +17,6 @@ class Transform {
   void mirror(base::Axis axis, double at);
   void cancel_mirror(base::Axis axis);
   void rotate(const PlaneAxes& plane, geometry::Vec2 centre, double angle_deg);
-  void move_rotation_centre(geometry::Vec2 centre);
   void cancel_rotation();
 
   [[nodiscard]] bool identity() const { return !scaled_ && mirrored_ == 0 && !rotated_; }
@@ -36,6 +35,10 @@ class Transform {
 
   /// True when the image of a counterclockwise arc in `plane` runs clockwise.
   [[nodiscard]] bool reverses(const PlaneAxes& plane) const;
+  /// Both axes of `plane` have a factor of the same size.
+  [[nodiscard]] bool scales_evenly(const PlaneAxes& plane) const;
+  /// Size of the factor of an axis.
+  [[nodiscard]] double factor(base::Axis axis) const;
   /// Factor by which a radius in `plane` grows: the larger one when the two differ.
   [[nodiscard]] double radius_factor(const PlaneAxes& plane) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -30,6 +31,9 @@ class Words {
     return has(letter) ? last_[bit(letter)] : nullptr;
   }
 
+  [[nodiscard]] bool has_g(GCode code) const {
+    return std::any_of(g_begin(), g_end(), [=](const G& g) { return g.code == code; });
+  }
   [[nodiscard]] const G* g_begin() const { return g_.data(); }
   [[nodiscard]] const G* g_end() const { return g_.data() + g_count_; }
   [[nodiscard]] const gcode::Word* const* m_begin() const { return m_.data(); }

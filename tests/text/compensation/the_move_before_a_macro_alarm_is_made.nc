@@ -1,0 +1,8 @@
+(run with: --set #13001=5)
+O1 (an alarm stops the program, not the moves commanded before it)
+G90 G00 X-20. Y-10.
+G41 D1 G01 X0 Y0 F200
+Y50.
+#3000=1(STOP) (expect alarm MC3001 says STOP)
+M30
+(finally moves: rapid X-20 Y-10; line X-5 Y0 F200; line X-5 Y50)

@@ -1,0 +1,8 @@
+(run with: --set #13001=5)
+O1 (a word that is not allowed stops the program, not the moves commanded before it)
+G90 G00 X-20. Y-10.
+G41 D1 G01 X0 Y0 F200
+Y50.
+M08 G999 X9. (expect alarm PS0010)
+M30
+(finally moves: rapid X-20 Y-10; line X-5 Y0 F200; line X-5 Y50)

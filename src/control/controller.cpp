@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
@@ -83,7 +84,14 @@ void Controller::learn_calling_codes() {
 }
 
 void Controller::start(vm::CodeId main) {
+  LocalVariables kept;
+  if (parameters_.keep_locals && interpreter_.depth() > 0) {
+    std::copy_n(first_level_locals().begin(), kept.size(), kept.begin());
+  } else {
+    kept.fill(vm::kNull);
+  }
   interpreter_.start(main);
+  std::copy(kept.begin(), kept.end(), first_level_locals().begin());
   calls_.start(main);
   halt_ = Halt::none;
   mid_block_ = false;
@@ -114,9 +122,19 @@ void Controller::reset() {
   if (!parameters_.keep_commons) state_.memory.clear_volatile();
 }
 
+void Controller::set_single_block(bool on) {
+  single_block_ = on;
+  learn_tracing();
+}
+
 void Controller::observe_blocks(BlockObserver observer) {
   observer_ = std::move(observer);
-  interpreter_.set_tracing(observer_ != nullptr);
+  learn_tracing();
+}
+
+void Controller::learn_tracing() {
+  in_statement_ = false;
+  interpreter_.set_tracing(observer_ != nullptr || (single_block_ && parameters_.stop_at_macro));
 }
 
 base::AxisVector Controller::machine_position() const {
@@ -189,7 +207,9 @@ Verdict Controller::begin_block(const vm::CodePage& page, const vm::BlockMark& m
   const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() ||
                              (&mark)[-1].line != mark.line;
   if (observer_ && first_of_line) observer_(page.file, mark.line);
-  return Verdict::go_on;
+  const bool behind_statement = std::exchange(in_statement_, true);
+  if (!behind_statement || !single_block_ || !parameters_.stop_at_macro) return Verdict::go_on;
+  return stopped(Halt::single_block);
 }
 
 Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block,
@@ -197,6 +217,7 @@ Verdict Controller::execute(const vm::CodePage& code_page, std::uint32_t block,
   const auto& page = static_cast<const gcode::GcodePage&>(code_page);
   const gcode::Statement& statement = page.statements[block];
   ++blocks_;
+  in_statement_ = statement.kind != gcode::StatementKind::words;
   switch (statement.kind) {
     case gcode::StatementKind::words: return execute_words(page, statement, registers);
     case gcode::StatementKind::dprnt:

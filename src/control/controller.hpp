@@ -65,7 +65,8 @@ class Controller : public vm::Host, private Whereabouts {
   [[nodiscard]] base::Place standing_at() { return interpreter_.place(); }
   [[nodiscard]] std::string running_program() const { return calls_.running_name(); }
 
-  void set_single_block(bool on) { single_block_ = on; }
+  /// Stops behind every NC block; behind macro statements only with parameter SBM.
+  void set_single_block(bool on);
   void set_optional_stop(bool on) { optional_stop_ = on; }
   void set_block_skip(std::uint32_t levels) { interpreter_.set_switches(levels); }
   /// Called at the beginning of each block with its line and file; slows down.
@@ -147,6 +148,7 @@ class Controller : public vm::Host, private Whereabouts {
   std::string comment_of_block();
   bool take_interrupt();
   void learn_calling_codes();
+  void learn_tracing();
 
   Parameters parameters_;
   const AxisSetup& axes_;
@@ -182,6 +184,7 @@ class Controller : public vm::Host, private Whereabouts {
   bool transferred_ = false;             // the block has called or returned
   Halt halt_ = Halt::none;
   bool single_block_ = false;
+  bool in_statement_ = false;  // the block that began last is a macro statement so far
   bool optional_stop_ = false;
   bool interrupt_pending_ = false;
   std::uint32_t interrupt_program_ = 0;  // of M96; 0: not allowed

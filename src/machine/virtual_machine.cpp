@@ -167,6 +167,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
   most_motions_ = budget.motions;
   const bool fresh = status_ == Status::idle || status_ == Status::end;
   if (status_ == Status::alarm) return status_;
+  if (status_ == Status::end) reset();
   if (fresh && !start_program()) return finish(Status::alarm);
   for (std::uint64_t steps = 0;;) {
     const std::uint64_t slice = budget.steps != 0 ? std::min(kSlice, budget.steps) : kSlice;

@@ -69,6 +69,8 @@ constexpr Row kRows[] = {
      "cycles drill along: 0 Z, 1 the plane's normal"},
     {"simultaneous_axes", "", &Parameters::simultaneous_axes, 1, 8, "",
      "axes that one block may move"},
+    {"feed_per_revolution", "", &Parameters::feed_per_revolution, 0, 1, "",
+     "0: the spindle cannot be measured, G95 raises PS0014"},
     {"spindle_max_rpm", "3772", &Parameters::spindle_max_rpm, 0, 99999, "",
      "largest S; 0 no limit"},
     {"stroke_check", "", &Parameters::stroke_check, 0, 1, "",

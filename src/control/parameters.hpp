@@ -48,6 +48,7 @@ struct Parameters {
   bool drill_along_normal =
       true;                   ///< 5101#0: cycles drill along the normal of the plane, else along Z
   int simultaneous_axes = 8;  ///< axes that one block may move
+  bool feed_per_revolution = true;  ///< G95 is available
   int spindle_max_rpm = 0;    ///< 3772; 0: no limit
   bool stroke_check = false;
   int length_axis_type = 0;       ///< 5001#0: 0 = always Z, 1 = the axis of the block

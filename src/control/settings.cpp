@@ -70,6 +70,20 @@ bool Settings::check_css_axis(const Word& word) {
                              "the machine has " + std::to_string(state_.axes.count()) + " axes");
 }
 
+// G17 to G19 with U, V or W would choose a plane of parallel axes.
+bool Settings::check_parallel_axes(const Words& words) {
+  constexpr std::pair<char, char> kParallel[] = {{'U', 'X'}, {'V', 'Y'}, {'W', 'Z'}};
+  for (const auto& [parallel, basic] : kParallel) {
+    if (!words.has(parallel) || !state_.axes.find(parallel)) continue;
+    const std::string name(1, parallel);
+    return state_.alarms.raise(Code::parallel_plane_axes, words[parallel],
+                               words.has(basic)
+                                   ? name + " is parallel to " + basic
+                                   : "a plane of the parallel axis " + name + " is not available");
+  }
+  return true;
+}
+
 bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
   if (group == Group::motion) return true;
   const Transform& transform = state_.coordinates.transform();
@@ -87,8 +101,11 @@ bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
     if (state_.rigid_tapping && state_.modal.in_cycle())
       return state_.alarms.raise(Code::tap_plane, *g.word);
   }
+  if (group == Group::plane && !check_parallel_axes(words)) return false;
   const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
   if (group == Group::motion || repeated) return true;
+  if (g.code == 950 && !state_.parameters.feed_per_revolution)
+    return state_.alarms.raise(Code::no_feed_per_revolution, *g.word);
   if (g.code == 960 && words.has('P') && !check_css_axis(words['P'])) return false;
   for (const WithoutEffect& entry : kWithoutEffect) {
     if (entry.code == g.code) state_.assume(Assumed::g_code + g.code, entry.what);

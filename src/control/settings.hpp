@@ -34,6 +34,7 @@ class Settings {
   [[nodiscard]] double radius_of(std::int64_t number) const;
 
  private:
+  bool check_parallel_axes(const Words& words);
   bool check_css_axis(const gcode::Word& word);
   bool check_code(const Words& words, const Words::G& g, Group group);
   bool select_work(const Words& words, GCode code);

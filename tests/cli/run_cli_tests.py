@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True  # nothing is left behind in the sources
 import harness
 
 # Each of these adds its tests.
+import alarm_tests  # noqa: F401
 import check_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import input_tests  # noqa: F401

@@ -1,0 +1,3 @@
+O1 (PS0125)
+GOTO (expect alarm PS0125)
+M30

@@ -1,0 +1,6 @@
+O1 (PS0206)
+M03 S500
+M29 S500
+G84 X0 Y0 Z-5. R2. F500
+G18 X10. (expect alarm PS0206 at G18)
+M30

@@ -9,9 +9,8 @@ struct Assumed {
   static constexpr std::uint32_t least_increments = 1;
   static constexpr std::uint32_t words_before_call = 2;
   static constexpr std::uint32_t long_program_number = 3;
-  static constexpr std::uint32_t ignored_word = 4;  ///< + 1 to 26: letter
+  static constexpr std::uint32_t idle_word = 4;  ///< + 1 to 26: letter
   static constexpr std::uint32_t no_offset = 40;
-  static constexpr std::uint32_t sequence_number_inside = 41;
   static constexpr std::uint32_t interrupt = 42;
   static constexpr std::uint32_t parameter_entry = 43;
   static constexpr std::uint32_t cycle_in_compensation = 44;

@@ -10,6 +10,7 @@
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
 #include "control/controller.hpp"
+#include "control/idle_words.hpp"
 #include "lang/vm/value.hpp"
 
 namespace kerf::control {
@@ -302,11 +303,27 @@ bool Controller::plain_move() {
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g)
     state_.modal.set(Group::motion, g->code);
   if (!auxiliary_.read_feed(words_)) return false;
+  tell_idle_words();
   buffer_.pass_through(
       !state_.path.compensating());  // a move is checked whole before it is emitted
   const bool good = moves_.execute(words_, moved_);
   buffer_.pass_through(false);
   return good;
+}
+
+// Accepted, but not acted upon.
+void Controller::tell_idle_words() {
+  const bool calls = codes_.call || codes_.external_call || codes_.return_ || codes_.interrupt_on ||
+                     called_m_ != nullptr;
+  std::uint32_t idle = idle_words(words_, state_.modal, calls);
+  for (char letter = 'A'; idle != 0; ++letter) {
+    if ((idle & Words::mask(letter)) == 0) continue;
+    idle &= ~Words::mask(letter);
+    if (!state_.assumptions.is_new(Assumed::idle_word + 1U + static_cast<unsigned>(letter - 'A')))
+      continue;
+    state_.assumptions.add(state_.line, std::string(1, letter) + base::number_text(words_[letter].value) +
+                                            " is ignored: no code of its block takes " + letter);
+  }
 }
 
 // The block itself
@@ -340,6 +357,7 @@ bool Controller::execute_block(const std::string& name) {
     if (!calls_.pop_modal()) return false;
     state_.modal.set(Group::modal_call, calls_.modal_active() ? 660 : 670);
   }
+  tell_idle_words();
   auxiliary_.before_motion(words_);
   if (cycle_before != 800 && state_.modal[Group::cycle] == 800) cycle_.cancel();
   return move(one_shot, moved_);

@@ -129,6 +129,7 @@ class Controller : public vm::Host, private Whereabouts {
   [[nodiscard]] bool is_plain_move() const;
   bool plain_move();
   bool execute_block(const std::string& name);
+  void tell_idle_words();
   bool check_block(const Words::G* one_shot);
   bool move(const Words::G* one_shot, bool& moved);
   bool one_shot(const Words::G& g, bool& moved);

@@ -103,7 +103,7 @@ bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
   }
   if (group == Group::plane && !check_parallel_axes(words)) return false;
   const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
-  if (group == Group::motion || repeated) return true;
+  if (group == Group::motion || (repeated && g.code != 220)) return true;
   if (g.code == 950 && !state_.parameters.feed_per_revolution)
     return state_.alarms.raise(Code::no_feed_per_revolution, *g.word);
   if (g.code == 960 && words.has('P') && !check_css_axis(words['P'])) return false;
@@ -116,6 +116,7 @@ bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
 bool Settings::takes_axis_words(const Words& words) const {
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
     switch (g->code) {
+      case 220:
       case 510:
       case 501:
       case 511:

@@ -109,6 +109,8 @@ void Reader::finally(std::string body) {
     result_.prints.push_back(body);
   } else if (take(body, "moves:")) {
     result_.moves = moves(body);
+  } else if (body == "assumed: none") {
+    result_.nothing_assumed = true;
   } else if (take(body, "records:")) {
     result_.records = split(body, ';');
   } else if (take(body, "alarm ")) {

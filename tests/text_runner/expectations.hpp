@@ -32,6 +32,7 @@ struct Expectations {
   std::map<std::uint32_t, std::vector<WantedVariable>> variables_after_line;
   std::map<std::uint32_t, std::vector<std::string>> moves_of_line;
   std::map<std::uint32_t, std::string> assumed_in_line;
+  bool nothing_assumed = false;
   std::optional<WantedAlarm> alarm;
   std::vector<WantedVariable> variables;
   std::vector<WantedPosition> machine;

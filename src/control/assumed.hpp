@@ -13,6 +13,7 @@ struct Assumed {
   static constexpr std::uint32_t no_offset = 40;
   static constexpr std::uint32_t interrupt = 42;
   static constexpr std::uint32_t parameter_entry = 43;
+  static constexpr std::uint32_t parameter_of_axis = 41;
   static constexpr std::uint32_t cycle_in_compensation = 44;
   static constexpr std::uint32_t control_variable = 45;
   static constexpr std::uint32_t scaled_arc = 46;

@@ -73,6 +73,7 @@ void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& sta
   state_.before = state_.modal;
   state_.path.begin_block({ProgramNumber{calls_.running_number()}, statement.line, page.file});
   in_block_ = true;
+  block_number_ = statement.number;
   moved_ = false;
   transferred_ = false;
   codes_ = {};
@@ -321,7 +322,8 @@ void Controller::tell_idle_words() {
     idle &= ~Words::mask(letter);
     if (!state_.assumptions.is_new(Assumed::idle_word + 1U + static_cast<unsigned>(letter - 'A')))
       continue;
-    state_.assumptions.add(state_.line, std::string(1, letter) + base::number_text(words_[letter].value) +
+    state_.assumptions.add(state_.line, std::string(1, letter) +
+                                            base::number_text(words_[letter].value) +
                                             " is ignored: no code of its block takes " + letter);
   }
 }
@@ -339,7 +341,7 @@ bool Controller::execute_block(const std::string& name) {
       state_.parameter_entry = false;
       return true;
     }
-    const bool entered = settings_.enter_parameter(words_, interpreter_.note());
+    const bool entered = settings_.enter_parameter(words_, block_number_);
     learn_calling_codes();
     return entered;
   }

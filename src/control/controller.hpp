@@ -180,6 +180,7 @@ class Controller : public vm::Host, private Whereabouts {
   bool codes_call_macros_ = false;       // some G or M code does (6050, 6080)
   bool codes_call_subprograms_ = false;  // some M code, T, S or B does (6071, TCS, SCS, BCS)
   bool mid_block_ = false;               // a block waits for its cycle to go on
+  std::uint32_t block_number_ = 0;       // the block's N; 0: none
   bool in_block_ = false;                // an NC block has begun and is not over
   bool moved_ = false;                   // the block has commanded axis movement
   bool transferred_ = false;             // the block has called or returned

@@ -99,6 +99,25 @@ bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
   return true;
 }
 
+// A parameter of eight bits: R is their pattern, bit 7 first.
+bool Settings::enter_bits(const gcode::Word& word, std::uint32_t number) {
+  const auto key = [&](int bit) { return std::to_string(number) + "#" + std::to_string(bit); };
+  std::int64_t pattern = -1;
+  for (int bit = 0; bit < 8; ++bit) {
+    if (!Parameters::is_key(key(bit))) continue;
+    if (pattern < 0 && !state_.values.integer(word, 0, 11111111, pattern)) return false;
+    std::int64_t digits = pattern;
+    for (int i = 0; i < bit; ++i) digits /= 10;
+    const auto set = state_.parameters.set(key(bit), std::to_string(digits % 10));
+    if (!set) return state_.alarms.raise(Code::parameter_entry, word, set.error().message);
+  }
+  if (pattern < 0) {
+    state_.assume(Assumed::parameter_entry,
+                  "parameter entry by G10 L50: Kerf does not have this parameter");
+  }
+  return true;
+}
+
 bool Settings::enter_parameter(const Words& words, std::uint32_t number) {
   double value = 0;
   if (number == 0 || !words.has('R')) {
@@ -106,11 +125,13 @@ bool Settings::enter_parameter(const Words& words, std::uint32_t number) {
   }
   if (!state_.values.plain(words['R'], value)) return false;
   const std::string key = std::to_string(number);
-  if (!Parameters::is_key(key)) {
-    state_.assume(Assumed::parameter_entry,
-                  "parameter entry by G10 L50: Kerf does not have this parameter");
-    return true;
+  if (words.has('P')) {
+    state_.assume(
+        Assumed::parameter_of_axis,
+        "parameter entry by G10 L50: no parameter of Kerf belongs to an axis or spindle, P "
+        "is ignored");
   }
+  if (!Parameters::is_key(key)) return enter_bits(words['R'], number);
   const auto set = state_.parameters.set(key, base::number_text(value));
   return set || state_.alarms.raise(Code::parameter_entry, words['R'], set.error().message);
 }

@@ -157,6 +157,7 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
                  "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
                      std::to_string(static_cast<int>(row->high)) + " is expected");
   }
+  if (row->key == "shift_direction" && number == 0) return usage(key, value, "it is never 0");
   const bool whole = !std::holds_alternative<double Parameters::*>(row->member);
   if (whole && number != std::floor(number)) return usage(key, value, "a whole number is expected");
   std::visit(Assign{*this, number}, row->member);

@@ -49,7 +49,7 @@ struct Parameters {
       true;                   ///< 5101#0: cycles drill along the normal of the plane, else along Z
   int simultaneous_axes = 8;  ///< axes that one block may move
   bool feed_per_revolution = true;  ///< G95 is available
-  int spindle_max_rpm = 0;    ///< 3772; 0: no limit
+  int spindle_max_rpm = 0;          ///< 3772; 0: no limit
   bool stroke_check = false;
   int length_axis_type = 0;       ///< 5001#0: 0 = always Z, 1 = the axis of the block
   int external_call_m = 198;      ///< 6030
@@ -61,7 +61,7 @@ struct Parameters {
   /// Failure (usage): no such key, or a value that it cannot take.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
-  /// Value of a parameter by its FANUC number as PRM[number] reads it; nothing when Kerf has none.
+  /// True when there is a parameter of this name or FANUC number.
   [[nodiscard]] static bool is_key(std::string_view key);
 };
 

@@ -24,7 +24,7 @@ class Settings {
   [[nodiscard]] bool clear_shifts(const Words& words);  ///< G92.1
   [[nodiscard]] bool set_data(const Words& words);      ///< G10
   [[nodiscard]] bool enter_parameter(const Words& words,
-                                     std::uint32_t number);  ///< between G10 L50 and G11
+                                     std::uint32_t number);  ///< between G10 L50 and G11: N, R
 
   /// True when the words X, Y, … of the block are data of its codes, not a move.
   [[nodiscard]] bool takes_axis_words(const Words& words) const;
@@ -34,6 +34,7 @@ class Settings {
   [[nodiscard]] double radius_of(std::int64_t number) const;
 
  private:
+  bool enter_bits(const gcode::Word& word, std::uint32_t number);
   bool check_parallel_axes(const Words& words);
   bool check_css_axis(const gcode::Word& word);
   bool check_code(const Words& words, const Words::G& g, Group group);

@@ -220,7 +220,8 @@ void TextTest::check_assumed() {
     EXPECT_TRUE(found) << "line " << line << " does not assume: " << text;
   }
   for (const control::Assumption& assumption : list) {
-    EXPECT_FALSE(expected_.nothing_assumed) << "line " << assumption.line << ": " << assumption.what;
+    EXPECT_FALSE(expected_.nothing_assumed)
+        << "line " << assumption.line << ": " << assumption.what;
   }
 }
 

@@ -135,8 +135,7 @@ TEST_F(Panel, AnAlarmHoldsTheMachineUntilReset) {
 }
 
 TEST_F(Panel, TheEndResetsModesAndVariables) {
-  VirtualMachine& machine =
-      load("O1\nIF[#1EQ#0]GOTO1\nG00X90.\nN1G00X10.\n#1=5\nG91\nM30\n");
+  VirtualMachine& machine = load("O1\nIF[#1EQ#0]GOTO1\nG00X90.\nN1G00X10.\n#1=5\nG91\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 10);  // G90 again, and no X90.

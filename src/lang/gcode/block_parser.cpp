@@ -46,6 +46,7 @@ void BlockParser::compile(const BlockText& text) {
   arguments_ = false;
   from_registers_ = false;
   may_call_ = false;
+  number_ = 0;
   emitter_.begin_block(text.line_begin);
   page_.marks.push_back({emitter_.here(), text.line, text.offset, text.line_offset});
   const std::uint32_t begin = emitter_.here();
@@ -154,6 +155,7 @@ void BlockParser::label(Cursor& cursor) {
   }
   const auto number = static_cast<std::uint32_t>(text.value);
   if (number == 0) return;  // LEX-7: no label
+  number_ = number;
   page_.labels.push_back({number, page_.marks.back().instruction});
   emitter_.emit({Op::note, 0, 0, 0, number});
 }
@@ -182,6 +184,7 @@ void BlockParser::words(Cursor& cursor) {
   }
   statement.from_registers = from_registers_;
   statement.may_call = may_call_;
+  statement.number = number_;
   emitter_.stand_at(begin, cursor.behind());
   do_words(statement, static_cast<std::uint32_t>(page_.words.size()) - first);
   finish_mid_skips(statement, skips);

@@ -48,7 +48,8 @@ struct Statement {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   std::uint32_t line = 0;
-  std::int32_t name = -1;  ///< index into names: "<NAME>" of a call
+  std::uint32_t number = 0;  ///< of its block (N); 0: none
+  std::int32_t name = -1;    ///< index into names: "<NAME>" of a call
 };
 
 /// A sequence number and where it stands.

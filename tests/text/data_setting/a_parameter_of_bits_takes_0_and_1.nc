@@ -1,0 +1,5 @@
+O1 (PS0231: a bit is 0 or 1)
+G10 L50
+N3401 R00000002 (expect alarm PS0231)
+G11
+M30

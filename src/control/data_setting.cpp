@@ -53,13 +53,7 @@ bool Settings::set_work_offset(const Words& words) {
   }
   AxisVector values;
   AxisSet named = 0;
-  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
-    const Axis axis{static_cast<std::uint8_t>(i)};
-    const gcode::Word* const word = words.find(state_.axes[axis].letter);
-    if (word == nullptr) continue;
-    if (!targets_.value(*word, axis, values[axis])) return false;
-    named = static_cast<AxisSet>(named | base::only(axis));
-  }
+  if (!targets_.values(words, values, named)) return false;
   AxisVector& target = extended ? state_.memory.extended[static_cast<std::size_t>(p - 1)]
                        : p == 0 ? state_.memory.external
                                 : state_.memory.work[static_cast<std::size_t>(p - 1)];

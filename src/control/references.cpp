@@ -136,14 +136,7 @@ bool References::machine_position(const Words& words, bool& moved) {
   if (state_.modal.incremental()) return true;
   AxisVector machine;
   AxisSet named = 0;
-  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
-    const Axis axis{static_cast<std::uint8_t>(i)};
-    const gcode::Word* const word = words.find(state_.axes[axis].letter);
-    if (word == nullptr) continue;
-    if (!targets_.value(*word, axis, machine[axis])) return false;
-    named = static_cast<AxisSet>(named | base::only(axis));
-  }
-  return rapid_to_machine(machine, named);
+  return targets_.values(words, machine, named) && rapid_to_machine(machine, named);
 }
 
 // REF-5

@@ -285,17 +285,6 @@ bool Settings::set_compensation(const Words& words, bool switched) {
   return true;
 }
 
-bool Settings::axis_values(const Words& words, AxisVector& values, AxisSet& named) {
-  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
-    const Axis axis{static_cast<std::uint8_t>(i)};
-    const Word* const word = words.find(state_.axes[axis].letter);
-    if (word == nullptr) continue;
-    if (!targets_.value(*word, axis, values[axis])) return false;
-    named = static_cast<AxisSet>(named | base::only(axis));
-  }
-  return true;
-}
-
 // G51 P counts 0.001 (SCR); with a decimal point it is the factor itself.
 bool Settings::scale_factor(const Words& words, char letter, double& factor) {
   const Word& word = words[letter];
@@ -311,7 +300,7 @@ bool Settings::scale_factor(const Words& words, char letter, double& factor) {
 bool Settings::set_scaling(const Words& words) {
   AxisVector centre = state_.coordinates.program();
   AxisSet named = 0;
-  if (!axis_values(words, centre, named)) return false;
+  if (!targets_.values(words, centre, named)) return false;
   AxisVector factors;
   factors.values.fill(1);
   constexpr std::pair<char, char> kPairs[] = {{'X', 'I'}, {'Y', 'J'}, {'Z', 'K'}};
@@ -334,7 +323,7 @@ bool Settings::set_scaling(const Words& words) {
 bool Settings::set_mirror(const Words& words, bool on) {
   AxisVector values = state_.coordinates.program();
   AxisSet named = 0;
-  if (!axis_values(words, values, named)) return false;
+  if (!targets_.values(words, values, named)) return false;
   Transform transform = state_.coordinates.transform();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
@@ -352,7 +341,7 @@ bool Settings::set_rotation(const Words& words) {
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   AxisVector centre = state_.coordinates.program();
   AxisSet named = 0;
-  if (!axis_values(words, centre, named)) return false;
+  if (!targets_.values(words, centre, named)) return false;
   double angle = state_.parameters.rotation_default;
   if (words.has('R') && !state_.values.angle(words['R'], angle)) return false;
   if (state_.coordinates.transform().rotated() && state_.modal.incremental()) {
@@ -368,7 +357,7 @@ bool Settings::set_rotation(const Words& words) {
 bool Settings::local_system(const Words& words) {
   AxisVector values;
   AxisSet named = 0;
-  if (!axis_values(words, values, named)) return false;
+  if (!targets_.values(words, values, named)) return false;
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (base::contains(named, axis)) state_.coordinates.set_local(axis, values[axis]);
@@ -380,7 +369,7 @@ bool Settings::local_system(const Words& words) {
 bool Settings::preset(const Words& words) {
   AxisVector program = state_.coordinates.program();
   AxisSet named = 0;
-  if (!axis_values(words, program, named)) return false;
+  if (!targets_.values(words, program, named)) return false;
   state_.coordinates.preset(program);
   return true;
 }

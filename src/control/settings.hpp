@@ -46,7 +46,6 @@ class Settings {
   bool scale_factor(const Words& words, char letter, double& factor);
   bool set_mirror(const Words& words, bool on);
   bool set_rotation(const Words& words);
-  bool axis_values(const Words& words, base::AxisVector& values, base::AxisSet& named);
   bool set_work_offset(const Words& words);
   bool set_tool_offset(const Words& words, std::int64_t kind);
 

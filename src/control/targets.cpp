@@ -28,6 +28,17 @@ bool Targets::value(const gcode::Word& word, Axis axis, double& value) {
   return rotary ? state_.values.angle(word, value) : state_.values.length(word, value);
 }
 
+bool Targets::values(const Words& words, base::AxisVector& values, base::AxisSet& named) {
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const gcode::Word* const word = words.find(state_.axes[axis].letter);
+    if (word == nullptr) continue;
+    if (!value(*word, axis, values[axis])) return false;
+    named = static_cast<base::AxisSet>(named | base::only(axis));
+  }
+  return true;
+}
+
 bool Targets::read(const Words& words, Target& target) {
   target.program = state_.coordinates.program();
   target.named = 0;

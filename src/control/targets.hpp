@@ -17,6 +17,8 @@ class Targets {
 
   /// The target of a move from the programmed point. False: an alarm was raised.
   [[nodiscard]] bool read(const Words& words, Target& target);
+  /// The values of all axis words of a block as written; `values` keeps what no word names.
+  [[nodiscard]] bool values(const Words& words, base::AxisVector& values, base::AxisSet& named);
   /// Value of one axis word, mm or degrees.
   [[nodiscard]] bool value(const gcode::Word& word, base::Axis axis, double& value);
   /// Mask of the machine's axis letters.

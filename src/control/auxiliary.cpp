@@ -16,8 +16,6 @@ constexpr std::int64_t kMostSpeed = 99999;
 constexpr double kMostFeed = 240000;  // mm/min
 constexpr int kMostMCodes = 3;        // M3B
 
-std::int64_t code_of(const Word& word) { return base::round_away(word.value); }
-
 bool before_the_move(std::int64_t code) {
   return code == 3 || code == 4 || code == 6 || code == 7 || code == 8 || code == 19 || code == 29;
 }

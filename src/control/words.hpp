@@ -4,10 +4,16 @@
 #include <array>
 #include <cstdint>
 
+#include "base/decimal.hpp"
 #include "control/modal_state.hpp"
 #include "lang/gcode/block.hpp"
 
 namespace kerf::control {
+
+/// Number of an M code, or of any whole-numbered word.
+[[nodiscard]] inline std::int64_t code_of(const gcode::Word& word) {
+  return base::round_away(word.value);
+}
 
 /// The words of a block by address: of each letter the last one (LEX-31), of G and M all of them.
 /// Points into the block that it was made from.

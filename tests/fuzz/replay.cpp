@@ -1,6 +1,7 @@
 // Feeds the fuzzer's corpus to the fuzz target, one file after the other, without libFuzzer: what
 // was found once is looked at by every compiler and every sanitizer.
-//   replay FOLDER…    prints how many inputs passed; a failing one aborts, its name is printed first
+//   replay FOLDER…    prints how many inputs passed; a failing one aborts, its name is printed
+//   first
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

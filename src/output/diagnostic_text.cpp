@@ -6,8 +6,9 @@
 namespace kerf::output {
 namespace {
 
-constexpr std::size_t kWidth = 120;        // of the source text that is shown
-constexpr std::size_t kLongest = 1 << 17;  // of a line that is read
+constexpr std::size_t kWidth = 120;  // of the source text that is shown
+constexpr std::size_t kReach =
+    4 * kWidth;  // bytes of it on either side: a character has up to four
 
 const char* severity_name(base::Severity severity) {
   switch (severity) {
@@ -66,14 +67,16 @@ std::vector<Column> columns_of(const std::string& line) {
 
 // The source line with a caret below, at most kWidth columns of it around the caret.
 std::string excerpt(const base::Place& place, const base::SourceFile& file) {
-  const std::string line = file.line_at(place.line_start, kLongest);
+  const std::size_t column = place.column > 0 ? place.column - 1 : 0;
+  const std::size_t skipped = column > kReach ? column - kReach : 0;
+  const std::string line = file.line_at(place.line_start + skipped, 2 * kReach);
   const std::vector<Column> columns = columns_of(line);
   const auto index_of = [&](std::size_t byte) {
     return static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(),
                                                   [&](const Column& c) { return c.byte < byte; }));
   };
-  const std::size_t first = index_of(place.column > 0 ? place.column - 1 : 0);
-  const std::size_t last = std::max(first + 1, index_of(place.column - 1 + place.length));
+  const std::size_t first = index_of(column - skipped);
+  const std::size_t last = std::max(first + 1, index_of(column - skipped + place.length));
   const std::size_t begin = first > kWidth / 2 ? first - kWidth / 2 : 0;
   const std::size_t end = std::min(columns.size(), begin + kWidth);
   std::string text = begin > 0 ? "…" : "";

@@ -138,7 +138,9 @@ base::Outcome<MachineDefinition> MachineDefinition::parse(std::string_view text,
   machine.name = table["name"].value_or(std::string());
   if (machine.name.empty()) return wrong(source, nullptr, "a machine needs a name");
   machine.description = table["description"].value_or(std::string());
-  machine.dialect = table["dialect"].value_or(std::string("fanuc-mill"));
+  machine.dialect = table["dialect"].value_or(std::string(kDialects[0]));
+  if (std::find(kDialects.begin(), kDialects.end(), machine.dialect) == kDialects.end())
+    return wrong(source, table.get("dialect"), "there is no dialect " + machine.dialect);
   if (auto r = read_axes(table, machine, source); !r) return tl::unexpected(r.error());
   if (const toml::table* const control = table["control"].as_table()) {
     for (const auto& [key, node] : *control) {
@@ -188,7 +190,7 @@ base::Outcome<MachineDefinition> find_machine(const std::string& name_or_path) {
     for (const BuiltinMachine& machine : builtin_machines())
       names += " " + std::string(machine.name);
     return tl::unexpected(base::Failure{
-        base::Failure::Kind::input, "there is no machine " + name_or_path + "; built in:" + names +
+        base::Failure::Kind::usage, "there is no machine " + name_or_path + "; built in:" + names +
                                         "; a machine file ends in .toml"});
   }
   auto file = base::SourceFile::open(name_or_path);

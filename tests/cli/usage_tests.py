@@ -202,6 +202,25 @@ def wrong_dialect_of_a_machine(box):
     refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3, "mine.toml:4:", "fanuc-mil")
 
 
+WRONG_MACHINES = {
+    "a dialect that is a number": ('dialect = "fanuc-mill"', "dialect = 5", 4),
+    "an axis that is rotary in other words": ('name = "X"', 'name = "X"\nrotary = "no"', None),
+    "a control that is no table": ('dialect = "fanuc-mill"', 'dialect = "fanuc-mill"\ncontrol = 1', 5),
+    "no TOML": ('dialect = "fanuc-mill"', "dialect = ", 4),
+}
+for name, (old, new, line) in WRONG_MACHINES.items():
+    def wrong_machine(box, old=old, new=new, line=line):
+        text = box.kerf("machines", "mill3").text
+        check(old in text, f"the file of mill3 has no {old}")
+        if "control =" in new:
+            text = text[:text.index("[control]")] if "[control]" in text else text
+        box.write("mine.toml", text.replace(old, new, 1))
+        box.write("part.nc", PROGRAM)
+        refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3,
+                f"mine.toml:{line}:" if line else "mine.toml:")
+    test(f"a machine file with {name} is refused with the line")(wrong_machine)
+
+
 @test("a file name with control characters does not break the sentence")
 def control_characters(box):
     for name in ("two\nlines.nc", "bell\x07.nc", "escape\x1b[31m.nc"):

@@ -11,7 +11,10 @@ inline std::int64_t round_away(double value) {
   constexpr double kMost = 4611686018427387904.0;
   if (!(value < kMost)) return std::int64_t{1} << 62;
   if (value < -kMost) return -(std::int64_t{1} << 62);
-  return static_cast<std::int64_t>(value + (value < 0 ? -0.5 : 0.5));
+  // What is left behind the integer part is exact; value + 0.5 would not be.
+  const auto whole = static_cast<std::int64_t>(value);
+  const double rest = value - static_cast<double>(whole);
+  return whole + static_cast<std::int64_t>(rest >= 0.5) - static_cast<std::int64_t>(rest <= -0.5);
 }
 
 /// Coordinates are sums of decimal words, but doubles hold no decimals: 0.1 + 0.2 is not 0.3. A

@@ -2,12 +2,30 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
+#include <cmath>
 #include <sstream>
 #include <thread>
 
+#include "cli/machine_setup.hpp"
+
 namespace kerf::cli {
 namespace {
+
+// CLI11's own sentences about numbers print the largest double in full.
+const CLI::Validator kNotNegative(
+    [](const std::string& text) -> std::string {
+      const auto value = parse_number(text);
+      return value && *value >= 0 ? "" : "a number that is not negative is expected";
+    },
+    "");
+const CLI::Validator kWholeNumber(
+    [](const std::string& text) -> std::string {
+      const auto value = parse_number(text);
+      constexpr double kMost = 1e18;
+      const bool whole = value && *value >= 0 && *value <= kMost && *value == std::floor(*value);
+      return whole ? "" : "a whole number that is not negative is expected";
+    },
+    "");
 
 void add_run(CLI::App& app, RunOptions& o) {
   CLI::App* run =
@@ -35,8 +53,9 @@ void add_run(CLI::App& app, RunOptions& o) {
   run->add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all");
   run->add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
   run->add_option("--max-seconds", o.max_seconds, "computing time allowed, 0: any")
-      ->check(CLI::NonNegativeNumber);
-  run->add_option("--max-motions", o.max_motions, "motions allowed, 0: any number");
+      ->check(kNotNegative);
+  run->add_option("--max-motions", o.max_motions, "motions allowed, 0: any number")
+      ->check(kWholeNumber);
   run->add_flag("--keep-partial", o.keep_partial,
                 "writes --post also when the run does not reach its end");
   run->add_option("--summary", o.summary, "summary as JSON");
@@ -45,9 +64,13 @@ void add_run(CLI::App& app, RunOptions& o) {
   run->add_option("--dprnt", o.dprnt, "what the program prints; default standard output");
   run->add_option("--post", o.post, "the path as plain G-code without macros");
   run->add_option("--coverage", o.coverage, "how often each source line ran, as CSV");
-  run->add_option("--diagnostics", o.diagnostics, "text or json")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, DiagnosticFormat>{
-          {"text", DiagnosticFormat::text}, {"json", DiagnosticFormat::json}}));
+  run->add_option_function<std::string>(
+         "--diagnostics",
+         [&o](const std::string& form) {
+           o.diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+         },
+         "text or json")
+      ->check(CLI::IsMember({"text", "json"}));
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
@@ -55,10 +78,15 @@ void add_check(CLI::App& app, CheckOptions& o) {
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
   check->add_option("files", o.files, "program files")->required();
   check->add_option("--machine", o.machine, "built-in machine or machine file (.toml)");
+  check->add_option("--dialect", o.dialect, "language of the programs: fanuc-mill");
   check->add_option("--library", o.libraries, "folder of further programs")
       ->allow_extra_args(false);
   check->add_option("--param", o.parameters, "changes a parameter of the control: KEY=VALUE")
       ->allow_extra_args(false);
+  check->add_option("--max-seconds", o.max_seconds, "computing time allowed for a file, 0: any")
+      ->check(kNotNegative);
+  check->add_option("--max-motions", o.max_motions, "motions allowed for a file, 0: any number")
+      ->check(kWholeNumber);
   check->add_option("--jobs", o.jobs, "files checked at the same time")
       ->check(CLI::Range(1U, 256U));
   check->add_option("--format", o.format, "text, json, sarif or junit")

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
+#include "cli/check_report.hpp"
 #include "cli/commands.hpp"
+#include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
 #include "output/diagnostic_text.hpp"
 
@@ -12,62 +14,61 @@ namespace kerf::cli {
 namespace {
 
 using base::Diagnostic;
-using Json = nlohmann::ordered_json;
+using machine::VirtualMachine;
 
-/// What is wrong with one file. Diagnostics are kept as text because their places point into
-/// sources that go with the machine.
-struct FileReport {
-  std::string text;
-  std::vector<Json> findings;
-  std::optional<base::Failure> failure;
-};
+bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
+  return a.place.file == b.place.file && a.place.line == b.place.line && a.number == b.number;
+}
 
 // Every block that does not compile, whether it is reached or not, then what the run itself raises.
-std::vector<Diagnostic> find_all(machine::VirtualMachine& machine) {
+std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget& budget) {
   std::vector<Diagnostic> found = machine.library().findings();
+  for (Diagnostic& diagnostic : found) diagnostic.program = machine.program_name();
   for (std::size_t program = 0; program < machine.library().program_count(); ++program) {
-    for (Diagnostic& diagnostic : machine.library().check(vm::CodeId(program))) {
+    for (Diagnostic& diagnostic : machine.library().check(vm::CodeId(program)))
       found.push_back(std::move(diagnostic));
-    }
   }
-  const auto same_place = [](const Diagnostic& a, const Diagnostic& b) {
-    return a.place.file == b.place.file && a.place.line == b.place.line && a.number == b.number;
+  machine.run_to_end(budget);
+  const auto add = [&](const std::optional<Diagnostic>& told) {
+    if (!told) return;
+    const auto same = [&](const Diagnostic& d) { return same_mistake(d, *told); };
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(*told);
   };
-  machine.run_to_end();
-  if (machine.alarm()) {
-    const bool known = std::any_of(found.begin(), found.end(), [&](const Diagnostic& d) {
-      return same_place(d, *machine.alarm());
-    });
-    if (!known) found.push_back(*machine.alarm());
-  }
-  if (machine.status() == machine::VirtualMachine::Status::budget) {
-    Diagnostic endless = base::make_error(base::Code::end_of_record, {});
-    endless.number = "BUDGET";
-    endless.message = "the program did not end within the execution budget";
-    found.push_back(endless);
-  }
+  add(machine.alarm());
+  add(machine.notice());
   return found;
+}
+
+base::Outcome<ReadyMachine> make_ready(const std::string& path, const CheckOptions& options) {
+  auto ready = set_up(
+      {.machine = options.machine, .dialect = options.dialect, .parameters = options.parameters},
+      path);
+  if (!ready) return ready;
+  if (auto added = add_libraries(options.libraries, *ready->machine); !added)
+    return tl::unexpected(added.error());
+  auto file = base::SourceFile::open(path);
+  if (!file) return tl::unexpected(file.error());
+  ready->machine->load(std::move(*file));
+  return ready;
 }
 
 FileReport check_file(const std::string& path, const CheckOptions& options) {
   FileReport report;
-  auto ready = set_up({.machine = options.machine, .parameters = options.parameters}, path);
+  report.file = path;
+  auto ready = make_ready(path, options);
   if (!ready) {
     report.failure = ready.error();
     return report;
   }
-  machine::VirtualMachine& machine = *ready->machine;
-  for (const std::string& folder : options.libraries) machine.add_library_folder(folder);
-  auto file = base::SourceFile::open(path);
-  if (!file) {
-    report.failure = file.error();
-    return report;
+  VirtualMachine& machine = *ready->machine;
+  for (const Diagnostic& diagnostic :
+       find_all(machine, {options.max_seconds, options.max_motions, 0})) {
+    const base::SourceSet& sources = machine.sources();
+    report.findings.push_back(
+        {output::file_name(diagnostic, sources), output::diagnostic_text(diagnostic, sources),
+         nlohmann::ordered_json::parse(output::diagnostic_json(diagnostic, sources))});
   }
-  machine.load(std::move(*file));
-  for (const Diagnostic& diagnostic : find_all(machine)) {
-    report.text += output::diagnostic_text(diagnostic, machine.sources());
-    report.findings.push_back(Json::parse(output::diagnostic_json(diagnostic, machine.sources())));
-  }
+  report.budget_spent = machine.status() == VirtualMachine::Status::budget;
   return report;
 }
 
@@ -86,91 +87,33 @@ std::vector<FileReport> check_all(const CheckOptions& options) {
   return reports;
 }
 
-std::string sarif(const std::vector<FileReport>& reports) {
-  Json results = Json::array();
-  for (const FileReport& report : reports) {
-    for (const Json& finding : report.findings) {
-      Json region = {{"startLine", std::max(1, finding["line"].get<int>())},
-                     {"startColumn", std::max(1, finding["column"].get<int>())}};
-      Json location = {{"physicalLocation",
-                        {{"artifactLocation", {{"uri", finding["file"]}}}, {"region", region}}}};
-      results.push_back({{"ruleId", finding["code"]},
-                         {"level", "error"},
-                         {"message", {{"text", finding["message"]}}},
-                         {"locations", Json::array({location})}});
-    }
-  }
-  Json run = {{"tool", {{"driver", {{"name", "kerf"}}}}}, {"results", results}};
-  return Json{{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-              {"version", "2.1.0"},
-              {"runs", Json::array({run})}}
-             .dump(2) +
-         "\n";
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
-std::string junit(const std::vector<FileReport>& reports, const CheckOptions& options) {
-  std::size_t failed = 0;
-  std::string cases;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    const std::string name = "  <testcase classname=\"kerf check\" name=\"" +
-                             escaped(output::printable(options.files[i])) + "\"";
-    if (reports[i].findings.empty() && !reports[i].failure) {
-      cases += name + "/>\n";
-      continue;
-    }
-    ++failed;
-    const std::string text = reports[i].failure ? reports[i].failure->message : reports[i].text;
-    cases += name + ">\n    <failure message=\"" +
-             escaped(output::printable(text.substr(0, text.find('\n')))) + "\">" + escaped(text) +
-             "</failure>\n  </testcase>\n";
-  }
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"kerf check\" tests=\"" +
-         std::to_string(reports.size()) + "\" failures=\"" + std::to_string(failed) + "\">\n" +
-         cases + "</testsuite>\n";
-}
-
-std::string in_format(const std::vector<FileReport>& reports, const CheckOptions& options) {
-  if (options.format == "sarif") return sarif(reports);
-  if (options.format == "junit") return junit(reports, options);
-  std::string text;
-  for (const FileReport& report : reports) {
-    if (options.format == "text") {
-      text += report.text;
-      continue;
-    }
-    for (const Json& finding : report.findings) text += finding.dump() + "\n";
-  }
-  return text;
+// A file that cannot be checked counts most, then mistakes, then a program without an end.
+ExitStatus status_of_all(const std::vector<FileReport>& reports) {
+  const auto any = [&](const auto& condition) {
+    return std::any_of(reports.begin(), reports.end(), condition);
+  };
+  const auto failed = std::find_if(reports.begin(), reports.end(),
+                                   [](const FileReport& r) { return r.failure.has_value(); });
+  if (failed != reports.end()) return status_of(*failed->failure);
+  const auto mistakes = [](const FileReport& r) {
+    return r.findings.size() > (r.budget_spent ? 1U : 0U);
+  };
+  if (any(mistakes)) return ExitStatus::findings;
+  if (any([](const FileReport& r) { return r.budget_spent; })) return ExitStatus::budget;
+  return ExitStatus::well;
 }
 
 }  // namespace
 
 ExitStatus check(const CheckOptions& options) {
   const std::vector<FileReport> reports = check_all(options);
-  const std::string text = in_format(reports, options);
+  const std::string text = in_format(reports, options.format);
   std::fwrite(text.data(), 1, text.size(), stdout);
-  ExitStatus status = ExitStatus::well;
+  std::set<std::string> told;  // an option that is wrong is so for every file
   for (const FileReport& report : reports) {
-    if (!report.findings.empty() && status == ExitStatus::well) status = ExitStatus::findings;
-    if (!report.failure) continue;
-    std::fprintf(stderr, "kerf: %s\n", report.failure->message.c_str());
-    status = status_of(*report.failure);
+    if (report.failure && told.insert(report.failure->message).second) fail(*report.failure);
   }
-  return status;
+  return status_of_all(reports);
 }
 
 }  // namespace kerf::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,8 +42,11 @@ struct RunOptions {
 struct CheckOptions {
   std::vector<std::string> files;
   std::string machine;
+  std::string dialect;
   std::vector<std::string> libraries;
   std::vector<std::string> parameters;
+  double max_seconds = 60;  ///< for each file
+  std::uint64_t max_motions = 50'000'000;
   unsigned jobs = 1;
   std::string format = "text";
 };

@@ -16,6 +16,7 @@ using base::Failure;
 using base::Outcome;
 
 constexpr std::size_t kLargestOffsetFile = 16 << 20;
+constexpr double kMostOffsetSeconds = 10;
 constexpr const char* kDefaultMachine = "mill3";
 constexpr const char* kMillDialect = "fanuc-mill";
 
@@ -34,12 +35,13 @@ Outcome<std::string> read_text(const std::string& path) {
   return text;
 }
 
-// The control's own punch-out is a program of G10 blocks: a machine of its own runs it.
+// The control's own punch-out is a program of G10 blocks: a machine of its own runs it, and its
+// offsets are all that is taken over.
 Outcome<void> run_punch_out(const std::string& text, const std::string& path,
                             const machine::MachineDefinition& definition, control::Memory& memory) {
   machine::VirtualMachine reader(definition, memory);
   reader.load(base::SourceFile::from_text(path, text + "\nM30\n"));
-  const auto status = reader.run_to_end();
+  const auto status = reader.run_to_end({.seconds = kMostOffsetSeconds});
   const bool closed = status == machine::VirtualMachine::Status::alarm &&
                       reader.alarm()->code == base::Code::end_of_record;
   if (status != machine::VirtualMachine::Status::end && !closed) {
@@ -48,7 +50,11 @@ Outcome<void> run_punch_out(const std::string& text, const std::string& path,
                                     : path + ": does not end\n";
     return tl::unexpected(Failure{Failure::Kind::input, message.substr(0, message.find('\n'))});
   }
-  memory = reader.memory();
+  const control::Memory& read = reader.memory();
+  memory.external = read.external;
+  memory.work = read.work;
+  memory.extended = read.extended;
+  memory.tools = read.tools;
   return {};
 }
 
@@ -86,16 +92,22 @@ std::string ending_of(const std::string& path) {
   return ending;
 }
 
-Outcome<std::string> choose_dialect(const std::string& wanted, const std::string& program) {
-  if (!wanted.empty() && wanted != kMillDialect)
-    return usage("--dialect " + wanted +
-                 ": this dialect is not available; available: " + kMillDialect);
-  if (wanted.empty() && ending_of(program) == ".bas") {
-    return tl::unexpected(Failure{
-        Failure::Kind::input,
-        program + ": laser BASIC programs are not supported yet; available dialect: fanuc-mill"});
+// What was asked for, else what the file's ending says, else the machine's own.
+Outcome<std::string> choose_dialect(const MachineSetup& setup, const std::string& machines,
+                                    const std::string& program) {
+  const std::string available = std::string("; available: ") + kMillDialect;
+  if (!setup.dialect.empty() && setup.dialect != kMillDialect)
+    return usage("--dialect " + setup.dialect + ": this dialect is not available" + available);
+  if (!setup.dialect.empty()) return setup.dialect;
+  if (ending_of(program) == ".bas") {
+    return tl::unexpected(
+        Failure{Failure::Kind::input,
+                program + ": laser BASIC programs are not supported yet" + available});
   }
-  return std::string(kMillDialect);
+  if (machines == kMillDialect) return machines;
+  return tl::unexpected(Failure{
+      Failure::Kind::input,
+      setup.machine + ": a machine of dialect " + machines + " is not supported yet" + available});
 }
 
 Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
@@ -148,7 +160,7 @@ Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& m
 }
 
 Outcome<void> prepare(const RunOptions& options, machine::VirtualMachine& machine) {
-  for (const std::string& folder : options.libraries) machine.add_library_folder(folder);
+  if (auto added = add_libraries(options.libraries, machine); !added) return added;
   auto file = base::SourceFile::open(options.program);
   if (!file) return tl::unexpected(file.error());
   machine.load(std::move(*file));
@@ -172,6 +184,18 @@ std::optional<double> parse_number(const std::string& text) {
   return value;
 }
 
+Outcome<void> add_libraries(const std::vector<std::string>& folders,
+                            machine::VirtualMachine& machine) {
+  for (const std::string& folder : folders) {
+    std::error_code error;
+    const std::filesystem::directory_iterator readable(folder, error);
+    if (error)
+      return tl::unexpected(Failure{Failure::Kind::input, folder + ": " + error.message()});
+    machine.add_library_folder(folder);
+  }
+  return {};
+}
+
 Outcome<KeyValue> split_setting(const std::string& text, const std::string& option) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0)
@@ -190,10 +214,10 @@ Outcome<ReadyMachine> make_ready(const RunOptions& options) {
 }
 
 Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program) {
-  auto dialect = choose_dialect(setup.dialect, program);
-  if (!dialect) return tl::unexpected(dialect.error());
   auto definition = machine::find_machine(setup.machine.empty() ? kDefaultMachine : setup.machine);
   if (!definition) return tl::unexpected(definition.error());
+  auto dialect = choose_dialect(setup, definition->dialect, program);
+  if (!dialect) return tl::unexpected(dialect.error());
   if (auto applied = apply_settings(setup, *definition); !applied)
     return tl::unexpected(applied.error());
   control::Memory memory(definition->parameters.n_offsets);

@@ -33,6 +33,10 @@ struct ReadyMachine {
 [[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup,
                                                  const std::string& program);
 
+/// Adds folders of further programs. Failure (input): one of them is no folder, or cannot be read.
+[[nodiscard]] base::Outcome<void> add_libraries(const std::vector<std::string>& folders,
+                                                machine::VirtualMachine& machine);
+
 /// A machine as `kerf run` makes it from its options, the program loaded.
 [[nodiscard]] base::Outcome<ReadyMachine> make_ready(const RunOptions& options);
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/commands.hpp"
+#include "cli/failure.hpp"
 #include "machine/machine_definition.hpp"
 
 namespace kerf::cli {
@@ -20,8 +21,8 @@ ExitStatus machines(const std::string& name) {
     }
   }
   if (name.empty()) return ExitStatus::well;
-  fmt::print(stderr, "kerf: there is no built-in machine {}; `kerf machines` lists them\n", name);
-  return ExitStatus::usage;
+  return fail({base::Failure::Kind::usage,
+               "there is no built-in machine " + name + "; `kerf machines` lists them"});
 }
 
 }  // namespace kerf::cli

@@ -8,6 +8,7 @@
 #include "base/output_file.hpp"
 #include "cli/arguments.hpp"
 #include "cli/commands.hpp"
+#include "cli/failure.hpp"
 
 namespace {
 
@@ -32,19 +33,23 @@ struct Execute {
 ExitStatus guarded_main(int argc, char** argv) {
   const auto request = parse_arguments({argv + 1, argv + argc});
   if (!request) {
-    std::fprintf(stderr, "kerf: %s\n", request.error().message.c_str());
-    return ExitStatus::usage;
+    return fail(request.error());
   }
   const ExitStatus status = std::visit(Execute{}, *request);
-  if (std::fflush(stdout) == 0) return status;
-  std::fprintf(stderr, "kerf: standard output: cannot be written\n");
-  return ExitStatus::files;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  if (status == ExitStatus::files) return status;  // a sentence has been said
+  return fail({kerf::base::Failure::Kind::output, "standard output: cannot be written"});
+}
+
+// What nohup or a shell's background job has told to ignore stays ignored.
+void stop_at(int signal) {
+  if (std::signal(signal, stop) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, stop);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) stop_at(signal);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   std::signal(SIGPIPE, SIG_IGN);
   try {

@@ -7,6 +7,7 @@
 
 #include "base/output_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
 #include "cli/progress.hpp"
 #include "machine/state_file.hpp"
@@ -28,6 +29,11 @@ using Status = VirtualMachine::Status;
 
 tl::unexpected<Failure> usage(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+// What could drive a machine is written only when the run reached its end.
+bool writes_post(const RunOptions& options, const VirtualMachine& machine) {
+  return !options.post.empty() && (machine.status() == Status::end || options.keep_partial);
 }
 
 /// The outputs of a run: opened before the run, so that an output that cannot be written is told at
@@ -106,12 +112,11 @@ Outcome<void> Outputs::commit_file(std::unique_ptr<OutputFile>& file) {
 }
 
 Outcome<void> Outputs::commit(const std::string& dialect) {
-  // What could drive a machine is written only when the run reached its end.
-  if (post_file_ && machine_.status() != Status::end && !options_.keep_partial) post_file_.reset();
+  if (!writes_post(options_, machine_)) post_file_.reset();
   if (post_file_) post_->finish();
   if (coverage_file_)
-    coverage_file_->write(
-        coverage_.csv(machine_.sources(), machine_.controller().assumptions().list()));
+    coverage_.write_csv(machine_.sources(), machine_.controller().assumptions().list(),
+                        *coverage_file_);
   if (plot_file_) plot_file_->write(options_.plot.ends_with(".png") ? plot_->png() : plot_->svg());
   if (summary_) summary_->write(output::summary_json(machine_, dialect));
   Outcome<void> result;
@@ -124,11 +129,6 @@ Outcome<void> Outputs::commit(const std::string& dialect) {
 }
 
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-ExitStatus fail(const Failure& failure) {
-  tell("kerf: " + failure.message + "\n");
-  return status_of(failure);
-}
 
 ExitStatus exit_status(Status status) {
   switch (status) {
@@ -152,8 +152,9 @@ void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachi
   tell(output::summary_text(machine, ready.dialect));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
   for (const std::string& path :
-       {options.plot, options.summary, options.motion, options.post, options.coverage}) {
-    if (!path.empty() && path != "-") tell("  wrote " + path + "\n");
+       {options.plot, options.summary, options.motion,
+        writes_post(options, machine) ? options.post : std::string(), options.coverage}) {
+    if (!path.empty() && path != "-") tell("  wrote " + output::printable(path) + "\n");
   }
 }
 

@@ -32,8 +32,8 @@ class Alarms {
   bool raise(base::Code code, const gcode::Word& word, const std::string& detail = {},
              const std::string& hint = {}) {
     base::Place place = where_.place();
-    place.column = word.column;
-    place.length = word.length;
+    place.column = word.text.column;
+    place.length = word.text.length;
     return raise_at(code, place, detail, hint);
   }
   bool raise_at(base::Code code, const base::Place& place, const std::string& detail = {},

@@ -69,7 +69,7 @@ Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memo
       calls_(state_, interpreter_, library, finder),
       variables_(state_, library.names()) {
   targets_.learn_letters();
-  variables_.attach(&interpreter_, [this] { return calls_.running_number(); });
+  variables_.attach(&interpreter_, [this] { return started() ? calls_.running_number() : 0; });
   if (const auto z = axes.find('Z')) state_.length_axis = *z;
   learn_calling_codes();
 }

@@ -91,8 +91,10 @@ class Controller : public vm::Host, private Whereabouts {
 
  private:
   // Whereabouts
-  base::Place place() override { return interpreter_.place(); }
-  std::string program_name() const override { return calls_.running_name(); }
+  // Before the start no program runs that a wrong variable could be told of.
+  [[nodiscard]] bool started() const { return interpreter_.depth() > 0; }
+  base::Place place() override { return started() ? interpreter_.place() : base::Place{}; }
+  std::string program_name() const override { return started() ? calls_.running_name() : ""; }
   std::string callers() override;
 
   struct BlockCall {

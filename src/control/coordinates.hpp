@@ -23,7 +23,10 @@ struct WorkSystem {
 /// coordinate system without tool length. mm and degrees.
 class Coordinates {
  public:
-  Coordinates(const AxisSetup& axes, const Memory& memory) : axes_(axes), memory_(memory) {}
+  /// At power-on G54 is in force with the offset that the memory has kept.
+  Coordinates(const AxisSetup& axes, const Memory& memory) : axes_(axes), memory_(memory) {
+    refresh_origin();
+  }
 
   [[nodiscard]] const base::AxisVector& program() const { return program_; }
   [[nodiscard]] const base::AxisVector& path() const { return path_; }

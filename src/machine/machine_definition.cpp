@@ -67,7 +67,10 @@ base::Outcome<control::AxisConfig> read_axis(const toml::table& table, const std
     return wrong(source, &table, "an axis needs a name: one of X Y Z A B C U V W");
   }
   axis.letter = (*name)[0];
-  axis.rotary = table["rotary"].value_or(false);
+  if (const toml::node* const node = table.get("rotary")) {
+    if (!node->is_boolean()) return wrong(source, node, "rotary is true or false");
+    axis.rotary = node->as_boolean()->get();
+  }
   if (table.get("velocity") == nullptr) return wrong(source, &table, "an axis needs its velocity");
   double travel[2] = {0, 0};
   if (auto r = read_positive(table, "velocity", axis.rapid_per_min, source); !r)
@@ -113,6 +116,28 @@ base::Outcome<void> read_axes(const toml::table& table, MachineDefinition& machi
   return {};
 }
 
+base::Outcome<void> read_dialect(const toml::node* node, MachineDefinition& machine,
+                                 const std::string& source) {
+  machine.dialect = kDialects[0];
+  if (node == nullptr) return {};
+  const auto name = node->value<std::string>();
+  if (!name || std::find(kDialects.begin(), kDialects.end(), *name) == kDialects.end())
+    return wrong(source, node, "there is no dialect " + name.value_or("of this kind"));
+  machine.dialect = *name;
+  return {};
+}
+
+base::Outcome<void> read_control(const toml::node* node, MachineDefinition& machine,
+                                 const std::string& source) {
+  if (node == nullptr) return {};
+  if (!node->is_table()) return wrong(source, node, "control must be a table");
+  for (const auto& [key, value] : *node->as_table()) {
+    auto set = machine.parameters.set(key.str(), text_of(value));
+    if (!set) return wrong(source, &value, set.error().message);
+  }
+  return {};
+}
+
 std::string join_lines(std::string_view text) {
   std::string line(text.substr(0, text.find('\n')));
   return line;
@@ -138,14 +163,11 @@ base::Outcome<MachineDefinition> MachineDefinition::parse(std::string_view text,
   machine.name = table["name"].value_or(std::string());
   if (machine.name.empty()) return wrong(source, nullptr, "a machine needs a name");
   machine.description = table["description"].value_or(std::string());
-  machine.dialect = table["dialect"].value_or(std::string("fanuc-mill"));
+  if (auto r = read_dialect(table.get("dialect"), machine, source); !r)
+    return tl::unexpected(r.error());
   if (auto r = read_axes(table, machine, source); !r) return tl::unexpected(r.error());
-  if (const toml::table* const control = table["control"].as_table()) {
-    for (const auto& [key, node] : *control) {
-      auto set = machine.parameters.set(key.str(), text_of(node));
-      if (!set) return wrong(source, &node, set.error().message);
-    }
-  }
+  if (auto r = read_control(table.get("control"), machine, source); !r)
+    return tl::unexpected(r.error());
   return machine;
 }
 
@@ -188,7 +210,7 @@ base::Outcome<MachineDefinition> find_machine(const std::string& name_or_path) {
     for (const BuiltinMachine& machine : builtin_machines())
       names += " " + std::string(machine.name);
     return tl::unexpected(base::Failure{
-        base::Failure::Kind::input, "there is no machine " + name_or_path + "; built in:" + names +
+        base::Failure::Kind::usage, "there is no machine " + name_or_path + "; built in:" + names +
                                         "; a machine file ends in .toml"});
   }
   auto file = base::SourceFile::open(name_or_path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +11,15 @@
 
 namespace kerf::machine {
 
+/// Languages that programs are written in. Kerf reads the first one; the others have their names.
+inline constexpr std::array<std::string_view, 5> kDialects = {"fanuc-mill", "fanuc-lathe",
+                                                              "laser-basic", "teach", "pattern"};
+
 /// A machine as its TOML file describes it.
 struct MachineDefinition {
   std::string name;
   std::string description;
-  std::string dialect;
+  std::string dialect;  ///< one of kDialects
   control::AxisSetup axes;
   control::Parameters parameters;
 
@@ -33,7 +38,8 @@ struct BuiltinMachine {
 };
 [[nodiscard]] const std::vector<BuiltinMachine>& builtin_machines();
 
-/// The built-in machine of this name, or the machine file at this path.
+/// The built-in machine of this name, or the machine file at this path. Failure (usage): no machine
+/// has this name; (input): the file cannot be read or is wrong.
 [[nodiscard]] base::Outcome<MachineDefinition> find_machine(const std::string& name_or_path);
 
 }  // namespace kerf::machine

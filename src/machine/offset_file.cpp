@@ -12,7 +12,9 @@ using control::Memory;
 using control::ToolOffset;
 
 struct Wrong {
-  const toml::node* node;
+  Wrong(const toml::node* node, std::string text)
+      : line(node->source().begin.line), what(std::move(text)) {}
+  std::uint32_t line;  // the document is gone when this is caught
   std::string what;
 };
 
@@ -41,8 +43,11 @@ base::AxisVector* work_system(const std::string& name, Memory& memory) {
   const std::size_t p = name.find_first_of("0123456789", 5);
   if (p == std::string::npos) return nullptr;
   unsigned n = 0;
-  std::from_chars(name.data() + p, name.data() + name.size(), n);
-  return n >= 1 && n <= memory.extended.size() ? &memory.extended[n - 1] : nullptr;
+  const char* const end = name.data() + name.size();
+  const bool whole = std::from_chars(name.data() + p, end, n).ptr == end;
+  const bool marked = name.find_first_not_of(" P", 5) == p;
+  return whole && marked && n >= 1 && n <= memory.extended.size() ? &memory.extended[n - 1]
+                                                                  : nullptr;
 }
 
 void read_work(const toml::table& table, const control::AxisSetup& axes, Memory& memory) {
@@ -144,7 +149,7 @@ base::Outcome<void> read_offsets(const std::string& text, const std::string& sou
   } catch (const toml::parse_error& error) {
     return failure(error.source().begin.line, std::string(error.description()));
   } catch (const Wrong& wrong) {
-    return failure(wrong.node->source().begin.line, wrong.what);
+    return failure(wrong.line, wrong.what);
   }
   memory = read;
   return {};

@@ -11,9 +11,9 @@ namespace kerf::machine {
 
 /// Tools and offsets as a TOML file:
 ///
-///   [[tool]]                 number = 1, diameter = 10, length = 80 …: sets length and radius
-///   geometry [work.G54]               X = 100, Y = 50, Z = -300       (also EXT, G55 … G59, "G54.1
-///   P3") [tool_offset.5]          length_geometry, length_wear, radius_geometry, radius_wear
+///   [[tool]]          number = 1, diameter = 10, length = 80: sets length and radius geometry
+///   [work.G54]        X = 100, Y = 50, Z = -300 (also EXT, G55 to G59, "G54.1 P3")
+///   [tool_offset.5]   length_geometry, length_wear, radius_geometry, radius_wear
 ///
 /// ([tool.5] is taken as [tool_offset.5].) mm. Failure (input): what is wrong and where; nothing is
 /// taken over then.

@@ -25,26 +25,23 @@ std::string canonical(const std::string& path) {
 
 void ProgramShelf::know(const std::string& path) { known_files_.insert(canonical(path)); }
 
-bool ProgramShelf::load(const std::string& path, std::uint32_t number_from_name) {
-  if (!known_files_.insert(canonical(path)).second) return false;
+void ProgramShelf::load(const std::string& path, std::uint32_t number_from_name) {
+  if (!known_files_.insert(canonical(path)).second) return;
   auto file = base::SourceFile::open(path);
-  if (!file) return false;
-  library_.add_library_file(sources_.add(std::move(*file)), number_from_name);
-  return true;
+  if (file) library_.add_library_file(sources_.add(std::move(*file)), number_from_name);
 }
 
-bool ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number) {
+// The files of a folder that are called like the program.
+void ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number) {
   const std::string digits = std::to_string(number);
   const std::string padded = std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
   for (const std::string& stem : {"O" + padded, "O" + digits, "o" + padded, padded, digits}) {
     for (const std::string_view ending : kEndings) {
       const fs::path path = fs::path(folder) / (stem + std::string(ending));
       std::error_code error;
-      if (fs::is_regular_file(path, error) && load(path.string(), number) && library_.find(number))
-        return true;
+      if (fs::is_regular_file(path, error)) load(path.string(), number);
     }
   }
-  return false;
 }
 
 // Every program file of a folder, in the order of their names.
@@ -64,37 +61,43 @@ void ProgramShelf::load_folder(const std::string& folder) {
   for (const std::string& path : paths) load(path, 0);
 }
 
+void ProgramShelf::load_all() {
+  if (all_loaded_) return;
+  all_loaded_ = true;
+  for (const std::string& folder : folders_) load_folder(folder);
+}
+
+// By the names of the files, then by what is in them.
+std::optional<vm::CodeId> ProgramShelf::search_folders(std::uint32_t number, const Search& search) {
+  for (const std::string& folder : folders_) {
+    load_by_name(folder, number);
+    if (const auto found = search()) return found;
+  }
+  load_all();
+  return search();
+}
+
 std::optional<vm::CodeId> ProgramShelf::find_program(std::uint32_t number) {
   if (const auto found = library_.find(number)) return found;
   if (number == 0 || missing_.contains(number)) return std::nullopt;
-  for (const std::string& folder : folders_) {
-    if (load_by_name(folder, number)) return library_.find(number);
-  }
-  if (!all_loaded_) {
-    all_loaded_ = true;
-    for (const std::string& folder : folders_) load_folder(folder);
-  }
-  if (const auto found = library_.find(number)) return found;
-  missing_.insert(number);
-  return std::nullopt;
+  const auto found = search_folders(number, [&] { return library_.find(number); });
+  if (!found) missing_.insert(number);
+  return found;
 }
 
 std::optional<vm::CodeId> ProgramShelf::find_program(const std::string& name) {
   if (const auto found = library_.find(name)) return found;
-  if (!all_loaded_) {
-    all_loaded_ = true;
-    for (const std::string& folder : folders_) load_folder(folder);
-  }
+  load_all();
   return library_.find(name);
 }
 
+// Programs of the main file are not in the external folder.
 std::optional<vm::CodeId> ProgramShelf::find_external(std::uint32_t number) {
-  for (const std::string& folder : folders_) {
-    if (load_by_name(folder, number)) break;
-  }
-  const auto found = find_program(number);
-  // Programs of the main file are not in the external folder.
-  if (found && library_.file_of(*found) == base::FileId{0}) return std::nullopt;
+  const auto search = [&] { return library_.find_outside(base::FileId{0}, number); };
+  if (const auto found = search()) return found;
+  if (number == 0 || missing_outside_.contains(number)) return std::nullopt;
+  const auto found = search_folders(number, search);
+  if (!found) missing_outside_.insert(number);
   return found;
 }
 

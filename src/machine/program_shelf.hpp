@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,15 +29,19 @@ class ProgramShelf : public control::ProgramFinder {
   std::optional<vm::CodeId> find_external(std::uint32_t number) override;
 
  private:
-  bool load_by_name(const std::string& folder, std::uint32_t number);
+  using Search = std::function<std::optional<vm::CodeId>()>;
+  std::optional<vm::CodeId> search_folders(std::uint32_t number, const Search& search);
+  void load_by_name(const std::string& folder, std::uint32_t number);
+  void load_all();
   void load_folder(const std::string& folder);
-  bool load(const std::string& path, std::uint32_t number_from_name);
+  void load(const std::string& path, std::uint32_t number_from_name);
 
   base::SourceSet& sources_;
   gcode::CodeLibrary& library_;
   std::vector<std::string> folders_;
   std::set<std::string> known_files_;
-  std::set<std::uint32_t> missing_;  // numbers that are nowhere
+  std::set<std::uint32_t> missing_;          // numbers that are nowhere
+  std::set<std::uint32_t> missing_outside_;  // … nowhere but perhaps in the main file
   bool all_loaded_ = false;
 };
 

@@ -24,11 +24,6 @@ RunStatistics::RunStatistics(const control::AxisSetup& axes) : axes_(axes) {
     rapid_s_per_unit_[i] = 60 / axes.axes[i].rapid_per_min;
     linear_[i] = !axes.axes[i].rotary;
   }
-  constexpr char kLetters[] = {'X', 'Y', 'Z'};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = axes.find(kLetters[i]);
-    xyz_[i] = axis ? base::index(*axis) : base::kMaxAxes;
-  }
 }
 
 void RunStatistics::reach(const AxisVector& point) {
@@ -65,8 +60,7 @@ void RunStatistics::rapid(const AxisVector& to) {
   seconds_ += seconds;
 }
 
-void RunStatistics::cut(const AxisVector&, double length, double feed_length, const Feed& feed,
-                        std::uint32_t line) {
+void RunStatistics::cut(double length, double feed_length, const Feed& feed, std::uint32_t line) {
   cut_mm_ += length;
   if (feed.value <= 0) return;
   switch (feed.mode) {
@@ -98,7 +92,7 @@ void RunStatistics::arc(const control::Arc& arc, std::uint32_t line) {
   const double flat = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
   const double whole = std::hypot(flat, rise);
   reach_arc(arc, base::index(plane->first), base::index(plane->second));
-  cut(arc.to, whole, flat, arc.feed, line);
+  cut(whole, flat, arc.feed, line);
 }
 
 // The quadrant points that the arc passes.
@@ -127,7 +121,7 @@ void RunStatistics::take(const control::Motion& motion) {
     bool rotary_only = false;
     const double length = distance(line->to, rotary_only);
     reach(line->to);
-    cut(line->to, rotary_only ? 0 : length, length, line->feed, motion.line);
+    cut(rotary_only ? 0 : length, length, line->feed, motion.line);
     at_ = line->to;
     ++motions_;
     return;
@@ -143,11 +137,11 @@ void RunStatistics::take(const control::Motion& motion) {
     } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
       bool rotary_only = false;
       const double length = distance(*to, rotary_only);
-      cut(*to, rotary_only ? 0 : length, length, probe->feed, motion.line);
+      cut(rotary_only ? 0 : length, length, probe->feed, motion.line);
     } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
       bool rotary_only = false;
       const double length = distance(*to, rotary_only);
-      cut(*to, length, length, {thread->lead, FeedMode::per_revolution}, motion.line);
+      cut(length, length, {thread->lead, FeedMode::per_revolution}, motion.line);
     }
     at_ = *to;
     ++motions_;

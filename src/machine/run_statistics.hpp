@@ -29,6 +29,8 @@ class RunStatistics : public control::MotionSink {
   /// Smallest and largest target per axis; equal to each other and 0 before the first motion.
   [[nodiscard]] const base::AxisVector& low() const { return low_; }
   [[nodiscard]] const base::AxisVector& high() const { return high_; }
+  /// Where the last motion ended: tool tip, machine coordinates.
+  [[nodiscard]] const base::AxisVector& at() const { return at_; }
   /// Tools in the order of their first use.
   [[nodiscard]] const std::vector<std::uint32_t>& tools() const { return tools_; }
   [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
@@ -38,8 +40,7 @@ class RunStatistics : public control::MotionSink {
  private:
   void reach(const base::AxisVector& point);
   void rapid(const base::AxisVector& to);
-  void cut(const base::AxisVector& to, double length, double feed_length, const control::Feed& feed,
-           std::uint32_t line);
+  void cut(double length, double feed_length, const control::Feed& feed, std::uint32_t line);
   void arc(const control::Arc& arc, std::uint32_t line);
   void reach_arc(const control::Arc& arc, std::size_t first, std::size_t second);
   [[nodiscard]] double distance(const base::AxisVector& to, bool& rotary_only) const;
@@ -50,7 +51,6 @@ class RunStatistics : public control::MotionSink {
   base::AxisVector high_;
   std::array<double, base::kMaxAxes> rapid_s_per_unit_{};
   std::array<bool, base::kMaxAxes> linear_{};
-  std::array<std::size_t, 3> xyz_{};  // index of X, Y, Z; kMaxAxes: none
   double speed_rpm_ = 0;
   double seconds_ = 0;
   double dwell_seconds_ = 0;

@@ -1,9 +1,11 @@
 #include "machine/virtual_machine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "base/decimal.hpp"
+#include "lang/vm/value.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -14,6 +16,11 @@ using control::Halt;
 constexpr std::uint64_t kSlice = 200'000;
 constexpr double kSecondsPerDay = 86400;
 
+tl::unexpected<base::Failure> unusable(std::uint32_t number, const std::string& why) {
+  return tl::unexpected(
+      base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": " + why});
+}
+
 }  // namespace
 
 VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Memory memory,
@@ -23,6 +30,7 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
       library_(sources_, settings.library),
       shelf_(sources_, library_),
       statistics_(definition_.axes) {
+  first_locals_.fill(vm::kNull);
   power_on();
 }
 
@@ -47,47 +55,60 @@ void VirtualMachine::load(std::unique_ptr<base::SourceFile> file) {
 
 std::string VirtualMachine::program_name() const {
   if (library_.program_count() == 0) return "O0000";
-  const gcode::ProgramEntry& entry = library_.entry(vm::CodeId{0});
-  if (!entry.name.empty()) return entry.name;
-  std::string digits = std::to_string(entry.number);
-  return "O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  return gcode::name_of(library_.entry(vm::CodeId{0}));
+}
+
+// Behind the budget the control is some moves ahead of the machine.
+base::AxisVector VirtualMachine::position() const {
+  if (!motions_spent_) return controller_->machine_position();
+  return statistics_.at() + controller_->coordinates().length();
 }
 
 base::Outcome<void> VirtualMachine::set_variable(std::uint32_t number, double value) {
-  const double rounded = std::round(value);
-  if (number >= 1000 && number <= 1035) {
-    const std::uint32_t word = number < 1016 ? 0 : number >= 1032 ? number - 1032 : 4;
-    if (word == 4 || rounded < -2147483648.0 || rounded > 4294967295.0) {
-      return tl::unexpected(base::Failure{
-          base::Failure::Kind::usage, "#" + std::to_string(number) + ": there is no such input"});
-    }
-    const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded));
-    if (number >= 1032) {
-      inputs_[word] = number == 1032 ? bits & 0xffffU : bits;
-    } else {
-      const std::uint32_t bit = 1U << (number - 1000);
-      inputs_[0] = value != 0 ? inputs_[0] | bit : inputs_[0] & ~bit;
-    }
-    return {};
-  }
-  if (number == 3011) {
-    const auto date = static_cast<int>(rounded);
-    const std::chrono::year_month_day day{
-        std::chrono::year{date / 10000},
-        std::chrono::month{static_cast<unsigned>(date / 100 % 100)},
-        std::chrono::day{static_cast<unsigned>(date % 100)}};
-    if (!day.ok() || rounded != value)
-      return tl::unexpected(
-          base::Failure{base::Failure::Kind::usage, "#3011: a date is written yyyymmdd"});
-    start_day_ = day;
-    return {};
-  }
-  if (number == 3012) {
-    const auto time = static_cast<int>(rounded);
-    start_second_ = time / 10000 * 3600 + time / 100 % 100 * 60 + time % 100;
+  if (number >= 1000 && number <= 1035) return set_input(number, value);
+  if (number == 3011) return set_date(value);
+  if (number == 3012) return set_time(value);
+  if (status_ == Status::idle && number > 0 && number < gcode::kLocals) {
+    first_locals_[number] = value;
     return {};
   }
   return controller_->set_variable(number, value);
+}
+
+// #1000 to #1015 are bits, #1032 is all of them, #1033 to #1035 are words of 32 bits.
+base::Outcome<void> VirtualMachine::set_input(std::uint32_t number, double value) {
+  if (number > 1015 && number < 1032) return unusable(number, "there is no such input");
+  if (number < 1016) {
+    const std::uint32_t bit = 1U << (number - 1000);
+    inputs_[0] = value != 0 ? inputs_[0] | bit : inputs_[0] & ~bit;
+    return {};
+  }
+  const double rounded = std::round(value);
+  if (rounded < -2147483648.0 || rounded > 4294967295.0)
+    return unusable(number, "32 bits do not hold this value");
+  const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded));
+  inputs_[number - 1032] = number == 1032 ? bits & 0xffffU : bits;
+  return {};
+}
+
+base::Outcome<void> VirtualMachine::set_date(double value) {
+  constexpr double kMostDate = 99991231;
+  const auto date = static_cast<int>(std::clamp(value, 0.0, kMostDate));
+  const std::chrono::year_month_day day{std::chrono::year{date / 10000},
+                                        std::chrono::month{static_cast<unsigned>(date / 100 % 100)},
+                                        std::chrono::day{static_cast<unsigned>(date % 100)}};
+  if (!day.ok() || date != value) return unusable(3011, "a date is written yyyymmdd");
+  start_day_ = day;
+  return {};
+}
+
+base::Outcome<void> VirtualMachine::set_time(double value) {
+  constexpr double kMostTime = 235959;
+  const auto time = static_cast<int>(std::clamp(value, 0.0, kMostTime));
+  if (time != value || time / 100 % 100 > 59 || time % 100 > 59)
+    return unusable(3012, "a time is written hhmmss");
+  start_second_ = time / 10000 * 3600 + time / 100 % 100 * 60 + time % 100;
+  return {};
 }
 
 // The calendar of the machine runs with its simulated time: same input, same output.
@@ -125,12 +146,20 @@ void VirtualMachine::print(std::string_view text) {
   if (print_output_) print_output_(text);
 }
 
-// Beyond the budget nothing is handed out any more.
+bool VirtualMachine::all_motions_made() const {
+  return most_motions_ != 0 && statistics_.motions() >= most_motions_;
+}
+
+// A block may make any number of motions: between them the clock is looked at, too.
+bool VirtualMachine::ready() const { return !motions_spent_ && statistics_.motions() < slice_end_; }
+
+// Beyond the budget nothing is handed out any more. What moves nothing may still follow its last
+// motion: above all the end of the program.
 void VirtualMachine::take(const control::Motion& motion) {
+  motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_) return;
   statistics_.take(motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
-  motions_spent_ = most_motions_ != 0 && statistics_.motions() >= most_motions_;
 }
 
 bool VirtualMachine::start_program() {
@@ -146,6 +175,11 @@ bool VirtualMachine::start_program() {
     return false;
   }
   controller_->start(vm::CodeId{0});
+  const std::span<double> locals = controller_->running_locals();
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    if (!vm::is_null(first_locals_[i])) locals[i] = first_locals_[i];
+  }
+  first_locals_.fill(vm::kNull);
   return true;
 }
 
@@ -171,9 +205,12 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
   if (fresh && !start_program()) return finish(Status::alarm);
   for (std::uint64_t steps = 0;;) {
     const std::uint64_t slice = budget.steps != 0 ? std::min(kSlice, budget.steps) : kSlice;
+    slice_end_ = statistics_.motions() + kSlice;
+    if (most_motions_ != 0 && !all_motions_made()) slice_end_ = std::min(slice_end_, most_motions_);
     const Halt halt = controller_->run(slice);
     steps += slice;
     if (progress_) progress_();
+    if (motions_spent_) return spent("the motions allowed are made");
     switch (halt) {
       case Halt::end: return finish(Status::end);
       case Halt::alarm: return finish(Status::alarm);
@@ -185,7 +222,6 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
         break;
       case Halt::none: break;
     }
-    if (motions_spent_) return spent("the motions allowed are made");
     if (budget.steps != 0 && steps >= budget.steps) return spent("the steps allowed are made");
     const std::chrono::duration<double> elapsed = Clock::now() - begin;
     if (budget.seconds > 0 && elapsed.count() > budget.seconds) {

@@ -71,7 +71,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
     print_output_ = std::move(output);
   }
   void add_skip_contact(const SkipContact& contact) { contacts_.push_back(contact); }
-  /// A variable, an input bit (#1000 to #1035), or the calendar (#3011, #3012). Failure (usage).
+  /// A variable, an input bit (#1000 to #1035), or the calendar (#3011, #3012). Before the start #1
+  /// to #33 are those of the main program. Failure (usage).
   [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
 
   // The panel
@@ -105,6 +106,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
   [[nodiscard]] control::Controller& controller() { return *controller_; }
   [[nodiscard]] control::Memory& memory() { return memory_; }
+  /// Machine coordinates of all axes, tool length included: where the last motion ended that was
+  /// within the budget.
+  [[nodiscard]] base::AxisVector position() const;
   [[nodiscard]] const base::SourceSet& sources() const { return sources_; }
   [[nodiscard]] gcode::CodeLibrary& library() { return library_; }
   /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
@@ -121,7 +125,11 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
   // control::MotionSink
   void take(const control::Motion& motion) override;
-  bool ready() const override { return !motions_spent_; }
+  bool ready() const override;
+  [[nodiscard]] bool all_motions_made() const;
+  base::Outcome<void> set_input(std::uint32_t number, double value);
+  base::Outcome<void> set_date(double value);
+  base::Outcome<void> set_time(double value);
 
   void power_on();
   bool start_program();
@@ -146,8 +154,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::chrono::sys_days start_day_ = std::chrono::year{2025} / 1 / 1;
   double start_second_ = 0;  // of the day
   Status status_ = Status::idle;
+  std::array<double, gcode::kLocals> first_locals_;  // of the main program, from outside
   std::uint64_t most_motions_ = 0;
-  bool motions_spent_ = false;
+  std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
+  bool motions_spent_ = false;   // one more than most_motions_ was asked for
   base::FileId main_file_ = base::kNoFile;
 };
 

@@ -1,5 +1,8 @@
 #include "output/coverage.hpp"
 
+#include <algorithm>
+
+#include "lang/gcode/text_window.hpp"
 #include "output/diagnostic_text.hpp"
 
 namespace kerf::output {
@@ -13,6 +16,26 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
+// The beginning of a line, without the returns around it.
+std::string text_of(const gcode::TextWindow::Line& line, const base::SourceFile& source) {
+  if (line.too_long) return source.line_at(line.offset, kLongestLine);
+  std::string_view text = line.text;
+  text.remove_prefix(std::min(text.find_first_not_of('\r'), text.size()));
+  text = text.substr(0, text.find_last_not_of('\r') + 1);
+  return std::string(text.substr(0, kLongestLine));
+}
+
+// The program's own file is the one that assumptions are about.
+std::string assumptions_of(std::uint32_t line, base::FileId file,
+                           const std::vector<control::Assumption>& assumed) {
+  std::string what;
+  for (const control::Assumption& assumption : assumed) {
+    if (assumption.line == line && file == base::FileId{0})
+      what += (what.empty() ? "" : "; ") + assumption.what;
+  }
+  return what.empty() ? what : quoted(what);
+}
+
 }  // namespace
 
 void Coverage::count(base::FileId file, std::uint32_t line) {
@@ -21,31 +44,28 @@ void Coverage::count(base::FileId file, std::uint32_t line) {
   ++counts[line];
 }
 
-std::string Coverage::csv(const base::SourceSet& sources,
-                          const std::vector<control::Assumption>& assumed) const {
-  std::string text = "file,line,count,source,assumed\n";
-  for (const auto& [file, counts] : counts_) {
-    const base::SourceFile& source = sources[file];
-    std::uint64_t offset = 0;
-    for (std::uint32_t line = 1; offset < source.size(); ++line) {
-      const std::string content = source.line_at(offset, kLongestLine);
-      const std::uint64_t count = line < counts.size() ? counts[line] : 0;
-      text += quoted(printable(source.name())) + "," + std::to_string(line) + "," +
-              std::to_string(count) + "," + quoted(printable(content)) + ",";
-      std::string what;
-      for (const control::Assumption& assumption : assumed) {
-        if (assumption.line == line && file == base::FileId{0})
-          what += (what.empty() ? "" : "; ") + assumption.what;
-      }
-      text += what.empty() ? "\n" : quoted(what) + "\n";
-      offset += content.size();
-      std::string end(2, '\0');
-      end.resize(source.read(offset, end));
-      if (end.empty()) break;
-      offset += end == "\r\n" ? 2U : 1U;
-    }
+void Coverage::write_csv(const base::SourceSet& sources,
+                         const std::vector<control::Assumption>& assumed,
+                         base::OutputFile& into) const {
+  into.write("file,line,count,source,assumed\n");
+  for (const auto& [file, counts] : counts_) write_file(sources, file, assumed, into);
+}
+
+void Coverage::write_file(const base::SourceSet& sources, base::FileId file,
+                          const std::vector<control::Assumption>& assumed,
+                          base::OutputFile& into) const {
+  const base::SourceFile& source = sources[file];
+  const std::vector<std::uint64_t>& counts = counts_.at(file);
+  const std::string name = quoted(printable(source.name())) + ",";
+  gcode::TextWindow window;
+  window.stand_at(source, file, 0, source.size());
+  gcode::TextWindow::Line line;
+  for (std::uint32_t number = 1; window.next(line) && into.good(); ++number) {
+    const std::uint64_t count = number < counts.size() ? counts[number] : 0;
+    into.write(name + std::to_string(number) + "," + std::to_string(count) + "," +
+               quoted(printable(text_of(line, source))) + "," +
+               assumptions_of(number, file, assumed) + "\n");
   }
-  return text;
 }
 
 }  // namespace kerf::output

@@ -6,8 +6,9 @@
 namespace kerf::output {
 namespace {
 
-constexpr std::size_t kWidth = 120;        // of the source text that is shown
-constexpr std::size_t kLongest = 1 << 17;  // of a line that is read
+constexpr std::size_t kWidth = 120;  // of the source text that is shown
+constexpr std::size_t kReach =
+    4 * kWidth;  // bytes of it on either side: a character has up to four
 
 const char* severity_name(base::Severity severity) {
   switch (severity) {
@@ -18,7 +19,8 @@ const char* severity_name(base::Severity severity) {
   return "";
 }
 
-// Bytes of a valid UTF-8 character at `at`, or 0.
+// Bytes of a valid UTF-8 character at `at`, or 0; 0 as well for the control characters U+0080 to
+// U+009F.
 std::size_t character_length(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -33,9 +35,19 @@ std::size_t character_length(const std::string& text, std::size_t at) {
   }
   const bool overlong =
       (first == 0xe0 && byte(at + 1) < 0xa0) || (first == 0xf0 && byte(at + 1) < 0x90);
+  const bool control = first == 0xc2 && byte(at + 1) < 0xa0;
   const bool surrogate = first == 0xed && byte(at + 1) >= 0xa0;
   const bool too_high = first == 0xf4 && byte(at + 1) >= 0x90;
-  return overlong || surrogate || too_high ? 0 : length;
+  return overlong || control || surrogate || too_high ? 0 : length;
+}
+
+// A file name keeps its bytes, so that it can be opened; only control characters may not be
+// printed.
+std::string one_line(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
+  return name;
 }
 
 struct Column {
@@ -66,14 +78,16 @@ std::vector<Column> columns_of(const std::string& line) {
 
 // The source line with a caret below, at most kWidth columns of it around the caret.
 std::string excerpt(const base::Place& place, const base::SourceFile& file) {
-  const std::string line = file.line_at(place.line_start, kLongest);
+  const std::size_t column = place.column > 0 ? place.column - 1 : 0;
+  const std::size_t skipped = column > kReach ? column - kReach : 0;
+  const std::string line = file.line_at(place.line_start + skipped, 2 * kReach);
   const std::vector<Column> columns = columns_of(line);
   const auto index_of = [&](std::size_t byte) {
     return static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(),
                                                   [&](const Column& c) { return c.byte < byte; }));
   };
-  const std::size_t first = index_of(place.column > 0 ? place.column - 1 : 0);
-  const std::size_t last = std::max(first + 1, index_of(place.column - 1 + place.length));
+  const std::size_t first = index_of(column - skipped);
+  const std::size_t last = std::max(first + 1, index_of(column - skipped + place.length));
   const std::size_t begin = first > kWidth / 2 ? first - kWidth / 2 : 0;
   const std::size_t end = std::min(columns.size(), begin + kWidth);
   std::string text = begin > 0 ? "…" : "";
@@ -101,7 +115,7 @@ std::string file_name(const base::Diagnostic& diagnostic, const base::SourceSet&
 std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
   std::string text;
   const std::string file = file_name(diagnostic, sources);
-  if (!file.empty()) text += file + ":";
+  if (!file.empty()) text += one_line(file) + ":";
   if (diagnostic.place.line > 0) {
     text +=
         std::to_string(diagnostic.place.line) + ":" + std::to_string(diagnostic.place.column) + ":";
@@ -112,7 +126,7 @@ std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::Sour
   text += "\n";
   if (!file.empty() && diagnostic.place.line > 0)
     text += excerpt(diagnostic.place, sources[diagnostic.place.file]);
-  if (!diagnostic.hint.empty()) text += "    hint: " + diagnostic.hint + "\n";
+  if (!diagnostic.hint.empty()) text += "    hint: " + printable(diagnostic.hint) + "\n";
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "output/post.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "base/decimal.hpp"
 #include "control/plane_axes.hpp"
@@ -28,12 +29,18 @@ void Post::word(char letter, double value) {
 }
 
 void Post::end_block() {
-  if (!line_.empty()) file_.write(line_ + "\n");
+  if (!line_.empty()) {
+    line_ += '\n';
+    file_.write(line_);
+  }
   line_.clear();
 }
 
 void Post::move(const char* code, const base::AxisVector& to) {
-  if (modal_ != code) line_ += (line_.empty() ? "" : " ") + std::string(code);
+  if (modal_ != code) {
+    if (!line_.empty()) line_ += ' ';
+    line_ += code;
+  }
   modal_ = code;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const double value = rounded(to.values[i]);
@@ -52,24 +59,75 @@ void Post::feed(const Feed& feed, double length_mm) {
   word('F', per_minute);
 }
 
+void Post::select_plane(Plane plane) {
+  if (plane == plane_) return;
+  plane_ = plane;
+  line_ = plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
+  end_block();
+}
+
+bool Post::rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const {
+  for (std::size_t i = 0; i < axes_.count(); ++i) {
+    if (rounded(a.values[i]) != rounded(b.values[i])) return false;
+  }
+  return true;
+}
+
+// Nothing where the output's digits show no way.
+void Post::line(const base::AxisVector& to, const Feed& rate, double length_mm) {
+  if (rounded_equal(at_, to)) {
+    at_ = to;
+    return;
+  }
+  move("G1", to);
+  feed(rate, length_mm);
+  end_block();
+}
+
+// G96 stays what it is: its speed follows from where the tool stands.
+void Post::spindle(const Spindle& spindle) {
+  const bool turns = spindle.turning == Spindle::Turning::clockwise ||
+                     spindle.turning == Spindle::Turning::counterclockwise;
+  const bool css = turns && spindle.mode == Spindle::Mode::constant_surface_speed;
+  speed_rpm_ = css ? spindle.max_rpm : spindle.speed;
+  if (!turns) {
+    line_ = "M5";
+    end_block();
+    return;
+  }
+  if (css && spindle.max_rpm > 0) {
+    line_ = "G92";
+    word('S', rounded(spindle.max_rpm));
+    end_block();
+  }
+  if (css != css_) line_ = css ? "G96" : "G97";
+  css_ = css;
+  if (!line_.empty()) line_ += ' ';
+  line_ += spindle.turning == Spindle::Turning::clockwise ? "M3" : "M4";
+  word('S', rounded(spindle.speed));
+  end_block();
+}
+
 void Post::arc(const Arc& arc) {
   const auto plane = plane_axes(arc.plane, axes_);
   if (!plane) return;
-  if (arc.plane != plane_) {
-    plane_ = arc.plane;
-    line_ = arc.plane == Plane::xy ? "G17" : arc.plane == Plane::zx ? "G18" : "G19";
-    end_block();
-  }
   const geometry::Vec2 from = plane->project(at_);
+  const geometry::Vec2 to = plane->project(arc.to);
   const geometry::Vec2 centre{arc.center[0], arc.center[1]};
   const bool clockwise = arc.direction == Direction::clockwise;
-  const double length =
-      geometry::arc_length(from, plane->project(arc.to), centre, clockwise, arc.turns, 0);
-  const bool full = from == plane->project(arc.to);
-  const base::AxisVector before = at_;
+  const double length = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
+  const bool closed = rounded(from.u) == rounded(to.u) && rounded(from.v) == rounded(to.v);
+  const bool short_way = geometry::sweep_rad(from, to, centre, clockwise) < std::numbers::pi;
+  // An arc to its own start is a full circle: one that is shorter than a digit must not look so.
+  if (closed && short_way && arc.turns == 0) {
+    line(arc.to, arc.feed, length);
+    return;
+  }
+  select_plane(arc.plane);
+  const bool stays = rounded_equal(at_, arc.to);
   modal_.clear();
   move(clockwise ? "G2" : "G3", arc.to);
-  if (full && at_ == before) {
+  if (stays) {
     word(axes_[plane->first].letter, rounded(arc.to[plane->first]));
     word(axes_[plane->second].letter, rounded(arc.to[plane->second]));
   }
@@ -89,10 +147,7 @@ void Post::write(const Motion& motion) {
     return std::sqrt(sum);
   };
   const auto straight = [&](const base::AxisVector& to, const Feed& rate) {
-    const double length = length_to(to);
-    move("G1", to);
-    feed(rate, length);
-    end_block();
+    line(to, rate, length_to(to));
   };
   const auto code = [&](const std::string& text) {
     line_ = text;
@@ -110,17 +165,11 @@ void Post::write(const Motion& motion) {
   } else if (const auto* const a4 = std::get_if<Thread>(&motion.action)) {
     straight(a4->to, {a4->lead, FeedMode::per_revolution});
   } else if (const auto* const a5 = std::get_if<Dwell>(&motion.action)) {
-    code("G4 P" + base::number_text(a5->seconds));
+    code("G4 P" + base::number_text(rounded(a5->seconds)));
   } else if (const auto* const a6 = std::get_if<ToolChange>(&motion.action)) {
     code("T" + std::to_string(a6->tool) + " M6");
   } else if (const auto* const a7 = std::get_if<Spindle>(&motion.action)) {
-    speed_rpm_ = a7->speed;
-    switch (a7->turning) {
-      case Spindle::Turning::clockwise: code("M3 S" + base::number_text(a7->speed)); break;
-      case Spindle::Turning::counterclockwise: code("M4 S" + base::number_text(a7->speed)); break;
-      case Spindle::Turning::stopped:
-      case Spindle::Turning::oriented: code("M5"); break;
-    }
+    spindle(*a7);
   } else if (const auto* const a8 = std::get_if<Coolant>(&motion.action)) {
     code(a8->state == Coolant::State::off ? "M9" : a8->state == Coolant::State::mist ? "M7" : "M8");
   } else if (std::holds_alternative<Stop>(motion.action)) {

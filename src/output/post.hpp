@@ -22,7 +22,11 @@ class Post : public control::MotionSink {
   void write(const control::Motion& motion);
   void move(const char* code, const base::AxisVector& to);
   void feed(const control::Feed& feed, double length_mm);
+  void line(const base::AxisVector& to, const control::Feed& rate, double length_mm);
   void arc(const control::Arc& arc);
+  void spindle(const control::Spindle& spindle);
+  void select_plane(control::Plane plane);
+  [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;
   void word(char letter, double value);
   void end_block();
 
@@ -34,6 +38,7 @@ class Post : public control::MotionSink {
   control::Plane plane_ = control::Plane::xy;
   double feed_ = -1;
   double speed_rpm_ = 0;
+  bool css_ = false;  // G96 is on
   bool ended_ = false;
 };
 

@@ -87,13 +87,13 @@ std::string extents_json(VirtualMachine& machine) {
 }
 
 base::AxisVector work_position(VirtualMachine& machine) {
-  return machine.controller().machine_position() - machine.controller().coordinates().origin();
+  return machine.position() - machine.controller().coordinates().origin();
 }
 
 std::string position_json(VirtualMachine& machine) {
   return Object()
       .raw("work", axes_json(machine, work_position(machine)))
-      .raw("machine", axes_json(machine, machine.controller().machine_position()))
+      .raw("machine", axes_json(machine, machine.position()))
       .done();
 }
 

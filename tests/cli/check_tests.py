@@ -181,6 +181,70 @@ def jobs(box):
             equal(many.err, one.err, f"standard error with --jobs {count}")
 
 
+@test("check of good files with any number of jobs is silent")
+def jobs_of_good_files(box):
+    names = [box.write(f"f{i}.nc", GOOD) for i in range(9)]
+    result = box.kerf("check", *names, "--jobs", "4")
+    status(result, 0)
+    equal((result.out, result.err), (b"", ""), "output")
+
+
+@test("check names the program of every finding: its O number, or its name")
+def program_of_a_finding(box):
+    box.write("wrong.nc", WRONG + "\n")
+    told = {item["line"]: item["program"] for item in findings(box, "wrong.nc")}
+    equal((told[3], told[7], told[14]), ("O0001", "O0001", "O0002"), "programs")
+    box.write("name.nc", "%\nO1\nM30\n<PROBE>\nG01 5X\nM99\n%\n")
+    equal([item["program"] for item in findings(box, "name.nc")], ["PROBE"], "program")
+    box.write("twice.nc", "%\nO1\nM30\nO1\nM99\n%\n")
+    equal([item["program"] for item in findings(box, "twice.nc")], ["O0001"], "program")
+
+
+@test("a program that does not end is a warning with its place and exit status 5")
+def without_end(box):
+    box.write("endless.nc", "O1\n#1=0\nN1#1=#1+1\nGOTO1\n")
+    box.write("motions.nc", "O1\nG21G91F100\nN1G01X1.\nGOTO1\n")
+    box.write("wrong.nc", WRONG)
+    for name, words in (("endless.nc", ["--max-seconds", "0.1"]),
+                        ("motions.nc", ["--max-motions", "100"])):
+        told = findings(box, name, *words, wanted=5)
+        equal([(item["severity"], item["code"], item["program"]) for item in told],
+              [("warning", "BUDGET", "O0001")], f"findings of {name}")
+        check(told[0]["line"] in (3, 4), f"{name}: line {told[0]['line']}")
+        findings(box, name, "wrong.nc", *words, wanted=1)
+
+
+@test("a warning alone is a finding: exit status 1, level warning in SARIF, a failure in JUnit")
+def warnings(box):
+    box.write("part.nc", "O1\nGOTO2\nGOTO99\nN2M30\n")
+    equal([item["severity"] for item in findings(box, "part.nc")], ["warning"], "severities")
+    document = json.loads(box.kerf("check", "part.nc", "--format", "sarif").text)
+    equal([item["level"] for item in document["runs"][0]["results"]], ["warning"], "levels")
+    suite = xml.fromstring(box.kerf("check", "part.nc", "--format", "junit").out)
+    equal(suite.get("failures"), "1", "failures")
+
+
+@test("check as SARIF writes file names as URIs")
+def sarif_uris(box):
+    for name, uri in (("sub/a b.nc", "sub/a%20b.nc"), ("100%.nc", "100%25.nc"),
+                      ("größe#1.nc", "gr%C3%B6%C3%9Fe%231.nc")):
+        box.write(name, WRONG)
+        document = json.loads(box.kerf("check", name, "--format", "sarif").text)
+        location = document["runs"][0]["results"][0]["locations"][0]["physicalLocation"]
+        equal(location["artifactLocation"]["uri"], uri, f"URI of {name}")
+
+
+@test("an option that is wrong is told once, however many files are checked")
+def wrong_option_once(box):
+    names = [box.write(f"f{i}.nc", GOOD) for i in range(4)]
+    for words, wanted in ((["--param", "nosuch=1"], 2), (["--library", "gone"], 3),
+                          (["--dialect", "teach"], 2)):
+        result = box.kerf("check", *names, *words)
+        status(result, wanted)
+        equal(len(result.err.splitlines()), 1, f"sentences about {words}")
+    status(box.kerf("check", *names, "--dialect", "fanuc-mill"), 0)
+
+
 @test("check goes on behind a file that is missing and ends with 3")
 def missing_file(box):
     box.write("wrong.nc", WRONG)

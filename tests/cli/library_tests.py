@@ -118,6 +118,13 @@ def external(box):
     alarm(box.kerf("run", "main/part.nc", "--library", "library"), "PS1079", 2)
 
 
+@test("M198 finds a program that a call before it has read from a folder")
+def external_that_is_known(box):
+    box.write("main/part.nc", "O1\nM98P9402\nM198P9401\nM30\n" + program(1))
+    box.write("library/ALL.nc", "O9402\n#101=1\nM99\nO9401\n#100=2\nM99\n")
+    equal(found(box, "--library", "library"), 2, "#100")
+
+
 @test("a program that is called by name is found")
 def by_name(box):
     box.write("main/part.nc", "%\nO1\nM98<PROBE>\nM30\n%\n")

@@ -56,6 +56,18 @@ def g10_side_effects(box):
           [("rapid", 11), ("end", None)], "records")
 
 
+@test("offsets of --offsets and --state hold from the first block on, without G54")
+def from_the_first_block(box):
+    box.write("part.nc", "O1\nG21G90\nG00X1.\nM30\n")
+    box.write("o.toml", TOML)
+    status(box.kerf("run", "part.nc", "--offsets", "o.toml", "--motion", "m.json"), 0)
+    equal(box.motions("m.json")[0]["to"], {"X": 11, "Y": 0, "Z": 0}, "target with --offsets")
+    box.write("set.nc", "O1\nG10L2P1X10.\nM30\n")
+    status(box.kerf("run", "set.nc", "--state", "memory"), 0)
+    status(box.kerf("run", "part.nc", "--state", "memory", "--motion", "m.json"), 0)
+    equal(box.motions("m.json")[0]["to"], {"X": 11, "Y": 0, "Z": 0}, "target with --state")
+
+
 @test("--offsets as TOML and as G10 give the same path")
 def twins(box):
     part = ("O1\nG21G90G17\nG54G00X0Y0\nG43H5Z50.\nG41D5G01X10.Y0F200\nY30.\nX40.\nG40X60.\n"

@@ -1,5 +1,6 @@
 """Every option of `kerf run` has the effect that its contract says."""
 
+import os
 import xml.etree.ElementTree as xml
 
 from harness import alarm, check, contains, equal, near, status, test
@@ -166,6 +167,22 @@ def enough_motions(box):
     equal(summary(box, program, "--max-motions", "3")["status"], "end", "status")
 
 
+@test("the position behind --max-motions is where the last motion ended")
+def position_at_the_budget(box):
+    for blocks in ("G01X1.\nX1.\nX1.\nG43H1Z1.\n", "G81X1.Z-1.R1.L5\n"):
+        done = summary(box, "O1\nG21G91F100\n" + blocks + "M30\n", "--max-motions", "2",
+                       "--motion", "m.json", wanted=5)
+        last = [record for record in box.motions("m.json") if "to" in record][-1]
+        equal(done["position"]["machine"], last["to"], f"position behind {blocks!r}")
+
+
+@test("the same program with one motion more than --max-motions is a budget, whatever follows")
+def one_motion_too_many(box):
+    for block in ("X1.M30\n", "X1.\nM30\n", "X1.\n#1=1/0\n"):
+        program = "O1\nG21G91F100\nG01X1.\nX1.\n" + block
+        equal(summary(box, program, "--max-motions", "2", wanted=5)["motions"], 2, "motions")
+
+
 @test("--summary has the keys of the contract, in their order")
 def summary_keys(box):
     program = ("O1234\n" + HEAD + "G54G00X10.Y20.Z5.\nT3M06\nG01Z-1.F100\nX12.\nG04P500\n"
@@ -270,6 +287,7 @@ def keep_partial_option(box):
         check("m.json" in box.files(), f"--motion was not written after {name}")
         status(box.kerf(*command, "--keep-partial"), wanted)
         contains(box.read("post.nc").decode(), "X1", f"--post after {name}")
+        os.remove(box.path("post.nc"))
 
 
 @test("--post is written when the run reaches its end")

@@ -187,6 +187,21 @@ def tiny_arc(box):
     near(swept(second), swept(first), TOLERANCE, "length of all arcs")
 
 
+@test("a posted circle that ends a digit of the output beside its start stays a whole turn")
+def nearly_full(box):
+    first, second = post_and_run(
+        box, HEAD + "G00X10.Y0\nG51X0Y0P10\nG01X10.Y0F100\nG02X10.Y.001I-10.J0\nG50\nM30\n")
+    near(swept(second), swept(first), TOLERANCE, "length of all arcs")
+
+
+@test("constant surface speed is posted as such, and ends with G97")
+def surface_speed(box):
+    box.write("part.nc", HEAD + "G92S3000\nG96S200M03\nG01X10.F100\nM05\nG97S800M03\nM30\n")
+    status(box.kerf("run", "part.nc", "--post", "post.nc"), 0)
+    lines = [line for line in box.read("post.nc").decode().splitlines() if "S" in line or "M5" in line]
+    equal(lines[1:], ["G92 S3000", "G96 M3 S200", "M5", "G97 M3 S800"], "spindle blocks")
+
+
 @test("a posted program posts itself, once its numbers are those of the control")
 def itself(box):
     for name, program in PROGRAMS.items():

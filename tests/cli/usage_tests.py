@@ -25,6 +25,12 @@ WRONG_RUNS = {
     "--set of a variable that is always vacant": ["--set", "#0=1"],
     "--set of a variable that does not exist": ["--set", "#50=1"],
     "--set of a variable that cannot be written": ["--set", "#4001=1"],
+    "--set of a modal word of the running program": ["--set", "#4115=1"],
+    "--set of a macro alarm": ["--set", "#3000=1"],
+    "--set of a message": ["--set", "#3006=1"],
+    "--set of an input that does not exist": ["--set", "#1020=1"],
+    "--set of a date that does not exist": ["--set", "#3011=20250230"],
+    "--set of a time that does not exist": ["--set", "#3012=246000"],
     "--set of a fraction of a variable": ["--set", "#100.5=1"],
     "--set of a negative variable": ["--set", "#-1=1"],
     "--set of a BASIC variable": ["--set", "x=1"],
@@ -171,6 +177,54 @@ def unknown_machine(box):
     result = box.kerf("run", "part.nc", "--machine", "mill99")
     check(result.status in (2, 3), f"exit status {result.status}, wanted 2 or 3")
     one_sentence(result, "mill99", "mill3")
+
+
+def machine_of_dialect(box, dialect):
+    text = box.kerf("machines", "mill3").text
+    return box.write("mine.toml", text.replace('dialect = "fanuc-mill"', f'dialect = "{dialect}"'))
+
+
+@test("a machine whose dialect is not built yet is refused, unless another dialect is asked for")
+def dialect_of_a_machine(box):
+    box.write("part.nc", PROGRAM)
+    for dialect in ("fanuc-lathe", "laser-basic", "teach", "pattern"):
+        machine_of_dialect(box, dialect)
+        for command in ("run", "check"):
+            words = [command, "part.nc", "--machine", "mine.toml"]
+            refused(box.kerf(*words), 3, "mine.toml", dialect, "fanuc-mill")
+            status(box.kerf(*words, "--dialect", "fanuc-mill"), 0)
+
+
+@test("a machine whose dialect does not exist is refused with the line")
+def wrong_dialect_of_a_machine(box):
+    box.write("part.nc", PROGRAM)
+    machine_of_dialect(box, "fanuc-mil")
+    refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3, "mine.toml:4:", "fanuc-mil")
+
+
+WRONG_MACHINES = {
+    "a dialect that is a number": ('dialect = "fanuc-mill"', "dialect = 5", 4),
+    "an axis that is rotary in other words": ('name = "X"', 'name = "X"\nrotary = "no"', None),
+    "a control that is no table": ('dialect = "fanuc-mill"', 'dialect = "fanuc-mill"\ncontrol = 1', 5),
+    "no TOML": ('dialect = "fanuc-mill"', "dialect = ", 4),
+}
+for name, (old, new, line) in WRONG_MACHINES.items():
+    def wrong_machine(box, old=old, new=new, line=line):
+        text = box.kerf("machines", "mill3").text
+        check(old in text, f"the file of mill3 has no {old}")
+        if "control =" in new:
+            text = text[:text.index("[control]")] if "[control]" in text else text
+        box.write("mine.toml", text.replace(old, new, 1))
+        box.write("part.nc", PROGRAM)
+        refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3,
+                f"mine.toml:{line}:" if line else "mine.toml:")
+    test(f"a machine file with {name} is refused with the line")(wrong_machine)
+
+
+@test("a file name with control characters does not break the sentence")
+def control_characters(box):
+    for name in ("two\nlines.nc", "bell\x07.nc", "escape\x1b[31m.nc"):
+        refused(box.kerf("run", name), 3)
 
 
 @test("run and machines answer an unknown machine name with the same exit status")

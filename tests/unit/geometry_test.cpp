@@ -244,6 +244,14 @@ TEST(Intersect, DoesNotDependOnTheOrderOfTheCurves) {
   }
 }
 
+// The common point of curves that miss each other by `gap` lies in the middle of it.
+void expect_touch(const Curve& a, const Curve& b, double gap) {
+  const Intersections found = intersect(a, b, 1e-4);
+  if (found.count != 1) return;
+  EXPECT_LT(distance(a, found.points[0]), gap / 2 + 1e-9) << text(a) << ", " << text(b);
+  EXPECT_LT(distance(b, found.points[0]), gap / 2 + 1e-9) << text(a) << ", " << text(b);
+}
+
 TEST(Intersect, CurvesThatMissEachOtherByNoMoreThanTheToleranceTouch) {
   constexpr double kMiss = 1e-4;
   SeededRandom random(kSeed + 3);
@@ -258,6 +266,7 @@ TEST(Intersect, CurvesThatMissEachOtherByNoMoreThanTheToleranceTouch) {
     const double r2 = random.size(0.1, 100);
     const Curve outside{true, centre + (r + r2 + gap) * direction, {}, r2};
     ASSERT_GE(intersect(circle, outside, kMiss).count, 1U) << text(circle) << ", " << text(outside);
+    expect_touch(circle, outside, gap);
     if (std::fabs(r - r2) < 10 * kMiss) continue;
     const Curve inside{
         true,
@@ -265,6 +274,8 @@ TEST(Intersect, CurvesThatMissEachOtherByNoMoreThanTheToleranceTouch) {
         {},
         r2};
     ASSERT_GE(intersect(circle, inside, kMiss).count, 1U) << text(circle) << ", " << text(inside);
+    expect_touch(circle, inside, gap);
+    expect_touch(inside, circle, gap);
   }
 }
 

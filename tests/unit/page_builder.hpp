@@ -19,7 +19,10 @@ class PageBuilder {
   PageBuilder& add(const Instruction& instruction) {
     const std::uint32_t here = size();
     page_.marks.push_back({here, here + 1, 10 * here, 10 * here});
-    page_.spans.push_back({static_cast<std::uint16_t>(here + 1), 3});
+    Span span;
+    span.column = (here + 1) & Span::kMostColumn;
+    span.length = 3;
+    page_.spans.push_back(span);
     page_.instructions.push_back(instruction);
     return *this;
   }

@@ -4,15 +4,16 @@
 #include <span>
 #include <string_view>
 
+#include "lang/vm/code_page.hpp"
+
 namespace kerf::gcode {
 
 /// One address word of a block with its value.
 struct Word {
   double value = 0;  ///< as written; while compiled and `from_register`: the register's number
   char letter = 0;   ///< 'A' to 'Z', or ',' combined codes below
-  std::uint8_t flags = 0;    ///< WordFlag bits
-  std::uint16_t column = 0;  ///< from 1; columns beyond 65535 read 65535
-  std::uint16_t length = 0;  ///< bytes of the word's text
+  std::uint8_t flags = 0;  ///< WordFlag bits
+  vm::Span text{};         ///< where it stands on its line
 
   [[nodiscard]] bool has(std::uint8_t flag) const { return (flags & flag) != 0; }
 };

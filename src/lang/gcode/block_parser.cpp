@@ -22,10 +22,6 @@ KeywordMatch statement_word(const Cursor& cursor) {
   return statement_at(rest(cursor));
 }
 
-std::uint16_t narrow(std::ptrdiff_t value) {
-  return static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(value, 0xffff));
-}
-
 [[noreturn]] void fail_at(const Cursor& cursor, Code code, std::string_view detail = {},
                           std::string_view hint = {}) {
   throw SyntaxError{code, cursor.at(), cursor.done() ? 0U : 1U, detail, hint};
@@ -103,7 +99,7 @@ void BlockParser::block(Cursor& cursor, const BlockText&) {
     const char next = cursor.peek();
     if (match.keyword != Keyword::none) {
       cursor.advance(match.length);
-      statement(cursor, match.keyword);
+      statement(cursor, match);
     } else if (next == '#' || next == '[') {
       assignment(cursor);
     } else {
@@ -231,8 +227,11 @@ void BlockParser::check_words_first(const Cursor& cursor) {
   for (std::size_t i = first_word_; i < page_.words.size(); ++i) {
     const Word& word = page_.words[i];
     if (word.has(WordFlag::point) && kIntegers.find(word.letter) != std::string_view::npos) {
-      throw SyntaxError{
-          Code::illegal_decimal_point, line_begin_ + word.column - 1, word.length, {}, {}};
+      throw SyntaxError{Code::illegal_decimal_point,
+                        line_begin_ + word.text.column - 1,
+                        word.text.length,
+                        {},
+                        {}};
     }
   }
   for (Cursor ahead = cursor; !ahead.done(); ahead.advance()) {
@@ -328,8 +327,7 @@ void BlockParser::literal(Cursor& cursor, Word& word, bool minus) {
 }
 
 void BlockParser::finish_word(const char* begin, const char* end, Word& word) {
-  word.column = narrow(begin - line_begin_ + 1);
-  word.length = narrow(end - begin);
+  word.text = vm::Span::between(begin, end, line_begin_);
   page_.words.push_back(word);
 }
 

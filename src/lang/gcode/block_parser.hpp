@@ -60,7 +60,7 @@ class BlockParser {
   void do_words(Statement statement, std::uint32_t count);
   void finish_mid_skips(const Statement& statement, const std::vector<MidSkip>& skips);
 
-  void statement(Cursor& cursor, Keyword keyword);
+  void statement(Cursor& cursor, const KeywordMatch& match);
   void assignment(Cursor& cursor);
   void if_statement(Cursor& cursor);
   void go_to(Cursor& cursor);
@@ -73,7 +73,7 @@ class BlockParser {
   void name_variables(Cursor& cursor);
   std::string variable_name(Cursor& cursor);
   void host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count);
-  void expect_end(Cursor& cursor);
+  void expect_end(Cursor& cursor, std::string_view hint = "put it into a block of its own");
 
   GcodePage& page_;
   Emitter emitter_;

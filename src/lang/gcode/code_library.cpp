@@ -53,6 +53,14 @@ std::optional<vm::CodeId> CodeLibrary::find(const std::string& name) const {
   return std::nullopt;
 }
 
+std::optional<vm::CodeId> CodeLibrary::find_outside(base::FileId file, std::uint32_t number) const {
+  for (std::size_t i = 0; i < programs_.size(); ++i) {
+    if (number != 0 && programs_[i].file != file && programs_[i].entry.number == number)
+      return vm::CodeId(i);
+  }
+  return std::nullopt;
+}
+
 CodeLibrary::Slot* CodeLibrary::find_slot(vm::CodeId code, std::uint32_t number) {
   const auto holds = [&](const Slot& slot) {
     return slot.page->code == code && slot.page->number == number;
@@ -65,9 +73,16 @@ CodeLibrary::Slot* CodeLibrary::find_slot(vm::CodeId code, std::uint32_t number)
 // A page that had to be thrown away and is wanted again: the program loops, so more pages stay.
 CodeLibrary::Slot& CodeLibrary::free_slot(bool seen_before) {
   if (seen_before) allowed_ = std::min(allowed_ * 2, settings_.most_pages);
-  if (slots_.size() < allowed_) return slots_.emplace_back(Slot{std::make_unique<GcodePage>(), 0});
+  if (slots_.empty() || (slots_.size() < allowed_ && bytes_held() < settings_.most_bytes))
+    return slots_.emplace_back(Slot{std::make_unique<GcodePage>(), 0});
   return *std::min_element(slots_.begin(), slots_.end(),
                            [](const Slot& a, const Slot& b) { return a.used < b.used; });
+}
+
+std::size_t CodeLibrary::bytes_held() const {
+  std::size_t bytes = 0;
+  for (const Slot& slot : slots_) bytes += slot.page->bytes();
+  return bytes;
 }
 
 GcodePage& CodeLibrary::page(vm::CodeId code, std::uint32_t number) {
@@ -166,8 +181,10 @@ std::vector<base::Diagnostic> CodeLibrary::check(vm::CodeId code) {
   std::vector<base::Diagnostic> found;
   for (std::uint32_t number = 0;; ++number) {
     check_page(code, number, found);
-    if (page(code, number).last) return found;
+    if (page(code, number).last) break;
   }
+  for (base::Diagnostic& diagnostic : found) diagnostic.program = name_of(program(code).entry);
+  return found;
 }
 
 // Jumps and loops are looked up by number, because a lookup may throw the page away.

@@ -24,8 +24,9 @@ class CodeLibrary : public vm::CodeSource {
  public:
   struct Settings {
     std::uint32_t lines_per_page = 256;
-    std::size_t fresh_pages = 8;    ///< kept while a program runs straight on
-    std::size_t most_pages = 1024;  ///< kept at most, some 30 MiB
+    std::size_t fresh_pages = 8;         ///< kept while a program runs straight on
+    std::size_t most_pages = 1024;       ///< kept at most, some 30 MiB
+    std::size_t most_bytes = 64U << 20;  ///< of pages, when they are larger than usual
   };
 
   explicit CodeLibrary(base::SourceSet& sources) : CodeLibrary(sources, Settings{}) {}
@@ -45,6 +46,9 @@ class CodeLibrary : public vm::CodeSource {
   [[nodiscard]] base::FileId file_of(vm::CodeId code) const;
   [[nodiscard]] std::optional<vm::CodeId> find(std::uint32_t number) const;
   [[nodiscard]] std::optional<vm::CodeId> find(const std::string& name) const;
+  /// The first program of this number that is not in `file`.
+  [[nodiscard]] std::optional<vm::CodeId> find_outside(base::FileId file,
+                                                       std::uint32_t number) const;
   /// Mistakes of a program that show without running it: blocks that do not compile, GOTOs to
   /// sequence numbers that do not exist (warnings: such a GOTO may never be reached), DOs without
   /// END.
@@ -80,6 +84,7 @@ class CodeLibrary : public vm::CodeSource {
   Program& program(vm::CodeId code) { return programs_[static_cast<std::size_t>(code)]; }
   Slot* find_slot(vm::CodeId code, std::uint32_t number);
   Slot& free_slot(bool seen_before);
+  [[nodiscard]] std::size_t bytes_held() const;
   void compile(vm::CodeId code, std::uint32_t number, Slot& slot);
   void learn_starts(vm::CodeId code, std::uint32_t number);
   const std::vector<PlacedLabel>& labels_of(vm::CodeId code);

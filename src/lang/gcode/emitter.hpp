@@ -23,7 +23,7 @@ class Emitter {
 
   /// The text that the instructions emitted from now on belong to.
   void stand_at(const char* begin, const char* end) {
-    span_ = {narrow(begin - line_text_ + 1), narrow(end - begin)};
+    span_ = vm::Span::between(begin, end, line_text_);
   }
 
   std::uint32_t emit(vm::Instruction instruction) {
@@ -59,10 +59,6 @@ class Emitter {
   static bool is_temporary(std::uint8_t reg) { return reg >= kLocals; }
 
  private:
-  static std::uint16_t narrow(std::ptrdiff_t value) {
-    return static_cast<std::uint16_t>(value < 0 ? 0 : value < 0xffff ? value : 0xffff);
-  }
-
   GcodePage& page_;
   const char* line_text_ = nullptr;
   std::uint32_t next_register_ = kLocals;

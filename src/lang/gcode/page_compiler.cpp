@@ -11,6 +11,9 @@ namespace {
 
 using vm::Op;
 
+// A page of long lines ends early: its code is larger than its text.
+constexpr std::uint64_t kMostPageBytes = 1 << 17;
+
 // Calls `take` with every block of a line: the text between semicolons outside of comments.
 template <typename Take>
 void split_blocks(std::string_view line, Take take) {
@@ -72,7 +75,9 @@ void PageCompiler::compile(const base::SourceFile& file, base::FileId id, const 
   BlockParser parser(page, names);
   std::uint32_t line_number = start.line;
   TextWindow::Line line;
-  for (std::uint32_t lines = 0; lines < lines_per_page_ && window_.next(line); ++lines) {
+  for (std::uint32_t lines = 0; lines < lines_per_page_; ++lines) {
+    const bool full = window_.position() - start.offset >= kMostPageBytes;
+    if (full || !window_.next(line)) break;
     const auto offset = static_cast<std::uint32_t>(line.offset - start.offset);
     const auto compile_block = [&](std::string_view block) {
       const auto within = static_cast<std::uint32_t>(block.data() - line.text.data());

@@ -45,6 +45,7 @@ class Scanner {
  private:
   void scan(std::string_view chunk);
   void character(char c);
+  void count_returns(char c);
   void line_end();
   void end_leader(std::uint64_t next);
   void percent();
@@ -77,7 +78,8 @@ class Scanner {
   bool tape_end_ = false;  // behind the closing '%'
   bool percent_seen_ = false;
   bool block_begin_ = true;
-  bool carriage_return_ = false;
+  std::uint32_t returns_ = 0;    // CRs right before the character being looked at
+  bool behind_newline_ = false;  // they stand, or the character stands, right behind an LF
   bool number_seen_ = false;
   char before_ = ' ';  // last character that is not blank
   std::uint64_t word_at_ = 0;
@@ -131,6 +133,7 @@ void Scanner::skip_plain(std::string_view text) {
     break;
   }
   offset_ += text.size();
+  behind_newline_ = text.back() == '\n';
 }
 
 // Counts the line ends of a stretch; returns where its last line begins, or npos when it has no
@@ -143,19 +146,26 @@ std::size_t Scanner::line_start_of_last_line(std::string_view text) {
     return newline + 1;
   }
   std::size_t begin = std::string_view::npos;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool lone_return =
-        text[i] == '\r' && i + 1 < text.size() && text[i + 1] != '\r' && text[i + 1] != '\n';
-    if (text[i] != '\n' && !lone_return) continue;
-    ++line_;
-    begin = i + 1;
+  bool behind_newline = behind_newline_;
+  for (std::size_t i = 0; i < text.size();) {
+    // A plain stretch does not end in a CR.
+    const std::size_t behind = std::min(text.find_first_not_of('\r', i), text.size() - 1);
+    if (text[behind] == '\n') {
+      ++line_;
+      begin = behind + 1;
+    } else if (behind > i && !behind_newline) {
+      line_ += static_cast<std::uint32_t>(behind - i);
+      begin = behind;
+    }
+    behind_newline = text[behind] == '\n';
+    i = behind + 1;
   }
   return begin;
 }
 
 void Scanner::scan(std::string_view chunk) {
   for (std::size_t i = 0; i < chunk.size() && !tape_end_;) {
-    if (reading_ == Reading::text && content_ && !leader_ && !carriage_return_) {
+    if (reading_ == Reading::text && content_ && !leader_ && returns_ == 0) {
       const std::size_t plain = plain_stretch(chunk.substr(i));
       if (plain > 0) {
         skip_plain(chunk.substr(i, plain));
@@ -186,10 +196,23 @@ void Scanner::end_leader(std::uint64_t next) {
   current_.line_start = line_start_;
 }
 
+// The line ends of TextWindow: LF, CR…CR LF, or a CR that no LF follows; CRs behind an LF are
+// blanks.
+void Scanner::count_returns(char c) {
+  if (c == '\r') {
+    ++returns_;
+    return;
+  }
+  if (returns_ > 0 && c != '\n' && !behind_newline_) {
+    line_ += returns_ - 1;
+    line_end();
+  }
+  returns_ = 0;
+  behind_newline_ = c == '\n';
+}
+
 void Scanner::character(char c) {
-  // One line end: LF, CR…CR LF, or a CR that no LF follows.
-  if (carriage_return_ && c != '\n' && c != '\r') line_end();
-  carriage_return_ = c == '\r';
+  count_returns(c);
   if (reading_ == Reading::number) {
     number_character(c);
     if (reading_ == Reading::number) return;
@@ -377,6 +400,12 @@ void Scanner::finish() {
 }
 
 }  // namespace
+
+std::string name_of(const ProgramEntry& entry) {
+  if (!entry.name.empty()) return entry.name;
+  const std::string digits = std::to_string(entry.number);
+  return "O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+}
 
 ProgramDirectory read_directory(const base::SourceFile& file, base::FileId id) {
   return Scanner(file, id).run();

@@ -20,6 +20,9 @@ struct ProgramEntry {
   std::uint64_t line_start = 0;  ///< byte offset of that line
 };
 
+/// "O0001", or the name of a program that has one; "O0000" without either.
+[[nodiscard]] std::string name_of(const ProgramEntry& entry);
+
 /// The programs of a file in the order of the text, and what is wrong with their numbers
 /// (fanuc-dialect.md §1.1; real-programs.md, "File conventions").
 struct ProgramDirectory {

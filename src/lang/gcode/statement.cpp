@@ -39,10 +39,14 @@ bool nameable(double number) {
 
 }  // namespace
 
-void BlockParser::statement(Cursor& cursor, Keyword keyword) {
-  switch (keyword) {
+void BlockParser::statement(Cursor& cursor, const KeywordMatch& match) {
+  switch (match.keyword) {
     case Keyword::if_: return if_statement(cursor);
-    case Keyword::go_to: go_to(cursor); break;
+    case Keyword::go_to:
+      go_to(cursor);
+      // "GO1X1." with the letter O: GOTO1 and something behind it.
+      if (match.length == 2) return expect_end(cursor, "GO is GOTO; G0 is written with a zero");
+      break;
     case Keyword::while_: return while_statement(cursor);
     case Keyword::do_: do_statement(cursor, emitter_.here(), false, {}); break;
     case Keyword::end: end_statement(cursor); break;
@@ -57,13 +61,12 @@ void BlockParser::statement(Cursor& cursor, Keyword keyword) {
 }
 
 // What may not follow a macro statement in its block.
-void BlockParser::expect_end(Cursor& cursor) {
+void BlockParser::expect_end(Cursor& cursor, std::string_view hint) {
   if (cursor.done()) return;
   const char next = cursor.peek();
   if (next == ']') fail(cursor, Code::missing_open_bracket);
   if (is_letter(next) || next == '#') {
-    fail(cursor, Code::nc_and_macro, "something else stands behind the macro statement",
-         "put it into a block of its own");
+    fail(cursor, Code::nc_and_macro, "something else stands behind the macro statement", hint);
   }
   if (!is_language_character(next)) {
     fail(cursor, Code::improper_address, "this character is not part of the language");

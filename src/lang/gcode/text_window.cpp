@@ -28,12 +28,15 @@ void TextWindow::stand_at(const base::SourceFile& file, base::FileId id, std::ui
   }
   at_ = begin;
   size_ = position_ = 0;
+  before_ = 0;
+  if (begin > 0 && file.read(begin - 1, {&before_, 1}) == 0) before_ = 0;
   has_returns_ = has_semicolons_ = false;
 }
 
 // The text before the next line is not needed any more.
 void TextWindow::drop_past() {
   if (position_ == 0) return;
+  before_ = buffer_[position_ - 1];
   std::memmove(buffer_.get(), buffer_.get() + position_, size_ - position_);
   at_ += position_;
   size_ -= position_;
@@ -72,6 +75,10 @@ bool TextWindow::find_end(std::size_t from, LineEnd& end) const {
   return true;
 }
 
+char TextWindow::before(std::size_t position) const {
+  return position > 0 ? buffer_[position - 1] : before_;
+}
+
 // An LF CR pair counts as LF: the stray CR is a blank of the next line.
 bool TextWindow::find_end_with_returns(std::size_t from, LineEnd& end) const {
   const std::string_view text = view();
@@ -87,7 +94,7 @@ bool TextWindow::find_end_with_returns(std::size_t from, LineEnd& end) const {
   if (behind == text.size()) return false;  // an LF may still come
   if (text[behind] == '\n') {
     end = {carriage, behind + 1};
-  } else if (carriage == from && from > 0 && text[from - 1] == '\n') {
+  } else if (carriage == from && before(from) == '\n') {
     return find_end_with_returns(behind, end);
   } else {
     end = {carriage, carriage + 1};

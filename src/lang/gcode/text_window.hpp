@@ -46,6 +46,7 @@ class TextWindow {
   void drop_past();
   [[nodiscard]] bool find_end(std::size_t from, LineEnd& end) const;
   [[nodiscard]] bool find_end_with_returns(std::size_t from, LineEnd& end) const;
+  [[nodiscard]] char before(std::size_t position) const;
   void skip_long_line();
   [[nodiscard]] std::string_view view() const { return {buffer_.get(), size_}; }
 
@@ -57,6 +58,7 @@ class TextWindow {
   std::size_t size_ = 0;      // bytes in the buffer
   std::uint64_t at_ = 0;      // file offset of the buffer's first byte
   std::size_t position_ = 0;  // of the next line in the buffer
+  char before_ = 0;           // the character in front of the buffer; 0: none
   bool has_returns_ = false;  // the buffer holds a CR
   bool has_semicolons_ = false;
 };

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,10 +40,27 @@ struct BlockMark {
   std::uint32_t line_offset = 0;  ///< of its line's first byte, likewise
 };
 
-/// What an instruction was made from, on the line of its block: for the caret.
+/// A stretch of a line: what an instruction or a word was made from, for the caret. Every one of
+/// them has such a span, so it fits into four bytes.
 struct Span {
-  std::uint16_t column = 0;
-  std::uint16_t length = 0;
+  static constexpr std::uint32_t kMostColumn = (1U << 21) - 1;
+  static constexpr std::uint32_t kMostLength = (1U << 11) - 1;
+
+  std::uint32_t column : 21 = 0;  ///< from 1, in bytes; what is larger reads kMostColumn
+  std::uint32_t length : 11 = 0;  ///< in bytes; what is longer reads kMostLength
+
+  /// The text from `begin` to `end` on the line that begins at `line`.
+  [[nodiscard]] static Span between(const char* begin, const char* end, const char* line) {
+    Span span;
+    span.column = at_most(begin - line + 1, kMostColumn) & kMostColumn;
+    span.length = at_most(end - begin, kMostLength) & kMostLength;
+    return span;
+  }
+
+ private:
+  static std::uint32_t at_most(std::ptrdiff_t value, std::uint32_t most) {
+    return value < 0 ? 0 : static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(value, most));
+  }
 };
 
 /// The code of some consecutive blocks of a program, together with what maps it back to the text.

@@ -73,7 +73,14 @@ std::span<double> Interpreter::locals() {
 }
 
 base::Place Interpreter::place() {
-  return source_.page(running_.code, running_.at.page).place_of(running_.at.instruction);
+  base::Place place =
+      source_.page(running_.code, running_.at.page).place_of(running_.at.instruction);
+  // A page may hold no block at all: comments, or nothing but the end of the program.
+  for (std::uint32_t page = running_.at.page; place.line == 0 && page > 0; --page) {
+    const CodePage& before = source_.page(running_.code, page - 1);
+    place = before.place_of(static_cast<std::uint32_t>(before.instructions.size() - 1));
+  }
+  return place;
 }
 
 base::Place Interpreter::place_of_call(std::size_t depth) {
@@ -290,7 +297,7 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
 #undef KERF_BRANCH
 
       case Op::jump: {
-        frames_.back().at = {page->number, pc};
+        save();
         const Address target{page->number, i.n};
         drop_left_regions(target);
         pc = i.n;
@@ -372,7 +379,10 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         Frame& frame = frames_.back();
         frame.at = {page->number + 1, 0};
         load();
-        if (--budget == 0) return Stop::budget;
+        if (--budget == 0) {
+          running_ = {frame.code, frame.at};
+          return Stop::budget;
+        }
         break;
       }
       case Op::end_of_code: {

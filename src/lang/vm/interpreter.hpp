@@ -59,6 +59,8 @@ class Interpreter {
   }
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   [[nodiscard]] CodeId running_code() const { return frames_.back().code; }
+  /// The text of the instruction that executes, or executed last. What has no text of its own, as
+  /// the end of the program, stands where the block before it does.
   [[nodiscard]] base::Place place();
   /// The instruction that executes, in running_code().
   [[nodiscard]] Address running() const { return running_.at; }
@@ -86,8 +88,9 @@ class Interpreter {
     CodeId code{};
     Address at;
   };
+  static constexpr CodeId kNoCode{~0U};
   struct CachedJump {
-    CodeId code{};
+    CodeId code = kNoCode;
     Address from;
     std::uint32_t label = 0;
     Address to;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <exception>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -75,15 +77,23 @@ FileReport check_file(const std::string& path, const CheckOptions& options) {
 std::vector<FileReport> check_all(const CheckOptions& options) {
   std::vector<FileReport> reports(options.files.size());
   std::atomic<std::size_t> next{0};
+  std::mutex guard;
+  std::exception_ptr fault;  // of any worker: main() tells it
   const auto work = [&] {
-    for (std::size_t i = next++; i < options.files.size(); i = next++)
-      reports[i] = check_file(options.files[i], options);
+    try {
+      for (std::size_t i = next++; i < options.files.size(); i = next++)
+        reports[i] = check_file(options.files[i], options);
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      fault = std::current_exception();
+    }
   };
   std::vector<std::jthread> workers;
   for (unsigned i = 1; i < std::min<std::size_t>(options.jobs, options.files.size()); ++i)
     workers.emplace_back(work);
   work();
   workers.clear();
+  if (fault) std::rethrow_exception(fault);
   return reports;
 }
 

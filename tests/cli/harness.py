@@ -16,6 +16,9 @@ import time
 
 TIMEOUT_S = 25
 
+# A sanitizer needs memory of its own: then nothing is said about that of Kerf.
+MEASURES_MEMORY = True
+
 # Runs the words behind the first two and writes the peak memory (KiB) of that process to the first.
 # A process starts out with the peak of the one that made it, so a small one has to stand between.
 PEAK_SCRIPT = """

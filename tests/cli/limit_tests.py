@@ -2,6 +2,7 @@
 
 import random
 
+import harness
 from harness import alarm, check, equal, near, status, test
 
 MIB = 1024  # KiB
@@ -9,6 +10,8 @@ MOST_MIB = 256
 
 
 def bounded(result, most_mib=MOST_MIB):
+    if not harness.MEASURES_MEMORY:
+        return
     check(0 < result.peak_kib < most_mib * MIB,
           f"{result.peak_kib / MIB:.0f} MiB of memory, wanted less than {most_mib} MiB")
 
@@ -183,8 +186,7 @@ def straight(box):
     status(result, 0)
     equal(box.json("s.json")["blocks"], 2_000_002, "blocks")
     bounded(result, 64)
-    check(result.peak_kib < short.peak_kib + 16 * MIB,
-          f"{result.peak_kib / MIB:.0f} MiB, a short program needs {short.peak_kib / MIB:.0f}")
+    bounded(result, short.peak_kib / MIB + 16)
 
 
 @test("every output of a long program is written in bounded memory")

@@ -37,9 +37,11 @@ def main():
     parser.add_argument("--kerf", required=True, help="the program to test")
     parser.add_argument("--only", default="", help="tests whose sentence holds this text")
     parser.add_argument("--jobs", type=int, default=min(4, (os.cpu_count() or 1) + 1))
+    parser.add_argument("--sanitized", action="store_true", help="the program carries a sanitizer")
     parser.add_argument("--list", action="store_true", help="prints the sentences only")
     options = parser.parse_args()
     program = os.path.abspath(options.kerf)
+    harness.MEASURES_MEMORY = not options.sanitized
     tests = [test for test in harness.TESTS if options.only in test.sentence]
     sentences = [test.sentence for test in harness.TESTS + harness.LAST_TESTS]
     twice = {sentence for sentence in sentences if sentences.count(sentence) > 1}

@@ -4,7 +4,7 @@
 
 namespace kerf::cli {
 
-/// Exit statuses (cli.md, "Rules for every command").
+/// Exit statuses (docs/command-line.md).
 enum class ExitStatus : int {
   well = 0,
   findings = 1,  ///< the NC program is wrong, raised an alarm, or a check has findings

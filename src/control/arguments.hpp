@@ -28,7 +28,7 @@ struct CallWords {
   LocalVariables locals{};
 };
 
-/// Argument specifications I and II together (fanuc-dialect.md §6.2, ARG-1 to ARG-6): letters have
+/// Argument specifications I and II together (docs/dialect.md §6.2, ARG-1 to ARG-6): letters have
 /// their variable; I, J, K begin a new set of three whenever they do not ascend. The later of two
 /// words for the same variable counts. False: an alarm was raised.
 [[nodiscard]] bool read_arguments(std::span<const gcode::Word> words, const ArgumentRules& rules,

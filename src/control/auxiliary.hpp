@@ -6,7 +6,7 @@
 
 namespace kerf::control {
 
-/// F, S, T, H, D and the M codes of a block (fanuc-dialect.md §8, order in a block; §11.5).
+/// F, S, T, H, D and the M codes of a block (docs/dialect.md §8, order in a block; §11.5).
 class Auxiliary {
  public:
   explicit Auxiliary(State& state) : state_(state) {}

@@ -152,7 +152,7 @@ bool Controller::finish_calls() {
   return true;
 }
 
-// M codes of 6071 to 6079, and T, S, B where they call programs (fanuc-dialect.md §6.4).
+// M codes of 6071 to 6079, and T, S, B where they call programs (docs/dialect.md §6.4).
 bool Controller::call_by_code(const Words& words, bool& called) {
   if (!codes_call_subprograms_ || calls_.codes_are_ordinary()) return true;
   using Kind = ProgramCalls::Kind;

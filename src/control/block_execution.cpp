@@ -1,4 +1,4 @@
-// How the control executes one NC block (fanuc-dialect.md §8, order in a block):
+// How the control executes one NC block (docs/dialect.md §8, order in a block):
 //   1. words are fetched and sorted (block_words.cpp)
 //      program calls by G code are found (block_calls.cpp)
 //   2. modal codes, F, S, T, D, H are taken over

@@ -8,7 +8,7 @@
 
 namespace kerf::control {
 
-/// Drilling cycles G73 to G89 (fanuc-dialect.md §10). A block only starts its holes; step() then
+/// Drilling cycles G73 to G89 (docs/dialect.md §10). A block only starts its holes; step() then
 /// makes one peck, or one hole, at a time, so that no block floods whoever receives the motions.
 class CannedCycle {
  public:

@@ -14,7 +14,7 @@ struct WorkSystem {
   std::uint32_t extended = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
 };
 
-/// Where the programmed point is, in every coordinate system at once (fanuc-dialect.md §8.3):
+/// Where the programmed point is, in every coordinate system at once (docs/dialect.md §8.3):
 ///
 ///   path = transform(program) + origin,     origin = EXT + work offset + G52 shift + G92 shift
 ///   machine = path + length offset

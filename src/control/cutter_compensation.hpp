@@ -14,7 +14,7 @@
 
 namespace kerf::control {
 
-/// Cutter radius compensation, fanuc-dialect.md §9 (rule ids CRC-n stand at the code).
+/// Cutter radius compensation, docs/dialect.md §9 (rule ids CRC-n stand at the code).
 ///
 /// The path of the tool centre lies at the distance r from the programmed one, to the left (G41) or
 /// right (G42) of the direction of travel. Where it turns depends on the move that follows, so each

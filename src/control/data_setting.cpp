@@ -1,4 +1,4 @@
-// G10: work offsets, tool offsets, parameters (fanuc-dialect.md §7.4).
+// G10: work offsets, tool offsets, parameters (docs/dialect.md §7.4).
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
 #include "control/settings.hpp"

@@ -11,7 +11,7 @@ namespace kerf::control {
 /// A G code times ten: G54.1 is 541.
 using GCode = std::uint16_t;
 
-/// Groups of the machining centre (fanuc-dialect.md §3.2, §8.1).
+/// Groups of the machining centre (docs/dialect.md §3.2, §8.1).
 enum class Group : std::uint8_t {
   one_shot = 0,
   motion = 1,

@@ -159,7 +159,7 @@ bool Moves::read_centre(const Words& words, const PlaneAxes& plane, const Target
 }
 
 // An arc stays a circle when the factors of its plane differ: its ends are scaled each by their
-// factor, its radius by the larger one (fanuc-dialect.md §8.5).
+// factor, its radius by the larger one (docs/dialect.md §8.5).
 bool Moves::unevenly_scaled_centre(const PlaneAxes& plane, const Target& target, Vec2 centre,
                                    bool clockwise, Vec2& image) {
   state_.assume(Assumed::scaled_arc,

@@ -6,7 +6,7 @@
 namespace kerf::control {
 
 /// Programmed moves: G00, G01, G02, G03, G33 and what they share: tool length, stroke limits, feed
-/// (fanuc-dialect.md §8.1, §8.2).
+/// (docs/dialect.md §8.1, §8.2).
 class Moves {
  public:
   Moves(State& state, Targets& targets) : state_(state), targets_(targets) {}

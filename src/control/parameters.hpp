@@ -10,8 +10,8 @@
 
 namespace kerf::control {
 
-/// Settings of the control: data of the machine file, each changeable by name (fanuc-dialect.md
-/// §0.1). Lengths in mm.
+/// Settings of the control: data of the machine file, each changeable by name
+/// (docs/parameters.md). Lengths in mm.
 struct Parameters {
   bool calculator_point = false;  ///< DPI: a number without a point counts whole units
   bool power_on_inch = false;     ///< unit
@@ -57,7 +57,7 @@ struct Parameters {
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram
 
-  /// Sets the parameter `key` (a name of §0.1 or a FANUC number) from text.
+  /// Sets the parameter `key` (a name or a FANUC number) from text.
   /// Failure (usage): no such key, or a value that it cannot take.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 

@@ -8,7 +8,7 @@
 
 namespace kerf::control {
 
-/// The axes of a plane: first, second and the normal to both (fanuc-dialect.md §8.2), and the
+/// The axes of a plane: first, second and the normal to both (docs/dialect.md §8.2), and the
 /// letters of the centre offsets along the first two.
 struct PlaneAxes {
   base::Axis first{};

@@ -23,7 +23,7 @@ class ProgramFinder {
   [[nodiscard]] virtual std::optional<vm::CodeId> find_external(std::uint32_t number) = 0;
 };
 
-/// Calls, returns and modal calls: who runs, how deep, and what comes back (fanuc-dialect.md §6).
+/// Calls, returns and modal calls: who runs, how deep, and what comes back (docs/dialect.md §6).
 ///
 /// A motion in a program of modal depth d triggers the modal macro M(k-d) of the k that are
 /// stacked, and that macro runs at depth d + 1; programs called otherwise inherit the depth of

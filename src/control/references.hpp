@@ -7,7 +7,7 @@
 namespace kerf::control {
 
 /// One-shot codes that move: G27 to G30 (reference points), G31 (skip), G45 to G48 (offset moves),
-/// G53 (machine coordinates), G60 (fanuc-dialect.md §8.3, §8.6).
+/// G53 (machine coordinates), G60 (docs/dialect.md §8.3, §8.6).
 class References {
  public:
   References(State& state, Targets& targets, Moves& moves)

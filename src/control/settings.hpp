@@ -8,7 +8,7 @@ namespace kerf::control {
 
 /// What blocks set without moving: modal codes and everything that they switch (coordinate systems,
 /// tool length, cutter compensation, scaling, mirror image, rotation), and the one-shot codes G10,
-/// G52, G92 (fanuc-dialect.md §7.4, §8.3 to §8.5, §9).
+/// G52, G92 (docs/dialect.md §7.4, §8.3 to §8.5, §9).
 class Settings {
  public:
   Settings(State& state, Targets& targets, Moves& moves)

@@ -10,7 +10,7 @@
 namespace kerf::control {
 
 /// Variables by number: locals, commons and the system variables from #1000 on
-/// (fanuc-dialect.md §2, §3). Values count in the program's input unit.
+/// (docs/dialect.md §2, §3). Values count in the program's input unit.
 class SystemVariables {
  public:
   /// What #3000, #3006 and the like make happen.

@@ -58,7 +58,7 @@ bool Targets::read(const Words& words, Target& target) {
 }
 
 // G16: the first axis of the plane is a radius, the second an angle. The origin is work zero for an
-// absolute radius, the programmed point for an incremental one (fanuc-dialect.md §8.5).
+// absolute radius, the programmed point for an incremental one (docs/dialect.md §8.5).
 bool Targets::read_polar(const Words& words, Target& target) {
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
   if (!plane) return state_.alarms.raise(base::Code::illegal_plane_axis);

@@ -9,7 +9,7 @@ namespace kerf::control {
 ///   q = mirror(p);  s = c + k (q - c) per axis;  r = d + Rot(angle)(s - d),  d the image of the
 ///   centre
 /// of rotation under the first two. One mirrored axis of the plane turns the sense of the rotation
-/// (fanuc-dialect.md §8.5). Value type; the identity when made.
+/// (docs/dialect.md §8.5). Value type; the identity when made.
 class Transform {
  public:
   void scale(const base::AxisVector& centre, const base::AxisVector& factors);

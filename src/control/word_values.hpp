@@ -7,7 +7,7 @@
 
 namespace kerf::control {
 
-/// Unit in which the numbers of a block count (fanuc-dialect.md §1.5).
+/// Unit in which the numbers of a block count (docs/dialect.md §1.5).
 struct NumberFormat {
   bool inch = false;
   bool calculator_point = false;  ///< DPI

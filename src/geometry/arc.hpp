@@ -6,7 +6,7 @@
 
 namespace kerf::geometry {
 
-/// Centre of the arc of radius |radius| from `from` to `to` (fanuc-dialect.md ARC-5). The short way
+/// Centre of the arc of radius |radius| from `from` to `to` (docs/dialect.md ARC-5). The short way
 /// round for radius > 0, the long way for radius < 0. When the chord is longer than the diameter by
 /// at most 2·tolerance its midpoint is the centre; beyond that there is none. Precondition: from !=
 /// to.

@@ -9,7 +9,7 @@
 
 namespace kerf::output {
 
-/// Writes motions as JSON Lines (cli.md, "Motion records"): one object a line, in order. mm,
+/// Writes motions as JSON Lines (docs/command-line.md): one object a line, in order. mm,
 /// degrees, mm/min.
 class MotionJson : public control::MotionSink {
  public:

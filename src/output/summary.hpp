@@ -6,7 +6,7 @@
 
 namespace kerf::output {
 
-/// The summary of a run as one JSON object (cli.md, "Summary"), on one line.
+/// The summary of a run as one JSON object on one line (docs/command-line.md).
 [[nodiscard]] std::string summary_json(machine::VirtualMachine& machine,
                                        const std::string& dialect);
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of the contract of the command line (spec/cli.md) for run, check and machines.
+"""Tests of the contract of the command line (docs/command-line.md) for run, check and machines.
 
 usage: run_cli_tests.py --kerf PATH [--only TEXT] [--jobs N] [--list]
 

@@ -1,4 +1,4 @@
-// Canned cycles do what a person would write by hand with G00 and G01 (fanuc-dialect.md §10).
+// Canned cycles do what a person would write by hand with G00 and G01 (docs/dialect.md §10).
 #include <gtest/gtest.h>
 
 #include "machine_run.hpp"
@@ -57,7 +57,7 @@ class ByHand {
   std::string text_;
 };
 
-// CYC-1 to CYC-7, CYC-9, CYC-10 as the specification lists them, from above the hole.
+// CYC-1 to CYC-7, CYC-9, CYC-10 as docs/dialect.md lists them, from above the hole.
 std::string by_hand(int code, const Hole& h) {
   ByHand hand(h);
   hand.rapid(h.r);

@@ -1,4 +1,4 @@
-// Properties of cutter compensation on seeded random contours (fanuc-dialect.md §9).
+// Properties of cutter compensation on seeded random contours (docs/dialect.md §9).
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,4 @@
-// The file conventions of real programs (real-programs.md, "File conventions"; fanuc-dialect.md
-// §1.1).
+// What counts as a program in a file, and what does not (docs/dialect.md §1.1).
 #include "lang/gcode/program_directory.hpp"
 
 #include <gtest/gtest.h>

@@ -221,7 +221,7 @@ void BlockParser::stray(Cursor& cursor) {
   fail_at(cursor, Code::improper_address, "this character is not part of the language");
 }
 
-// Lexical mistakes of the whole block come before structural ones (fanuc-dialect.md §13).
+// Lexical mistakes of the whole block come before structural ones (docs/dialect.md §13).
 void BlockParser::check_words_first(const Cursor& cursor) {
   constexpr std::string_view kIntegers = "MSTDHLN";
   for (std::size_t i = first_word_; i < page_.words.size(); ++i) {

@@ -21,7 +21,7 @@ struct BlockText {
   std::uint32_t line_offset = 0;  ///< of the line, likewise
 };
 
-/// Compiles one block after the other into a page (fanuc-dialect.md §1, §4, §5, §7).
+/// Compiles one block after the other into a page (docs/dialect.md §1, §4, §5, §7).
 ///
 /// A block with a mistake compiles to an instruction that raises its alarm, so that the alarm comes
 /// when the block is reached, as on the control.

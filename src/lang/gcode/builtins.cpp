@@ -43,7 +43,7 @@ Quarters quarters_of(double angle_deg) {
   return {static_cast<int>(static_cast<long long>(turns) & 3), rest};
 }
 
-// Exact where people expect it: at multiples of 30 and 45 degrees (fanuc-dialect.md §4.2).
+// Exact where people expect it: at multiples of 30 and 45 degrees (docs/dialect.md §4.2).
 double sin_of_rest(double rest_deg) {
   if (rest_deg == 30) return 0.5;
   if (rest_deg == -30) return -0.5;

@@ -10,7 +10,7 @@ namespace {
 using base::Code;
 using vm::Op;
 
-constexpr int kBracketLevels = 5;  // fanuc-dialect.md §4.1
+constexpr int kBracketLevels = 5;  // docs/dialect.md §4.1
 constexpr int kVariableDigits = 9;
 constexpr std::size_t kLongestName = 8;
 constexpr std::size_t kLongestSystemName = 31;

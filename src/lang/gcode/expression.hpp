@@ -32,7 +32,7 @@ struct Variable {
 /// The longest literal of a macro statement (VAR-4).
 inline constexpr int kLiteralDigits = 12;
 
-/// Reads expressions and emits their code (fanuc-dialect.md §4). Every function throws SyntaxError.
+/// Reads expressions and emits their code (docs/dialect.md §4). Every function throws SyntaxError.
 ///
 /// Precedence, from what binds tightest: brackets, functions and signs, * / AND MOD, + - OR XOR,
 /// comparisons; left to right within a level. AND, OR, XOR work on bits between numbers and as

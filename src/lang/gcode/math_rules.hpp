@@ -4,7 +4,7 @@
 
 namespace kerf::gcode {
 
-/// Parameters of the control that change how its functions calculate (fanuc-dialect.md §0.1).
+/// Parameters of the control that change how its functions calculate (docs/parameters.md).
 struct MathRules {
   bool signed_angles = false;  ///< NAT (6004#0): ATAN −180…180, ASIN −90…90 instead of 0…360
   bool small_is_zero = true;  ///< MFZ (6004#1): |SIN, COS, TAN| below 1e-8 is 0

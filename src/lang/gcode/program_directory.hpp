@@ -24,7 +24,7 @@ struct ProgramEntry {
 [[nodiscard]] std::string name_of(const ProgramEntry& entry);
 
 /// The programs of a file in the order of the text, and what is wrong with their numbers
-/// (fanuc-dialect.md §1.1; real-programs.md, "File conventions").
+/// (docs/dialect.md §1.1).
 struct ProgramDirectory {
   std::vector<ProgramEntry> programs;
   std::vector<base::Diagnostic> findings;  ///< PS0073, PS0074

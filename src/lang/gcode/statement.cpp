@@ -1,4 +1,4 @@
-// The macro statements of a block: assignments, jumps, loops, output (fanuc-dialect.md §5, §7).
+// The macro statements of a block: assignments, jumps, loops, output (docs/dialect.md §5, §7).
 #include <cmath>
 
 #include "lang/gcode/block_parser.hpp"

@@ -6,7 +6,7 @@
 namespace kerf::gcode {
 namespace {
 
-// fanuc-dialect.md §3.1, §3.3
+// docs/dialect.md §3.1, §3.3
 constexpr std::array kNames = {SystemName{"_UI", 1000, 0, 16, true},
                                SystemName{"_UIL", 1032, 0, 4, true},
                                SystemName{"_UO", 1100, 0, 16, true},

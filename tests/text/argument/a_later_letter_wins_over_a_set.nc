@@ -1,4 +1,4 @@
-O1 (ARG-2, P46: D5. comes after the second I)
+O1 (ARG-2: D5. comes after the second I)
 G65 A1.0 B2.0 I-3.0 I4.0 D5.0 P2
 M30
 O2

@@ -1,5 +1,5 @@
 (run with: --param 6050=12)
-O1 (CODE-3, P113: G12 calls O9010)
+O1 (CODE-3: G12 calls O9010)
 G12 X7.
 M30
 O9010

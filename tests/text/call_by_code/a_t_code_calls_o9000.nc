@@ -1,5 +1,5 @@
 (run with: --param TCS=1)
-O1 (section 6.4, P114: the value of T is in #149)
+O1 (section 6.4: the value of T is in #149)
 T12
 M30
 O9000

@@ -1,5 +1,5 @@
 (run with: --param 6071=50)
-O1 (section 6.4, P112: M50 calls O9001)
+O1 (section 6.4: M50 calls O9001)
 M50
 M50
 M30

@@ -1,4 +1,4 @@
-O1 (CALL-6, P48: before the new level exists)
+O1 (CALL-6: before the new level exists)
 #1=3
 G65 P2 A[#1+1] B-#1
 M30

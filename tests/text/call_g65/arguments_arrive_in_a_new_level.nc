@@ -1,4 +1,4 @@
-O1 (CALL-5, P44: the locals of the caller reappear unchanged)
+O1 (CALL-5: the locals of the caller reappear unchanged)
 #1=9
 G65 P2 A1. B2.
 #103=#1 (expect #103=9)

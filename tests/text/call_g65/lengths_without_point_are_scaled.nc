@@ -1,4 +1,4 @@
-O1 (CALL-7, P45: X10 passes 0.010, X10. passes 10)
+O1 (CALL-7: X10 passes 0.010, X10. passes 10)
 G65 P2 X10 Y10. H5 D3
 M30
 O2

@@ -1,4 +1,4 @@
-O1 (CALL-11, P56: G91 is still on after M99)
+O1 (CALL-11: G91 is still on after M99)
 G65 P2
 #100=#4003 (expect #100=91)
 M30

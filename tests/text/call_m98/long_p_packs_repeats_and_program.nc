@@ -1,4 +1,4 @@
-O1 (CALL-1, P50: P30002 is three times O0002)
+O1 (CALL-1: P30002 is three times O0002)
 M98 P30002
 M30
 O2

@@ -1,4 +1,4 @@
-O1 (M99-2, P52: the blocks up to N50 are left out)
+O1 (M99-2: the blocks up to N50 are left out)
 M98 P2
 #100=1
 N50 #101=2

@@ -1,4 +1,4 @@
-O1 (CALL-2, P49: no new level)
+O1 (CALL-2: no new level)
 #1=5
 M98 P2
 #101=#1 (expect #101=6)

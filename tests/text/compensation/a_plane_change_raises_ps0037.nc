@@ -1,5 +1,5 @@
 (run with: --set #13001=5)
-O1 (CRC-15, P96: G40 first)
+O1 (CRC-15: G40 first)
 G41 D1 G01 X1. F100
 Y5.
 G18 (expect alarm PS0037 at G18)

@@ -1,5 +1,5 @@
 (run with: --set #13001=5)
-O1 (section 9, P94: outside of a square, type A)
+O1 (section 9: outside of a square, type A)
 G90 G00 X-20. Y-10.
 G41 D1 G01 X0 Y0 F200
 Y50.

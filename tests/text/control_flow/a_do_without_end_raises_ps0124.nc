@@ -1,4 +1,4 @@
-O1 (CTL-13, P37: found when DO is executed)
+O1 (CTL-13: found when DO is executed)
 #100=1
 WHILE[1EQ1]DO1 (expect alarm PS0124)
 M30

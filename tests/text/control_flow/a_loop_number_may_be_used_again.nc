@@ -1,4 +1,4 @@
-O1 (CTL-12, P42: one DO1 after the other)
+O1 (CTL-12: one DO1 after the other)
 #1=1
 WHILE[#1LE2]DO1
 #1=#1+1

@@ -1,3 +1,3 @@
-O1 (CTL-14, P38)
+O1 (CTL-14)
 END1 (expect alarm PS1124)
 M30

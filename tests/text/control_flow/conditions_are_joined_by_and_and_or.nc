@@ -1,4 +1,4 @@
-O1 (CTL-7, P40: each comparison in its own brackets)
+O1 (CTL-7: each comparison in its own brackets)
 #1=1
 #2=2
 IF[[#1EQ1]AND[#2EQ2]]THEN #100=1 (expect #100=1)

@@ -1,4 +1,4 @@
-O1 (CTL-11, P36: left by a GOTO)
+O1 (CTL-11: left by a GOTO)
 #100=0
 DO1
 #100=#100+1

@@ -1,4 +1,4 @@
-O1 (CTL-1, P43: GOTO#1)
+O1 (CTL-1: GOTO#1)
 #1=20
 GOTO#1
 #100=1

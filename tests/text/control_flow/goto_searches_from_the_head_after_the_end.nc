@@ -1,4 +1,4 @@
-O1 (CTL-2, P32: N20 stands before the second GOTO)
+O1 (CTL-2: N20 stands before the second GOTO)
 GOTO 10
 #100=1
 N20 #101=1

@@ -1,4 +1,4 @@
-O1 (CTL-4, P31: counting with a backward jump)
+O1 (CTL-4: counting with a backward jump)
 #100=0
 N1 #100=#100+1
 IF[#100LT3]GOTO 1

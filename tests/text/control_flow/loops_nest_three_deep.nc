@@ -1,4 +1,4 @@
-O1 (CTL-12, P41: two passes each)
+O1 (CTL-12: two passes each)
 #1=1
 WHILE[#1LE2]DO1
 #2=1

@@ -1,4 +1,4 @@
-O1 (CTL-10, P35: no pass at all)
+O1 (CTL-10: no pass at all)
 #1=9
 WHILE[#1LT5]DO1
 #100=1

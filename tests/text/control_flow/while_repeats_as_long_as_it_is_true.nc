@@ -1,4 +1,4 @@
-O1 (CTL-10, P34: the sum of 1 to 5)
+O1 (CTL-10: the sum of 1 to 5)
 #1=1
 #100=0
 WHILE[#1LE5]DO1

@@ -1,4 +1,4 @@
-O1 (WCS-2, P84: G54.1 P3)
+O1 (WCS-2: G54.1 P3)
 G54.1 P3
 #7041=7.
 G90 G00 X0 (expect moves: rapid X7)

@@ -1,4 +1,4 @@
-O1 (WCS-4, P79: no motion, then X1. is one away)
+O1 (WCS-4: no motion, then X1. is one away)
 G90 G00 X5.
 G92 X0 (expect moves: none)
 #100=#5001 (expect #100=0)

@@ -1,4 +1,4 @@
-O1 (CYC-1, P61: until G80)
+O1 (CYC-1: until G80)
 G90 G00 Z10.
 G99 G81 X1. Y1. Z-5. R2. F100
 X2. (expect moves: rapid X2 Y1 Z2; line Z-5; rapid Z2)

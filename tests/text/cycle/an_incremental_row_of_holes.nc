@@ -1,4 +1,4 @@
-O1 (section 10, P98: K3 in G91)
+O1 (section 10: K3 in G91)
 G90 G00 Z10.
 G91 G99 G81 X10. Z-12. R-8. K3 F100
 G80

@@ -1,4 +1,4 @@
-O1 (CYC-4, P98: the golden sequence from 50)
+O1 (CYC-4: the golden sequence from 50)
 G90 G00 Z50.
 G98 G73 X0 Y0 Z-10. R2. Q4. F100
 G80

@@ -1,4 +1,4 @@
-O1 (G10-1, P82: 10 and then 1 more)
+O1 (G10-1: 10 and then 1 more)
 G90 G10 L2 P1 X10.
 G91 G10 L2 P1 X1.
 #100=#5221 (expect #100=11)

@@ -1,4 +1,4 @@
-O1 (section 7.4, P83: L10 L11 for H, L12 L13 for D)
+O1 (section 7.4: L10 L11 for H, L12 L13 for D)
 G10 L10 P1 R50.
 G10 L11 P1 R0.5
 G10 L12 P1 R5.

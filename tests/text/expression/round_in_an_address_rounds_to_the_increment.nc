@@ -1,4 +1,4 @@
-O1 (EXP-12, P06: the return is exact)
+O1 (EXP-12: the return is exact)
 #1=1.2345
 #2=2.3456
 G91 G00 X-#1 (expect moves: rapid X-1.235)

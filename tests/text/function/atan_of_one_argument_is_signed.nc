@@ -1,4 +1,4 @@
-O1 (section 4.2, P24: -90 to 90)
+O1 (section 4.2: -90 to 90)
 #100=ATAN[1] (expect #100=45)
 #101=ATAN[-1] (expect #101=-45)
 M30

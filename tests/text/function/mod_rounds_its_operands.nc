@@ -1,3 +1,3 @@
-O1 (section 4.2, P22: 17.6 MOD 5 is 18 MOD 5)
+O1 (section 4.2: 17.6 MOD 5 is 18 MOD 5)
 #100=17.6 MOD 5 (expect #100=3)
 M30

@@ -1,4 +1,4 @@
-O1 (LEX-16, P09: a block of N and comment does nothing but can be found)
+O1 (LEX-16: a block of N and comment does nothing but can be found)
 GOTO 10
 #100=1
 N10 (START)

@@ -1,4 +1,4 @@
-O1 (LEX-30, P10: G91 in front of G00)
+O1 (LEX-30: G91 in front of G00)
 G91 X1. G00 Y1. (expect moves: rapid X1 Y1)
 X1. Y1. (expect moves: rapid X2 Y2)
 M30

@@ -1,4 +1,4 @@
-O1 (CALL-14, P55: macro statements and dwells)
+O1 (CALL-14: macro statements and dwells)
 G66 P2
 #101=1
 G04 P10

@@ -1,4 +1,4 @@
-O1 (CALL-15, P54: set by G66 once, then kept)
+O1 (CALL-15: set by G66 once, then kept)
 G66 P2 A1.
 G90 G00 X1.
 X2.

@@ -1,4 +1,4 @@
-O1 (section 7.2, P118: SETVN names #500)
+O1 (section 7.2: SETVN names #500)
 SETVN500[ABC]
 [#ABC]=4
 #100=#500 (expect #100=4)

@@ -1,4 +1,4 @@
-O1 (NUL-9, P119: anything else than 0 switches the bit on)
+O1 (NUL-9: anything else than 0 switches the bit on)
 #1100=#0
 #100=#1100 (expect #100=0)
 #1101=9

@@ -1,4 +1,4 @@
-O1 (NUL-4, P13: GE, LE, GT and LT)
+O1 (NUL-4: GE, LE, GT and LT)
 IF[#1GE0]THEN #100=1 (expect #100=1)
 IF[#1LE0]THEN #101=1 (expect #101=1)
 IF[#1GT0]THEN #102=1 (expect #102=null)

@@ -1,4 +1,4 @@
-O1 (NUM-15, P05: each word is rounded by itself)
+O1 (NUM-15: each word is rounded by itself)
 #1=1.2345
 #2=2.3456
 G91 G00 X-#1 (expect moves: rapid X-1.235)

@@ -1,4 +1,4 @@
-O1 (OUT-2, P60: 1.5 in format 22)
+O1 (OUT-2: 1.5 in format 22)
 #1=1.5
 DPRNT[A*#1[22]*END]
 M30

@@ -1,5 +1,5 @@
 (run with: --skip-at X=7.2)
-O1 (REF-5, P93: 7.2 of 10)
+O1 (REF-5: 7.2 of 10)
 G91 G31 X10. F50 (expect moves: probe X7.2 F50)
 #100=#5061 (expect #100=7.2)
 X1. (expect moves: rapid X8.2)

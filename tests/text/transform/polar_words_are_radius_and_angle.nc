@@ -1,4 +1,4 @@
-O1 (G16, P92: from the work zero in G90)
+O1 (G16: from the work zero in G90)
 G90 G16
 G00 X100. Y30. (expect moves: rapid X86.6025 Y50)
 G15

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <vector>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -23,24 +24,27 @@ std::vector<std::filesystem::path> inputs_in(const std::filesystem::path& folder
   return paths;
 }
 
-void replay(const std::filesystem::path& path) {
+void replay(const std::filesystem::path& path, bool verbose) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-  std::printf("\r%s ", path.filename().c_str());  // the last name is that of the one that failed
-  std::fflush(stdout);
+  if (verbose) {
+    std::printf("%s\n", path.c_str());
+    std::fflush(stdout);
+  }
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
 }  // namespace
 
-int main(int count, char** folders) {
+int main(int count, char** words) {
+  const bool verbose = count > 1 && std::string_view(words[1]) == "-v";
   std::size_t passed = 0;
-  for (int i = 1; i < count; ++i) {
-    for (const auto& path : inputs_in(folders[i])) {
-      replay(path);
+  for (int i = verbose ? 2 : 1; i < count; ++i) {
+    for (const auto& path : inputs_in(words[i])) {
+      replay(path, verbose);
       ++passed;
     }
   }
-  std::printf("\r%zu inputs passed\n", passed);
+  std::printf("%zu inputs passed\n", passed);
   return passed > 0 ? 0 : 1;
 }

@@ -27,69 +27,112 @@ const CLI::Validator kWholeNumber(
     },
     "");
 
-void add_run(CLI::App& app, RunOptions& o) {
-  CLI::App* run =
-      app.add_subcommand("run", "runs a program on a virtual machine and prints a summary");
-  run->add_option("program", o.program, "program file; - is standard input")->required();
-  run->add_option("--machine", o.machine, "built-in machine or machine file (.toml)");
-  run->add_option("--dialect", o.dialect, "language of the program: fanuc-mill");
-  run->add_option("--library", o.libraries, "folder of further programs")->allow_extra_args(false);
-  run->add_option("--set", o.variables, "sets a variable before the start: '#100=5'")
-      ->allow_extra_args(false);
-  run->add_option("--param", o.parameters, "changes a parameter of the control: KEY=VALUE")
-      ->allow_extra_args(false);
-  run->add_option("--machine-set", o.machine_keys,
-                  "changes a key of the machine file: axis.X.velocity=12000")
-      ->allow_extra_args(false);
-  run->add_option("--decimal-point", o.decimal_point,
-                  "numbers without a point: increment or calculator")
+// One value a time: `--set A B` is no way to write two.
+CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(false); }
+
+void add_machine(CLI::App& app, std::string& machine, std::string& dialect) {
+  app.add_option("--machine", machine, "built-in machine or machine file; default mill3")
+      ->type_name("NAME|FILE.toml");
+  app.add_option("--dialect", dialect, "language; default that of the machine: fanuc-mill")
+      ->type_name("NAME");
+}
+
+void add_preparation(CLI::App& run, RunOptions& o) {
+  add_machine(run, o.machine, o.dialect);
+  repeated(run.add_option("--library", o.libraries, "folder of further programs; may be repeated"))
+      ->type_name("FOLDER");
+  repeated(run.add_option("--set", o.variables,
+                          "sets a variable before the start: '#100=5'; may be repeated"))
+      ->type_name("#N=VALUE");
+  repeated(run.add_option("--param", o.parameters,
+                          "changes a parameter of the control: DPI=1; may be repeated"))
+      ->type_name("KEY=VALUE");
+  repeated(run.add_option("--machine-set", o.machine_keys,
+                          "changes a key of the machine: axis.X.velocity=12000; may be repeated"))
+      ->type_name("KEY=VALUE");
+  run.add_option("--decimal-point", o.decimal_point,
+                 "X20 without a point is 0.020 mm (increment) or 20 mm (calculator); default that "
+                 "of the machine")
+      ->type_name("KIND")
       ->check(CLI::IsMember({"increment", "calculator"}));
-  run->add_option("--skip-at", o.skip_at, "skip signal at a machine position: X=7.2")
-      ->allow_extra_args(false);
-  run->add_option("--tools", o.tools, "tools as TOML or G10 blocks");
-  run->add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks");
-  run->add_option("--state", o.state,
-                  "permanent memory of the control, read before and written behind");
-  run->add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all");
-  run->add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
-  run->add_option("--max-seconds", o.max_seconds, "computing time allowed, 0: any")
+  repeated(run.add_option("--skip-at", o.skip_at,
+                          "the skip signal of G31 comes on there: X=7.2; may be repeated"))
+      ->type_name("AXIS=VALUE");
+  run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
+  run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
+  run.add_option("--state", o.state,
+                 "permanent memory of the control, read before and written after the run")
+      ->type_name("FILE");
+  run.add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all")
+      ->type_name("LIST");
+  run.add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
+}
+
+void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
+  app.add_option("--max-seconds", seconds, "computing time allowed; default 60, 0: any")
+      ->type_name("N")
       ->check(kNotNegative);
-  run->add_option("--max-motions", o.max_motions, "motions allowed, 0: any number")
+  app.add_option("--max-motions", motions, "motions allowed; default 50000000, 0: any number")
+      ->type_name("N")
       ->check(kWholeNumber);
-  run->add_flag("--keep-partial", o.keep_partial,
-                "writes --post also when the run does not reach its end");
-  run->add_option("--summary", o.summary, "summary as JSON");
-  run->add_option("--motion", o.motion, "motions as JSON Lines");
-  run->add_option("--plot", o.plot, "picture of the path: .svg or .png");
-  run->add_option("--dprnt", o.dprnt, "what the program prints; default standard output");
-  run->add_option("--post", o.post, "the path as plain G-code without macros");
-  run->add_option("--coverage", o.coverage, "how often each source line ran, as CSV");
-  run->add_option_function<std::string>(
+}
+
+void add_outputs(CLI::App& run, RunOptions& o) {
+  const auto file = [&](const char* name, std::string& path, const char* what) {
+    run.add_option(name, path, what)->type_name("FILE");
+  };
+  file("--summary", o.summary, "summary as JSON");
+  file("--motion", o.motion, "motions as JSON Lines");
+  file("--plot", o.plot, "picture of the path: .svg or .png");
+  file("--dprnt", o.dprnt, "what the program prints; default standard output");
+  file("--post", o.post, "the path as plain G-code without macros");
+  file("--coverage", o.coverage, "how often each source line ran, as CSV");
+  run.add_flag("--keep-partial", o.keep_partial,
+               "writes --post also when the run does not reach its end");
+  run.add_option_function<std::string>(
          "--diagnostics",
          [&o](const std::string& form) {
            o.diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
          },
-         "text or json")
+         "alarms and warnings as text or as one JSON object a line; default text")
+      ->type_name("FORM")
       ->check(CLI::IsMember({"text", "json"}));
+}
+
+void add_run(CLI::App& app, RunOptions& o) {
+  CLI::App* run =
+      app.add_subcommand("run", "runs a program on a virtual machine and prints a summary");
+  run->group("Commands");
+  run->add_option("program", o.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  run->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*run, o);
+  run->option_defaults()->group("Limits");
+  add_budget(*run, o.max_seconds, o.max_motions);
+  run->option_defaults()->group("Outputs (- is standard output)");
+  add_outputs(*run, o);
+  run->footer("Example: kerf run part.nc --plot part.svg --set '#100=5'");
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* check =
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
-  check->add_option("files", o.files, "program files")->required();
-  check->add_option("--machine", o.machine, "built-in machine or machine file (.toml)");
-  check->add_option("--dialect", o.dialect, "language of the programs: fanuc-mill");
-  check->add_option("--library", o.libraries, "folder of further programs")
-      ->allow_extra_args(false);
-  check->add_option("--param", o.parameters, "changes a parameter of the control: KEY=VALUE")
-      ->allow_extra_args(false);
-  check->add_option("--max-seconds", o.max_seconds, "computing time allowed for a file, 0: any")
-      ->check(kNotNegative);
-  check->add_option("--max-motions", o.max_motions, "motions allowed for a file, 0: any number")
-      ->check(kWholeNumber);
-  check->add_option("--jobs", o.jobs, "files checked at the same time")
+  check->group("Commands");
+  check->add_option("files", o.files, "program files")->type_name("FILE")->required();
+  add_machine(*check, o.machine, o.dialect);
+  repeated(
+      check->add_option("--library", o.libraries, "folder of further programs; may be repeated"))
+      ->type_name("FOLDER");
+  repeated(check->add_option("--param", o.parameters,
+                             "changes a parameter of the control: DPI=1; may be repeated"))
+      ->type_name("KEY=VALUE");
+  add_budget(*check, o.max_seconds, o.max_motions);
+  check->add_option("--jobs", o.jobs, "files checked at the same time; default one a processor")
+      ->type_name("N")
       ->check(CLI::Range(1U, 256U));
-  check->add_option("--format", o.format, "text, json, sarif or junit")
+  check->add_option("--format", o.format, "text, json, sarif or junit; default text")
+      ->type_name("FORM")
       ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
 }
 
@@ -104,6 +147,7 @@ std::vector<std::string> reversed(std::vector<std::string> words) {
 base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   CLI::App app("Kerf runs CNC programs: FANUC G-code with Custom Macro B", "kerf");
   app.require_subcommand(1);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.set_version_flag("--version", "kerf 0.1.0");
   RunOptions run_options;
   CheckOptions check_options;
@@ -112,7 +156,12 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_run(app, run_options);
   add_check(app, check_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
-      ->add_option("name", machines_options.name);
+      ->group("Commands")
+      ->add_option("name", machines_options.name, "the machine whose file is printed")
+      ->type_name("NAME");
+  app.footer(
+      "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
+      "written, 4 a fault of Kerf, 5 a budget used up.");
   try {
     app.parse(reversed(words));
   } catch (const CLI::ParseError& error) {

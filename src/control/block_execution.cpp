@@ -92,8 +92,7 @@ bool Controller::is_plain_move() const {
 bool Controller::plain_move() {
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g)
     state_.modal.set(Group::motion, g->code);
-  if (!auxiliary_.read_feed(words_)) return false;
-  tell_idle_words();
+  if (!auxiliary_.read_feed(words_) || !tell_idle_words()) return false;
   buffer_.pass_through(
       !state_.path.compensating());  // a move is checked whole before it is emitted
   const bool good = moves_.execute(words_, moved_);
@@ -115,7 +114,7 @@ bool Controller::execute_block(const std::string& name) {
       return true;
     }
     const bool entered = settings_.enter_parameter(words_, block_number_);
-    learn_calling_codes();
+    learn_parameters();
     return entered;
   }
   if (!check_block(one_shot) || !auxiliary_.read(words_) || !auxiliary_.read_codes(words_, codes_))
@@ -132,7 +131,7 @@ bool Controller::execute_block(const std::string& name) {
     if (!calls_.pop_modal()) return false;
     state_.modal.set(Group::modal_call, calls_.modal_active() ? 660 : 670);
   }
-  tell_idle_words();
+  if (!tell_idle_words()) return false;
   auxiliary_.before_motion(words_);
   if (cycle_before != 800 && state_.modal[Group::cycle] == 800) cycle_.cancel();
   return move(one_shot, moved_);

@@ -118,20 +118,24 @@ bool Controller::check_addresses(std::span<const Word> block) {
                        std::string("this machine has no axis ") + bad->letter);
 }
 
-// Accepted, but not acted upon.
-void Controller::tell_idle_words() {
+// Accepted, but not acted upon. What its address never takes is an alarm all the same.
+bool Controller::tell_idle_words() {
   const bool calls = codes_.call || codes_.external_call || codes_.return_ || codes_.interrupt_on ||
                      called_m_ != nullptr;
-  std::uint32_t idle = idle_words(words_, state_.modal, calls);
-  for (char letter = 'A'; idle != 0; ++letter) {
+  const std::uint32_t idle = idle_words(words_, state_.modal, calls);
+  if (idle == 0) return true;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if ((idle & Words::mask(letter)) == 0) continue;
-    idle &= ~Words::mask(letter);
+    const Word& word = words_[letter];
+    const bool whole = letter == 'L' || letter == 'P';
+    if (whole && word.value < 0) return alarms_.raise(Code::illegal_minus, word);
+    if (whole && word.has(WordFlag::point)) return alarms_.raise(Code::illegal_decimal_point, word);
     if (!state_.assumptions.is_new(Assumed::idle_word + 1U + static_cast<unsigned>(letter - 'A')))
       continue;
-    state_.assumptions.add(state_.line, std::string(1, letter) +
-                                            base::number_text(words_[letter].value) +
+    state_.assumptions.add(state_.line, std::string(1, letter) + base::number_text(word.value) +
                                             " is ignored: no code of its block takes " + letter);
   }
+  return true;
 }
 
 }  // namespace kerf::control

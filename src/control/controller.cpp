@@ -71,6 +71,15 @@ Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memo
   targets_.learn_letters();
   variables_.attach(&interpreter_, [this] { return started() ? calls_.running_number() : 0; });
   if (const auto z = axes.find('Z')) state_.length_axis = *z;
+  learn_parameters();
+}
+
+// What is kept ready of the parameters, at power-on and after their entry by G10 L50.
+void Controller::learn_parameters() {
+  state_.refresh_format();
+  state_.path.configure({parameters_.start_up, parameters_.corner_arc});
+  math_.signed_angles = parameters_.signed_angles;
+  math_.small_is_zero = parameters_.small_is_zero;
   learn_calling_codes();
 }
 
@@ -116,6 +125,7 @@ void Controller::reset() {
   state_.wanted_length = 0;
   state_.modal = ModalState(parameters_);
   state_.before = state_.modal;
+  state_.refresh_format();
   state_.words = {};
   state_.rigid_tapping = false;
   state_.parameter_entry = false;
@@ -188,7 +198,7 @@ Verdict Controller::write(double number, double value) {
   if (!variables_.write(number, value, event)) return Verdict::stop;
   switch (event.kind) {
     case SystemVariables::Event::Kind::alarm: return raise_user_alarm(event.number);
-    case SystemVariables::Event::Kind::message: return show_message();
+    case SystemVariables::Event::Kind::message: return show_message(event.number);
     case SystemVariables::Event::Kind::none: break;
   }
   return Verdict::go_on;
@@ -293,7 +303,11 @@ Verdict Controller::raise_user_alarm(double number) {
   return Verdict::stop;
 }
 
-Verdict Controller::show_message() {
+Verdict Controller::show_message(double number) {
+  if (vm::is_null(number)) {
+    alarms_.raise(Code::argument_range, "#3006 takes a number, not a vacant value");
+    return Verdict::stop;
+  }
   const base::Place place = interpreter_.place();
   state_.path.begin_block({ProgramNumber{calls_.running_number()}, place.line, place.file});
   if (!state_.path.release()) return Verdict::stop;

@@ -131,7 +131,7 @@ class Controller : public vm::Host, private Whereabouts {
   [[nodiscard]] bool is_plain_move() const;
   bool plain_move();
   bool execute_block(const std::string& name);
-  void tell_idle_words();
+  bool tell_idle_words();
   bool check_block(const Words::G* one_shot);
   bool move(const Words::G* one_shot, bool& moved);
   bool one_shot(const Words::G& g, bool& moved);
@@ -147,9 +147,10 @@ class Controller : public vm::Host, private Whereabouts {
   vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement,
                     const double* registers);
   vm::Verdict raise_user_alarm(double number);
-  vm::Verdict show_message();
+  vm::Verdict show_message(double number);
   std::string comment_of_block();
   bool take_interrupt();
+  void learn_parameters();
   void learn_calling_codes();
   void learn_tracing();
 

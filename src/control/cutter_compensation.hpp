@@ -38,6 +38,7 @@ class CutterCompensation {
   CutterCompensation(Alarms& alarms, MotionSink& sink, const Settings& settings)
       : alarms_(alarms), sink_(sink), settings_(settings) {}
 
+  void configure(const Settings& settings) { settings_ = settings; }
   [[nodiscard]] bool active() const { return mode_ != Mode::off; }
   [[nodiscard]] const PlaneAxes& plane() const { return plane_; }
   /// G41 or G42 was given and no move has followed.

@@ -31,6 +31,15 @@ std::uint32_t letters_of(GCode code) {
   }
 }
 
+// The centre of an arc lies in its plane.
+std::uint32_t letters_of_arc(Plane plane) {
+  switch (plane) {
+    case Plane::zx: return Words::mask('I') | Words::mask('K');
+    case Plane::yz: return Words::mask('J') | Words::mask('K');
+    default: return Words::mask('I') | Words::mask('J');
+  }
+}
+
 }  // namespace
 
 std::uint32_t idle_words(const Words& words, const ModalState& modal, bool calls) {
@@ -38,7 +47,7 @@ std::uint32_t idle_words(const Words& words, const ModalState& modal, bool calls
   if (rest == 0) return 0;
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) rest &= ~letters_of(g->code);
   const GCode motion = modal[Group::motion];
-  if (motion == 20 || motion == 30) rest &= ~(kParts | Words::mask('R'));
+  if (motion == 20 || motion == 30) rest &= ~(letters_of_arc(modal.plane()) | Words::mask('R'));
   if (motion == 330) rest &= ~Words::mask('Q');
   if (modal.in_cycle()) rest = 0;
   if (calls) rest &= ~(Words::mask('P') | Words::mask('L') | Words::mask('Q'));

@@ -131,9 +131,23 @@ std::string_view unit_value(std::string_view value) {
   return value;
 }
 
+// 5003#0 and 5003#1 (SUP, SUV) together are the letter of the start-up: A, B, or C with SUV.
+bool set_start_up_bit(Parameters& parameters, std::string_view key, std::string_view value) {
+  if ((key != "5003#0" && key != "5003#1") || (value != "0" && value != "1")) return false;
+  if (key == "5003#0") {
+    parameters.start_up = value == "1" ? 'B' : 'A';
+  } else if (value == "1") {
+    parameters.start_up = 'C';
+  } else if (parameters.start_up == 'C') {
+    parameters.start_up = 'A';
+  }
+  return true;
+}
+
 }  // namespace
 
 base::Outcome<void> Parameters::set(std::string_view key, std::string_view value) {
+  if (set_start_up_bit(*this, key, value)) return {};
   double number = 0;
   double scale = 1;
   if (int* const slot = code_slot(*this, key, scale)) {
@@ -167,16 +181,7 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
 bool Parameters::is_key(std::string_view key) {
   Parameters scratch;
   double scale = 1;
-  return find(key) != nullptr || code_slot(scratch, key, scale) != nullptr;
-}
-
-std::vector<ParameterText> parameter_table() {
-  std::vector<ParameterText> table;
-  for (const Row& row : kRows) table.push_back({row.key, row.number, row.meaning});
-  table.push_back({"6050", "", "6050 to 6059: G code that calls O9010 to O9019 as a macro"});
-  table.push_back({"6071", "", "6071 to 6079: M code that calls O9001 to O9009 as a subprogram"});
-  table.push_back({"6080", "", "6080 to 6089: M code that calls O9020 to O9029 as a macro"});
-  return table;
+  return find(key) != nullptr || key == "5003#1" || code_slot(scratch, key, scale) != nullptr;
 }
 
 }  // namespace kerf::control

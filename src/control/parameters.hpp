@@ -65,12 +65,4 @@ struct Parameters {
   [[nodiscard]] static bool is_key(std::string_view key);
 };
 
-/// A row of the table of parameters, for documents and for `kerf machines`.
-struct ParameterText {
-  std::string_view key;
-  std::string_view number;  ///< FANUC number, may be empty
-  std::string_view meaning;
-};
-[[nodiscard]] std::vector<ParameterText> parameter_table();
-
 }  // namespace kerf::control

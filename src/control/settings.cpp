@@ -57,7 +57,7 @@ bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
       state_.modal.set(group, g->code);
     }
   }
-  state_.values.set_format({state_.modal.inch(), state_.parameters.calculator_point});
+  state_.refresh_format();
   return true;
 }
 
@@ -268,6 +268,9 @@ bool Settings::set_compensation(const Words& words, bool switched) {
   const auto plane = plane_axes(state_.modal.plane(), state_.axes);
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
+  const Transform& transform = state_.coordinates.transform();
+  if (transform.rotated() && !transform.rotates(*plane))  // TRF-3
+    return state_.alarms.raise(Code::illegal_transform_plane);
   const double radius = radius_of(state_.words.radius_offset);
   if (std::fabs(radius) > kMostOffset)
     return state_.alarms.raise(
@@ -280,7 +283,7 @@ bool Settings::set_compensation(const Words& words, bool switched) {
     if (state_.path.compensating()) state_.path.end_compensation(std::nullopt);
     return true;
   }
-  const bool left = (mode == 410) != state_.coordinates.transform().reverses(*plane);
+  const bool left = (mode == 410) != transform.reverses(*plane);
   state_.path.compensate(*plane, left ? radius : -radius);
   return true;
 }

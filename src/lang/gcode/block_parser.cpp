@@ -269,7 +269,7 @@ void BlockParser::word(Cursor& cursor) {
     word.flags |= WordFlag::comma;
     cursor.advance();
     if (!is_letter(cursor.peek())) {
-      fail_since(begin, cursor, Code::improper_address, "a comma stands only before C, R or A",
+      fail_since(begin, cursor, Code::improper_address, "a comma stands only before C and R",
                  "a decimal point was probably meant");
     }
   }
@@ -293,6 +293,9 @@ void BlockParser::word(Cursor& cursor) {
     literal(cursor, word, minus);
     if (word.letter == 'G') note_g(word.value);
   } else if (next == '#' || next == '[') {
+    if (word.letter == 'O' && !arguments_) {
+      fail_since(begin, cursor, Code::expression_format, "a program number is written in digits");
+    }
     Expression expression(cursor, emitter_, names_);
     expression.set_address(arguments_ ? '\0' : word.letter);
     const Operand operand =

@@ -16,8 +16,10 @@ import time
 
 TIMEOUT_S = 25
 
-# A sanitizer needs memory of its own: then nothing is said about that of Kerf.
+# A sanitizer needs memory and time of its own: then nothing is said about the memory of Kerf, and
+# each limit of time is this many times as long.
 MEASURES_MEMORY = True
+PATIENCE = 1
 
 # Runs the words behind the first two and writes the peak memory (KiB) of that process to the first.
 # A process starts out with the peak of the one that made it, so a small one has to stand between.
@@ -102,11 +104,11 @@ class Box:
                 process = subprocess.Popen(command, cwd=cwd or self.folder, stdout=out, stderr=err,
                                            stdin=subprocess.PIPE, env=environment)
                 process.communicate(stdin if isinstance(stdin, bytes) else stdin.encode(),
-                                    timeout=TIMEOUT_S)
+                                    timeout=TIMEOUT_S * PATIENCE)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
-                raise Failed(f"no end after {TIMEOUT_S} s: {shell_text(command)}") from None
+                raise Failed(f"no end after {TIMEOUT_S * PATIENCE} s: {shell_text(command)}") from None
             seconds = time.monotonic() - begin
             if process.returncode in (0, 1, 5):
                 self.used.append(command)
@@ -167,6 +169,10 @@ def one_sentence(result, *parts):
     for part in parts:
         contains(lines[0], part, "the sentence")
     equal(result.out, b"", "standard output")
+
+
+def in_time(result, most_s):
+    check(result.seconds < most_s * PATIENCE, f"it took {result.seconds:.1f} s")
 
 
 def refused(result, wanted, *parts):

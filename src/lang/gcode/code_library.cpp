@@ -25,6 +25,9 @@ void CodeLibrary::add_programs(base::FileId file, std::uint32_t number_from_name
   ProgramDirectory directory = read_directory(sources_[file], file);
   for (ProgramEntry& entry : directory.programs) {
     if (entry.number == 0 && entry.name.empty()) entry.number = number_from_name;
+    const auto code = static_cast<vm::CodeId>(programs_.size());
+    if (entry.number != 0) by_number_.try_emplace(entry.number, code);
+    if (!entry.name.empty()) by_name_.try_emplace(entry.name, code);
     const PageStart start{entry.begin, entry.line, entry.line_start};
     programs_.push_back({std::move(entry), file, {start}, false, std::nullopt, {}});
   }
@@ -40,17 +43,13 @@ base::FileId CodeLibrary::file_of(vm::CodeId code) const {
 }
 
 std::optional<vm::CodeId> CodeLibrary::find(std::uint32_t number) const {
-  for (std::size_t i = 0; i < programs_.size(); ++i) {
-    if (number != 0 && programs_[i].entry.number == number) return vm::CodeId(i);
-  }
-  return std::nullopt;
+  const auto found = by_number_.find(number);
+  return found == by_number_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<vm::CodeId> CodeLibrary::find(const std::string& name) const {
-  for (std::size_t i = 0; i < programs_.size(); ++i) {
-    if (!name.empty() && programs_[i].entry.name == name) return vm::CodeId(i);
-  }
-  return std::nullopt;
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<vm::CodeId> CodeLibrary::find_outside(base::FileId file, std::uint32_t number) const {

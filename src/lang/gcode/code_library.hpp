@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/source_file.hpp"
@@ -96,6 +97,8 @@ class CodeLibrary : public vm::CodeSource {
   PageCompiler compiler_;
   NameTable names_;
   std::vector<Program> programs_;
+  std::unordered_map<std::uint32_t, vm::CodeId> by_number_;  // the first of each
+  std::unordered_map<std::string, vm::CodeId> by_name_;
   std::vector<base::Diagnostic> findings_;
   std::vector<Slot> slots_;
   std::size_t newest_ = 0;   // slot that was asked for last

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <unordered_set>
 
 #include "lang/gcode/lexer.hpp"
 
@@ -67,6 +68,8 @@ class Scanner {
   const base::SourceFile& file_;
   base::FileId id_;
   ProgramDirectory result_;
+  std::unordered_set<std::uint32_t> numbers_;  // of the programs so far
+  std::unordered_set<std::string> names_;
   ProgramEntry current_;
   std::uint64_t offset_ = 0;  // of the character being looked at
   std::uint64_t line_start_ = 0;
@@ -369,11 +372,10 @@ void Scanner::begin_program(std::uint32_t number, std::string name, std::uint64_
   if (name.empty() && (number == 0 || number > kLargestProgram)) {
     report(Code::illegal_program_number, "program numbers run from 1 to 99999999");
   }
-  const bool taken =
-      std::any_of(result_.programs.begin(), result_.programs.end(), [&](const ProgramEntry& other) {
-        return number != 0 ? other.number == number : !name.empty() && other.name == name;
-      });
-  if (taken) report(Code::duplicate_program, "the file has two programs of this number");
+  const bool is_new = number != 0     ? numbers_.insert(number).second
+                      : !name.empty() ? names_.insert(name).second
+                                      : true;
+  if (!is_new) report(Code::duplicate_program, "the file has two programs of this number");
   number_seen_ = true;
   open_ = true;
   content_ = true;

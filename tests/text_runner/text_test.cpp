@@ -14,6 +14,7 @@
 #include "expectations.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
+#include "temporary_folder.hpp"
 
 namespace kerf::test {
 namespace {
@@ -75,6 +76,7 @@ class TextTest : public testing::Test {
   std::unique_ptr<VirtualMachine> machine_;
   std::unique_ptr<Recorder> recorder_;
   std::string printed_;
+  TemporaryFolder folder_;
   std::uint32_t line_ = 0;  // of the block that began last
 };
 
@@ -84,12 +86,8 @@ void TextTest::prepare() {
     ADD_FAILURE() << "not understood: " << mistake;
   ASSERT_GT(expected_.count, 0U) << "the program expects nothing";
   // In a folder of its own: the programs of the same folder can be called.
-  const fs::path folder =
-      fs::path(testing::TempDir()) /
-      ("kerf_text_" + path_.parent_path().filename().string() + "_" + path_.stem().string());
-  fs::create_directories(folder);
-  fs::copy_file(path_, folder / "program.nc", fs::copy_options::overwrite_existing);
-  std::vector<std::string> words = {"run", (folder / "program.nc").string()};
+  const std::string program = folder_.write("program.nc", read_file(path_));
+  std::vector<std::string> words = {"run", program};
   words.insert(words.end(), expected_.options.begin(), expected_.options.end());
   auto request = cli::parse_arguments(words);
   ASSERT_TRUE(request) << request.error().message;

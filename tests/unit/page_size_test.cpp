@@ -13,6 +13,7 @@
 #include "expectations.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
+#include "temporary_folder.hpp"
 
 namespace kerf::test {
 namespace {
@@ -142,13 +143,10 @@ TEST_P(PageSize, DoesNotMatter) {
   std::sort(programs.begin(), programs.end());
   ASSERT_FALSE(programs.empty());
   // In a folder of its own: the programs of the same folder can be called.
-  const fs::path folder =
-      fs::path(testing::TempDir()) / ("kerf_pages_" + GetParam().filename().string());
-  fs::create_directories(folder);
+  const TemporaryFolder folder;
   for (const fs::path& program : programs) {
     const Expectations expected = read_expectations(read_file(program));
-    fs::copy_file(program, folder / "program.nc", fs::copy_options::overwrite_existing);
-    std::vector<std::string> words = {"run", (folder / "program.nc").string()};
+    std::vector<std::string> words = {"run", folder.write("program.nc", read_file(program))};
     words.insert(words.end(), expected.options.begin(), expected.options.end());
     auto request = cli::parse_arguments(words);
     ASSERT_TRUE(request) << request.error().message;
@@ -158,7 +156,6 @@ TEST_P(PageSize, DoesNotMatter) {
     const std::string what = difference_of_pages(options, wanted);
     EXPECT_TRUE(what.empty()) << program.filename().string() << what;
   }
-  fs::remove_all(folder);
 }
 
 std::vector<fs::path> folders() {

@@ -16,6 +16,4 @@ constexpr std::array kCodes = {
 
 const CodeText& text_of(Code code) { return kCodes[static_cast<std::size_t>(code)]; }
 
-std::span<const CodeText> all_codes() { return kCodes; }
-
 }  // namespace kerf::base

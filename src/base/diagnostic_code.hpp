@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace kerf::base {
@@ -22,8 +21,5 @@ struct CodeText {
 };
 
 [[nodiscard]] const CodeText& text_of(Code code);
-
-/// All rows in the order of the enumeration.
-[[nodiscard]] std::span<const CodeText> all_codes();
 
 }  // namespace kerf::base

@@ -162,6 +162,11 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   app.footer(
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
+  if (words.empty()) {
+    return tl::unexpected(
+        base::Failure{base::Failure::Kind::usage,
+                      "a command is needed: run, check or machines; `kerf --help` lists them"});
+  }
   try {
     app.parse(reversed(words));
   } catch (const CLI::ParseError& error) {

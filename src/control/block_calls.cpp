@@ -145,15 +145,14 @@ bool Controller::finish_calls() {
   if (codes_.external_call &&
       !calls_.call_subprogram(words_, call_name_, ProgramCalls::Kind::external))
     return false;
-  bool called = false;
-  if (!call_by_code(words_, called)) return false;
+  if (!call_by_code(words_)) return false;
   if (moved_ && !calls_.trigger()) return false;
   transferred_ = interpreter_.depth() != depth;
   return true;
 }
 
 // M codes of 6071 to 6079, and T, S, B where they call programs (docs/dialect.md §6.4).
-bool Controller::call_by_code(const Words& words, bool& called) {
+bool Controller::call_by_code(const Words& words) {
   if (!codes_call_subprograms_ || calls_.codes_are_ordinary()) return true;
   using Kind = ProgramCalls::Kind;
   std::int64_t repeats = 1;
@@ -161,14 +160,12 @@ bool Controller::call_by_code(const Words& words, bool& called) {
     const auto sub =
         std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code_of(*called_m_));
     if (words.has('L') && !state_.values.integer(words['L'], 0, 9999, repeats)) return false;
-    called = true;
     const auto number = kFirstMSub + static_cast<std::uint32_t>(sub - parameters_.m_sub.begin());
     if (!calls_.call_fixed(number, repeats, Kind::code_sub)) return false;
   }
   auto& commons = state_.memory.commons;
   if (parameters_.t_calls_program && words.has('T')) {
     commons[kToolCommon] = static_cast<double>(state_.words.tool);
-    called = true;
     if (!calls_.call_fixed(kToolProgram, 1, Kind::code_sub)) return false;
   }
   if (parameters_.s_calls_program && words.has('S')) {

@@ -43,8 +43,6 @@ bool takes_over(GCode code) {
 
 }  // namespace
 
-Verdict Controller::verdict_of(bool good) { return good ? Verdict::go_on : Verdict::stop; }
-
 void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& statement) {
   state_.line = statement.line;
   state_.before = state_.modal;

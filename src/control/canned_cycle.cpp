@@ -31,7 +31,7 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
                   "cutter compensation is not applied in a canned cycle");
   }
   if (starts_mode) initial_ = state_.coordinates.program()[z];
-  if (!read_data(words, starts_mode)) return false;
+  if (!read_data(words)) return false;
   std::int64_t repeats = 1;
   if (!read_counts(words, repeats)) return false;
   const bool makes_hole = words.has_any(targets_.letters() | Words::mask('R'));
@@ -68,7 +68,7 @@ bool CannedCycle::find_drilling_axis(bool starts_mode) {
   return true;
 }
 
-bool CannedCycle::read_data(const Words& words, bool) {
+bool CannedCycle::read_data(const Words& words) {
   if (!read_depths(words)) return false;
   if (words.has('Q')) {
     if (!state_.values.length(words['Q'], q_)) return false;
@@ -135,7 +135,7 @@ bool CannedCycle::step() {
     first_ = false;
     if (!position()) return false;
     depth_ = r_;
-    stage_ = Stage::peck;
+    stage_ = Stage::hole;
     return true;
   }
   switch (code_) {

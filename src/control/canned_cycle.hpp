@@ -25,10 +25,10 @@ class CannedCycle {
   void stop() { holes_left_ = 0; }
 
  private:
-  enum class Stage : std::uint8_t { position, peck, retract };
+  enum class Stage : std::uint8_t { position, hole };
 
   bool find_drilling_axis(bool starts_mode);
-  bool read_data(const Words& words, bool starts_mode);
+  bool read_data(const Words& words);
   bool read_depths(const Words& words);
   bool read_counts(const Words& words, std::int64_t& repeats);
   bool check(const Words& words);

@@ -126,7 +126,7 @@ class Controller : public vm::Host, private Whereabouts {
   bool find_call(std::span<const gcode::Word> block, BlockCall& call);
   bool call_program(std::span<const gcode::Word> block, const BlockCall& call,
                     const std::string& name);
-  bool call_by_code(const Words& words, bool& called);
+  bool call_by_code(const Words& words);
 
   [[nodiscard]] bool is_plain_move() const;
   bool plain_move();
@@ -142,7 +142,6 @@ class Controller : public vm::Host, private Whereabouts {
   bool finish_calls();
   bool set_interrupt();
   vm::Verdict stopped(Halt halt);
-  vm::Verdict verdict_of(bool good);
 
   vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement,
                     const double* registers);

@@ -38,10 +38,6 @@ const ProgramEntry& CodeLibrary::entry(vm::CodeId code) const {
   return programs_[static_cast<std::size_t>(code)].entry;
 }
 
-base::FileId CodeLibrary::file_of(vm::CodeId code) const {
-  return programs_[static_cast<std::size_t>(code)].file;
-}
-
 std::optional<vm::CodeId> CodeLibrary::find(std::uint32_t number) const {
   const auto found = by_number_.find(number);
   return found == by_number_.end() ? std::nullopt : std::optional(found->second);

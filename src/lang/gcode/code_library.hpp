@@ -44,7 +44,6 @@ class CodeLibrary : public vm::CodeSource {
 
   [[nodiscard]] std::size_t program_count() const { return programs_.size(); }
   [[nodiscard]] const ProgramEntry& entry(vm::CodeId code) const;
-  [[nodiscard]] base::FileId file_of(vm::CodeId code) const;
   [[nodiscard]] std::optional<vm::CodeId> find(std::uint32_t number) const;
   [[nodiscard]] std::optional<vm::CodeId> find(const std::string& name) const;
   /// The first program of this number that is not in `file`.

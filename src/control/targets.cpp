@@ -2,6 +2,7 @@
 
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
+#include "geometry/angle.hpp"
 
 namespace kerf::control {
 
@@ -76,7 +77,7 @@ bool Targets::read_polar(const Words& words, Target& target) {
     angle_deg_ = incremental ? angle_deg_ + number : number;
   }
   if (radius != nullptr || angle != nullptr) {
-    const SineCosine turn = sine_cosine_deg(angle_deg_);
+    const geometry::SineCosine turn = geometry::sine_cosine_deg(angle_deg_);
     plane->place(target.program, origin + radius_ * geometry::Vec2{turn.cosine, turn.sine});
     target.named = static_cast<base::AxisSet>(base::only(plane->first) | base::only(plane->second));
   }

@@ -1,13 +1,16 @@
 #include "control/transform.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "geometry/angle.hpp"
 
 namespace kerf::control {
 namespace {
 
 using base::Axis;
 using base::AxisVector;
+using geometry::sine_cosine_deg;
+using geometry::SineCosine;
 using geometry::Vec2;
 
 Vec2 turned(Vec2 point, Vec2 centre, const SineCosine& angle) {
@@ -17,19 +20,6 @@ Vec2 turned(Vec2 point, Vec2 centre, const SineCosine& angle) {
 }
 
 }  // namespace
-
-SineCosine sine_cosine_deg(double angle_deg) {
-  const double quarters = std::nearbyint(angle_deg / 90);
-  const double rest_rad = (angle_deg - quarters * 90) * std::numbers::pi / 180;
-  const double s = std::sin(rest_rad);
-  const double c = std::cos(rest_rad);
-  switch (static_cast<long long>(quarters) & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-  }
-}
 
 void Transform::scale(const AxisVector& centre, const AxisVector& factors) {
   scaled_ = true;

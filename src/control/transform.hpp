@@ -57,11 +57,4 @@ class Transform {
   double angle_deg_ = 0;
 };
 
-/// Sine and cosine of an angle in degrees, exact at multiples of 90.
-struct SineCosine {
-  double sine = 0;
-  double cosine = 1;
-};
-[[nodiscard]] SineCosine sine_cosine_deg(double angle_deg);
-
 }  // namespace kerf::control

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/angle.hpp"
 #include "seeded_random.hpp"
 
 namespace kerf::control {
@@ -12,6 +13,8 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
+using geometry::sine_cosine_deg;
+using geometry::SineCosine;
 using geometry::Vec2;
 using test::kSeed;
 using test::SeededRandom;

@@ -1,0 +1,25 @@
+#include "geometry/angle.hpp"
+
+#include <cmath>
+
+namespace kerf::geometry {
+
+SineCosine sine_cosine_deg(double angle_deg) {
+  const double quarters = std::nearbyint(angle_deg / 90);
+  const double rest_rad = (angle_deg - quarters * 90) * std::numbers::pi / 180;
+  const double s = std::sin(rest_rad);
+  const double c = std::cos(rest_rad);
+  switch (static_cast<long long>(quarters) & 3) {
+    case 0: return {s, c};
+    case 1: return {c, -s};
+    case 2: return {-s, -c};
+    default: return {-c, s};
+  }
+}
+
+double nearest_turn(double angle_deg, double previous_deg, double turn_deg) {
+  const double turns = std::floor((angle_deg - previous_deg) / turn_deg + 0.5);
+  return angle_deg - turn_deg * turns;
+}
+
+}  // namespace kerf::geometry

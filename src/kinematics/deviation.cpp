@@ -1,0 +1,38 @@
+#include "kinematics/deviation.hpp"
+
+#include <cmath>
+
+#include "geometry/angle.hpp"
+
+namespace kerf::kinematics {
+
+using geometry::radians;
+
+// Linear interpolation is off by at most an eighth of the largest second derivative over the step.
+
+double head_deviation_mm(const HeadRadii& radii, double delta_a_deg, double delta_c_deg) {
+  const double a = std::fabs(radians(delta_a_deg));
+  const double c = std::fabs(radians(delta_c_deg));
+  return (std::fabs(radii.r_a_mm) * (a + c) * (a + c) + std::fabs(radii.r_c_mm) * c * c) / 8;
+}
+
+double polar_deviation_mm(double radius_mm, double delta_x_mm, double delta_theta_deg) {
+  const double theta = radians(delta_theta_deg);
+  return radius_mm * theta * theta / 8 + std::fabs(delta_x_mm * theta) / 4;
+}
+
+double arm_deviation_mm(const ArmLinks& links, double delta_upper_deg, double delta_forearm_deg) {
+  const double upper = radians(delta_upper_deg);
+  const double forearm = radians(delta_forearm_deg);
+  return (links.upper_arm_mm * upper * upper + links.forearm_mm * forearm * forearm) / 8;
+}
+
+double arm_rounding_mm(const ArmLinks& links, double radius_mm, double off_deg) {
+  return radians(off_deg) * (radius_mm + links.forearm_mm);
+}
+
+double sampling_deviation_mm(double step_mm, double radius_mm) {
+  return step_mm * step_mm / (8 * radius_mm);
+}
+
+}  // namespace kerf::kinematics

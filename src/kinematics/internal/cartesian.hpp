@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "kinematics/kinematics.hpp"
+
+namespace kerf::kinematics {
+
+/// Joints are the tip, whatever the axes are (docs/kinematics.md, Cartesian).
+class Cartesian final : public Kinematics {
+ public:
+  explicit Cartesian(std::vector<Joint> joints);
+
+  [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
+  [[nodiscard]] Result<Derivatives> derivatives(const base::AxisVector& tip,
+                                                const base::AxisVector& joints,
+                                                const base::AxisVector& first,
+                                                const base::AxisVector& second) const override;
+  [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
+                                          const base::AxisVector& to) const override;
+
+ private:
+  [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
+                                               const base::AxisVector& previous,
+                                               Branch branch) const override;
+};
+
+}  // namespace kerf::kinematics

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "kinematics/kinematics.hpp"
+#include "kinematics/settings.hpp"
+
+namespace kerf::kinematics {
+
+/// A carriage X over a work that turns by θ, and Z (docs/kinematics.md, X-θ-Z).
+class XThetaZ final : public Kinematics {
+ public:
+  XThetaZ(std::vector<Joint> joints, const XThetaZOffsets& offsets);
+
+  [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
+  [[nodiscard]] Result<Derivatives> derivatives(const base::AxisVector& tip,
+                                                const base::AxisVector& joints,
+                                                const base::AxisVector& first,
+                                                const base::AxisVector& second) const override;
+  [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
+                                          const base::AxisVector& to) const override;
+
+ private:
+  [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
+                                               const base::AxisVector& previous,
+                                               Branch branch) const override;
+
+  XThetaZOffsets offsets_;
+};
+
+}  // namespace kerf::kinematics

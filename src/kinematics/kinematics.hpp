@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "kinematics/fault.hpp"
+#include "kinematics/joint.hpp"
+
+namespace kerf::kinematics {
+
+/// The two positions of a linkage that hold the same tip: the sine of the joint that makes the
+/// difference (elbow of an arm, tilt A of a head) is >= 0, or negative.
+enum class Branch : std::uint8_t { plus, minus };
+
+/// First and second derivatives of the joints along a path: per mm and per mm² of its length.
+struct Derivatives {
+  base::AxisVector first;
+  base::AxisVector second;
+};
+
+/// Where the joints stand when the tool is at the tip, and back (docs/kinematics.md).
+///
+/// `tip` is always in the order of the program's axes, machine coordinates, tool length left out.
+/// `joints` is always in the order of the machine file's axes. Both in mm and degrees, both of
+/// size() entries; the rest is 0.
+///
+///   kind         tip                                        joints
+///   cartesian    the same as joints                         any
+///   x_theta_z    X Y Z                                      X θ Z
+///   head_ac      X Y Z focus, A C                           X Y Z carriage, A C
+///   arm          X Y Z, C heading of the wheel modulo 180   T1 forearm, T2 upper arm, T3 wheel, Z
+///
+/// Immutable and safe to share between threads. Nothing throws; what succeeds does not allocate.
+/// Values that are not finite are the caller's bug.
+class Kinematics {
+ public:
+  virtual ~Kinematics() = default;
+  Kinematics(const Kinematics&) = delete;
+  Kinematics& operator=(const Kinematics&) = delete;
+
+  [[nodiscard]] const std::vector<Joint>& joints() const { return joints_; }
+  [[nodiscard]] std::size_t size() const { return joints_.size(); }
+
+  /// The tip of any joints, also of those beyond their limits.
+  [[nodiscard]] virtual base::AxisVector forward(const base::AxisVector& joints) const = 0;
+
+  /// The joints along a path: the branch stays that of `previous`, each rotary joint takes the turn
+  /// nearest to it. Angles that the program itself gives (A and C of a head) keep the program's
+  /// branch and turn. forward() of it is `tip` within 1e-9 mm and degrees (the wheel's C modulo
+  /// 180). An angle that the tip leaves open stays that of `previous`.
+  /// Errors: out_of_reach, limit.
+  [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
+                                                 const base::AxisVector& previous) const;
+
+  /// The joints on the branch that the caller names, every rotary joint on the turn nearest to
+  /// `previous`. Precondition: has_branches(), or `branch` is plus. Errors: out_of_reach, limit.
+  [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
+                                                 const base::AxisVector& previous,
+                                                 Branch branch) const;
+
+  /// For moves from point to point, off the work: of both branches and all turns within the limits
+  /// the joints with the smallest sum of turned angles from `previous`; plus when equal.
+  /// Errors: out_of_reach; limit (of the branch plus) when none is within the limits.
+  [[nodiscard]] Result<base::AxisVector> nearest(const base::AxisVector& tip,
+                                                 const base::AxisVector& previous) const;
+
+  /// Whether there is a branch besides plus.
+  [[nodiscard]] virtual bool has_branches() const { return false; }
+  [[nodiscard]] virtual Branch branch_at(const base::AxisVector& /*joints*/) const {
+    return Branch::plus;
+  }
+
+  /// Derivatives of the joints along a path whose point is `tip`, where the joints are `joints`,
+  /// from those of the tip: `first` per mm, `second` per mm² of path. Analytic. Error: singular.
+  [[nodiscard]] virtual Result<Derivatives> derivatives(const base::AxisVector& tip,
+                                                        const base::AxisVector& joints,
+                                                        const base::AxisVector& first,
+                                                        const base::AxisVector& second) const = 0;
+
+  /// Upper bound, mm, of how far the tip is from the straight line between its ends while the
+  /// joints move from `from` to `to` in proportion.
+  [[nodiscard]] virtual double deviation_bound_mm(const base::AxisVector& from,
+                                                  const base::AxisVector& to) const = 0;
+
+  /// A sentence when these joints are so near to a singular position that small moves of the tip
+  /// ask for large ones of the joints.
+  [[nodiscard]] virtual std::optional<std::string> caution(const base::AxisVector& joints) const;
+
+  /// The first joint beyond its range by more than 1e-9.
+  [[nodiscard]] std::optional<Fault> beyond_limits(const base::AxisVector& joints) const;
+
+ protected:
+  /// A whole turn of each joint, after which it is in the same place; 0 for linear joints.
+  using Turns = std::array<double, base::kMaxAxes>;
+  Kinematics(std::vector<Joint> joints, const Turns& turns_deg);
+
+ private:
+  /// inverse() without limits.
+  [[nodiscard]] virtual Result<base::AxisVector> follow(const base::AxisVector& tip,
+                                                        const base::AxisVector& previous) const;
+  [[nodiscard]] virtual Result<base::AxisVector> solve(const base::AxisVector& tip,
+                                                       const base::AxisVector& previous,
+                                                       Branch branch) const = 0;
+
+  [[nodiscard]] Result<base::AxisVector> within_limits(Result<base::AxisVector> joints) const;
+  [[nodiscard]] Result<base::AxisVector> in_range(const base::AxisVector& tip,
+                                                  const base::AxisVector& previous,
+                                                  Branch branch) const;
+  [[nodiscard]] double turned_deg(const base::AxisVector& from, const base::AxisVector& to) const;
+
+  std::vector<Joint> joints_;
+  Turns turns_deg_;
+};
+
+}  // namespace kerf::kinematics

@@ -6,6 +6,7 @@
 #include <functional>
 #include <new>
 
+#include "allocation_count.hpp"
 #include "base/output_file.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
@@ -30,6 +31,9 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace kerf::test {
+
+std::uint64_t allocations_so_far() { return allocations; }
+
 namespace {
 
 constexpr std::uint64_t kPasses = 100'000;

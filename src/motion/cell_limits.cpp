@@ -1,0 +1,79 @@
+#include "motion/cell_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::motion {
+namespace {
+
+// Shares of the axes' limits that the shape of the path may use at full speed, and of the jerk for
+// 3 q'' v a.
+struct Shares {
+  double acceleration, jerk, mixed_jerk;
+};
+constexpr Shares kPath{0.85, 0.4, 0.4};
+constexpr Shares kCorner{0.98, 0.94, 0.04};
+
+constexpr Shares shares(CellLimits::Use use) {
+  return use == CellLimits::Use::corner ? kCorner : kPath;
+}
+
+}  // namespace
+
+CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
+                       std::array<bool, base::kMaxAxes> linear)
+    : limits_(axis_limits),
+      chord_speed_(std::sqrt(8 * settings.chord_tolerance_mm) / settings.period_s),
+      axes_(axes),
+      linear_(linear) {
+  for (std::size_t m = 0; m < axes; ++m) jerk_limited_ |= std::isfinite(limits_.jerk.values[m]);
+}
+
+double CellLimits::highest_speed(const CurveBounds& bounds, Use use) const {
+  double speed = std::numeric_limits<double>::infinity();
+  double curvature = 0;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double first = bounds.first.values[m];
+    const double second = bounds.second.values[m];
+    const double third = bounds.third.values[m];
+    if (first > 0) speed = std::min(speed, limits_.velocity.values[m] / first);
+    if (second > 0) {
+      const double share = shares(use).acceleration * limits_.acceleration.values[m];
+      speed = std::min(speed, std::sqrt(share / second));
+      if (linear_[m]) curvature = std::hypot(curvature, second);
+    }
+    if (third > 0 && std::isfinite(limits_.jerk.values[m]))
+      speed = std::min(speed, std::cbrt(shares(use).jerk * limits_.jerk.values[m] / third));
+  }
+  if (curvature > 0) speed = std::min(speed, chord_speed_ / std::sqrt(curvature));
+  return speed;
+}
+
+PathLimits CellLimits::of(const CurveBounds& bounds, double feed, Use use) const {
+  PathLimits limits;
+  limits.velocity = std::min(feed, highest_speed(bounds, use));
+  const double v = limits.velocity;
+  double acceleration = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double first = bounds.first.values[m];
+    const double second = bounds.second.values[m];
+    if (first > 0) {
+      acceleration =
+          std::min(acceleration, (limits_.acceleration.values[m] - second * v * v) / first);
+    }
+    if (second * v > 0)
+      acceleration = std::min(acceleration,
+                              shares(use).mixed_jerk * limits_.jerk.values[m] / (3 * second * v));
+  }
+  limits.acceleration = acceleration;
+  if (!jerk_limited_) return limits;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double first = bounds.first.values[m];
+    const double shape =
+        v * (3 * bounds.second.values[m] * acceleration + bounds.third.values[m] * v * v);
+    if (first > 0) limits.jerk = std::min(limits.jerk, (limits_.jerk.values[m] - shape) / first);
+  }
+  return limits;
+}
+
+}  // namespace kerf::motion

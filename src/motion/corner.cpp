@@ -1,0 +1,109 @@
+#include "motion/corner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::motion {
+namespace {
+
+using base::AxisVector;
+
+// Directions that differ by less are the same: at 1 m/s a step of 1e-12 m/s.
+constexpr double kSameDirection = 1e-12;
+// A rounding takes this share of what is possible at the feed, so that something remains for
+// speeding up and slowing down.
+constexpr double kShareOfLimit = 0.5;
+
+/// Between lines: the largest second derivative is this times |Δu| / reach, the third this over
+/// reach², and the deviation this times |Δu| reach.
+struct Shape {
+  double second, third, deviation;
+};
+constexpr Shape kParabola{0.5, 0, 1.0 / 4};
+constexpr Shape kQuintic{0.75, 1.5, 3.0 / 16};
+
+}  // namespace
+
+// Norm of the linear axes, or of the rotary ones when that is more.
+double CornerRounder::size(const AxisVector& difference) const {
+  double linear = 0;
+  double rotary = 0;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double d = difference.values[m];
+    (linear_[m] ? linear : rotary) += d * d;
+  }
+  return std::sqrt(std::max(linear, rotary));
+}
+
+// Reach with which neither the turn nor the step of the second derivative asks more than the share
+// of acceleration and jerk at the feed.
+double CornerRounder::wanted_reach(const AxisVector& turn, const AxisVector& bend,
+                                   double feed) const {
+  const AxisLimits& axis = limits_.axis_limits();
+  double v = feed;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double d = std::fabs(turn.values[m]);
+    // No axis can follow a turn faster than this.
+    if (d > 0) v = std::min(v, 2 * axis.velocity.values[m] / d);
+  }
+  const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  double reach = 0;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double d = std::fabs(turn.values[m]);
+    const double a = kShareOfLimit * axis.acceleration.values[m];
+    const double j = kShareOfLimit * axis.jerk.values[m];
+    reach = std::max(reach, shape.second * d * v * v / a);
+    reach = std::max(reach, std::sqrt(shape.third * d * v * v * v / j));
+    reach = std::max(reach, shape.third * std::fabs(bend.values[m]) * v * v * v / j);
+  }
+  return reach;
+}
+
+// Asked at some places; the deviation has one hill, so it is little more between them.
+bool CornerRounder::stays_near(const Rounding& rounding, const Curve& in, const Curve& out,
+                               double tolerance) const {
+  constexpr int kPlaces = 16;
+  constexpr double kBetween = 0.98;
+  for (int i = 1; i < kPlaces; ++i) {
+    const double s = rounding.curve.length() * i / kPlaces;
+    const AxisVector programmed =
+        s < rounding.reach ? in.at(in.length() - rounding.reach + s) : out.at(s - rounding.reach);
+    if (size(rounding.curve.at(s) - programmed) > kBetween * tolerance) return false;
+  }
+  return true;
+}
+
+// With limited jerk also the curvature must go on.
+std::optional<Rounding> CornerRounder::round(const Curve& in, const Curve& out, double reach,
+                                             double tolerance) const {
+  const base::PathJet from = in.jet(in.length() - reach);
+  const base::PathJet to = out.jet(reach);
+  Rounding rounding{reach, limits_.jerk_limited() ? Curve::hermite(from, to, 2 * reach, axes_)
+                                                  : Curve::cubic(from, to, 2 * reach, axes_)};
+  if (!stays_near(rounding, in, out, tolerance)) return std::nullopt;
+  return rounding;
+}
+
+Corner CornerRounder::between(const Curve& in, const Curve& out, double most_reach, double feed,
+                              double used_mm) const {
+  const base::PathJet end = in.jet(in.length());
+  const base::PathJet begin = out.jet(0);
+  const AxisVector turn = begin.first - end.first;
+  AxisVector bend;
+  if (limits_.jerk_limited()) bend = begin.second - end.second;
+  const double angle = size(turn);
+  if (angle < kSameDirection && size(bend) < kSameDirection) return {};
+  const double tolerance = tolerance_ - used_mm;
+  if (tolerance <= 0) return {Corner::Kind::sharp, {}};
+  double reach = std::min(wanted_reach(turn, bend, feed), most_reach);
+  const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  if (angle > 0) reach = std::min(reach, 0.98 * tolerance / (shape.deviation * angle));
+  constexpr int kMostTries = 30;
+  constexpr double kShrink = 0.75;
+  for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
+    if (auto rounding = round(in, out, reach, tolerance)) return {Corner::Kind::rounded, *rounding};
+  }
+  return {Corner::Kind::sharp, {}};
+}
+
+}  // namespace kerf::motion

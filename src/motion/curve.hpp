@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/axes.hpp"
+#include "base/path_jet.hpp"
+
+namespace kerf::motion {
+
+/// Largest absolute values of the derivatives by the path parameter, per axis.
+struct CurveBounds {
+  base::AxisVector first;
+  base::AxisVector second;
+  base::AxisVector third;
+};
+
+/// A circle in space that its parameter runs around, with everything else linear in it:
+///
+///   P(s) = origin + slope s + (radius + radius_slope s) (e1 cos φ + e2 sin φ),  φ = angle + rate s
+///
+/// mm and degrees; φ, `angle` in radians, `rate` in radians per mm. e1 and e2 are perpendicular
+/// unit vectors of linear axes.
+struct ArcShape {
+  base::AxisVector origin, slope, e1, e2;
+  double radius = 0;
+  double radius_slope = 0;
+  double angle_rad = 0;
+  double rate = 0;
+};
+
+/// A smooth piece of the path by its parameter s in [0, length()]: the length that the feed counts,
+/// in mm, or in degrees when only rotary axes move. Every point comes from the equation, and the
+/// end is exactly the one that was given. Value type, no allocation.
+class Curve {
+ public:
+  Curve() = default;
+
+  /// From `from` to `to` in proportion to s. length > 0.
+  static Curve line(const base::AxisVector& from, const base::AxisVector& to, double length,
+                    std::size_t axes);
+  /// The polynomial of degree 5 that leaves the first jet and arrives in the second with the same
+  /// first and second derivatives; what they say of the third is not asked. length > 0.
+  static Curve hermite(const base::PathJet& from, const base::PathJet& to, double length,
+                       std::size_t axes);
+  /// The polynomial of degree 3 that leaves the first jet and arrives in the second with the same
+  /// first derivatives. Between lines, with the length of the lines that it replaces, a parabola.
+  static Curve cubic(const base::PathJet& from, const base::PathJet& to, double length,
+                     std::size_t axes);
+  static Curve arc(const ArcShape& shape, const base::AxisVector& to, double length,
+                   std::size_t axes);
+
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] const base::AxisVector& end() const { return end_; }
+  [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
+  [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
+
+  /// Real-time safe. s outside of [0, length()] is the caller's bug but for rounding.
+  [[nodiscard]] base::AxisVector at(double s) const;
+  [[nodiscard]] base::PathJet jet(double s) const;
+  /// Upper bounds over [from, to]; the third derivative of a line and the second one are 0.
+  [[nodiscard]] CurveBounds bounds(double from, double to) const;
+
+ private:
+  enum class Kind : std::uint8_t { line, polynomial, arc };
+
+  [[nodiscard]] base::AxisVector point(double s) const;
+  [[nodiscard]] base::PathJet polynomial_jet(double s) const;
+  [[nodiscard]] base::PathJet arc_jet(double s) const;
+  [[nodiscard]] CurveBounds polynomial_bounds(double from, double to) const;
+  [[nodiscard]] CurveBounds arc_bounds(double from, double to) const;
+
+  double length_ = 0;
+  base::AxisVector end_;
+  // line: point and slope; polynomial: its coefficients; arc: origin, slope, e1, e2.
+  std::array<base::AxisVector, 6> c_{};
+  double radius_ = 0;
+  double radius_slope_ = 0;
+  double angle_rad_ = 0;
+  double rate_ = 0;
+  std::uint8_t axes_ = 0;
+  Kind kind_ = Kind::line;
+};
+
+}  // namespace kerf::motion

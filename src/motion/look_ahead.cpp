@@ -1,0 +1,219 @@
+#include "motion/look_ahead.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::motion {
+namespace {
+
+// An item of more cells would leave no room for others.
+constexpr std::uint64_t kMostCells = 256;
+
+}  // namespace
+
+void LookAhead::Run::add(const Section& section) {
+  length += section.length;
+  limits.velocity = std::min(limits.velocity, section.limits.velocity);
+  limits.acceleration = std::min(limits.acceleration, section.limits.acceleration);
+  limits.jerk = std::min(limits.jerk, section.limits.jerk);
+}
+
+double LookAhead::Run::speed_from(double speed) const {
+  return std::min(limits.velocity, reachable_speed(speed, length, limits));
+}
+
+bool LookAhead::extends_last(const Cell& cell) const {
+  if (!jerk_limited_ || items_.end() == std::max(planned_, items_.begin())) return false;
+  const Section& last = items_[items_.end() - 1].section;
+  return last.cells < kMostCells && !last.stop && cell.dwell_s == 0 &&
+         cell.velocity == last.limits.velocity;
+}
+
+void LookAhead::absorb(const Ring<Cell>& cells) {
+  for (; seen_ < cells.end(); ++seen_) {
+    const Cell& cell = cells[seen_];
+    const Section one{
+        cell.length(), {cell.velocity, cell.acceleration, cell.jerk}, 0, 0, 1, cell.dwell_s,
+        cell.stop};
+    if (!extends_last(cell)) {
+      if (items_.room() == 0) return;
+      items_.push({one, 0, 0, 1});
+      continue;
+    }
+    Section& last = items_.back().section;
+    Run both{last.length, last.limits};
+    both.add(one);
+    last.length = both.length;
+    last.limits = both.limits;
+    last.stop = cell.stop;
+    ++last.cells;
+  }
+}
+
+void LookAhead::plan(bool ended) {
+  const std::uint64_t begin = std::max(planned_, items_.begin());
+  const std::uint64_t end = items_.end();
+  if (begin == end) return;
+  if (jerk_limited_) {
+    look_back(begin, end);
+    go_forward(begin, end);
+  } else {
+    plan_accelerations(begin, end);
+  }
+  release(ended || items_.back().section.stop);
+}
+
+void LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
+  double speed = 0;
+  for (std::uint64_t n = end; n-- > begin;) {
+    Section& section = items_[n].section;
+    section.exit = section.stop ? 0 : std::min(speed, section.limits.velocity);
+    speed = std::min(section.limits.velocity,
+                     reachable_speed(section.exit, section.length, section.limits));
+  }
+  speed = entry_;
+  for (std::uint64_t n = begin; n < end; ++n) {
+    Section& section = items_[n].section;
+    section.entry = speed;
+    section.exit = std::min(section.exit, reachable_speed(speed, section.length, section.limits));
+    speed = section.exit;
+  }
+}
+
+// Highest speed where item `number` begins, the end of the one before.
+double LookAhead::speed_allowed_at(std::uint64_t number, std::uint64_t end) const {
+  const Section& before = items_[number - 1].section;
+  if (number == end || before.stop) return 0;
+  return std::min(items_[number].bound, before.limits.velocity);
+}
+
+void LookAhead::look_back(std::uint64_t begin, std::uint64_t end) {
+  Run run;
+  std::uint64_t until = end;
+  double exit = 0;
+  for (std::uint64_t n = end; n-- > begin;) {
+    Item& item = items_[n];
+    const double next = speed_allowed_at(n + 1, end);
+    Run alone;
+    alone.add(item.section);
+    const double fresh = alone.speed_from(next);
+    run.add(item.section);
+    const double longer = item.section.stop ? -1 : run.speed_from(exit);
+    if (longer < fresh) {
+      run = alone;
+      until = n + 1;
+      exit = next;
+    }
+    item.bound = std::max(longer, fresh);
+    item.until = until;
+  }
+}
+
+// Whether one profile may go from `begin` to `end`: no item is slower than `least`, and the change
+// of speed fits.
+bool LookAhead::can_join(std::uint64_t begin, std::uint64_t end, double entry, double exit,
+                         double least) const {
+  Run run;
+  for (std::uint64_t n = begin; n < end; ++n) run.add(items_[n].section);
+  return run.limits.velocity >= std::max({least, entry, exit}) &&
+         ramp_length(entry, exit, run.limits) <= run.length;
+}
+
+void LookAhead::set_section(std::uint64_t begin, std::uint64_t end, double entry, double exit) {
+  Item& first = items_[begin];
+  first.items = static_cast<std::uint32_t>(end - begin);
+  first.section.entry = entry;
+  first.section.exit = exit;
+}
+
+// Three ways to go on where the way down that look_back() found must begin in or behind item `n`:
+// one section from `from` to its end; a section up to the end of the item, and then the way down;
+// or the way down from the begin of the item, which is always possible.
+LookAhead::Way LookAhead::way_down(const Way& up, std::uint64_t n, double speed, double reached,
+                                   std::uint64_t end) {
+  const std::uint64_t behind = n + 1;
+  const double allowed = speed_allowed_at(behind, end);
+  const bool ends_here = behind == end || items_[n].section.stop;
+  const std::uint64_t until = ends_here ? behind : items_[behind].until;
+  const double exit = ends_here ? 0 : speed_allowed_at(until, end);
+  if (can_join(up.from, until, up.entry, exit, reached)) {
+    set_section(up.from, until, up.entry, exit);
+    return {until, exit};
+  }
+  if (can_join(up.from, behind, up.entry, allowed, allowed)) {
+    set_section(up.from, behind, up.entry, allowed);
+    return {behind, allowed};
+  }
+  if (n > up.from) set_section(up.from, n, up.entry, speed);
+  Run run;
+  for (std::uint64_t i = n; i < items_[n].until; ++i) run.add(items_[i].section);
+  const double entry = n > up.from ? speed : up.entry;
+  const double last = std::min(speed_allowed_at(items_[n].until, end), run.speed_from(entry));
+  set_section(n, items_[n].until, entry, last);
+  return {items_[n].until, last};
+}
+
+void LookAhead::go_forward(std::uint64_t begin, std::uint64_t end) {
+  Way up{begin, entry_};  // the section under way
+  double speed = entry_;  // where item n begins
+  Run run;
+  for (std::uint64_t n = begin; n < end;) {
+    Run alone;
+    alone.add(items_[n].section);
+    const double fresh = alone.speed_from(speed);
+    run.add(items_[n].section);
+    const double longer = run.limits.velocity >= up.entry ? run.speed_from(up.entry) : -1;
+    if (longer < fresh && n > up.from) {
+      set_section(up.from, n, up.entry, speed);
+      up = {n, speed};
+      run = alone;
+    }
+    const double reached = std::max(longer, fresh);
+    const bool at_end = n + 1 == end || items_[n].section.stop;
+    if (!at_end && reached < items_[n + 1].bound) {
+      speed = reached;
+      ++n;
+      continue;
+    }
+    up = way_down(up, n, speed, reached, end);
+    n = up.from;
+    speed = up.entry;
+    run = {};
+  }
+  if (up.from < end) set_section(up.from, end, up.entry, speed);
+}
+
+// All, or whole sections up to the middle, but at least one.
+void LookAhead::release(bool ended) {
+  const std::uint64_t begin = std::max(planned_, items_.begin());
+  const std::uint64_t end = items_.end();
+  const std::uint64_t middle = begin + (end - begin) / 2;
+  planned_ = begin;
+  while (planned_ < end && (ended || planned_ < middle)) {
+    const Item& item = items_[planned_];
+    const std::uint64_t next = planned_ + item.items;
+    if (!ended && next > middle && planned_ > begin) break;
+    entry_ = item.section.exit;
+    planned_ = next;
+  }
+}
+
+Section LookAhead::take() {
+  Section section = items_.front().section;
+  const std::uint32_t items = items_.front().items;
+  items_.front().items = 1;
+  items_.pop();
+  Run run{section.length, section.limits};
+  for (std::uint32_t i = 1; i < items; ++i) {
+    const Section& next = items_.front().section;
+    run.add(next);
+    section.cells += next.cells;
+    section.stop = next.stop;
+    items_.pop();
+  }
+  section.length = run.length;
+  section.limits = run.limits;
+  return section;
+}
+
+}  // namespace kerf::motion

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/place.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::motion {
+
+enum class MoveKind : std::uint8_t { rapid, cut, dwell };
+
+/// Which motion a stretch of the path or of time belongs to.
+struct Mark {
+  control::ProgramNumber program{};
+  std::uint32_t line = 0;  ///< in its file, from 1
+  base::FileId file = base::kNoFile;
+  MoveKind kind = MoveKind::cut;
+  float power_percent = 0;  ///< of the laser, while it lasts
+};
+
+}  // namespace kerf::motion

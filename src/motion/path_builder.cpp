@@ -1,0 +1,273 @@
+#include "motion/path_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "control/plane_axes.hpp"
+#include "geometry/arc.hpp"
+
+namespace kerf::motion {
+namespace {
+
+using base::AxisVector;
+using control::Motion;
+using geometry::Vec2;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
+constexpr double kChainShare = 0.25;
+// A corner takes less than half of a curve, so that something is left between two of them.
+constexpr double kMostOfCurve = 0.49;
+// What one motion may add: a chain's worth of curves with their roundings.
+constexpr std::size_t kCellsOfMotion = 600;
+constexpr std::size_t kMarksOfMotion = 4;
+
+std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
+  std::array<bool, base::kMaxAxes> linear{};
+  for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
+  return linear;
+}
+
+}  // namespace
+
+PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limits,
+                         const Settings& settings, Path& path)
+    : axes_(axes),
+      limits_(limits),
+      linear_(linear_axes(axes)),
+      tolerance_mm_(settings.tolerance_mm),
+      corners_(limits, settings.tolerance_mm, axes.count(), linear_),
+      chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_),
+      path_(path) {}
+
+bool PathBuilder::room() const {
+  return path_.cells.room() >= kCellsOfMotion && path_.marks.room() >= kMarksOfMotion;
+}
+
+double PathBuilder::linear_length(const AxisVector& to) const {
+  double square = 0;
+  for (std::size_t m = 0; m < axes_.count(); ++m) {
+    const double d = to.values[m] - at_.values[m];
+    if (linear_[m]) square += d * d;
+  }
+  return std::sqrt(square);
+}
+
+double PathBuilder::rotary_length(const AxisVector& to) const {
+  double square = 0;
+  for (std::size_t m = 0; m < axes_.count(); ++m) {
+    const double d = to.values[m] - at_.values[m];
+    if (!linear_[m]) square += d * d;
+  }
+  return std::sqrt(square);
+}
+
+// Length of the path per second. A feed that cannot be told is no limit.
+double PathBuilder::speed_of(const control::Feed& feed, double length) const {
+  switch (feed.mode) {
+    case control::FeedMode::per_minute: return feed.value > 0 ? feed.value / 60 : kInfinite;
+    case control::FeedMode::inverse_time:
+      return feed.value > 0 ? length * feed.value / 60 : kInfinite;
+    case control::FeedMode::per_revolution: break;
+  }
+  const double speed = feed.value * speed_rpm_ / 60;
+  return speed > 0 ? speed : kInfinite;
+}
+
+Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind) const {
+  return {motion.program, motion.line, motion.file, kind, static_cast<float>(power_percent_)};
+}
+
+void PathBuilder::take(const Motion& motion) {
+  using namespace control;
+  if (const auto* const line = std::get_if<Line>(&motion.action)) {
+    add_line(motion, line->to, line->feed);
+  } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
+    add_arc(motion, *arc);
+  } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
+    add_rapid(motion, rapid->to);
+  } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
+    stop();
+    add_line(motion, probe->to, probe->feed);
+    stop();
+  } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
+    add_line(motion, thread->to, {thread->lead, FeedMode::per_revolution});
+  } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
+    add_dwell(motion, dwell->seconds);
+  } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
+    power_percent_ = power->percent;
+  } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
+    stop();
+    speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+  } else if (!std::holds_alternative<Message>(motion.action)) {
+    stop();
+  }
+}
+
+void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const control::Feed& feed) {
+  const double linear = linear_length(to);
+  const bool rotary_only = linear == 0;
+  const double length = rotary_only ? rotary_length(to) : linear;
+  if (length == 0) return;
+  if (rotary_only != rotary_only_) stop();
+  rotary_only_ = rotary_only;
+  const double speed = speed_of(feed, length);
+  const Mark mark = mark_of(motion, MoveKind::cut);
+  if (!chain_.empty() && !chain_.accepts(to, length)) drain_chain(true);
+  if (chain_.empty()) chain_.start(at_);
+  chain_.add(to, length, speed, false, mark);
+  at_ = to;
+  drain_chain(tolerance_mm_ == 0);
+}
+
+void PathBuilder::add_rapid(const Motion& motion, const AxisVector& to) {
+  const double linear = linear_length(to);
+  const double length = linear == 0 ? rotary_length(to) : linear;
+  if (length == 0) return;
+  stop();
+  mark(length, mark_of(motion, MoveKind::rapid));
+  add_curve(Curve::line(at_, to, length, axes_.count()), kInfinite, false, false);
+  at_ = to;
+  stop();
+}
+
+void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
+  const auto plane = control::plane_axes(arc.plane, axes_);
+  if (!plane) return;
+  if (rotary_only_) stop();
+  rotary_only_ = false;
+  drain_chain(true);
+  const Vec2 centre{arc.center[0], arc.center[1]};
+  const Vec2 from = plane->project(at_);
+  const Vec2 to = plane->project(arc.to);
+  const bool clockwise = arc.direction == control::Direction::clockwise;
+  const double sweep =
+      geometry::sweep_rad(from, to, centre, clockwise) + 2 * std::numbers::pi * arc.turns;
+  const double start_radius = geometry::length(from - centre);
+  const double end_radius = geometry::length(to - centre);
+  const double length = sweep * (start_radius + end_radius) / 2;
+  if (length == 0) return;
+  ArcShape shape;
+  shape.origin = at_;
+  plane->place(shape.origin, centre);
+  for (std::size_t m = 0; m < axes_.count(); ++m) {
+    if (!plane->contains(base::Axis{static_cast<std::uint8_t>(m)}))
+      shape.slope.values[m] = (arc.to.values[m] - at_.values[m]) / length;
+  }
+  shape.e1[plane->first] = 1;
+  shape.e2[plane->second] = 1;
+  shape.radius = start_radius;
+  shape.radius_slope = (end_radius - start_radius) / length;
+  shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
+  shape.rate = (clockwise ? -sweep : sweep) / length;
+  mark(length, mark_of(motion, MoveKind::cut));
+  add_curve(Curve::arc(shape, arc.to, length, axes_.count()), speed_of(arc.feed, length), false,
+            false);
+  at_ = arc.to;
+}
+
+void PathBuilder::add_dwell(const Motion& motion, double seconds) {
+  stop();
+  if (seconds <= 0) return;
+  mark(0, mark_of(motion, MoveKind::dwell));
+  place_marks(path_.marks.end(), 0, 0);
+  Cell& cell = path_.cells.push();
+  cell = {};
+  cell.curve = Curve::line(at_, at_, 1, axes_.count());
+  cell.dwell_s = seconds;
+  cell.stop = true;
+}
+
+void PathBuilder::drain_chain(bool ended) {
+  if (chain_.empty()) return;
+  ChainSmoother::Piece piece;
+  while (chain_.next(ended, piece)) add_piece(piece);
+}
+
+void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
+  const double begin = chain_.point(piece.first).way;
+  for (std::uint64_t n = piece.first + 1; n <= piece.last; ++n)
+    mark(chain_.point(n).way - begin, chain_.point(n).mark);
+  const ChainSmoother::Point& first = chain_.point(piece.first + 1);
+  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_turn,
+            piece.end_turn);
+}
+
+// The marks of the curve stand already behind those of the open one.
+void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
+                            double begin_turn, double end_turn) {
+  Open next{curve, 0, feed, begin_turn, end_turn, fixed_override, path_.marks.end()};
+  if (is_open_ && joined) {
+    close_open(false);
+  } else if (is_open_) {
+    const double most = kMostOfCurve * std::min(open_.curve.length(), curve.length());
+    const double slower = std::min(open_.feed, feed);
+    // What a smoothed chain leaves its lines near their end.
+    const double used =
+        std::min(kChainShare * tolerance_mm_, 2 * most * std::max(open_.end_turn, begin_turn));
+    const Corner corner = corners_.between(open_.curve, curve, most, slower, used);
+    if (corner.kind == Corner::Kind::rounded) {
+      round(corner.rounding, slower);
+      next.begin = corner.rounding.reach;
+    } else {
+      close_open(corner.kind == Corner::Kind::sharp);
+    }
+  }
+  open_ = next;
+  is_open_ = true;
+}
+
+void PathBuilder::close_open(bool with_stop) {
+  place_marks(open_.last_mark, open_.curve.length(), 0);
+  emit(open_.curve, open_.begin, open_.curve.length(), open_.feed, open_.fixed_override,
+       CellLimits::Use::path);
+  path_.cells.back().stop = with_stop;
+  is_open_ = false;
+}
+
+void PathBuilder::round(const Rounding& rounding, double feed) {
+  const double end = open_.curve.length() - rounding.reach;
+  place_marks(open_.last_mark, end, 0);
+  emit(open_.curve, open_.begin, end, open_.feed, open_.fixed_override, CellLimits::Use::path);
+  place_marks(open_.last_mark, open_.curve.length(), -end);
+  place_marks(path_.marks.end(), rounding.reach, rounding.reach);
+  emit(rounding.curve, 0, rounding.curve.length(), feed, open_.fixed_override,
+       CellLimits::Use::corner);
+}
+
+// Gives the next marks, up to number `last` and parameter `up_to`, the cell that comes next.
+void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
+  for (; placed_ < last && path_.marks[placed_].way <= up_to; ++placed_) {
+    path_.marks[placed_].cell = path_.cells.end();
+    path_.marks[placed_].way += shift;
+  }
+}
+
+void PathBuilder::emit(const Curve& curve, double begin, double end, double feed,
+                       bool fixed_override, CellLimits::Use use) {
+  const PathLimits limits = limits_.of(curve.bounds(begin, end), feed, use);
+  Cell& cell = path_.cells.push();
+  cell.curve = curve;
+  cell.begin = begin;
+  cell.end = end;
+  cell.feed = feed;
+  cell.velocity = limits.velocity;
+  cell.acceleration = limits.acceleration;
+  cell.jerk = limits.jerk;
+  cell.dwell_s = 0;
+  cell.stop = false;
+  cell.fixed_override = fixed_override;
+}
+
+void PathBuilder::mark(double way, const Mark& mark) {
+  path_.marks.push({std::numeric_limits<std::uint64_t>::max(), way, mark});
+}
+
+void PathBuilder::stop() {
+  drain_chain(true);
+  if (is_open_) close_open(true);
+}
+
+}  // namespace kerf::motion

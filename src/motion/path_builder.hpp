@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+#include "motion/cell.hpp"
+#include "motion/cell_limits.hpp"
+#include "motion/chain.hpp"
+#include "motion/corner.hpp"
+#include "motion/mark.hpp"
+#include "motion/ring.hpp"
+
+namespace kerf::motion {
+
+/// Where on the path a motion ends.
+struct PathMark {
+  std::uint64_t cell = 0;  ///< number of the cell
+  double way = 0;          ///< parameter of its curve
+  Mark mark;
+};
+
+/// The path ahead of the tool: cells in their order, and the motions that they belong to.
+struct Path {
+  static constexpr std::size_t kCells = 4096;
+  static constexpr std::size_t kMarks = 32768;
+
+  Ring<Cell> cells{kCells};
+  Ring<PathMark> marks{kMarks};
+};
+
+/// Turns motions into a path that the axes can follow: smooth chains of short lines, rounded
+/// corners, and stops where there must be some.
+///
+/// It keeps back what the next motion may still change: a curve whose end may be rounded, and up to
+/// some hundred short lines. Bounded memory, no allocation after construction.
+class PathBuilder {
+ public:
+  /// The path must outlive the builder. `axes` likewise.
+  PathBuilder(const control::AxisSetup& axes, const CellLimits& limits, const Settings& settings,
+              Path& path);
+
+  /// Whether the path has room for what one more motion may add.
+  [[nodiscard]] bool room() const;
+  /// Adds a motion; those that move nothing are either stops or passed over. Precondition: room().
+  void take(const control::Motion& motion);
+  /// The axes come to rest behind what was taken so far; nothing is kept back. Precondition:
+  /// room().
+  void stop();
+
+  /// Where the last motion ended.
+  [[nodiscard]] const base::AxisVector& at() const { return at_; }
+  void set_position(const base::AxisVector& at) { at_ = at; }
+  void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }
+  void set_power(double percent) { power_percent_ = percent; }
+
+ private:
+  /// A curve whose end is still open.
+  struct Open {
+    Curve curve;
+    double begin = 0;  // behind the rounding of the corner before
+    double feed = 0;
+    double begin_turn = 0;  // from the programmed line to the curve, at its begin and end
+    double end_turn = 0;
+    bool fixed_override = false;
+    std::uint64_t last_mark = 0;  // behind the marks of the curve
+  };
+
+  void add_line(const control::Motion& motion, const base::AxisVector& to,
+                const control::Feed& feed);
+  void add_rapid(const control::Motion& motion, const base::AxisVector& to);
+  void add_arc(const control::Motion& motion, const control::Arc& arc);
+  void add_dwell(const control::Motion& motion, double seconds);
+  void drain_chain(bool ended);
+  void add_piece(const ChainSmoother::Piece& piece);
+  void add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
+                 double begin_turn = 0, double end_turn = 0);
+  void close_open(bool with_stop);
+  void round(const Rounding& rounding, double feed);
+  void emit(const Curve& curve, double begin, double end, double feed, bool fixed_override,
+            CellLimits::Use use);
+  void mark(double way, const Mark& mark);
+  void place_marks(std::uint64_t last, double up_to, double shift);
+  [[nodiscard]] double speed_of(const control::Feed& feed, double length) const;
+  [[nodiscard]] double linear_length(const base::AxisVector& to) const;
+  [[nodiscard]] double rotary_length(const base::AxisVector& to) const;
+  [[nodiscard]] Mark mark_of(const control::Motion& motion, MoveKind kind) const;
+
+  const control::AxisSetup& axes_;
+  const CellLimits& limits_;
+  std::array<bool, base::kMaxAxes> linear_{};
+  double tolerance_mm_;
+  CornerRounder corners_;
+  ChainSmoother chain_;
+  Path& path_;
+  Open open_;
+  bool is_open_ = false;
+  bool rotary_only_ = false;  // the parameter counts degrees
+  std::uint64_t placed_ = 0;  // marks before this one know their cell
+  base::AxisVector at_;
+  double speed_rpm_ = 0;
+  double power_percent_ = 0;
+};
+
+}  // namespace kerf::motion

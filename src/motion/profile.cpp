@@ -1,0 +1,133 @@
+#include "motion/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::motion {
+namespace {
+
+bool jerk_limited(const PathLimits& limits) { return std::isfinite(limits.jerk); }
+
+/// How long the acceleration of a ramp rises, and what it rises to.
+struct RampShape {
+  double rise_s = 0;
+  double hold_s = 0;
+  double acceleration = 0;
+};
+
+RampShape shape_of(double change, const PathLimits& limits) {
+  if (!jerk_limited(limits)) return {0, change / limits.acceleration, limits.acceleration};
+  const double full = limits.acceleration * limits.acceleration / limits.jerk;
+  if (change <= full) {
+    const double rise_s = std::sqrt(change / limits.jerk);
+    return {rise_s, 0, rise_s * limits.jerk};
+  }
+  const double rise_s = limits.acceleration / limits.jerk;
+  return {rise_s, (change - full) / limits.acceleration, limits.acceleration};
+}
+
+// s = √Δv is the root of s³ + 2 v s = L √j (interpolation of the first kind, no hold): a cubic with
+// one real root, by Cardano.
+double change_without_hold(double from, double length, const PathLimits& limits) {
+  const double p = 2 * from / 3;
+  const double q = length * std::sqrt(limits.jerk) / 2;
+  const double w = std::cbrt(q + std::sqrt(q * q + p * p * p));
+  if (w == 0) return 0;
+  // p/w is exact where w - p/w would cancel: s = w - p/w = 2q / (w² + p + (p/w)²).
+  const double s = 2 * q / (w * w + p + (p / w) * (p / w));
+  return s * s;
+}
+
+// Δv is the root of Δ² + Δ (2v + a²/j) + 2 v a²/j - 2 a L = 0.
+double change_with_hold(double from, double length, const PathLimits& limits) {
+  const double full = limits.acceleration * limits.acceleration / limits.jerk;
+  const double half = from + full / 2;
+  const double c = 2 * (from * full - limits.acceleration * length);
+  return -c / (half + std::sqrt(half * half - c));
+}
+
+}  // namespace
+
+double ramp_time_s(double change, const PathLimits& limits) {
+  const RampShape shape = shape_of(std::fabs(change), limits);
+  return 2 * shape.rise_s + shape.hold_s;
+}
+
+double ramp_length(double from, double to, const PathLimits& limits) {
+  return (from + to) / 2 * ramp_time_s(to - from, limits);
+}
+
+double reachable_speed(double from, double length, const PathLimits& limits) {
+  if (!jerk_limited(limits)) return std::sqrt(from * from + 2 * limits.acceleration * length);
+  const double full = limits.acceleration * limits.acceleration / limits.jerk;
+  if (length <= ramp_length(from, from + full, limits))
+    return from + change_without_hold(from, length, limits);
+  return from + change_with_hold(from, length, limits);
+}
+
+namespace {
+
+// The speed from which ramps to both ends together have the length.
+double peak_speed(double length, double entry, double exit, const PathLimits& limits) {
+  if (!jerk_limited(limits)) {
+    const double square = (entry * entry + exit * exit) / 2 + limits.acceleration * length;
+    return std::min(limits.velocity, std::sqrt(square));
+  }
+  const auto needed = [&](double peak) {
+    return ramp_length(entry, peak, limits) + ramp_length(exit, peak, limits);
+  };
+  if (needed(limits.velocity) <= length) return limits.velocity;
+  double low = std::max(entry, exit);
+  double high = limits.velocity;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = low + (high - low) / 2;
+    if (middle <= low || middle >= high) break;
+    (needed(middle) <= length ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Profile::Profile(double length, double entry, double exit, const PathLimits& limits)
+    : peak_(std::max({peak_speed(length, entry, exit, limits), entry, exit})) {
+  const double cruise =
+      length - ramp_length(entry, peak_, limits) - ramp_length(exit, peak_, limits);
+  add_ramp(entry, peak_, limits);
+  if (cruise > 0 && peak_ > 0) add({cruise / peak_, peak_, 0, 0});
+  add_ramp(peak_, exit, limits);
+}
+
+void Profile::add(const Phase& phase) {
+  if (phase.duration_s <= 0) return;
+  phases_[count_++] = phase;
+  duration_s_ += phase.duration_s;
+}
+
+void Profile::add_ramp(double from, double to, const PathLimits& limits) {
+  const RampShape shape = shape_of(std::fabs(to - from), limits);
+  const double side = to < from ? -1 : 1;
+  const double jerk = shape.rise_s > 0 ? side * limits.jerk : 0;
+  const double acceleration = side * shape.acceleration;
+  const double rise = acceleration * shape.rise_s / 2;
+  add({shape.rise_s, from, 0, jerk});
+  add({shape.hold_s, from + rise, acceleration, 0});
+  add({shape.rise_s, to - rise, acceleration, -jerk});
+}
+
+Profile::State Profile::state_at(double t_s) const {
+  State state;
+  double left_s = std::max(0.0, t_s);
+  for (const Phase& phase : phases()) {
+    const bool inside = left_s < phase.duration_s;
+    const double t = inside ? left_s : phase.duration_s;
+    state.position += phase.way(t);
+    state.velocity = phase.velocity_at(t);
+    state.acceleration = inside ? phase.acceleration_at(t) : 0;
+    if (inside) break;
+    left_s -= phase.duration_s;
+  }
+  return state;
+}
+
+}  // namespace kerf::motion

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+
+#include "motion/phase.hpp"
+
+namespace kerf::motion {
+
+/// Limits along the path, all > 0; an infinite jerk allows steps of the acceleration.
+struct PathLimits {
+  double velocity = 0;
+  double acceleration = 0;
+  double jerk = std::numeric_limits<double>::infinity();
+};
+
+/// A ramp changes the speed from one constant value to another as fast as acceleration and jerk
+/// allow: with a finite jerk j its acceleration rises for T = a/j (or √(Δv/j) when Δv < a²/j),
+/// stays, and falls for the same time. Time and length are the same in both directions.
+[[nodiscard]] double ramp_time_s(double change, const PathLimits& limits);
+[[nodiscard]] double ramp_length(double from, double to, const PathLimits& limits);
+
+/// Highest speed that a ramp of `length` reaches from `from`; the velocity limit is not asked.
+[[nodiscard]] double reachable_speed(double from, double length, const PathLimits& limits);
+
+/// The fastest way over `length` >= 0 from speed `entry` to speed `exit`: a ramp up, a cruise, a
+/// ramp down, each possibly of no duration; up to seven phases. The acceleration is 0 at both ends
+/// when the jerk is limited. Value type, no allocation.
+class Profile {
+ public:
+  struct State {
+    double position = 0;
+    double velocity = 0;
+    double acceleration = 0;  ///< right-hand limit where two phases meet
+  };
+
+  /// Precondition: both speeds within [0, limits.velocity], each reachable from the other over
+  /// `length` (to 1e-9; then the profile ends at the speed that is reached).
+  Profile(double length, double entry, double exit, const PathLimits& limits);
+
+  [[nodiscard]] double duration_s() const { return duration_s_; }
+  [[nodiscard]] double peak() const { return peak_; }
+  [[nodiscard]] std::span<const Phase> phases() const { return {phases_.data(), count_}; }
+  /// State at `t_s`, clamped to [0, duration_s()].
+  [[nodiscard]] State state_at(double t_s) const;
+
+ private:
+  void add(const Phase& phase);
+  void add_ramp(double from, double to, const PathLimits& limits);
+
+  std::array<Phase, 7> phases_;
+  std::size_t count_ = 0;
+  double duration_s_ = 0;
+  double peak_ = 0;
+};
+
+}  // namespace kerf::motion

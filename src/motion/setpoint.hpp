@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/axes.hpp"
+#include "motion/mark.hpp"
+
+namespace kerf::motion {
+
+/// Where the tool is at one moment: tool tip, machine coordinates, tool length left out, in the
+/// order of the program's axes.
+struct Setpoint {
+  double time_s = 0;  ///< from the start of the run, a multiple of the servo period
+  base::AxisVector tip;
+  Mark mark;  ///< the motion that is under way, or that ends here
+};
+
+}  // namespace kerf::motion

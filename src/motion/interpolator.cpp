@@ -1,6 +1,8 @@
 #include "motion/interpolator.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kerf::motion {
 namespace {
@@ -11,18 +13,24 @@ std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
   return linear;
 }
 
+std::size_t driven_axes(const control::AxisSetup& axes, const Linkage* linkage) {
+  return linkage == nullptr ? axes.count() : linkage->size();
+}
+
 // A standstill this little behind a period belongs to it: rounding of the sums of durations.
 constexpr double kSameTick = 1e-9;
 
 }  // namespace
 
 Interpolator::Interpolator(const control::AxisSetup& axes, const AxisLimits& limits,
-                           const Settings& settings)
+                           const Settings& settings, const Linkage* linkage)
     : axes_(axes),
       settings_(settings),
-      limits_(limits, settings, axes.count(), linear_axes(axes)),
+      limits_(limits, settings, driven_axes(axes, linkage), linear_axes(axes)),
       builder_(axes_, limits_, settings_, path_),
-      look_ahead_(limits_.jerk_limited()) {}
+      maker_(limits_, linkage),
+      look_ahead_(limits_.jerk_limited()),
+      trial_(limits_.jerk_limited()) {}
 
 void Interpolator::take(const control::Motion& motion) {
   ended_ = false;
@@ -37,57 +45,30 @@ void Interpolator::finish() {
 // Makes the next section the one under way. False when what is known of the path is not enough.
 bool Interpolator::load_section() {
   if (!look_ahead_.has_planned()) {
-    look_ahead_.absorb(path_.cells);
+    maker_.make(path_, overrides_, cells_);
+    look_ahead_.absorb(cells_);
     if (look_ahead_.empty() || (!ended_ && room())) return false;
-    look_ahead_.plan(ended_);
-    if (!look_ahead_.has_planned()) return false;
+    if (!look_ahead_.plan(ended_) || !look_ahead_.has_planned()) return false;
   }
   section_ = look_ahead_.take();
   if (section_.dwell_s == 0)
     profile_ = Profile(section_.length, section_.entry, section_.exit, section_.limits);
-  phase_ = 0;
-  phase_way_ = 0;
-  cell_way_ = 0;
-  cells_left_ = section_.cells;
-  driving_ = true;
+  begin_section();
   return true;
 }
 
-std::uint64_t Interpolator::ticks_until(double time_s) const {
-  return static_cast<std::uint64_t>(std::ceil(time_s / settings_.period_s - kSameTick));
+void Interpolator::begin_section() {
+  phase_ = 0;
+  phase_way_ = 0;
+  cell_way_ = -offset_;
+  cells_left_ = section_.cells;
+  driving_ = true;
 }
 
-// Behind the last cell of a section_.
 void Interpolator::end_section() {
-  for (; cells_left_ > 0; --cells_left_) path_.cells.pop();
+  for (; cells_left_ > 0; --cells_left_) pop_cell();
+  offset_ = section_.tail;
   driving_ = false;
-}
-
-void Interpolator::pop_marks(double at) {
-  const std::uint64_t cell = path_.cells.begin();
-  while (!path_.marks.empty()) {
-    const PathMark& mark = path_.marks.front();
-    if (mark.cell > cell || (mark.cell == cell && mark.way >= at)) break;
-    path_.marks.pop();
-  }
-}
-
-void Interpolator::advance_cell(double way) {
-  while (cells_left_ > 1 && way > cell_way_ + path_.cells.front().length()) {
-    cell_way_ += path_.cells.front().length();
-    path_.cells.pop();
-    --cells_left_;
-  }
-}
-
-void Interpolator::fill(Setpoint& point, double way) {
-  advance_cell(way);
-  const Cell& cell = path_.cells.front();
-  const double at = std::min(cell.end, cell.begin + (way - cell_way_));
-  point.time_s = time_s();
-  point.tip = cell.curve.at(at);
-  pop_marks(at);
-  if (!path_.marks.empty()) point.mark = path_.marks.front().mark;
 }
 
 void Interpolator::end_phase(const Phase& phase) {
@@ -99,42 +80,104 @@ void Interpolator::end_phase(const Phase& phase) {
   ++phase_;
 }
 
+std::uint64_t Interpolator::ticks_until(double time_s) const {
+  return static_cast<std::uint64_t>(std::ceil(time_s / settings_.period_s - kSameTick));
+}
+
 // The axes rest; what follows begins at this period.
 void Interpolator::stop_at(std::uint64_t tick) {
   tick_ = phase_tick_ = tick;
   phase_late_s_ = 0;
 }
 
+void Interpolator::pop_cell() {
+  const std::uint64_t piece = cells_.front().piece;
+  cells_.pop();
+  const std::uint64_t next = cells_.empty() ? piece + 1 : cells_.front().piece;
+  while (path_.pieces.begin() < next) path_.pieces.pop();
+}
+
+void Interpolator::advance_cell(double way) {
+  while (cells_left_ > 0 && way > cell_way_ + cells_.front().length()) {
+    if (cells_left_ == 1 && section_.tail == 0) return;  // the end belongs to the last one
+    cell_way_ += cells_.front().length();
+    pop_cell();
+    --cells_left_;
+  }
+}
+
+void Interpolator::pop_marks(double at) {
+  const std::uint64_t piece = path_.pieces.begin();
+  while (!path_.marks.empty()) {
+    const PathMark& mark = path_.marks.front();
+    if (mark.piece > piece || (mark.piece == piece && mark.way >= at)) break;
+    path_.marks.pop();
+  }
+}
+
+void Interpolator::fill(Setpoint& point, double way) {
+  advance_cell(way);
+  const Cell& cell = cells_.front();
+  const double at = std::min(cell.end, cell.begin + (way - cell_way_));
+  tip_ = path_.pieces.front().curve.at(at);
+  pop_marks(at);
+  if (!path_.marks.empty()) mark_ = path_.marks.front().mark;
+  point = {time_s(), tip_, mark_};
+}
+
+// A period of the dwell under way.
+bool Interpolator::dwelling(Setpoint& point) {
+  if (section_.dwell_s == 0) return false;
+  ++tick_;
+  pop_marks(0);
+  if (!path_.marks.empty()) mark_ = path_.marks.front().mark;
+  point = {time_s(), tip_, mark_};
+  if (tick_ >= phase_tick_ + ticks_until(section_.dwell_s)) {
+    stop_at(tick_);
+    end_section();
+    end_standstill();
+  }
+  return true;
+}
+
 bool Interpolator::next(Setpoint& point) {
+  if (has_wish()) grant_wish();
+  if (held_) {
+    stop_at(tick_ + 1);
+    point = {time_s(), tip_, mark_};
+    return true;
+  }
   for (;;) {
     if (!driving_ && !load_section()) return false;
-    if (section_.dwell_s > 0) {
-      ++tick_;
-      fill(point, 0);
-      if (tick_ >= phase_tick_ + ticks_until(section_.dwell_s)) {
-        stop_at(tick_);
-        end_section();
-      }
-      return true;
-    }
+    if (dwelling(point)) return true;
     const auto phases = profile_.phases();
     for (; phase_ < phases.size(); end_phase(phases[phase_])) {
       const double t =
           static_cast<double>(tick_ + 1 - phase_tick_) * settings_.period_s - phase_late_s_;
-      if (t >= phases[phase_].duration_s) continue;
+      const bool last = section_.stop && phase_ + 1 == phases.size();
+      const double slack_s = last ? kSameTick * settings_.period_s : 0;
+      if (t >= phases[phase_].duration_s - slack_s) continue;
       ++tick_;
       fill(point, phase_way_ + phases[phase_].way(t));
       return true;
     }
-    if (!section_.stop) {
-      end_section();
-      continue;
-    }
-    stop_at(std::max(tick_, phase_tick_ + ticks_until(phase_late_s_)));
-    fill(point, 2 * section_.length);
+    if (section_.stop) break;
     end_section();
-    return true;
   }
+  stop_at(std::max(tick_ + 1, phase_tick_ + ticks_until(phase_late_s_)));
+  constexpr double kToTheEnd = std::numeric_limits<double>::infinity();
+  fill(point, section_.tail == 0 ? kToTheEnd : section_.length);
+  end_section();
+  end_standstill();
+  return true;
+}
+
+// The axes have come to rest.
+void Interpolator::end_standstill() {
+  if (!wants_hold_) return;
+  held_ = true;
+  stopping_ = false;
+  if (wants_reset_) drop();
 }
 
 void Interpolator::skip() {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "motion/cell_limits.hpp"
+#include "motion/cell_maker.hpp"
 #include "motion/look_ahead.hpp"
 #include "motion/path_builder.hpp"
 #include "motion/profile.hpp"
@@ -11,19 +11,23 @@
 
 namespace kerf::motion {
 
-/// Drives along motions: plans the speed within the limits of all axes, and tells where the tool is
-/// at every period of the servo.
+/// Drives along motions: plans the speed within the limits of all driven axes, and tells where the
+/// tool is at every period of the servo.
 ///
 ///   while there are motions:   while (room()) take(motion);   while (next(point)) …
 ///   at the end:                finish();                      while (next(point)) …
 ///
 /// Every point comes from the equation of its line or curve. Each standstill has a point exactly at
-/// the programmed end; what follows begins with the period after it. Bounded look-ahead: at most
-/// Path::kCells curves. No allocation after construction.
+/// the programmed end; what follows begins with the period after it. Bounded look-ahead. No
+/// allocation after construction.
 class Interpolator {
  public:
-  /// `axes` must outlive the interpolator.
-  Interpolator(const control::AxisSetup& axes, const AxisLimits& limits, const Settings& settings);
+  /// `limits` are those of the driven axes. `linkage` is null when these are the program's axes,
+  /// and must outlive the interpolator otherwise.
+  Interpolator(const control::AxisSetup& axes, const AxisLimits& limits, const Settings& settings,
+               const Linkage* linkage = nullptr);
+  Interpolator(const Interpolator&) = delete;
+  Interpolator& operator=(const Interpolator&) = delete;
 
   [[nodiscard]] bool room() const { return builder_.room(); }
   /// Precondition: room().
@@ -31,44 +35,103 @@ class Interpolator {
   /// The axes come to rest behind what was taken. Precondition: room().
   void finish();
 
-  /// The point of the next period; false when more motions are needed, or all is done.
+  /// The point of the next period; false when more motions are needed, or all is done. While the
+  /// feed is held the points stand still.
   [[nodiscard]] bool next(Setpoint& point);
   /// Passes over all that next() would give.
   void skip();
 
+  // The operator. Each of these takes effect as soon as it breaks no limit: speeds change along the
+  // path, which is not left.
+
+  /// 0 < feed, rapid <= 2.
+  void set_overrides(const Overrides& overrides);
+  /// The axes come to rest on the path.
+  void hold();
+  void resume();
+  /// As hold(); at rest everything ahead is dropped, and the next motion begins where the tool is.
+  void reset();
+  /// At rest after hold() or reset().
+  [[nodiscard]] bool held() const { return held_; }
+  /// At rest after reset(), with nothing ahead.
+  [[nodiscard]] bool at_reset() const { return at_reset_; }
+
   /// Time at the last point, s. A multiple of the period.
   [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * settings_.period_s; }
+  /// Where the last point was.
+  [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
 
  private:
+  /// Speed and acceleration along the path, and the place: an offset from the begin of a cell.
+  struct Motion {
+    std::uint64_t cell = 0;
+    double offset = 0;
+    double speed = 0;
+    double acceleration = 0;
+  };
+
   bool load_section();
+  void begin_section();
   void end_section();
   void end_phase(const Phase& phase);
   void stop_at(std::uint64_t tick);
+  void end_standstill();
   void advance_cell(double way);
-  [[nodiscard]] std::uint64_t ticks_until(double time_s) const;
-  void fill(Setpoint& point, double way);
+  void pop_cell();
   void pop_marks(double at);
+  void fill(Setpoint& point, double way);
+  [[nodiscard]] std::uint64_t ticks_until(double time_s) const;
+  [[nodiscard]] bool dwelling(Setpoint& point);
+
+  // What the operator asked for.
+  struct Leveling;
+  [[nodiscard]] bool has_wish() const {
+    return wants_hold_ != (stopping_ || held_) || wanted_ != overrides_;
+  }
+  void grant_wish();
+  [[nodiscard]] Motion now() const;
+  [[nodiscard]] bool level_off(const Motion& from, Leveling& leveling) const;
+  [[nodiscard]] bool replan(const Motion& from);
+  [[nodiscard]] bool replan_hold(const Motion& from);
+  [[nodiscard]] bool can_stop_within(const Motion& from, double way);
+  [[nodiscard]] bool replan_overrides(const Motion& from);
+  void set_limits(std::uint64_t first, std::uint64_t last, const Overrides& overrides);
+  void drop();
 
   control::AxisSetup axes_;
   Settings settings_;
   CellLimits limits_;
   Path path_;
   PathBuilder builder_;
+  CellMaker maker_;
+  Ring<Cell> cells_{CellMaker::kCells};
   LookAhead look_ahead_;
+  LookAhead trial_;  // a plan that takes the other's place when it is possible
   bool ended_ = false;
+
+  Overrides overrides_;
+  Overrides wanted_;
+  bool wants_hold_ = false;
+  bool wants_reset_ = false;
+  bool stopping_ = false;  // the plan ends in the hold
+  bool held_ = false;
+  bool at_reset_ = false;
 
   // The section under way.
   bool driving_ = false;
   Section section_;
-  Profile profile_{0, 0, 0, {1, 1, 1}};
+  Profile profile_;
   std::size_t phase_ = 0;
   std::uint64_t phase_tick_ = 0;  // the last period before its begin,
   double phase_late_s_ = 0;       // and how long after that it begins: times stay small and exact
   double phase_way_ = 0;          // at its begin, from that of the section
   double cell_way_ = 0;           // at the begin of the cell, from that of the section
-  std::uint64_t cells_left_ = 0;
+  double offset_ = 0;             // of the next section in its first cell
+  std::uint64_t cells_left_ = 0;  // that end within the section
 
   std::uint64_t tick_ = 0;
+  base::AxisVector tip_;
+  Mark mark_;
 };
 
 }  // namespace kerf::motion

@@ -8,6 +8,8 @@ namespace {
 
 // An item of more cells would leave no room for others.
 constexpr std::uint64_t kMostCells = 256;
+// Speeds that differ by less, relatively, are the same: rounding of a plan made anew.
+constexpr double kSameSpeed = 1e-9;
 
 }  // namespace
 
@@ -22,48 +24,69 @@ double LookAhead::Run::speed_from(double speed) const {
   return std::min(limits.velocity, reachable_speed(speed, length, limits));
 }
 
-bool LookAhead::extends_last(const Cell& cell) const {
+bool LookAhead::extends_last(const Section& next) const {
   if (!jerk_limited_ || items_.end() == std::max(planned_, items_.begin())) return false;
   const Section& last = items_[items_.end() - 1].section;
-  return last.cells < kMostCells && !last.stop && cell.dwell_s == 0 &&
-         cell.velocity == last.limits.velocity;
+  return last.cells < kMostCells && !last.stop && next.dwell_s == 0 &&
+         next.limits.velocity == last.limits.velocity;
+}
+
+void LookAhead::add(const Section& next) {
+  if (!extends_last(next)) {
+    items_.push({next, 0, 0, 1});
+    return;
+  }
+  Section& last = items_.back().section;
+  Run both{last.length, last.limits};
+  both.add(next);
+  last.length = both.length;
+  last.limits = both.limits;
+  last.stop = next.stop;
+  last.cells += next.cells;
+  last.tail = next.tail;
 }
 
 void LookAhead::absorb(const Ring<Cell>& cells) {
-  for (; seen_ < cells.end(); ++seen_) {
+  for (; seen_ < cells.end() && items_.room() > 0 && stop_way_ > 0; ++seen_) {
     const Cell& cell = cells[seen_];
-    const Section one{
-        cell.length(), {cell.velocity, cell.acceleration, cell.jerk}, 0, 0, 1, cell.dwell_s,
-        cell.stop};
-    if (!extends_last(cell)) {
-      if (items_.room() == 0) return;
-      items_.push({one, 0, 0, 1});
-      continue;
+    const double length = cell.length() - offset_;
+    if (length >= stop_way_) {
+      offset_ += stop_way_;
+      add({stop_way_, cell.limits, 0, 0, 0, offset_, 0, true});
+      stop_way_ = 0;
+      return;
     }
-    Section& last = items_.back().section;
-    Run both{last.length, last.limits};
-    both.add(one);
-    last.length = both.length;
-    last.limits = both.limits;
-    last.stop = cell.stop;
-    ++last.cells;
+    add({length, cell.limits, 0, 0, 1, 0, cell.dwell_s, cell.stop});
+    stop_way_ -= length;
+    offset_ = 0;
   }
 }
 
-void LookAhead::plan(bool ended) {
+void LookAhead::begin_at(std::uint64_t cell, double offset, double speed) {
+  items_.clear();
+  planned_ = items_.begin();
+  seen_ = cell;
+  offset_ = offset;
+  stop_way_ = kNever;
+  entry_ = speed;
+}
+
+bool LookAhead::plan(bool ended) {
   const std::uint64_t begin = std::max(planned_, items_.begin());
   const std::uint64_t end = items_.end();
-  if (begin == end) return;
+  if (begin == end) return true;
   if (jerk_limited_) {
     look_back(begin, end);
+    if (items_[begin].bound < entry_ * (1 - kSameSpeed)) return false;
     go_forward(begin, end);
-  } else {
-    plan_accelerations(begin, end);
+  } else if (!plan_accelerations(begin, end)) {
+    return false;
   }
   release(ended || items_.back().section.stop);
+  return true;
 }
 
-void LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
+bool LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
   double speed = 0;
   for (std::uint64_t n = end; n-- > begin;) {
     Section& section = items_[n].section;
@@ -71,6 +94,7 @@ void LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
     speed = std::min(section.limits.velocity,
                      reachable_speed(section.exit, section.length, section.limits));
   }
+  if (speed < entry_ * (1 - kSameSpeed)) return false;
   speed = entry_;
   for (std::uint64_t n = begin; n < end; ++n) {
     Section& section = items_[n].section;
@@ -78,6 +102,7 @@ void LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
     section.exit = std::min(section.exit, reachable_speed(speed, section.length, section.limits));
     speed = section.exit;
   }
+  return true;
 }
 
 // Highest speed where item `number` begins, the end of the one before.
@@ -208,6 +233,7 @@ Section LookAhead::take() {
     const Section& next = items_.front().section;
     run.add(next);
     section.cells += next.cells;
+    section.tail = next.tail;
     section.stop = next.stop;
     items_.pop();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "motion/cell.hpp"
 #include "motion/profile.hpp"
@@ -14,7 +15,8 @@ struct Section {
   PathLimits limits;  ///< the least of all cells
   double entry = 0;   ///< planned speeds at its begin and end
   double exit = 0;
-  std::uint64_t cells = 0;  ///< how many
+  std::uint64_t cells = 0;  ///< how many end within it
+  double tail = 0;          ///< its end in the cell behind those, from the cell's begin
   double dwell_s = 0;       ///< > 0: the axes rest this long
   bool stop = false;        ///< the axes come to rest at its end
 };
@@ -36,14 +38,23 @@ class LookAhead {
  public:
   static constexpr std::size_t kItems = 4096;
 
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+
   explicit LookAhead(bool jerk_limited) : jerk_limited_(jerk_limited) {}
 
   /// Takes over the cells of the ring that it has not seen yet, as far as there is room.
   void absorb(const Ring<Cell>& cells);
 
   /// Plans what is there. With `ended` nothing follows, and all of it is final; otherwise the first
-  /// half is.
-  void plan(bool ended);
+  /// half is. False when the speed at the begin is too high for what follows, which happens only
+  /// after begin_at(); nothing is final then.
+  [[nodiscard]] bool plan(bool ended);
+
+  /// Forgets all and begins anew within a cell, `offset` behind its begin, at `speed`.
+  void begin_at(std::uint64_t cell, double offset, double speed);
+  /// What is absorbed next ends in a stop `way` behind its begin; nothing is absorbed behind that.
+  /// Precondition: just after begin_at().
+  void stop_after(double way) { stop_way_ = way; }
 
   /// Whether there is a section that is planned for good.
   [[nodiscard]] bool has_planned() const { return items_.begin() < planned_; }
@@ -74,8 +85,9 @@ class LookAhead {
     double entry = 0;
   };
 
-  [[nodiscard]] bool extends_last(const Cell& cell) const;
-  void plan_accelerations(std::uint64_t begin, std::uint64_t end);
+  [[nodiscard]] bool extends_last(const Section& next) const;
+  void add(const Section& next);
+  [[nodiscard]] bool plan_accelerations(std::uint64_t begin, std::uint64_t end);
   void look_back(std::uint64_t begin, std::uint64_t end);
   void go_forward(std::uint64_t begin, std::uint64_t end);
   [[nodiscard]] double speed_allowed_at(std::uint64_t number, std::uint64_t end) const;
@@ -89,6 +101,8 @@ class LookAhead {
   bool jerk_limited_;
   std::uint64_t planned_ = 0;  // items before this one are final
   std::uint64_t seen_ = 0;     // cells before this one are in items
+  double offset_ = 0;          // the next cell counts from here
+  double stop_way_ = kNever;   // of what is absorbed next
   double entry_ = 0;           // speed where the first item begins that is not final
 };
 

@@ -21,7 +21,7 @@ constexpr double kChainShare = 0.25;
 // A corner takes less than half of a curve, so that something is left between two of them.
 constexpr double kMostOfCurve = 0.49;
 // What one motion may add: a chain's worth of curves with their roundings.
-constexpr std::size_t kCellsOfMotion = 600;
+constexpr std::size_t kPiecesOfMotion = 600;
 constexpr std::size_t kMarksOfMotion = 4;
 
 std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
@@ -43,7 +43,7 @@ PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limit
       path_(path) {}
 
 bool PathBuilder::room() const {
-  return path_.cells.room() >= kCellsOfMotion && path_.marks.room() >= kMarksOfMotion;
+  return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
 }
 
 double PathBuilder::linear_length(const AxisVector& to) const {
@@ -129,6 +129,7 @@ void PathBuilder::add_rapid(const Motion& motion, const AxisVector& to) {
   stop();
   mark(length, mark_of(motion, MoveKind::rapid));
   add_curve(Curve::line(at_, to, length, axes_.count()), kInfinite, false, false);
+  rapid_ = true;
   at_ = to;
   stop();
 }
@@ -173,11 +174,9 @@ void PathBuilder::add_dwell(const Motion& motion, double seconds) {
   if (seconds <= 0) return;
   mark(0, mark_of(motion, MoveKind::dwell));
   place_marks(path_.marks.end(), 0, 0);
-  Cell& cell = path_.cells.push();
-  cell = {};
-  cell.curve = Curve::line(at_, at_, 1, axes_.count());
-  cell.dwell_s = seconds;
-  cell.stop = true;
+  PathPiece& piece = emit(Curve::line(at_, at_, 1, axes_.count()), 0, 1, 1);
+  piece.dwell_s = seconds;
+  piece.stop = true;
 }
 
 void PathBuilder::drain_chain(bool ended) {
@@ -221,48 +220,53 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
 
 void PathBuilder::close_open(bool with_stop) {
   place_marks(open_.last_mark, open_.curve.length(), 0);
-  emit(open_.curve, open_.begin, open_.curve.length(), open_.feed, open_.fixed_override,
-       CellLimits::Use::path);
-  path_.cells.back().stop = with_stop;
-  is_open_ = false;
+  PathPiece& piece = emit(open_.curve, open_.begin, open_.curve.length(), open_.feed);
+  piece.fixed_override = open_.fixed_override;
+  piece.rapid = rapid_;
+  piece.stop = with_stop;
+  is_open_ = rapid_ = false;
 }
 
 void PathBuilder::round(const Rounding& rounding, double feed) {
   const double end = open_.curve.length() - rounding.reach;
   place_marks(open_.last_mark, end, 0);
-  emit(open_.curve, open_.begin, end, open_.feed, open_.fixed_override, CellLimits::Use::path);
+  emit(open_.curve, open_.begin, end, open_.feed).fixed_override = open_.fixed_override;
   place_marks(open_.last_mark, open_.curve.length(), -end);
   place_marks(path_.marks.end(), rounding.reach, rounding.reach);
-  emit(rounding.curve, 0, rounding.curve.length(), feed, open_.fixed_override,
-       CellLimits::Use::corner);
+  PathPiece& piece = emit(rounding.curve, 0, rounding.curve.length(), feed);
+  piece.use = CellLimits::Use::corner;
+  piece.fixed_override = open_.fixed_override;
 }
 
-// Gives the next marks, up to number `last` and parameter `up_to`, the cell that comes next.
+// Gives the next marks, up to number `last` and parameter `up_to`, to the piece that comes next.
 void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
   for (; placed_ < last && path_.marks[placed_].way <= up_to; ++placed_) {
-    path_.marks[placed_].cell = path_.cells.end();
+    path_.marks[placed_].piece = path_.pieces.end();
     path_.marks[placed_].way += shift;
   }
 }
 
-void PathBuilder::emit(const Curve& curve, double begin, double end, double feed,
-                       bool fixed_override, CellLimits::Use use) {
-  const PathLimits limits = limits_.of(curve.bounds(begin, end), feed, use);
-  Cell& cell = path_.cells.push();
-  cell.curve = curve;
-  cell.begin = begin;
-  cell.end = end;
-  cell.feed = feed;
-  cell.velocity = limits.velocity;
-  cell.acceleration = limits.acceleration;
-  cell.jerk = limits.jerk;
-  cell.dwell_s = 0;
-  cell.stop = false;
-  cell.fixed_override = fixed_override;
+PathPiece& PathBuilder::emit(const Curve& curve, double begin, double end, double feed) {
+  PathPiece& piece = path_.pieces.push();
+  piece.curve = curve;
+  piece.begin = begin;
+  piece.end = end;
+  piece.feed = feed;
+  piece.dwell_s = 0;
+  piece.use = CellLimits::Use::path;
+  piece.rapid = piece.fixed_override = piece.stop = false;
+  return piece;
 }
 
 void PathBuilder::mark(double way, const Mark& mark) {
   path_.marks.push({std::numeric_limits<std::uint64_t>::max(), way, mark});
+}
+
+void PathBuilder::clear(const AxisVector& at) {
+  at_ = at;
+  chain_.start(at);
+  is_open_ = rapid_ = false;
+  placed_ = path_.marks.end();
 }
 
 void PathBuilder::stop() {

@@ -5,30 +5,13 @@
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
-#include "motion/cell.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/chain.hpp"
 #include "motion/corner.hpp"
 #include "motion/mark.hpp"
-#include "motion/ring.hpp"
+#include "motion/path.hpp"
 
 namespace kerf::motion {
-
-/// Where on the path a motion ends.
-struct PathMark {
-  std::uint64_t cell = 0;  ///< number of the cell
-  double way = 0;          ///< parameter of its curve
-  Mark mark;
-};
-
-/// The path ahead of the tool: cells in their order, and the motions that they belong to.
-struct Path {
-  static constexpr std::size_t kCells = 4096;
-  static constexpr std::size_t kMarks = 32768;
-
-  Ring<Cell> cells{kCells};
-  Ring<PathMark> marks{kMarks};
-};
 
 /// Turns motions into a path that the axes can follow: smooth chains of short lines, rounded
 /// corners, and stops where there must be some.
@@ -51,7 +34,8 @@ class PathBuilder {
 
   /// Where the last motion ended.
   [[nodiscard]] const base::AxisVector& at() const { return at_; }
-  void set_position(const base::AxisVector& at) { at_ = at; }
+  /// Forgets what it keeps back; the next motion begins at `at`.
+  void clear(const base::AxisVector& at);
   void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }
   void set_power(double percent) { power_percent_ = percent; }
 
@@ -78,8 +62,7 @@ class PathBuilder {
                  double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
   void round(const Rounding& rounding, double feed);
-  void emit(const Curve& curve, double begin, double end, double feed, bool fixed_override,
-            CellLimits::Use use);
+  PathPiece& emit(const Curve& curve, double begin, double end, double feed);
   void mark(double way, const Mark& mark);
   void place_marks(std::uint64_t last, double up_to, double shift);
   [[nodiscard]] double speed_of(const control::Feed& feed, double length) const;
@@ -96,6 +79,7 @@ class PathBuilder {
   Path& path_;
   Open open_;
   bool is_open_ = false;
+  bool rapid_ = false;        // the open curve is one
   bool rotary_only_ = false;  // the parameter counts degrees
   std::uint64_t placed_ = 0;  // marks before this one know their cell
   base::AxisVector at_;

@@ -36,6 +36,9 @@ class Profile {
     double acceleration = 0;  ///< right-hand limit where two phases meet
   };
 
+  Profile() = default;
+  /// A single phase.
+  explicit Profile(const Phase& phase) : peak_(phase.velocity) { add(phase); }
   /// Precondition: both speeds within [0, limits.velocity], each reachable from the other over
   /// `length` (to 1e-9; then the profile ends at the speed that is reached).
   Profile(double length, double entry, double exit, const PathLimits& limits);

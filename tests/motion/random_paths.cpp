@@ -2,7 +2,9 @@
 // own: differences of points for the limits, distances to the programmed lines and circles for the
 // path.
 //
-//   kerf_motion_tests [--paths N] [--seed S]     one seed a path, S, S + 1, …
+//   kerf_motion_tests [--paths N] [--seed S] [--operator]     one seed a path, S, S + 1, …
+//
+// With --operator the feed is held, overridden and reset at random instants.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -108,7 +110,8 @@ class ProgrammedArc {
 
 class Checker {
  public:
-  explicit Checker(const RandomPath& path) : path_(path) {}
+  Checker(const RandomPath& path, bool with_operator, unsigned seed)
+      : path_(path), operator_(with_operator), random_(seed) {}
 
   /// A sentence about the first broken promise, or nothing.
   std::string run() {
@@ -120,9 +123,12 @@ class Checker {
     if (!interpolator.room()) drain(interpolator);
     interpolator.finish();
     drain(interpolator);
-    if (problem_.empty() && !(points_[0] == end_of_path())) tell("the end is not exact");
+    if (was_reset_) go_on(interpolator);
+    const AxisVector end = was_reset_ ? new_end_ : end_of_path();
+    if (problem_.empty() && !(points_[0] == end)) tell("the end is not exact");
     return problem_;
   }
+  [[nodiscard]] std::uint64_t wishes() const { return wishes_; }
   [[nodiscard]] std::uint64_t setpoints() const { return rows_; }
 
  private:
@@ -130,6 +136,50 @@ class Checker {
 
   void drain(motion::Interpolator& interpolator) {
     motion::Setpoint point;
+    while (problem_.empty() && !was_reset_) {
+      if (operator_) act(interpolator);
+      if (!interpolator.next(point)) break;
+      check(point);
+      if (interpolator.held()) held(interpolator);
+    }
+  }
+
+  // At one of some periods the operator holds, turns an override, or resets.
+  void act(motion::Interpolator& interpolator) {
+    if (random_.count(0, 30) != 0) return;
+    ++wishes_;
+    switch (random_.count(0, 5)) {
+      case 0:
+      case 1: interpolator.hold(); break;
+      case 2: interpolator.resume(); break;
+      case 3:
+        if (random_.count(0, 9) == 0) interpolator.reset();
+        break;
+      default: interpolator.set_overrides({random_.size(0.01, 2), random_.size(0.01, 1)});
+    }
+  }
+
+  void held(motion::Interpolator& interpolator) {
+    motion::Setpoint point;
+    for (int i = random_.count(1, 5); i > 0 && interpolator.next(point); --i) {
+      check(point);
+      if (!(points_[0] == points_[1])) tell("no rest while the feed is held");
+    }
+    was_reset_ = interpolator.at_reset();
+    interpolator.resume();
+  }
+
+  // After a reset: a line from where the tool is.
+  void go_on(motion::Interpolator& interpolator) {
+    new_end_ = points_[0];
+    new_end_.values[0] += 1;
+    control::Motion motion;
+    motion.line = 1;
+    motion.action = control::Line{new_end_, {1000, control::FeedMode::per_minute}};
+    interpolator.take(motion);
+    interpolator.finish();
+    motion::Setpoint point;
+    off_path_ = true;
     while (problem_.empty() && interpolator.next(point)) check(point);
   }
 
@@ -141,6 +191,7 @@ class Checker {
     if (std::fabs(point.time_s - static_cast<double>(rows_) * path_.settings.period_s) > 1e-9)
       tell("a period is missing");
     for (std::size_t m = 0; m < path_.axes.count(); ++m) limits_of(m);
+    if (off_path_) return;
     const double most = path_.settings.tolerance_mm + 1e-9;
     double off = distance(point.tip, point.mark.line, 1, Way::quick);
     if (off > most) off = distance(point.tip, point.mark.line, 40, Way::quick);
@@ -204,6 +255,12 @@ class Checker {
 
   const RandomPath& path_;
   std::array<AxisVector, 4> points_{};  // the newest first
+  bool operator_;
+  SeededRandom random_;
+  std::uint64_t wishes_ = 0;
+  bool was_reset_ = false;
+  bool off_path_ = false;
+  AxisVector new_end_;
   std::uint64_t rows_ = 0;
   std::uint32_t line_ = 0;
   std::string problem_;
@@ -215,23 +272,29 @@ class Checker {
 int main(int count, char** words) {
   unsigned long paths = 3000;
   unsigned seed = kerf::test::kSeed;
-  for (int i = 1; i + 1 < count; i += 2) {
+  bool with_operator = false;
+  for (int i = 1; i < count; ++i) {
+    with_operator |= std::strcmp(words[i], "--operator") == 0;
+    if (i + 1 == count) break;
     if (std::strcmp(words[i], "--paths") == 0) paths = std::strtoul(words[i + 1], nullptr, 10);
     if (std::strcmp(words[i], "--seed") == 0)
       seed = static_cast<unsigned>(std::strtoul(words[i + 1], nullptr, 10));
   }
   std::uint64_t setpoints = 0;
+  std::uint64_t wishes = 0;
   int failures = 0;
   for (unsigned long i = 0; i < paths && failures < 20; ++i) {
     const auto path = kerf::test::random_path(seed + static_cast<unsigned>(i));
-    kerf::test::Checker checker(path);
+    kerf::test::Checker checker(path, with_operator, seed + static_cast<unsigned>(i));
     const std::string problem = checker.run();
     setpoints += checker.setpoints();
+    wishes += checker.wishes();
     if (problem.empty()) continue;
     std::printf("seed %lu: %s\n", seed + i, problem.c_str());
     ++failures;
   }
-  std::printf("%lu paths from seed %u, %llu set-points: %d failures\n", paths, seed,
-              static_cast<unsigned long long>(setpoints), failures);
+  std::printf("%lu paths from seed %u, %llu set-points, %llu wishes: %d failures\n", paths, seed,
+              static_cast<unsigned long long>(setpoints), static_cast<unsigned long long>(wishes),
+              failures);
   return failures == 0 ? 0 : 1;
 }

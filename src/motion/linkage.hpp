@@ -1,0 +1,35 @@
+#pragma once
+
+#include "base/axes.hpp"
+#include "base/path_jet.hpp"
+
+namespace kerf::motion {
+
+/// How the driven axes follow the tip, for machines whose axes are not those of the program. Along
+/// a path that can be driven at all nothing here fails: who hands over motions has asked before.
+class Linkage {
+ public:
+  Linkage() = default;
+  virtual ~Linkage() = default;
+  Linkage(const Linkage&) = delete;
+  Linkage& operator=(const Linkage&) = delete;
+
+  /// Number of driven axes.
+  [[nodiscard]] virtual std::size_t size() const = 0;
+
+  /// Where the driven axes stand for a tip, continuing from where they stood.
+  [[nodiscard]] virtual base::AxisVector joints(const base::AxisVector& tip,
+                                                const base::AxisVector& previous) const = 0;
+
+  /// The same with their derivatives by the path parameter, from those of the tip. Where they are
+  /// not determined they are very large.
+  [[nodiscard]] virtual base::PathJet along(const base::PathJet& tip,
+                                            const base::AxisVector& previous) const = 0;
+
+  /// Upper bound, mm, of how far the tip leaves the line between its ends while the driven axes go
+  /// from `from` to `to` in proportion.
+  [[nodiscard]] virtual double deviation_mm(const base::AxisVector& from,
+                                            const base::AxisVector& to) const = 0;
+};
+
+}  // namespace kerf::motion

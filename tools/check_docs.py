@@ -5,7 +5,7 @@
 - a path in backquotes, with a folder of ours in front or a suffix of ours behind, exists
 - a function in backquotes, name() or Class::name(), and its class exist in src/ or tests/
 - a rule that code or tests cite (LEX-9, ARC-5) stands in docs/dialect/
-- docs/parameters.md has a row for each parameter of the control
+- docs/parameters.md has a row for each parameter of the control, docs/machine-file.md one for each key of a machine
 
 usage: check_docs.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -26,6 +26,7 @@ RULE = re.compile(
 )
 RULE_RANGE = re.compile(r"\*\*([A-Z]+)-(\d+)\*\* to \*\*\1-(\d+)\*\*")
 PARAMETER_ROW = re.compile(r'^    \{"([^"]+)", "([^"]*)", &Parameters::', re.MULTILINE)
+MACHINE_ROW = re.compile(r'^    \{"(\w+)", "(\w+)",', re.MULTILINE)
 
 
 def tracked(root: Path, *patterns: str) -> list[Path]:
@@ -124,11 +125,20 @@ def check_parameters(root: Path) -> Iterator[str]:
             yield f"{document}:1: no row for {key} {number}"
 
 
+def check_machine_keys(root: Path) -> Iterator[str]:
+    document = root / "docs/machine-file.md"
+    rows = document.read_text(encoding="utf-8").splitlines()
+    source = root / "src/machine/internal/machine_keys.cpp"
+    for table, key in MACHINE_ROW.findall(source.read_text(encoding="utf-8")):
+        if not any(row.startswith(f"| {table} | `{key}` |") for row in rows):
+            yield f"{document}:1: no row for {table} {key}"
+
+
 def main() -> int:
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
     names = {file.relative_to(root).as_posix() for file in tracked(root)}
     identifiers = identifiers_of(root)
-    findings = list(check_rules(root)) + list(check_parameters(root))
+    findings = list(check_rules(root)) + list(check_parameters(root)) + list(check_machine_keys(root))
     for file in tracked(root, "*.md"):
         findings += check_markdown(root, file, names, identifiers)
     for finding in findings:

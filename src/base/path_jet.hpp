@@ -4,13 +4,15 @@
 
 namespace kerf::base {
 
-/// A point of a path and its first three derivatives by the path's parameter: per mm, per mm² and
-/// per mm³ when the parameter is a length.
+/// A point that moves along a path: where it is, and its first three derivatives by the parameter
+/// of the path, per unit of that, its square and its cube. Entries as in AxisVector.
 struct PathJet {
   AxisVector value;
   AxisVector first;
   AxisVector second;
   AxisVector third;
+
+  friend bool operator==(const PathJet&, const PathJet&) = default;
 };
 
 }  // namespace kerf::base

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -10,11 +11,13 @@ namespace kerf::control {
 
 /// What the control knows of one axis.
 struct AxisConfig {
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
   char letter = 'X';
   bool rotary = false;         ///< degrees instead of millimetres
   double rapid_per_min = 0;    ///< mm/min or degrees/min, > 0
   double acceleration = 1000;  ///< mm/s² or degrees/s², > 0
-  double jerk = 50000;         ///< mm/s³ or degrees/s³, > 0
+  double jerk = kNoLimit;      ///< mm/s³ or degrees/s³, > 0
   double travel_min = 0;       ///< machine coordinates; used when min < max
   double travel_max = 0;
   std::array<double, 4> reference{};  ///< 1st to 4th reference point, machine coordinates

@@ -7,6 +7,8 @@
 #include "geometry/angle.hpp"
 #include "geometry/vec2.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axis_jet.hpp"
+#include "kinematics/internal/polar.hpp"
 #include "kinematics/internal/shown.hpp"
 
 namespace kerf::kinematics {
@@ -14,7 +16,7 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
-using geometry::degrees;
+using base::PathJet;
 using geometry::nearest_turn;
 using geometry::Vec2;
 
@@ -35,12 +37,43 @@ constexpr double kSingularSine = 1e-6;  // of the elbow: rates of the joints are
 constexpr double kCautionSine = 0.05;   // of the elbow: rates are large
 constexpr double kHalfTurn_deg = 180;   // after which the wheel is the same
 
-Vec2 plan(const AxisVector& tip) { return {tip[kX], tip[kY]}; }
-
 Vec2 direction_deg(double angle_deg) {
   const auto [sine, cosine] = geometry::sine_cosine_deg(angle_deg);
   return {cosine, sine};
 }
+
+/// The turning joints, degrees, each on any turn. Number is double or Jet.
+template <typename Number>
+struct Angles {
+  Number forearm, upper, wheel;
+};
+
+/// The joints that hold the tip at `at`, the elbow on the side of `sign`, ±1. Precondition: `at` is
+/// within reach; for jets the arm is neither stretched nor folded.
+///
+/// With r the distance from the shoulder and d = L2 - L1, s = L2 + L1 the least and the most of it,
+/// the half angle of the elbow has the tangent √(s²-r²)/√(r²-d²): written in factors this is as
+/// exact where the arm is stretched or folded as elsewhere, which an arc cosine is not.
+template <typename Number>
+Angles<Number> angles_at(const ArmLinks& links, const Polar<Number>& at, const Number& heading_deg,
+                         double sign) {
+  using geometry::degrees;
+  using std::atan2;
+  using std::sqrt;
+  const double s = links.upper_arm_mm + links.forearm_mm;
+  const double d = links.upper_arm_mm - links.forearm_mm;
+  const Number& r = at.radius;
+  const Number stretch = sqrt((r - d) * (r + d));
+  const Number fold = sqrt((s - r) * (r + s));
+  const Number elbow_deg = sign * degrees(2 * atan2(fold, stretch));
+  // From the upper arm to the line between shoulder and tip.
+  const Number inner_deg = sign * degrees(atan2(fold * stretch, r * r + d * s));
+  const Number upper_deg = at.bearing_deg - inner_deg;
+  const Number forearm_deg = upper_deg + elbow_deg;
+  return {links.forearm_absolute ? forearm_deg : elbow_deg, upper_deg, heading_deg - forearm_deg};
+}
+
+double sign_of(Branch branch) { return branch == Branch::plus ? 1 : -1; }
 
 }  // namespace
 
@@ -76,59 +109,34 @@ std::optional<Fault> Arm::out_of_reach(const AxisVector& tip, double radius_mm) 
                                               shown(least) + " to " + shown(most) + " mm"};
 }
 
-// With r the distance from the shoulder and d = L2 - L1, s = L2 + L1 the least and the most of it,
-// the half angle of the elbow has the tangent √(s²-r²)/√(r²-d²): written in factors this is as
-// exact where the arm is stretched or folded as elsewhere, which an arc cosine is not.
 Result<AxisVector> Arm::solve(const AxisVector& tip, const AxisVector& previous,
                               Branch branch) const {
-  const double distance = length(plan(tip));
-  if (auto fault = out_of_reach(tip, distance)) return base::unexpected(*std::move(fault));
-  const bool folded = distance < kFolded_mm;
-  const double r = folded ? 0 : distance;
-  const double s = links_.upper_arm_mm + links_.forearm_mm;
-  const double d = links_.upper_arm_mm - links_.forearm_mm;
-  const double stretch = std::sqrt(std::max(0.0, (r - d) * (r + d)));
-  const double fold = std::sqrt(std::max(0.0, (s - r) * (s + r)));
-  const double side = branch == Branch::plus ? 1 : -1;
-  const double elbow_deg = side * degrees(2 * std::atan2(fold, stretch));
-  // From the upper arm to the line between shoulder and tip.
-  const double inner_deg = side * degrees(std::atan2(fold * stretch, r * r + d * s));
-
-  const double upper_deg =
-      folded ? previous[kUpper]
-             : nearest_turn(degrees(std::atan2(tip[kY], tip[kX])) - inner_deg, previous[kUpper]);
-  const double from_deg = links_.forearm_absolute ? upper_deg : 0;
-  const double forearm_deg = nearest_turn(from_deg + elbow_deg, previous[kForearm]);
-  const double heading_deg = links_.forearm_absolute ? forearm_deg : upper_deg + forearm_deg;
-  const double wheel_deg =
-      nearest_turn(tip[kHeading] - heading_deg, previous[kWheel], kHalfTurn_deg);
-  return AxisVector{{forearm_deg, upper_deg, wheel_deg, tip[kZ]}};
+  Polar<double> at = polar(tip[kX], tip[kY]);
+  if (auto fault = out_of_reach(tip, at.radius)) return base::unexpected(*std::move(fault));
+  if (at.radius < kFolded_mm) at = {0, previous[kUpper]};
+  at.radius = std::clamp(at.radius, std::fabs(links_.upper_arm_mm - links_.forearm_mm),
+                         links_.upper_arm_mm + links_.forearm_mm);
+  const auto [forearm, upper, wheel] = angles_at(links_, at, tip[kHeading], sign_of(branch));
+  return AxisVector{{nearest_turn(forearm, previous[kForearm]),
+                     nearest_turn(upper, previous[kUpper]),
+                     nearest_turn(wheel, previous[kWheel], kHalfTurn_deg), tip[kZ]}};
 }
 
-Result<Derivatives> Arm::derivatives(const AxisVector& /*tip*/, const AxisVector& joints,
-                                     const AxisVector& first, const AxisVector& second) const {
+Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
   const Pose pose = pose_at(joints);
   const double sine = geometry::sine_cosine_deg(pose.elbow_deg).sine;
   if (std::fabs(sine) < kSingularSine) {
     return base::unexpected(Fault{Fault::Kind::singular, in_words(pose)});
   }
-  const Vec2 upper = direction_deg(pose.upper_deg);
-  const Vec2 forearm = direction_deg(pose.forearm_deg);
-  // A link turns across itself, so along the one link only the other one moves the tip.
-  const auto rates = [&](Vec2 tip) {
-    return Vec2{dot(tip, forearm) / (links_.upper_arm_mm * sine),
-                -dot(tip, upper) / (links_.forearm_mm * sine)};
-  };
-  const Vec2 turn = rates(plan(first));  // rad per mm: upper arm, forearm, both from +X
-  const Vec2 turn2 = rates(plan(second) + (links_.upper_arm_mm * turn.u * turn.u) * upper +
-                           (links_.forearm_mm * turn.v * turn.v) * forearm);
-  const auto joint_rates = [&](Vec2 links, const AxisVector& tip) {
-    const double upper_deg = degrees(links.u);
-    const double forearm_deg = degrees(links.v);
-    return AxisVector{{links_.forearm_absolute ? forearm_deg : forearm_deg - upper_deg, upper_deg,
-                       tip[kHeading] - forearm_deg, tip[kZ]}};
-  };
-  return Derivatives{joint_rates(turn, first), joint_rates(turn2, second)};
+  const auto [forearm, upper, wheel] = angles_at(links_, polar(jet_of(tip, kX), jet_of(tip, kY)),
+                                                 jet_of(tip, kHeading), sine >= 0 ? 1 : -1);
+  PathJet result;
+  set_jet(result, kForearm, forearm);
+  set_jet(result, kUpper, upper);
+  set_jet(result, kWheel, wheel);
+  set_jet(result, kLift, jet_of(tip, kZ));
+  result.value = joints;
+  return result;
 }
 
 double Arm::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {

@@ -5,6 +5,7 @@
 namespace kerf::kinematics {
 
 using base::AxisVector;
+using base::PathJet;
 
 // Also a rotary axis keeps the program's turn: nothing of it is computed.
 Cartesian::Cartesian(std::vector<Joint> joints) : Kinematics(std::move(joints), Turns{}) {}
@@ -16,10 +17,10 @@ Result<AxisVector> Cartesian::solve(const AxisVector& tip, const AxisVector& /*p
   return tip;
 }
 
-Result<Derivatives> Cartesian::derivatives(const AxisVector& /*tip*/, const AxisVector& /*joints*/,
-                                           const AxisVector& first,
-                                           const AxisVector& second) const {
-  return Derivatives{first, second};
+Result<PathJet> Cartesian::along(const PathJet& tip, const AxisVector& joints) const {
+  PathJet result = tip;
+  result.value = joints;
+  return result;
 }
 
 double Cartesian::deviation_bound_mm(const AxisVector& /*from*/, const AxisVector& /*to*/) const {

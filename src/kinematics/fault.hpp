@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/axes.hpp"
+#include "base/diagnostic_code.hpp"
 #include "base/result.hpp"
 
 namespace kerf::kinematics {
@@ -23,6 +24,9 @@ struct Fault {
   double value = 0;     ///< limit: where it would stand, mm or degrees
   double limit = 0;     ///< limit: the end of its range that this is beyond
 };
+
+/// What an alarm about it is raised with.
+[[nodiscard]] base::Code code_of(Fault::Kind kind);
 
 /// OUT_OF_REACH, SINGULAR or LIMIT.
 [[nodiscard]] std::string_view name_of(Fault::Kind kind);

@@ -4,49 +4,45 @@
 #include <utility>
 
 #include "geometry/angle.hpp"
-#include "geometry/vec3.hpp"
+#include "geometry/jet.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axis_jet.hpp"
 
 namespace kerf::kinematics {
 namespace {
 
 using base::Axis;
 using base::AxisVector;
+using base::PathJet;
+using geometry::Jet;
 using geometry::nearest_turn;
-using geometry::radians;
 using geometry::sine_cosine_deg;
-using geometry::SineCosine;
-using geometry::Vec3;
 
-// Of tip and joints alike; X Y Z are the first three.
+// Of tip and joints alike.
+constexpr Axis kX{0};
+constexpr Axis kY{1};
+constexpr Axis kZ{2};
 constexpr Axis kA{3};
 constexpr Axis kC{4};
 
-AxisVector raised(Vec3 v) { return {{v.x, v.y, v.z}}; }
-
-/// Carriage minus focus, o(a, c), and its partial derivatives by radians.
+/// Carriage minus focus. Number is double or Jet.
+template <typename Number>
 struct Offset {
-  Vec3 value, by_a, by_c, by_aa, by_ac, by_cc;
+  Number x, y, z;
 };
 
-Offset offset_at(const HeadRadii& radii, double a_deg, double c_deg) {
-  const auto [sa, ca] = sine_cosine_deg(a_deg);
-  const auto [sc, cc] = sine_cosine_deg(c_deg);
-  const double ra = radii.r_a_mm;
-  const double rc = radii.r_c_mm;
-  Offset o;
-  o.value = {ra * sa * sc - rc * cc, -ra * sa * cc - rc * sc, ra * ca};
-  o.by_a = {ra * ca * sc, -ra * ca * cc, -ra * sa};
-  o.by_c = {ra * sa * cc + rc * sc, ra * sa * sc - rc * cc, 0};
-  o.by_aa = {-ra * sa * sc, ra * sa * cc, -ra * ca};
-  o.by_ac = {ra * ca * cc, ra * ca * sc, 0};
-  o.by_cc = {-ra * sa * sc + rc * cc, ra * sa * cc + rc * sc, 0};
-  return o;
+template <typename Number>
+Offset<Number> offset_at(const HeadRadii& radii, const Number& a_deg, const Number& c_deg) {
+  const auto [sine_a, cosine_a] = sine_cosine_deg(a_deg);
+  const auto [sine_c, cosine_c] = sine_cosine_deg(c_deg);
+  const Number level = radii.r_a_mm * sine_a;
+  return {level * sine_c - radii.r_c_mm * cosine_c, -(level * cosine_c) - radii.r_c_mm * sine_c,
+          radii.r_a_mm * cosine_a};
 }
 
 /// Whether the joints hold the beam as the tip's own angles say, and not turned over.
 bool as_programmed(const AxisVector& tip, const AxisVector& joints) {
-  return sine_cosine_deg(joints[kC] - tip[kC]).cosine > 0;
+  return std::fabs(nearest_turn(joints[kC] - tip[kC], 0)) < 90;
 }
 
 }  // namespace
@@ -55,7 +51,8 @@ Head::Head(std::vector<Joint> joints, const HeadRadii& radii)
     : Kinematics(std::move(joints), Turns{0, 0, 0, 360, 360}), radii_(radii) {}
 
 AxisVector Head::carriage_offset(double a_deg, double c_deg) const {
-  return raised(offset_at(radii_, a_deg, c_deg).value);
+  const auto [x, y, z] = offset_at(radii_, a_deg, c_deg);
+  return {{x, y, z}};
 }
 
 AxisVector Head::forward(const AxisVector& joints) const {
@@ -82,21 +79,19 @@ Result<AxisVector> Head::solve(const AxisVector& tip, const AxisVector& previous
   return joints + carriage_offset(joints[kA], joints[kC]);
 }
 
-Result<Derivatives> Head::derivatives(const AxisVector& tip, const AxisVector& joints,
-                                      const AxisVector& first, const AxisVector& second) const {
-  Derivatives result{first, second};
-  if (!as_programmed(tip, joints)) {
-    result.first[kA] = 0 - first[kA];
-    result.second[kA] = 0 - second[kA];
-  }
-  const double a = radians(result.first[kA]);
-  const double c = radians(result.first[kC]);
-  const double a2 = radians(result.second[kA]);
-  const double c2 = radians(result.second[kC]);
-  const Offset o = offset_at(radii_, joints[kA], joints[kC]);
-  result.first = result.first + raised(a * o.by_a + c * o.by_c);
-  result.second = result.second + raised(a2 * o.by_a + c2 * o.by_c + (a * a) * o.by_aa +
-                                         (2 * a * c) * o.by_ac + (c * c) * o.by_cc);
+Result<PathJet> Head::along(const PathJet& tip, const AxisVector& joints) const {
+  Jet a_deg = jet_of(tip, kA);
+  Jet c_deg = jet_of(tip, kC);
+  if (!as_programmed(tip.value, joints)) a_deg = -a_deg;
+  a_deg.value = joints[kA];
+  c_deg.value = joints[kC];
+  const auto [x, y, z] = offset_at(radii_, a_deg, c_deg);
+  PathJet result = tip;
+  set_jet(result, kX, jet_of(tip, kX) + x);
+  set_jet(result, kY, jet_of(tip, kY) + y);
+  set_jet(result, kZ, jet_of(tip, kZ) + z);
+  set_jet(result, kA, a_deg);
+  result.value = joints;
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/axes.hpp"
+#include "base/path_jet.hpp"
 #include "kinematics/fault.hpp"
 #include "kinematics/joint.hpp"
 
@@ -16,12 +17,6 @@ namespace kerf::kinematics {
 /// The two positions of a linkage that hold the same tip: the sine of the joint that makes the
 /// difference (elbow of an arm, tilt A of a head) is >= 0, or negative.
 enum class Branch : std::uint8_t { plus, minus };
-
-/// First and second derivatives of the joints along a path: per mm and per mm² of its length.
-struct Derivatives {
-  base::AxisVector first;
-  base::AxisVector second;
-};
 
 /// Where the joints stand when the tool is at the tip, and back (docs/kinematics.md).
 ///
@@ -75,12 +70,11 @@ class Kinematics {
     return Branch::plus;
   }
 
-  /// Derivatives of the joints along a path whose point is `tip`, where the joints are `joints`,
-  /// from those of the tip: `first` per mm, `second` per mm² of path. Analytic. Error: singular.
-  [[nodiscard]] virtual Result<Derivatives> derivatives(const base::AxisVector& tip,
-                                                        const base::AxisVector& joints,
-                                                        const base::AxisVector& first,
-                                                        const base::AxisVector& second) const = 0;
+  /// What the joints do while the tip moves along a path, where they stand at `joints`, which
+  /// inverse() or nearest() has found for tip.value: value is `joints`, the derivatives are by the
+  /// same parameter as those of the tip, analytic and finite. Error: singular.
+  [[nodiscard]] virtual Result<base::PathJet> along(const base::PathJet& tip,
+                                                    const base::AxisVector& joints) const = 0;
 
   /// Upper bound, mm, of how far the tip is from the straight line between its ends while the
   /// joints move from `from` to `to` in proportion.

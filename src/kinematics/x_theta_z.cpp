@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "geometry/angle.hpp"
-#include "geometry/vec2.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axis_jet.hpp"
+#include "kinematics/internal/polar.hpp"
 
 namespace kerf::kinematics {
 namespace {
 
 using base::Axis;
 using base::AxisVector;
-using geometry::degrees;
-using geometry::Vec2;
+using base::PathJet;
 
 constexpr Axis kX{0};      // of tip and joints
 constexpr Axis kY{1};      // of the tip
@@ -22,8 +22,6 @@ constexpr Axis kTheta{1};  // of the joints
 constexpr Axis kZ{2};      // of both
 
 constexpr double kNoRadius_mm = 1e-9;  // nearer to the axis θ is open
-
-Vec2 plan(const AxisVector& tip) { return {tip[kX], tip[kY]}; }
 
 }  // namespace
 
@@ -38,32 +36,26 @@ AxisVector XThetaZ::forward(const AxisVector& joints) const {
 
 Result<AxisVector> XThetaZ::solve(const AxisVector& tip, const AxisVector& previous,
                                   Branch /*branch*/) const {
-  const double r = length(plan(tip));
-  const bool on_axis = r < kNoRadius_mm;
+  const auto [radius, bearing_deg] = polar(tip[kX], tip[kY]);
+  const double z = tip[kZ] - offsets_.z0_mm;
+  if (radius < kNoRadius_mm) return AxisVector{{0 - offsets_.x1_mm, previous[kTheta], z}};
   const double theta_deg =
-      on_axis ? previous[kTheta]
-              : geometry::nearest_turn(degrees(std::atan2(tip[kY], tip[kX])) - offsets_.theta0_deg,
-                                       previous[kTheta]);
-  const double radius = on_axis ? 0 : r;
-  return AxisVector{{radius - offsets_.x1_mm, theta_deg, tip[kZ] - offsets_.z0_mm}};
+      geometry::nearest_turn(bearing_deg - offsets_.theta0_deg, previous[kTheta]);
+  return AxisVector{{radius - offsets_.x1_mm, theta_deg, z}};
 }
 
-Result<Derivatives> XThetaZ::derivatives(const AxisVector& tip, const AxisVector& /*joints*/,
-                                         const AxisVector& first, const AxisVector& second) const {
-  const Vec2 p = plan(tip);
-  const double radius = length(p);
-  if (radius < kNoRadius_mm) {
+Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) const {
+  if (std::hypot(tip.value[kX], tip.value[kY]) < kNoRadius_mm) {
     return base::unexpected(
         Fault{Fault::Kind::singular,
               "the tip is on the axis of the work, where no angle of it is determined"});
   }
-  // In the frame that turns with p: along it the radius grows, across it the angle.
-  const Vec2 along = (1 / radius) * p;
-  const double radial = dot(along, plan(first));
-  const double turn = cross(along, plan(first)) / radius;
-  const double radial2 = dot(along, plan(second)) + radius * turn * turn;
-  const double turn2 = (cross(along, plan(second)) - 2 * radial * turn) / radius;
-  return Derivatives{{{radial, degrees(turn), first[kZ]}}, {{radial2, degrees(turn2), second[kZ]}}};
+  const auto [radius, bearing_deg] = polar(jet_of(tip, kX), jet_of(tip, kY));
+  PathJet result = tip;
+  set_jet(result, kX, radius);
+  set_jet(result, kTheta, bearing_deg);
+  result.value = joints;  // constant offsets change no derivative
+  return result;
 }
 
 double XThetaZ::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {

@@ -29,8 +29,7 @@ void check_alarm(const base::Diagnostic& alarm, std::size_t size) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::uint8_t choice = data[0];
-  const auto& machines = machine::builtin_machines();
-  static const auto definition = *machine::MachineDefinition::parse(machines[0].toml, "fuzz");
+  static const auto definition = *machine::find_machine("laser3");
   machine::VirtualMachine::Settings settings;
   settings.library.lines_per_page = 1U << (choice & 7U);
   settings.library.fresh_pages = 2;

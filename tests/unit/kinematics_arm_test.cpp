@@ -23,8 +23,8 @@ double pulses(double angle_deg) { return std::round(angle_deg / kPulse_deg); }
 /// inverse along X and Y.
 double determinant(const Kinematics& arm, const AxisVector& joints) {
   const AxisVector tip = arm.forward(joints);
-  const AxisVector x = arm.derivatives(tip, joints, {{1, 0}}, {})->first;
-  const AxisVector y = arm.derivatives(tip, joints, {{0, 1}}, {})->first;
+  const AxisVector x = arm.along({tip, {{1, 0}}, {}, {}}, joints)->first;
+  const AxisVector y = arm.along({tip, {{0, 1}}, {}, {}}, joints)->first;
   const double inverse = x.values[1] * y.values[0] - y.values[1] * x.values[0];
   return 1 / (inverse * std::pow(std::numbers::pi / 180, 2));
 }
@@ -164,7 +164,7 @@ TEST(KinematicsArm, AtTheShoulderTheUpperArmStays) {
 TEST(KinematicsArm, RatesAreSingularStretchedAndFolded) {
   const auto arm = test::make(test::arm_settings());
   for (const AxisVector& joints : {AxisVector{{0, 20}}, AxisVector{{180, 20}}}) {
-    const auto rates = arm->derivatives(arm->forward(joints), joints, {{1, 0}}, {});
+    const auto rates = arm->along({arm->forward(joints), {{1, 0}}, {}, {}}, joints);
     ASSERT_FALSE(rates);
     EXPECT_EQ(rates.error().kind, Fault::Kind::singular);
     EXPECT_NE(rates.error().message.find(joints.values[0] == 0 ? "stretched" : "folded"),

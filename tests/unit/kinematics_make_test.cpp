@@ -61,7 +61,8 @@ TEST(KinematicsCartesian, JointsAreTheTip) {
   EXPECT_EQ(machine->forward(tip), tip);
   EXPECT_EQ(*machine->inverse(tip, {}), tip);
   EXPECT_EQ(*machine->nearest(tip, {}), tip);
-  EXPECT_EQ(machine->derivatives(tip, tip, {{1, 0, 2}}, {{0, 5}})->second, (AxisVector{{0, 5}}));
+  const base::PathJet path{tip, {{1, 0, 2}}, {{0, 5}}, {{-7}}};
+  EXPECT_EQ(*machine->along(path, tip), path);
   EXPECT_EQ(machine->deviation_bound_mm({}, tip), 0);
   EXPECT_FALSE(machine->has_branches());
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "allocation_count.hpp"
 #include "geometry/angle.hpp"
 #include "kinematics/orientation.hpp"
 #include "kinematics_machines.hpp"
@@ -134,6 +135,20 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
     return result;
   }
   bool is_head() const { return subject_.settings.kind == Kind::head_ac; }
+  static Branch other(Branch branch) {
+    return branch == Branch::plus ? Branch::minus : Branch::plus;
+  }
+  /// Where differences still tell something of the joints.
+  AxisVector pose_off_singular_places(SeededRandom& random) const {
+    AxisVector joints = random_joints(random);
+    if (subject_.settings.kind == Kind::arm) {
+      joints.values[0] = (random.coin() ? 1 : -1) * random.in(20, 160);
+      if (subject_.settings.arm.forearm_absolute) joints.values[0] += joints.values[1];
+    } else if (subject_.settings.kind == Kind::x_theta_z) {
+      joints.values[0] = random.in(20, 300) - subject_.settings.x_theta_z.x1_mm;
+    }
+    return joints;
+  }
 };
 
 TEST_P(EveryKinematics, ForwardOfInverseIsTheTip) {
@@ -269,54 +284,91 @@ TEST_P(EveryKinematics, NearestIsWithinTheLimitsOrSaysWhyNot) {
   EXPECT_GT(found, kCases / 20);
 }
 
-TEST_P(EveryKinematics, DerivativesAreThoseOfFiniteDifferences) {
+/// A cubic path of all axes of the tip.
+struct Cubic {
+  base::PathJet at0;
+
+  [[nodiscard]] base::PathJet at(double s) const {
+    base::PathJet jet;
+    for (std::size_t k = 0; k < base::kMaxAxes; ++k) {
+      const auto& [value, first, second, third] = at0;
+      const double v2 = second.values[k];
+      const double v3 = third.values[k];
+      jet.value.values[k] = value.values[k] + s * (first.values[k] + s * (v2 / 2 + s * v3 / 6));
+      jet.first.values[k] = first.values[k] + s * (v2 + s * v3 / 2);
+      jet.second.values[k] = v2 + s * v3;
+      jet.third.values[k] = v3;
+    }
+    return jet;
+  }
+};
+
+Cubic random_cubic(SeededRandom& random, const AxisVector& tip, std::size_t axes) {
+  Cubic path{{tip, {}, {}, {}}};
+  for (std::size_t k = 0; k < axes; ++k) {
+    path.at0.first.values[k] = random.in(-1, 1);
+    path.at0.second.values[k] = random.in(-0.1, 0.1);
+    path.at0.third.values[k] = random.in(-0.01, 0.01);
+  }
+  return path;
+}
+
+/// Derivative of a vector by central differences of fourth order.
+template <typename Function>
+AxisVector slope(const Function& f) {
+  constexpr double h = 2e-3;
+  const AxisVector near = f(h) - f(-h);
+  const AxisVector far = f(2 * h) - f(-2 * h);
+  AxisVector result;
+  for (std::size_t k = 0; k < base::kMaxAxes; ++k) {
+    result.values[k] = (8 * near.values[k] - far.values[k]) / (12 * h);
+  }
+  return result;
+}
+
+void expect_derivative(const AxisVector& analytic, const AxisVector& differences,
+                       const AxisVector& joints) {
+  for (std::size_t k = 0; k < base::kMaxAxes; ++k) {
+    ASSERT_NEAR(analytic.values[k], differences.values[k],
+                1e-7 * (1 + std::fabs(differences.values[k])))
+        << k << ": " << text(joints);
+  }
+}
+
+TEST_P(EveryKinematics, DerivativesAreThoseOfCentralDifferences) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
-    // Keep off the singular places, where the differences tell nothing.
-    AxisVector joints = random_joints(random);
-    if (subject_.settings.kind == Kind::arm) {
-      joints.values[0] = (random.coin() ? 1 : -1) * random.in(20, 160);
-      if (subject_.settings.arm.forearm_absolute) joints.values[0] += joints.values[1];
-    } else if (subject_.settings.kind == Kind::x_theta_z) {
-      joints.values[0] = random.in(20, 300) - subject_.settings.x_theta_z.x1_mm;
-    }
-    AxisVector tip = machine_->forward(joints);
-    joints = *machine_->inverse(tip, joints);
-    if (is_head() && random.coin()) {  // the head turned over
-      const Branch other =
-          machine_->branch_at(joints) == Branch::plus ? Branch::minus : Branch::plus;
-      joints = *machine_->inverse(tip, joints, other);
-    }
-    const Branch branch = machine_->branch_at(joints);
-    AxisVector first;
-    AxisVector second;
-    for (std::size_t k = 0; k < machine_->size(); ++k) {
-      first.values[k] = random.in(-1, 1);
-      second.values[k] = random.in(-0.1, 0.1);
-    }
-    const auto at = [&](double s) {
-      AxisVector p = tip;
-      for (std::size_t k = 0; k < machine_->size(); ++k) {
-        p.values[k] += s * first.values[k] + s * s / 2 * second.values[k];
-      }
-      return *machine_->inverse(p, joints, branch);
-    };
+    const AxisVector pose = pose_off_singular_places(random);
+    const Branch branch = machine_->branch_at(pose);
+    const AxisVector tip = machine_->forward(pose);
     if (is_head() && std::fabs(std::sin(geometry::radians(tip.values[3]))) < 0.01) continue;
-    constexpr double h = 2e-3;
-    const AxisVector before = at(-h);
-    const AxisVector here = at(0);
-    const AxisVector after = at(h);
-    const auto analytic = machine_->derivatives(tip, joints, first, second);
-    ASSERT_TRUE(analytic);
-    for (std::size_t k = 0; k < machine_->size(); ++k) {
-      const double slope = (after.values[k] - before.values[k]) / (2 * h);
-      const double bend = (after.values[k] - 2 * here.values[k] + before.values[k]) / (h * h);
-      ASSERT_NEAR(analytic->first.values[k], slope, 1e-5 * (1 + std::fabs(slope)))
-          << k << ": " << text(joints);
-      ASSERT_NEAR(analytic->second.values[k], bend, 1e-5 * (1 + std::fabs(bend)))
-          << k << ": " << text(joints);
-    }
+    const Cubic path = random_cubic(random, tip, machine_->size());
+    // The head turned over, too: its branch is not that which the program's angles name.
+    const Branch held = is_head() && random.coin() ? other(branch) : branch;
+    const AxisVector joints = *machine_->inverse(tip, pose, held);
+    const auto joints_at = [&](double s) {
+      return *machine_->inverse(path.at(s).value, joints, held);
+    };
+    const auto jet_at = [&](double s) { return *machine_->along(path.at(s), joints_at(s)); };
+    const base::PathJet jet = jet_at(0);
+    ASSERT_EQ(jet.value, joints);
+    expect_derivative(jet.first, slope(joints_at), pose);
+    expect_derivative(jet.second, slope([&](double s) { return jet_at(s).first; }), pose);
+    expect_derivative(jet.third, slope([&](double s) { return jet_at(s).second; }), pose);
+    if (HasFatalFailure()) return;
   }
+}
+
+TEST_P(EveryKinematics, JointsAlongAPathAllocateNothing) {
+  SeededRandom random(kSeed);
+  const AxisVector pose = pose_off_singular_places(random);
+  const base::PathJet tip = random_cubic(random, machine_->forward(pose), machine_->size()).at0;
+  const auto before = test::allocations_so_far();
+  for (int i = 0; i < 1000; ++i) {
+    const auto joints = machine_->inverse(tip.value, pose);
+    ASSERT_TRUE(joints && machine_->along(tip, *joints));
+  }
+  EXPECT_EQ(test::allocations_so_far(), before);
 }
 
 TEST_P(EveryKinematics, TheTipNeverLeavesTheLineByMoreThanTheBound) {

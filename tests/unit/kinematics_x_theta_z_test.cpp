@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.hpp"
 #include "kinematics_machines.hpp"
 
 namespace kerf::kinematics {
@@ -76,9 +77,27 @@ TEST(KinematicsXThetaZ, OnTheAxisTheAngleStays) {
   const auto machine = test::make(test::x_theta_z_settings());
   const AxisVector joints = *machine->inverse({{0.9e-9, 0, 0}}, {{0, 123, 0}});
   EXPECT_EQ(joints.values[1], 123);
-  const auto rates = machine->derivatives({}, joints, {{1, 0, 0}}, {});
+  const auto rates = machine->along({{}, {{1, 0, 0}}, {}, {}}, joints);
   ASSERT_FALSE(rates);
   EXPECT_EQ(rates.error().kind, Fault::Kind::singular);
+}
+
+// Past the axis at the distance d, s from the nearest point: r = √(d² + s²), θ = atan(s / d).
+TEST(KinematicsXThetaZ, AlongALineThatPassesTheAxisTheJointsMoveAsCalculusSays) {
+  const auto machine = test::make(test::x_theta_z_settings());
+  const double d = 40;
+  for (const double s : {-300.0, -20.0, 0.0, 1.0, 35.0, 1000.0}) {
+    const AxisVector tip{{d, s, 12}};
+    const AxisVector joints = *machine->inverse(tip, {});
+    const auto jet = *machine->along({tip, {{0, 1, 0}}, {}, {}}, joints);
+    const double r = std::hypot(d, s);
+    const double turn = geometry::degrees(1);
+    EXPECT_EQ(jet.value, joints);
+    expect_near(jet.first, {{s / r, turn * d / std::pow(r, 2), 0}});
+    expect_near(jet.second, {{d * d / std::pow(r, 3), -2 * turn * d * s / std::pow(r, 4), 0}});
+    expect_near(jet.third, {{-3 * d * d * s / std::pow(r, 5),
+                             2 * turn * d * (3 * s * s - d * d) / std::pow(r, 6), 0}});
+  }
 }
 
 TEST(KinematicsXThetaZ, CarriageBeyondItsLimitIsNamed) {

@@ -16,10 +16,8 @@ class Head final : public Kinematics {
   [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
   [[nodiscard]] bool has_branches() const override { return true; }
   [[nodiscard]] Branch branch_at(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<Derivatives> derivatives(const base::AxisVector& tip,
-                                                const base::AxisVector& joints,
-                                                const base::AxisVector& first,
-                                                const base::AxisVector& second) const override;
+  [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
+                                            const base::AxisVector& joints) const override;
   [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
                                           const base::AxisVector& to) const override;
 

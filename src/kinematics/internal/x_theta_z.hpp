@@ -13,10 +13,8 @@ class XThetaZ final : public Kinematics {
   XThetaZ(std::vector<Joint> joints, const XThetaZOffsets& offsets);
 
   [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<Derivatives> derivatives(const base::AxisVector& tip,
-                                                const base::AxisVector& joints,
-                                                const base::AxisVector& first,
-                                                const base::AxisVector& second) const override;
+  [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
+                                            const base::AxisVector& joints) const override;
   [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
                                           const base::AxisVector& to) const override;
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "base/path_jet.hpp"
+#include "geometry/jet.hpp"
+
+namespace kerf::kinematics {
+
+/// What one axis of a point does along its path.
+inline geometry::Jet jet_of(const base::PathJet& point, base::Axis axis) {
+  return {point.value[axis], point.first[axis], point.second[axis], point.third[axis]};
+}
+
+inline void set_jet(base::PathJet& point, base::Axis axis, const geometry::Jet& jet) {
+  point.value[axis] = jet.value;
+  point.first[axis] = jet.first;
+  point.second[axis] = jet.second;
+  point.third[axis] = jet.third;
+}
+
+}  // namespace kerf::kinematics

@@ -12,16 +12,16 @@ namespace kerf::machine {
 
 /// Lengths, times and extents of a run, added up motion by motion.
 ///
-/// Time is that of the programmed feed and the machine's rapid rates, without acceleration: a rapid
-/// takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by its
-/// feed.
+/// The time here is that of the programmed feed and the machine's rapid rates, without acceleration:
+/// a rapid takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by
+/// its feed. What the axes really take is Servo's.
 class RunStatistics : public control::MotionSink {
  public:
   explicit RunStatistics(const control::AxisSetup& axes);
 
   void take(const control::Motion& motion) override;
 
-  [[nodiscard]] double seconds() const { return seconds_; }
+  [[nodiscard]] double feed_seconds() const { return seconds_; }
   [[nodiscard]] double dwell_seconds() const { return dwell_seconds_; }
   [[nodiscard]] double rapid_mm() const { return rapid_mm_; }
   [[nodiscard]] double cut_mm() const { return cut_mm_; }

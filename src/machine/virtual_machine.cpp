@@ -29,7 +29,8 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
       memory_(std::move(memory)),
       library_(sources_, settings.library),
       shelf_(sources_, library_),
-      statistics_(definition_.axes) {
+      statistics_(definition_.axes),
+      servo_(definition_) {
   first_locals_.fill(vm::kNull);
   power_on();
 }
@@ -111,9 +112,15 @@ base::Outcome<void> VirtualMachine::set_time(double value) {
   return {};
 }
 
+// Who reads a clock waits until all that was commanded is made: the axes come to rest.
+double VirtualMachine::seconds() {
+  servo_.finish();
+  return servo_.time_s();
+}
+
 // The calendar of the machine runs with its simulated time: same input, same output.
 double VirtualMachine::date() {
-  const double total = start_second_ + statistics_.seconds();
+  const double total = start_second_ + seconds();
   const std::chrono::year_month_day day{
       start_day_ + std::chrono::days{static_cast<int>(total / kSecondsPerDay)}};
   return static_cast<int>(day.year()) * 10000.0 + static_cast<unsigned>(day.month()) * 100.0 +
@@ -122,7 +129,7 @@ double VirtualMachine::date() {
 
 double VirtualMachine::time_of_day() {
   const double second =
-      std::fmod(std::floor(start_second_ + statistics_.seconds()), kSecondsPerDay);
+      std::fmod(std::floor(start_second_ + seconds()), kSecondsPerDay);
   return std::floor(second / 3600) * 10000 + std::floor(std::fmod(second, 3600) / 60) * 100 +
          std::fmod(second, 60);
 }
@@ -159,6 +166,7 @@ void VirtualMachine::take(const control::Motion& motion) {
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_) return;
   statistics_.take(motion);
+  servo_.take(motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
 }
 
@@ -185,6 +193,7 @@ bool VirtualMachine::start_program() {
 
 VirtualMachine::Status VirtualMachine::finish(Status status) {
   if (status == Status::alarm && !alarm_) alarm_ = controller_->alarm();
+  servo_.finish();
   return status_ = status;
 }
 

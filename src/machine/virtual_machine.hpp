@@ -17,6 +17,7 @@
 #include "machine/machine_definition.hpp"
 #include "machine/program_shelf.hpp"
 #include "machine/run_statistics.hpp"
+#include "machine/servo.hpp"
 
 namespace kerf::machine {
 
@@ -67,6 +68,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// Called every few milliseconds of computing while the machine runs.
   void observe_progress(std::function<void()> observer) { progress_ = std::move(observer); }
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
+  /// Set-points at every period of the servo; making them takes time.
+  void add_point_sink(AxisPointSink& sink) { servo_.add_sink(sink); }
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }
@@ -104,6 +107,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
+  /// Time that the axes took so far, dwells included.
+  [[nodiscard]] double time_s() const { return servo_.time_s(); }
   [[nodiscard]] control::Controller& controller() { return *controller_; }
   [[nodiscard]] control::Memory& memory() { return memory_; }
   /// Machine coordinates of all axes, tool length included: where the last motion ended that was
@@ -116,7 +121,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
  private:
   // control::Surroundings
-  double seconds() override { return statistics_.seconds(); }
+  double seconds() override;
   double date() override;
   double time_of_day() override;
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
@@ -143,6 +148,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   gcode::CodeLibrary library_;
   ProgramShelf shelf_;
   RunStatistics statistics_;
+  Servo servo_;
   std::vector<control::MotionSink*> sinks_;
   std::function<void(std::string_view)> print_output_;
   std::function<void()> progress_;

@@ -103,9 +103,6 @@ std::vector<control::Assumption> assumptions(VirtualMachine& machine) {
     list.push_back({machine.statistics().untimed_line(),
                     "feed per revolution without a spindle speed: its time is not counted"});
   }
-  if (machine.statistics().motions() > 0) {
-    list.push_back({0, "time_s is programmed feed and rapid rates, without acceleration"});
-  }
   return list;
 }
 
@@ -159,7 +156,8 @@ std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
   object.raw("alarm", alarm_json(machine));
   object.number("blocks", static_cast<double>(machine.controller().blocks()))
       .number("motions", static_cast<double>(run.motions()));
-  object.number("time_s", base::tidy(run.seconds()))
+  object.number("time_s", base::tidy(machine.time_s()))
+      .number("time_feed_s", base::tidy(run.feed_seconds()))
       .number("dwell_s", base::tidy(run.dwell_seconds()));
   object.number("rapid_mm", base::tidy(run.rapid_mm())).number("cut_mm", base::tidy(run.cut_mm()));
   object.raw("extents", extents_json(machine)).raw("position", position_json(machine));
@@ -175,8 +173,9 @@ std::string summary_text(VirtualMachine& machine, const std::string& dialect) {
   const control::AxisSetup& axes = machine.definition().axes;
   std::string text = fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
                                  machine.definition().name, dialect, status_name(machine.status()));
-  text += fmt::format("  {} blocks, {} motions, {}\n", machine.controller().blocks(), run.motions(),
-                      duration_text(run.seconds()));
+  text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n",
+                      machine.controller().blocks(), run.motions(),
+                      duration_text(machine.time_s()), duration_text(run.feed_seconds()));
   text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm(), run.cut_mm());
   for (std::size_t i = 0; i < axes.count() && run.motions() > 0; ++i) {
     text += fmt::format("{} {} {} to {}", i == 0 ? "\n  extents" : ",", axes.axes[i].letter,

@@ -92,7 +92,7 @@ RunResult run_program(const std::string& program, const RunSetup& setup) {
                    std::to_string(machine.alarm()->place.line) + ": " + machine.alarm()->message;
   }
   result.cut_mm = machine.statistics().cut_mm();
-  result.seconds = machine.statistics().seconds();
+  result.seconds = machine.statistics().feed_seconds();
   result.low = machine.statistics().low();
   result.high = machine.statistics().high();
   result.position = machine.controller().machine_position();

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "base/axes.hpp"
+#include "motion/setpoint.hpp"
+
+namespace kerf::machine {
+
+/// A set-point with where the driven axes stand then, in the order of the machine file.
+struct AxisPoint {
+  motion::Setpoint tip;
+  base::AxisVector joints;
+};
+
+/// Receives the set-points of a run in the order of their times, one for every period of the servo.
+class AxisPointSink {
+ public:
+  AxisPointSink() = default;
+  virtual ~AxisPointSink() = default;
+  AxisPointSink(const AxisPointSink&) = delete;
+  AxisPointSink& operator=(const AxisPointSink&) = delete;
+
+  virtual void take(const AxisPoint& point) = 0;
+};
+
+}  // namespace kerf::machine

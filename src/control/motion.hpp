@@ -141,6 +141,10 @@ struct Motion {
   ProgramNumber program{};
   std::uint32_t line = 0;  ///< in its file, from 1
   base::FileId file = base::kNoFile;
+  /// Of a move: the axes come to rest at `to`, because the program says so. Otherwise they may go
+  /// on into the next one.
+  bool exact_stop = false;
+  bool fixed_override = false;  ///< of a move: the operator cannot change its feed
   Action action;
 };
 

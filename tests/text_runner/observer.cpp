@@ -80,7 +80,26 @@ std::string check_centre(const std::string& word, const Motion& motion) {
   return "its centre differs";
 }
 
+// How the move ends and whether its feed can be changed, in a word each.
+struct Manner {
+  const char* word;
+  bool (*holds)(const Motion&);
+};
+constexpr Manner kManners[] = {
+    {"stop", [](const Motion& motion) { return motion.exact_stop; }},
+    {"pass", [](const Motion& motion) { return !motion.exact_stop; }},
+    {"fixed", [](const Motion& motion) { return motion.fixed_override; }},
+    {"free", [](const Motion& motion) { return !motion.fixed_override; }},
+};
+
+std::string manner_of(const Motion& motion) {
+  return std::string(motion.exact_stop ? " stop" : "") + (motion.fixed_override ? " fixed" : "");
+}
+
 std::string check_word(const std::string& word, const Motion& motion, const AxisSetup& axes) {
+  for (const Manner& manner : kManners) {
+    if (word == manner.word) return manner.holds(motion) ? "" : "it is not " + word;
+  }
   if (word[0] == '@') return check_centre(word, motion);
   if (word.size() == 2 && std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
     const auto* const arc = std::get_if<Arc>(&motion.action);
@@ -106,7 +125,7 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
 
 void Recorder::take(const Motion& motion) {
   observed_.push_back({motion.line, target_of(motion) != nullptr,
-                       std::visit(Describe{axes_}, motion.action), motion});
+                       std::visit(Describe{axes_}, motion.action) + manner_of(motion), motion});
 }
 
 std::string difference(const std::string& wanted, const Observed& observed, const AxisSetup& axes) {

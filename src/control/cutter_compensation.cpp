@@ -348,8 +348,8 @@ void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
       },
       motion.action);
   plane_.place(to, {base::tidy(corner.start.u), base::tidy(corner.start.v)});
-  if (std::holds_alternative<Rapid>(motion.action)) {
-    motion.action = Rapid{to};
+  if (auto* const rapid = std::get_if<Rapid>(&motion.action)) {
+    rapid->to = to;
   } else {
     const Plane plane = plane_.first_offset == 'I'   ? Plane::xy
                         : plane_.first_offset == 'K' ? Plane::zx

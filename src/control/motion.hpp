@@ -51,9 +51,10 @@ enum class Direction : std::uint8_t { clockwise, counterclockwise };
 // Every target is the tool tip in machine coordinates: all offsets, scaling, mirror image, rotation
 // and cutter compensation applied, tool length left out (units-and-frames.md). mm and degrees.
 
-/// Each axis at its own rapid rate; only the end point is promised.
+/// Without cutting, as fast as the axes can.
 struct Rapid {
   base::AxisVector to;
+  bool linear = true;  ///< else each axis at its own rate: only the end point is promised
 };
 
 /// Straight line at feed.

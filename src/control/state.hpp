@@ -100,6 +100,10 @@ struct State {
   double block_control = 0;      ///< #3003
   double feed_control = 0;       ///< #3004, bits of FeedControl
 
+  /// A rapid as parameter LRP wants it.
+  [[nodiscard]] Rapid rapid(const base::AxisVector& to) const {
+    return {to, parameters.linear_rapid};
+  }
   /// After a change of the unit or of the parameters.
   void refresh_format() { values.set_format({modal.inch(), parameters.calculator_point}); }
   /// Says once per `key` that something was accepted without effect or read in a surprising way.

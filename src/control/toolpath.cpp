@@ -62,8 +62,8 @@ Motion Toolpath::make(const Motion::Action& action) const {
   return motion;
 }
 
-bool Toolpath::rapid(const AxisVector& from, const AxisVector& to) {
-  return move(from, make(Rapid{to}), nullptr);
+bool Toolpath::rapid(const AxisVector& from, const Rapid& rapid) {
+  return move(from, make(rapid), nullptr);
 }
 
 bool Toolpath::line(const AxisVector& from, const AxisVector& to, const Feed& feed) {

@@ -51,7 +51,7 @@ class Toolpath {
 
   // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was
   // raised.
-  [[nodiscard]] bool rapid(const base::AxisVector& from, const base::AxisVector& to);
+  [[nodiscard]] bool rapid(const base::AxisVector& from, const Rapid& rapid);
   [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to,
                           const Feed& feed);
   [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to,

@@ -80,7 +80,12 @@ std::string check_centre(const std::string& word, const Motion& motion) {
   return "its centre differs";
 }
 
-// How the move ends and whether its feed can be changed, in a word each.
+bool is_rapid(const Motion& motion, bool linear) {
+  const auto* const rapid = std::get_if<Rapid>(&motion.action);
+  return rapid != nullptr && rapid->linear == linear;
+}
+
+// How a move is made, in a word each.
 struct Manner {
   const char* word;
   bool (*holds)(const Motion&);
@@ -90,10 +95,13 @@ constexpr Manner kManners[] = {
     {"pass", [](const Motion& motion) { return !motion.exact_stop; }},
     {"fixed", [](const Motion& motion) { return motion.fixed_override; }},
     {"free", [](const Motion& motion) { return !motion.fixed_override; }},
+    {"linear", [](const Motion& motion) { return is_rapid(motion, true); }},
+    {"nonlinear", [](const Motion& motion) { return is_rapid(motion, false); }},
 };
 
 std::string manner_of(const Motion& motion) {
-  return std::string(motion.exact_stop ? " stop" : "") + (motion.fixed_override ? " fixed" : "");
+  return std::string(motion.exact_stop ? " stop" : "") + (motion.fixed_override ? " fixed" : "") +
+         (is_rapid(motion, false) ? " nonlinear" : "");
 }
 
 std::string check_word(const std::string& word, const Motion& motion, const AxisSetup& axes) {

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <optional>
 
+#include "geometry/tolerance.hpp"
+
 namespace kerf::geometry {
 namespace {
 

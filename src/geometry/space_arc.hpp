@@ -11,11 +11,8 @@ namespace kerf::geometry {
 enum class NoArc : std::uint8_t {
   straight,   ///< the second lies between the others: the way is two lines
   collinear,  ///< on one line, and the second does not lie between the others
-  coincident  ///< two of them are one
+  coincident  ///< two of them are one (kSamePoint_mm)
 };
-
-/// Points that are no farther from each other are one. mm.
-inline constexpr double kSamePoint_mm = 1e-6;
 
 /// The way along a circle in space from P1 through P2 to P3, or on from there back to P1:
 ///

@@ -75,6 +75,19 @@ struct Arc {
   Direction direction = Direction::counterclockwise;
 };
 
+/// Arc in space along the circle through the tips of three points, from where the tool stands
+/// through `via` to `to`; all other axes move linearly with the angle from point to point
+/// (SpaceArcPath). A full circle goes through `via` and `second_via`, and `to` is where it starts.
+/// The points carry an arc: whoever makes one has asked geometry::SpaceArc, and commands two lines
+/// instead where the points are `straight`.
+struct SpaceArc {
+  base::AxisVector to;
+  base::AxisVector via;
+  base::AxisVector second_via{};  ///< of a full circle
+  Feed feed;
+  bool full_circle = false;
+};
+
 struct Dwell {
   double seconds = 0;
 };
@@ -137,8 +150,8 @@ struct End {};
 /// One item of what the machine must do, in the order in which it happens. Plain value: no
 /// pointers, copies bytewise.
 struct Motion {
-  using Action = std::variant<Rapid, Line, Arc, Dwell, ToolChange, Spindle, Coolant, Power, Probe,
-                              Thread, AuxiliaryCode, Stop, Message, End>;
+  using Action = std::variant<Rapid, Line, Arc, SpaceArc, Dwell, ToolChange, Spindle, Coolant,
+                              Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
   ProgramNumber program{};
   std::uint32_t line = 0;  ///< in its file, from 1
   base::FileId file = base::kNoFile;

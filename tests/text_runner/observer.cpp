@@ -36,6 +36,9 @@ struct Describe {
            number(a.center[0]) + "," + number(a.center[1]) + " " + plane_name(a.plane) + " F" +
            number(a.feed.value);
   }
+  std::string operator()(const SpaceArc& a) const {
+    return "space-arc" + target(a.to) + " via" + target(a.via) + " F" + number(a.feed.value);
+  }
   std::string operator()(const Probe& a) const {
     return "probe" + target(a.to) + " F" + number(a.feed.value);
   }

@@ -15,9 +15,10 @@ struct Assumed {
   static constexpr std::uint32_t parameter_entry = 43;
   static constexpr std::uint32_t parameter_of_axis = 41;
   static constexpr std::uint32_t cycle_in_compensation = 44;
-  static constexpr std::uint32_t control_variable = 45;
+  static constexpr std::uint32_t block_control = 45;
   static constexpr std::uint32_t scaled_arc = 46;
   static constexpr std::uint32_t feed_hundredths = 47;
+  static constexpr std::uint32_t feed_hold = 48;
   static constexpr std::uint32_t g_code = 100;
 };
 

@@ -91,6 +91,7 @@ bool Controller::plain_move() {
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g)
     state_.modal.set(Group::motion, g->code);
   if (!auxiliary_.read_feed(words_) || !tell_idle_words()) return false;
+  state_.path.obey(move_rules(words_, state_.modal, state_.feed_control));
   buffer_.pass_through(
       !state_.path.compensating());  // a move is checked whole before it is emitted
   const bool good = moves_.execute(words_, moved_);
@@ -132,6 +133,7 @@ bool Controller::execute_block(const std::string& name) {
   if (!tell_idle_words()) return false;
   auxiliary_.before_motion(words_);
   if (cycle_before != 800 && state_.modal[Group::cycle] == 800) cycle_.cancel();
+  state_.path.obey(move_rules(words_, state_.modal, state_.feed_control));
   return move(one_shot, moved_);
 }
 

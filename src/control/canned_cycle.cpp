@@ -40,6 +40,7 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   if (!check(words) || !targets_.read(words, target)) return false;
   moved = true;
   if (repeats == 0) return true;
+  if (tapping()) state_.path.fix_override();
   target.program[z] = state_.coordinates.program()[z];
   moves_.apply_length(base::only(z));
   increment_ = state_.modal.incremental() ? target.program - state_.coordinates.program()
@@ -112,8 +113,7 @@ bool CannedCycle::check(const Words& words) {
     return words.has('Q') ? state_.alarms.raise(Code::peck_missing, words['Q'])
                           : state_.alarms.raise(Code::peck_missing);
   }
-  const bool tapping = code == 840 || code == 740;
-  if (tapping && state_.rigid_tapping) {
+  if (tapping() && state_.rigid_tapping) {
     if (state_.words.speed <= 0) return state_.alarms.raise(Code::tap_speed);
     if (state_.words.feed <= 0) return state_.alarms.raise(Code::tap_feed);
     if (state_.moved_since_m29) return state_.alarms.raise(Code::tap_axis_move);
@@ -185,6 +185,11 @@ bool CannedCycle::shift(double distance) {
   distance /= state_.coordinates.transform().factor(*axis);  // scaling leaves it alone
   target[*axis] = base::tidy(target[*axis] + (direction < 0 ? -distance : distance));
   return moves_.rapid_to(target);
+}
+
+bool CannedCycle::tapping() const {
+  const GCode code = state_.modal[Group::cycle];
+  return code == 740 || code == 840;
 }
 
 void CannedCycle::dwell() {

@@ -43,6 +43,7 @@ class CannedCycle {
   void dwell();
   void spindle(Spindle::Turning turning);
   bool finish_hole();
+  [[nodiscard]] bool tapping() const;
   [[nodiscard]] double return_level() const { return to_initial_ ? initial_ : r_; }
 
   State& state_;

@@ -129,6 +129,7 @@ void Controller::reset() {
   state_.words = {};
   state_.rigid_tapping = false;
   state_.parameter_entry = false;
+  state_.block_control = state_.feed_control = 0;
   if (!parameters_.keep_commons) state_.memory.clear_volatile();
 }
 

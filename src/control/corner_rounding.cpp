@@ -56,7 +56,7 @@ bool CornerRounding::blend(PathStep& next) {
     reset();  // the machine stops before a move that it cannot make
     return false;
   }
-  const PathStep first = ended_at(*held_, blend->begin, axes_);
+  const PathStep first = inner_part(ended_at(*held_, blend->begin, axes_));
   PathStep corner = ended_at(*held_, blend->end, axes_);
   corner.piece = {first.piece.to, tidied(blend->end), blend->is_arc, blend->clockwise,
                   blend->centre};

@@ -103,8 +103,7 @@ bool CutterCompensation::start(const PathStep& step) {
   mode_ = Mode::on;
   if (settings_.start_up != 'C' || !moved_since_begin_) return hold(step, tip_in_plane(), true);
   const Vec2 start = step.piece.from + offset_ * geometry::left_of(direction_at_start(step));
-  PathStep lead_in = step;
-  emit_to(lead_in, start);
+  emit_to(inner_part(step), start);
   return hold(step, start, false);
 }
 
@@ -177,12 +176,13 @@ bool CutterCompensation::refuse_held(Code code, const std::string& detail) {
 // Emits what is held along a corner, then everything that waited behind it.
 bool CutterCompensation::go_through(const Corner& corner) {
   const PathStep step = held_->step;
+  if (corner.arc || corner.via_count > 0) held_->step = inner_part(step);
   if (!emit_held(corner.end)) return false;
   if (corner.arc) {
     emit_corner_arc(step, step.piece.to, corner);
   } else {
     for (std::size_t i = 0; i < corner.via_count; ++i) {
-      PathStep bevel = step;
+      PathStep bevel = i + 1 < corner.via_count ? inner_part(step) : step;
       bevel.piece.is_arc = false;
       emit_to(bevel, corner.via[i]);
     }
@@ -348,8 +348,8 @@ void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
       },
       motion.action);
   plane_.place(to, {base::tidy(corner.start.u), base::tidy(corner.start.v)});
-  if (std::holds_alternative<Rapid>(motion.action)) {
-    motion.action = Rapid{to};
+  if (auto* const rapid = std::get_if<Rapid>(&motion.action)) {
+    rapid->to = to;
   } else {
     const Plane plane = plane_.first_offset == 'I'   ? Plane::xy
                         : plane_.first_offset == 'K' ? Plane::zx

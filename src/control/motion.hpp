@@ -51,9 +51,10 @@ enum class Direction : std::uint8_t { clockwise, counterclockwise };
 // Every target is the tool tip in machine coordinates: all offsets, scaling, mirror image, rotation
 // and cutter compensation applied, tool length left out (units-and-frames.md). mm and degrees.
 
-/// Each axis at its own rapid rate; only the end point is promised.
+/// Without cutting, as fast as the axes can.
 struct Rapid {
   base::AxisVector to;
+  bool linear = true;  ///< else each axis at its own rate: only the end point is promised
 };
 
 /// Straight line at feed.
@@ -72,6 +73,19 @@ struct Arc {
   std::uint16_t turns = 0;  ///< whole circles more than the arc from start to end
   Plane plane = Plane::xy;
   Direction direction = Direction::counterclockwise;
+};
+
+/// Arc in space along the circle through the tips of three points, from where the tool stands
+/// through `via` to `to`; all other axes move linearly with the angle from point to point
+/// (SpaceArcPath). A full circle goes through `via` and `second_via`, and `to` is where it starts.
+/// The points carry an arc: whoever makes one has asked geometry::SpaceArc, and commands two lines
+/// instead where the points are `straight`.
+struct SpaceArc {
+  base::AxisVector to;
+  base::AxisVector via;
+  base::AxisVector second_via{};  ///< of a full circle
+  Feed feed;
+  bool full_circle = false;
 };
 
 struct Dwell {
@@ -136,11 +150,15 @@ struct End {};
 /// One item of what the machine must do, in the order in which it happens. Plain value: no
 /// pointers, copies bytewise.
 struct Motion {
-  using Action = std::variant<Rapid, Line, Arc, Dwell, ToolChange, Spindle, Coolant, Power, Probe,
-                              Thread, AuxiliaryCode, Stop, Message, End>;
+  using Action = std::variant<Rapid, Line, Arc, SpaceArc, Dwell, ToolChange, Spindle, Coolant,
+                              Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
   ProgramNumber program{};
   std::uint32_t line = 0;  ///< in its file, from 1
   base::FileId file = base::kNoFile;
+  /// Of a move: the axes come to rest at `to`, because the program says so. Otherwise they may go
+  /// on into the next one.
+  bool exact_stop = false;
+  bool fixed_override = false;  ///< of a move: the operator cannot change its feed
   Action action;
 };
 

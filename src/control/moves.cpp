@@ -72,7 +72,7 @@ bool Moves::finish(const Target& target, const AxisVector& path) {
 
 bool Moves::rapid_to(const AxisVector& program) {
   const AxisVector path = state_.coordinates.path_of(program);
-  if (!check_limits(path) || !state_.path.straight(Rapid{path})) return false;
+  if (!check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
   return finish({program, 0}, path);
 }
 
@@ -102,7 +102,7 @@ bool Moves::execute(const Words& words, bool& moved) {
   const AxisVector path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   if (mode == 0) {
-    if (!state_.path.rapid(state_.coordinates.path(), path)) return false;
+    if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(path))) return false;
   } else {
     Feed rate;
     if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate))

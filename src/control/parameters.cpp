@@ -28,6 +28,8 @@ constexpr Row kRows[] = {
      "power-on unit: 0 mm (G21), 1 inch (G20)"},
     {"G01_default", "3402#0", &Parameters::power_on_line, 0, 1, "",
      "power-on motion: 0 G00, 1 G01"},
+    {"LRP", "1401#1", &Parameters::linear_rapid, 0, 1, "",
+     "rapid: 0 each axis at its own rate, 1 linear"},
     {"offset_memory", "", &Parameters::offset_memory, 0, 0, "ABC", "tool offset memory"},
     {"n_offsets", "", &Parameters::n_offsets, 1, 999, "", "number of tool offsets"},
     {"V15", "6000#3", &Parameters::offset_numbering_15, 0, 1, "",

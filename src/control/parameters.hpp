@@ -16,6 +16,7 @@ struct Parameters {
   bool calculator_point = false;  ///< DPI: a number without a point counts whole units
   bool power_on_inch = false;     ///< unit
   bool power_on_line = false;     ///< G01_default
+  bool linear_rapid = true;       ///< LRP: else each axis moves at its own rapid rate
   char offset_memory = 'C';       ///< tool offset memory A, B or C
   int n_offsets = 400;
   bool offset_numbering_15 = false;  ///< V15

@@ -39,6 +39,7 @@ bool References::execute(const Words::G& g, const Words& words, bool& moved) {
   }
 }
 
+// G53 and the way to a reference point are not linear, whatever LRP says.
 bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
   AxisVector tip = state_.path.tip();
   AxisVector programmed = state_.coordinates.path();
@@ -48,7 +49,7 @@ bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
     state_.coordinates.set_length(axis, 0);
     tip[axis] = programmed[axis] = machine[axis];
   }
-  if (!moves_.check_limits(tip) || !state_.path.straight(Rapid{tip})) return false;
+  if (!moves_.check_limits(tip) || !state_.path.straight(Rapid{tip, false})) return false;
   state_.coordinates.arrive_at(programmed);
   state_.moved_since_m29 = true;
   return true;
@@ -61,7 +62,7 @@ bool References::return_to_reference(const Words& words, std::size_t point, bool
   if (target.named == 0) return true;
   moved = true;
   const AxisVector middle = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(middle) || !state_.path.straight(Rapid{middle})) return false;
+  if (!moves_.check_limits(middle) || !state_.path.straight(state_.rapid(middle))) return false;
   state_.coordinates.move_to(target.program, middle);
   AxisVector intermediate = state_.intermediate.value_or(AxisVector{});
   AxisVector reference;
@@ -102,7 +103,8 @@ bool References::return_from_reference(const Words& words, bool& moved) {
   const AxisVector middle_path = state_.coordinates.path_of(middle);
   const AxisVector path = state_.coordinates.path_of(target.program);
   if (!moves_.check_limits(middle_path) || !moves_.check_limits(path)) return false;
-  if (!state_.path.straight(Rapid{middle_path}) || !state_.path.straight(Rapid{path})) return false;
+  if (!state_.path.straight(state_.rapid(middle_path)) || !state_.path.straight(state_.rapid(path)))
+    return false;
   state_.coordinates.move_to(target.program, path);
   return true;
 }
@@ -114,7 +116,7 @@ bool References::check_reference(const Words& words, bool& moved) {
   moved = true;
   moves_.apply_length(target.named);
   const AxisVector path = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(path) || !state_.path.straight(Rapid{path})) return false;
+  if (!moves_.check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
   state_.coordinates.move_to(target.program, path);
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};

@@ -24,14 +24,11 @@ constexpr WithoutEffect kWithoutEffect[] = {{41, "G04.1 (look-ahead stop) has no
                                             {50, "G05 (high-speed machining) has no effect"},
                                             {51, "G05.1 (look-ahead) has no effect"},
                                             {80, "G08 (look-ahead) has no effect"},
-                                            {90, "G09 (exact stop) has no effect on the path"},
                                             {220, "G22 (stroke check area) has no effect"},
                                             {230, "G23 (stroke check area) has no effect"},
                                             {600, "G60 (single direction positioning) runs as G00"},
-                                            {610, "G61 (exact stop) has no effect on the path"},
                                             {620, "G62 (corner override) has no effect"},
-                                            {630, "G63 (tapping mode) has no effect"},
-                                            {640, "G64 (cutting mode) has no effect on the path"},
+                                            {630, "G63 (tapping mode) does not lock the feed hold"},
                                             {1610, "G161 (in-feed control) has no effect"}};
 
 bool is_reference(GCode code) { return code >= 270 && code <= 300; }

@@ -97,7 +97,13 @@ struct State {
   bool rigid_tapping = false;  ///< M29
   bool moved_since_m29 = false;
   bool parameter_entry = false;  ///< between G10 L50 and G11
+  double block_control = 0;      ///< #3003
+  double feed_control = 0;       ///< #3004, bits of FeedControl
 
+  /// A rapid as parameter LRP wants it.
+  [[nodiscard]] Rapid rapid(const base::AxisVector& to) const {
+    return {to, parameters.linear_rapid};
+  }
   /// After a change of the unit or of the parameters.
   void refresh_format() { values.set_format({modal.inch(), parameters.calculator_point}); }
   /// Says once per `key` that something was accepted without effect or read in a surprising way.

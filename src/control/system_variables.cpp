@@ -147,8 +147,8 @@ bool SystemVariables::read_clock(std::uint32_t number, double& value) {
           state_.memory.running_hours + (state_.surroundings.seconds() - hours_start_s_) / 3600,
           kHoursWrap);
       return true;
-    case 3003: value = control_1_; return true;
-    case 3004: value = control_2_; return true;
+    case 3003: value = state_.block_control; return true;
+    case 3004: value = state_.feed_control; return true;
     case 3005: value = settings_ + (state_.modal.inch() ? kInchBit : 0); return true;
     case 3007: value = state_.coordinates.transform().mirrored(); return true;
     case 3008: value = 0; return true;
@@ -281,6 +281,11 @@ bool SystemVariables::write_interface(std::uint32_t number, double value) {
   return state_.alarms.raise(Code::write_protected, "inputs can only be read");
 }
 
+// In the line of the macro statement, which is no block.
+void SystemVariables::assume(std::uint32_t key, const char* what) {
+  if (state_.assumptions.is_new(key)) state_.assumptions.add(state_.alarms.place().line, what);
+}
+
 bool SystemVariables::write_clock(std::uint32_t number, double value, Event& event) {
   const double amount = vm::zero_if_null(value);
   switch (number) {
@@ -292,12 +297,14 @@ bool SystemVariables::write_clock(std::uint32_t number, double value, Event& eve
       hours_start_s_ = state_.surroundings.seconds();
       return true;
     case 3003:
+      if (amount != 0)
+        assume(Assumed::block_control, "#3003 (single block, M S T functions) has no effect");
+      state_.block_control = amount;
+      return true;
     case 3004:
-      if (amount != 0) {
-        state_.assume(Assumed::control_variable + 1000 + number,
-                      "#3003 and #3004 (single block, feed hold, exact stop) have no effect");
-      }
-      (number == 3003 ? control_1_ : control_2_) = amount;
+      if (has_bit(amount, FeedControl::no_feed_hold))
+        assume(Assumed::feed_hold, "#3004 does not switch the feed hold off");
+      state_.feed_control = amount;
       return true;
     case 3005: settings_ = amount; return true;
     case 3901:

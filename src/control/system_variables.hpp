@@ -49,6 +49,7 @@ class SystemVariables {
   double* common_or_local(std::uint32_t number);
   bool resolve(double number, std::uint32_t& result);
   bool missing(std::uint32_t number);
+  void assume(std::uint32_t key, const char* what);
   [[nodiscard]] bool is_linear(std::size_t axis) const { return !state_.axes.axes[axis].rotary; }
   [[nodiscard]] double to_unit(double value, bool linear) const;
   [[nodiscard]] double from_unit(double value, bool linear) const;
@@ -59,8 +60,6 @@ class SystemVariables {
   std::function<std::uint32_t()> program_number_;
   double clock_start_s_ = 0;  // of #3001
   double hours_start_s_ = 0;  // of #3002
-  double control_1_ = 0;      // #3003
-  double control_2_ = 0;      // #3004
   double settings_ = 0;       // #3005, the bits that mean nothing here
 };
 

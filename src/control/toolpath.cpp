@@ -55,8 +55,15 @@ AxisVector Toolpath::tip() const {
   return compensation_.active() ? compensation_.tip() : tip_;
 }
 
-bool Toolpath::rapid(const AxisVector& from, const AxisVector& to) {
-  return move(from, make(Rapid{to}), nullptr);
+Motion Toolpath::make(const Motion::Action& action) const {
+  Motion motion{
+      .program = source_.program, .line = source_.line, .file = source_.file, .action = action};
+  mark(motion, rules_);
+  return motion;
+}
+
+bool Toolpath::rapid(const AxisVector& from, const Rapid& rapid) {
+  return move(from, make(rapid), nullptr);
 }
 
 bool Toolpath::line(const AxisVector& from, const AxisVector& to, const Feed& feed) {
@@ -110,7 +117,9 @@ bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape
                           : corner_at_end_       ? corner_at_end_->axes
                                                  : corners_.axes();
   const AxisVector& to = *target_of(motion);
-  PathStep step{.motion = motion, .piece = {.from = plane.project(from), .to = plane.project(to)}};
+  PathStep step{.motion = motion,
+                .piece = {.from = plane.project(from), .to = plane.project(to)},
+                .every_part_stops = rules_.every_cut_stops && is_cut(motion)};
   if (shape != nullptr) {
     step.piece.is_arc = true;
     step.piece.clockwise = shape->direction == Direction::clockwise;

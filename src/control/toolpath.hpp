@@ -5,6 +5,7 @@
 #include "control/coordinates.hpp"
 #include "control/corner_rounding.hpp"
 #include "control/cutter_compensation.hpp"
+#include "control/move_rules.hpp"
 
 namespace kerf::control {
 
@@ -39,6 +40,10 @@ class Toolpath {
 
   /// A block begins: what it emits comes from `source`.
   void begin_block(const Source& source);
+  /// How the moves end that come from now on.
+  void obey(const MoveRules& rules) { rules_ = rules; }
+  /// The block's cuts are those of a tapping cycle.
+  void fix_override() { rules_.fixed_override = true; }
   /// The block's move ends in a corner.
   void round_corner(const CornerAtEnd& corner) { corner_at_end_ = corner; }
   /// The block is over. False: an alarm was raised.
@@ -46,7 +51,7 @@ class Toolpath {
 
   // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was
   // raised.
-  [[nodiscard]] bool rapid(const base::AxisVector& from, const base::AxisVector& to);
+  [[nodiscard]] bool rapid(const base::AxisVector& from, const Rapid& rapid);
   [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to,
                           const Feed& feed);
   [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to,
@@ -80,15 +85,14 @@ class Toolpath {
   bool compensate(const PathStep& step);
   void pass(const Motion& motion);
   void emit(const Motion& motion);
-  [[nodiscard]] Motion make(const Motion::Action& action) const {
-    return {source_.program, source_.line, source_.file, action};
-  }
+  [[nodiscard]] Motion make(const Motion::Action& action) const;
 
   Alarms& alarms_;
   MotionSink& sink_;
   CornerRounding corners_;
   CutterCompensation compensation_;
   Source source_;
+  MoveRules rules_;
   base::AxisVector tip_;
   std::optional<CornerAtEnd> corner_at_end_;
   bool ending_ = false;  // G40 stands in this block

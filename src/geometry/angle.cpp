@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "geometry/tolerance.hpp"
+
 namespace kerf::geometry {
 
 SineCosine sine_cosine_deg(double angle_deg) {
@@ -20,6 +22,15 @@ SineCosine sine_cosine_deg(double angle_deg) {
 double nearest_turn(double angle_deg, double previous_deg, double turn_deg) {
   const double turns = std::floor((angle_deg - previous_deg) / turn_deg + 0.5);
   return angle_deg - turn_deg * turns;
+}
+
+double heading_deg(Vec2 from, Vec2 to) {
+  constexpr double kNearlyFullTurn_deg = 360 - 1e-6;
+  const Vec2 way = to - from;
+  if (length(way) <= kSamePoint_mm) return kNoHeading_deg;
+  const double angle = degrees(std::atan2(way.v, way.u));
+  const double turned = angle < 0 ? angle + 360 : angle;
+  return turned < kNearlyFullTurn_deg ? turned : 0;
 }
 
 }  // namespace kerf::geometry

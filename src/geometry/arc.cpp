@@ -34,4 +34,10 @@ double arc_length(Vec2 from, Vec2 to, Vec2 centre, bool clockwise, unsigned extr
   return std::hypot(sweep * mean_radius, rise);
 }
 
+// deviation = R (1 - cos (angle / 2)) = 2 R sin² (angle / 4)
+double chord_angle_rad(double radius, double deviation) {
+  if (radius <= deviation) return std::numbers::pi;
+  return 4 * std::asin(std::sqrt(deviation / (2 * radius)));
+}
+
 }  // namespace kerf::geometry

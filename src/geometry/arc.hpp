@@ -22,4 +22,8 @@ namespace kerf::geometry {
 [[nodiscard]] double arc_length(Vec2 from, Vec2 to, Vec2 centre, bool clockwise,
                                 unsigned extra_turns, double rise);
 
+/// Largest angle of an arc of `radius` > 0 that leaves its chord by no more than `deviation` > 0,
+/// radians in (0, π]: π where the radius is no larger than the deviation.
+[[nodiscard]] double chord_angle_rad(double radius, double deviation);
+
 }  // namespace kerf::geometry

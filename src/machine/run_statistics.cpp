@@ -14,6 +14,7 @@ using base::AxisVector;
 using control::Feed;
 using control::FeedMode;
 using geometry::Vec2;
+using geometry::Vec3;
 
 constexpr std::size_t kMostMessages = 1000;
 
@@ -95,6 +96,29 @@ void RunStatistics::arc(const control::Arc& arc, std::uint32_t line) {
   cut(whole, flat, arc.feed, line);
 }
 
+void RunStatistics::space_arc(const control::SpaceArc& arc, std::uint32_t line) {
+  const control::SpaceArcPath path(axes_, at_, arc);
+  for (const auto& knot : path.knots().subspan(1)) reach(knot.point);
+  reach_farthest(path);
+  cut(path.circle().length(), path.circle().length(), arc.feed, line);
+}
+
+// Where the circle goes farthest along X, Y and Z. The other axes have their extremes at the points
+// given.
+void RunStatistics::reach_farthest(const control::SpaceArcPath& path) {
+  constexpr Vec3 kDirections[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                  {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  for (const Vec3 direction : kDirections) {
+    const double angle = path.circle().farthest_rad(direction);
+    if (angle <= 0 || angle >= path.circle().sweep_rad()) continue;
+    AxisVector reached = path.at(angle);
+    for (std::size_t i = 0; i < axes_.count(); ++i) {
+      if (!linear_[i]) reached.values[i] = path.knots().back().point.values[i];
+    }
+    reach(reached);
+  }
+}
+
 // The quadrant points that the arc passes.
 void RunStatistics::reach_arc(const control::Arc& arc, std::size_t first, std::size_t second) {
   const bool clockwise = arc.direction == control::Direction::clockwise;
@@ -131,6 +155,10 @@ void RunStatistics::take(const control::Motion& motion) {
     if (const auto* const a = std::get_if<Arc>(&motion.action)) {
       ++motions_;
       arc(*a, motion.line);
+      --motions_;
+    } else if (const auto* const in_space = std::get_if<SpaceArc>(&motion.action)) {
+      ++motions_;
+      space_arc(*in_space, motion.line);
       --motions_;
     } else if (std::holds_alternative<Rapid>(motion.action)) {
       rapid(*to);

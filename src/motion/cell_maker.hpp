@@ -21,7 +21,7 @@ struct Overrides {
 /// it.
 class CellMaker {
  public:
-  static constexpr std::size_t kCells = 8192;
+  static constexpr std::size_t kCells = 4096;
 
   /// The limits are those of the driven axes. `linkage` may be null: they are the program's. Both
   /// must outlive this.

@@ -36,7 +36,7 @@ struct Section {
 /// What lies behind the last cell is not known yet: the axes could stop there. Bounded memory.
 class LookAhead {
  public:
-  static constexpr std::size_t kItems = 4096;
+  static constexpr std::size_t kItems = 2048;
 
   static constexpr double kNever = std::numeric_limits<double>::infinity();
 

@@ -32,8 +32,8 @@ struct PathMark {
 
 /// The path ahead of the tool, and the motions that it belongs to.
 struct Path {
-  static constexpr std::size_t kPieces = 4096;
-  static constexpr std::size_t kMarks = 32768;
+  static constexpr std::size_t kPieces = 2048;
+  static constexpr std::size_t kMarks = 16384;
 
   Ring<PathPiece> pieces{kPieces};
   Ring<PathMark> marks{kMarks};

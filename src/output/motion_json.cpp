@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
+#include "control/space_arc_path.hpp"
+#include "geometry/angle.hpp"
 
 namespace kerf::output {
 namespace {
@@ -15,6 +17,16 @@ void append_integer(std::string& out, std::uint64_t value) {
   std::array<char, 24> digits;
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   out.append(digits.data(), end);
+}
+
+void append_vector(std::string& out, const char* name, geometry::Vec3 vector) {
+  out += name;
+  base::append_number(out, base::tidy(vector.x));
+  out += ',';
+  base::append_number(out, base::tidy(vector.y));
+  out += ',';
+  base::append_number(out, base::tidy(vector.z));
+  out += ']';
 }
 
 void append_member(std::string& out, const char* name, double value) {
@@ -61,7 +73,7 @@ const char* feed_mode_name(FeedMode mode) {
 
 }  // namespace
 
-MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file) : file_(file) {
+MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file) : axes_(axes), file_(file) {
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }
@@ -80,11 +92,11 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   append_integer(line_, motion.line);
 }
 
-void MotionJson::target(const base::AxisVector& to) {
-  line_ += ",\"to\":{";
+void MotionJson::point(const char* name, const base::AxisVector& at) {
+  line_ += name;
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     line_ += keys_[i];
-    base::append_number(line_, to.values[i]);
+    base::append_number(line_, at.values[i]);
   }
   line_ += '}';
 }
@@ -96,10 +108,22 @@ void MotionJson::feed(const Feed& feed) {
   line_ += '"';
 }
 
+void MotionJson::space_arc(const SpaceArc& arc) {
+  const geometry::SpaceArc circle = SpaceArcPath(axes_, at_, arc).circle();
+  target(arc.to);
+  point(",\"via\":{", arc.via);
+  if (arc.full_circle) point(",\"second_via\":{", arc.second_via);
+  append_vector(line_, ",\"center\":[", circle.centre());
+  append_vector(line_, ",\"normal\":[", circle.e3());
+  append_member(line_, ",\"sweep_deg\":", base::tidy(geometry::degrees(circle.sweep_rad())));
+  feed(arc.feed);
+}
+
 void MotionJson::take(const Motion& motion) {
   write(motion);
   line_ += "}\n";
   file_.write(line_);
+  if (const base::AxisVector* const to = target_of(motion)) at_ = *to;
 }
 
 void MotionJson::write(const Motion& motion) {
@@ -124,6 +148,9 @@ void MotionJson::write(const Motion& motion) {
       line_ += ",\"turns\":";
       append_integer(line_, action.turns);
       feed(action.feed);
+    } else if constexpr (std::is_same_v<Action, SpaceArc>) {
+      begin("space-arc", motion);
+      space_arc(action);
     } else if constexpr (std::is_same_v<Action, Dwell>) {
       begin("dwell", motion);
       append_member(line_, ",\"seconds\":", action.seconds);

@@ -18,11 +18,15 @@ class MotionJson : public control::MotionSink {
 
  private:
   void begin(const char* kind, const control::Motion& motion);
-  void target(const base::AxisVector& to);
+  void point(const char* name, const base::AxisVector& at);
+  void target(const base::AxisVector& to) { point(",\"to\":{", to); }
+  void space_arc(const control::SpaceArc& arc);
   void feed(const control::Feed& feed);
   void write(const control::Motion& motion);
 
+  const control::AxisSetup& axes_;
   base::OutputFile& file_;
+  base::AxisVector at_;
   std::vector<std::string> keys_;  // per axis: what stands before its value
   std::string line_;
   std::string program_;  // text of the newest program number

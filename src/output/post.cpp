@@ -5,6 +5,7 @@
 
 #include "base/decimal.hpp"
 #include "control/plane_axes.hpp"
+#include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
 
 namespace kerf::output {
@@ -137,6 +138,13 @@ void Post::arc(const Arc& arc) {
   end_block();
 }
 
+void Post::space_arc(const SpaceArc& arc) {
+  const SpaceArcPath path(axes_, at_, arc);
+  const double most_rad = geometry::chord_angle_rad(path.circle().radius(), kChordTolerance_mm);
+  const double length = path.circle().length();
+  path.chords(most_rad, [&](const base::AxisVector& to) { line(to, arc.feed, length); });
+}
+
 void Post::take(const Motion& motion) { write(motion); }
 
 void Post::write(const Motion& motion) {
@@ -160,6 +168,8 @@ void Post::write(const Motion& motion) {
     straight(a1->to, a1->feed);
   } else if (const auto* const a2 = std::get_if<Arc>(&motion.action)) {
     arc(*a2);
+  } else if (const auto* const space = std::get_if<SpaceArc>(&motion.action)) {
+    space_arc(*space);
   } else if (const auto* const a3 = std::get_if<Probe>(&motion.action)) {
     straight(a3->to, a3->feed);
   } else if (const auto* const a4 = std::get_if<Thread>(&motion.action)) {

@@ -10,9 +10,12 @@ namespace kerf::output {
 
 /// Writes the executed path as plain G-code for controllers without macros: no variables, no
 /// cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
-/// G94), arcs with I, J, K, dwell in seconds.
+/// G94), arcs with I, J, K, dwell in seconds. Arcs in space are chords that leave them by at most
+/// kChordTolerance_mm, rounding of the coordinates apart.
 class Post : public control::MotionSink {
  public:
+  static constexpr double kChordTolerance_mm = 0.001;
+
   Post(const control::AxisSetup& axes, base::OutputFile& file);
   void take(const control::Motion& motion) override;
   /// Writes the end, unless the program's own has been written.
@@ -24,6 +27,7 @@ class Post : public control::MotionSink {
   void feed(const control::Feed& feed, double length_mm);
   void line(const base::AxisVector& to, const control::Feed& rate, double length_mm);
   void arc(const control::Arc& arc);
+  void space_arc(const control::SpaceArc& arc);
   void spindle(const control::Spindle& spindle);
   void select_plane(control::Plane plane);
   [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "plot_motions.hpp"
 
 namespace kerf::output::plot {
@@ -92,6 +94,52 @@ TEST(PathRecorder, AnArcInAPlaneTheMachineLacksIsItsChord) {
   recorder.take(motion(arc));
   EXPECT_TRUE(recorder.store().path().arcs.empty());
   EXPECT_EQ(recorder.end(), (Point3{10, 0, 5}));
+}
+
+// From where the tool stands through `via` to `to`.
+control::SpaceArc space_arc(const base::AxisVector& via, const base::AxisVector& to) {
+  return {.to = to, .via = via, .feed = {}};
+}
+
+TEST(PathRecorder, AnArcInSpaceIsDrawnInChordsOfItsCircle) {
+  PathRecorder recorder(axes("XYZ"), 1);  // about (30, 0, 8.75) with radius 31.25
+  recorder.take(motion(space_arc(at(30, 0, 40), at(60, 0, 0))));
+  const Path path = recorder.store().path();
+  for (const Path::Vertex& vertex : path.vertices) {
+    EXPECT_EQ(vertex.at[kY], 0);
+    EXPECT_NEAR(std::hypot(vertex.at[kX] - 30, vertex.at[kZ] - 8.75), 31.25, 1e-9);
+  }
+  EXPECT_GE(path.vertices.size(), 70U);  // 212.5 degrees
+  EXPECT_EQ(recorder.end(), (Point3{60, 0, 0}));
+  EXPECT_EQ(recorder.move_count(), 1U);
+  EXPECT_NEAR(recorder.cut_extents().high()[kZ], 40, 0.0004 * 31.25);
+  EXPECT_NEAR(recorder.cut_extents().low()[kX], -1.25, 0.0004 * 31.25);
+}
+
+TEST(PathRecorder, AFullCircleInSpaceComesBack) {
+  PathRecorder recorder(axes("XYZ"), 1);
+  control::SpaceArc circle = space_arc(at(30, 0, 40), at(0, 0, 0));
+  circle.second_via = at(60, 0, 0);
+  circle.full_circle = true;
+  recorder.take(motion(circle));
+  EXPECT_EQ(recorder.end(), (Point3{0, 0, 0}));
+  EXPECT_NEAR(recorder.cut_extents().low()[kZ], 8.75 - 31.25, 0.0004 * 31.25);
+  EXPECT_EQ(recorder.move_count(), 1U);
+}
+
+TEST(PathRecorder, WithTheBeamOffAnArcInSpaceIsTravelling) {
+  PathRecorder recorder(axes("XYZ"), 1);
+  recorder.take(power(0));
+  recorder.take(motion(space_arc(at(30, 0, 40), at(60, 0, 0))));
+  EXPECT_TRUE(recorder.cut_extents().empty());
+  EXPECT_NEAR(recorder.all_extents().high()[kZ], 40, 0.0004 * 31.25);
+}
+
+TEST(PathRecorder, AnArcInSpaceThatTheMachineLacksAnAxisForIsTwoLines) {
+  PathRecorder recorder(axes("XZ"), 1);  // Y is not drawn: the points lie on one line
+  recorder.take(motion(space_arc(at(10, 0), at(30, 0))));
+  EXPECT_EQ(recorder.store().path().vertices.size(), 3U);
+  EXPECT_EQ(recorder.end(), (Point3{30, 0, 0}));
 }
 
 TEST(PathRecorder, RemembersEachToolOnceAndWhereItFirstCuts) {

@@ -36,6 +36,9 @@ struct Describe {
            number(a.center[0]) + "," + number(a.center[1]) + " " + plane_name(a.plane) + " F" +
            number(a.feed.value);
   }
+  std::string operator()(const SpaceArc& a) const {
+    return "space-arc" + target(a.to) + " via" + target(a.via) + " F" + number(a.feed.value);
+  }
   std::string operator()(const Probe& a) const {
     return "probe" + target(a.to) + " F" + number(a.feed.value);
   }
@@ -80,7 +83,34 @@ std::string check_centre(const std::string& word, const Motion& motion) {
   return "its centre differs";
 }
 
+bool is_rapid(const Motion& motion, bool linear) {
+  const auto* const rapid = std::get_if<Rapid>(&motion.action);
+  return rapid != nullptr && rapid->linear == linear;
+}
+
+// How a move is made, in a word each.
+struct Manner {
+  const char* word;
+  bool (*holds)(const Motion&);
+};
+constexpr Manner kManners[] = {
+    {"stop", [](const Motion& motion) { return motion.exact_stop; }},
+    {"pass", [](const Motion& motion) { return !motion.exact_stop; }},
+    {"fixed", [](const Motion& motion) { return motion.fixed_override; }},
+    {"free", [](const Motion& motion) { return !motion.fixed_override; }},
+    {"linear", [](const Motion& motion) { return is_rapid(motion, true); }},
+    {"nonlinear", [](const Motion& motion) { return is_rapid(motion, false); }},
+};
+
+std::string manner_of(const Motion& motion) {
+  return std::string(motion.exact_stop ? " stop" : "") + (motion.fixed_override ? " fixed" : "") +
+         (is_rapid(motion, false) ? " nonlinear" : "");
+}
+
 std::string check_word(const std::string& word, const Motion& motion, const AxisSetup& axes) {
+  for (const Manner& manner : kManners) {
+    if (word == manner.word) return manner.holds(motion) ? "" : "it is not " + word;
+  }
   if (word[0] == '@') return check_centre(word, motion);
   if (word.size() == 2 && std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
     const auto* const arc = std::get_if<Arc>(&motion.action);
@@ -106,7 +136,7 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
 
 void Recorder::take(const Motion& motion) {
   observed_.push_back({motion.line, target_of(motion) != nullptr,
-                       std::visit(Describe{axes_}, motion.action), motion});
+                       std::visit(Describe{axes_}, motion.action) + manner_of(motion), motion});
 }
 
 std::string difference(const std::string& wanted, const Observed& observed, const AxisSetup& axes) {

@@ -29,7 +29,7 @@ class Recorder : public control::MotionSink {
   std::vector<Observed> observed_;
 };
 
-/// What is wrong with `observed` when `wanted` ("line X1 F100", "cw X20 Y10 @15,10 XY") is
+/// What is wrong with `observed` when `wanted` ("line X1 F100 stop", "cw X20 Y10 @15,10 XY") is
 /// expected; empty: nothing.
 [[nodiscard]] std::string difference(const std::string& wanted, const Observed& observed,
                                      const control::AxisSetup& axes);

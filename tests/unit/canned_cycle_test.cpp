@@ -61,6 +61,8 @@ class ByHand {
 std::string by_hand(int code, const Hole& h) {
   ByHand hand(h);
   hand.rapid(h.r);
+  const bool taps = code == 84 || code == 74;
+  if (taps) hand.block("G63");  // nobody overrides a tap
   switch (code) {
     case 81: hand.feed(h.z).back(); break;
     case 82: hand.feed(h.z).dwell().back(); break;
@@ -87,6 +89,7 @@ std::string by_hand(int code, const Hole& h) {
       break;
     default: ADD_FAILURE() << "no cycle G" << code;
   }
+  if (taps) hand.block("G64");
   return hand.text();
 }
 

@@ -61,6 +61,8 @@ std::string different_arc(const control::Arc& got, const control::Arc& wanted, d
 
 std::string different(const Motion& got, const Motion& wanted, double tolerance) {
   if (got.action.index() != wanted.action.index()) return "kind differs";
+  if (got.exact_stop != wanted.exact_stop || got.fixed_override != wanted.fixed_override)
+    return "exact stop or override differs";
   std::string what = different_target(got, wanted, tolerance);
   if (!what.empty()) return what;
   if (const auto* const arc = std::get_if<control::Arc>(&got.action))

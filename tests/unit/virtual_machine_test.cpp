@@ -122,6 +122,15 @@ TEST_F(Panel, ResetLeavesTheToolAndForgetsTheProgramState) {
   EXPECT_EQ(x(), 2);
 }
 
+TEST_F(Panel, ResetSwitchesTheExactStopOnAgain) {
+  VirtualMachine& machine = load("O1\n#500=#3004\n#3004=4\nM00\nM30\n");
+  for (int run = 0; run < 2; ++run) {
+    EXPECT_EQ(machine.cycle_start(), Status::running);
+    EXPECT_EQ(machine.memory().commons[100], 0);
+    machine.reset();
+  }
+}
+
 TEST_F(Panel, AnAlarmHoldsTheMachineUntilReset) {
   VirtualMachine& machine = load("O1\nG91G00X1.\n#3000=1(STOP)\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::alarm);

@@ -1,10 +1,16 @@
 #include "output/internal/plot/path_recorder.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <type_traits>
+
+#include "geometry/space_arc.hpp"
 
 namespace kerf::output::plot {
 namespace {
+
+// Chords of arcs in space leave them by 0.03 % of the radius, as the curves of the others do.
+constexpr double kChord_rad = 2 * std::numbers::pi / 128;
 
 constexpr double kLargest = PathStore::kLargestCoordinate;
 
@@ -13,6 +19,9 @@ double drawable(double value, double otherwise) {
   if (!std::isfinite(value)) return otherwise;
   return value > 0 ? kLargest : -kLargest;
 }
+
+geometry::Vec3 vector(const Point3& point) { return {point[kX], point[kY], point[kZ]}; }
+Point3 point(geometry::Vec3 vector) { return {vector.x, vector.y, vector.z}; }
 
 // The coordinates of a plane's axes, in the plane's order.
 std::array<std::size_t, 2> plane_axes(control::Plane plane) {
@@ -44,6 +53,8 @@ void PathRecorder::take(const control::Motion& motion) {
           straight(action.to, Trace::travel);
         } else if constexpr (std::is_same_v<Action, control::Arc>) {
           arc(action);
+        } else if constexpr (std::is_same_v<Action, control::SpaceArc>) {
+          space_arc(action);
         } else if constexpr (std::is_same_v<Action, control::ToolChange>) {
           select_tool(action.tool);
         } else if constexpr (std::is_same_v<Action, control::Power>) {
@@ -75,6 +86,33 @@ void PathRecorder::arc(const control::Arc& arc) {
   store_.arc(pen, path);
   path.extend(trace == Trace::cut ? cuts_ : travels_);
   arrive(path.to(), trace);
+}
+
+// Points that carry no arc, because the machine lacks an axis, are joined by lines.
+void PathRecorder::space_arc(const control::SpaceArc& arc) {
+  using geometry::SpaceArc;
+  const auto at = [this](const base::AxisVector& tip) { return vector(point_of(tip)); };
+  const geometry::Vec3 from = vector(position_);
+  const auto found = arc.full_circle ? SpaceArc::circle(from, at(arc.via), at(arc.second_via))
+                                     : SpaceArc::through(from, at(arc.via), at(arc.to));
+  ++moves_;
+  if (!found) {
+    chord(point_of(arc.via));
+    if (arc.full_circle) chord(point_of(arc.second_via));
+    return chord(point_of(arc.to));
+  }
+  const double count = std::ceil(found->sweep_rad() / kChord_rad);
+  for (double n = 1; n <= count; ++n) chord(point(found->at(found->sweep_rad() * n / count)));
+}
+
+// A part of a move at feed that goes sideways.
+void PathRecorder::chord(const Point3& to) {
+  if (to == position_) return;
+  const Trace trace = at_feed();
+  const Pen pen = pen_for(trace);
+  if (trace == Trace::cut) holes_.sideways_cut();
+  store_.line(pen, position_, to);
+  arrive(to, trace);
 }
 
 void PathRecorder::select_tool(std::uint32_t number) {

@@ -53,6 +53,8 @@ class PathRecorder {
 
   void straight(const base::AxisVector& to, Trace trace);
   void arc(const control::Arc& arc);
+  void space_arc(const control::SpaceArc& arc);
+  void chord(const Point3& to);
   void select_tool(std::uint32_t number);
   Pen pen_for(Trace trace);
   void arrive(const Point3& to, Trace trace);

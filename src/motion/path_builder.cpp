@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "control/plane_axes.hpp"
+#include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
 
 namespace kerf::motion {
@@ -22,7 +23,7 @@ constexpr double kChainShare = 0.25;
 constexpr double kMostOfCurve = 0.49;
 // What one motion may add: a chain's worth of curves with their roundings.
 constexpr std::size_t kPiecesOfMotion = 600;
-constexpr std::size_t kMarksOfMotion = 4;
+constexpr std::size_t kMarksOfMotion = 600;
 
 std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
   std::array<bool, base::kMaxAxes> linear{};
@@ -86,12 +87,13 @@ void PathBuilder::take(const Motion& motion) {
     add_line(motion, line->to, line->feed);
   } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
     add_arc(motion, *arc);
+  } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
+    add_space_arc(motion, *space_arc);
   } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
-    add_rapid(motion, rapid->to);
+    add_rapid(motion, *rapid);
   } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
     stop();
     add_line(motion, probe->to, probe->feed);
-    stop();
   } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
     add_line(motion, thread->to, {thread->lead, FeedMode::per_revolution});
   } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
@@ -104,6 +106,7 @@ void PathBuilder::take(const Motion& motion) {
   } else if (!std::holds_alternative<Message>(motion.action)) {
     stop();
   }
+  if (motion.exact_stop) stop();
 }
 
 void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const control::Feed& feed) {
@@ -113,33 +116,31 @@ void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const con
   if (length == 0) return;
   if (rotary_only != rotary_only_) stop();
   rotary_only_ = rotary_only;
-  const double speed = speed_of(feed, length);
-  const Mark mark = mark_of(motion, MoveKind::cut);
   if (!chain_.empty() && !chain_.accepts(to, length)) drain_chain(true);
   if (chain_.empty()) chain_.start(at_);
-  chain_.add(to, length, speed, false, mark);
+  chain_.add(to, length, speed_of(feed, length), motion.fixed_override,
+             mark_of(motion, MoveKind::cut));
   at_ = to;
   drain_chain(tolerance_mm_ == 0);
 }
 
-void PathBuilder::add_rapid(const Motion& motion, const AxisVector& to) {
-  const double linear = linear_length(to);
-  const double length = linear == 0 ? rotary_length(to) : linear;
-  if (length == 0) return;
+// Without linear positioning every axis goes at its own rate: then the way is not a line, but a
+// line for each group of axes that is still under way.
+void PathBuilder::add_rapid(const Motion& motion, const control::Rapid& rapid) {
   stop();
+  const double linear = linear_length(rapid.to);
+  const double length = linear == 0 ? rotary_length(rapid.to) : linear;
+  if (length == 0) return;
   mark(length, mark_of(motion, MoveKind::rapid));
-  add_curve(Curve::line(at_, to, length, axes_.count()), kInfinite, false, false);
+  add_curve(Curve::line(at_, rapid.to, length, axes_.count()), kInfinite, false, false);
   rapid_ = true;
-  at_ = to;
+  at_ = rapid.to;
   stop();
 }
 
 void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
   const auto plane = control::plane_axes(arc.plane, axes_);
   if (!plane) return;
-  if (rotary_only_) stop();
-  rotary_only_ = false;
-  drain_chain(true);
   const Vec2 centre{arc.center[0], arc.center[1]};
   const Vec2 from = plane->project(at_);
   const Vec2 to = plane->project(arc.to);
@@ -163,10 +164,54 @@ void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
   shape.radius_slope = (end_radius - start_radius) / length;
   shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
   shape.rate = (clockwise ? -sweep : sweep) / length;
-  mark(length, mark_of(motion, MoveKind::cut));
-  add_curve(Curve::arc(shape, arc.to, length, axes_.count()), speed_of(arc.feed, length), false,
-            false);
+  begin_curves();
+  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()), arc.feed, true);
   at_ = arc.to;
+}
+
+// A curve from each point given to the next: there the rates of the rotary axes change.
+void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& arc) {
+  const control::SpaceArcPath path(axes_, at_, arc);
+  const geometry::SpaceArc& circle = path.circle();
+  ArcShape shape;
+  place(shape.origin, circle.centre());
+  place(shape.e1, circle.e1());
+  place(shape.e2, circle.e2());
+  shape.radius = circle.radius();
+  shape.rate = 1 / circle.radius();
+  begin_curves();
+  const auto knots = path.knots();
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double length = (knots[i].angle_rad - knots[i - 1].angle_rad) * circle.radius();
+    shape.angle_rad = knots[i - 1].angle_rad;
+    for (std::size_t m = 0; m < axes_.count(); ++m) {
+      if (linear_[m]) continue;
+      shape.origin.values[m] = knots[i - 1].point.values[m];
+      shape.slope.values[m] = (knots[i].point.values[m] - knots[i - 1].point.values[m]) / length;
+    }
+    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), arc.feed,
+                  i + 1 == knots.size());
+  }
+  at_ = arc.to;
+}
+
+// Lines that wait for more are curves now.
+void PathBuilder::begin_curves() {
+  if (rotary_only_) stop();
+  rotary_only_ = false;
+  drain_chain(true);
+}
+
+void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, const control::Feed& feed,
+                                bool ends_motion) {
+  if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut));
+  add_curve(curve, speed_of(feed, curve.length()), motion.fixed_override, false);
+}
+
+void PathBuilder::place(AxisVector& vector, geometry::Vec3 xyz) const {
+  if (const auto x = axes_.find('X')) vector[*x] = xyz.x;
+  if (const auto y = axes_.find('Y')) vector[*y] = xyz.y;
+  if (const auto z = axes_.find('Z')) vector[*z] = xyz.z;
 }
 
 void PathBuilder::add_dwell(const Motion& motion, double seconds) {

@@ -5,6 +5,7 @@
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
+#include "geometry/vec3.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/chain.hpp"
 #include "motion/corner.hpp"
@@ -53,8 +54,13 @@ class PathBuilder {
 
   void add_line(const control::Motion& motion, const base::AxisVector& to,
                 const control::Feed& feed);
-  void add_rapid(const control::Motion& motion, const base::AxisVector& to);
+  void add_rapid(const control::Motion& motion, const control::Rapid& rapid);
   void add_arc(const control::Motion& motion, const control::Arc& arc);
+  void add_space_arc(const control::Motion& motion, const control::SpaceArc& arc);
+  void add_arc_curve(const control::Motion& motion, const Curve& curve, const control::Feed& feed,
+                     bool ends_motion);
+  void begin_curves();
+  void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
   void add_dwell(const control::Motion& motion, double seconds);
   void drain_chain(bool ended);
   void add_piece(const ChainSmoother::Piece& piece);

@@ -142,15 +142,15 @@ TEST(SpaceArcInStatistics, HasLengthAndTime) {
   for (const SpaceArcCase& arc : kSpaceArcs) {
     machine::RunStatistics statistics(kAxes);
     make(statistics, arc, arc.arc(kFeed_mm_min));
-    const double before_s = statistics.seconds();
+    const double before_s = statistics.feed_seconds();
     const double length = arc.radius * arc.sweep_deg * std::numbers::pi / 180;
     EXPECT_NEAR(statistics.cut_mm(), length, 1e-5) << arc.name;
     EXPECT_EQ(statistics.motions(), 2U);
     EXPECT_EQ(statistics.at(), arc.to) << arc.name;
     statistics.take(motion_of(control::Rapid{arc.from}));
-    const double rapid_s = statistics.seconds() - before_s;
+    const double rapid_s = statistics.feed_seconds() - before_s;
     statistics.take(motion_of(arc.circle(kFeed_mm_min)));
-    EXPECT_NEAR(statistics.seconds() - before_s - rapid_s,
+    EXPECT_NEAR(statistics.feed_seconds() - before_s - rapid_s,
                 2 * std::numbers::pi * arc.radius / kFeed_mm_s, 1e-6)
         << arc.name;
   }

@@ -1,5 +1,6 @@
 """Every option of `kerf run` has the effect that its contract says."""
 
+import math
 import os
 import xml.etree.ElementTree as xml
 
@@ -82,14 +83,22 @@ def decimal_point_option(box):
     equal(moves(box, program, "--decimal-point", "increment")[0]["to"]["X"], 0.01, "X10")
 
 
-@test("--machine-set changes velocities, and with them the time of the run")
+def rest_to_rest_s(length, velocity, acceleration, jerk=math.inf):
+    """Whole milliseconds, the period of the servo, that a move takes which reaches its velocity."""
+    ramp = velocity / acceleration + acceleration / jerk
+    return math.ceil((length / velocity + ramp) * 1000 - 1e-6) / 1000
+
+
+@test("--machine-set changes velocity, acceleration and jerk, and with them the time of the run")
 def machine_set_option(box):
     program = "O1\nG21G90\nG00X100.\nM30\n"
-    near(summary(box, program)["time_s"], 100 / 24000 * 60, 1e-9, "time at 24000 mm/min")
-    slow = summary(box, program, "--machine-set", "axis.X.velocity=6000")
-    near(slow["time_s"], 1, 1e-9, "time at 6000 mm/min")
-    for key in ("axis.X.acceleration=500", "axis.Z.jerk=1e4"):
-        equal(summary(box, program, "--machine-set", key)["status"], "end", f"status with {key}")
+    done = summary(box, program)
+    near(done["time_feed_s"], 100 / 24000 * 60, 1e-9, "time at 24000 mm/min without acceleration")
+    near(done["time_s"], rest_to_rest_s(100, 400, 3000), 1e-9, "time at 24000 mm/min")
+    for keys, limits in ((("velocity=6000",), (100, 3000)), (("acceleration=2000",), (400, 2000)),
+                         (("velocity=6000", "acceleration=1000", "jerk=10000"), (100, 1000, 10000))):
+        words = [word for key in keys for word in ("--machine-set", "axis.X." + key)]
+        near(summary(box, program, *words)["time_s"], rest_to_rest_s(100, *limits), 1e-9, str(keys))
 
 
 @test("--skip-at ends a probing move there, one contact after the other")
@@ -189,7 +198,7 @@ def summary_keys(box):
                "#100=5\n#3006=1(LOOK)\nG00Z5.\nM30\n")
     done = summary(box, program, "--set", "#5221=100")
     equal(list(done), ["program", "file", "machine", "dialect", "status", "alarm", "blocks",
-                       "motions", "time_s", "dwell_s", "rapid_mm", "cut_mm", "extents",
+                       "motions", "time_s", "time_feed_s", "dwell_s", "rapid_mm", "cut_mm", "extents",
                        "position", "tools", "messages", "parts", "assumed", "variables"], "keys")
     equal((done["program"], done["file"], done["status"], done["alarm"]),
           ("O1234", "part.nc", "end", None), "head")

@@ -37,7 +37,7 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
 
 STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
-          "extents", "time_s", "cut_mm", "rapid_mm", "variables")
+          "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
 STABLE_IN_ALARM = ("code", "program", "line")
 RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
 PICTURE_BYTES = (4_000, 250_000)

@@ -291,12 +291,28 @@ void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
   }
 }
 
+// How much longer than its parameter a smooth curve is at most: its parameter counts the length of
+// the lines that it stands for.
+double PathBuilder::length_per_parameter(const Curve& curve, double begin, double end) const {
+  if (curve.is_line() || curve.is_arc() || rotary_only_) return 1;
+  constexpr int kPlaces = 8;
+  double most = 1;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const base::PathJet jet = curve.jet(begin + (end - begin) * i / kPlaces);
+    double square = 0;
+    for (std::size_t m = 0; m < axes_.count(); ++m)
+      square += linear_[m] ? jet.first.values[m] * jet.first.values[m] : 0;
+    most = std::max(most, std::sqrt(square));
+  }
+  return most;
+}
+
 PathPiece& PathBuilder::emit(const Curve& curve, double begin, double end, double feed) {
   PathPiece& piece = path_.pieces.push();
   piece.curve = curve;
   piece.begin = begin;
   piece.end = end;
-  piece.feed = feed;
+  piece.feed = feed / length_per_parameter(curve, begin, end);
   piece.dwell_s = 0;
   piece.use = CellLimits::Use::path;
   piece.rapid = piece.fixed_override = piece.stop = false;

@@ -68,6 +68,7 @@ class PathBuilder {
                  double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
   void round(const Rounding& rounding, double feed);
+  [[nodiscard]] double length_per_parameter(const Curve& curve, double begin, double end) const;
   PathPiece& emit(const Curve& curve, double begin, double end, double feed);
   void mark(double way, const Mark& mark);
   void place_marks(std::uint64_t last, double up_to, double shift);

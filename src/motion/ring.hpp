@@ -8,12 +8,12 @@
 namespace kerf::motion {
 
 /// A queue of bounded capacity whose items keep their number: the first item ever pushed is 0.
-/// Allocates once.
+/// Allocates once, with its first item: what never runs costs nothing.
 template <typename T>
 class Ring {
  public:
   /// `capacity` is a power of two.
-  explicit Ring(std::size_t capacity) : items_(capacity), mask_(capacity - 1) {
+  explicit Ring(std::size_t capacity) : mask_(capacity - 1) {
     assert(capacity != 0 && (capacity & mask_) == 0);
   }
 
@@ -21,7 +21,7 @@ class Ring {
   [[nodiscard]] std::uint64_t end() const { return end_; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   [[nodiscard]] bool empty() const { return begin_ == end_; }
-  [[nodiscard]] std::size_t room() const { return items_.size() - size(); }
+  [[nodiscard]] std::size_t room() const { return mask_ + 1 - size(); }
 
   [[nodiscard]] T& operator[](std::uint64_t number) {
     assert(number >= begin_ && number < end_);
@@ -37,6 +37,7 @@ class Ring {
   /// Makes room at the end for one more item, whose old contents stay. Precondition: room() > 0.
   T& push() {
     assert(room() > 0);
+    if (items_.empty()) items_.resize(mask_ + 1);
     return items_[static_cast<std::size_t>(end_++) & mask_];
   }
   void push(const T& item) { push() = item; }

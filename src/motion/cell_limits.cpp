@@ -50,27 +50,47 @@ double CellLimits::highest_speed(const CurveBounds& bounds, Use use) const {
 }
 
 PathLimits CellLimits::of(const CurveBounds& bounds, double feed, Use use) const {
+  const double speed = std::min(feed, highest_speed(bounds, use));
+  return jerk_limited_ ? with_jerk(bounds, speed, use) : without_jerk(bounds, speed);
+}
+
+// The least of (A - q'' v²) / q' over the axes, each of them linear in v², is at least the line
+// between its values at rest and at full speed.
+PathLimits CellLimits::without_jerk(const CurveBounds& bounds, double speed) const {
+  const double at_rest = acceleration_at(bounds, 0);
+  const double at_speed = acceleration_at(bounds, speed);
   PathLimits limits;
-  limits.velocity = std::min(feed, highest_speed(bounds, use));
-  const double v = limits.velocity;
-  double acceleration = std::numeric_limits<double>::infinity();
+  limits.velocity = speed;
+  limits.acceleration = at_rest;
+  limits.fall = (at_rest - at_speed) / (speed * speed);
+  return limits;
+}
+
+double CellLimits::acceleration_at(const CurveBounds& bounds, double speed) const {
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < axes_; ++m) {
     const double first = bounds.first.values[m];
-    const double second = bounds.second.values[m];
-    if (first > 0) {
-      acceleration =
-          std::min(acceleration, (limits_.acceleration.values[m] - second * v * v) / first);
-    }
-    if (second * v > 0)
-      acceleration = std::min(acceleration,
-                              shares(use).mixed_jerk * limits_.jerk.values[m] / (3 * second * v));
+    const double left = limits_.acceleration.values[m] - bounds.second.values[m] * speed * speed;
+    if (first > 0) least = std::min(least, left / first);
   }
-  limits.acceleration = acceleration;
-  if (!jerk_limited_) return limits;
+  return least;
+}
+
+PathLimits CellLimits::with_jerk(const CurveBounds& bounds, double speed, Use use) const {
+  PathLimits limits;
+  limits.velocity = speed;
+  limits.acceleration = acceleration_at(bounds, speed);
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double mixed = 3 * bounds.second.values[m] * speed;
+    if (mixed > 0) {
+      limits.acceleration =
+          std::min(limits.acceleration, shares(use).mixed_jerk * limits_.jerk.values[m] / mixed);
+    }
+  }
   for (std::size_t m = 0; m < axes_; ++m) {
     const double first = bounds.first.values[m];
-    const double shape =
-        v * (3 * bounds.second.values[m] * acceleration + bounds.third.values[m] * v * v);
+    const double shape = speed * (3 * bounds.second.values[m] * limits.acceleration +
+                                  bounds.third.values[m] * speed * speed);
     if (first > 0) limits.jerk = std::min(limits.jerk, (limits_.jerk.values[m] - shape) / first);
   }
   return limits;

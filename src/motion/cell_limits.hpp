@@ -32,6 +32,9 @@ class CellLimits {
   [[nodiscard]] const AxisLimits& axis_limits() const { return limits_; }
 
  private:
+  [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
+  [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
+  [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double highest_speed(const CurveBounds& bounds, Use use) const;
 
   AxisLimits limits_;

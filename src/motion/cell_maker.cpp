@@ -12,6 +12,12 @@ using base::PathJet;
 
 // Most cells of one piece.
 constexpr std::size_t kMostCells = 256;
+// The same, of pieces whose driven axes are the program's.
+constexpr std::size_t kMostParts = 24;
+// A piece whose shape takes less than this share of the acceleration is one cell; of others a ramp
+// to full speed passes over about so many.
+constexpr double kLittle = 0.1;
+constexpr double kPartsOfRamp = 6;
 // Within a cell a derivative may differ by this share of its largest value; that much is added.
 constexpr double kMostChange = 0.05;
 
@@ -42,7 +48,7 @@ struct Samples {
 }  // namespace
 
 void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& cells) {
-  const std::size_t needed = linkage_ == nullptr ? 1 : kMostCells;
+  const std::size_t needed = linkage_ == nullptr ? kMostParts : kMostCells;
   next_piece_ = std::max(next_piece_, path.pieces.begin());
   for (; next_piece_ < path.pieces.end() && cells.room() >= needed; ++next_piece_) {
     const PathPiece& piece = path.pieces[next_piece_];
@@ -53,11 +59,33 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
       cell.dwell_s = piece.dwell_s;
       cell.stop = true;
     } else if (linkage_ == nullptr) {
-      add(piece, next_piece_, piece.begin, piece.end, piece.curve.bounds(piece.begin, piece.end),
-          overrides, cells);
+      split(piece, next_piece_, overrides, cells);
     } else {
       cut(piece, next_piece_, overrides, cells);
     }
+  }
+}
+
+// One cell, or several where the shape takes much of the acceleration: then what is left depends on
+// the speed, and parts that are passed at different speeds should not share one limit.
+void CellMaker::split(const PathPiece& piece, std::uint64_t number, const Overrides& overrides,
+                      Ring<Cell>& cells) {
+  const std::uint64_t first = cells.end();
+  const CurveBounds bounds = piece.curve.bounds(piece.begin, piece.end);
+  add(piece, number, piece.begin, piece.end, bounds, overrides, cells);
+  const PathLimits limits = cells[first].limits;
+  const double taken = limits.fall * limits.velocity * limits.velocity;
+  if (piece.use == CellLimits::Use::corner || taken < kLittle * limits.acceleration) return;
+  const double ramp = limits.velocity * limits.velocity / (2 * limits.acceleration);
+  const double length = piece.end - piece.begin;
+  const double wanted = std::ceil(length / ramp * kPartsOfRamp);
+  const auto parts = static_cast<int>(std::min(wanted, static_cast<double>(kMostParts)));
+  if (parts < 2) return;
+  cells.unpush();
+  for (int i = 0; i < parts; ++i) {
+    const double begin = piece.begin + length * i / parts;
+    const double end = i + 1 == parts ? piece.end : piece.begin + length * (i + 1) / parts;
+    add(piece, number, begin, end, piece.curve.bounds(begin, end), overrides, cells);
   }
 }
 

@@ -17,8 +17,8 @@ struct Overrides {
 };
 
 /// Cuts the pieces of a path into cells. Where the driven axes are those of the program a piece is
-/// a cell; otherwise a cell is so short that the derivatives of the driven axes change little in
-/// it.
+/// one cell, or some of equal length; otherwise a cell is so short that the derivatives of the
+/// driven axes change little in it.
 class CellMaker {
  public:
   static constexpr std::size_t kCells = 4096;
@@ -40,6 +40,8 @@ class CellMaker {
   void set_joints(const base::AxisVector& joints) { joints_ = joints; }
 
  private:
+  void split(const PathPiece& piece, std::uint64_t number, const Overrides& overrides,
+             Ring<Cell>& cells);
   void cut(const PathPiece& piece, std::uint64_t number, const Overrides& overrides,
            Ring<Cell>& cells);
   void add(const PathPiece& piece, std::uint64_t number, double begin, double end,

@@ -15,8 +15,14 @@ struct RampShape {
   double acceleration = 0;
 };
 
-RampShape shape_of(double change, const PathLimits& limits) {
-  if (!jerk_limited(limits)) return {0, change / limits.acceleration, limits.acceleration};
+RampShape shape_of(double from, double to, const PathLimits& limits) {
+  const double change = std::fabs(to - from);
+  if (!jerk_limited(limits)) {
+    if (change == 0) return {};
+    const double fast = std::max(from, to);
+    const double acceleration = limits.acceleration - limits.fall * fast * fast;
+    return {0, change / acceleration, acceleration};
+  }
   const double full = limits.acceleration * limits.acceleration / limits.jerk;
   if (change <= full) {
     const double rise_s = std::sqrt(change / limits.jerk);
@@ -48,17 +54,21 @@ double change_with_hold(double from, double length, const PathLimits& limits) {
 
 }  // namespace
 
-double ramp_time_s(double change, const PathLimits& limits) {
-  const RampShape shape = shape_of(std::fabs(change), limits);
+double ramp_time_s(double from, double to, const PathLimits& limits) {
+  const RampShape shape = shape_of(from, to, limits);
   return 2 * shape.rise_s + shape.hold_s;
 }
 
 double ramp_length(double from, double to, const PathLimits& limits) {
-  return (from + to) / 2 * ramp_time_s(to - from, limits);
+  return (from + to) / 2 * ramp_time_s(from, to, limits);
 }
 
 double reachable_speed(double from, double length, const PathLimits& limits) {
-  if (!jerk_limited(limits)) return std::sqrt(from * from + 2 * limits.acceleration * length);
+  // v² = from² + 2 (a - fall v²) length, solved for v.
+  if (!jerk_limited(limits)) {
+    const double square = from * from + 2 * limits.acceleration * length;
+    return std::max(from, std::sqrt(square / (1 + 2 * limits.fall * length)));
+  }
   const double full = limits.acceleration * limits.acceleration / limits.jerk;
   if (length <= ramp_length(from, from + full, limits))
     return from + change_without_hold(from, length, limits);
@@ -71,7 +81,7 @@ namespace {
 double peak_speed(double length, double entry, double exit, const PathLimits& limits) {
   if (!jerk_limited(limits)) {
     const double square = (entry * entry + exit * exit) / 2 + limits.acceleration * length;
-    return std::min(limits.velocity, std::sqrt(square));
+    return std::min(limits.velocity, std::sqrt(square / (1 + limits.fall * length)));
   }
   const auto needed = [&](double peak) {
     return ramp_length(entry, peak, limits) + ramp_length(exit, peak, limits);
@@ -105,7 +115,7 @@ void Profile::add(const Phase& phase) {
 }
 
 void Profile::add_ramp(double from, double to, const PathLimits& limits) {
-  const RampShape shape = shape_of(std::fabs(to - from), limits);
+  const RampShape shape = shape_of(from, to, limits);
   const double side = to < from ? -1 : 1;
   const double jerk = shape.rise_s > 0 ? side * limits.jerk : 0;
   const double acceleration = side * shape.acceleration;

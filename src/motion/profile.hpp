@@ -9,20 +9,27 @@
 
 namespace kerf::motion {
 
-/// Limits along the path, all > 0; an infinite jerk allows steps of the acceleration.
+/// Limits along the path, the first three > 0; an infinite jerk allows steps of the acceleration.
+///
+/// On a curve part of the axes' acceleration goes into its shape, the more the faster: what is left
+/// for the speed is acceleration - fall v², not negative at `velocity`. With limited jerk `fall`
+/// is 0.
 struct PathLimits {
   double velocity = 0;
   double acceleration = 0;
   double jerk = std::numeric_limits<double>::infinity();
+  double fall = 0;  ///< per mm, >= 0
 };
 
-/// A ramp changes the speed from one constant value to another as fast as acceleration and jerk
-/// allow: with a finite jerk j its acceleration rises for T = a/j (or √(Δv/j) when Δv < a²/j),
-/// stays, and falls for the same time. Time and length are the same in both directions.
-[[nodiscard]] double ramp_time_s(double change, const PathLimits& limits);
+/// A ramp changes the speed from one constant value to another as fast as acceleration, as it is at
+/// the higher one, and jerk allow: with a finite jerk j its acceleration rises for T = a/j (or
+/// √(Δv/j) when Δv < a²/j), stays, and falls for the same time. Time and length are the same in
+/// both directions.
+[[nodiscard]] double ramp_time_s(double from, double to, const PathLimits& limits);
 [[nodiscard]] double ramp_length(double from, double to, const PathLimits& limits);
 
-/// Highest speed that a ramp of `length` reaches from `from`; the velocity limit is not asked.
+/// Highest speed that a ramp of `length` reaches from `from`; the velocity limit is not asked. At
+/// least `from`.
 [[nodiscard]] double reachable_speed(double from, double length, const PathLimits& limits);
 
 /// The fastest way over `length` >= 0 from speed `entry` to speed `exit`: a ramp up, a cruise, a

@@ -45,6 +45,11 @@ class Ring {
     assert(!empty());
     ++begin_;
   }
+  /// Takes the last item back.
+  void unpush() {
+    assert(!empty());
+    --end_;
+  }
   void clear() { begin_ = end_; }
 
  private:

@@ -115,6 +115,23 @@ void add_run(CLI::App& app, RunOptions& o) {
   run->footer("Example: kerf run part.nc --plot part.svg --set '#100=5'");
 }
 
+void add_time(CLI::App& app, TimeOptions& o) {
+  CLI::App* time = app.add_subcommand("time", "runs a program and prints where its time goes");
+  time->group("Commands");
+  time->add_option("program", o.run.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  time->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*time, o.run);
+  time->option_defaults()->group("Limits");
+  add_budget(*time, o.run.max_seconds, o.run.max_motions);
+  time->option_defaults()->group("Output");
+  time->add_option("--format", o.format, "text or json; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
+  time->footer("Example: kerf time part.nc --machine-set axis.X.acceleration=1500");
+}
+
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* check =
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
@@ -150,10 +167,12 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.set_version_flag("--version", "kerf 0.1.0");
   RunOptions run_options;
+  TimeOptions time_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
   MachinesOptions machines_options;
   add_run(app, run_options);
+  add_time(app, time_options);
   add_check(app, check_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
@@ -163,9 +182,9 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, check or machines; `kerf --help` lists them"});
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage,
+        "a command is needed: run, time, check or machines; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -181,6 +200,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
                           "; `kerf --help` and `kerf COMMAND --help` list what there is"});
   }
   if (app.got_subcommand("run")) return run_options;
+  if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("check")) return check_options;
   return machines_options;
 }

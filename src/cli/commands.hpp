@@ -39,6 +39,12 @@ struct RunOptions {
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };
 
+/// A run whose time is looked at; outputs are not asked for.
+struct TimeOptions {
+  RunOptions run;
+  std::string format = "text";
+};
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string machine;
@@ -52,6 +58,7 @@ struct CheckOptions {
 };
 
 [[nodiscard]] ExitStatus run(const RunOptions& options);
+[[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);

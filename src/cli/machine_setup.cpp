@@ -203,6 +203,15 @@ Outcome<KeyValue> split_setting(const std::string& text, const std::string& opti
   return KeyValue{text.substr(0, equals), text.substr(equals + 1)};
 }
 
+ExitStatus exit_status_of(machine::VirtualMachine::Status status) {
+  using Status = machine::VirtualMachine::Status;
+  switch (status) {
+    case Status::alarm: return ExitStatus::findings;
+    case Status::budget: return ExitStatus::budget;
+    default: return ExitStatus::well;
+  }
+}
+
 Outcome<ReadyMachine> make_ready(const RunOptions& options) {
   auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
                        options.decimal_point, options.tools, options.offsets, options.state},

@@ -40,6 +40,9 @@ struct ReadyMachine {
 /// A machine as `kerf run` makes it from its options, the program loaded.
 [[nodiscard]] base::Outcome<ReadyMachine> make_ready(const RunOptions& options);
 
+/// How the command ends when the run ended so.
+[[nodiscard]] ExitStatus exit_status_of(machine::VirtualMachine::Status status);
+
 /// "KEY=VALUE" in two; the value may contain '='. Failure (usage) names the option.
 struct KeyValue {
   std::string key;

@@ -130,14 +130,6 @@ Outcome<void> Outputs::commit(const std::string& dialect) {
 
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-ExitStatus exit_status(Status status) {
-  switch (status) {
-    case Status::alarm: return ExitStatus::findings;
-    case Status::budget: return ExitStatus::budget;
-    default: return ExitStatus::well;
-  }
-}
-
 void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready) {
   const bool json = options.diagnostics == DiagnosticFormat::json;
   if (machine.alarm()) {
@@ -189,7 +181,7 @@ ExitStatus run(const RunOptions& options) {
       return fail(written.error());
   }
   report(options, machine, *ready);
-  return exit_status(status);
+  return exit_status_of(status);
 }
 
 }  // namespace kerf::cli

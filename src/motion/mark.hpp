@@ -16,6 +16,8 @@ struct Mark {
   base::FileId file = base::kNoFile;
   MoveKind kind = MoveKind::cut;
   float power_percent = 0;  ///< of the laser, while it lasts
+  float speed = 0;          ///< programmed, mm/s; degrees/s of rotary moves; 0: none
+  std::uint32_t tool = 0;   ///< in the spindle
 };
 
 }  // namespace kerf::motion

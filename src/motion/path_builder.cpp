@@ -77,8 +77,14 @@ double PathBuilder::speed_of(const control::Feed& feed, double length) const {
   return speed > 0 ? speed : kInfinite;
 }
 
-Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind) const {
-  return {motion.program, motion.line, motion.file, kind, static_cast<float>(power_percent_)};
+Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind, double speed) const {
+  return {motion.program,
+          motion.line,
+          motion.file,
+          kind,
+          static_cast<float>(power_percent_),
+          std::isfinite(speed) ? static_cast<float>(speed) : 0,
+          tool_};
 }
 
 void PathBuilder::take(const Motion& motion) {
@@ -103,6 +109,9 @@ void PathBuilder::take(const Motion& motion) {
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
     stop();
     speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+  } else if (const auto* const change = std::get_if<ToolChange>(&motion.action)) {
+    stop();
+    tool_ = change->tool;
   } else if (!std::holds_alternative<Message>(motion.action)) {
     stop();
   }
@@ -118,8 +127,8 @@ void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const con
   rotary_only_ = rotary_only;
   if (!chain_.empty() && !chain_.accepts(to, length)) drain_chain(true);
   if (chain_.empty()) chain_.start(at_);
-  chain_.add(to, length, speed_of(feed, length), motion.fixed_override,
-             mark_of(motion, MoveKind::cut));
+  const double speed = speed_of(feed, length);
+  chain_.add(to, length, speed, motion.fixed_override, mark_of(motion, MoveKind::cut, speed));
   at_ = to;
   drain_chain(tolerance_mm_ == 0);
 }
@@ -204,8 +213,9 @@ void PathBuilder::begin_curves() {
 
 void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, const control::Feed& feed,
                                 bool ends_motion) {
-  if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut));
-  add_curve(curve, speed_of(feed, curve.length()), motion.fixed_override, false);
+  const double speed = speed_of(feed, curve.length());
+  if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut, speed));
+  add_curve(curve, speed, motion.fixed_override, false);
 }
 
 void PathBuilder::place(AxisVector& vector, geometry::Vec3 xyz) const {

@@ -75,7 +75,7 @@ class PathBuilder {
   [[nodiscard]] double speed_of(const control::Feed& feed, double length) const;
   [[nodiscard]] double linear_length(const base::AxisVector& to) const;
   [[nodiscard]] double rotary_length(const base::AxisVector& to) const;
-  [[nodiscard]] Mark mark_of(const control::Motion& motion, MoveKind kind) const;
+  [[nodiscard]] Mark mark_of(const control::Motion& motion, MoveKind kind, double speed = 0) const;
 
   const control::AxisSetup& axes_;
   const CellLimits& limits_;
@@ -92,6 +92,7 @@ class PathBuilder {
   base::AxisVector at_;
   double speed_rpm_ = 0;
   double power_percent_ = 0;
+  std::uint32_t tool_ = 0;
 };
 
 }  // namespace kerf::motion

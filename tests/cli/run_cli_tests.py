@@ -30,6 +30,7 @@ import output_tests  # noqa: F401
 import post_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
+import time_tests  # noqa: F401
 import usage_tests  # noqa: F401
 
 

@@ -1,0 +1,165 @@
+#include "output/time_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/decimal.hpp"
+#include "output/diagnostic_text.hpp"
+
+namespace kerf::output {
+namespace {
+
+using motion::Mark;
+
+constexpr std::size_t kMostLines = 100'000;
+constexpr std::size_t kDearest = 10;
+
+const char* kind_name(motion::MoveKind kind) {
+  switch (kind) {
+    case motion::MoveKind::rapid: return "rapid";
+    case motion::MoveKind::cut: return "cut";
+    case motion::MoveKind::dwell: return "dwell";
+  }
+  return "";
+}
+
+std::string file_of(const Mark& mark, const machine::VirtualMachine& machine) {
+  return machine.sources().contains(mark.file) ? printable(machine.sources()[mark.file].name())
+                                               : std::string("-");
+}
+
+}  // namespace
+
+TimeReport::TimeReport(const control::AxisSetup& axes, double period_s)
+    : axes_(axes), period_s_(period_s) {}
+
+std::uint64_t TimeReport::key_of(const Mark& mark) {
+  return static_cast<std::uint64_t>(mark.file) << 34 | static_cast<std::uint64_t>(mark.kind) << 32 |
+         mark.line;
+}
+
+double TimeReport::seconds(std::uint64_t periods) const {
+  return static_cast<double>(periods) * period_s_;
+}
+
+void TimeReport::take(const machine::AxisPoint& point) {
+  const Mark& mark = point.tip.mark;
+  if (current_.periods == 0 || key_of(mark) != key_of(current_.mark)) {
+    book();
+    current_ = {mark, 0, 1, 0};
+  }
+  double square = 0;
+  for (std::size_t m = 0; m < axes_.count(); ++m) {
+    const double d = point.tip.tip.values[m] - at_.values[m];
+    if (!axes_.axes[m].rotary) square += d * d;
+  }
+  current_.length_mm += std::sqrt(square);
+  ++current_.periods;
+  ++tools_[mark.tool][static_cast<std::size_t>(mark.kind)];
+  at_ = point.tip.tip;
+}
+
+void TimeReport::book() {
+  if (current_.periods == 0) return;
+  Account& account = lines_[key_of(current_.mark)];
+  account.mark = current_.mark;
+  account.periods += current_.periods;
+  account.times += current_.times;
+  account.length_mm += current_.length_mm;
+  current_.periods = 0;
+  if (lines_.size() > kMostLines) forget_the_cheap();
+}
+
+void TimeReport::forget_the_cheap() {
+  std::vector<std::uint64_t> periods;
+  for (const auto& [key, account] : lines_) periods.push_back(account.periods);
+  const auto middle = periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2);
+  std::nth_element(periods.begin(), middle, periods.end());
+  const std::uint64_t limit = *middle;
+  std::erase_if(lines_, [&](const auto& item) { return item.second.periods <= limit; });
+  has_forgotten_ = true;
+}
+
+std::vector<TimeReport::Account> TimeReport::dearest() {
+  book();
+  std::vector<Account> list;
+  for (const auto& [key, account] : lines_) list.push_back(account);
+  std::sort(list.begin(), list.end(), [](const Account& a, const Account& b) {
+    return a.periods != b.periods ? a.periods > b.periods : key_of(a.mark) < key_of(b.mark);
+  });
+  list.resize(std::min(list.size(), kDearest));
+  return list;
+}
+
+TimeReport::Kinds TimeReport::totals() const {
+  Kinds totals{};
+  for (const auto& [tool, kinds] : tools_) {
+    for (std::size_t k = 0; k < kKinds; ++k) totals[k] += seconds(kinds[k]);
+  }
+  return totals;
+}
+
+std::string TimeReport::text(machine::VirtualMachine& machine) {
+  const double total = machine.time_s();
+  std::string text = fmt::format("{} on {}: {:.3f} s, without acceleration {:.3f} s\n\n",
+                                 printable(machine.program_name()), machine.definition().name,
+                                 total, machine.statistics().feed_seconds());
+  const Kinds sums = totals();
+  text += fmt::format("{:>8} {:>12} {:>12} {:>12} {:>12}\n", "tool", "time s", "rapid s", "cut s",
+                      "dwell s");
+  const auto row = [&](const std::string& name, const Kinds& kinds) {
+    text += fmt::format("{:>8} {:>12.3f} {:>12.3f} {:>12.3f} {:>12.3f}\n", name,
+                        kinds[0] + kinds[1] + kinds[2], kinds[0], kinds[1], kinds[2]);
+  };
+  for (const auto& [tool, kinds] : tools_)
+    row("T" + std::to_string(tool), {seconds(kinds[0]), seconds(kinds[1]), seconds(kinds[2])});
+  row("all", sums);
+  text += "\nthe places that cost most\n";
+  text += fmt::format("{:>12} {:>7} {:>7}  {:<5} {:>9} {:>10}  {}\n", "time s", "share", "times",
+                      "kind", "mm/s", "programmed", "where");
+  for (const Account& account : dearest()) {
+    const double time_s = seconds(account.periods);
+    const double programmed = static_cast<double>(account.mark.speed);
+    text += fmt::format("{:>12.3f} {:>6.1f}% {:>7}  {:<5} {:>9.2f} {:>10}  {}:{}\n", time_s,
+                        total > 0 ? 100 * time_s / total : 0, account.times,
+                        kind_name(account.mark.kind), account.length_mm / time_s,
+                        programmed > 0 ? fmt::format("{:.2f}", programmed) : std::string("-"),
+                        file_of(account.mark, machine), account.mark.line);
+  }
+  if (has_forgotten_) text += "of very many lines those that cost least were not kept\n";
+  return text;
+}
+
+std::string TimeReport::json(machine::VirtualMachine& machine) {
+  using Json = nlohmann::ordered_json;
+  const Kinds sums = totals();
+  Json object{{"time_s", base::tidy(machine.time_s())},
+              {"time_feed_s", base::tidy(machine.statistics().feed_seconds())},
+              {"rapid_s", base::tidy(sums[0])},
+              {"cut_s", base::tidy(sums[1])},
+              {"dwell_s", base::tidy(sums[2])}};
+  object["tools"] = Json::array();
+  for (const auto& [tool, kinds] : tools_) {
+    object["tools"].push_back({{"tool", tool},
+                               {"rapid_s", base::tidy(seconds(kinds[0]))},
+                               {"cut_s", base::tidy(seconds(kinds[1]))},
+                               {"dwell_s", base::tidy(seconds(kinds[2]))}});
+  }
+  object["places"] = Json::array();
+  for (const Account& account : dearest()) {
+    object["places"].push_back(
+        {{"file", file_of(account.mark, machine)},
+         {"line", account.mark.line},
+         {"kind", kind_name(account.mark.kind)},
+         {"time_s", base::tidy(seconds(account.periods))},
+         {"times", account.times},
+         {"length_mm", base::tidy(account.length_mm)},
+         {"programmed_mm_min", base::tidy(static_cast<double>(account.mark.speed) * 60)}});
+  }
+  return object.dump() + "\n";
+}
+
+}  // namespace kerf::output

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "machine/axis_point.hpp"
+#include "machine/virtual_machine.hpp"
+
+namespace kerf::output {
+
+/// Where the time of a run goes: by tool, by kind of move, and the source lines that cost most.
+///
+/// Every servo period counts for the motion that is under way in it. Bounded memory: of more than
+/// 100,000 lines those that cost least are forgotten, which the report then says.
+class TimeReport : public machine::AxisPointSink {
+ public:
+  /// `linear`: which axes of the program count mm. `period_s` is the servo's.
+  TimeReport(const control::AxisSetup& axes, double period_s);
+
+  void take(const machine::AxisPoint& point) override;
+
+  /// For people; `machine` is the one that has run.
+  [[nodiscard]] std::string text(machine::VirtualMachine& machine);
+  /// One JSON object, a line.
+  [[nodiscard]] std::string json(machine::VirtualMachine& machine);
+
+ private:
+  static constexpr std::size_t kKinds = 3;
+  using Kinds = std::array<double, kKinds>;  // seconds by motion::MoveKind
+
+  /// What a source line costs.
+  struct Account {
+    motion::Mark mark;
+    std::uint64_t periods = 0;
+    std::uint64_t times = 0;
+    double length_mm = 0;
+  };
+
+  [[nodiscard]] static std::uint64_t key_of(const motion::Mark& mark);
+  void book();
+  void forget_the_cheap();
+  [[nodiscard]] std::vector<Account> dearest();
+  [[nodiscard]] double seconds(std::uint64_t periods) const;
+  [[nodiscard]] Kinds totals() const;
+
+  const control::AxisSetup& axes_;
+  double period_s_;
+  std::map<std::uint32_t, std::array<std::uint64_t, kKinds>> tools_;
+  std::unordered_map<std::uint64_t, Account> lines_;
+  Account current_;
+  base::AxisVector at_;
+  bool has_forgotten_ = false;
+};
+
+}  // namespace kerf::output

@@ -1,0 +1,53 @@
+"""kerf time: where the time of a run goes."""
+
+import json
+
+from harness import contains, equal, near, status, test
+
+PROGRAM = ("O1\nG21G90G94\nT1M06\nG00X100.\nG01X0F600\nG04P1500\nT2M06\n"
+           "#1=0\nWHILE[#1LT3]DO1\nG01X10.F600\nX0\n#1=#1+1\nEND1\nM30\n")
+RAMP = 3000  # mm/s² of mill3
+
+
+def move_s(length, speed):
+    """Of a move from rest to rest, without jerk."""
+    return length / speed + speed / RAMP
+
+
+@test("kerf time splits the time by tool and kind of move")
+def tools(box):
+    box.write("part.nc", PROGRAM)
+    result = box.kerf("time", "part.nc", "--format", "json")
+    status(result, 0)
+    report = json.loads(result.text)
+    near(report["rapid_s"], move_s(100, 400), 0.001, "rapids")
+    near(report["dwell_s"], 1.5, 1e-9, "dwells")
+    first, second = report["tools"]
+    equal((first["tool"], second["tool"]), (1, 2), "tools")
+    near(first["cut_s"], move_s(100, 10), 0.001, "cuts of T1")
+    near(second["cut_s"], 6 * move_s(10, 10), 0.01, "cuts of T2")
+    near(report["time_s"], report["rapid_s"] + report["cut_s"] + report["dwell_s"], 1e-9, "sum")
+
+
+@test("kerf time names the lines that cost most, passes of a loop together")
+def places(box):
+    box.write("part.nc", PROGRAM)
+    places = json.loads(box.kerf("time", "part.nc", "--format", "json").text)["places"]
+    equal(sorted(place["line"] for place in places[:3]), [5, 10, 11], "dearest lines")
+    equal([place["times"] for place in places[:3]], [1, 3, 3], "how often")
+    near(places[0]["length_mm"], 100, 1e-6, "length of the dearest")
+    equal(places[0]["programmed_mm_min"], 600, "its feed")
+    text = box.kerf("time", "part.nc").text
+    for words in ("T2", "places that cost most", "part.nc:5", "dwell"):
+        contains(text, words, "report")
+
+
+@test("kerf time tells of alarms and ends like kerf run")
+def alarms(box):
+    box.write("part.nc", "O1\nG21G90\nG01X10.F100\nG01X[1/0]\nM30\n")
+    result = box.kerf("time", "part.nc")
+    status(result, 1)
+    contains(result.text, "part.nc:3", "what was made before the alarm")
+    contains(result.err, "PS0112", "standard error")
+    status(box.kerf("time", "missing.nc"), 3)
+    status(box.kerf("time"), 2)

@@ -85,7 +85,7 @@ std::optional<Rounding> CornerRounder::round(const Curve& in, const Curve& out, 
 }
 
 Corner CornerRounder::between(const Curve& in, const Curve& out, double most_reach, double feed,
-                              double used_mm) const {
+                              double tolerance_mm) const {
   const base::PathJet end = in.jet(in.length());
   const base::PathJet begin = out.jet(0);
   const AxisVector turn = begin.first - end.first;
@@ -93,15 +93,15 @@ Corner CornerRounder::between(const Curve& in, const Curve& out, double most_rea
   if (limits_.jerk_limited()) bend = begin.second - end.second;
   const double angle = size(turn);
   if (angle < kSameDirection && size(bend) < kSameDirection) return {};
-  const double tolerance = tolerance_ - used_mm;
-  if (tolerance <= 0) return {Corner::Kind::sharp, {}};
+  if (tolerance_mm <= 0) return {Corner::Kind::sharp, {}};
   double reach = std::min(wanted_reach(turn, bend, feed), most_reach);
   const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
-  if (angle > 0) reach = std::min(reach, 0.98 * tolerance / (shape.deviation * angle));
+  if (angle > 0) reach = std::min(reach, 0.98 * tolerance_mm / (shape.deviation * angle));
   constexpr int kMostTries = 30;
   constexpr double kShrink = 0.75;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
-    if (auto rounding = round(in, out, reach, tolerance)) return {Corner::Kind::rounded, *rounding};
+    if (auto rounding = round(in, out, reach, tolerance_mm))
+      return {Corner::Kind::rounded, *rounding};
   }
   return {Corner::Kind::sharp, {}};
 }

@@ -37,15 +37,14 @@ struct Corner {
 ///
 class CornerRounder {
  public:
-  CornerRounder(const CellLimits& limits, double tolerance_mm, std::size_t axes,
-                std::array<bool, base::kMaxAxes> linear)
-      : limits_(limits), tolerance_(tolerance_mm), axes_(axes), linear_(linear) {}
+  CornerRounder(const CellLimits& limits, std::size_t axes, std::array<bool, base::kMaxAxes> linear)
+      : limits_(limits), axes_(axes), linear_(linear) {}
 
   /// The corner between the end of `in` and the begin of `out`: up to `most_reach` of each is
-  /// replaced. `feed`: speed that is wanted there. `used_mm`: what the curves have already taken of
-  /// the tolerance.
+  /// replaced. `feed`: speed that is wanted there. `tolerance_mm`: most that the rounding may leave
+  /// the curves; infinite: any.
   [[nodiscard]] Corner between(const Curve& in, const Curve& out, double most_reach, double feed,
-                               double used_mm) const;
+                               double tolerance_mm) const;
 
  private:
   [[nodiscard]] double wanted_reach(const base::AxisVector& turn, const base::AxisVector& bend,
@@ -57,7 +56,6 @@ class CornerRounder {
                                               double tolerance) const;
 
   const CellLimits& limits_;
-  double tolerance_;
   std::size_t axes_;
   std::array<bool, base::kMaxAxes> linear_;
 };

@@ -17,6 +17,12 @@ std::size_t driven_axes(const control::AxisSetup& axes, const Linkage* linkage) 
   return linkage == nullptr ? axes.count() : linkage->size();
 }
 
+// Ages would not fit into the counter of periods.
+std::uint64_t whole_periods(double periods) {
+  constexpr double kMost = 1e17;
+  return static_cast<std::uint64_t>(std::min(periods, kMost));
+}
+
 // A standstill this little behind a period belongs to it: rounding of the sums of durations.
 constexpr double kSameTick = 1e-9;
 
@@ -75,13 +81,13 @@ void Interpolator::end_phase(const Phase& phase) {
   phase_way_ += phase.way(phase.duration_s);
   phase_late_s_ += phase.duration_s;
   const double whole = std::floor(phase_late_s_ / settings_.period_s);
-  phase_tick_ += static_cast<std::uint64_t>(whole);
-  phase_late_s_ -= whole * settings_.period_s;
+  phase_tick_ += whole_periods(whole);
+  phase_late_s_ = std::max(0.0, phase_late_s_ - whole * settings_.period_s);
   ++phase_;
 }
 
 std::uint64_t Interpolator::ticks_until(double time_s) const {
-  return static_cast<std::uint64_t>(std::ceil(time_s / settings_.period_s - kSameTick));
+  return whole_periods(std::ceil(time_s / settings_.period_s - kSameTick));
 }
 
 // The axes rest; what follows begins at this period.
@@ -174,9 +180,10 @@ bool Interpolator::next(Setpoint& point) {
 
 // The axes have come to rest.
 void Interpolator::end_standstill() {
+  if (stopping_ && !wants_hold_) look_ahead_.begin_at(cells_.begin(), offset_, 0);
+  stopping_ = false;
   if (!wants_hold_) return;
   held_ = true;
-  stopping_ = false;
   if (wants_reset_) drop();
 }
 

@@ -86,6 +86,7 @@ class Interpolator {
   // What the operator asked for.
   struct Leveling;
   [[nodiscard]] bool has_wish() const {
+    if (wants_hold_ && stopping_) return false;
     return wants_hold_ != (stopping_ || held_) || wanted_ != overrides_;
   }
   void grant_wish();

@@ -9,7 +9,7 @@ namespace {
 // An item of more cells would leave no room for others.
 constexpr std::uint64_t kMostCells = 256;
 // Speeds that differ by less, relatively, are the same: rounding of a plan made anew.
-constexpr double kSameSpeed = 1e-9;
+constexpr double kSameSpeed = 1e-12;
 
 }  // namespace
 

@@ -19,6 +19,8 @@ using geometry::Vec2;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
 constexpr double kChainShare = 0.25;
+// Length per second: slower than any control moves. It keeps times finite.
+constexpr double kSlowest = 1e-9;
 // A corner takes less than half of a curve, so that something is left between two of them.
 constexpr double kMostOfCurve = 0.49;
 // What one motion may add: a chain's worth of curves with their roundings.
@@ -39,7 +41,7 @@ PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limit
       limits_(limits),
       linear_(linear_axes(axes)),
       tolerance_mm_(settings.tolerance_mm),
-      corners_(limits, settings.tolerance_mm, axes.count(), linear_),
+      corners_(limits, axes.count(), linear_),
       chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_),
       path_(path) {}
 
@@ -67,14 +69,13 @@ double PathBuilder::rotary_length(const AxisVector& to) const {
 
 // Length of the path per second. A feed that cannot be told is no limit.
 double PathBuilder::speed_of(const control::Feed& feed, double length) const {
+  double speed = 0;
   switch (feed.mode) {
-    case control::FeedMode::per_minute: return feed.value > 0 ? feed.value / 60 : kInfinite;
-    case control::FeedMode::inverse_time:
-      return feed.value > 0 ? length * feed.value / 60 : kInfinite;
-    case control::FeedMode::per_revolution: break;
+    case control::FeedMode::per_minute: speed = feed.value / 60; break;
+    case control::FeedMode::inverse_time: speed = length * feed.value / 60; break;
+    case control::FeedMode::per_revolution: speed = feed.value * speed_rpm_ / 60; break;
   }
-  const double speed = feed.value * speed_rpm_ / 60;
-  return speed > 0 ? speed : kInfinite;
+  return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
 }
 
 Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind, double speed) const {
@@ -133,18 +134,42 @@ void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const con
   drain_chain(tolerance_mm_ == 0);
 }
 
-// Without linear positioning every axis goes at its own rate: then the way is not a line, but a
-// line for each group of axes that is still under way.
 void PathBuilder::add_rapid(const Motion& motion, const control::Rapid& rapid) {
   stop();
-  const double linear = linear_length(rapid.to);
-  const double length = linear == 0 ? rotary_length(rapid.to) : linear;
-  if (length == 0) return;
-  mark(length, mark_of(motion, MoveKind::rapid));
-  add_curve(Curve::line(at_, rapid.to, length, axes_.count()), kInfinite, false, false);
   rapid_ = true;
-  at_ = rapid.to;
+  if (!rapid.linear) add_legs(motion, rapid.to);
+  add_leg(motion, rapid.to, true);
   stop();
+  rapid_ = false;
+}
+
+// Every axis goes at its own rate: the way is a leg for each that is done before the others, and
+// where one leg meets the next only the slowing down of that axis shapes the way.
+void PathBuilder::add_legs(const Motion& motion, const AxisVector& to) {
+  const AxisVector from = at_;
+  std::array<double, base::kMaxAxes> done_s{};
+  for (std::size_t m = 0; m < axes_.count(); ++m)
+    done_s[m] = std::fabs(to.values[m] - from.values[m]) * 60 / axes_.axes[m].rapid_per_min;
+  std::array<double, base::kMaxAxes> order = done_s;
+  std::sort(order.begin(), order.end());
+  for (const double time_s : order) {
+    if (time_s >= order.back()) return;
+    AxisVector end = to;
+    for (std::size_t m = 0; m < axes_.count(); ++m) {
+      if (done_s[m] > time_s)
+        end.values[m] = from.values[m] + (to.values[m] - from.values[m]) * (time_s / done_s[m]);
+    }
+    add_leg(motion, end, false);
+  }
+}
+
+void PathBuilder::add_leg(const Motion& motion, const AxisVector& to, bool ends_motion) {
+  const double linear = linear_length(to);
+  const double length = linear == 0 ? rotary_length(to) : linear;
+  if (length == 0) return;
+  if (ends_motion) mark(length, mark_of(motion, MoveKind::rapid));
+  add_curve(Curve::line(at_, to, length, axes_.count()), kInfinite, false, false);
+  at_ = to;
 }
 
 void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
@@ -261,7 +286,8 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
     // What a smoothed chain leaves its lines near their end.
     const double used =
         std::min(kChainShare * tolerance_mm_, 2 * most * std::max(open_.end_turn, begin_turn));
-    const Corner corner = corners_.between(open_.curve, curve, most, slower, used);
+    const Corner corner = corners_.between(open_.curve, curve, most, slower,
+                                           rapid_ ? kInfinite : tolerance_mm_ - used);
     if (corner.kind == Corner::Kind::rounded) {
       round(corner.rounding, slower);
       next.begin = corner.rounding.reach;
@@ -277,9 +303,8 @@ void PathBuilder::close_open(bool with_stop) {
   place_marks(open_.last_mark, open_.curve.length(), 0);
   PathPiece& piece = emit(open_.curve, open_.begin, open_.curve.length(), open_.feed);
   piece.fixed_override = open_.fixed_override;
-  piece.rapid = rapid_;
   piece.stop = with_stop;
-  is_open_ = rapid_ = false;
+  is_open_ = false;
 }
 
 void PathBuilder::round(const Rounding& rounding, double feed) {
@@ -325,7 +350,8 @@ PathPiece& PathBuilder::emit(const Curve& curve, double begin, double end, doubl
   piece.feed = feed / length_per_parameter(curve, begin, end);
   piece.dwell_s = 0;
   piece.use = CellLimits::Use::path;
-  piece.rapid = piece.fixed_override = piece.stop = false;
+  piece.rapid = rapid_;
+  piece.fixed_override = piece.stop = false;
   return piece;
 }
 

@@ -55,6 +55,8 @@ class PathBuilder {
   void add_line(const control::Motion& motion, const base::AxisVector& to,
                 const control::Feed& feed);
   void add_rapid(const control::Motion& motion, const control::Rapid& rapid);
+  void add_legs(const control::Motion& motion, const base::AxisVector& to);
+  void add_leg(const control::Motion& motion, const base::AxisVector& to, bool ends_motion);
   void add_arc(const control::Motion& motion, const control::Arc& arc);
   void add_space_arc(const control::Motion& motion, const control::SpaceArc& arc);
   void add_arc_curve(const control::Motion& motion, const Curve& curve, const control::Feed& feed,
@@ -86,7 +88,7 @@ class PathBuilder {
   Path& path_;
   Open open_;
   bool is_open_ = false;
-  bool rapid_ = false;        // the open curve is one
+  bool rapid_ = false;        // the curves are those of a rapid
   bool rotary_only_ = false;  // the parameter counts degrees
   std::uint64_t placed_ = 0;  // marks before this one know their cell
   base::AxisVector at_;

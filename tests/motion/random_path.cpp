@@ -64,7 +64,7 @@ class Writer {
   void rapid() {
     const AxisVector to = near(random_.size(0.01, 50));
     if (to == at_) return;
-    add(control::Rapid{to});
+    add(control::Rapid{to, random_.coin()});
     at_ = to;
   }
   void lines(int count, double size) {

@@ -221,6 +221,8 @@ class Checker {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t n = first; n <= last; ++n) {
       const control::Motion& motion = path_.motions[n - 1];
+      const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+      if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
       const AxisVector* const to = control::target_of(motion);
       if (to == nullptr) continue;
       const AxisVector from = start_of(n - 1);

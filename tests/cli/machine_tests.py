@@ -81,7 +81,7 @@ def tip_rates(box):
     box.write("part.nc", "O1\nG21G90\nG00X60.\nM30\n")
     for words, seconds in (((), 15), (("--machine-set", "tip.velocity=3600"), 1)):
         status(box.kerf("run", "part.nc", "--machine", "arm4", "--summary", "s.json", *words), 0)
-        near(box.json("s.json")["time_s"], seconds, 1e-9, f"time with {words}")
+        near(box.json("s.json")["time_feed_s"], seconds, 1e-9, f"time with {words}")
 
 
 @test("a machine file of one's own may have any linkage, and says in which line it is wrong")

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "motion/curve.hpp"
+#include "motion/overrides.hpp"
 #include "motion/profile.hpp"
 
 namespace kerf::motion {
@@ -16,8 +17,10 @@ struct Cell {
   double end = 0;
   CurveBounds bounds;  ///< of the driven axes
   PathLimits limits;
-  double dwell_s = 0;  ///< > 0: a dwell
-  bool stop = false;   ///< the axes come to rest at its end
+  Overrides overrides;         ///< that the limits are for
+  Overrides former_overrides;  ///< and those before, while others are tried
+  double dwell_s = 0;          ///< > 0: a dwell
+  bool stop = false;           ///< the axes come to rest at its end
 
   [[nodiscard]] double length() const { return end - begin; }
 };

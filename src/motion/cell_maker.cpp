@@ -128,6 +128,7 @@ void CellMaker::add(const PathPiece& piece, std::uint64_t number, double begin, 
   cell.dwell_s = 0;
   cell.stop = piece.stop && end == piece.end;
   cell.limits = limits_of(cell, piece, overrides);
+  cell.overrides = cell.former_overrides = overrides;
 }
 
 PathLimits CellMaker::limits_of(const Cell& cell, const PathPiece& piece,

@@ -5,16 +5,10 @@
 #include "motion/cell.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/linkage.hpp"
+#include "motion/overrides.hpp"
 #include "motion/path.hpp"
 
 namespace kerf::motion {
-
-/// What the operator makes of the programmed feeds, 0 < value <= 2.
-struct Overrides {
-  double feed = 1;
-  double rapid = 1;
-  friend bool operator==(const Overrides&, const Overrides&) = default;
-};
 
 /// Cuts the pieces of a path into cells. Where the driven axes are those of the program a piece is
 /// one cell, or some of equal length; otherwise a cell is so short that the derivatives of the

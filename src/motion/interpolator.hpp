@@ -96,7 +96,9 @@ class Interpolator {
   [[nodiscard]] bool replan_hold(const Motion& from);
   [[nodiscard]] bool can_stop_within(const Motion& from, double way);
   [[nodiscard]] bool replan_overrides(const Motion& from);
-  void set_limits(std::uint64_t first, std::uint64_t last, const Overrides& overrides);
+  void try_overrides(std::uint64_t first);
+  void put_back_overrides(std::uint64_t first);
+  void set_overrides_of(std::uint64_t cell, const Overrides& overrides);
   void drop();
 
   control::AxisSetup axes_;

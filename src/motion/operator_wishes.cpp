@@ -58,7 +58,7 @@ Interpolator::Motion Interpolator::now() const {
 void Interpolator::grant_wish() {
   const bool at_rest = held_ || !driving_;
   if (at_rest && wants_hold_) {
-    set_limits(cells_.begin(), cells_.end(), wanted_);
+    try_overrides(cells_.begin());
     overrides_ = wanted_;
     if (!held_) end_standstill();
     return;
@@ -148,23 +148,35 @@ bool Interpolator::replan_hold(const Motion& from) {
 bool Interpolator::replan_overrides(const Motion& from) {
   for (std::uint64_t kept = 0;; kept = kept == 0 ? 1 : 2 * kept) {
     const std::uint64_t first = std::min(from.cell + kept, cells_.end());
-    set_limits(first, cells_.end(), wanted_);
+    try_overrides(first);
     trial_.begin_at(from.cell, from.offset, from.speed);
     trial_.absorb(cells_);
     if (trial_.plan(ended_)) {
       overrides_ = wanted_;
       return true;
     }
-    set_limits(first, cells_.end(), overrides_);
+    put_back_overrides(first);
     if (first == cells_.end()) return false;
   }
 }
 
-void Interpolator::set_limits(std::uint64_t first, std::uint64_t last, const Overrides& overrides) {
-  for (std::uint64_t n = first; n < last; ++n) {
-    if (cells_[n].dwell_s == 0)
-      cells_[n].limits = maker_.limits_of(cells_[n], path_.pieces[cells_[n].piece], overrides);
+void Interpolator::try_overrides(std::uint64_t first) {
+  for (std::uint64_t n = first; n < cells_.end(); ++n) {
+    cells_[n].former_overrides = cells_[n].overrides;
+    set_overrides_of(n, wanted_);
   }
+}
+
+// Not all cells have the same: those that an earlier change has left alone keep theirs.
+void Interpolator::put_back_overrides(std::uint64_t first) {
+  for (std::uint64_t n = first; n < cells_.end(); ++n)
+    set_overrides_of(n, cells_[n].former_overrides);
+}
+
+void Interpolator::set_overrides_of(std::uint64_t cell, const Overrides& overrides) {
+  Cell& c = cells_[cell];
+  c.overrides = overrides;
+  if (c.dwell_s == 0) c.limits = maker_.limits_of(c, path_.pieces[c.piece], overrides);
 }
 
 }  // namespace kerf::motion

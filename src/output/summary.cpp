@@ -174,8 +174,8 @@ std::string summary_text(VirtualMachine& machine, const std::string& dialect) {
   std::string text = fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
                                  machine.definition().name, dialect, status_name(machine.status()));
   text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n",
-                      machine.controller().blocks(), run.motions(),
-                      duration_text(machine.time_s()), duration_text(run.feed_seconds()));
+                      machine.controller().blocks(), run.motions(), duration_text(machine.time_s()),
+                      duration_text(run.feed_seconds()));
   text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm(), run.cut_mm());
   for (std::size_t i = 0; i < axes.count() && run.motions() > 0; ++i) {
     text += fmt::format("{} {} {} to {}", i == 0 ? "\n  extents" : ",", axes.axes[i].letter,

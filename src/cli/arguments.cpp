@@ -83,6 +83,7 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   };
   file("--summary", o.summary, "summary as JSON");
   file("--motion", o.motion, "motions as JSON Lines");
+  file("--points", o.points, "where the axes are at every period of the servo, as CSV");
   file("--plot", o.plot, "picture of the path: .svg or .png");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");

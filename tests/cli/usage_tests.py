@@ -71,6 +71,7 @@ WRONG_RUNS = {
     "--dprnt without its file": ["--dprnt"],
     "--post without its file": ["--post"],
     "--coverage without its file": ["--coverage"],
+    "--points without its file": ["--points"],
     "--tools without its file": ["--tools"],
     "--offsets without its file": ["--offsets"],
     "--state without its file": ["--state"],

@@ -12,6 +12,7 @@
 #include "output/coverage.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
+#include "output/set_point_csv.hpp"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
@@ -63,6 +64,7 @@ struct Outputs {
   bool motion = false;
   bool post = false;
   bool coverage = false;
+  bool points = false;
 };
 
 // Runs a program and expects nothing to be allocated in its last three quarters.
@@ -77,6 +79,8 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   output::MotionJson motion(machine.definition().axes, *nowhere);
   output::Post post(machine.definition().axes, *nowhere);
   output::Coverage coverage;
+  output::SetPointCsv points(machine.definition(), *nowhere);
+  if (outputs.points) machine.add_point_sink(points);
   if (outputs.motion) machine.add_sink(motion);
   if (outputs.post) machine.add_sink(post);
   if (outputs.coverage) {
@@ -182,6 +186,10 @@ TEST(NoAllocation, WhileMotionsAreWritten) {
 
 TEST(NoAllocation, WhilePlainCodeIsWritten) {
   expect_no_allocation(loop("G01X[#1/997]Y1.\nG02I5.\n"), {.post = true});
+}
+
+TEST(NoAllocation, WhileSetPointsAreWritten) {
+  expect_no_allocation(loop("G01X[#1/97]Y[#1/83]F6000\n"), {.points = true});
 }
 
 TEST(NoAllocation, WhileLinesAreCounted) {

@@ -33,6 +33,7 @@ struct RunOptions {
   std::string summary;
   std::string motion;
   std::string points;
+  std::string pulses;
   std::string plot;
   std::string dprnt;
   std::string post;

@@ -3,10 +3,13 @@
 #include <array>
 #include <utility>
 
+#include "drive/pulse_csv.hpp"
+#include "drive/pulse_vcd.hpp"
 #include "output/motion_json.hpp"
 #include "output/path_plot.hpp"
 #include "output/post.hpp"
 #include "output/set_point_csv.hpp"
+#include "output/step_pulses.hpp"
 #include "output/summary.hpp"
 
 namespace kerf::cli {
@@ -18,6 +21,12 @@ using base::OutputFile;
 
 tl::unexpected<Failure> usage(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
+  std::vector<std::string> names;
+  for (const machine::DrivenAxis& axis : machine.driven) names.push_back(axis.name);
+  return names;
 }
 
 }  // namespace
@@ -67,6 +76,31 @@ Outcome<void> Outputs::open_points() {
   return {};
 }
 
+Outcome<void> Outputs::open_pulses() {
+  const std::string& path = options_.pulses;
+  const bool vcd = path.ends_with(".vcd");
+  if (!path.empty() && path != "-" && !vcd && !path.ends_with(".csv"))
+    return usage("--pulses " + path + ": step pulses end in .csv or .vcd");
+  const Opened file = open_file(path, Kind::drives_a_machine);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  if (vcd) {
+    write_vcd(**file);
+  } else {
+    pulses_ = std::make_unique<drive::PulseCsv>(axis_names(machine_.definition()), **file);
+  }
+  add(std::make_unique<output::StepPulses>(machine_, *pulses_));
+  return {};
+}
+
+void Outputs::write_vcd(OutputFile& file) {
+  const machine::MachineDefinition& definition = machine_.definition();
+  auto vcd = std::make_unique<drive::PulseVcd>(axis_names(definition),
+                                               definition.drive.timing.direction_setup_ns, file);
+  when_over([writer = vcd.get()](OutputFile&) { writer->finish(); });
+  pulses_ = std::move(vcd);
+}
+
 Outcome<void> Outputs::open_post() {
   const Opened file = open_file(options_.post, Kind::drives_a_machine);
   if (!file) return tl::unexpected(file.error());
@@ -114,9 +148,10 @@ Outcome<void> Outputs::open_summary() {
 }
 
 Outcome<void> Outputs::open() {
-  constexpr std::array kSteps = {
-      &Outputs::open_prints,   &Outputs::open_motion, &Outputs::open_points, &Outputs::open_post,
-      &Outputs::open_coverage, &Outputs::open_plot,   &Outputs::open_summary};
+  constexpr std::array kSteps = {&Outputs::open_prints, &Outputs::open_motion,
+                                 &Outputs::open_points, &Outputs::open_pulses,
+                                 &Outputs::open_post,   &Outputs::open_coverage,
+                                 &Outputs::open_plot,   &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

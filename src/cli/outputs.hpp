@@ -7,6 +7,7 @@
 
 #include "base/output_file.hpp"
 #include "cli/commands.hpp"
+#include "drive/pulse_sink.hpp"
 #include "machine/axis_point.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
@@ -45,6 +46,8 @@ class Outputs {
   base::Outcome<void> open_prints();
   base::Outcome<void> open_motion();
   base::Outcome<void> open_points();
+  base::Outcome<void> open_pulses();
+  void write_vcd(base::OutputFile& file);
   base::Outcome<void> open_post();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();
@@ -60,6 +63,7 @@ class Outputs {
   std::vector<Output> outputs_;  // in the order in which they are completed
   std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;
+  std::unique_ptr<drive::PulseSink> pulses_;
   output::Coverage coverage_;
   std::vector<std::string> written_;
 };

@@ -72,6 +72,8 @@ WRONG_RUNS = {
     "--post without its file": ["--post"],
     "--coverage without its file": ["--coverage"],
     "--points without its file": ["--points"],
+    "--pulses without its file": ["--pulses"],
+    "--pulses with an ending of another kind": ["--pulses", "pulses.txt"],
     "--tools without its file": ["--tools"],
     "--offsets without its file": ["--offsets"],
     "--state without its file": ["--state"],

@@ -34,6 +34,7 @@ struct RunOptions {
   std::string motion;
   std::string points;
   std::string pulses;
+  std::string pwm;
   std::string plot;
   std::string dprnt;
   std::string post;

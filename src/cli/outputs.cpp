@@ -5,6 +5,7 @@
 
 #include "drive/pulse_csv.hpp"
 #include "drive/pulse_vcd.hpp"
+#include "output/laser_pulses.hpp"
 #include "output/motion_json.hpp"
 #include "output/path_plot.hpp"
 #include "output/post.hpp"
@@ -101,6 +102,19 @@ void Outputs::write_vcd(OutputFile& file) {
   pulses_ = std::move(vcd);
 }
 
+Outcome<void> Outputs::open_pwm() {
+  const machine::MachineDefinition& definition = machine_.definition();
+  if (!options_.pwm.empty() && !definition.drive.laser.fitted())
+    return usage("--pwm " + options_.pwm + ": " + definition.name + " has no laser");
+  const Opened file = open_file(options_.pwm);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  auto pulses = std::make_unique<output::LaserPulses>(machine_, **file);
+  when_over([laser = pulses.get()](OutputFile&) { laser->finish(); });
+  add(std::move(pulses));
+  return {};
+}
+
 Outcome<void> Outputs::open_post() {
   const Opened file = open_file(options_.post, Kind::drives_a_machine);
   if (!file) return tl::unexpected(file.error());
@@ -148,10 +162,10 @@ Outcome<void> Outputs::open_summary() {
 }
 
 Outcome<void> Outputs::open() {
-  constexpr std::array kSteps = {&Outputs::open_prints, &Outputs::open_motion,
-                                 &Outputs::open_points, &Outputs::open_pulses,
-                                 &Outputs::open_post,   &Outputs::open_coverage,
-                                 &Outputs::open_plot,   &Outputs::open_summary};
+  constexpr std::array kSteps = {
+      &Outputs::open_prints,   &Outputs::open_motion, &Outputs::open_points,
+      &Outputs::open_pulses,   &Outputs::open_pwm,    &Outputs::open_post,
+      &Outputs::open_coverage, &Outputs::open_plot,   &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

@@ -21,6 +21,7 @@ import alarm_tests  # noqa: F401
 import check_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import input_tests  # noqa: F401
+import laser_tests  # noqa: F401
 import library_tests  # noqa: F401
 import limit_tests  # noqa: F401
 import machine_tests  # noqa: F401

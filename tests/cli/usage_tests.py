@@ -73,6 +73,8 @@ WRONG_RUNS = {
     "--coverage without its file": ["--coverage"],
     "--points without its file": ["--points"],
     "--pulses without its file": ["--pulses"],
+    "--pwm without its file": ["--pwm"],
+    "--pwm on a machine without a laser": ["--pwm", "pwm.csv"],
     "--pulses with an ending of another kind": ["--pulses", "pulses.txt"],
     "--tools without its file": ["--tools"],
     "--offsets without its file": ["--offsets"],

@@ -54,4 +54,18 @@ std::string number_text(double value) {
   return text;
 }
 
+void append_integer(std::string& out, std::int64_t value) {
+  std::array<char, 24> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  out.append(digits.data(), end);
+}
+
+double decimal_of(float value) {
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  double decimal = value;
+  std::from_chars(digits.data(), end, decimal);
+  return decimal;
+}
+
 }  // namespace kerf::base

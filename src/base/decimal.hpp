@@ -35,4 +35,10 @@ void append_number(std::string& out, double value);
 
 [[nodiscard]] std::string number_text(double value);
 
+void append_integer(std::string& out, std::int64_t value);
+
+/// The double nearest to the fewest digits that read back to `value`: 33.3F is 33.3, not
+/// 33.29999923706055.
+[[nodiscard]] double decimal_of(float value);
+
 }  // namespace kerf::base

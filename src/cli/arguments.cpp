@@ -83,12 +83,15 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   };
   file("--summary", o.summary, "summary as JSON");
   file("--motion", o.motion, "motions as JSON Lines");
+  file("--points", o.points, "where the axes are at every period of the servo, as CSV");
+  file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
+  file("--pwm", o.pwm, "changes of a laser's pulses and their timer, as CSV");
   file("--plot", o.plot, "picture of the path: .svg or .png");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");
   run.add_flag("--keep-partial", o.keep_partial,
-               "writes --post also when the run does not reach its end");
+               "writes --post and --pulses also when the run does not reach its end");
   run.add_option_function<std::string>(
          "--diagnostics",
          [&o](const std::string& form) {

@@ -32,6 +32,9 @@ struct RunOptions {
   bool keep_partial = false;
   std::string summary;
   std::string motion;
+  std::string points;
+  std::string pulses;
+  std::string pwm;
   std::string plot;
   std::string dprnt;
   std::string post;

@@ -1,6 +1,6 @@
 #include "drive/pulse_csv.hpp"
 
-#include "drive/internal/integer_text.hpp"
+#include "base/decimal.hpp"
 
 namespace kerf::drive {
 
@@ -16,7 +16,7 @@ PulseCsv::PulseCsv(const std::vector<std::string>& axis_names, base::OutputFile&
 void PulseCsv::take(const Pulse& pulse) {
   const std::size_t positive = pulse.direction == Direction::positive ? 1 : 0;
   line_.clear();
-  append_integer(line_, pulse.time_ns);
+  base::append_integer(line_, pulse.time_ns);
   line_ += ends_[2 * index(pulse.axis) + positive];
   file_.write(line_);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "drive/internal/integer_text.hpp"
+#include "base/decimal.hpp"
 
 namespace kerf::drive {
 namespace {
@@ -75,7 +75,7 @@ void PulseVcd::write(const Change& change) {
   if (change.time_ns > written_ns_) {
     written_ns_ = change.time_ns;
     line_ += '#';
-    append_integer(line_, written_ns_);
+    base::append_integer(line_, written_ns_);
     line_ += '\n';
   }
   line_ += change.high ? '1' : '0';

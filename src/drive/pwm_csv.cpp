@@ -1,7 +1,6 @@
 #include "drive/pwm_csv.hpp"
 
 #include "base/decimal.hpp"
-#include "drive/internal/integer_text.hpp"
 
 namespace kerf::drive {
 
@@ -15,15 +14,15 @@ void PwmCsv::take(double time_s, std::uint32_t line, const PulseTrain& train,
   line_.clear();
   base::append_number(line_, time_s);
   line_ += ',';
-  append_integer(line_, line);
+  base::append_integer(line_, line);
   line_ += ',';
   base::append_number(line_, train.frequency_hz);
   line_ += ',';
   base::append_number(line_, train.duty);
   line_ += ',';
-  append_integer(line_, registers.tcntb);
+  base::append_integer(line_, registers.tcntb);
   line_ += ',';
-  append_integer(line_, registers.tcmpb);
+  base::append_integer(line_, registers.tcmpb);
   line_ += '\n';
   file_.write(line_);
 }

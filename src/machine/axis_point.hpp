@@ -19,6 +19,8 @@ class AxisPointSink {
   AxisPointSink(const AxisPointSink&) = delete;
   AxisPointSink& operator=(const AxisPointSink&) = delete;
 
+  /// Where the axes stand before the first point, and anew when they go on after breaking off.
+  virtual void start(const AxisPoint& /*at*/) {}
   virtual void take(const AxisPoint& point) = 0;
 };
 

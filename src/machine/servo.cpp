@@ -12,7 +12,7 @@ std::unique_ptr<const motion::Linkage> make_linkage(const MachineDefinition& def
 }
 
 // Set-points between two questions whether to break off: some milliseconds.
-constexpr std::uint64_t kBetweenQuestions = 1 << 16;
+constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 
 }  // namespace
 
@@ -27,6 +27,7 @@ Servo::~Servo() = default;
 void Servo::take(const control::Motion& motion) {
   if (!interpolator_.room()) drain();
   interpolator_.take(motion);
+  if (const base::AxisVector* const to = control::target_of(motion)) commanded_ = *to;
 }
 
 void Servo::finish() {
@@ -35,24 +36,36 @@ void Servo::finish() {
   drain();
 }
 
+void Servo::resume() {
+  if (!broken_off_) return;
+  broken_off_ = false;
+  start(commanded_);
+}
+
 void Servo::drain() {
-  if (sinks_.empty() || broken_off_) {
-    interpolator_.skip();
-    return;
-  }
+  if (!sinks_.empty() && !broken_off_) make_points();
+  if (sinks_.empty() || broken_off_) interpolator_.skip();
+}
+
+void Servo::make_points() {
+  if (!started_) start(interpolator_.tip());
   motion::Setpoint point;
-  while (interpolator_.next(point)) {
+  while (!broken_off_ && interpolator_.next(point)) {
     hand_out(point);
-    if (++points_ % kBetweenQuestions == 0 && broken_off_when_ && broken_off_when_()) {
-      broken_off_ = true;
-      interpolator_.skip();
-      return;
-    }
+    if (++points_ % kBetweenQuestions == 0 && broken_off_when_ && broken_off_when_()) break_off();
   }
+}
+
+void Servo::start(const base::AxisVector& tip) {
+  started_ = true;
+  last_ = {interpolator_.time_s(), tip, {}};
+  joints_ = linkage_ ? linkage_->joints(last_.tip, joints_) : last_.tip;
+  for (AxisPointSink* const sink : sinks_) sink->start({last_, joints_});
 }
 
 void Servo::hand_out(const motion::Setpoint& point) {
   joints_ = linkage_ ? linkage_->joints(point.tip, joints_) : point.tip;
+  last_ = point;
   for (AxisPointSink* const sink : sinks_) sink->take({point, joints_});
 }
 

@@ -59,8 +59,15 @@ std::string VirtualMachine::program_name() const {
   return gcode::name_of(library_.entry(vm::CodeId{0}));
 }
 
-// Behind the budget the control is some moves ahead of the machine.
+void VirtualMachine::raise(const base::Diagnostic& alarm) {
+  if (!drive_alarm_) drive_alarm_ = alarm;
+  servo_.break_off();
+}
+
+// Behind the budget, and where the axes stopped on their own, the control is some moves ahead of
+// the machine.
 base::AxisVector VirtualMachine::position() const {
+  if (servo_.broken_off()) return servo_.last().tip + controller_->coordinates().length();
   if (!motions_spent_) return controller_->machine_position();
   return statistics_.at() + controller_->coordinates().length();
 }
@@ -157,7 +164,9 @@ bool VirtualMachine::all_motions_made() const {
 }
 
 // A block may make any number of motions: between them the clock is looked at, too.
-bool VirtualMachine::ready() const { return !motions_spent_ && statistics_.motions() < slice_end_; }
+bool VirtualMachine::ready() const {
+  return !motions_spent_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
+}
 
 // Beyond the budget nothing is handed out any more. What moves nothing may still follow its last
 // motion: above all the end of the program.
@@ -193,20 +202,45 @@ bool VirtualMachine::start_program() {
 VirtualMachine::Status VirtualMachine::finish(Status status) {
   if (status == Status::alarm && !alarm_) alarm_ = controller_->alarm();
   servo_.finish();
-  return status_ = status;
+  return status_ = servo_.broken_off() ? broken_off(status) : status;
 }
 
-VirtualMachine::Status VirtualMachine::spent(const std::string& what) {
+// What the drives could not do comes before all that the control has met since.
+VirtualMachine::Status VirtualMachine::broken_off(Status status) {
+  if (drive_alarm_) {
+    alarm_ = drive_alarm_;
+    return Status::alarm;
+  }
+  note_spent(base::number_text(most_seconds_) + " s of computing are over");
+  return status == Status::alarm ? status : Status::budget;
+}
+
+void VirtualMachine::note_spent(const std::string& what) {
   notice_ = base::make_error(base::Code::budget_spent, controller_->standing_at(), what);
   notice_->severity = base::Severity::warning;
   notice_->program = controller_->running_program();
+}
+
+VirtualMachine::Status VirtualMachine::spent(const std::string& what) {
+  note_spent(what);
   return finish(Status::budget);
+}
+
+// One motion may have any number of set-points: between them the clock is looked at, too.
+void VirtualMachine::watch_clock(std::chrono::steady_clock::time_point begin, double seconds) {
+  most_seconds_ = seconds;
+  servo_.break_off_when([this, begin, seconds] {
+    if (progress_) progress_();
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    return seconds > 0 && elapsed.count() > seconds;
+  });
 }
 
 VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   most_motions_ = budget.motions;
+  watch_clock(begin, budget.seconds);
   const bool fresh = status_ == Status::idle || status_ == Status::end;
   if (status_ == Status::alarm) return status_;
   if (status_ == Status::end) reset();
@@ -218,6 +252,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     const Halt halt = controller_->run(slice);
     steps += slice;
     if (progress_) progress_();
+    if (halt == Halt::none && servo_.broken_off()) return finish(Status::budget);
     if (motions_spent_) return spent("the motions allowed are made");
     switch (halt) {
       case Halt::end: return finish(Status::end);
@@ -247,6 +282,8 @@ VirtualMachine::Status VirtualMachine::run_to_end(const Budget& budget) { return
 void VirtualMachine::reset() {
   controller_->reset();
   alarm_.reset();
+  drive_alarm_.reset();
+  servo_.resume();
   notice_.reset();
   status_ = Status::idle;
 }

@@ -70,6 +70,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
   /// Set-points at every period of the servo; making them takes time.
   void add_point_sink(AxisPointSink& sink) { servo_.add_sink(sink); }
+  /// For whoever takes set-points and cannot follow them, as the alarm of a drive: the point under
+  /// way is the last one, and the run ends in this alarm. The control, which is ahead of the axes,
+  /// may have gone on by some blocks. Of several alarms the first one counts.
+  void raise(const base::Diagnostic& alarm);
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }
@@ -112,7 +116,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] control::Controller& controller() { return *controller_; }
   [[nodiscard]] control::Memory& memory() { return memory_; }
   /// Machine coordinates of all axes, tool length included: where the last motion ended that was
-  /// within the budget.
+  /// within the budget; after an alarm of a drive, where the axes are.
   [[nodiscard]] base::AxisVector position() const;
   [[nodiscard]] const base::SourceSet& sources() const { return sources_; }
   [[nodiscard]] gcode::CodeLibrary& library() { return library_; }
@@ -141,6 +145,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
   Status spent(const std::string& what);
+  void note_spent(const std::string& what);
+  Status broken_off(Status status);
+  void watch_clock(std::chrono::steady_clock::time_point begin, double seconds);
 
   MachineDefinition definition_;
   control::Memory memory_;
@@ -156,11 +163,13 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::array<std::uint32_t, 4> inputs_{};
   std::unique_ptr<control::Controller> controller_;
   std::optional<base::Diagnostic> alarm_;
+  std::optional<base::Diagnostic> drive_alarm_;
   std::optional<base::Diagnostic> notice_;
   std::chrono::sys_days start_day_ = std::chrono::year{2025} / 1 / 1;
   double start_second_ = 0;  // of the day
   Status status_ = Status::idle;
   std::array<double, gcode::kLocals> first_locals_;  // of the main program, from outside
+  double most_seconds_ = 0;
   std::uint64_t most_motions_ = 0;
   std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
   bool motions_spent_ = false;   // one more than most_motions_ was asked for

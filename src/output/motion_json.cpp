@@ -1,7 +1,5 @@
 #include "output/motion_json.hpp"
 
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
@@ -12,12 +10,6 @@ namespace kerf::output {
 namespace {
 
 using namespace control;
-
-void append_integer(std::string& out, std::uint64_t value) {
-  std::array<char, 24> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  out.append(digits.data(), end);
-}
 
 void append_vector(std::string& out, const char* name, geometry::Vec3 vector) {
   out += name;
@@ -89,7 +81,7 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   line_ = "{\"kind\":\"";
   line_ += kind;
   line_ += program_;
-  append_integer(line_, motion.line);
+  base::append_integer(line_, motion.line);
 }
 
 void MotionJson::point(const char* name, const base::AxisVector& at) {
@@ -146,7 +138,7 @@ void MotionJson::write(const Motion& motion) {
       line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\""
                                                         : "],\"direction\":\"ccw\"";
       line_ += ",\"turns\":";
-      append_integer(line_, action.turns);
+      base::append_integer(line_, action.turns);
       feed(action.feed);
     } else if constexpr (std::is_same_v<Action, SpaceArc>) {
       begin("space-arc", motion);
@@ -157,7 +149,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, ToolChange>) {
       begin("tool", motion);
       line_ += ",\"tool\":";
-      append_integer(line_, action.tool);
+      base::append_integer(line_, action.tool);
     } else if constexpr (std::is_same_v<Action, Spindle>) {
       begin("spindle", motion);
       const bool css = action.mode == Spindle::Mode::constant_surface_speed;
@@ -183,7 +175,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
       begin("mcode", motion);
       line_ += ",\"code\":";
-      append_integer(line_, action.code);
+      base::append_integer(line_, action.code);
     } else if constexpr (std::is_same_v<Action, Stop>) {
       begin("stop", motion);
       line_ += action.optional ? ",\"optional\":true" : ",\"optional\":false";

@@ -12,9 +12,9 @@ BIG = ("O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT4000]DO1\nG01X[#1*0.01]Y[SIN[#1]*2
 # Option and the name of its file.
 OUTPUTS = {"--motion": "out.json", "--summary": "out.txt", "--plot": "out.svg",
            "--dprnt": "out.log", "--post": "out.nc", "--coverage": "out.csv",
-           "--state": "out.state"}
+           "--points": "points.csv", "--pulses": "pulses.vcd", "--state": "out.state"}
 # Those that are larger than a disk of this size for the program above.
-LARGE_OUTPUTS = ("--motion", "--dprnt", "--post", "--coverage")
+LARGE_OUTPUTS = ("--motion", "--dprnt", "--post", "--coverage", "--points", "--pulses")
 SMALL_DISK = "48k"
 
 
@@ -36,7 +36,7 @@ def streams(box):
     nothing = box.kerf("run", "part.nc")
     equal(nothing.out, b"", "standard output of a run that prints nothing")
     contains(nothing.err, "O0001 on mill3", "standard error")
-    for option in ("--motion", "--summary", "--post", "--coverage"):
+    for option in ("--motion", "--summary", "--post", "--coverage", "--points"):
         file = box.kerf("run", "part.nc", option, "out")
         equal(file.out, b"", f"standard output with {option} FILE")
         direct = box.kerf("run", "part.nc", option, "-")
@@ -143,11 +143,11 @@ for option in OUTPUTS:
 def on_full_device(option):
     def run(box):
         box.write("part.nc", BIG)
-        # The ending of a picture's name decides its kind.
-        os.symlink("/dev/full", box.path("full.svg"))
-        result = box.kerf("run", "part.nc", option, "full.svg", *quiet(option))
-        refused(result, 3, "full.svg")
-        equal(box.files(), ["full.svg", "part.nc"], "files behind it")
+        name = "full" + os.path.splitext(OUTPUTS[option])[1]  # may decide what is written
+        os.symlink("/dev/full", box.path(name))
+        result = box.kerf("run", "part.nc", option, name, *quiet(option))
+        refused(result, 3, name)
+        equal(box.files(), [name, "part.nc"], "files behind it")
     return run
 
 

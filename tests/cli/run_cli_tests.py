@@ -21,6 +21,7 @@ import alarm_tests  # noqa: F401
 import check_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import input_tests  # noqa: F401
+import laser_tests  # noqa: F401
 import library_tests  # noqa: F401
 import limit_tests  # noqa: F401
 import machine_tests  # noqa: F401
@@ -28,6 +29,8 @@ import offset_tests  # noqa: F401
 import option_tests  # noqa: F401
 import output_tests  # noqa: F401
 import post_tests  # noqa: F401
+import pulse_tests  # noqa: F401
+import set_point_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
 import time_tests  # noqa: F401

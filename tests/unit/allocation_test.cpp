@@ -8,10 +8,14 @@
 
 #include "allocation_count.hpp"
 #include "base/output_file.hpp"
+#include "drive/pulse_csv.hpp"
+#include "drive/pulse_vcd.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
+#include "output/set_point_csv.hpp"
+#include "output/step_pulses.hpp"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
@@ -63,6 +67,8 @@ struct Outputs {
   bool motion = false;
   bool post = false;
   bool coverage = false;
+  bool points = false;
+  bool pulses = false;
 };
 
 // Runs a program and expects nothing to be allocated in its last three quarters.
@@ -77,6 +83,16 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   output::MotionJson motion(machine.definition().axes, *nowhere);
   output::Post post(machine.definition().axes, *nowhere);
   output::Coverage coverage;
+  output::SetPointCsv points(machine.definition(), *nowhere);
+  drive::PulseCsv csv({"X", "Y", "Z"}, *nowhere);
+  drive::PulseVcd vcd({"X", "Y", "Z"}, definition.drive.timing.direction_setup_ns, *nowhere);
+  output::StepPulses csv_pulses(machine, csv);
+  output::StepPulses vcd_pulses(machine, vcd);
+  if (outputs.points) machine.add_point_sink(points);
+  if (outputs.pulses) {
+    machine.add_point_sink(csv_pulses);
+    machine.add_point_sink(vcd_pulses);
+  }
   if (outputs.motion) machine.add_sink(motion);
   if (outputs.post) machine.add_sink(post);
   if (outputs.coverage) {
@@ -182,6 +198,14 @@ TEST(NoAllocation, WhileMotionsAreWritten) {
 
 TEST(NoAllocation, WhilePlainCodeIsWritten) {
   expect_no_allocation(loop("G01X[#1/997]Y1.\nG02I5.\n"), {.post = true});
+}
+
+TEST(NoAllocation, WhileSetPointsAreWritten) {
+  expect_no_allocation(loop("G01X[#1/97]Y[#1/83]F6000\n"), {.points = true});
+}
+
+TEST(NoAllocation, WhilePulsesAreWritten) {
+  expect_no_allocation(loop("G01X[#1/97]Y[#1/83]F6000\n"), {.pulses = true});
 }
 
 TEST(NoAllocation, WhileLinesAreCounted) {

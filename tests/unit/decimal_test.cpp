@@ -254,5 +254,21 @@ TEST(RoundAway, WhatNoIntegerHoldsBecomesTheLargest) {
   EXPECT_EQ(round_away(-std::numeric_limits<double>::infinity()), -kMost);
 }
 
+TEST(AppendInteger, WritesEveryDigitAndTheSign) {
+  std::string text = "at ";
+  append_integer(text, 0);
+  append_integer(text, std::numeric_limits<std::int64_t>::min());
+  append_integer(text, std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(text, "at 0-92233720368547758089223372036854775807");
+}
+
+TEST(DecimalOf, IsTheDecimalThatTheFloatWasRoundedFrom) {
+  EXPECT_EQ(decimal_of(33.3F), 33.3);
+  EXPECT_EQ(decimal_of(80), 80);
+  EXPECT_EQ(decimal_of(0.1F), 0.1);
+  EXPECT_EQ(decimal_of(-12.5F), -12.5);
+  EXPECT_EQ(decimal_of(0), 0);
+}
+
 }  // namespace
 }  // namespace kerf::base

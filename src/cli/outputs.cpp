@@ -1,0 +1,200 @@
+#include "cli/outputs.hpp"
+
+#include <array>
+#include <utility>
+
+#include "drive/pulse_csv.hpp"
+#include "drive/pulse_vcd.hpp"
+#include "output/laser_pulses.hpp"
+#include "output/motion_json.hpp"
+#include "output/path_plot.hpp"
+#include "output/post.hpp"
+#include "output/set_point_csv.hpp"
+#include "output/step_pulses.hpp"
+#include "output/summary.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Failure;
+using base::Outcome;
+using base::OutputFile;
+
+tl::unexpected<Failure> usage(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
+  std::vector<std::string> names;
+  for (const machine::DrivenAxis& axis : machine.driven) names.push_back(axis.name);
+  return names;
+}
+
+}  // namespace
+
+Outputs::Opened Outputs::open_file(const std::string& path, Kind kind) {
+  if (path.empty()) return nullptr;
+  auto created = OutputFile::create(path);
+  if (!created) return tl::unexpected(created.error());
+  outputs_.push_back({kind, std::move(*created), {}});
+  return outputs_.back().file.get();
+}
+
+// Of the output that was opened last.
+void Outputs::when_over(std::function<void(OutputFile&)> finish) {
+  outputs_.back().finish = std::move(finish);
+}
+
+void Outputs::add(std::unique_ptr<control::MotionSink> sink) {
+  machine_.add_sink(*sink);
+  motion_sinks_.push_back(std::move(sink));
+}
+
+void Outputs::add(std::unique_ptr<machine::AxisPointSink> sink) {
+  machine_.add_point_sink(*sink);
+  point_sinks_.push_back(std::move(sink));
+}
+
+Outcome<void> Outputs::open_prints() {
+  const Opened file = open_file(options_.dprnt.empty() ? "-" : options_.dprnt);
+  if (!file) return tl::unexpected(file.error());
+  machine_.set_print_output([into = *file](std::string_view text) { into->write(text); });
+  return {};
+}
+
+Outcome<void> Outputs::open_motion() {
+  const Opened file = open_file(options_.motion);
+  if (!file) return tl::unexpected(file.error());
+  if (*file != nullptr)
+    add(std::make_unique<output::MotionJson>(machine_.definition().axes, **file));
+  return {};
+}
+
+Outcome<void> Outputs::open_points() {
+  const Opened file = open_file(options_.points);
+  if (!file) return tl::unexpected(file.error());
+  if (*file != nullptr) add(std::make_unique<output::SetPointCsv>(machine_.definition(), **file));
+  return {};
+}
+
+Outcome<void> Outputs::open_pulses() {
+  const std::string& path = options_.pulses;
+  const bool vcd = path.ends_with(".vcd");
+  if (!path.empty() && path != "-" && !vcd && !path.ends_with(".csv"))
+    return usage("--pulses " + path + ": step pulses end in .csv or .vcd");
+  const Opened file = open_file(path, Kind::drives_a_machine);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  if (vcd) {
+    write_vcd(**file);
+  } else {
+    pulses_ = std::make_unique<drive::PulseCsv>(axis_names(machine_.definition()), **file);
+  }
+  add(std::make_unique<output::StepPulses>(machine_, *pulses_));
+  return {};
+}
+
+void Outputs::write_vcd(OutputFile& file) {
+  const machine::MachineDefinition& definition = machine_.definition();
+  auto vcd = std::make_unique<drive::PulseVcd>(axis_names(definition),
+                                               definition.drive.timing.direction_setup_ns, file);
+  when_over([writer = vcd.get()](OutputFile&) { writer->finish(); });
+  pulses_ = std::move(vcd);
+}
+
+Outcome<void> Outputs::open_pwm() {
+  const machine::MachineDefinition& definition = machine_.definition();
+  if (!options_.pwm.empty() && !definition.drive.laser.fitted())
+    return usage("--pwm " + options_.pwm + ": " + definition.name + " has no laser");
+  const Opened file = open_file(options_.pwm);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  auto pulses = std::make_unique<output::LaserPulses>(machine_, **file);
+  when_over([laser = pulses.get()](OutputFile&) { laser->finish(); });
+  add(std::move(pulses));
+  return {};
+}
+
+Outcome<void> Outputs::open_post() {
+  const Opened file = open_file(options_.post, Kind::drives_a_machine);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  auto post = std::make_unique<output::Post>(machine_.definition().axes, **file);
+  when_over([writer = post.get()](OutputFile&) { writer->finish(); });
+  add(std::move(post));
+  return {};
+}
+
+Outcome<void> Outputs::open_coverage() {
+  const Opened file = open_file(options_.coverage);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  machine_.observe_blocks(
+      [this](base::FileId source, std::uint32_t line) { coverage_.count(source, line); });
+  when_over([this](OutputFile& into) {
+    coverage_.write_csv(machine_.sources(), machine_.controller().assumptions().list(), into);
+  });
+  return {};
+}
+
+Outcome<void> Outputs::open_plot() {
+  const bool png = options_.plot.ends_with(".png");
+  if (!options_.plot.empty() && !png && !options_.plot.ends_with(".svg"))
+    return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
+  const Opened file = open_file(options_.plot);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  auto plot = std::make_unique<output::PathPlot>(
+      machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name);
+  when_over([picture = plot.get(), png](OutputFile& into) {
+    into.write(png ? picture->png() : picture->svg());
+  });
+  add(std::move(plot));
+  return {};
+}
+
+Outcome<void> Outputs::open_summary() {
+  const Opened file = open_file(options_.summary);
+  if (!file) return tl::unexpected(file.error());
+  if (*file != nullptr)
+    when_over([this](OutputFile& into) { into.write(output::summary_json(machine_, dialect_)); });
+  return {};
+}
+
+Outcome<void> Outputs::open() {
+  constexpr std::array kSteps = {
+      &Outputs::open_prints,   &Outputs::open_motion, &Outputs::open_points,
+      &Outputs::open_pulses,   &Outputs::open_pwm,    &Outputs::open_post,
+      &Outputs::open_coverage, &Outputs::open_plot,   &Outputs::open_summary};
+  for (const auto step : kSteps) {
+    if (auto opened = (this->*step)(); !opened) return opened;
+  }
+  return {};
+}
+
+bool Outputs::is_written(const Output& output) const {
+  return output.kind == Kind::record || options_.keep_partial ||
+         machine_.status() == machine::VirtualMachine::Status::end;
+}
+
+Outcome<void> Outputs::commit(Output& output) {
+  if (output.finish) output.finish(*output.file);
+  auto committed = output.file->commit();
+  const std::string& path = output.file->path();
+  if (committed && path != "-") written_.push_back(path);
+  return committed;
+}
+
+Outcome<void> Outputs::commit(const std::string& dialect) {
+  dialect_ = dialect;
+  Outcome<void> result;
+  for (Output& output : outputs_) {
+    if (!is_written(output)) continue;
+    auto committed = commit(output);
+    if (!committed && result) result = committed;
+  }
+  outputs_.clear();
+  return result;
+}
+
+}  // namespace kerf::cli

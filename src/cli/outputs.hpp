@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/output_file.hpp"
+#include "cli/commands.hpp"
+#include "drive/pulse_sink.hpp"
+#include "machine/axis_point.hpp"
+#include "machine/virtual_machine.hpp"
+#include "output/coverage.hpp"
+
+namespace kerf::cli {
+
+/// The output files of a run: opened before it, so that one that cannot be written is told at once;
+/// committed behind it, so that none looks complete that is not.
+class Outputs {
+ public:
+  /// Both must outlive the outputs, which the machine must not run without.
+  Outputs(const RunOptions& options, machine::VirtualMachine& machine)
+      : options_(options), machine_(machine) {}
+
+  /// Opens what the options ask for and has the machine write into it. Failure (usage): an option
+  /// does not fit its file's ending or the machine; (output): a file cannot be written.
+  [[nodiscard]] base::Outcome<void> open();
+  /// Completes the files of a run that is over. Failure (output): the first one that did not reach
+  /// the disk; the others are written.
+  [[nodiscard]] base::Outcome<void> commit(const std::string& dialect);
+  /// The files that commit() has written, for people.
+  [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
+
+ private:
+  /// What could drive a machine is written only when the run reached its end.
+  enum class Kind : std::uint8_t { record, drives_a_machine };
+  struct Output {
+    Kind kind = Kind::record;
+    std::unique_ptr<base::OutputFile> file;
+    std::function<void(base::OutputFile&)> finish;  ///< writes what is known only behind the run
+  };
+  using Opened = base::Outcome<base::OutputFile*>;  // null: the option was not given
+
+  Opened open_file(const std::string& path, Kind kind = Kind::record);
+  void when_over(std::function<void(base::OutputFile&)> finish);
+  base::Outcome<void> open_prints();
+  base::Outcome<void> open_motion();
+  base::Outcome<void> open_points();
+  base::Outcome<void> open_pulses();
+  void write_vcd(base::OutputFile& file);
+  base::Outcome<void> open_pwm();
+  base::Outcome<void> open_post();
+  base::Outcome<void> open_coverage();
+  base::Outcome<void> open_plot();
+  base::Outcome<void> open_summary();
+  void add(std::unique_ptr<control::MotionSink> sink);
+  void add(std::unique_ptr<machine::AxisPointSink> sink);
+  [[nodiscard]] bool is_written(const Output& output) const;
+  base::Outcome<void> commit(Output& output);
+
+  const RunOptions& options_;
+  machine::VirtualMachine& machine_;
+  std::string dialect_;
+  std::vector<Output> outputs_;  // in the order in which they are completed
+  std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
+  std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;
+  std::unique_ptr<drive::PulseSink> pulses_;
+  output::Coverage coverage_;
+  std::vector<std::string> written_;
+};
+
+}  // namespace kerf::cli

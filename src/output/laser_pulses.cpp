@@ -1,0 +1,35 @@
+#include "output/laser_pulses.hpp"
+
+#include "base/decimal.hpp"
+#include "output/drive_alarm.hpp"
+
+namespace kerf::output {
+
+LaserPulses::LaserPulses(machine::VirtualMachine& machine, base::OutputFile& file)
+    : machine_(machine), csv_(file) {}
+
+void LaserPulses::start(const machine::AxisPoint& at) { last_ = at.tip; }
+
+void LaserPulses::take(const machine::AxisPoint& point) {
+  const motion::Mark& mark = point.tip.mark;
+  if (mark.power_percent != power_percent_) change(base::decimal_of(mark.power_percent), mark);
+  power_percent_ = mark.power_percent;
+  last_ = point.tip;
+}
+
+void LaserPulses::change(double power_percent, const motion::Mark& mark) {
+  const machine::LaserSettings& laser = machine_.definition().drive.laser;
+  const drive::PulseTrain train{laser.pwm_frequency_hz, base::tidy(power_percent / 100)};
+  const auto registers = drive::pwm_registers(laser.timer, train);
+  if (registers) {
+    csv_.take(base::tidy(last_.time_s), mark.line, train, *registers);
+  } else {
+    machine_.raise(at_mark(registers.error(), mark, machine_.sources()));
+  }
+}
+
+void LaserPulses::finish() {
+  if (power_percent_ > 0) change(0, last_.mark);
+}
+
+}  // namespace kerf::output

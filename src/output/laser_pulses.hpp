@@ -1,0 +1,35 @@
+#pragma once
+
+#include "base/output_file.hpp"
+#include "drive/pwm_csv.hpp"
+#include "machine/axis_point.hpp"
+#include "machine/virtual_machine.hpp"
+
+namespace kerf::output {
+
+/// Writes how the timer of a machine's laser runs, as CSV: drive::PwmCsv, a row a change.
+///
+/// The duty is the power that is commanded, of full power; the frequency is that of the machine
+/// file. A change counts from the set-point before the first one of the motion that has it: where
+/// the axes rest between the two motions that is the moment itself, else up to a period early. The
+/// first row is how the run begins. What the timer cannot do raises the machine's alarm PWM_RANGE.
+class LaserPulses : public machine::AxisPointSink {
+ public:
+  /// Both must outlive this. Precondition: the machine has a laser.
+  LaserPulses(machine::VirtualMachine& machine, base::OutputFile& file);
+
+  void start(const machine::AxisPoint& at) override;
+  void take(const machine::AxisPoint& point) override;
+  /// The end of the run: the beam goes off with it. The last call.
+  void finish();
+
+ private:
+  void change(double power_percent, const motion::Mark& mark);
+
+  machine::VirtualMachine& machine_;
+  drive::PwmCsv csv_;
+  motion::Setpoint last_;
+  float power_percent_ = -1;  // nothing yet
+};
+
+}  // namespace kerf::output

@@ -1,0 +1,165 @@
+"""--points: where the axes are at every period of the servo, held against formulas."""
+
+import csv
+import io
+import math
+
+import harness
+from harness import Skipped, check, equal, in_time, near, status, test
+
+HEAD = "O1\nG21G90G17G94\n"
+
+
+def rows_of(text):
+    """Each row as a dictionary of numbers."""
+    return [{key: float(value) for key, value in row.items()}
+            for row in csv.DictReader(io.StringIO(text))]
+
+
+def points(box, program, *words, wanted=0):
+    box.write("part.nc", program)
+    status(box.kerf("run", "part.nc", "--points", "points.csv", *words), wanted)
+    return rows_of(box.read("points.csv").decode())
+
+
+def header(box, machine):
+    box.write("part.nc", HEAD + "M30\n")
+    status(box.kerf("run", "part.nc", "--machine", machine, "--points", "points.csv"), 0)
+    return box.read("points.csv").decode()
+
+
+def bang_bang(length, acceleration, t):
+    """Way after t from rest to rest, as fast as the acceleration allows."""
+    half = math.sqrt(length / acceleration)
+    if t >= 2 * half:
+        return length
+    if t <= half:
+        return acceleration * t * t / 2
+    return length - acceleration * (2 * half - t) ** 2 / 2
+
+
+@test("the columns of --points are those that the machine has")
+def columns(box):
+    wanted = {"mill3": "t,X,Y,Z,j1,j2,j3,line\n",
+              "mill5": "t,X,Y,Z,A,C,j1,j2,j3,j4,j5,line\n",
+              "laser3": "t,X,Y,Z,power,j1,j2,j3,line\n",
+              "laser5": "t,X,Y,Z,A,C,power,j1,j2,j3,j4,j5,line\n",
+              "laser-xtz": "t,X,Y,Z,power,j1,j2,j3,line\n",
+              "arm4": "t,X,Y,Z,C,j1,j2,j3,j4,line\n"}
+    for machine, line in wanted.items():
+        equal(header(box, machine), line, f"the file of {machine} for a program without motions")
+
+
+@test("a rapid accelerates and brakes as its axis can, a row a period from the first one on")
+def rapid_rows(box):
+    rows = points(box, HEAD + "G00X10.\nM30\n")
+    equal(len(rows), math.ceil(2 * math.sqrt(10 / 3000) * 1000), "rows")
+    for number, row in enumerate(rows, start=1):
+        equal(row["t"], number / 1000, "time")
+        near(row["X"], bang_bang(10, 3000, row["t"]), 1e-9, f"X at {row['t']} s")
+        equal((row["Y"], row["Z"], row["line"]), (0, 0, 3), f"Y, Z and line at {row['t']} s")
+    equal(rows[-1]["X"], 10, "the end")
+
+
+@test("times are printed as a person would write them, whatever their number")
+def times(box):
+    box.write("part.nc", HEAD + "G04X2.\nM30\n")
+    status(box.kerf("run", "part.nc", "--points", "points.csv"), 0)
+    got = [line.split(",")[0] for line in box.read("points.csv").decode().splitlines()[1:]]
+    equal(got, [f"{k / 1000:.3f}".rstrip("0").rstrip(".") for k in range(1, 2001)], "times")
+
+
+@test("a row belongs to the line whose motion it ends, and a standstill is exactly the programmed end")
+def lines_of_rows(box):
+    program = HEAD + "G00X10.03\nG04X.005\nG01G09X20.07Y-3.3F6000\nG00X20.Z-1.\nM30\n"
+    rows = points(box, program)
+    ends = {3: (10.03, 0, 0), 4: (10.03, 0, 0), 5: (20.07, -3.3, 0), 6: (20, -3.3, -1)}
+    for line, end in ends.items():
+        own = [row for row in rows if row["line"] == line]
+        equal((own[-1]["X"], own[-1]["Y"], own[-1]["Z"]), end, f"the last row of line {line}")
+    equal([row["line"] for row in rows], sorted(row["line"] for row in rows), "order of the lines")
+    dwell = [row["X"] for row in rows if row["line"] == 4]
+    equal(dwell, [10.03] * 5, "the dwell of 5 ms")
+    check(next(row for row in rows if row["line"] == 5)["X"] > 10.03,
+          "the start is a row of the new line")
+
+
+@test("rows on an arc lie on the circle, and the feed is that of the program")
+def arc_rows(box):
+    rows = points(box, HEAD + "G00X10.\nG03X-10.I-10.F3000\nM30\n")
+    arc = [row for row in rows if row["line"] == 4]
+    for row in arc:
+        near(math.hypot(row["X"], row["Y"]), 10, 1e-9, f"radius at {row['t']} s")
+    speeds = [math.dist((a["X"], a["Y"]), (b["X"], b["Y"])) * 1000 for a, b in zip(arc, arc[1:])]
+    check(max(speeds) <= 50 + 1e-6, f"{max(speeds)} mm/s, wanted at most 50")
+    near(sorted(speeds)[len(speeds) // 2], 50, 1e-3, "the usual speed, mm/s")
+
+
+@test("the joints of a Cartesian machine are its axes; a laser that nothing switches has power 0")
+def cartesian_joints(box):
+    rows = points(box, HEAD + "G01X3.Y4.Z1.F600\nM30\n", "--machine", "laser3")
+    for row in rows:
+        equal((row["j1"], row["j2"], row["j3"]), (row["X"], row["Y"], row["Z"]), "joints")
+        equal(row["power"], 0, "power")
+
+
+def carriage(row, r_a=150, r_c=80):
+    a, c = math.radians(row["A"]), math.radians(row["C"])
+    return (row["X"] + r_a * math.sin(a) * math.sin(c) - r_c * math.cos(c),
+            row["Y"] - r_a * math.sin(a) * math.cos(c) - r_c * math.sin(c),
+            row["Z"] + r_a * math.cos(a), row["A"], row["C"])
+
+
+@test("the joints of a head are the carriage that its radii ask for, every 8 ms")
+def head_joints(box):
+    rows = points(box, HEAD + "G01X30.Y-20.Z10.A40.C-70.F3000\nM30\n", "--machine", "laser5")
+    equal([row["t"] for row in rows[:3]], [0.008, 0.016, 0.024], "times")
+    for row in rows:
+        for joint, wanted in enumerate(carriage(row), start=1):
+            near(row[f"j{joint}"], wanted, 1e-9, f"j{joint} at {row['t']} s")
+    equal([rows[-1][axis] for axis in "XYZAC"], [30, -20, 10, 40, -70], "the end")
+
+
+ARM_PROGRAM = HEAD + "G00X200.Y50.\nG01X150.Y80.C20.F60\nM30\n"
+
+
+def arm_can_leave(box, *words):
+    """Where the run begins, both links lie on one another; skips as long as they cannot part."""
+    box.write("arm.nc", ARM_PROGRAM)
+    box.kerf("run", "arm.nc", "--machine", "arm4", "--summary", "arm.json", *words)
+    if box.json("arm.json")["time_s"] > 3600:
+        raise Skipped("the arm cannot leave where it starts within an hour")
+
+
+@test("the joints of the arm hold the tip at every row")
+def arm_joints(box):
+    arm_can_leave(box)
+    for row in points(box, ARM_PROGRAM, "--machine", "arm4"):
+        upper, forearm = math.radians(row["j2"]), math.radians(row["j1"] + row["j2"])
+        near(132 * (math.cos(upper) + math.cos(forearm)), row["X"], 1e-6, "X of the joints")
+        near(132 * (math.sin(upper) + math.sin(forearm)), row["Y"], 1e-6, "Y of the joints")
+        near(row["j4"], row["Z"], 1e-9, "the lift")
+        near(math.remainder(row["j1"] + row["j2"] + row["j3"] - row["C"], 180), 0, 1e-6, "heading")
+
+
+@test("--points writes what was made up to an alarm, and a budget of time ends a long dwell")
+def partial_points(box):
+    rows = points(box, HEAD + "G00X10.\n#1=1/0\nM30\n", wanted=1)
+    equal((rows[-1]["X"], rows[-1]["line"]), (10, 3), "the last row before an alarm")
+    box.write("part.nc", HEAD + "G04X90000.\nM30\n")
+    result = box.kerf("run", "part.nc", "--points", "points.csv", "--max-seconds", "0.2",
+                      "--summary", "s.json")
+    status(result, 5)
+    in_time(result, 5)
+    rows = rows_of(box.read("points.csv").decode())
+    equal(box.json("s.json")["status"], "budget", "status")
+    equal(box.json("s.json")["time_s"], rows[-1]["t"], "time of the summary and of the last row")
+
+
+@test("an hour of set-points needs no more memory than a second of them")
+def memory(box):
+    box.write("part.nc", HEAD + "G04X3600.\nM30\n")
+    result = box.kerf("run", "part.nc", "--points", "/dev/null", peak=True)
+    status(result, 0)
+    if harness.MEASURES_MEMORY:
+        check(0 < result.peak_kib < 64 * 1024, f"{result.peak_kib} KiB of memory")

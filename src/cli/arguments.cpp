@@ -86,6 +86,7 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   file("--points", o.points, "where the axes are at every period of the servo, as CSV");
   file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
   file("--pwm", o.pwm, "changes of a laser's pulses and their timer, as CSV");
+  file("--rows", o.rows, "moves and tool changes as rows of feature recognition, as CSV");
   file("--plot", o.plot, "picture of the path: .svg or .png");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");

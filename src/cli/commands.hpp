@@ -35,6 +35,7 @@ struct RunOptions {
   std::string points;
   std::string pulses;
   std::string pwm;
+  std::string rows;
   std::string plot;
   std::string dprnt;
   std::string post;

@@ -9,6 +9,7 @@
 #include "output/motion_json.hpp"
 #include "output/path_plot.hpp"
 #include "output/post.hpp"
+#include "output/row_csv.hpp"
 #include "output/set_point_csv.hpp"
 #include "output/step_pulses.hpp"
 #include "output/summary.hpp"
@@ -115,6 +116,14 @@ Outcome<void> Outputs::open_pwm() {
   return {};
 }
 
+Outcome<void> Outputs::open_rows() {
+  const Opened file = open_file(options_.rows);
+  if (!file) return tl::unexpected(file.error());
+  if (*file != nullptr)
+    add(std::make_unique<output::RowCsv>(machine_.definition().axes, machine_.memory(), **file));
+  return {};
+}
+
 Outcome<void> Outputs::open_post() {
   const Opened file = open_file(options_.post, Kind::drives_a_machine);
   if (!file) return tl::unexpected(file.error());
@@ -163,9 +172,9 @@ Outcome<void> Outputs::open_summary() {
 
 Outcome<void> Outputs::open() {
   constexpr std::array kSteps = {
-      &Outputs::open_prints,   &Outputs::open_motion, &Outputs::open_points,
-      &Outputs::open_pulses,   &Outputs::open_pwm,    &Outputs::open_post,
-      &Outputs::open_coverage, &Outputs::open_plot,   &Outputs::open_summary};
+      &Outputs::open_prints, &Outputs::open_motion, &Outputs::open_points, &Outputs::open_pulses,
+      &Outputs::open_pwm,    &Outputs::open_rows,   &Outputs::open_post,   &Outputs::open_coverage,
+      &Outputs::open_plot,   &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

@@ -49,6 +49,7 @@ class Outputs {
   base::Outcome<void> open_pulses();
   void write_vcd(base::OutputFile& file);
   base::Outcome<void> open_pwm();
+  base::Outcome<void> open_rows();
   base::Outcome<void> open_post();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();

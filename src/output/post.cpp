@@ -7,6 +7,7 @@
 #include "control/plane_axes.hpp"
 #include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
+#include "output/internal/feed_per_minute.hpp"
 
 namespace kerf::output {
 namespace {
@@ -51,10 +52,7 @@ void Post::move(const char* code, const base::AxisVector& to) {
 }
 
 void Post::feed(const Feed& feed, double length_mm) {
-  double per_minute = feed.value;
-  if (feed.mode == FeedMode::per_revolution) per_minute = feed.value * speed_rpm_;
-  if (feed.mode == FeedMode::inverse_time) per_minute = feed.value * length_mm;
-  per_minute = rounded(per_minute);
+  const double per_minute = rounded(feed_per_minute(feed, length_mm, speed_rpm_));
   if (per_minute == feed_) return;
   feed_ = per_minute;
   word('F', per_minute);

@@ -12,9 +12,10 @@ BIG = ("O1\nG21G90G17G94F500\n#1=0\nWHILE[#1LT4000]DO1\nG01X[#1*0.01]Y[SIN[#1]*2
 # Option and the name of its file.
 OUTPUTS = {"--motion": "out.json", "--summary": "out.txt", "--plot": "out.svg",
            "--dprnt": "out.log", "--post": "out.nc", "--coverage": "out.csv",
-           "--points": "points.csv", "--pulses": "pulses.vcd", "--state": "out.state"}
+           "--points": "points.csv", "--pulses": "pulses.vcd", "--rows": "rows.csv",
+           "--state": "out.state"}
 # Those that are larger than a disk of this size for the program above.
-LARGE_OUTPUTS = ("--motion", "--dprnt", "--post", "--coverage", "--points", "--pulses")
+LARGE_OUTPUTS = ("--motion", "--dprnt", "--post", "--coverage", "--points", "--pulses", "--rows")
 SMALL_DISK = "48k"
 
 
@@ -36,7 +37,7 @@ def streams(box):
     nothing = box.kerf("run", "part.nc")
     equal(nothing.out, b"", "standard output of a run that prints nothing")
     contains(nothing.err, "O0001 on mill3", "standard error")
-    for option in ("--motion", "--summary", "--post", "--coverage", "--points"):
+    for option in ("--motion", "--summary", "--post", "--coverage", "--points", "--rows"):
         file = box.kerf("run", "part.nc", option, "out")
         equal(file.out, b"", f"standard output with {option} FILE")
         direct = box.kerf("run", "part.nc", option, "-")

@@ -30,6 +30,7 @@ import option_tests  # noqa: F401
 import output_tests  # noqa: F401
 import post_tests  # noqa: F401
 import pulse_tests  # noqa: F401
+import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401

@@ -31,9 +31,9 @@ def stopped_by(number, exit_status):
         before = box.read("old.state")
         process, unfinished = running(
             box, "--motion", "m.json", "--post", "p.nc", "--plot", "p.svg", "--dprnt", "log",
-            "--coverage", "c.csv", "--points", "t.csv", "--pulses", "u.vcd", "--summary", "s.json",
-            "--state", "old.state")
-        check(len(unfinished) >= 8, f"unfinished files while it runs: {unfinished}")
+            "--coverage", "c.csv", "--points", "t.csv", "--pulses", "u.vcd", "--rows", "r.csv",
+            "--summary", "s.json", "--state", "old.state")
+        check(len(unfinished) >= 9, f"unfinished files while it runs: {unfinished}")
         process.send_signal(number)
         begin = time.monotonic()
         process.wait(timeout=20)

@@ -73,6 +73,7 @@ WRONG_RUNS = {
     "--coverage without its file": ["--coverage"],
     "--points without its file": ["--points"],
     "--pulses without its file": ["--pulses"],
+    "--rows without its file": ["--rows"],
     "--pwm without its file": ["--pwm"],
     "--pwm on a machine without a laser": ["--pwm", "pwm.csv"],
     "--pulses with an ending of another kind": ["--pulses", "pulses.txt"],

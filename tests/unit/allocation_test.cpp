@@ -14,6 +14,7 @@
 #include "output/coverage.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
+#include "output/row_csv.hpp"
 #include "output/set_point_csv.hpp"
 #include "output/step_pulses.hpp"
 
@@ -69,6 +70,7 @@ struct Outputs {
   bool coverage = false;
   bool points = false;
   bool pulses = false;
+  bool rows = false;
 };
 
 // Runs a program and expects nothing to be allocated in its last three quarters.
@@ -93,6 +95,8 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
     machine.add_point_sink(csv_pulses);
     machine.add_point_sink(vcd_pulses);
   }
+  output::RowCsv rows(machine.definition().axes, machine.memory(), *nowhere);
+  if (outputs.rows) machine.add_sink(rows);
   if (outputs.motion) machine.add_sink(motion);
   if (outputs.post) machine.add_sink(post);
   if (outputs.coverage) {
@@ -206,6 +210,10 @@ TEST(NoAllocation, WhileSetPointsAreWritten) {
 
 TEST(NoAllocation, WhilePulsesAreWritten) {
   expect_no_allocation(loop("G01X[#1/97]Y[#1/83]F6000\n"), {.pulses = true});
+}
+
+TEST(NoAllocation, WhileRowsAreWritten) {
+  expect_no_allocation(loop("G01X[#1/997]Y1.\nG02I5.\n"), {.rows = true});
 }
 
 TEST(NoAllocation, WhileLinesAreCounted) {

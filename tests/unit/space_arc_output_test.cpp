@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <numbers>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "machine/run_statistics.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
+#include "output/row_csv.hpp"
 #include "space_arc_cases.hpp"
 #include "temporary_folder.hpp"
 
@@ -119,6 +121,31 @@ TEST(SpaceArcInPlainGCode, IsChordsWithinTheTolerance) {
     EXPECT_EQ(lines.tips.back(), arc.to) << arc.name;
     EXPECT_EQ(lines.feeds, 1) << arc.name;
     EXPECT_NE(std::find(lines.tips.begin(), lines.tips.end(), arc.via), lines.tips.end());
+  }
+}
+
+TEST(SpaceArcInRows, IsTheChordsOfThePlainGCode) {
+  for (const SpaceArcCase& arc : kSpaceArcs) {
+    const control::Memory memory(1);
+    std::istringstream lines(written([&](base::OutputFile& file) {
+      output::RowCsv rows(kAxes, memory, file);
+      make(rows, arc, arc.arc(kFeed_mm_min));
+    }));
+    std::string line;
+    std::getline(lines, line);  // the header
+    std::getline(lines, line);  // to where it starts
+    for (const AxisVector& tip : posted(arc, arc.arc(kFeed_mm_min)).tips) {
+      ASSERT_TRUE(std::getline(lines, line)) << arc.name;
+      double x = 0;
+      double y = 0;
+      double z = 0;
+      ASSERT_EQ(std::sscanf(line.c_str(), "0,1,%lf,%lf,%lf,0,0,0,0,0,3000,", &x, &y, &z), 3)
+          << line;
+      EXPECT_NEAR(x, tip.values[0], kRounding_mm) << arc.name;
+      EXPECT_NEAR(y, tip.values[1], kRounding_mm) << arc.name;
+      EXPECT_NEAR(z, tip.values[2], kRounding_mm) << arc.name;
+    }
+    EXPECT_FALSE(std::getline(lines, line)) << arc.name << ": " << line;
   }
 }
 

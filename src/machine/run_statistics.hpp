@@ -13,9 +13,9 @@ namespace kerf::machine {
 
 /// Lengths, times and extents of a run, added up motion by motion.
 ///
-/// The time here is that of the programmed feed and the machine's rapid rates, without acceleration:
-/// a rapid takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by
-/// its feed. What the axes really take is Servo's.
+/// The time here is that of the programmed feed and the machine's rapid rates, without
+/// acceleration: a rapid takes as long as its slowest axis, a cut its length (of an arc: in its
+/// plane) divided by its feed. What the axes really take is Servo's.
 class RunStatistics : public control::MotionSink {
  public:
   explicit RunStatistics(const control::AxisSetup& axes);

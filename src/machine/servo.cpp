@@ -1,6 +1,8 @@
 #include "machine/servo.hpp"
 
 #include "machine/internal/joint_linkage.hpp"
+#include "motion/interpolator.hpp"
+#include "motion/path_sampler.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -11,6 +13,15 @@ std::unique_ptr<const motion::Linkage> make_linkage(const MachineDefinition& def
   return std::make_unique<JointLinkage>(kinematics);
 }
 
+std::unique_ptr<motion::SetpointSource> make_source(const MachineDefinition& definition,
+                                                    const motion::Linkage* linkage) {
+  if (definition.interpolator.sampling == motion::Sampling::planned) {
+    return std::make_unique<motion::Interpolator>(definition.axes, definition.joint_limits(),
+                                                  definition.interpolator, linkage);
+  }
+  return std::make_unique<motion::PathSampler>(definition.axes, definition.interpolator);
+}
+
 // Set-points between two questions whether to break off: some milliseconds.
 constexpr std::uint64_t kBetweenQuestions = 1 << 16;
 
@@ -19,33 +30,32 @@ constexpr std::uint64_t kBetweenQuestions = 1 << 16;
 Servo::Servo(const MachineDefinition& definition)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
-      axes_(definition.axes),
-      interpolator_(axes_, definition.joint_limits(), definition.interpolator, linkage_.get()) {}
+      source_(make_source(definition, linkage_.get())) {}
 
 Servo::~Servo() = default;
 
 void Servo::take(const control::Motion& motion) {
-  if (!interpolator_.room()) drain();
-  interpolator_.take(motion);
+  if (!source_->room()) drain();
+  source_->take(motion);
 }
 
 void Servo::finish() {
-  if (!interpolator_.room()) drain();
-  interpolator_.finish();
+  if (!source_->room()) drain();
+  source_->finish();
   drain();
 }
 
 void Servo::drain() {
   if (sinks_.empty() || broken_off_) {
-    interpolator_.skip();
+    source_->skip();
     return;
   }
   motion::Setpoint point;
-  while (interpolator_.next(point)) {
+  while (source_->next(point)) {
     hand_out(point);
     if (++points_ % kBetweenQuestions == 0 && broken_off_when_ && broken_off_when_()) {
       broken_off_ = true;
-      interpolator_.skip();
+      source_->skip();
       return;
     }
   }

@@ -128,8 +128,7 @@ double VirtualMachine::date() {
 }
 
 double VirtualMachine::time_of_day() {
-  const double second =
-      std::fmod(std::floor(start_second_ + seconds()), kSecondsPerDay);
+  const double second = std::fmod(std::floor(start_second_ + seconds()), kSecondsPerDay);
   return std::floor(second / 3600) * 10000 + std::floor(std::fmod(second, 3600) / 60) * 100 +
          std::fmod(second, 60);
 }

@@ -165,7 +165,8 @@ void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
   shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
   shape.rate = (clockwise ? -sweep : sweep) / length;
   begin_curves();
-  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()), arc.feed, true);
+  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()),
+                speed_of(arc.feed, length), true);
   at_ = arc.to;
 }
 
@@ -180,6 +181,7 @@ void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& a
   shape.radius = circle.radius();
   shape.rate = 1 / circle.radius();
   begin_curves();
+  const double speed = speed_of(arc.feed, circle.length());
   const auto knots = path.knots();
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const double length = (knots[i].angle_rad - knots[i - 1].angle_rad) * circle.radius();
@@ -189,7 +191,7 @@ void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& a
       shape.origin.values[m] = knots[i - 1].point.values[m];
       shape.slope.values[m] = (knots[i].point.values[m] - knots[i - 1].point.values[m]) / length;
     }
-    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), arc.feed,
+    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), speed,
                   i + 1 == knots.size());
   }
   at_ = arc.to;
@@ -202,10 +204,10 @@ void PathBuilder::begin_curves() {
   drain_chain(true);
 }
 
-void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, const control::Feed& feed,
+void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, double speed,
                                 bool ends_motion) {
   if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut));
-  add_curve(curve, speed_of(feed, curve.length()), motion.fixed_override, false);
+  add_curve(curve, speed, motion.fixed_override, false);
 }
 
 void PathBuilder::place(AxisVector& vector, geometry::Vec3 xyz) const {

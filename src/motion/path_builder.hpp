@@ -57,7 +57,7 @@ class PathBuilder {
   void add_rapid(const control::Motion& motion, const control::Rapid& rapid);
   void add_arc(const control::Motion& motion, const control::Arc& arc);
   void add_space_arc(const control::Motion& motion, const control::SpaceArc& arc);
-  void add_arc_curve(const control::Motion& motion, const Curve& curve, const control::Feed& feed,
+  void add_arc_curve(const control::Motion& motion, const Curve& curve, double speed,
                      bool ends_motion);
   void begin_curves();
   void place(base::AxisVector& vector, geometry::Vec3 xyz) const;

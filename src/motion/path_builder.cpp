@@ -237,13 +237,13 @@ void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
   for (std::uint64_t n = piece.first + 1; n <= piece.last; ++n)
     mark(chain_.point(n).way - begin, chain_.point(n).mark);
   const ChainSmoother::Point& first = chain_.point(piece.first + 1);
-  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_turn,
-            piece.end_turn);
+  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_off_mm,
+            piece.begin_turn, piece.end_turn);
 }
 
 // The marks of the curve stand already behind those of the open one.
 void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
-                            double begin_turn, double end_turn) {
+                            double begin_off_mm, double begin_turn, double end_turn) {
   Open next{curve, 0, feed, begin_turn, end_turn, fixed_override, path_.marks.end()};
   if (is_open_ && joined) {
     close_open(false);
@@ -251,8 +251,8 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
     const double most = kMostOfCurve * std::min(open_.curve.length(), curve.length());
     const double slower = std::min(open_.feed, feed);
     // What a smoothed chain leaves its lines near their end.
-    const double used =
-        std::min(kChainShare * tolerance_mm_, 2 * most * std::max(open_.end_turn, begin_turn));
+    const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
+    const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
     const Corner corner = corners_.between(open_.curve, curve, most, slower, used);
     if (corner.kind == Corner::Kind::rounded) {
       round(corner.rounding, slower);

@@ -65,7 +65,7 @@ class PathBuilder {
   void drain_chain(bool ended);
   void add_piece(const ChainSmoother::Piece& piece);
   void add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
-                 double begin_turn = 0, double end_turn = 0);
+                 double begin_off_mm = 0, double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
   void round(const Rounding& rounding, double feed);
   PathPiece& emit(const Curve& curve, double begin, double end, double feed);

@@ -11,7 +11,8 @@ struct AxisPoint {
   base::AxisVector joints;
 };
 
-/// Receives the set-points of a run in the order of their times, one for every period of the servo.
+/// Receives the set-points of a run in the order of their times: one for every period of the servo,
+/// if the machine's Sampling has one.
 class AxisPointSink {
  public:
   AxisPointSink() = default;

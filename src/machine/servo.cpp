@@ -1,6 +1,8 @@
 #include "machine/servo.hpp"
 
 #include "machine/internal/joint_linkage.hpp"
+#include "motion/interpolator.hpp"
+#include "motion/path_sampler.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -11,6 +13,15 @@ std::unique_ptr<const motion::Linkage> make_linkage(const MachineDefinition& def
   return std::make_unique<JointLinkage>(kinematics);
 }
 
+std::unique_ptr<motion::SetpointSource> make_source(const MachineDefinition& definition,
+                                                    const motion::Linkage* linkage) {
+  if (definition.interpolator.sampling == motion::Sampling::planned) {
+    return std::make_unique<motion::Interpolator>(definition.axes, definition.joint_limits(),
+                                                  definition.interpolator, linkage);
+  }
+  return std::make_unique<motion::PathSampler>(definition.axes, definition.interpolator);
+}
+
 // Set-points between two questions whether to break off: some milliseconds.
 constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 
@@ -19,20 +30,19 @@ constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 Servo::Servo(const MachineDefinition& definition)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
-      axes_(definition.axes),
-      interpolator_(axes_, definition.joint_limits(), definition.interpolator, linkage_.get()) {}
+      source_(make_source(definition, linkage_.get())) {}
 
 Servo::~Servo() = default;
 
 void Servo::take(const control::Motion& motion) {
-  if (!interpolator_.room()) drain();
-  interpolator_.take(motion);
+  if (!source_->room()) drain();
+  source_->take(motion);
   if (const base::AxisVector* const to = control::target_of(motion)) commanded_ = *to;
 }
 
 void Servo::finish() {
-  if (!interpolator_.room()) drain();
-  interpolator_.finish();
+  if (!source_->room()) drain();
+  source_->finish();
   drain();
 }
 
@@ -44,13 +54,13 @@ void Servo::resume() {
 
 void Servo::drain() {
   if (!sinks_.empty() && !broken_off_) make_points();
-  if (sinks_.empty() || broken_off_) interpolator_.skip();
+  if (sinks_.empty() || broken_off_) source_->skip();
 }
 
 void Servo::make_points() {
-  if (!started_) start(interpolator_.tip());
+  if (!started_) start(source_->tip());
   motion::Setpoint point;
-  while (!broken_off_ && interpolator_.next(point)) {
+  while (!broken_off_ && source_->next(point)) {
     hand_out(point);
     if (++points_ % kBetweenQuestions == 0 && broken_off_when_ && broken_off_when_()) break_off();
   }
@@ -58,7 +68,7 @@ void Servo::make_points() {
 
 void Servo::start(const base::AxisVector& tip) {
   started_ = true;
-  last_ = {interpolator_.time_s(), tip, {}};
+  last_ = {source_->time_s(), tip, {}};
   joints_ = linkage_ ? linkage_->joints(last_.tip, joints_) : last_.tip;
   for (AxisPointSink* const sink : sinks_) sink->start({last_, joints_});
 }

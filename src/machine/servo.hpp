@@ -8,11 +8,13 @@
 #include "kinematics/kinematics.hpp"
 #include "machine/axis_point.hpp"
 #include "machine/machine_definition.hpp"
-#include "motion/interpolator.hpp"
+#include "motion/linkage.hpp"
+#include "motion/setpoint_source.hpp"
 
 namespace kerf::machine {
 
-/// The servo side of a machine: plans the motions of a run in time and moves the driven axes.
+/// The servo side of a machine: puts the motions of a run into time, as the machine's interpolator
+/// samples them, and moves the driven axes.
 ///
 /// Without sinks it only keeps the time, which is faster and the same. Broken off, it makes no more
 /// set-points and takes motions without making them: time and tip stay where they were.
@@ -35,9 +37,7 @@ class Servo : public control::MotionSink {
   void resume();
 
   /// Since the start. The motions taken are made only after finish().
-  [[nodiscard]] double time_s() const {
-    return broken_off_ ? last_.time_s : interpolator_.time_s();
-  }
+  [[nodiscard]] double time_s() const { return broken_off_ ? last_.time_s : source_->time_s(); }
   [[nodiscard]] bool broken_off() const { return broken_off_; }
   /// The last set-point that was handed out.
   [[nodiscard]] const motion::Setpoint& last() const { return last_; }
@@ -50,8 +50,7 @@ class Servo : public control::MotionSink {
 
   std::unique_ptr<const kinematics::Kinematics> kinematics_;
   std::unique_ptr<const motion::Linkage> linkage_;  // null: the driven axes are the program's
-  control::AxisSetup axes_;
-  motion::Interpolator interpolator_;
+  std::unique_ptr<motion::SetpointSource> source_;
   std::vector<AxisPointSink*> sinks_;
   std::function<bool()> broken_off_when_;
   base::AxisVector joints_;

@@ -211,6 +211,7 @@ bool ChainSmoother::next(bool ended, Piece& piece) {
     const Node node = node_at(to, last, std::min(2 * node_.spread, kMostSpread));
     piece.curve = Curve::hermite(node_.jet, node.jet, points_[to].way - points_[at_].way, axes_);
     if (!follows(piece.curve, to)) continue;
+    piece.begin_off_mm = 0;
     piece.begin_turn = turn(node_.jet.first, at_ + 1);
     piece.end_turn = turn(node.jet.first, to);
     node_ = node;
@@ -229,12 +230,14 @@ double ChainSmoother::turn(const AxisVector& direction, std::uint64_t line) cons
   return size(difference);
 }
 
-// What no curve fits stays a line.
+// What no curve fits stays a line. It begins where the curve before has ended.
 void ChainSmoother::line_piece(Piece& piece) {
   const Point& from = points_[at_];
   const Point& to = points_[at_ + 1];
-  piece.curve = Curve::line(from.at, to.at, to.way - from.way, axes_);
+  const AxisVector& begin = node_known_ ? node_.jet.value : from.at;
+  piece.curve = Curve::line(begin, to.at, to.way - from.way, axes_);
   piece.joined = false;
+  piece.begin_off_mm = size(begin - from.at);
   piece.begin_turn = piece.end_turn = 0;
   piece.last = origin_ = ++at_;
   node_known_ = false;

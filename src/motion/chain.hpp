@@ -18,7 +18,7 @@ namespace kerf::motion {
 /// between two nodes is asked, and nodes move together until that holds.
 ///
 /// Lines join a chain while the arc that they may stand for stays within the tolerance. Bounded
-/// memory, no allocation after construction.
+/// memory, no allocation after the first motion.
 class ChainSmoother {
  public:
   /// What came out: a curve over the points `first` < n <= `last`, which stay readable by point()
@@ -28,8 +28,9 @@ class ChainSmoother {
     bool joined = false;  ///< goes on from the piece before with its direction and curvature
     std::uint64_t first = 0;
     std::uint64_t last = 0;
-    double begin_turn = 0;  ///< from its first line to the curve, as a difference of directions
-    double end_turn = 0;    ///< and from the curve to its last line
+    double begin_off_mm = 0;  ///< of a piece that is not joined: from its first point
+    double begin_turn = 0;    ///< from its first line to the curve, as a difference of directions
+    double end_turn = 0;      ///< and from the curve to its last line
   };
 
   struct Point {

@@ -13,6 +13,10 @@ constexpr double kSameDirection = 1e-12;
 // A rounding takes this share of what is possible at the feed, so that something remains for
 // speeding up and slowing down.
 constexpr double kShareOfLimit = 0.5;
+// The deviation is asked at some places; between them it may be this much more. What is meant to
+// reach it must stay below by more than rounding.
+constexpr double kBetween = 0.98;
+constexpr double kBelow = 1 - 1e-6;
 
 /// Between lines: the largest second derivative is this times |Δu| / reach, the third this over
 /// reach², and the deviation this times |Δu| reach.
@@ -63,7 +67,6 @@ double CornerRounder::wanted_reach(const AxisVector& turn, const AxisVector& ben
 bool CornerRounder::stays_near(const Rounding& rounding, const Curve& in, const Curve& out,
                                double tolerance) const {
   constexpr int kPlaces = 16;
-  constexpr double kBetween = 0.98;
   for (int i = 1; i < kPlaces; ++i) {
     const double s = rounding.curve.length() * i / kPlaces;
     const AxisVector programmed =
@@ -96,7 +99,8 @@ Corner CornerRounder::between(const Curve& in, const Curve& out, double most_rea
   if (tolerance_mm <= 0) return {Corner::Kind::sharp, {}};
   double reach = std::min(wanted_reach(turn, bend, feed), most_reach);
   const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
-  if (angle > 0) reach = std::min(reach, 0.98 * tolerance_mm / (shape.deviation * angle));
+  if (angle > 0)
+    reach = std::min(reach, kBelow * kBetween * tolerance_mm / (shape.deviation * angle));
   constexpr int kMostTries = 30;
   constexpr double kShrink = 0.75;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {

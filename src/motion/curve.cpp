@@ -127,6 +127,10 @@ Curve Curve::arc(const ArcShape& shape, const AxisVector& to, double length, std
   return curve;
 }
 
+double Curve::length_at_first_radius() const {
+  return kind_ == Kind::arc ? radius_ * std::fabs(rate_) * length_ : length_;
+}
+
 AxisVector Curve::at(double s) const { return s >= length_ ? end_ : point(s); }
 
 AxisVector Curve::point(double s) const {

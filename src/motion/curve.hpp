@@ -54,6 +54,9 @@ class Curve {
   [[nodiscard]] const base::AxisVector& end() const { return end_; }
   [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
   [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
+  /// The angle of an arc times its first radius: its length, if the radius stays. length() of
+  /// everything else.
+  [[nodiscard]] double length_at_first_radius() const;
 
   /// Real-time safe. s outside of [0, length()] is the caller's bug but for rounding.
   [[nodiscard]] base::AxisVector at(double s) const;

@@ -6,40 +6,29 @@
 #include "motion/look_ahead.hpp"
 #include "motion/path_builder.hpp"
 #include "motion/profile.hpp"
-#include "motion/setpoint.hpp"
+#include "motion/setpoint_source.hpp"
 #include "motion/settings.hpp"
 
 namespace kerf::motion {
 
 /// Drives along motions: plans the speed within the limits of all driven axes, and tells where the
-/// tool is at every period of the servo.
-///
-///   while there are motions:   while (room()) take(motion);   while (next(point)) …
-///   at the end:                finish();                      while (next(point)) …
+/// tool is at every period of the servo (docs/motion.md).
 ///
 /// Every point comes from the equation of its line or curve. Each standstill has a point exactly at
-/// the programmed end; what follows begins with the period after it. Bounded look-ahead. No
-/// allocation after construction.
-class Interpolator {
+/// the programmed end. Bounded look-ahead. No allocation after the first motion.
+class Interpolator final : public SetpointSource {
  public:
   /// `limits` are those of the driven axes. `linkage` is null when these are the program's axes,
   /// and must outlive the interpolator otherwise.
   Interpolator(const control::AxisSetup& axes, const AxisLimits& limits, const Settings& settings,
                const Linkage* linkage = nullptr);
-  Interpolator(const Interpolator&) = delete;
-  Interpolator& operator=(const Interpolator&) = delete;
 
-  [[nodiscard]] bool room() const { return builder_.room(); }
-  /// Precondition: room().
-  void take(const control::Motion& motion);
-  /// The axes come to rest behind what was taken. Precondition: room().
-  void finish();
-
-  /// The point of the next period; false when more motions are needed, or all is done. While the
-  /// feed is held the points stand still.
-  [[nodiscard]] bool next(Setpoint& point);
-  /// Passes over all that next() would give.
-  void skip();
+  [[nodiscard]] bool room() const override { return builder_.room(); }
+  void take(const control::Motion& motion) override;
+  void finish() override;
+  /// The point of the next period. While the feed is held the points stand still.
+  [[nodiscard]] bool next(Setpoint& point) override;
+  void skip() override;
 
   // The operator. Each of these takes effect as soon as it breaks no limit: speeds change along the
   // path, which is not left.
@@ -56,10 +45,11 @@ class Interpolator {
   /// At rest after reset(), with nothing ahead.
   [[nodiscard]] bool at_reset() const { return at_reset_; }
 
-  /// Time at the last point, s. A multiple of the period.
-  [[nodiscard]] double time_s() const { return static_cast<double>(tick_) * settings_.period_s; }
-  /// Where the last point was.
-  [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
+  /// A multiple of the period.
+  [[nodiscard]] double time_s() const override {
+    return static_cast<double>(tick_) * settings_.period_s;
+  }
+  [[nodiscard]] const base::AxisVector& tip() const override { return tip_; }
 
  private:
   /// Speed and acceleration along the path, and the place: an offset from the begin of a cell.

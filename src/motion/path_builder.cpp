@@ -199,7 +199,8 @@ void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
   shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
   shape.rate = (clockwise ? -sweep : sweep) / length;
   begin_curves();
-  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()), arc.feed, true);
+  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()),
+                speed_of(arc.feed, length), true);
   at_ = arc.to;
 }
 
@@ -214,6 +215,7 @@ void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& a
   shape.radius = circle.radius();
   shape.rate = 1 / circle.radius();
   begin_curves();
+  const double speed = speed_of(arc.feed, circle.length());
   const auto knots = path.knots();
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const double length = (knots[i].angle_rad - knots[i - 1].angle_rad) * circle.radius();
@@ -223,7 +225,7 @@ void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& a
       shape.origin.values[m] = knots[i - 1].point.values[m];
       shape.slope.values[m] = (knots[i].point.values[m] - knots[i - 1].point.values[m]) / length;
     }
-    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), arc.feed,
+    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), speed,
                   i + 1 == knots.size());
   }
   at_ = arc.to;
@@ -236,9 +238,8 @@ void PathBuilder::begin_curves() {
   drain_chain(true);
 }
 
-void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, const control::Feed& feed,
+void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, double speed,
                                 bool ends_motion) {
-  const double speed = speed_of(feed, curve.length());
   if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut, speed));
   add_curve(curve, speed, motion.fixed_override, false);
 }
@@ -270,13 +271,13 @@ void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
   for (std::uint64_t n = piece.first + 1; n <= piece.last; ++n)
     mark(chain_.point(n).way - begin, chain_.point(n).mark);
   const ChainSmoother::Point& first = chain_.point(piece.first + 1);
-  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_turn,
-            piece.end_turn);
+  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_off_mm,
+            piece.begin_turn, piece.end_turn);
 }
 
 // The marks of the curve stand already behind those of the open one.
 void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
-                            double begin_turn, double end_turn) {
+                            double begin_off_mm, double begin_turn, double end_turn) {
   Open next{curve, 0, feed, begin_turn, end_turn, fixed_override, path_.marks.end()};
   if (is_open_ && joined) {
     close_open(false);
@@ -284,8 +285,8 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
     const double most = kMostOfCurve * std::min(open_.curve.length(), curve.length());
     const double slower = std::min(open_.feed, feed);
     // What a smoothed chain leaves its lines near their end.
-    const double used =
-        std::min(kChainShare * tolerance_mm_, 2 * most * std::max(open_.end_turn, begin_turn));
+    const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
+    const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
     const Corner corner = corners_.between(open_.curve, curve, most, slower,
                                            rapid_ ? kInfinite : tolerance_mm_ - used);
     if (corner.kind == Corner::Kind::rounded) {

@@ -18,7 +18,7 @@ namespace kerf::motion {
 /// corners, and stops where there must be some.
 ///
 /// It keeps back what the next motion may still change: a curve whose end may be rounded, and up to
-/// some hundred short lines. Bounded memory, no allocation after construction.
+/// some hundred short lines. Bounded memory, no allocation after the first motion.
 class PathBuilder {
  public:
   /// The path must outlive the builder. `axes` likewise.
@@ -59,7 +59,7 @@ class PathBuilder {
   void add_leg(const control::Motion& motion, const base::AxisVector& to, bool ends_motion);
   void add_arc(const control::Motion& motion, const control::Arc& arc);
   void add_space_arc(const control::Motion& motion, const control::SpaceArc& arc);
-  void add_arc_curve(const control::Motion& motion, const Curve& curve, const control::Feed& feed,
+  void add_arc_curve(const control::Motion& motion, const Curve& curve, double speed,
                      bool ends_motion);
   void begin_curves();
   void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
@@ -67,7 +67,7 @@ class PathBuilder {
   void drain_chain(bool ended);
   void add_piece(const ChainSmoother::Piece& piece);
   void add_curve(const Curve& curve, double feed, bool fixed_override, bool joined,
-                 double begin_turn = 0, double end_turn = 0);
+                 double begin_off_mm = 0, double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
   void round(const Rounding& rounding, double feed);
   [[nodiscard]] double length_per_parameter(const Curve& curve, double begin, double end) const;

@@ -14,13 +14,20 @@ struct AxisLimits {
   base::AxisVector jerk;          ///< > 0; infinite: the axis has no such limit
 };
 
-/// How set-points follow from the path.
+/// How set-points follow from the path (docs/motion.md, "Sampling"). All but the first know neither
+/// acceleration nor rounded corners.
 enum class Sampling : std::uint8_t {
-  planned,     ///< along a plan that keeps every limit of every axis
-  tail,        ///< constant feed, no acceleration; the last step of a motion is what remains
-  equal,       ///< constant feed, no acceleration; all steps of a motion are equal
-  equal_steps  ///< points at equal steps of the path, not of time
+  planned,      ///< along a plan that keeps every limit of every axis
+  tail,         ///< constant feed; the last step of a motion is what remains
+  equal,        ///< constant feed; all steps of a motion are equal
+  equal_steps,  ///< points at equal steps of the path, not of time
+  literal       ///< likewise, but X Y and Z of a line step apart: to compare and to teach
 };
+
+/// Whether there is a point for every period of the servo.
+[[nodiscard]] constexpr bool is_periodic(Sampling sampling) {
+  return sampling != Sampling::equal_steps && sampling != Sampling::literal;
+}
 
 /// What the interpolator of a machine does.
 struct Settings {
@@ -28,7 +35,7 @@ struct Settings {
   double tolerance_mm = 0.01;         ///< most that a rounded corner leaves the path; 0: stop there
   double chord_tolerance_mm = 0.001;  ///< most that the tip leaves the path within a period, > 0
   Sampling sampling = Sampling::planned;
-  double step_mm = 1;  ///< with equal_steps, > 0
+  double step_mm = 1;  ///< with equal_steps and literal, > 0
 };
 
 }  // namespace kerf::motion

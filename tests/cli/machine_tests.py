@@ -11,7 +11,7 @@ BUILT_IN = ["arm4", "cartesian-step", "laser-xtz", "laser3", "laser5", "mill3", 
 COMMON = ["axis.Z.velocity=500", "axis.Z.acceleration=10", "axis.Z.jerk=1000", "axis.Z.jerk=0",
           "axis.Z.steps_per_unit=-80", "axis.Z.max_rate=4000", "interpolator.period_ms=4",
           "interpolator.mode=planned", "interpolator.mode=tail", "interpolator.mode=equal",
-          "interpolator.step_mm=0.5", "interpolator.tolerance=0",
+          "interpolator.mode=literal", "interpolator.step_mm=0.5", "interpolator.tolerance=0",
           "interpolator.chord_tolerance=0.01", "drive.split=exact", "drive.split=integer"]
 OF_LINKAGE = {
     "laser5": ["kinematics.r_a=100", "kinematics.r_c=-20"],
@@ -67,7 +67,7 @@ def wrong_keys(box):
                 "name=x", "axis.X.travel=1"):
         refused(run_with(box, "laser5", key), 2, key, "there is no such key")
     for key, takes in (("interpolator.period_ms=0", "from 0.01 to 1000"),
-                       ("interpolator.mode=fast", "planned, tail or equal"),
+                       ("interpolator.mode=fast", "planned, tail, equal or literal"),
                        ("interpolator.step_mm=-1", "a number from"),
                        ("interpolator.tolerance=-1", "a number from 0"),
                        ("interpolator.chord_tolerance=0", "a number from"),

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 namespace kerf::machine {
 namespace {
@@ -107,9 +109,11 @@ const std::vector<KeyCase>& key_cases() {
       {"cartesian", "interpolator.period_ms", "8", 0.008,
        [](M m) { return m.interpolator.period_s; }, "0", "a number from 0.01 to 1000"},
       {"cartesian", "interpolator.mode", "tail", enumerated(Sampling::tail),
-       [](M m) { return enumerated(m.interpolator.sampling); }, "head", "planned, tail or equal"},
+       [](M m) { return enumerated(m.interpolator.sampling); }, "head",
+       "planned, tail, equal or literal"},
       {"cartesian", "interpolator.mode", "equal", enumerated(Sampling::equal),
-       [](M m) { return enumerated(m.interpolator.sampling); }, "3", "planned, tail or equal"},
+       [](M m) { return enumerated(m.interpolator.sampling); }, "3",
+       "planned, tail, equal or literal"},
       {"cartesian", "interpolator.step_mm", "0.25", 0.25,
        [](M m) { return m.interpolator.step_mm; }, "0", "a number from 0.0001 to 1000"},
       {"cartesian", "interpolator.tolerance", "0", 0,
@@ -268,6 +272,20 @@ TEST(MachineSet, OfModeAndStepTheLaterCounts) {
   EXPECT_EQ(both.interpolator.sampling, Sampling::equal_steps) << "in a file the step counts more";
 }
 
+TEST(MachineSet, AStepLeavesTheLiteralModeAsItIs) {
+  const std::pair<const char*, const char*> mode{"interpolator.mode", "literal"};
+  const std::pair<const char*, const char*> step{"interpolator.step_mm", "2"};
+  for (const auto& keys : {std::array{mode, step}, std::array{step, mode}}) {
+    MachineDefinition machine = machine_of("cartesian");
+    for (const auto& [key, value] : keys) ASSERT_TRUE(machine.set(key, value));
+    EXPECT_EQ(machine.interpolator.sampling, Sampling::literal);
+    EXPECT_EQ(machine.interpolator.step_mm, 2);
+  }
+  const MachineDefinition file =
+      machine_of("cartesian", "interpolator.step_mm = 3\ninterpolator.mode = \"literal\"\n");
+  EXPECT_EQ(file.interpolator.sampling, Sampling::literal);
+}
+
 TEST(MachineSet, TheFastRampIsCheckedAsAWhole) {
   MachineDefinition machine = machine_of("arm");
   EXPECT_EQ(refusal_of_set(machine, "drive.fast_rate", "100"),
@@ -352,7 +370,8 @@ TEST(MachineFile, WhatIsWrongIsSaidWithItsLine) {
        "m.toml:3: a machine of the type cartesian has no key kinematics.r_a"},
       {head + "[tip]\nvelocity = 5\n" + x,
        "m.toml:3: a machine of the type cartesian has no key tip.velocity"},
-      {head + "[interpolator]\nmode = 1\n" + x, "m.toml:3: mode must be planned, tail or equal"},
+      {head + "[interpolator]\nmode = 1\n" + x,
+       "m.toml:3: mode must be planned, tail, equal or literal"},
       {head + "[drive]\nhidden_tick = 'true'\n" + x, "m.toml:3: hidden_tick must be true or false"},
       {head + "[drive]\nwidth = 1\n" + x, "m.toml:3: there is no key drive.width"},
       {head + "[kinematics]\ntype = 'arm'\n" + x,

@@ -21,8 +21,9 @@ constexpr double kMostNanoseconds = 4294967295;  // 2^32 - 1
 constexpr double kFastestCrystal_hz = 500'000'000;
 
 // Each list of words beside what its places mean.
-constexpr std::array<string_view, 3> kModes = {"planned", "tail", "equal"};
-constexpr std::array kSamplings = {Sampling::planned, Sampling::tail, Sampling::equal};
+constexpr std::array<string_view, 4> kModes = {"planned", "tail", "equal", "literal"};
+constexpr std::array kSamplings = {Sampling::planned, Sampling::tail, Sampling::equal,
+                                   Sampling::literal};
 constexpr std::array<string_view, 2> kSplits = {"exact", "integer"};
 constexpr std::array kTimerSplits = {TimerSplit::exact, TimerSplit::integer};
 constexpr std::array<string_view, 4> kDividers = {"2", "4", "8", "16"};
@@ -81,7 +82,8 @@ constexpr MachineKey kMachineKeys[] = {
     {"interpolator", "step_mm", numbers(0.0001, 1000),
      [](Machine& m, double v) {
        m.interpolator.step_mm = v;
-       m.interpolator.sampling = Sampling::equal_steps;
+       if (m.interpolator.sampling != Sampling::literal)
+         m.interpolator.sampling = Sampling::equal_steps;
      }},
     {"interpolator", "tolerance", numbers(0, 1000),
      [](Machine& m, double v) { m.interpolator.tolerance_mm = v; }},

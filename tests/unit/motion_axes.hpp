@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+#include "motion/setpoint_source.hpp"
+#include "motion/settings.hpp"
+
+namespace kerf::test {
+
+/// Axes by their letters, A B C rotary, all with the same rapid rate.
+inline control::AxisSetup axes_named(std::string_view letters, double rapid_per_min = 10'000) {
+  control::AxisSetup setup;
+  for (const char letter : letters) {
+    control::AxisConfig axis;
+    axis.letter = letter;
+    axis.rotary = letter >= 'A' && letter <= 'C';
+    axis.rapid_per_min = rapid_per_min;
+    setup.axes.push_back(axis);
+  }
+  return setup;
+}
+
+/// The same limits for every axis.
+inline motion::AxisLimits equal_limits(double velocity, double acceleration, double jerk) {
+  motion::AxisLimits limits;
+  limits.velocity.values.fill(velocity);
+  limits.acceleration.values.fill(acceleration);
+  limits.jerk.values.fill(jerk);
+  return limits;
+}
+
+/// Motions of one line each, from line 1.
+inline std::vector<control::Motion> motions_of(
+    const std::vector<control::Motion::Action>& actions) {
+  std::vector<control::Motion> motions;
+  for (const auto& action : actions) {
+    control::Motion motion;
+    motion.line = static_cast<std::uint32_t>(motions.size() + 1);
+    motion.action = action;
+    motions.push_back(motion);
+  }
+  return motions;
+}
+
+/// All set-points that a source makes of motions.
+inline std::vector<motion::Setpoint> points_of(motion::SetpointSource& source,
+                                               const std::vector<control::Motion>& motions) {
+  std::vector<motion::Setpoint> points;
+  motion::Setpoint point;
+  const auto drain = [&] {
+    while (source.next(point)) points.push_back(point);
+  };
+  for (const control::Motion& motion : motions) {
+    if (!source.room()) drain();
+    source.take(motion);
+  }
+  if (!source.room()) drain();
+  source.finish();
+  drain();
+  return points;
+}
+
+}  // namespace kerf::test

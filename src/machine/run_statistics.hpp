@@ -13,9 +13,9 @@ namespace kerf::machine {
 
 /// Lengths, times and extents of a run, added up motion by motion.
 ///
-/// The time here is that of the programmed feed and the machine's rapid rates, without acceleration:
-/// a rapid takes as long as its slowest axis, a cut its length (of an arc: in its plane) divided by
-/// its feed. What the axes really take is Servo's.
+/// The time here is that of the programmed feed and the machine's rapid rates, without
+/// acceleration: a rapid takes as long as its slowest axis, a cut its length (of an arc: in its
+/// plane) divided by its feed. What the axes really take is Servo's.
 class RunStatistics : public control::MotionSink {
  public:
   explicit RunStatistics(const control::AxisSetup& axes);
@@ -27,7 +27,7 @@ class RunStatistics : public control::MotionSink {
   [[nodiscard]] double rapid_mm() const { return rapid_mm_; }
   [[nodiscard]] double cut_mm() const { return cut_mm_; }
   [[nodiscard]] std::uint64_t motions() const { return motions_; }
-  /// Smallest and largest target per axis; equal to each other and 0 before the first motion.
+  /// Smallest and largest target per axis; both the start before the first motion.
   [[nodiscard]] const base::AxisVector& low() const { return low_; }
   [[nodiscard]] const base::AxisVector& high() const { return high_; }
   /// Where the last motion ended: tool tip, machine coordinates.

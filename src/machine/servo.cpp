@@ -8,7 +8,7 @@ namespace {
 std::unique_ptr<const motion::Linkage> make_linkage(const MachineDefinition& definition,
                                                     const kinematics::Kinematics& kinematics) {
   if (definition.kinematics.kind == kinematics::Kind::cartesian) return nullptr;
-  return std::make_unique<JointLinkage>(kinematics);
+  return std::make_unique<JointLinkage>(kinematics, definition.start);
 }
 
 // Set-points between two questions whether to break off: some milliseconds.
@@ -20,7 +20,8 @@ Servo::Servo(const MachineDefinition& definition)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
       axes_(definition.axes),
-      interpolator_(axes_, definition.joint_limits(), definition.interpolator, linkage_.get()) {}
+      interpolator_(axes_, definition.joint_limits(), definition.interpolator, linkage_.get()),
+      joints_(definition.start) {}
 
 Servo::~Servo() = default;
 

@@ -29,6 +29,7 @@ class Servo : public control::MotionSink {
   /// Makes everything that was taken; the axes are at rest then.
   void finish();
 
+  [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
   /// Since the start. The motions taken are made only after finish().
   [[nodiscard]] double time_s() const { return interpolator_.time_s(); }
   [[nodiscard]] bool broken_off() const { return broken_off_; }

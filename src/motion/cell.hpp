@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "motion/curve.hpp"
+#include "motion/cell_limits.hpp"
 #include "motion/profile.hpp"
 
 namespace kerf::motion {
@@ -14,7 +14,7 @@ struct Cell {
   std::uint64_t piece = 0;  ///< number of the piece of the path
   double begin = 0;         ///< the part of its curve, by its parameter
   double end = 0;
-  CurveBounds bounds;  ///< of the driven axes
+  CellBounds bounds;
   PathLimits limits;
   double dwell_s = 0;  ///< > 0: a dwell
   bool stop = false;   ///< the axes come to rest at its end

@@ -41,7 +41,8 @@ PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limit
       tolerance_mm_(settings.tolerance_mm),
       corners_(limits, settings.tolerance_mm, axes.count(), linear_),
       chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_),
-      path_(path) {}
+      path_(path),
+      at_(axes.start) {}
 
 bool PathBuilder::room() const {
   return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;

@@ -26,6 +26,8 @@ struct AxisConfig {
 /// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
 struct AxisSetup {
   std::vector<AxisConfig> axes;
+  base::AxisVector start;  ///< where they stand at power-on, machine coordinates
+  bool linked = false;     ///< others move them through a linkage, which not every move suits
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }

@@ -24,7 +24,8 @@ struct WorkSystem {
 class Coordinates {
  public:
   /// At power-on G54 is in force with the offset that the memory has kept.
-  Coordinates(const AxisSetup& axes, const Memory& memory) : axes_(axes), memory_(memory) {
+  Coordinates(const AxisSetup& axes, const Memory& memory)
+      : axes_(axes), memory_(memory), program_(axes.start), path_(axes.start) {
     refresh_origin();
   }
 

@@ -1,5 +1,6 @@
 #include "control/cutter_compensation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,8 +43,8 @@ double angle_between(Vec2 a, Vec2 b) {
 base::AxisVector CutterCompensation::tip() const {
   if (!held_) return tip_;
   base::AxisVector result = *target_of(held_->step.motion);
-  for (const Motion& motion : beside_) {
-    if (const base::AxisVector* const to = target_of(motion)) result = *to;
+  for (const Beside& item : beside_) {
+    if (const base::AxisVector* const to = target_of(item.motion)) result = *to;
   }
   const Vec2 normal = held_->offset * geometry::left_of(direction_at_end(held_->step));
   plane_.place(result, held_->step.piece.to + normal);
@@ -78,12 +79,11 @@ bool CutterCompensation::move(const PathStep& step) {
     return alarms_.raise_at(Code::arc_interference, step.place);  // CRC-11
   }
   switch (mode_) {
-    case Mode::off: emit_to(step, step.piece.to); return true;
+    case Mode::off: return emit_to(step, step.piece.to);
     case Mode::ending:
       if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
-      emit_to(step, step.piece.to);
       mode_ = Mode::off;
-      return true;
+      return emit_to(step, step.piece.to);
     case Mode::armed: return start(step);
     case Mode::on: break;
   }
@@ -103,8 +103,7 @@ bool CutterCompensation::start(const PathStep& step) {
   mode_ = Mode::on;
   if (settings_.start_up != 'C' || !moved_since_begin_) return hold(step, tip_in_plane(), true);
   const Vec2 start = step.piece.from + offset_ * geometry::left_of(direction_at_start(step));
-  emit_to(inner_part(step), start);
-  return hold(step, start, false);
+  return emit_to(inner_part(step), start) && hold(step, start, false);
 }
 
 bool CutterCompensation::hold(const PathStep& step, Vec2 start, bool start_up) {
@@ -135,14 +134,13 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
     }
     if (!go_through(way)) return false;
   }
-  emit_to(step, step.piece.to);
   mode_ = Mode::off;
-  return true;
+  return emit_to(step, step.piece.to);
 }
 
-void CutterCompensation::beside(const Motion& motion) {
-  beside_.push_back(motion);
-  if (!held_) emit_beside();
+bool CutterCompensation::beside(const Motion& motion) {
+  beside_.push_back({motion, alarms_.place()});
+  return held_ || emit_beside();
 }
 
 bool CutterCompensation::idle_block() {
@@ -173,22 +171,24 @@ bool CutterCompensation::refuse_held(Code code, const std::string& detail) {
   return false;
 }
 
-// Emits what is held along a corner, then everything that waited behind it.
+// Emits what is held along a corner, then everything that waited behind it. Behind a move that
+// cannot be made there is nothing.
 bool CutterCompensation::go_through(const Corner& corner) {
   const PathStep step = held_->step;
   if (corner.arc || corner.via_count > 0) held_->step = inner_part(step);
-  if (!emit_held(corner.end)) return false;
-  if (corner.arc) {
-    emit_corner_arc(step, step.piece.to, corner);
-  } else {
-    for (std::size_t i = 0; i < corner.via_count; ++i) {
-      PathStep bevel = i + 1 < corner.via_count ? inner_part(step) : step;
-      bevel.piece.is_arc = false;
-      emit_to(bevel, corner.via[i]);
-    }
-  }
+  const bool good = emit_held(corner.end) && emit_corner(step, corner);
   held_.reset();
-  emit_beside();
+  if (!good) beside_.clear();
+  return good && emit_beside();
+}
+
+bool CutterCompensation::emit_corner(const PathStep& step, const Corner& corner) {
+  if (corner.arc) return emit_corner_arc(step, step.piece.to, corner);
+  for (std::size_t i = 0; i < corner.via_count; ++i) {
+    PathStep bevel = i + 1 < corner.via_count ? inner_part(step) : step;
+    bevel.piece.is_arc = false;
+    if (!emit_to(bevel, corner.via[i])) return false;
+  }
   return true;
 }
 
@@ -317,11 +317,10 @@ bool CutterCompensation::emit_held(Vec2 end) {
     if (compensated_sweep(end) < std::numbers::pi) return true;
     end = tip_in_plane();
   }
-  emit_to(step, end);
-  return true;
+  return emit_to(step, end);
 }
 
-void CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
+bool CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
   Motion motion = step.motion;
   const auto place = [&](auto& action) {
     if constexpr (requires { action.to; }) {
@@ -329,16 +328,16 @@ void CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
     }
   };
   if (step.piece.is_arc && geometry::length(tip_in_plane() - step.piece.centre) <= kSmall_mm)
-    return;  // R' = 0
+    return true;  // R' = 0
   if (!step.piece.is_arc && std::holds_alternative<Arc>(motion.action)) {
     const Arc& arc = std::get<Arc>(step.motion.action);
     motion.action = Line{arc.to, arc.feed};
   }
   std::visit(place, motion.action);
-  emit(motion);
+  return emit(motion, step.place);
 }
 
-void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, const Corner& corner) {
+bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, const Corner& corner) {
   Motion motion = step.motion;
   Feed feed;
   base::AxisVector to = *target_of(motion);
@@ -359,29 +358,31 @@ void CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
             feed,  0,
             plane, corner.clockwise ? Direction::clockwise : Direction::counterclockwise};
   }
-  emit(motion);
+  return emit(motion, step.place);
 }
 
-void CutterCompensation::emit(Motion motion) {
+bool CutterCompensation::emit(const Motion& motion, const base::Place& place) {
   base::AxisVector target = tip_;
   if (const base::AxisVector* const to = target_of(motion)) target = *to;
   const bool moves = target_of(motion) != nullptr;
   const bool closed_arc = std::holds_alternative<Arc>(motion.action);
   const bool probe = std::holds_alternative<Probe>(motion.action);
-  if (moves && target == tip_ && !closed_arc && !probe) return;  // goes nowhere
+  if (moves && target == tip_ && !closed_arc && !probe) return true;  // goes nowhere
+  if (!outlet_.let_out(motion, tip_, &place)) return false;
   tip_ = target;
-  sink_.take(motion);
+  return true;
 }
 
-void CutterCompensation::emit_beside() {
-  for (Motion& motion : beside_) {
-    const auto stay = [&](auto& action) {
-      if constexpr (requires { action.to; }) plane_.place(action.to, tip_in_plane());
-    };
-    std::visit(stay, motion.action);
-    emit(motion);
-  }
+bool CutterCompensation::emit_beside() {
+  const auto stay = [this](auto& action) {
+    if constexpr (requires { action.to; }) plane_.place(action.to, tip_in_plane());
+  };
+  const bool good = std::all_of(beside_.begin(), beside_.end(), [&](Beside& item) {
+    std::visit(stay, item.motion.action);
+    return emit(item.motion, item.place);
+  });
   beside_.clear();
+  return good;
 }
 
 }  // namespace kerf::control

@@ -8,6 +8,7 @@
 
 #include "control/alarms.hpp"
 #include "control/motion.hpp"
+#include "control/outlet.hpp"
 #include "control/path_step.hpp"
 #include "control/plane_axes.hpp"
 #include "geometry/intersect.hpp"
@@ -35,8 +36,8 @@ class CutterCompensation {
     bool corner_arc = false;  ///< CCC
   };
 
-  CutterCompensation(Alarms& alarms, MotionSink& sink, const Settings& settings)
-      : alarms_(alarms), sink_(sink), settings_(settings) {}
+  CutterCompensation(Alarms& alarms, Outlet& outlet, const Settings& settings)
+      : alarms_(alarms), outlet_(outlet), settings_(settings) {}
 
   void configure(const Settings& settings) { settings_ = settings; }
   [[nodiscard]] bool active() const { return mode_ != Mode::off; }
@@ -56,8 +57,9 @@ class CutterCompensation {
   [[nodiscard]] bool move(const PathStep& step);
   /// The move of a G40 block. `wall` is the direction that I and J give.
   [[nodiscard]] bool end_with(const PathStep& step, std::optional<geometry::Vec2> wall);
-  /// Anything else, in order. A target keeps the tool where it is in the plane.
-  void beside(const Motion& motion);
+  /// Anything else, in order. A target keeps the tool where it is in the plane. False: an alarm was
+  /// raised.
+  bool beside(const Motion& motion);
   /// A block without a move in the plane is over; behind two of them the corner is not looked at
   /// any more (CRC-1).
   [[nodiscard]] bool idle_block();
@@ -86,6 +88,11 @@ class CutterCompensation {
     double offset = 0;
     bool start_up = false;
   };
+  // What waits behind the held move, and the place of its block.
+  struct Beside {
+    Motion motion;
+    base::Place place;
+  };
 
   bool start(const PathStep& step);
   bool hold(const PathStep& step, geometry::Vec2 start, bool start_up);
@@ -97,16 +104,17 @@ class CutterCompensation {
   bool refuse_held(base::Code code, const std::string& detail = {});
   bool go_through(const Corner& corner);
   bool emit_held(geometry::Vec2 end);
-  void emit_to(const PathStep& step, geometry::Vec2 to);
-  void emit_corner_arc(const PathStep& step, geometry::Vec2 centre, const Corner& corner);
-  void emit(Motion motion);
-  void emit_beside();
+  bool emit_corner(const PathStep& step, const Corner& corner);
+  bool emit_to(const PathStep& step, geometry::Vec2 to);
+  bool emit_corner_arc(const PathStep& step, geometry::Vec2 centre, const Corner& corner);
+  bool emit(const Motion& motion, const base::Place& place);
+  bool emit_beside();
   [[nodiscard]] double compensated_sweep(geometry::Vec2 end) const;
   [[nodiscard]] bool runs_backwards(geometry::Vec2 end) const;
   [[nodiscard]] geometry::Vec2 tip_in_plane() const { return plane_.project(tip_); }
 
   Alarms& alarms_;
-  MotionSink& sink_;
+  Outlet& outlet_;
   Settings settings_;
   Mode mode_ = Mode::off;
   PlaneAxes plane_;
@@ -114,7 +122,7 @@ class CutterCompensation {
   bool moved_since_begin_ = false;
   int idle_blocks_ = 0;
   std::optional<Held> held_;
-  std::vector<Motion> beside_;
+  std::vector<Beside> beside_;
   base::AxisVector tip_;
 };
 

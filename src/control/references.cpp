@@ -157,7 +157,7 @@ bool References::skip(const Words& words, bool& moved) {
   moves_.apply_length(target.named);
   const AxisVector from = state_.coordinates.path();
   AxisVector path = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(path)) return false;
+  if (!moves_.check_limits(path) || !state_.path.admits(Probe{path, rate, false})) return false;
   const AxisVector& length = state_.coordinates.length();
   const std::optional<double> contact = state_.surroundings.contact(from + length, path + length);
   if (contact) {

@@ -12,34 +12,12 @@
 #include "control/memory.hpp"
 #include "control/modal_state.hpp"
 #include "control/parameters.hpp"
+#include "control/surroundings.hpp"
 #include "control/toolpath.hpp"
 #include "control/word_values.hpp"
 #include "control/words.hpp"
 
 namespace kerf::control {
-
-/// What the control needs of the world around it. Implemented by the machine.
-class Surroundings {
- public:
-  virtual ~Surroundings() = default;
-
-  /// Seconds of machine time since power-on, all motions handed out so far finished.
-  [[nodiscard]] virtual double seconds() = 0;
-  /// Calendar date and time as yyyymmdd and hhmmss.
-  [[nodiscard]] virtual double date() = 0;
-  [[nodiscard]] virtual double time_of_day() = 0;
-
-  /// Where along a probing move from `from` to `to` (machine coordinates) the skip signal comes on:
-  /// a fraction of its length, or nothing.
-  [[nodiscard]] virtual std::optional<double> contact(const base::AxisVector& from,
-                                                      const base::AxisVector& to) = 0;
-
-  /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
-  [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;
-
-  /// Output of DPRNT and BPRNT.
-  virtual void print(std::string_view text) = 0;
-};
 
 /// Spindle, tool and the other words that stay until they are changed.
 struct ModalWords {
@@ -71,7 +49,9 @@ struct State {
         modal(parameters_in),
         before(parameters_in),
         coordinates(axes_in, memory_in),
-        path(alarms_in, sink, {parameters_in.start_up, parameters_in.corner_arc}) {
+        outlet(alarms_in, surroundings_in,
+               axes_in.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
+        path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in.start) {
     refresh_format();
   }
 
@@ -86,6 +66,7 @@ struct State {
   ModalState before;  ///< as the previous block left it (#4001…)
   ModalWords words;
   Coordinates coordinates;
+  Outlet outlet;  ///< of `path`
   Toolpath path;
   std::uint32_t line = 0;          ///< of the executing block
   base::AxisVector skip_position;  ///< #5061: machine coordinates, tool length included

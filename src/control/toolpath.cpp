@@ -4,13 +4,17 @@ namespace kerf::control {
 
 using base::AxisVector;
 
-Toolpath::Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings)
+Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
+                   const AxisVector& start)
     : alarms_(alarms),
-      sink_(sink),
+      outlet_(outlet),
       corners_(
           alarms, [this](const PathStep& step) { return compensate(step); },
           [this](const Motion& motion) { pass(motion); }),
-      compensation_(alarms, sink, settings) {}
+      compensation_(alarms, outlet, settings),
+      tip_(start) {
+  compensation_.set_tip(tip_);
+}
 
 void Toolpath::begin_block(const Source& source) {
   source_ = source;
@@ -44,6 +48,7 @@ bool Toolpath::release() {
 }
 
 void Toolpath::reset() {
+  outlet_.reset();
   tip_ = tip();
   corners_.reset();
   compensation_.reset();
@@ -79,15 +84,11 @@ bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape&
 
 bool Toolpath::straight(const Motion::Action& action) {
   if (!interrupt_compensation()) return false;
-  if (!compensation_.active()) {
-    emit(make(action));
-    return true;
-  }
-  tip_ = compensation_.tip();
-  emit(make(action));
-  compensation_.set_tip(tip_);
-  return true;
+  if (compensation_.active()) tip_ = compensation_.tip();
+  return emit(make(action));
 }
+
+bool Toolpath::admits(const Motion::Action& action) { return outlet_.admits(make(action), tip()); }
 
 void Toolpath::act(const Motion::Action& action) {
   if (corners_.holding()) {
@@ -98,21 +99,14 @@ void Toolpath::act(const Motion::Action& action) {
 }
 
 // What is no move in the plane keeps its place among the moves.
-void Toolpath::pass(const Motion& motion) {
-  if (compensation_.active()) {
-    compensation_.beside(motion);
-  } else {
-    emit(motion);
-  }
+bool Toolpath::pass(const Motion& motion) {
+  return compensation_.active() ? compensation_.beside(motion) : emit(motion);
 }
 
 // Most moves meet neither a corner nor compensation.
 bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape* shape) {
   const bool rounds = corner_at_end_.has_value() || corners_.holding();
-  if (!compensation_.active() && !rounds) {
-    emit(motion);
-    return true;
-  }
+  if (!compensation_.active() && !rounds) return emit(motion);
   const PlaneAxes plane = compensation_.active() ? compensation_.plane()
                           : corner_at_end_       ? corner_at_end_->axes
                                                  : corners_.axes();
@@ -134,9 +128,7 @@ bool Toolpath::move(const AxisVector& from, const Motion& motion, const ArcShape
 bool Toolpath::move_beside_plane(const Motion& motion) {
   if (corner_at_end_)
     return alarms_.raise(base::Code::corner_missing_move, "this block does not move in the plane");
-  if (!corners_.refuse()) return false;
-  pass(motion);
-  return true;
+  return corners_.refuse() && pass(motion);
 }
 
 bool Toolpath::round(const PathStep& step) {
@@ -148,10 +140,7 @@ bool Toolpath::round(const PathStep& step) {
 }
 
 bool Toolpath::compensate(const PathStep& step) {
-  if (!compensation_.active()) {
-    emit(step.motion);
-    return true;
-  }
+  if (!compensation_.active()) return emit(step.motion, &step.place);
   const bool good = ending_ ? compensation_.end_with(step, wall_) : compensation_.move(step);
   if (!compensation_.active()) tip_ = compensation_.tip();
   return good;
@@ -159,15 +148,16 @@ bool Toolpath::compensate(const PathStep& step) {
 
 // A rapid or line that goes nowhere is no motion; an arc that ends where it begins is a full
 // circle.
-void Toolpath::emit(const Motion& motion) {
-  if (const AxisVector* const to = target_of(motion)) {
-    const bool straight_line =
-        std::holds_alternative<Rapid>(motion.action) || std::holds_alternative<Line>(motion.action);
-    if (straight_line && *to == tip_) return;
-    tip_ = *to;
-    compensation_.set_tip(tip_);
-  }
-  sink_.take(motion);
+bool Toolpath::emit(const Motion& motion, const base::Place* place) {
+  const AxisVector* const to = target_of(motion);
+  const bool straight_line =
+      std::holds_alternative<Rapid>(motion.action) || std::holds_alternative<Line>(motion.action);
+  if (straight_line && *to == tip_) return true;
+  if (!outlet_.let_out(motion, tip_, place)) return false;
+  if (to == nullptr) return true;
+  tip_ = *to;
+  compensation_.set_tip(tip_);
+  return true;
 }
 
 }  // namespace kerf::control

@@ -6,6 +6,7 @@
 #include "control/corner_rounding.hpp"
 #include "control/cutter_compensation.hpp"
 #include "control/move_rules.hpp"
+#include "control/outlet.hpp"
 
 namespace kerf::control {
 
@@ -36,7 +37,9 @@ struct CornerAtEnd {
 /// compensation. Knows where the tool stands and leaves out moves that go nowhere.
 class Toolpath {
  public:
-  Toolpath(Alarms& alarms, MotionSink& sink, const CutterCompensation::Settings& settings);
+  /// The tool stands at `start`.
+  Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
+           const base::AxisVector& start);
 
   /// A block begins: what it emits comes from `source`.
   void begin_block(const Source& source);
@@ -58,6 +61,8 @@ class Toolpath {
                          const ArcShape& shape, const Feed& feed);
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
   [[nodiscard]] bool straight(const Motion::Action& action);
+  /// Whether such a move could be made now. False: an alarm was raised.
+  [[nodiscard]] bool admits(const Motion::Action& action);
   /// Anything that is not a move.
   void act(const Motion::Action& action);
 
@@ -83,12 +88,12 @@ class Toolpath {
   bool move_beside_plane(const Motion& motion);
   bool round(const PathStep& step);
   bool compensate(const PathStep& step);
-  void pass(const Motion& motion);
-  void emit(const Motion& motion);
+  bool pass(const Motion& motion);
+  bool emit(const Motion& motion, const base::Place* place = nullptr);
   [[nodiscard]] Motion make(const Motion::Action& action) const;
 
   Alarms& alarms_;
-  MotionSink& sink_;
+  Outlet& outlet_;
   CornerRounding corners_;
   CutterCompensation compensation_;
   Source source_;

@@ -123,6 +123,7 @@ Result<AxisVector> Arm::solve(const AxisVector& tip, const AxisVector& previous,
 }
 
 Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
+  if (stands(tip, kX) && stands(tip, kY)) return lifting(tip, joints);
   const Pose pose = pose_at(joints);
   const double sine = geometry::sine_cosine_deg(pose.elbow_deg).sine;
   if (std::fabs(sine) < kSingularSine) {
@@ -134,6 +135,15 @@ Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
   set_jet(result, kForearm, forearm);
   set_jet(result, kUpper, upper);
   set_jet(result, kWheel, wheel);
+  set_jet(result, kLift, jet_of(tip, kZ));
+  result.value = joints;
+  return result;
+}
+
+// The links stand, also where no rates are determined for other moves.
+PathJet Arm::lifting(const PathJet& tip, const AxisVector& joints) {
+  PathJet result;
+  set_jet(result, kWheel, jet_of(tip, kHeading));
   set_jet(result, kLift, jet_of(tip, kZ));
   result.value = joints;
   return result;

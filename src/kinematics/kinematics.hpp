@@ -52,6 +52,10 @@ class Kinematics {
   [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
                                                  const base::AxisVector& previous) const;
 
+  /// The same for joints that may stand anywhere. Error: out_of_reach.
+  [[nodiscard]] virtual Result<base::AxisVector> follow(const base::AxisVector& tip,
+                                                        const base::AxisVector& previous) const;
+
   /// The joints on the branch that the caller names, every rotary joint on the turn nearest to
   /// `previous`. Precondition: has_branches(), or `branch` is plus. Errors: out_of_reach, limit.
   [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
@@ -72,7 +76,8 @@ class Kinematics {
 
   /// What the joints do while the tip moves along a path, where they stand at `joints`, which
   /// inverse() or nearest() has found for tip.value: value is `joints`, the derivatives are by the
-  /// same parameter as those of the tip, analytic and finite. Error: singular.
+  /// same parameter as those of the tip, analytic and finite. A tip that stands in X and Y has
+  /// rates everywhere: those of the joints that hold it there are 0. Error: singular.
   [[nodiscard]] virtual Result<base::PathJet> along(const base::PathJet& tip,
                                                     const base::AxisVector& joints) const = 0;
 
@@ -94,9 +99,6 @@ class Kinematics {
   Kinematics(std::vector<Joint> joints, const Turns& turns_deg);
 
  private:
-  /// inverse() without limits.
-  [[nodiscard]] virtual Result<base::AxisVector> follow(const base::AxisVector& tip,
-                                                        const base::AxisVector& previous) const;
   [[nodiscard]] virtual Result<base::AxisVector> solve(const base::AxisVector& tip,
                                                        const base::AxisVector& previous,
                                                        Branch branch) const = 0;

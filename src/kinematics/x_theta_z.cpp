@@ -45,16 +45,18 @@ Result<AxisVector> XThetaZ::solve(const AxisVector& tip, const AxisVector& previ
 }
 
 Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) const {
+  PathJet result = tip;
+  result.value = joints;
+  if (stands(tip, kX) && stands(tip, kY)) return result;  // also on the axis
   if (std::hypot(tip.value[kX], tip.value[kY]) < kNoRadius_mm) {
     return base::unexpected(
         Fault{Fault::Kind::singular,
               "the tip is on the axis of the work, where no angle of it is determined"});
   }
   const auto [radius, bearing_deg] = polar(jet_of(tip, kX), jet_of(tip, kY));
-  PathJet result = tip;
-  set_jet(result, kX, radius);
+  set_jet(result, kX, radius);  // constant offsets change no derivative
   set_jet(result, kTheta, bearing_deg);
-  result.value = joints;  // constant offsets change no derivative
+  result.value = joints;
   return result;
 }
 

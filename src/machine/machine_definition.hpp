@@ -29,6 +29,9 @@ inline constexpr std::array<std::string_view, 5> kDialects = {"fanuc-mill", "fan
 /// and, on an arm, C: then X and Y have the rates of `tip`, the others those of the joint that
 /// moves them alone, and their reference points are where the tip is while the joints stand at
 /// theirs. A stroke of the program's axes is that of driven axes which are the same thing.
+///
+/// At power-on every axis stands at 0: the program's where it names the driven ones, else the
+/// driven ones.
 struct MachineDefinition {
   std::string name;
   std::string description;
@@ -40,6 +43,7 @@ struct MachineDefinition {
   motion::Settings interpolator;
   DriveSettings drive;
   control::AxisSetup axes;  ///< the program's; they follow from the others
+  base::AxisVector start;   ///< of the driven axes at power-on, where `axes` have theirs
   control::Parameters parameters;
 
   /// Reads a definition. Failure (input): what is wrong, with the line; every unknown key is wrong.

@@ -20,7 +20,8 @@ constexpr std::size_t kMostMessages = 1000;
 
 }  // namespace
 
-RunStatistics::RunStatistics(const control::AxisSetup& axes) : axes_(axes) {
+RunStatistics::RunStatistics(const control::AxisSetup& axes)
+    : axes_(axes), at_(axes.start), low_(axes.start), high_(axes.start) {
   for (std::size_t i = 0; i < axes.count(); ++i) {
     rapid_s_per_unit_[i] = 60 / axes.axes[i].rapid_per_min;
     linear_[i] = !axes.axes[i].rotary;

@@ -27,7 +27,7 @@ class RunStatistics : public control::MotionSink {
   [[nodiscard]] double rapid_mm() const { return rapid_mm_; }
   [[nodiscard]] double cut_mm() const { return cut_mm_; }
   [[nodiscard]] std::uint64_t motions() const { return motions_; }
-  /// Smallest and largest target per axis; equal to each other and 0 before the first motion.
+  /// Smallest and largest target per axis; both the start before the first motion.
   [[nodiscard]] const base::AxisVector& low() const { return low_; }
   [[nodiscard]] const base::AxisVector& high() const { return high_; }
   /// Where the last motion ended: tool tip, machine coordinates.

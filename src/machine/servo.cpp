@@ -10,7 +10,7 @@ namespace {
 std::unique_ptr<const motion::Linkage> make_linkage(const MachineDefinition& definition,
                                                     const kinematics::Kinematics& kinematics) {
   if (definition.kinematics.kind == kinematics::Kind::cartesian) return nullptr;
-  return std::make_unique<JointLinkage>(kinematics);
+  return std::make_unique<JointLinkage>(kinematics, definition.start);
 }
 
 std::unique_ptr<motion::SetpointSource> make_source(const MachineDefinition& definition,
@@ -30,7 +30,8 @@ constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 Servo::Servo(const MachineDefinition& definition)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
-      source_(make_source(definition, linkage_.get())) {}
+      source_(make_source(definition, linkage_.get())),
+      joints_(definition.start) {}
 
 Servo::~Servo() = default;
 

@@ -36,6 +36,7 @@ class Servo : public control::MotionSink {
   /// Goes on where the motions that were taken end. Precondition: finish() has been called.
   void resume();
 
+  [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
   /// Since the start. The motions taken are made only after finish().
   [[nodiscard]] double time_s() const { return broken_off_ ? last_.time_s : source_->time_s(); }
   [[nodiscard]] bool broken_off() const { return broken_off_; }

@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "base/decimal.hpp"
+#include "kinematics/fault.hpp"
 #include "lang/vm/value.hpp"
+#include "machine/internal/reach.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -31,6 +33,8 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
       shelf_(sources_, library_),
       statistics_(definition_.axes),
       servo_(definition_) {
+  if (definition_.axes.linked)
+    reach_ = std::make_unique<Reach>(servo_.kinematics(), definition_.axes, definition_.start);
   first_locals_.fill(vm::kNull);
   power_on();
 }
@@ -138,6 +142,17 @@ double VirtualMachine::time_of_day() {
   const double second = std::fmod(std::floor(start_second_ + seconds()), kSecondsPerDay);
   return std::floor(second / 3600) * 10000 + std::floor(std::fmod(second, 3600) / 60) * 100 +
          std::fmod(second, 60);
+}
+
+std::optional<control::Refusal> VirtualMachine::refusal(const base::AxisVector& from,
+                                                        const control::Motion& move,
+                                                        Intent intent) {
+  if (!reach_) return std::nullopt;
+  base::AxisVector end;
+  if (auto fault = reach_->objection(from, move, end))
+    return control::Refusal{kinematics::code_of(fault->kind), std::move(fault->message)};
+  if (intent == Intent::make) reach_->set_joints(end);
+  return std::nullopt;
 }
 
 // Contacts are used up in order: the next one waits until a probing move passes it.

@@ -21,6 +21,8 @@
 
 namespace kerf::machine {
 
+class Reach;
+
 /// Where the skip signal of a probing move comes on: the machine position of an axis.
 struct SkipContact {
   base::Axis axis{};
@@ -128,6 +130,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   double seconds() override;
   double date() override;
   double time_of_day() override;
+  std::optional<control::Refusal> refusal(const base::AxisVector& from, const control::Motion& move,
+                                          Intent intent) override;
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
   std::uint32_t inputs(std::size_t word) override { return inputs_[word]; }
   void print(std::string_view text) override;
@@ -156,6 +160,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   ProgramShelf shelf_;
   RunStatistics statistics_;
   Servo servo_;
+  std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
   std::vector<control::MotionSink*> sinks_;
   std::function<void(std::string_view)> print_output_;
   std::function<void()> progress_;

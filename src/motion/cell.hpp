@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "motion/curve.hpp"
+#include "motion/cell_limits.hpp"
 #include "motion/overrides.hpp"
 #include "motion/profile.hpp"
 
@@ -15,7 +15,7 @@ struct Cell {
   std::uint64_t piece = 0;  ///< number of the piece of the path
   double begin = 0;         ///< the part of its curve, by its parameter
   double end = 0;
-  CurveBounds bounds;  ///< of the driven axes
+  CellBounds bounds;
   PathLimits limits;
   Overrides overrides;         ///< that the limits are for
   Overrides former_overrides;  ///< and those before, while others are tried

@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "motion/chord.hpp"
 
 namespace kerf::motion {
 namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // Shares of the axes' limits that the shape of the path may use at full speed, and of the jerk for
 // 3 q'' v a.
@@ -23,35 +28,44 @@ constexpr Shares shares(CellLimits::Use use) {
 CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
                        std::array<bool, base::kMaxAxes> linear)
     : limits_(axis_limits),
-      chord_speed_(std::sqrt(8 * settings.chord_tolerance_mm) / settings.period_s),
+      chord_tolerance_mm_(settings.chord_tolerance_mm),
+      period_s_(settings.period_s),
       axes_(axes),
       linear_(linear) {
   for (std::size_t m = 0; m < axes; ++m) jerk_limited_ |= std::isfinite(limits_.jerk.values[m]);
 }
 
-double CellLimits::highest_speed(const CurveBounds& bounds, Use use) const {
-  double speed = std::numeric_limits<double>::infinity();
-  double curvature = 0;
+// The exact formula knows no limit for circles within the tolerance. But a curve that bends so
+// sharply at one place may lead away from there.
+double CellLimits::tolerable_speed(double curvature, double deviation) const {
+  const double both = curvature + 8 * deviation;
+  if (both == 0) return kInfinite;
+  const double speed = std::sqrt(8 * chord_tolerance_mm_ / both) / period_s_;
+  if (curvature == 0) return speed;
+  const double of_chord_mm = chord_tolerance_mm_ * (curvature / both);
+  return std::min(speed, chord_feed_mm_s(1 / curvature, of_chord_mm, period_s_));
+}
+
+double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {
+  double speed = tolerable_speed(bounds.curvature, bounds.deviation);
   for (std::size_t m = 0; m < axes_; ++m) {
-    const double first = bounds.first.values[m];
-    const double second = bounds.second.values[m];
-    const double third = bounds.third.values[m];
+    const double first = bounds.driven.first.values[m];
+    const double second = bounds.driven.second.values[m];
+    const double third = bounds.driven.third.values[m];
     if (first > 0) speed = std::min(speed, limits_.velocity.values[m] / first);
     if (second > 0) {
       const double share = shares(use).acceleration * limits_.acceleration.values[m];
       speed = std::min(speed, std::sqrt(share / second));
-      if (linear_[m]) curvature = std::hypot(curvature, second);
     }
     if (third > 0 && std::isfinite(limits_.jerk.values[m]))
       speed = std::min(speed, std::cbrt(shares(use).jerk * limits_.jerk.values[m] / third));
   }
-  if (curvature > 0) speed = std::min(speed, chord_speed_ / std::sqrt(curvature));
   return speed;
 }
 
-PathLimits CellLimits::of(const CurveBounds& bounds, double feed, Use use) const {
+PathLimits CellLimits::of(const CellBounds& bounds, double feed, Use use) const {
   const double speed = std::min(feed, highest_speed(bounds, use));
-  return jerk_limited_ ? with_jerk(bounds, speed, use) : without_jerk(bounds, speed);
+  return jerk_limited_ ? with_jerk(bounds.driven, speed, use) : without_jerk(bounds.driven, speed);
 }
 
 // The least of (A - q'' v²) / q' over the axes, each of them linear in v², is at least the line
@@ -67,7 +81,7 @@ PathLimits CellLimits::without_jerk(const CurveBounds& bounds, double speed) con
 }
 
 double CellLimits::acceleration_at(const CurveBounds& bounds, double speed) const {
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinite;
   for (std::size_t m = 0; m < axes_; ++m) {
     const double first = bounds.first.values[m];
     const double left = limits_.acceleration.values[m] - bounds.second.values[m] * speed * speed;

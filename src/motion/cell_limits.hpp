@@ -6,15 +6,28 @@
 
 namespace kerf::motion {
 
+/// What bounds the speed over a part of the path.
+struct CellBounds {
+  CurveBounds driven;    ///< derivatives of the driven axes by the parameter
+  double curvature = 0;  ///< of the tip's path, 1/mm where the parameter is the length
+  /// How far the tip leaves its line while the driven axes move in proportion: mm over the square
+  /// of the step. 0 where they are the program's.
+  double deviation = 0;
+};
+
 /// What a part of the path allows along it, from the derivatives q', q'', q''' of the driven axes:
 ///
 ///   |q' v| <= V,   |q' a + q'' v²| <= A,   |q' j + 3 q'' v a + q''' v³| <= J   for every axis.
 ///
 /// The speed is limited first, so that path and corners leave a share of A and J for speeding up
 /// and slowing down; acceleration and jerk are what remains of them at that speed.
+///
+/// Between two set-points the tip leaves a path of curvature κ by the deviation of the chord c = v
+/// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
+/// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
 class CellLimits {
  public:
-  /// `linear`: whether an axis counts mm. The first `axes` entries are used.
+  /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.
   CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
              std::array<bool, base::kMaxAxes> linear);
 
@@ -26,19 +39,24 @@ class CellLimits {
 
   /// Limits for a part of the path with these bounds, for speeds up to `feed` > 0 (may be infinite;
   /// the result is not).
-  [[nodiscard]] PathLimits of(const CurveBounds& bounds, double feed, Use use) const;
+  [[nodiscard]] PathLimits of(const CellBounds& bounds, double feed, Use use) const;
+  /// The highest speed at any feed; infinite where nothing limits it.
+  [[nodiscard]] double highest_speed(const CellBounds& bounds, Use use) const;
 
   [[nodiscard]] bool jerk_limited() const { return jerk_limited_; }
   [[nodiscard]] const AxisLimits& axis_limits() const { return limits_; }
+  [[nodiscard]] double period_s() const { return period_s_; }
+  [[nodiscard]] const std::array<bool, base::kMaxAxes>& linear() const { return linear_; }
 
  private:
   [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
-  [[nodiscard]] double highest_speed(const CurveBounds& bounds, Use use) const;
+  [[nodiscard]] double tolerable_speed(double curvature, double deviation) const;
 
   AxisLimits limits_;
-  double chord_speed_ = 0;  // v √κ for the chord tolerance
+  double chord_tolerance_mm_;
+  double period_s_;
   std::size_t axes_ = 0;
   std::array<bool, base::kMaxAxes> linear_{};
   bool jerk_limited_ = false;

@@ -2,53 +2,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "motion/stretch_bounds.hpp"
 
 namespace kerf::motion {
 namespace {
 
-using base::AxisVector;
-using base::PathJet;
-
-// Most cells of one piece.
-constexpr std::size_t kMostCells = 256;
-// The same, of pieces whose driven axes are the program's.
+// Most cells of one piece whose driven axes are the program's.
 constexpr std::size_t kMostParts = 24;
-// A piece whose shape takes less than this share of the acceleration is one cell; of others a ramp
-// to full speed passes over about so many.
+// Such a piece whose shape takes less than this share of the acceleration is one cell; of others a
+// ramp to full speed passes over about so many.
 constexpr double kLittle = 0.1;
 constexpr double kPartsOfRamp = 6;
-// Within a cell a derivative may differ by this share of its largest value; that much is added.
-constexpr double kMostChange = 0.05;
-
-double largest(const AxisVector& v) {
-  double most = 0;
-  for (const double value : v.values) most = std::max(most, std::fabs(value));
-  return most;
-}
-
-/// Bounds over a part of a curve from derivatives at its begin, middle and end.
-struct Samples {
-  std::array<PathJet, 3> jets;
-
-  [[nodiscard]] AxisVector bound(AxisVector PathJet::*derivative, double& change) const {
-    AxisVector result;
-    const double scale = std::max(
-        {largest(jets[0].*derivative), largest(jets[1].*derivative), largest(jets[2].*derivative)});
-    for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
-      const auto value = [&](std::size_t i) { return (jets[i].*derivative).values[m]; };
-      const auto [low, high] = std::minmax({value(0), value(1), value(2)});
-      if (scale > 0) change = std::max(change, (high - low) / scale);
-      result.values[m] = std::max(std::fabs(low), std::fabs(high)) + (high - low) / 2;
-    }
-    return result;
-  }
-};
+// Share of the speed that a cell may cost where it could be driven faster.
+constexpr double kMostLoss = 0.15;
+// A cell that takes no more than these at its speed costs little, however slow it is.
+constexpr double kFewPeriods = 8;
+// Fastest that an operator makes of a feed.
+constexpr double kMostOverride = 2;
+// A piece of more cells than this, of which each is as short as can be, cannot be driven anyway:
+// the rest of it is cut into equal cells.
+constexpr std::size_t kMostFineCells = 4096;
+constexpr double kCoarseCells = 256;
 
 }  // namespace
 
+CellMaker::CellMaker(const CellLimits& limits, const Linkage* linkage)
+    : limits_(limits), linkage_(linkage) {
+  if (linkage_ != nullptr) joints_ = linkage_->start();
+}
+
+void CellMaker::skip_to(const Path& path) {
+  next_piece_ = path.pieces.end();
+  cells_of_piece_ = 0;
+}
+
 void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& cells) {
-  const std::size_t needed = linkage_ == nullptr ? kMostParts : kMostCells;
+  const std::size_t needed = linkage_ == nullptr ? kMostParts : 1;
   next_piece_ = std::max(next_piece_, path.pieces.begin());
   for (; next_piece_ < path.pieces.end() && cells.room() >= needed; ++next_piece_) {
     const PathPiece& piece = path.pieces[next_piece_];
@@ -59,21 +49,23 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
       cell.dwell_s = piece.dwell_s;
       cell.stop = true;
     } else if (linkage_ == nullptr) {
-      split(piece, next_piece_, overrides, cells);
-    } else {
-      cut(piece, next_piece_, overrides, cells);
+      split(piece, overrides, cells);
+    } else if (!cut(piece, overrides, cells)) {
+      return;
     }
   }
 }
 
+CellBounds CellMaker::bounds_of(const PathPiece& piece, double begin, double end) const {
+  const CurveBounds bounds = piece.curve.bounds(begin, end);
+  return {bounds, piece.curve.curvature_bound(begin, end, bounds, limits_.linear()), 0};
+}
+
 // One cell, or several where the shape takes much of the acceleration: then what is left depends on
 // the speed, and parts that are passed at different speeds should not share one limit.
-void CellMaker::split(const PathPiece& piece, std::uint64_t number, const Overrides& overrides,
-                      Ring<Cell>& cells) {
-  const std::uint64_t first = cells.end();
-  const CurveBounds bounds = piece.curve.bounds(piece.begin, piece.end);
-  add(piece, number, piece.begin, piece.end, bounds, overrides, cells);
-  const PathLimits limits = cells[first].limits;
+void CellMaker::split(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells) {
+  add(piece, piece.begin, piece.end, bounds_of(piece, piece.begin, piece.end), overrides, cells);
+  const PathLimits& limits = cells.back().limits;
   const double taken = limits.fall * limits.velocity * limits.velocity;
   if (piece.use == CellLimits::Use::corner || taken < kLittle * limits.acceleration) return;
   const double ramp = limits.velocity * limits.velocity / (2 * limits.acceleration);
@@ -85,43 +77,69 @@ void CellMaker::split(const PathPiece& piece, std::uint64_t number, const Overri
   for (int i = 0; i < parts; ++i) {
     const double begin = piece.begin + length * i / parts;
     const double end = i + 1 == parts ? piece.end : piece.begin + length * (i + 1) / parts;
-    add(piece, number, begin, end, piece.curve.bounds(begin, end), overrides, cells);
+    add(piece, begin, end, bounds_of(piece, begin, end), overrides, cells);
   }
 }
 
-// Each cell is tried at twice the length of the one before, and halved until it is flat enough.
-void CellMaker::cut(const PathPiece& piece, std::uint64_t number, const Overrides& overrides,
-                    Ring<Cell>& cells) {
-  const double shortest = (piece.end - piece.begin) / static_cast<double>(kMostCells);
-  double begin = piece.begin;
-  double length = piece.end - piece.begin;
-  Samples samples;
-  samples.jets[0] = linkage_->along(piece.curve.jet(begin), joints_);
-  while (begin < piece.end) {
-    length = std::min(2 * length, piece.end - begin);
-    CurveBounds bounds;
-    for (;; length = std::max(length / 2, shortest)) {
-      if (begin + length > piece.end - shortest / 2) length = piece.end - begin;
-      samples.jets[1] = linkage_->along(piece.curve.jet(begin + length / 2), samples.jets[0].value);
-      samples.jets[2] = linkage_->along(piece.curve.jet(begin + length), samples.jets[1].value);
-      double change = 0;
-      bounds.first = samples.bound(&PathJet::first, change);
-      bounds.second = samples.bound(&PathJet::second, change);
-      bounds.third = samples.bound(&PathJet::third, change);
-      if (change <= kMostChange || length <= 1.01 * shortest) break;
-    }
-    const double end = length == piece.end - begin ? piece.end : begin + length;
-    add(piece, number, begin, end, bounds, overrides, cells);
-    begin = end;
-    samples.jets[0] = samples.jets[2];
+// False: there is no more room, and the piece goes on.
+bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells) {
+  if (cells_of_piece_ == 0) {
+    begin_ = piece.begin;
+    length_ = piece.end - piece.begin;
   }
-  joints_ = samples.jets[2].value;
+  Stretch stretch(*linkage_, piece.curve);
+  JointSample first = stretch.look_at(begin_, joints_);
+  while (begin_ < piece.end) {
+    if (cells.room() == 0) return false;
+    CellBounds bounds;
+    const double end = look(piece, first, stretch, bounds);
+    first = stretch.samples()[2];
+    add(piece, begin_, end, bounds, overrides, cells);
+    cells.back().stop |= end == piece.end && !first.rates;
+    begin_ = end;
+    length_ = stretch.length();
+    joints_ = first.joints;
+    ++cells_of_piece_;
+  }
+  cells_of_piece_ = 0;
+  return true;
 }
 
-void CellMaker::add(const PathPiece& piece, std::uint64_t number, double begin, double end,
-                    const CurveBounds& bounds, const Overrides& overrides, Ring<Cell>& cells) {
+// Finds the next cell, tried at twice the length of the one before and halved until it is one.
+// Returns its end.
+double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch& stretch,
+                       CellBounds& bounds) const {
+  const bool fine = cells_of_piece_ < kMostFineCells;
+  const double coarse = fine ? 0 : (piece.end - piece.begin) / kCoarseCells;
+  for (double length = 2 * length_;; length = stretch.length() / 2) {
+    // What would remain behind the cell must not be shorter than a cell.
+    const bool last = begin_ + length + kShortest > piece.end;
+    const double end = last ? piece.end : begin_ + length;
+    stretch.look(begin_, first, end);
+    bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
+    const bool at_end = !first.rates || !stretch.samples()[2].rates;
+    const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
+    if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;
+  }
+}
+
+bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch,
+                        const CellBounds& bounds) const {
+  if (!stretch.agrees()) return false;
+  const double speed = limits_.highest_speed(bounds, piece.use);
+  if (speed >= kMostOverride * piece.feed) return true;
+  if (stretch.length() <= kFewPeriods * limits_.period_s() * speed) return true;
+  const auto& samples = stretch.samples();
+  return std::all_of(samples.begin(), samples.end(), [&](const JointSample& sample) {
+    return speed >=
+           (1 - kMostLoss) * limits_.highest_speed(bounds_at(*sample.rates, bounds), piece.use);
+  });
+}
+
+void CellMaker::add(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
+                    const Overrides& overrides, Ring<Cell>& cells) {
   Cell& cell = cells.push();
-  cell.piece = number;
+  cell.piece = next_piece_;
   cell.begin = begin;
   cell.end = end;
   cell.bounds = bounds;

@@ -227,6 +227,23 @@ CurveBounds Curve::bounds(double from, double to) const {
   return arc_bounds(from, to);
 }
 
+double Curve::curvature_bound(double from, double to, const CurveBounds& bounds,
+                              const std::array<bool, base::kMaxAxes>& linear) const {
+  if (kind_ == Kind::line) return 0;
+  if (kind_ == Kind::arc)
+    return std::fabs(rate_) * std::hypot(2 * radius_slope_, rate_ * largest_radius(from, to));
+  double square = 0;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    if (linear[m]) square += bounds.second.values[m] * bounds.second.values[m];
+  }
+  return std::sqrt(square);
+}
+
+double Curve::largest_radius(double from, double to) const {
+  return std::max(std::fabs(radius_ + radius_slope_ * from),
+                  std::fabs(radius_ + radius_slope_ * to));
+}
+
 // Two halves: Bernstein's bound of a hat is then the hat itself.
 CurveBounds Curve::polynomial_bounds(double from, double to) const {
   CurveBounds bounds;
@@ -249,8 +266,7 @@ CurveBounds Curve::polynomial_bounds(double from, double to) const {
 
 CurveBounds Curve::arc_bounds(double from, double to) const {
   CurveBounds bounds;
-  const double r =
-      std::max(std::fabs(radius_ + radius_slope_ * from), std::fabs(radius_ + radius_slope_ * to));
+  const double r = largest_radius(from, to);
   const double w = std::fabs(rate_);
   const double grow = std::fabs(radius_slope_);
   const auto [low, high] = std::minmax({angle_rad_ + rate_ * from, angle_rad_ + rate_ * to});

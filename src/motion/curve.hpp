@@ -63,6 +63,10 @@ class Curve {
   [[nodiscard]] base::PathJet jet(double s) const;
   /// Upper bounds over [from, to]; the third derivative of a line and the second one are 0.
   [[nodiscard]] CurveBounds bounds(double from, double to) const;
+  /// Upper bound over [from, to] of the second derivative's length in the axes that count mm: the
+  /// curvature, where the parameter is the length. `bounds` are those over [from, to].
+  [[nodiscard]] double curvature_bound(double from, double to, const CurveBounds& bounds,
+                                       const std::array<bool, base::kMaxAxes>& linear) const;
 
  private:
   enum class Kind : std::uint8_t { line, polynomial, arc };
@@ -72,6 +76,7 @@ class Curve {
   [[nodiscard]] base::PathJet arc_jet(double s) const;
   [[nodiscard]] CurveBounds polynomial_bounds(double from, double to) const;
   [[nodiscard]] CurveBounds arc_bounds(double from, double to) const;
+  [[nodiscard]] double largest_radius(double from, double to) const;
 
   double length_ = 0;
   base::AxisVector end_;

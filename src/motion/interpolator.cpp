@@ -36,7 +36,8 @@ Interpolator::Interpolator(const control::AxisSetup& axes, const AxisLimits& lim
       builder_(axes_, limits_, settings_, path_),
       maker_(limits_, linkage),
       look_ahead_(limits_.jerk_limited()),
-      trial_(limits_.jerk_limited()) {}
+      trial_(limits_.jerk_limited()),
+      tip_(axes.start) {}
 
 void Interpolator::take(const control::Motion& motion) {
   ended_ = false;
@@ -97,9 +98,8 @@ void Interpolator::stop_at(std::uint64_t tick) {
 }
 
 void Interpolator::pop_cell() {
-  const std::uint64_t piece = cells_.front().piece;
   cells_.pop();
-  const std::uint64_t next = cells_.empty() ? piece + 1 : cells_.front().piece;
+  const std::uint64_t next = cells_.empty() ? maker_.next_piece() : cells_.front().piece;
   while (path_.pieces.begin() < next) path_.pieces.pop();
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "base/axes.hpp"
 #include "base/path_jet.hpp"
 
 namespace kerf::motion {
 
-/// How the driven axes follow the tip, for machines whose axes are not those of the program. Along
-/// a path that can be driven at all nothing here fails: who hands over motions has asked before.
+/// How the driven axes follow the tip, for machines whose axes are not those of the program. Who
+/// hands over motions has asked before whether they can be driven.
 class Linkage {
  public:
   Linkage() = default;
@@ -17,14 +19,18 @@ class Linkage {
   /// Number of driven axes.
   [[nodiscard]] virtual std::size_t size() const = 0;
 
-  /// Where the driven axes stand for a tip, continuing from where they stood.
+  /// Where the driven axes stand at power-on, when the tip is at the start of the program's axes.
+  [[nodiscard]] virtual base::AxisVector start() const = 0;
+
+  /// Where the driven axes stand for a tip, continuing from where they stood; `previous` again
+  /// where nothing holds the tip.
   [[nodiscard]] virtual base::AxisVector joints(const base::AxisVector& tip,
                                                 const base::AxisVector& previous) const = 0;
 
-  /// The same with their derivatives by the path parameter, from those of the tip. Where they are
-  /// not determined they are very large.
-  [[nodiscard]] virtual base::PathJet along(const base::PathJet& tip,
-                                            const base::AxisVector& previous) const = 0;
+  /// Their derivatives by the path parameter, from those of the tip, where they stand at `joints`.
+  /// Nothing where they are not determined.
+  [[nodiscard]] virtual std::optional<base::PathJet> along(
+      const base::PathJet& tip, const base::AxisVector& joints) const = 0;
 
   /// Upper bound, mm, of how far the tip leaves the line between its ends while the driven axes go
   /// from `from` to `to` in proportion.

@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-
-#include "control/plane_axes.hpp"
-#include "control/space_arc_path.hpp"
-#include "geometry/arc.hpp"
 
 namespace kerf::motion {
 namespace {
 
 using base::AxisVector;
 using control::Motion;
-using geometry::Vec2;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
@@ -43,7 +37,9 @@ PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limit
       tolerance_mm_(settings.tolerance_mm),
       corners_(limits, axes.count(), linear_),
       chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_),
-      path_(path) {}
+      curves_(axes),
+      path_(path),
+      at_(axes.start) {}
 
 bool PathBuilder::room() const {
   return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
@@ -93,9 +89,9 @@ void PathBuilder::take(const Motion& motion) {
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     add_line(motion, line->to, line->feed);
   } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
-    add_arc(motion, *arc);
+    add_arc(motion, arc->to, arc->feed);
   } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
-    add_space_arc(motion, *space_arc);
+    add_arc(motion, space_arc->to, space_arc->feed);
   } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
     add_rapid(motion, *rapid);
   } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
@@ -134,120 +130,36 @@ void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const con
   drain_chain(tolerance_mm_ == 0);
 }
 
+// Where one leg of it meets the next only the slowing down of an axis that is done shapes the way.
 void PathBuilder::add_rapid(const Motion& motion, const control::Rapid& rapid) {
   stop();
   rapid_ = true;
-  if (!rapid.linear) add_legs(motion, rapid.to);
-  add_leg(motion, rapid.to, true);
+  add_curves(curves_.of(at_, motion), mark_of(motion, MoveKind::rapid), kInfinite, false);
+  at_ = rapid.to;
   stop();
   rapid_ = false;
 }
 
-// Every axis goes at its own rate: the way is a leg for each that is done before the others, and
-// where one leg meets the next only the slowing down of that axis shapes the way.
-void PathBuilder::add_legs(const Motion& motion, const AxisVector& to) {
-  const AxisVector from = at_;
-  std::array<double, base::kMaxAxes> done_s{};
-  for (std::size_t m = 0; m < axes_.count(); ++m)
-    done_s[m] = std::fabs(to.values[m] - from.values[m]) * 60 / axes_.axes[m].rapid_per_min;
-  std::array<double, base::kMaxAxes> order = done_s;
-  std::sort(order.begin(), order.end());
-  for (const double time_s : order) {
-    if (time_s >= order.back()) return;
-    AxisVector end = to;
-    for (std::size_t m = 0; m < axes_.count(); ++m) {
-      if (done_s[m] > time_s)
-        end.values[m] = from.values[m] + (to.values[m] - from.values[m]) * (time_s / done_s[m]);
-    }
-    add_leg(motion, end, false);
-  }
-}
-
-void PathBuilder::add_leg(const Motion& motion, const AxisVector& to, bool ends_motion) {
-  const double linear = linear_length(to);
-  const double length = linear == 0 ? rotary_length(to) : linear;
-  if (length == 0) return;
-  if (ends_motion) mark(length, mark_of(motion, MoveKind::rapid));
-  add_curve(Curve::line(at_, to, length, axes_.count()), kInfinite, false, false);
-  at_ = to;
-}
-
-void PathBuilder::add_arc(const Motion& motion, const control::Arc& arc) {
-  const auto plane = control::plane_axes(arc.plane, axes_);
-  if (!plane) return;
-  const Vec2 centre{arc.center[0], arc.center[1]};
-  const Vec2 from = plane->project(at_);
-  const Vec2 to = plane->project(arc.to);
-  const bool clockwise = arc.direction == control::Direction::clockwise;
-  const double sweep =
-      geometry::sweep_rad(from, to, centre, clockwise) + 2 * std::numbers::pi * arc.turns;
-  const double start_radius = geometry::length(from - centre);
-  const double end_radius = geometry::length(to - centre);
-  const double length = sweep * (start_radius + end_radius) / 2;
-  if (length == 0) return;
-  ArcShape shape;
-  shape.origin = at_;
-  plane->place(shape.origin, centre);
-  for (std::size_t m = 0; m < axes_.count(); ++m) {
-    if (!plane->contains(base::Axis{static_cast<std::uint8_t>(m)}))
-      shape.slope.values[m] = (arc.to.values[m] - at_.values[m]) / length;
-  }
-  shape.e1[plane->first] = 1;
-  shape.e2[plane->second] = 1;
-  shape.radius = start_radius;
-  shape.radius_slope = (end_radius - start_radius) / length;
-  shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
-  shape.rate = (clockwise ? -sweep : sweep) / length;
-  begin_curves();
-  add_arc_curve(motion, Curve::arc(shape, arc.to, length, axes_.count()),
-                speed_of(arc.feed, length), true);
-  at_ = arc.to;
-}
-
-// A curve from each point given to the next: there the rates of the rotary axes change.
-void PathBuilder::add_space_arc(const Motion& motion, const control::SpaceArc& arc) {
-  const control::SpaceArcPath path(axes_, at_, arc);
-  const geometry::SpaceArc& circle = path.circle();
-  ArcShape shape;
-  place(shape.origin, circle.centre());
-  place(shape.e1, circle.e1());
-  place(shape.e2, circle.e2());
-  shape.radius = circle.radius();
-  shape.rate = 1 / circle.radius();
-  begin_curves();
-  const double speed = speed_of(arc.feed, circle.length());
-  const auto knots = path.knots();
-  for (std::size_t i = 1; i < knots.size(); ++i) {
-    const double length = (knots[i].angle_rad - knots[i - 1].angle_rad) * circle.radius();
-    shape.angle_rad = knots[i - 1].angle_rad;
-    for (std::size_t m = 0; m < axes_.count(); ++m) {
-      if (linear_[m]) continue;
-      shape.origin.values[m] = knots[i - 1].point.values[m];
-      shape.slope.values[m] = (knots[i].point.values[m] - knots[i - 1].point.values[m]) / length;
-    }
-    add_arc_curve(motion, Curve::arc(shape, knots[i].point, length, axes_.count()), speed,
-                  i + 1 == knots.size());
-  }
-  at_ = arc.to;
-}
-
-// Lines that wait for more are curves now.
-void PathBuilder::begin_curves() {
+void PathBuilder::add_arc(const Motion& motion, const AxisVector& to, const control::Feed& feed) {
+  const auto curves = curves_.of(at_, motion);
+  if (curves.empty()) return;
   if (rotary_only_) stop();
   rotary_only_ = false;
   drain_chain(true);
+  double length = 0;
+  for (const Curve& curve : curves) length += curve.length();
+  const double speed = speed_of(feed, length);
+  add_curves(curves, mark_of(motion, MoveKind::cut, speed), speed, motion.fixed_override);
+  at_ = to;
 }
 
-void PathBuilder::add_arc_curve(const Motion& motion, const Curve& curve, double speed,
-                                bool ends_motion) {
-  if (ends_motion) mark(curve.length(), mark_of(motion, MoveKind::cut, speed));
-  add_curve(curve, speed, motion.fixed_override, false);
-}
-
-void PathBuilder::place(AxisVector& vector, geometry::Vec3 xyz) const {
-  if (const auto x = axes_.find('X')) vector[*x] = xyz.x;
-  if (const auto y = axes_.find('Y')) vector[*y] = xyz.y;
-  if (const auto z = axes_.find('Z')) vector[*z] = xyz.z;
+// The mark belongs to the last one.
+void PathBuilder::add_curves(std::span<const Curve> curves, const Mark& mark_of_last, double speed,
+                             bool fixed_override) {
+  for (const Curve& curve : curves) {
+    if (&curve == &curves.back()) mark(curve.length(), mark_of_last);
+    add_curve(curve, speed, fixed_override, false);
+  }
 }
 
 void PathBuilder::add_dwell(const Motion& motion, double seconds) {

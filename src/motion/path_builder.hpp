@@ -2,14 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
-#include "geometry/vec3.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/chain.hpp"
 #include "motion/corner.hpp"
 #include "motion/mark.hpp"
+#include "motion/move_curves.hpp"
 #include "motion/path.hpp"
 
 namespace kerf::motion {
@@ -55,14 +56,10 @@ class PathBuilder {
   void add_line(const control::Motion& motion, const base::AxisVector& to,
                 const control::Feed& feed);
   void add_rapid(const control::Motion& motion, const control::Rapid& rapid);
-  void add_legs(const control::Motion& motion, const base::AxisVector& to);
-  void add_leg(const control::Motion& motion, const base::AxisVector& to, bool ends_motion);
-  void add_arc(const control::Motion& motion, const control::Arc& arc);
-  void add_space_arc(const control::Motion& motion, const control::SpaceArc& arc);
-  void add_arc_curve(const control::Motion& motion, const Curve& curve, double speed,
-                     bool ends_motion);
-  void begin_curves();
-  void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
+  void add_arc(const control::Motion& motion, const base::AxisVector& to,
+               const control::Feed& feed);
+  void add_curves(std::span<const Curve> curves, const Mark& mark_of_last, double speed,
+                  bool fixed_override);
   void add_dwell(const control::Motion& motion, double seconds);
   void drain_chain(bool ended);
   void add_piece(const ChainSmoother::Piece& piece);
@@ -85,6 +82,7 @@ class PathBuilder {
   double tolerance_mm_;
   CornerRounder corners_;
   ChainSmoother chain_;
+  MoveCurves curves_;
   Path& path_;
   Open open_;
   bool is_open_ = false;

@@ -65,7 +65,8 @@ const char* feed_mode_name(FeedMode mode) {
 
 }  // namespace
 
-MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file) : axes_(axes), file_(file) {
+MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file)
+    : axes_(axes), file_(file), at_(axes.start) {
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }

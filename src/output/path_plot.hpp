@@ -20,11 +20,11 @@ enum class XMeasure : std::uint8_t { length, diameter };
 /// axes, the holes, the extents and a legend of the tools. A machine without a Y axis gets one view
 /// instead, Z to the right and X upward.
 ///
-/// Takes motions in order, starting at machine zero. Memory and the size of the picture are bounded
-/// however long the program is (SVG: about 2 MB at most): a path of more than some ten thousand
-/// corners is simplified as it comes, finer than the picture shows unless the path is a tangle.
-/// Axes other than X, Y and Z are not drawn. Coordinates that are not finite are ignored, those
-/// beyond 1e9 mm are drawn there.
+/// Takes motions in order, from where the axes start. Memory and the size of the picture are
+/// bounded however long the program is (SVG: about 2 MB at most): a path of more than some ten
+/// thousand corners is simplified as it comes, finer than the picture shows unless the path is a
+/// tangle. Axes other than X, Y and Z are not drawn. Coordinates that are not finite are ignored,
+/// those beyond 1e9 mm are drawn there.
 ///
 /// The same motions give the same bytes.
 class PathPlot : public control::MotionSink {

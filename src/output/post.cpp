@@ -20,7 +20,8 @@ double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
 
 }  // namespace
 
-Post::Post(const AxisSetup& axes, base::OutputFile& file) : axes_(axes), file_(file) {
+Post::Post(const AxisSetup& axes, base::OutputFile& file)
+    : axes_(axes), file_(file), at_(axes.start) {
   file_.write("(KERF: TOOL CENTRE PATH IN MACHINE COORDINATES)\nG21 G90 G94 G17\n");
 }
 

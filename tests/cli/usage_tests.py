@@ -170,7 +170,7 @@ def machine_file(box):
         status(result, 0)
         contains(result.text, f'name = "{name}"', f"the file of {name}")
         box.write("mine.toml", result.text.replace(f'name = "{name}"', 'name = "mine"'))
-        box.write("part.nc", PROGRAM)
+        box.write("part.nc", "O1\nG21G90\nG00X150.Y50.\nM30\n")  # within reach of all of them
         run = box.kerf("run", "part.nc", "--machine", "mine.toml", "--summary", "s.json")
         status(run, 0)
         equal(box.json("s.json")["machine"], "mine", "machine of the summary")

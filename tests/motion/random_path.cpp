@@ -1,8 +1,12 @@
 #include "random_path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
+
+#include "motion/move_curves.hpp"
 
 namespace kerf::test {
 namespace {
@@ -15,7 +19,8 @@ constexpr double kMostPeriods = 200;
 
 class Writer {
  public:
-  Writer(RandomPath& path, SeededRandom& random) : path_(path), random_(random) {}
+  Writer(RandomPath& path, SeededRandom& random)
+      : path_(path), random_(random), at_(path.axes.start) {}
 
   void write() {
     const int pieces = random_.count(1, 6);
@@ -41,17 +46,31 @@ class Writer {
     }
   }
 
-  void add(const Motion::Action& action) {
+  // False: it leaves the workspace.
+  bool add(const Motion::Action& action) {
     Motion motion;
     motion.line = static_cast<std::uint32_t>(path_.motions.size() + 1);
     motion.action = action;
+    if (!stays_in_workspace(motion)) return false;
     path_.motions.push_back(motion);
+    if (const AxisVector* const to = control::target_of(motion)) at_ = *to;
+    return true;
+  }
+  [[nodiscard]] bool stays_in_workspace(const Motion& motion) const {
+    if (!path_.machine) return true;
+    constexpr int kPlaces = 100;
+    motion::MoveCurves way(path_.axes);
+    const auto curves = way.of(at_, motion);
+    return std::all_of(curves.begin(), curves.end(), [&](const motion::Curve& curve) {
+      for (int i = 0; i <= kPlaces; ++i) {
+        if (!path_.machine->allows(curve.at(curve.length() * i / kPlaces))) return false;
+      }
+      return true;
+    });
   }
   [[nodiscard]] control::Feed feed() const { return {feed_, control::FeedMode::per_minute}; }
   void line_to(const AxisVector& to) {
-    if (to == at_) return;
-    add(control::Line{to, feed()});
-    at_ = to;
+    if (to != at_) add(control::Line{to, feed()});
   }
   AxisVector near(double distance) {
     AxisVector to = at_;
@@ -63,9 +82,7 @@ class Writer {
 
   void rapid() {
     const AxisVector to = near(random_.size(0.01, 50));
-    if (to == at_) return;
-    add(control::Rapid{to, random_.coin()});
-    at_ = to;
+    if (to != at_) add(control::Rapid{to, random_.coin()});
   }
   void lines(int count, double size) {
     for (int i = 0; i < count; ++i) line_to(near(size));
@@ -114,7 +131,6 @@ class Writer {
     arc.to.values[second] = arc.center[1] + radius * std::sin(end);
     if (random_.coin()) arc.to.values[(first + 2) % 3] += random_.in(-5, 5);
     add(arc);
-    at_ = arc.to;
   }
 
   // Arcs of the XY plane that go on from each other without a corner.
@@ -135,8 +151,7 @@ class Writer {
       arc.to = at_;
       arc.to.values[0] = arc.center[0] + side * radius * std::sin(heading);
       arc.to.values[1] = arc.center[1] - side * radius * std::cos(heading);
-      add(arc);
-      at_ = arc.to;
+      if (!add(arc)) return;
     }
   }
 
@@ -166,19 +181,36 @@ class Writer {
   double feed_ = 1000;
 };
 
+std::string_view letters_of(kinematics::Kind kind, SeededRandom& random) {
+  switch (kind) {
+    case kinematics::Kind::cartesian: return random.coin() ? "XYZ" : "XYZAC";
+    case kinematics::Kind::x_theta_z: return "XYZ";
+    case kinematics::Kind::head_ac: return "XYZAC";
+    case kinematics::Kind::arm: return "XYZC";
+  }
+  return "";
+}
+
 }  // namespace
 
-RandomPath random_path(unsigned seed) {
+RandomPath random_path(unsigned seed, kinematics::Kind kind) {
   SeededRandom random(seed);
   RandomPath path;
-  const std::size_t axes = random.coin() ? 3 : 5;
+  const std::string_view letters = letters_of(kind, random);
+  for (const char letter : letters) {
+    const bool rotary = letter == 'A' || letter == 'C';
+    path.axes.axes.push_back({.letter = letter, .rotary = rotary, .rapid_per_min = 10000});
+  }
   const bool jerk_limited = random.coin();
-  for (std::size_t m = 0; m < axes; ++m) {
-    path.axes.axes.push_back({.letter = "XYZAC"[m], .rotary = m > 2, .rapid_per_min = 10000});
+  for (std::size_t m = 0; m < letters.size(); ++m) {
     path.limits.velocity.values[m] = random.size(50, 1000);
     path.limits.acceleration.values[m] = random.size(200, 20000);
     path.limits.jerk.values[m] =
         jerk_limited ? random.size(1e4, 1e7) : std::numeric_limits<double>::infinity();
+  }
+  if (kind != kinematics::Kind::cartesian) {
+    path.machine = random_machine(kind, random);
+    path.axes.start = path.machine->start;
   }
   path.settings.period_s = random.count(0, 3) == 0 ? 0.008 : 0.001;
   path.settings.tolerance_mm = random.count(0, 3) == 0 ? 0 : random.size(0.0005, 0.2);

@@ -221,7 +221,7 @@ TEST(CornerRounder, ReachesNoFartherThanTheFeedNeeds) {
     if (made.kind == Corner::Kind::none) continue;
     ASSERT_EQ(made.kind, Corner::Kind::rounded) << i;
     const double reach = made.rounding.reach;
-    const CurveBounds bounds = made.rounding.curve.bounds(0, 2 * reach);
+    const CellBounds bounds{made.rounding.curve.bounds(0, 2 * reach), 0, 0};
     const CellLimits wide(corner.limits.axis_limits(), {.chord_tolerance_mm = 1e6}, kAxes, kLinear);
     ASSERT_NEAR(wide.of(bounds, corner.feed, CellLimits::Use::corner).velocity, corner.feed,
                 1e-9 * corner.feed)

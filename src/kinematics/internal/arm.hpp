@@ -35,6 +35,8 @@ class Arm final : public Kinematics {
   [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
                                                const base::AxisVector& previous,
                                                Branch branch) const override;
+  [[nodiscard]] static base::PathJet lifting(const base::PathJet& tip,
+                                             const base::AxisVector& joints);
   [[nodiscard]] Pose pose_at(const base::AxisVector& joints) const;
   [[nodiscard]] std::optional<Fault> out_of_reach(const base::AxisVector& tip,
                                                   double radius_mm) const;

@@ -17,4 +17,9 @@ inline void set_jet(base::PathJet& point, base::Axis axis, const geometry::Jet& 
   point.third[axis] = jet.third;
 }
 
+/// Whether an axis of a point stands still along its path.
+inline bool stands(const base::PathJet& point, base::Axis axis) {
+  return point.first[axis] == 0 && point.second[axis] == 0 && point.third[axis] == 0;
+}
+
 }  // namespace kerf::kinematics

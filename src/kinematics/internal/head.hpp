@@ -14,6 +14,8 @@ class Head final : public Kinematics {
   Head(std::vector<Joint> joints, const HeadRadii& radii);
 
   [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
+  [[nodiscard]] Result<base::AxisVector> follow(const base::AxisVector& tip,
+                                                const base::AxisVector& previous) const override;
   [[nodiscard]] bool has_branches() const override { return true; }
   [[nodiscard]] Branch branch_at(const base::AxisVector& joints) const override;
   [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
@@ -22,8 +24,6 @@ class Head final : public Kinematics {
                                           const base::AxisVector& to) const override;
 
  private:
-  [[nodiscard]] Result<base::AxisVector> follow(const base::AxisVector& tip,
-                                                const base::AxisVector& previous) const override;
   [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
                                                const base::AxisVector& previous,
                                                Branch branch) const override;

@@ -9,19 +9,22 @@ namespace kerf::machine {
 class JointLinkage : public motion::Linkage {
  public:
   /// The kinematics must outlive this.
-  explicit JointLinkage(const kinematics::Kinematics& kinematics) : kinematics_(kinematics) {}
+  JointLinkage(const kinematics::Kinematics& kinematics, const base::AxisVector& start)
+      : kinematics_(kinematics), start_(start) {}
 
   [[nodiscard]] std::size_t size() const override { return kinematics_.size(); }
-  /// `previous` again where there are none.
+  [[nodiscard]] base::AxisVector start() const override { return start_; }
+  /// Limits of joints are not looked at: rounded corners may leave them by their tolerance.
   [[nodiscard]] base::AxisVector joints(const base::AxisVector& tip,
                                         const base::AxisVector& previous) const override;
-  [[nodiscard]] base::PathJet along(const base::PathJet& tip,
-                                    const base::AxisVector& previous) const override;
+  [[nodiscard]] std::optional<base::PathJet> along(const base::PathJet& tip,
+                                                   const base::AxisVector& joints) const override;
   [[nodiscard]] double deviation_mm(const base::AxisVector& from,
                                     const base::AxisVector& to) const override;
 
  private:
   const kinematics::Kinematics& kinematics_;
+  base::AxisVector start_;
 };
 
 }  // namespace kerf::machine

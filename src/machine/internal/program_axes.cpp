@@ -67,6 +67,11 @@ std::vector<AxisConfig> tip_axes(const MachineDefinition& machine) {
   return axes;
 }
 
+base::AxisVector tidied(base::AxisVector point) {
+  for (double& value : point.values) value = base::tidy(value);
+  return point;
+}
+
 base::AxisVector reference_of(const MachineDefinition& machine, std::size_t point) {
   base::AxisVector joints;
   for (std::size_t i = 0; i < machine.driven.size(); ++i) {
@@ -78,10 +83,8 @@ base::AxisVector reference_of(const MachineDefinition& machine, std::size_t poin
 void refer(std::vector<AxisConfig>& axes, const MachineDefinition& machine,
            const Kinematics& linkage) {
   for (std::size_t point = 0; point < DrivenAxis{}.reference.size(); ++point) {
-    const base::AxisVector tip = linkage.forward(reference_of(machine, point));
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      axes[i].reference[point] = base::tidy(tip.values[i]);
-    }
+    const base::AxisVector tip = tidied(linkage.forward(reference_of(machine, point)));
+    for (std::size_t i = 0; i < axes.size(); ++i) axes[i].reference[point] = tip.values[i];
   }
 }
 
@@ -98,6 +101,17 @@ std::vector<AxisConfig> program_axes(const MachineDefinition& machine, const Kin
   return axes;
 }
 
+// Axes that a program names stand at 0 in its sense: of a head the focus does, and its carriage
+// where that is so.
+void start(MachineDefinition& machine, const Kinematics& linkage) {
+  machine.start = machine.axes.start = {};
+  if (has_own_tip(machine.kinematics.kind)) {
+    machine.axes.start = tidied(linkage.forward(machine.start));
+  } else if (const auto joints = linkage.follow(machine.axes.start, {})) {
+    machine.start = *joints;
+  }
+}
+
 }  // namespace
 
 bool has_own_tip(Kind kind) { return kind == Kind::x_theta_z || kind == Kind::arm; }
@@ -107,6 +121,8 @@ std::string complete(MachineDefinition& machine) {
   const auto linkage = kinematics::make_kinematics(machine.kinematics);
   if (!linkage) return linkage.error().message;
   machine.axes.axes = program_axes(machine, **linkage);
+  machine.axes.linked = machine.kinematics.kind != Kind::cartesian;
+  start(machine, **linkage);
   return {};
 }
 

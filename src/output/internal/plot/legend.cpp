@@ -120,7 +120,7 @@ void draw_moves_range(DisplayList& sheet, Point row, double low, double high) {
   draw_cell(sheet, {row.x + kMoveColumns[1], row.y}, rounded(high, decimals), kDark);
 }
 
-// A row an axis: what the cuts span, and what all moves span with machine zero.
+// A row an axis: what the cuts span, and what all moves span with the start.
 void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
   const PathRecorder& recorded = subject.recorded;
   const double right = corner.x + kTableWidth;

@@ -41,6 +41,7 @@ PathRecorder::PathRecorder(const control::AxisSetup& axes, double x_scale) : x_s
     const auto axis = axes.find(kLetters[i]);
     if (axis && !axes[*axis].rotary) coordinates_[i] = {base::index(*axis), i == kX ? x_scale : 1};
   }
+  position_ = point_of(axes.start);
   travels_.add(position_);
 }
 

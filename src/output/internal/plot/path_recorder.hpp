@@ -21,7 +21,7 @@ struct Tool {
 };
 
 /// Takes motions and keeps what the picture needs of them: the path, holes, tools and extents.
-/// Starts at machine zero. Bounded memory; about 20 ns for a short line.
+/// Starts where the axes start. Bounded memory; about 20 ns for a short line.
 class PathRecorder {
  public:
   /// `x_scale`: lengths along X are the X words times this.
@@ -34,7 +34,7 @@ class PathRecorder {
   /// By the index of Pen and Hole, in order of first use. More than kMaxTools share the last one.
   [[nodiscard]] std::span<const Tool> tools() const { return tools_; }
   [[nodiscard]] const Box3& cut_extents() const { return cuts_; }  ///< empty without cuts
-  [[nodiscard]] Box3 all_extents() const;                          ///< with machine zero
+  [[nodiscard]] Box3 all_extents() const;                          ///< with the start
   [[nodiscard]] std::uint64_t move_count() const { return moves_; }
   [[nodiscard]] bool has_y() const { return coordinates_[kY].scale != 0; }
   [[nodiscard]] double x_scale() const { return x_scale_; }

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "control/alarms.hpp"
+#include "control/motion.hpp"
+#include "control/surroundings.hpp"
+
+namespace kerf::control {
+
+/// Where motions leave the control. A move that the machine cannot make raises the machine's alarm
+/// here and is not handed out, nor is anything behind it, until the alarm is reset.
+///
+/// Machines that move the program's own axes can make every move: they are not asked.
+class Outlet {
+ public:
+  enum class Machine : std::uint8_t { makes_all, is_asked };
+
+  /// All must outlive the outlet.
+  Outlet(Alarms& alarms, Surroundings& surroundings, Machine machine, MotionSink& sink)
+      : alarms_(alarms), surroundings_(surroundings), machine_(machine), sink_(sink) {}
+
+  /// A motion that begins with the tip at `from`; `place` is that of its block, null for the
+  /// executing one. False: it was refused.
+  [[nodiscard]] bool let_out(const Motion& motion, const base::AxisVector& from,
+                             const base::Place* place = nullptr) {
+    if (machine_ == Machine::is_asked) {
+      closed_ = closed_ || !admits(motion, from, Surroundings::Intent::make, place);
+      if (closed_) return false;
+    }
+    sink_.take(motion);
+    return true;
+  }
+  /// Whether a move of the executing block could be made. False: an alarm was raised.
+  [[nodiscard]] bool admits(const Motion& motion, const base::AxisVector& from) {
+    return machine_ == Machine::makes_all ||
+           admits(motion, from, Surroundings::Intent::ask, nullptr);
+  }
+  /// Open again.
+  void reset() { closed_ = false; }
+
+ private:
+  bool admits(const Motion& motion, const base::AxisVector& from, Surroundings::Intent intent,
+              const base::Place* place) {
+    if (target_of(motion) == nullptr) return true;
+    const auto refusal = surroundings_.refusal(from, motion, intent);
+    return !refusal || alarms_.raise_at(refusal->code, place != nullptr ? *place : alarms_.place(),
+                                        refusal->sentence);
+  }
+
+  Alarms& alarms_;
+  Surroundings& surroundings_;
+  Machine machine_;
+  MotionSink& sink_;
+  bool closed_ = false;
+};
+
+}  // namespace kerf::control

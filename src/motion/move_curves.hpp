@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "control/axis_setup.hpp"
+#include "control/motion.hpp"
+#include "geometry/vec3.hpp"
+#include "motion/curve.hpp"
+
+namespace kerf::motion {
+
+/// The curves of single moves as they are programmed.
+class MoveCurves {
+ public:
+  /// The axes must outlive this.
+  explicit MoveCurves(const control::AxisSetup& axes) : axes_(axes) {}
+
+  /// The curves of a move in their order, until the next call: one; of an arc in space one from
+  /// each point given to the next; of a rapid whose axes keep their own rates one until each of
+  /// them is done; none when it goes nowhere. `from` is where the tip stands. A motion without a
+  /// target goes nowhere.
+  [[nodiscard]] std::span<const Curve> of(const base::AxisVector& from,
+                                          const control::Motion& motion);
+
+ private:
+  void add_legs(const base::AxisVector& to);
+  void add_line(const base::AxisVector& to);
+  void add_arc(const control::Arc& arc);
+  void add_space_arc(const control::SpaceArc& arc);
+  void add(const Curve& curve);
+  void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
+
+  const control::AxisSetup& axes_;
+  base::AxisVector at_;  // where the next curve begins
+  std::array<Curve, base::kMaxAxes> curves_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace kerf::motion

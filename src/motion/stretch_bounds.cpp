@@ -1,0 +1,143 @@
+#include "motion/stretch_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf::motion {
+namespace {
+
+using base::AxisVector;
+using base::PathJet;
+
+double largest(const AxisVector& v) {
+  double most = 0;
+  for (const double value : v.values) most = std::max(most, std::fabs(value));
+  return most;
+}
+
+/// The largest absolute value of what was seen.
+class Most {
+ public:
+  void see(double value) { value_ = std::max(value_, std::fabs(value)); }
+  /// Of the polynomial of degree 3 with these values and derivatives at both ends of an interval,
+  /// from its coefficients in Bernstein's form.
+  void see(double begin, double begin_rate, double end, double end_rate, double width) {
+    see(begin);
+    see(begin + width / 3 * begin_rate);
+    see(end - width / 3 * end_rate);
+    see(end);
+  }
+  /// Of the parabola through three values at equal distances.
+  void see(double begin, double middle, double end) {
+    see(begin);
+    see(2 * middle - (begin + end) / 2);
+    see(end);
+  }
+  [[nodiscard]] double value() const { return value_; }
+
+ private:
+  double value_ = 0;
+};
+
+/// The least and the most of what was seen.
+class Range {
+ public:
+  void see(double value) {
+    low_ = std::min(low_, value);
+    high_ = std::max(high_, value);
+  }
+  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] double width() const { return std::max(0.0, high_ - low_); }
+
+ private:
+  double low_ = std::numeric_limits<double>::infinity();
+  double high_ = -std::numeric_limits<double>::infinity();
+};
+
+// Between two samples that agree a function is nearly the polynomial with its values and
+// derivatives there; this much more is left to it.
+constexpr double kALittle = 1.02;
+
+double bound(const Stretch& stretch, AxisVector PathJet::*value, AxisVector PathJet::*rate,
+             std::size_t m) {
+  Most most;
+  for (const JointSample& sample : stretch.samples()) {
+    if (sample.rates) most.see(((*sample.rates).*value).values[m]);
+  }
+  for (std::size_t i = 1; i < stretch.samples().size(); ++i) {
+    const auto& a = stretch.samples()[i - 1].rates;
+    const auto& b = stretch.samples()[i].rates;
+    if (!a || !b) continue;
+    most.see(((*a).*value).values[m], ((*a).*rate).values[m], ((*b).*value).values[m],
+             ((*b).*rate).values[m], stretch.length() / 2);
+  }
+  return kALittle * most.value();
+}
+
+// Of the highest derivative less is known: a quarter of what the samples differ by is added.
+double bound_of_third(const Stretch& stretch, std::size_t m) {
+  const auto& [a, b, c] = stretch.samples();
+  Most most;
+  Range range;
+  for (const JointSample& sample : stretch.samples()) {
+    if (!sample.rates) continue;
+    most.see(sample.rates->third.values[m]);
+    range.see(sample.rates->third.values[m]);
+  }
+  if (a.rates && b.rates && c.rates)
+    most.see(a.rates->third.values[m], b.rates->third.values[m], c.rates->third.values[m]);
+  return kALittle * (most.value() + range.width() / 4);
+}
+
+// Over the square of a step, from one in which no axis goes far.
+double deviation_at(const JointSample& sample, const Linkage& linkage) {
+  constexpr double kSmallMove = 1e-6;  // mm, degrees
+  const double most = largest(sample.rates->first);
+  if (most == 0) return 0;
+  const double step = kSmallMove / most;
+  AxisVector to = sample.joints;
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m)
+    to.values[m] += step * sample.rates->first.values[m];
+  return linkage.deviation_mm(sample.joints, to) / (step * step);
+}
+
+// Half of what the samples differ by may lie between them.
+double deviation_of(const Stretch& stretch, const Linkage& linkage) {
+  Range range;
+  for (const JointSample& sample : stretch.samples()) {
+    if (sample.rates) range.see(deviation_at(sample, linkage));
+  }
+  return std::max(0.0, kALittle * (range.high() + range.width() / 2));
+}
+
+}  // namespace
+
+// From the samples whose rates are determined; from how far the axes go, where none are.
+CellBounds bounds_of(const Stretch& stretch, const Linkage& linkage, double curvature) {
+  CellBounds bounds;
+  const auto& samples = stretch.samples();
+  const AxisVector way = samples[2].joints - samples[0].joints;
+  const bool blind = !samples[0].rates && !samples[1].rates && !samples[2].rates;
+  for (std::size_t m = 0; m < linkage.size(); ++m) {
+    bounds.driven.first.values[m] = blind ? std::fabs(way.values[m]) / stretch.length()
+                                          : bound(stretch, &PathJet::first, &PathJet::second, m);
+    bounds.driven.second.values[m] = bound(stretch, &PathJet::second, &PathJet::third, m);
+    bounds.driven.third.values[m] = bound_of_third(stretch, m);
+  }
+  bounds.curvature = curvature;
+  bounds.deviation = deviation_of(stretch, linkage);
+  return bounds;
+}
+
+CellBounds bounds_at(const PathJet& rates, const CellBounds& stretch) {
+  CellBounds bounds = stretch;
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+    bounds.driven.first.values[m] = std::fabs(rates.first.values[m]);
+    bounds.driven.second.values[m] = std::fabs(rates.second.values[m]);
+    bounds.driven.third.values[m] = std::fabs(rates.third.values[m]);
+  }
+  return bounds;
+}
+
+}  // namespace kerf::motion

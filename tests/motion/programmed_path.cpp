@@ -1,0 +1,137 @@
+#include "programmed_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "control/plane_axes.hpp"
+#include "geometry/arc.hpp"
+
+namespace kerf::test {
+namespace {
+
+using base::AxisVector;
+using geometry::Vec2;
+
+double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) {
+  double dot = 0;
+  double square = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    const double d = b.values[m] - a.values[m];
+    dot += (p.values[m] - a.values[m]) * d;
+    square += d * d;
+  }
+  const double t = square > 0 ? std::clamp(dot / square, 0.0, 1.0) : 0;
+  double distance = 0;
+  for (std::size_t m = 0; m < 3; ++m) {
+    const double on = a.values[m] + t * (b.values[m] - a.values[m]);
+    distance += (p.values[m] - on) * (p.values[m] - on);
+  }
+  return std::sqrt(distance);
+}
+
+/// A programmed arc as a function of the part of it that is behind, 0 to 1.
+class ProgrammedArc {
+ public:
+  ProgrammedArc(const AxisVector& from, const control::Arc& arc, const control::AxisSetup& axes)
+      : from_(from), arc_(arc), plane_(*control::plane_axes(arc.plane, axes)) {
+    const bool clockwise = arc.direction == control::Direction::clockwise;
+    const Vec2 start = plane_.project(from) - centre();
+    sweep_ =
+        geometry::sweep_rad(plane_.project(from), plane_.project(arc.to), centre(), clockwise) +
+        2 * std::numbers::pi * arc.turns;
+    if (clockwise) sweep_ = -sweep_;
+    angle_ = std::atan2(start.v, start.u);
+    radius_ = length(start);
+    end_radius_ = length(plane_.project(arc.to) - centre());
+  }
+
+  [[nodiscard]] double distance(const AxisVector& p) const {
+    const Vec2 here = plane_.project(p) - centre();
+    double least = std::numeric_limits<double>::infinity();
+    for (int turn = -2; turn <= 2; ++turn) {
+      const double at = std::atan2(here.v, here.u) + turn * 2 * std::numbers::pi;
+      least = std::min(least, distance_at(p, std::clamp((at - angle_) / sweep_, 0.0, 1.0)));
+    }
+    return least;
+  }
+  /// The same for steep helices, whose nearest point lies at another angle.
+  [[nodiscard]] double searched_distance(const AxisVector& p) const {
+    constexpr int kPlaces = 2000;
+    int best = 0;
+    for (int i = 1; i <= kPlaces; ++i) {
+      if (distance_at(p, i * 1.0 / kPlaces) < distance_at(p, best * 1.0 / kPlaces)) best = i;
+    }
+    double low = std::max(0.0, (best - 1.0) / kPlaces);
+    double high = std::min(1.0, (best + 1.0) / kPlaces);
+    for (int i = 0; i < 60; ++i) {
+      const double third = (high - low) / 3;
+      const bool nearer_low = distance_at(p, low + third) < distance_at(p, high - third);
+      (nearer_low ? high : low) += nearer_low ? -third : third;
+    }
+    return distance_at(p, low);
+  }
+
+ private:
+  [[nodiscard]] Vec2 centre() const { return {arc_.center[0], arc_.center[1]}; }
+  [[nodiscard]] double distance_at(const AxisVector& p, double part) const {
+    const double radius = radius_ + (end_radius_ - radius_) * part;
+    const double at = angle_ + part * sweep_;
+    const Vec2 on{radius * std::cos(at), radius * std::sin(at)};
+    const base::Axis normal = *plane_.normal;
+    const double height = from_[normal] + part * (arc_.to[normal] - from_[normal]);
+    return std::hypot(length(plane_.project(p) - centre() - on), p[normal] - height);
+  }
+
+  AxisVector from_;
+  const control::Arc& arc_;
+  control::PlaneAxes plane_;
+  double sweep_ = 0;
+  double angle_ = 0;
+  double radius_ = 0;
+  double end_radius_ = 0;
+};
+
+}  // namespace
+
+bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double most_mm,
+                             double& distance_mm) const {
+  distance_mm = distance(tip, line, 1, Way::quick);
+  if (distance_mm > most_mm) distance_mm = distance(tip, line, 40, Way::quick);
+  if (distance_mm > most_mm) distance_mm = distance(tip, line, 40, Way::searched);
+  return distance_mm <= most_mm;
+}
+
+// To the nearest of the motions around the one that the point says it belongs to.
+double ProgrammedPath::distance(const AxisVector& tip, std::uint32_t line, std::size_t around,
+                                Way way) const {
+  const std::size_t first = line > around ? line - around : 1;
+  const std::size_t last = std::min(path_.motions.size(), line + around);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = first; n <= last; ++n) {
+    const control::Motion& motion = path_.motions[n - 1];
+    const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+    if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
+    const AxisVector* const to = control::target_of(motion);
+    if (to == nullptr) continue;
+    const AxisVector from = start_of(n - 1);
+    if (const auto* const arc = std::get_if<control::Arc>(&motion.action)) {
+      const ProgrammedArc programmed(from, *arc, path_.axes);
+      least = std::min(
+          least, way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip));
+    } else {
+      least = std::min(least, distance_to_segment(tip, from, *to));
+    }
+  }
+  return std::isfinite(least) ? least : 0;
+}
+
+AxisVector ProgrammedPath::start_of(std::size_t motion) const {
+  while (motion-- > 0) {
+    if (const AxisVector* const to = control::target_of(path_.motions[motion])) return *to;
+  }
+  return path_.axes.start;
+}
+
+}  // namespace kerf::test

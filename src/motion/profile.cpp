@@ -101,11 +101,12 @@ double peak_speed(double length, double entry, double exit, const PathLimits& li
 
 Profile::Profile(double length, double entry, double exit, const PathLimits& limits)
     : peak_(std::max({peak_speed(length, entry, exit, limits), entry, exit})) {
-  const double cruise =
-      length - ramp_length(entry, peak_, limits) - ramp_length(exit, peak_, limits);
-  add_ramp(entry, peak_, limits);
-  if (cruise > 0 && peak_ > 0) add({cruise / peak_, peak_, 0, 0});
-  add_ramp(peak_, exit, limits);
+  const double ramps = ramp_length(entry, peak_, limits) + ramp_length(exit, peak_, limits);
+  // Ramps that are too long by rounding are driven a little faster: the way must be exact.
+  const double share = ramps > length ? length / ramps : 1;
+  add_ramp(entry, peak_, limits, share);
+  if (ramps < length && peak_ > 0) add({(length - ramps) / peak_, peak_, 0, 0});
+  add_ramp(peak_, exit, limits, share);
 }
 
 void Profile::add(const Phase& phase) {
@@ -114,15 +115,17 @@ void Profile::add(const Phase& phase) {
   duration_s_ += phase.duration_s;
 }
 
-void Profile::add_ramp(double from, double to, const PathLimits& limits) {
+// `share` of the time, and so of the length, that the limits ask for.
+void Profile::add_ramp(double from, double to, const PathLimits& limits, double share) {
+  if (share <= 0) return;
   const RampShape shape = shape_of(from, to, limits);
   const double side = to < from ? -1 : 1;
-  const double jerk = shape.rise_s > 0 ? side * limits.jerk : 0;
-  const double acceleration = side * shape.acceleration;
-  const double rise = acceleration * shape.rise_s / 2;
-  add({shape.rise_s, from, 0, jerk});
-  add({shape.hold_s, from + rise, acceleration, 0});
-  add({shape.rise_s, to - rise, acceleration, -jerk});
+  const double jerk = shape.rise_s > 0 ? side * limits.jerk / (share * share) : 0;
+  const double acceleration = side * shape.acceleration / share;
+  const double rise = side * shape.acceleration * shape.rise_s / 2;
+  add({share * shape.rise_s, from, 0, jerk});
+  add({share * shape.hold_s, from + rise, acceleration, 0});
+  add({share * shape.rise_s, to - rise, acceleration, -jerk});
 }
 
 Profile::State Profile::state_at(double t_s) const {

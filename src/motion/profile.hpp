@@ -33,8 +33,9 @@ struct PathLimits {
 [[nodiscard]] double reachable_speed(double from, double length, const PathLimits& limits);
 
 /// The fastest way over `length` >= 0 from speed `entry` to speed `exit`: a ramp up, a cruise, a
-/// ramp down, each possibly of no duration; up to seven phases. The acceleration is 0 at both ends
-/// when the jerk is limited. Value type, no allocation.
+/// ramp down, each possibly of no duration; up to seven phases. It is as long as it should be, to
+/// rounding. The acceleration is 0 at both ends when the jerk is limited. Value type, no
+/// allocation.
 class Profile {
  public:
   struct State {
@@ -47,7 +48,7 @@ class Profile {
   /// A single phase.
   explicit Profile(const Phase& phase) : peak_(phase.velocity) { add(phase); }
   /// Precondition: both speeds within [0, limits.velocity], each reachable from the other over
-  /// `length` (to 1e-9; then the profile ends at the speed that is reached).
+  /// `length`, or nearly so by rounding.
   Profile(double length, double entry, double exit, const PathLimits& limits);
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
@@ -58,7 +59,7 @@ class Profile {
 
  private:
   void add(const Phase& phase);
-  void add_ramp(double from, double to, const PathLimits& limits);
+  void add_ramp(double from, double to, const PathLimits& limits, double share);
 
   std::array<Phase, 7> phases_;
   std::size_t count_ = 0;

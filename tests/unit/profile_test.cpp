@@ -158,6 +158,19 @@ TEST(Profile, CoversItsLengthWithinItsLimitsFromEntryToExit) {
   }
 }
 
+// What is left of a path behind a replanned ramp may be a last digit long, and the two speeds a
+// last digit apart: the ramp between them would be a million times longer.
+TEST(Profile, IsNoLongerThanItsLengthWhereRoundingLeavesNoRamp) {
+  const PathLimits limits{5.45533043, 9.73899459, 297.784536};
+  const double entry = 4.6704097448;
+  const double length = 2.77555756156e-17;
+  const Profile profile(length, entry, std::nextafter(entry, 5), limits);
+  EXPECT_GT(ramp_length(entry, std::nextafter(entry, 5), limits), 1e6 * length);
+  EXPECT_NEAR(profile.state_at(1).position, length, 1e-3 * length);
+  EXPECT_DOUBLE_EQ(profile.state_at(1).velocity, entry);
+  EXPECT_TRUE(Profile(0, entry, std::nextafter(entry, 5), limits).phases().empty());
+}
+
 TEST(Profile, IsTheFastestOfItsKind) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 5'000; ++i) {

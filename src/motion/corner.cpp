@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace kerf::motion {
 namespace {
 
 using base::AxisVector;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Directions that differ by less are the same: at 1 m/s a step of 1e-12 m/s.
 constexpr double kSameDirection = 1e-12;
 // A rounding takes this share of what is possible at the feed, so that something remains for
@@ -18,13 +20,32 @@ constexpr double kShareOfLimit = 0.5;
 constexpr double kBetween = 0.98;
 constexpr double kBelow = 1 - 1e-6;
 
-/// Between lines: the largest second derivative is this times |Δu| / reach, the third this over
-/// reach², and the deviation this times |Δu| reach.
-struct Shape {
-  double second, third, deviation;
-};
-constexpr Shape kParabola{0.5, 0, 1.0 / 4};
-constexpr Shape kQuintic{0.75, 1.5, 3.0 / 16};
+constexpr RoundingShape kParabola{0.5, 0, 1.0 / 4};
+constexpr RoundingShape kQuintic{0.75, 1.5, 3.0 / 16};
+
+// What there is to speed up and slow down. A smooth curve is mostly a part of many.
+double room_of(const Curve& curve) {
+  constexpr double kMany = 4;
+  return curve.is_line() || curve.is_arc() ? curve.length() : kMany * curve.length();
+}
+
+// A rounding may take this much longer than a stop: whoever asks for one wants the axes to go on.
+constexpr double kPreference = 1.1;
+
+// The reach, at most `most`, with which the corner takes the least time, which has one valley. Much
+// shorter ones are hardly faster than a stop.
+double best_reach(const CornerTime& time, double most) {
+  constexpr int kMostHalvings = 4;
+  double least = time.rounded_s(most);
+  double reach = most;
+  for (int i = 0; i < kMostHalvings; ++i) {
+    const double shorter = time.rounded_s(reach / 2);
+    if (shorter >= least) break;
+    least = shorter;
+    reach /= 2;
+  }
+  return reach;
+}
 
 }  // namespace
 
@@ -50,7 +71,7 @@ double CornerRounder::wanted_reach(const AxisVector& turn, const AxisVector& ben
     // No axis can follow a turn faster than this.
     if (d > 0) v = std::min(v, 2 * axis.velocity.values[m] / d);
   }
-  const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  const RoundingShape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
   double reach = 0;
   for (std::size_t m = 0; m < axes_; ++m) {
     const double d = std::fabs(turn.values[m]);
@@ -87,8 +108,7 @@ std::optional<Rounding> CornerRounder::round(const Curve& in, const Curve& out, 
   return rounding;
 }
 
-Corner CornerRounder::between(const Curve& in, const Curve& out, double most_reach, double feed,
-                              double tolerance_mm) const {
+Corner CornerRounder::between(const Curve& in, const Curve& out, const Passage& passage) const {
   const base::PathJet end = in.jet(in.length());
   const base::PathJet begin = out.jet(0);
   const AxisVector turn = begin.first - end.first;
@@ -96,15 +116,22 @@ Corner CornerRounder::between(const Curve& in, const Curve& out, double most_rea
   if (limits_.jerk_limited()) bend = begin.second - end.second;
   const double angle = size(turn);
   if (angle < kSameDirection && size(bend) < kSameDirection) return {};
+  const double tolerance_mm = passage.tolerance_mm;
   if (tolerance_mm <= 0) return {Corner::Kind::sharp, {}};
-  double reach = std::min(wanted_reach(turn, bend, feed), most_reach);
-  const Shape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  const double feed = std::min(passage.feed_in, passage.feed_out);
+  double reach = std::min(wanted_reach(turn, bend, feed), passage.most_reach);
+  const RoundingShape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
   if (angle > 0)
     reach = std::min(reach, kBelow * kBetween * tolerance_mm / (shape.deviation * angle));
+  const CornerTime time(limits_, shape, {end, room_of(in), passage.feed_in},
+                        {begin, room_of(out), passage.feed_out});
+  const double most_s = std::isfinite(tolerance_mm) ? kPreference * time.stopped_s() : kInfinite;
+  reach = best_reach(time, reach);
   constexpr int kMostTries = 30;
   constexpr double kShrink = 0.75;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
-    if (auto rounding = round(in, out, reach, tolerance_mm))
+    const auto rounding = round(in, out, reach, tolerance_mm);
+    if (rounding && time.rounded_s(reach, rounding->curve) <= most_s)
       return {Corner::Kind::rounded, *rounding};
   }
   return {Corner::Kind::sharp, {}};

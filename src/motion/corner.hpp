@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "motion/cell_limits.hpp"
+#include "motion/corner_time.hpp"
 #include "motion/curve.hpp"
 
 namespace kerf::motion {
@@ -19,13 +20,23 @@ struct Corner {
   enum class Kind : std::uint8_t {
     none,     ///< the axes go on as they are
     rounded,  ///< by `rounding`
-    sharp     ///< it cannot be rounded: the axes come to rest
+    sharp     ///< the axes come to rest: it cannot be rounded, or a stop takes clearly less time
   };
   Kind kind = Kind::none;
   Rounding rounding;
 };
 
-/// Rounds corners, as little as the feed needs and at most within the tolerance.
+/// How a corner may be passed.
+struct Passage {
+  double feed_in = 0;       ///< of the first curve, and
+  double feed_out = 0;      ///< of the second
+  double most_reach = 0;    ///< so much of each may be replaced
+  double tolerance_mm = 0;  ///< most that the rounding may leave the curves; infinite: any, and
+                            ///< then the axes do not stop for time's sake
+};
+
+/// Rounds corners, as little as the feed needs, at most within the tolerance, and so that they take
+/// the least time.
 ///
 ///    ────────╮    ·          The rounding replaces `reach` of both curves and meets them with
 ///    their
@@ -40,11 +51,8 @@ class CornerRounder {
   CornerRounder(const CellLimits& limits, std::size_t axes, std::array<bool, base::kMaxAxes> linear)
       : limits_(limits), axes_(axes), linear_(linear) {}
 
-  /// The corner between the end of `in` and the begin of `out`: up to `most_reach` of each is
-  /// replaced. `feed`: speed that is wanted there. `tolerance_mm`: most that the rounding may leave
-  /// the curves; infinite: any.
-  [[nodiscard]] Corner between(const Curve& in, const Curve& out, double most_reach, double feed,
-                               double tolerance_mm) const;
+  /// The corner between the end of `in` and the begin of `out`.
+  [[nodiscard]] Corner between(const Curve& in, const Curve& out, const Passage& passage) const;
 
  private:
   [[nodiscard]] double wanted_reach(const base::AxisVector& turn, const base::AxisVector& bend,

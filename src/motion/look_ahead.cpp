@@ -10,6 +10,10 @@ namespace {
 constexpr std::uint64_t kMostCells = 256;
 // Speeds that differ by less, relatively, are the same: rounding of a plan made anew.
 constexpr double kSameSpeed = 1e-12;
+// Of two cells as one the better limits are lost: no more than this share of them.
+constexpr double kAlike = 0.5;
+
+bool alike(double a, double b) { return std::min(a, b) >= kAlike * std::max(a, b); }
 
 }  // namespace
 
@@ -28,7 +32,9 @@ bool LookAhead::extends_last(const Section& next) const {
   if (!jerk_limited_ || items_.end() == std::max(planned_, items_.begin())) return false;
   const Section& last = items_[items_.end() - 1].section;
   return last.cells < kMostCells && !last.stop && next.dwell_s == 0 &&
-         next.limits.velocity == last.limits.velocity;
+         next.limits.velocity == last.limits.velocity &&
+         alike(next.limits.acceleration, last.limits.acceleration) &&
+         alike(next.limits.jerk, last.limits.jerk);
 }
 
 void LookAhead::add(const Section& next) {
@@ -124,7 +130,7 @@ void LookAhead::look_back(std::uint64_t begin, std::uint64_t end) {
     const double fresh = alone.speed_from(next);
     run.add(item.section);
     const double longer = item.section.stop ? -1 : run.speed_from(exit);
-    if (longer < fresh) {
+    if (longer <= fresh) {
       run = alone;
       until = n + 1;
       exit = next;
@@ -134,14 +140,15 @@ void LookAhead::look_back(std::uint64_t begin, std::uint64_t end) {
   }
 }
 
-// Whether one profile may go from `begin` to `end`: no item is slower than `least`, and the change
-// of speed fits.
-bool LookAhead::can_join(std::uint64_t begin, std::uint64_t end, double entry, double exit,
+// How long one profile from `begin` to `end` takes; kNever when it cannot be: an item is slower
+// than `least`, or the change of speed does not fit.
+double LookAhead::time_s(std::uint64_t begin, std::uint64_t end, double entry, double exit,
                          double least) const {
   Run run;
   for (std::uint64_t n = begin; n < end; ++n) run.add(items_[n].section);
-  return run.limits.velocity >= std::max({least, entry, exit}) &&
-         ramp_length(entry, exit, run.limits) <= run.length;
+  if (run.limits.velocity < std::max({least, entry, exit})) return kNever;
+  if (ramp_length(entry, exit, run.limits) > run.length) return kNever;
+  return Profile(run.length, entry, exit, run.limits).duration_s();
 }
 
 void LookAhead::set_section(std::uint64_t begin, std::uint64_t end, double entry, double exit) {
@@ -161,11 +168,14 @@ LookAhead::Way LookAhead::way_down(const Way& up, std::uint64_t n, double speed,
   const bool ends_here = behind == end || items_[n].section.stop;
   const std::uint64_t until = ends_here ? behind : items_[behind].until;
   const double exit = ends_here ? 0 : speed_allowed_at(until, end);
-  if (can_join(up.from, until, up.entry, exit, reached)) {
+  const double joined_s = time_s(up.from, until, up.entry, exit, reached);
+  const double first_s = time_s(up.from, behind, up.entry, allowed, allowed);
+  const double down_s = until == behind ? 0 : time_s(behind, until, allowed, exit, allowed);
+  if (joined_s < kNever && joined_s <= first_s + down_s) {
     set_section(up.from, until, up.entry, exit);
     return {until, exit};
   }
-  if (can_join(up.from, behind, up.entry, allowed, allowed)) {
+  if (first_s < kNever) {
     set_section(up.from, behind, up.entry, allowed);
     return {behind, allowed};
   }
@@ -188,7 +198,7 @@ void LookAhead::go_forward(std::uint64_t begin, std::uint64_t end) {
     const double fresh = alone.speed_from(speed);
     run.add(items_[n].section);
     const double longer = run.limits.velocity >= up.entry ? run.speed_from(up.entry) : -1;
-    if (longer < fresh && n > up.from) {
+    if (longer <= fresh && n > up.from) {
       set_section(up.from, n, up.entry, speed);
       up = {n, speed};
       run = alone;

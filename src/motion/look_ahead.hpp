@@ -91,7 +91,7 @@ class LookAhead {
   void look_back(std::uint64_t begin, std::uint64_t end);
   void go_forward(std::uint64_t begin, std::uint64_t end);
   [[nodiscard]] double speed_allowed_at(std::uint64_t number, std::uint64_t end) const;
-  [[nodiscard]] bool can_join(std::uint64_t begin, std::uint64_t end, double entry, double exit,
+  [[nodiscard]] double time_s(std::uint64_t begin, std::uint64_t end, double entry, double exit,
                               double least) const;
   Way way_down(const Way& up, std::uint64_t n, double speed, double reached, std::uint64_t end);
   void set_section(std::uint64_t begin, std::uint64_t end, double entry, double exit);

@@ -199,10 +199,10 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
     // What a smoothed chain leaves its lines near their end.
     const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
     const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
-    const Corner corner = corners_.between(open_.curve, curve, most, slower,
-                                           rapid_ ? kInfinite : tolerance_mm_ - used);
+    const Passage passage{open_.feed, feed, most, rapid_ ? kInfinite : tolerance_mm_ - used};
+    const Corner corner = corners_.between(open_.curve, curve, passage);
     if (corner.kind == Corner::Kind::rounded) {
-      round(corner.rounding, slower);
+      round(corner.rounding, slower * std::max(pitch_of(open_.curve), pitch_of(curve)));
       next.begin = corner.rounding.reach;
     } else {
       close_open(corner.kind == Corner::Kind::sharp);
@@ -245,14 +245,23 @@ double PathBuilder::length_per_parameter(const Curve& curve, double begin, doubl
   if (curve.is_line() || curve.is_arc() || rotary_only_) return 1;
   constexpr int kPlaces = 8;
   double most = 1;
-  for (int i = 0; i <= kPlaces; ++i) {
-    const base::PathJet jet = curve.jet(begin + (end - begin) * i / kPlaces);
-    double square = 0;
-    for (std::size_t m = 0; m < axes_.count(); ++m)
-      square += linear_[m] ? jet.first.values[m] * jet.first.values[m] : 0;
-    most = std::max(most, std::sqrt(square));
-  }
+  for (int i = 0; i <= kPlaces; ++i)
+    most = std::max(most, way_in_space(curve, begin + (end - begin) * i / kPlaces));
   return most;
+}
+
+// Way in space for a small step of the parameter.
+double PathBuilder::way_in_space(const Curve& curve, double at) const {
+  const base::PathJet jet = curve.jet(at);
+  double square = 0;
+  for (std::size_t m = 0; m < axes_.count(); ++m)
+    square += linear_[m] ? jet.first.values[m] * jet.first.values[m] : 0;
+  return std::sqrt(square);
+}
+
+// The feed of a helix is that of its circle: its length in space for that of the circle.
+double PathBuilder::pitch_of(const Curve& curve) const {
+  return curve.is_arc() ? std::max(1.0, way_in_space(curve, 0)) : 1;
 }
 
 PathPiece& PathBuilder::emit(const Curve& curve, double begin, double end, double feed) {

@@ -67,6 +67,8 @@ class PathBuilder {
                  double begin_off_mm = 0, double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
   void round(const Rounding& rounding, double feed);
+  [[nodiscard]] double way_in_space(const Curve& curve, double at) const;
+  [[nodiscard]] double pitch_of(const Curve& curve) const;
   [[nodiscard]] double length_per_parameter(const Curve& curve, double begin, double end) const;
   PathPiece& emit(const Curve& curve, double begin, double end, double feed);
   void mark(double way, const Mark& mark);

@@ -7,12 +7,14 @@
 
 #include "control/plane_axes.hpp"
 #include "geometry/arc.hpp"
+#include "geometry/space_arc.hpp"
 
 namespace kerf::test {
 namespace {
 
 using base::AxisVector;
 using geometry::Vec2;
+using geometry::Vec3;
 
 double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) {
   double dot = 0;
@@ -93,6 +95,20 @@ class ProgrammedArc {
   double end_radius_ = 0;
 };
 
+Vec3 place_of(const AxisVector& p) { return {p.values[0], p.values[1], p.values[2]}; }
+
+double distance_to(const AxisVector& p, const AxisVector& from, const control::SpaceArc& arc) {
+  const auto circle =
+      *geometry::SpaceArc::through(place_of(from), place_of(arc.via), place_of(arc.to));
+  const Vec3 at = place_of(p) - circle.centre();
+  const double angle = std::atan2(dot(at, circle.e2()), dot(at, circle.e1()));
+  double least =
+      std::min(length(place_of(p) - place_of(from)), length(place_of(p) - place_of(arc.to)));
+  for (const double turned : {angle, angle + 2 * std::numbers::pi})
+    least = std::min(least, length(place_of(p) - circle.at(turned)));
+  return least;
+}
+
 }  // namespace
 
 bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double most_mm,
@@ -120,6 +136,8 @@ double ProgrammedPath::distance(const AxisVector& tip, std::uint32_t line, std::
       const ProgrammedArc programmed(from, *arc, path_.axes);
       least = std::min(
           least, way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip));
+    } else if (const auto* const space_arc = std::get_if<control::SpaceArc>(&motion.action)) {
+      least = std::min(least, distance_to(tip, from, *space_arc));
     } else {
       least = std::min(least, distance_to_segment(tip, from, *to));
     }

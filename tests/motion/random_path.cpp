@@ -13,6 +13,7 @@ namespace {
 
 using base::AxisVector;
 using control::Motion;
+using geometry::Vec3;
 
 // Of a piece at its feed: most paths are short, so that there can be many.
 constexpr double kMostPeriods = 200;
@@ -31,7 +32,7 @@ class Writer {
   void piece() {
     feed_ = random_.size(100, 30000);
     const double most = kMostPeriods * path_.settings.period_s * feed_ / 60;  // mm
-    switch (random_.count(0, 10)) {
+    switch (random_.count(0, 11)) {
       case 0: rapid(); break;
       case 1: add(control::Dwell{random_.in(0.001, 0.02)}); break;
       case 2: lines(random_.count(1, 4), random_.size(0.001, 1) * most); break;
@@ -43,6 +44,7 @@ class Writer {
       case 8: turn(); break;
       case 9: back_and_forth(random_.count(1, 4), most); break;
       case 10: tangent_arcs(random_.count(1, 3), random_.size(0.01, 0.3) * most); break;
+      case 11: space_arc(random_.size(0.01, 0.3) * most); break;
     }
   }
 
@@ -131,6 +133,34 @@ class Writer {
     arc.to.values[second] = arc.center[1] + radius * std::sin(end);
     if (random_.coin()) arc.to.values[(first + 2) % 3] += random_.in(-5, 5);
     add(arc);
+  }
+
+  // In any plane; the rotary axes turn at another rate behind the point on the way.
+  void space_arc(double radius) {
+    const Vec3 e1 = any_direction();
+    const Vec3 e2 = geometry::unit(geometry::cross(e1, any_direction()));
+    const Vec3 centre = Vec3{at_.values[0], at_.values[1], at_.values[2]} - radius * e1;
+    const double sweep = random_.in(0.1, 6.1);
+    const auto point = [&](double angle) {
+      const Vec3 at = centre + radius * (std::cos(angle) * e1 + std::sin(angle) * e2);
+      AxisVector to = at_;
+      to.values[0] = at.x;
+      to.values[1] = at.y;
+      to.values[2] = at.z;
+      for (std::size_t m = 3; m < path_.axes.count(); ++m) to.values[m] += random_.in(-20, 20);
+      return to;
+    };
+    control::SpaceArc arc;
+    arc.via = point(random_.in(0.2, 0.8) * sweep);
+    arc.to = point(sweep);
+    arc.feed = feed();
+    add(arc);
+  }
+  Vec3 any_direction() {
+    for (;;) {
+      const Vec3 v{random_.in(-1, 1), random_.in(-1, 1), random_.in(-1, 1)};
+      if (geometry::length(v) > 0.1) return geometry::unit(v);
+    }
   }
 
   // Arcs of the XY plane that go on from each other without a corner.

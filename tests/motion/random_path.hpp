@@ -21,9 +21,9 @@ struct RandomPath {
   std::vector<control::Motion> motions;
 };
 
-/// Lines, arcs, helices, chains of 0.1 mm arcs, curves written as points, 5-axis moves, stops,
-/// dwells and rapids. Number of axes, limits, period and tolerance are random as well, and the
-/// sizes of a linkage.
+/// Lines, arcs, helices, arcs in space, chains of 0.1 mm arcs, curves written as points, 5-axis
+/// moves, stops, dwells and rapids. Number of axes, limits, period and tolerance are random as
+/// well, and the sizes of a linkage.
 [[nodiscard]] RandomPath random_path(unsigned seed,
                                      kinematics::Kind kind = kinematics::Kind::cartesian);
 

@@ -51,6 +51,7 @@ class Checker {
     interpolator.finish();
     drain(interpolator);
     if (was_reset_) go_on(interpolator);
+    if (!operator_) compare_with_stops(interpolator.time_s());
     const AxisVector end = was_reset_ ? new_end_ : programmed_.end();
     if (problem_.empty() && !(tip_ == end)) tell("the end is not exact");
     return problem_;
@@ -59,6 +60,23 @@ class Checker {
   [[nodiscard]] std::uint64_t setpoints() const { return rows_; }
 
  private:
+  // To come to rest behind every motion hardly takes less: chains and corners are smoothed before
+  // anything is planned, with an estimate of what they cost.
+  void compare_with_stops(double time_s) {
+    motion::Interpolator stopping(path_.axes, path_.limits, path_.settings, linkage_.get());
+    for (control::Motion motion : path_.motions) {
+      motion.exact_stop = true;
+      if (!stopping.room()) stopping.skip();
+      stopping.take(motion);
+    }
+    if (!stopping.room()) stopping.skip();
+    stopping.finish();
+    stopping.skip();
+    constexpr double kEstimate = 1.5;
+    const double most = kEstimate * stopping.time_s() + 4 * path_.settings.period_s;
+    if (time_s > most) tell("slower than with stops", time_s, most);
+  }
+
   void drain(motion::Interpolator& interpolator) {
     motion::Setpoint point;
     while (problem_.empty() && !was_reset_) {

@@ -101,7 +101,7 @@ struct RandomCorner {
 
   [[nodiscard]] Corner rounded(double used = 0) const {
     return CornerRounder(limits, kAxes, kLinear)
-        .between(in.curve, out.curve, most_reach, feed, tolerance - used);
+        .between(in.curve, out.curve, {feed, feed, most_reach, tolerance - used});
   }
 };
 
@@ -134,7 +134,7 @@ TEST(CornerRounder, StaysWithinTheTolerance) {
       ASSERT_LE(off, corner.tolerance - used + 1e-12 * (1 + corner.in.radius)) << i;
     }
   }
-  EXPECT_GT(rounded, kCases * 9 / 10);
+  EXPECT_GT(rounded, kCases * 8 / 10);
 }
 
 TEST(CornerRounder, GoesOnFromOneCurveIntoTheOther) {
@@ -181,7 +181,7 @@ TEST(CornerRounder, CutsACornerOfLinesByWhatTheFormulaSays) {
 }
 
 // Where the feed needs more than the tolerance gives, all of that is taken but what is held back
-// for the places between those that are asked.
+// for the places between those that are asked. (With limited jerk a stop may be faster.)
 TEST(CornerRounder, AFastCornerOfLinesTakesTheWholeTolerance) {
   Random random;
   for (int i = 0; i < kCases; ++i) {
@@ -194,8 +194,11 @@ TEST(CornerRounder, AFastCornerOfLinesTakesTheWholeTolerance) {
     corner.most_reach = l;
     corner.feed = 1e6;
     corner.tolerance = random.size(1e-4, 0.01);
+    corner.limits = CellLimits(test::equal_limits(1000, random.size(100, 1e4), kInfinite),
+                               {.chord_tolerance_mm = 1e6}, kAxes, kLinear);
     const double turn = length(corner.out.direction - corner.in.direction);
-    if (turn < 0.01) continue;  // all of it would be longer than the lines
+    // With less turn all of it would be longer than the lines, with more a stop may be faster.
+    if (turn < 0.01 || turn > 1) continue;
     const Corner made = corner.rounded();
     ASSERT_EQ(made.kind, Corner::Kind::rounded) << i;
     const double middle = length(tip_of(made.rounding.curve.at(made.rounding.reach)));
@@ -214,6 +217,8 @@ TEST(CornerRounder, ReachesNoFartherThanTheFeedNeeds) {
     corner.tolerance = 1e6;
     corner.most_reach = 1e6;
     corner.feed = random.size(0.1, 400);
+    corner.limits =
+        CellLimits(corner.limits.axis_limits(), {.chord_tolerance_mm = 1e6}, kAxes, kLinear);
     const double l = 2e7;  // longer than any rounding
     corner.in.curve = Curve::line(axes_of(-l * corner.in.direction), {}, l, kAxes);
     corner.out.curve = Curve::line({}, axes_of(l * corner.out.direction), l, kAxes);
@@ -222,9 +227,8 @@ TEST(CornerRounder, ReachesNoFartherThanTheFeedNeeds) {
     ASSERT_EQ(made.kind, Corner::Kind::rounded) << i;
     const double reach = made.rounding.reach;
     const CellBounds bounds{made.rounding.curve.bounds(0, 2 * reach), 0, 0};
-    const CellLimits wide(corner.limits.axis_limits(), {.chord_tolerance_mm = 1e6}, kAxes, kLinear);
-    ASSERT_NEAR(wide.of(bounds, corner.feed, CellLimits::Use::corner).velocity, corner.feed,
-                1e-9 * corner.feed)
+    ASSERT_NEAR(corner.limits.of(bounds, corner.feed, CellLimits::Use::corner).velocity,
+                corner.feed, 1e-9 * corner.feed)
         << i;
     corner.feed /= 2;
     const double shorter = corner.rounded().rounding.reach;
@@ -232,6 +236,27 @@ TEST(CornerRounder, ReachesNoFartherThanTheFeedNeeds) {
     if (!corner.limits.jerk_limited()) {
       ASSERT_NEAR(shorter, reach / 4, 1e-6 * reach) << i;
     }
+  }
+}
+
+// A right angle from X into Y, long lines, acceleration a and no limit of the jerk: with vc² =
+// 0.98 · 2 a reach it costs 2 reach (1/vc - 1/v) + (v - vc)²/(a v), with a stop v/a and half a
+// period.
+TEST(CornerTime, OfARightAngleIsWhatTheFormulaSays) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const double a = random.size(100, 1e4);
+    const double v = random.size(0.1, 1000);
+    const CellLimits limits(test::equal_limits(1000, a, kInfinite),
+                            {.period_s = 1e-3, .chord_tolerance_mm = 1e6}, kAxes, kLinear);
+    const double length = 2 * v * v / a;
+    const CornerTime time(limits, {0.5, 0, 0.25}, {{{}, {{1, 0}}, {}, {}}, length, v},
+                          {{{}, {{0, 1}}, {}, {}}, length, v});
+    const double reach = random.size(0.01, 1) * v * v / (0.98 * 2 * a);
+    const double vc = std::sqrt(0.98 * 2 * a * reach);
+    const double cost = 2 * reach * (1 / vc - 1 / v) + (v - vc) * (v - vc) / (a * v);
+    ASSERT_NEAR(time.rounded_s(reach), cost, 1e-9 * v / a) << i;
+    ASSERT_NEAR(time.stopped_s(), v / a + 0.0005, 1e-9 * v / a) << i;
   }
 }
 
@@ -243,7 +268,8 @@ TEST(CornerRounder, CurvesThatGoOnHaveNoCorner) {
     const Side in = random.line(true);
     const double l = in.curve.length();
     const Curve out = Curve::line({}, axes_of(l * in.direction), l, kAxes);
-    EXPECT_EQ(rounder.between(in.curve, out, 0.4 * l, 100, 0.01).kind, Corner::Kind::none) << i;
+    EXPECT_EQ(rounder.between(in.curve, out, {100, 100, 0.4 * l, 0.01}).kind, Corner::Kind::none)
+        << i;
   }
 }
 
@@ -257,7 +283,7 @@ TEST(CornerRounder, WithJerkACurvatureThatBeginsAtOnceIsACorner) {
     for (const double jerk : {1e5, kInfinite}) {
       const CellLimits limits = limits_of(1000, jerk);
       const Corner corner =
-          CornerRounder(limits, kAxes, kLinear).between(in, out.curve, most, 100, 0.01);
+          CornerRounder(limits, kAxes, kLinear).between(in, out.curve, {100, 100, most, 0.01});
       EXPECT_EQ(corner.kind == Corner::Kind::none, jerk == kInfinite) << i;
     }
   }

@@ -1,0 +1,84 @@
+#include "motion/corner_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::motion {
+
+using base::AxisVector;
+
+namespace {
+
+AxisVector larger(const AxisVector& a, const AxisVector& b) {
+  AxisVector result;
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m)
+    result.values[m] = std::max(std::fabs(a.values[m]), std::fabs(b.values[m]));
+  return result;
+}
+
+double length_mm(const AxisVector& v, const std::array<bool, base::kMaxAxes>& linear) {
+  double square = 0;
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+    if (linear[m]) square += v.values[m] * v.values[m];
+  }
+  return std::sqrt(square);
+}
+
+}  // namespace
+
+CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in,
+                       const Side& out)
+    : limits_(limits),
+      shape_(shape),
+      curves_{larger(in.jet.first, out.jet.first), larger(in.jet.second, out.jet.second),
+              larger(in.jet.third, out.jet.third)},
+      curvature_(length_mm(curves_.second, limits.linear())),
+      turn_(larger(out.jet.first - in.jet.first, {})),
+      bend_(larger(out.jet.second - in.jet.second, {})),
+      turn_mm_(length_mm(turn_, limits.linear())),
+      in_(drive_of(in)),
+      out_(drive_of(out)) {}
+
+CornerTime::Drive CornerTime::drive_of(const Side& side) const {
+  CellBounds bounds;
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m)
+    bounds.driven.first.values[m] = std::fabs(side.jet.first.values[m]);
+  Drive drive{limits_.of(bounds, side.feed, CellLimits::Use::path), 0};
+  drive.speed = std::min(drive.limits.velocity, reachable_speed(0, side.length / 2, drive.limits));
+  return drive;
+}
+
+double CornerTime::Drive::lost_to_ramp_s(double corner_speed) const {
+  if (corner_speed >= speed) return 0;
+  return ramp_time_s(corner_speed, speed, limits) * (speed - corner_speed) / (2 * speed);
+}
+
+double CornerTime::speed_of(double reach) const {
+  CellBounds bounds{curves_, curvature_ + shape_.second / reach * turn_mm_, 0};
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+    const double turn = turn_.values[m] / reach;
+    bounds.driven.second.values[m] += shape_.second * turn;
+    bounds.driven.third.values[m] += shape_.third * (turn + bend_.values[m]) / reach;
+  }
+  return limits_.highest_speed(bounds, CellLimits::Use::corner);
+}
+
+double CornerTime::at_speed_s(double reach, double speed) const {
+  const double v = std::min({speed, in_.speed, out_.speed});
+  const double there = 2 * reach / v - reach / in_.speed - reach / out_.speed;
+  return there + in_.lost_to_ramp_s(v) + out_.lost_to_ramp_s(v);
+}
+
+double CornerTime::rounded_s(double reach) const { return at_speed_s(reach, speed_of(reach)); }
+
+double CornerTime::rounded_s(double reach, const Curve& rounding) const {
+  const CurveBounds driven = rounding.bounds(0, 2 * reach);
+  const double curvature = rounding.curvature_bound(0, 2 * reach, driven, limits_.linear());
+  return at_speed_s(reach, limits_.highest_speed({driven, curvature, 0}, CellLimits::Use::corner));
+}
+
+double CornerTime::stopped_s() const {
+  return in_.lost_to_ramp_s(0) + out_.lost_to_ramp_s(0) + limits_.period_s() / 2;
+}
+
+}  // namespace kerf::motion

@@ -8,7 +8,7 @@ import re
 
 import harness
 from harness import alarm, check, contains, equal, near, refused, status, test
-from set_point_tests import ARM_PROGRAM, arm_can_leave, rows_of
+from set_point_tests import ARM_PROGRAM, rows_of
 
 HEAD = "O1\nG21G90G17G94\n"
 TIMING = {"pulse_width_ns": 2500, "pulse_gap_ns": 2500, "direction_setup_ns": 5000}
@@ -118,7 +118,6 @@ def head(box):
 
 @test("the motors of the arm have their names and stand at the nearest step of every set-point")
 def arm(box):
-    arm_can_leave(box)
     made = pulses(box, ARM_PROGRAM, "--machine", "arm4")
     names, steps = ["T1", "T2", "T3", "Z"], [200, 200, 4 / 3, 100]
     first = None

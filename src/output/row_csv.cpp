@@ -19,7 +19,8 @@ RowCsv::RowCsv(const AxisSetup& axes, const Memory& memory, base::OutputFile& fi
     : axes_(axes),
       memory_(memory),
       file_(file),
-      xyz_{axes.find('X'), axes.find('Y'), axes.find('Z')} {
+      xyz_{axes.find('X'), axes.find('Y'), axes.find('Z')},
+      at_(axes.start) {
   file_.write("line,G,X,Y,Z,I,J,K,R,T,F,A\n");
 }
 

@@ -21,6 +21,7 @@ class TimeReport : public machine::AxisPointSink {
   /// `linear`: which axes of the program count mm. `period_s` is the servo's.
   TimeReport(const control::AxisSetup& axes, double period_s);
 
+  void start(const machine::AxisPoint& at) override { at_ = at.tip.tip; }
   void take(const machine::AxisPoint& point) override;
 
   /// For people; `machine` is the one that has run.

@@ -219,6 +219,15 @@ def other_machines(box):
           [("0", 1, 0, 2, 0, 0, 0, 0), ("2", 3, 0, 2, 1, 0, 0, 0)], "rows of a machine without Y")
 
 
+@test("the first row begins where the tip is at power-on")
+def from_the_start(box):
+    table = rows(box, HEAD + "G01X214.Y50.F600\nG03X164.Y100.I-50.J0\nM30\n", "--machine", "arm4")
+    equal(columns(table, "X", "Y", "I", "J"), [(214, 50, 0, 0), (164, 100, -50, 0)], "rows")
+    near(table[0][-1], 135, 1e-9, "heading from X264 Y0")
+    table = rows(box, HEAD + "G93G01X200.F6.\nM30\n", "--machine", "arm4")
+    near(table[0][-2], 384, 1e-9, "64 mm in 10 s")
+
+
 @test("rows of an alarm are those up to it, and nothing but moves and tool changes has one")
 def others(box):
     table = rows(box, HEAD + "M03S100\nM08\nG04X1.\nG00X1.\nM60\nX1.\n#1=1/0\nX2.\nM30\n", wanted=1)

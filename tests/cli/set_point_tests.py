@@ -5,7 +5,7 @@ import io
 import math
 
 import harness
-from harness import Skipped, check, equal, in_time, near, status, test
+from harness import check, equal, in_time, near, status, test
 
 HEAD = "O1\nG21G90G17G94\n"
 
@@ -123,23 +123,42 @@ def head_joints(box):
 ARM_PROGRAM = HEAD + "G00X200.Y50.\nG01X150.Y80.C20.F60\nM30\n"
 
 
-def arm_can_leave(box, *words):
-    """Where the run begins, both links lie on one another; skips as long as they cannot part."""
-    box.write("arm.nc", ARM_PROGRAM)
-    box.kerf("run", "arm.nc", "--machine", "arm4", "--summary", "arm.json", *words)
-    if box.json("arm.json")["time_s"] > 3600:
-        raise Skipped("the arm cannot leave where it starts within an hour")
-
-
 @test("the joints of the arm hold the tip at every row")
 def arm_joints(box):
-    arm_can_leave(box)
     for row in points(box, ARM_PROGRAM, "--machine", "arm4"):
         upper, forearm = math.radians(row["j2"]), math.radians(row["j1"] + row["j2"])
         near(132 * (math.cos(upper) + math.cos(forearm)), row["X"], 1e-6, "X of the joints")
         near(132 * (math.sin(upper) + math.sin(forearm)), row["Y"], 1e-6, "Y of the joints")
         near(row["j4"], row["Z"], 1e-9, "the lift")
         near(math.remainder(row["j1"] + row["j2"] + row["j3"] - row["C"], 180), 0, 1e-6, "heading")
+
+
+@test("points, summary and picture of an arm begin where it stands stretched out")
+def from_the_stretched_arm(box):
+    rows = points(box, HEAD + "G01X200.Y50.F600\nM30\n", "--machine", "arm4",
+                  "--summary", "s.json", "--plot", "p.svg")
+    equal([rows[-1][axis] for axis in "XYZC"], [200, 50, 0, 0], "the end")
+    for axis, start in (("X", 264), ("Y", 0), ("Z", 0), ("C", 0), ("j1", 0), ("j2", 0), ("j3", 0)):
+        near(rows[0][axis], start, 1e-4, f"{axis} of the first row")
+    summary = box.json("s.json")
+    near(summary["cut_mm"], math.hypot(64, 50), 1e-9, "length of the cut")
+    equal(summary["extents"]["X"], [200, 200], "extents: the start does not count")
+    check(b">264<" in box.read("p.svg"), "X264 among the extents of the picture")
+
+
+@test("a move out of reach has no record, row or time, nor has anything behind it")
+def out_of_reach(box):
+    program = HEAD + "G01X200.Y100.F600\n%sM08\nG01X100.\nM30\n"
+    whole = points(box, program % "M30\n", "--machine", "arm4")
+    for bad in ("X260.\n", "G00X260.\n", "G31X260.\n", "G02Y-100.R110.\n", "G28X210.Y180.\n"):
+        rows = points(box, program % bad, "--machine", "arm4", "--motion", "m.json",
+                      "--summary", "s.json", wanted=1)
+        equal(rows, whole, f"rows with {bad}")
+        equal([record["line"] for record in box.motions("m.json")], [3], f"records with {bad}")
+        summary = box.json("s.json")
+        equal((summary["alarm"]["code"], summary["alarm"]["line"]), ("OUT_OF_REACH", 4), bad)
+        equal(summary["time_s"], whole[-1]["t"], f"time with {bad}")
+        equal(summary["position"]["machine"]["X"], 200, f"position with {bad}")
 
 
 @test("--points writes what was made up to an alarm, and a budget of time ends a long dwell")

@@ -42,6 +42,16 @@ def places(box):
         contains(text, words, "report")
 
 
+@test("the first move of kerf time begins where the tip is at power-on")
+def from_the_start(box):
+    box.write("part.nc", "O1\nG01X224.F60\nM30\n")
+    for machine in ("arm4", "cartesian-step"):
+        way = 40 if machine == "arm4" else 224
+        result = box.kerf("time", "part.nc", "--machine", machine, "--format", "json")
+        place = json.loads(result.text)["places"][0]
+        near(place["length_mm"], way, 1e-6, f"length on {machine}")
+
+
 @test("kerf time tells of alarms and ends like kerf run")
 def alarms(box):
     box.write("part.nc", "O1\nG21G90\nG01X10.F100\nG01X[1/0]\nM30\n")

@@ -15,8 +15,9 @@ class Panel : public ::testing::Test {
  protected:
   // Powers a machine on with a program in its memory.
   VirtualMachine& load(const std::string& program,
-                       const std::vector<std::pair<std::string, std::string>>& parameters = {}) {
-    machine::MachineDefinition definition = *machine::find_machine("mill3");
+                       const std::vector<std::pair<std::string, std::string>>& parameters = {},
+                       const std::string& name = "mill3") {
+    machine::MachineDefinition definition = *machine::find_machine(name);
     for (const auto& [key, value] : parameters) {
       EXPECT_TRUE(definition.parameters.set(key, value));
     }
@@ -141,6 +142,44 @@ TEST_F(Panel, AnAlarmHoldsTheMachineUntilReset) {
   EXPECT_FALSE(machine.alarm());
   EXPECT_EQ(machine.cycle_start(), Status::alarm);
   EXPECT_EQ(x(), 2);
+}
+
+// Where a refused move leaves the tool, the next program begins.
+TEST_F(Panel, AMoveOutOfReachHoldsTheMachineUntilReset) {
+  VirtualMachine& machine =
+      load("O1\nG91G01F6000.X-50.\n#500=#5021\nY200.\nX-50.\nM30\n", {}, "arm4");
+  EXPECT_EQ(machine.cycle_start(), Status::alarm);  // X214 Y200
+  ASSERT_TRUE(machine.alarm());
+  EXPECT_EQ(machine.alarm()->number, "OUT_OF_REACH");
+  EXPECT_EQ(line(), 4U);
+  EXPECT_EQ(x(), 214);
+  EXPECT_EQ(machine.position().values[1], 0);
+  EXPECT_EQ(machine.cycle_start(), Status::alarm);
+  EXPECT_EQ(x(), 214);
+  machine.reset();
+  EXPECT_FALSE(machine.alarm());
+  EXPECT_EQ(machine.cycle_start(), Status::end);  // from X214: now it is near enough
+  EXPECT_EQ(machine.memory().commons[100], 164);
+  EXPECT_EQ(x(), 114);
+  EXPECT_EQ(machine.position().values[1], 200);
+}
+
+// What is refused behind a move under compensation is not driven later either.
+TEST_F(Panel, ResetForgetsTheMoveThatWasRefusedUnderCompensation) {
+  VirtualMachine& machine = load(
+      "O1\nG10L12P1R10.\nG01X200.Y50.F6000.\nIF[#500EQ1]GOTO9\n#500=1\nG41D1X200.Y100.\n"
+      "X150.Y150.\nX250.\nX100.Y20.\nG40X100.Y50.\nN9X180.\nM30\n",
+      {}, "arm4");
+  EXPECT_EQ(machine.cycle_start(), Status::alarm);
+  ASSERT_TRUE(machine.alarm());
+  EXPECT_EQ(machine.alarm()->number, "OUT_OF_REACH");
+  EXPECT_EQ(machine.alarm()->place.line, 8U);
+  EXPECT_EQ(x(), 140);
+  EXPECT_EQ(machine.position().values[1], 160);
+  machine.reset();
+  EXPECT_EQ(machine.cycle_start(), Status::end);
+  EXPECT_EQ(x(), 180);
+  EXPECT_EQ(machine.position().values[1], 50);
 }
 
 TEST_F(Panel, TheEndResetsModesAndVariables) {

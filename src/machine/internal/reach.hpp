@@ -25,7 +25,7 @@ namespace kerf::machine {
 ///                 h²/4 max|q"|, twice what a smooth function can rise above both ends, reaches
 ///                 beyond it, the stretch is divided on
 ///
-/// The place that is farthest beyond a limit is the one that is told of.
+/// Of the places looked at, the one that is farthest beyond a limit is told of.
 class Reach {
  public:
   // Shortest stretches, mm, or degrees where only rotary axes move.

@@ -1,0 +1,6 @@
+(run with: --machine laser-xtz --param LRP=1)
+O0001 (the straight way has the axis beside it)
+G01 X50. Y20. F600.
+G00 X-50. Y0 (expect moves: rapid X-50 Y0)
+M30
+(finally machine X-50 Y0)

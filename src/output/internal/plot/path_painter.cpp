@@ -4,11 +4,13 @@
 
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/path_tracer.hpp"
+#include "output/internal/plot/speed_tracer.hpp"
 
 namespace kerf::output::plot {
 namespace {
 
 constexpr double kWidest = 1.6, kThinnest = 0.5;  // pixels: lines of the cuts
+constexpr double kWidestSpeeds = 2.4;             // pixels: their colour must show
 constexpr double kDense = 1.2;                    // pixels between lines: closer ones are shaded
 constexpr std::size_t kMostShaded = 8;            // tools; more colours would be told apart no more
 
@@ -58,12 +60,28 @@ void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
   }
 }
 
+// Slow places are small: they are painted over fast ones, and the smallest of them as dots.
+void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
+  constexpr double kDotsToLines = 1.9;  // widths
+  SpeedTracer tracer(view, subject);
+  const double width = std::clamp(0.4 * apart, kThinnest, kWidestSpeeds);
+  for (std::size_t shade = SpeedScale::kShades; shade-- > 0;) {
+    const Color color = SpeedScale::color(shade);
+    sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});
+    sheet.add(std::move(tracer.dots()[shade]), {color, kDotsToLines * width, false, {}});
+  }
+}
+
 }  // namespace
 
 Look draw_path(DisplayList& sheet, const View& view, const Subject& subject, Shading::Order order) {
   PathTracer tracer(view, subject);
   draw_travels(sheet, tracer.travels());
   const double apart = cut_spacing(tracer.cuts());
+  if (subject.speed_scale) {
+    draw_speeds(sheet, view, subject, apart);
+    return Look::lines;
+  }
   const bool has_form = subject.recorded.has_y() && subject.cutters.size() <= kMostShaded;
   if (apart >= kDense || !has_form) {
     draw_lines(sheet, subject, tracer.cuts(), apart);

@@ -92,8 +92,9 @@ double draw_speeds(DisplayList& sheet, Point corner, const SpeedScale& scale) {
     draw_ramp(sheet, ramp);
     draw_scale_marks(sheet, ramp, scale.fastest());
     const Point below{corner.x, ramp.bottom() + 46};
+    const std::string fastest = "fastest cut " + speed_text(scale.fastest());
     sheet.add(
-        Text{below, "fastest cut " + speed_text(scale.fastest()), kTextSize, Anchor::start, kDark});
+        Text{below, fastest + " \u00b7 dots: short slow places", kTextSize, Anchor::start, kDark});
   } else {
     sheet.add(Text{row_at(corner, 0), "nothing is cut", kTextSize, Anchor::start, kDark});
   }

@@ -47,12 +47,16 @@ void draw_lines(DisplayList& sheet, const Subject& subject, std::vector<Trail>& 
   }
 }
 
-// Wide enough to leave no gaps, also where a simplified path has lost lines.
+// A line as wide as this leaves no gaps where a simplified path has lost lines.
+double lost_width(const View& view, const Subject& subject) {
+  return 2.5 * subject.tolerance * view.scale();
+}
+
 void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
                  const Shading& shading, double apart) {
   PathTracer tracer(view, subject, &shading);
-  const double lost = 2.5 * subject.recorded.store().tolerance() * view.scale();
-  const double width = std::clamp(std::max(1.2 * apart, lost), 2 * kThinnest, 2 * kWidest);
+  const double width =
+      std::clamp(std::max(1.2 * apart, lost_width(view, subject)), 2 * kThinnest, 2 * kWidest);
   const std::size_t per_tool = shading.layer_count() * Shading::kShades;
   for (std::size_t i = 0; i < tracer.cuts().size(); ++i) {
     const Color color = Shading::tint(subject.tool_color[i / per_tool], i % Shading::kShades);
@@ -64,7 +68,8 @@ void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
 void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
   constexpr double kDotsToLines = 1.9;  // widths
   SpeedTracer tracer(view, subject);
-  const double width = std::clamp(0.4 * apart, kThinnest, kWidestSpeeds);
+  const double width =
+      std::clamp(std::max(0.4 * apart, lost_width(view, subject)), kThinnest, kWidestSpeeds);
   for (std::size_t shade = SpeedScale::kShades; shade-- > 0;) {
     const Color color = SpeedScale::color(shade);
     sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});

@@ -68,8 +68,8 @@ void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
 void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
   constexpr double kDotsToLines = 1.9;  // widths
   SpeedTracer tracer(view, subject);
-  const double width =
-      std::clamp(std::max(0.4 * apart, lost_width(view, subject)), kThinnest, kWidestSpeeds);
+  const double wanted = apart < kDense ? apart + lost_width(view, subject) : 0.4 * apart;
+  const double width = std::clamp(wanted, kThinnest, kWidestSpeeds);
   for (std::size_t shade = SpeedScale::kShades; shade-- > 0;) {
     const Color color = SpeedScale::color(shade);
     sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});

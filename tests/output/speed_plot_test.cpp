@@ -313,6 +313,20 @@ TEST(SpeedPlot, WithoutCutsThereIsNoScale) {
   EXPECT_TRUE(sheet.plot.png().starts_with("\x89PNG\r\n"));
 }
 
+TEST(SpeedPlot, ALatheIsDrawnInItsPlane) {
+  PathPlot plot(axes("XZ"), "lathe", PlotColors::speeds, XMeasure::diameter);
+  plot.start({});
+  Machine machine([&](const motion::Setpoint& point) {
+    plot.take(machine::AxisPoint{point, point.tip});
+    plot.take(motion(control::Line{point.tip, {}}));
+  });
+  machine.move(1, [](double time_s) { return at(40 * time_s, -15 * time_s); });  // 25 mm/s
+  const std::string svg = plot.svg();
+  EXPECT_NE(svg.find(">X \u2300 mm<"), std::string::npos);
+  EXPECT_NE(svg.find(">fastest cut 1500 "), std::string::npos);
+  EXPECT_GE(count(svg, "stroke=\"#7ad151\""), 1U);
+}
+
 TEST(SpeedPlot, TheSameRunGivesTheSameBytes) {
   Sheet first, second;
   for (Sheet* sheet : {&first, &second}) {

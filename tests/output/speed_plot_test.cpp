@@ -6,6 +6,7 @@
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/speed_recorder.hpp"
 #include "output/internal/plot/speed_tracer.hpp"
+#include "output/internal/plot/subject.hpp"
 #include "output/path_plot.hpp"
 #include "plot_motions.hpp"
 
@@ -92,7 +93,7 @@ struct Drawing {
     const Subject subject(motions, &speeds);
     const Rect frame{0, 0, 1000, 1000};
     const View view(kFromAbove, subject.box, frame, frame);
-    SpeedTracer tracer(view, subject);
+    SpeedTracer tracer(view, subject.speeds, *subject.speed_scale);
     std::vector<std::size_t> found;
     for (std::size_t shade = 0; shade < SpeedScale::kShades; ++shade) {
       if (passes(tracer.lines()[shade], view.map({x, y, 0}))) found.push_back(shade);
@@ -109,7 +110,8 @@ struct Drawing {
   std::size_t dot_count() const {
     const Subject subject(motions, &speeds);
     const Rect frame{0, 0, 1000, 1000};
-    SpeedTracer tracer(View(kFromAbove, subject.box, frame, frame), subject);
+    const View view(kFromAbove, subject.box, frame, frame);
+    SpeedTracer tracer(view, subject.speeds, *subject.speed_scale);
     std::size_t count = 0;
     for (const Outline& dots : tracer.dots()) count += dots.points.size() / 2;
     return count;
@@ -241,10 +243,11 @@ double brightness(Color color) {
 }
 
 TEST(SpeedScale, ColoursKeepTheirOrderInGreyAndShowOnWhite) {
+  const SpeedScale scale(1000);
   for (std::size_t shade = 1; shade < SpeedScale::kShades; ++shade) {
-    EXPECT_GT(brightness(SpeedScale::color(shade)), brightness(SpeedScale::color(shade - 1)));
+    EXPECT_GT(brightness(scale.color(shade)), brightness(scale.color(shade - 1)));
   }
-  EXPECT_LT(brightness(SpeedScale::color(SpeedScale::kShades - 1)), 0.6);
+  EXPECT_LT(brightness(scale.color(SpeedScale::kShades - 1)), 0.6);
 }
 
 TEST(SpeedScale, ShadesAreEqualStepsFromZeroToTheFastest) {
@@ -315,6 +318,19 @@ TEST(SpeedPlot, WithoutCutsThereIsNoScale) {
   sheet.rapid({0, 0, 0}, {0, 50, 0});
   EXPECT_NE(sheet.plot.svg().find("nothing is cut"), std::string::npos);
   EXPECT_TRUE(sheet.plot.png().starts_with("\x89PNG\r\n"));
+}
+
+TEST(SpeedPlot, ATangleOfRampsGivesAPictureOfBoundedSize) {
+  Sheet sheet;
+  Random random(3);
+  Point3 here{};
+  for (int i = 0; i < 3000; ++i) {  // each at least two ramps long
+    const Point3 next{here[kX] > 50 ? 30 * random.next() : 70 + 30 * random.next(),
+                      100 * random.next(), 0};
+    sheet.line(here, next);
+    here = next;
+  }
+  EXPECT_LT(sheet.plot.svg().size(), 2'100'000U);
 }
 
 TEST(SpeedPlot, ALatheIsDrawnInItsPlane) {

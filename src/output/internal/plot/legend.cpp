@@ -61,13 +61,13 @@ double draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
 std::string speed_text(double speed) { return speed < 10 ? significant(speed) : rounded(speed, 0); }
 
 // The scale's colours, as boxes that overlap so that no gap shows between them.
-void draw_ramp(DisplayList& sheet, const Rect& ramp) {
-  const double step = ramp.width / SpeedScale::kShades;
-  for (std::size_t shade = 0; shade < SpeedScale::kShades; ++shade) {
+void draw_ramp(DisplayList& sheet, const Rect& ramp, const SpeedScale& scale) {
+  const double step = ramp.width / static_cast<double>(scale.shades());
+  for (std::size_t shade = 0; shade < scale.shades(); ++shade) {
     const double left = ramp.left + step * static_cast<double>(shade);
     Outline box;
     box.rectangle({left, ramp.top, ramp.right() - left, ramp.height});
-    sheet.add(std::move(box), {{}, 1, false, SpeedScale::color(shade)});
+    sheet.add(std::move(box), {{}, 1, false, scale.color(shade)});
   }
 }
 
@@ -89,7 +89,7 @@ double draw_speeds(DisplayList& sheet, Point corner, const SpeedScale& scale) {
   draw_heading(sheet, corner, "Speed of the cuts as reached, mm/min");
   if (scale.fastest() > 0) {
     const Rect ramp{corner.x, corner.y + 22, kRampWidth, kRampHeight};
-    draw_ramp(sheet, ramp);
+    draw_ramp(sheet, ramp, scale);
     draw_scale_marks(sheet, ramp, scale.fastest());
     const Point below{corner.x, ramp.bottom() + 46};
     const std::string fastest = "fastest cut " + speed_text(scale.fastest());

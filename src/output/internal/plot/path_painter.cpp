@@ -64,14 +64,26 @@ void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
   }
 }
 
+// In as many shades as fit: a tangle of slopes in all of them would make a picture of any size.
+SpeedTracer trace_speeds(const View& view, const Subject& subject) {
+  constexpr std::size_t kMostPoints = 120'000;
+  std::size_t shades = SpeedScale::kShades;
+  while (true) {
+    const SpeedScale scale(subject.speed_scale->fastest(), shades);
+    SpeedTracer tracer(view, subject.speeds, scale);
+    if (shades == 2 || tracer.point_count() <= kMostPoints) return tracer;
+    shades = std::max<std::size_t>(2, shades * 2 / 3);
+  }
+}
+
 // Slow places are small: they are painted over fast ones, and the smallest of them as dots.
 void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
   constexpr double kDotsToLines = 1.9;  // widths
-  SpeedTracer tracer(view, subject);
+  SpeedTracer tracer = trace_speeds(view, subject);
   const double wanted = apart < kDense ? apart + lost_width(view, subject) : 0.4 * apart;
   const double width = std::clamp(wanted, kThinnest, kWidestSpeeds);
-  for (std::size_t shade = SpeedScale::kShades; shade-- > 0;) {
-    const Color color = SpeedScale::color(shade);
+  for (std::size_t shade = tracer.scale().shades(); shade-- > 0;) {
+    const Color color = tracer.scale().color(shade);
     sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});
     sheet.add(std::move(tracer.dots()[shade]), {color, kDotsToLines * width, false, {}});
   }

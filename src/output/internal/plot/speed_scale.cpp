@@ -24,12 +24,14 @@ std::uint8_t between(std::uint8_t low, std::uint8_t high, double share) {
 }  // namespace
 
 std::size_t SpeedScale::shade(double speed) const {
-  if (!(speed < fastest_)) return fastest_ > 0 ? kShades - 1 : 0;
-  return std::min(static_cast<std::size_t>(speed / fastest_ * kShades), kShades - 1);
+  if (!(speed < fastest_)) return fastest_ > 0 ? shades_ - 1 : 0;
+  const double scaled = speed / fastest_ * static_cast<double>(shades_);
+  return std::min(static_cast<std::size_t>(scaled), shades_ - 1);
 }
 
-Color SpeedScale::color(std::size_t shade) {
-  const double at = static_cast<double>(shade * (kViridis.size() - 1)) / (kShades - 1);
+Color SpeedScale::color(std::size_t shade) const {
+  const double share_of_all = static_cast<double>(shade) / static_cast<double>(shades_ - 1);
+  const double at = share_of_all * (kViridis.size() - 1);
   const std::size_t low = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
   const Color a = kViridis[low], b = kViridis[low + 1];
   const double share = at - static_cast<double>(low);

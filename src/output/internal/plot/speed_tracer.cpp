@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "output/internal/plot/sleeve.hpp"
 
@@ -36,15 +37,17 @@ std::vector<Point> simplified(const std::vector<Point>& points) {
 
 }  // namespace
 
-SpeedTracer::SpeedTracer(const View& view, const Subject& subject)
-    : view_(view),
-      scale_(*subject.speed_scale),
-      lines_(SpeedScale::kShades),
-      dots_(SpeedScale::kShades) {
+SpeedTracer::SpeedTracer(const View& view, const Path& path, const SpeedScale& scale)
+    : view_(view), scale_(scale), lines_(scale.shades()), dots_(scale.shades()) {
   seen_.clear(kSameInk);
-  for (std::size_t i = 0; i < subject.speeds.strokes.size(); ++i) {
-    trace(subject.speeds.vertices_of(i));
-  }
+  for (std::size_t i = 0; i < path.strokes.size(); ++i) trace(path.vertices_of(i));
+}
+
+std::size_t SpeedTracer::point_count() const {
+  std::size_t count = 0;
+  for (const Outline& outline : lines_) count += outline.points.size();
+  for (const Outline& outline : dots_) count += outline.points.size();
+  return count;
 }
 
 void SpeedTracer::trace(std::span<const Path::Vertex> stroke) {
@@ -111,7 +114,7 @@ void SpeedTracer::draw_line(const Run& run) {
 
 void SpeedTracer::draw_dot(const Run& run) {
   const Point at = between(run.points.front(), run.points.back(), 0.5);
-  const auto label = static_cast<std::uint32_t>(SpeedScale::kShades + run.shade);
+  const auto label = static_cast<std::uint32_t>(scale_.shades() + run.shade);
   if (seen_.insert({at.x, at.y, 0}, {at.x, at.y, 0}, label)) dots_[run.shade].segment(at, at);
 }
 

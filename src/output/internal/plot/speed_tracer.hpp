@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "output/internal/plot/display_list.hpp"
+#include "output/internal/plot/path_store.hpp"
 #include "output/internal/plot/segment_set.hpp"
 #include "output/internal/plot/speed_scale.hpp"
-#include "output/internal/plot/subject.hpp"
 #include "output/internal/plot/view.hpp"
 
 namespace kerf::output::plot {
@@ -19,12 +20,14 @@ namespace kerf::output::plot {
 /// when it is shorter than kDot pixels.
 class SpeedTracer {
  public:
-  /// Precondition: the subject has speeds.
-  SpeedTracer(const View& view, const Subject& subject);
+  SpeedTracer(const View& view, const Path& path, const SpeedScale& scale);
 
   /// By shade, from the slowest.
   [[nodiscard]] std::vector<Outline>& lines() { return lines_; }
   [[nodiscard]] std::vector<Outline>& dots() { return dots_; }
+
+  [[nodiscard]] const SpeedScale& scale() const { return scale_; }
+  [[nodiscard]] std::size_t point_count() const;
 
   static constexpr double kDot = 3;
 
@@ -43,7 +46,7 @@ class SpeedTracer {
   void draw_dot(const Run& run);
 
   const View& view_;
-  const SpeedScale& scale_;
+  SpeedScale scale_;
   std::vector<Run> runs_;  // of the stroke under way
   SegmentSet seen_;
   std::vector<Outline> lines_, dots_;

@@ -88,6 +88,8 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   file("--pwm", o.pwm, "changes of a laser's pulses and their timer, as CSV");
   file("--rows", o.rows, "moves and tool changes as rows of feature recognition, as CSV");
   file("--plot", o.plot, "picture of the path: .svg or .png");
+  run.add_flag("--plot-speed", o.plot_speed,
+               "colours the cuts of --plot by the speed that was really reached");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");

@@ -37,6 +37,7 @@ struct RunOptions {
   std::string pwm;
   std::string rows;
   std::string plot;
+  bool plot_speed = false;
   std::string dprnt;
   std::string post;
   std::string coverage;

@@ -148,17 +148,22 @@ Outcome<void> Outputs::open_coverage() {
 
 Outcome<void> Outputs::open_plot() {
   const bool png = options_.plot.ends_with(".png");
+  if (options_.plot_speed && options_.plot.empty())
+    return usage("--plot-speed says how --plot FILE is coloured: give that too");
   if (!options_.plot.empty() && !png && !options_.plot.ends_with(".svg"))
     return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
   const Opened file = open_file(options_.plot);
   if (!file) return tl::unexpected(file.error());
   if (*file == nullptr) return {};
+  const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;
   auto plot = std::make_unique<output::PathPlot>(
-      machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name);
+      machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name,
+      colors);
+  if (options_.plot_speed) machine_.add_point_sink(*plot);
   when_over([picture = plot.get(), png](OutputFile& into) {
     into.write(png ? picture->png() : picture->svg());
   });
-  add(std::move(plot));
+  add(std::unique_ptr<control::MotionSink>(std::move(plot)));
   return {};
 }
 

@@ -6,19 +6,27 @@
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
+#include "machine/axis_point.hpp"
 
 namespace kerf::output {
 
 namespace plot {
 class PathRecorder;
-}
+class SpeedRecorder;
+}  // namespace plot
 
 /// What the X values of a machine's motions measure; lathes say diameters.
 enum class XMeasure : std::uint8_t { length, diameter };
 
+/// What the colour of a cut means: its tool, or how fast it was really made.
+enum class PlotColors : std::uint8_t { tools, speeds };
+
 /// The picture of a tool path: one sheet with an isometric view, the view from above with ruled
 /// axes, the holes, the extents and a legend of the tools. A machine without a Y axis gets one view
 /// instead, Z to the right and X upward.
+///
+/// Coloured by tools it needs the motions alone; coloured by speeds it shows how fast the tool went
+/// as the set-points have it, and those are its way where it cuts.
 ///
 /// Takes motions in order, from where the axes start. Memory and the size of the picture are
 /// bounded however long the program is (SVG: about 2 MB at most): a path of more than some ten
@@ -27,16 +35,20 @@ enum class XMeasure : std::uint8_t { length, diameter };
 /// those beyond 1e9 mm are drawn there.
 ///
 /// The same motions give the same bytes.
-class PathPlot : public control::MotionSink {
+class PathPlot : public control::MotionSink, public machine::AxisPointSink {
  public:
   /// `title` is UTF-8; what is not is shown as '?'. With XMeasure::diameter the path is drawn in
   /// true shape, and numbers of X stay diameters.
-  PathPlot(const control::AxisSetup& axes, std::string title, XMeasure x = XMeasure::length);
+  PathPlot(const control::AxisSetup& axes, std::string title, PlotColors colors = PlotColors::tools,
+           XMeasure x = XMeasure::length);
   ~PathPlot() override;
   PathPlot(const PathPlot&) = delete;
   PathPlot& operator=(const PathPlot&) = delete;
 
   void take(const control::Motion& motion) override;
+  /// Precondition: coloured by speeds.
+  void start(const machine::AxisPoint& at) override;
+  void take(const machine::AxisPoint& point) override;
 
   /// The whole SVG document of what was taken so far.
   [[nodiscard]] std::string svg() const;
@@ -45,6 +57,7 @@ class PathPlot : public control::MotionSink {
 
  private:
   std::unique_ptr<plot::PathRecorder> recorder_;
+  std::unique_ptr<plot::SpeedRecorder> speeds_;  // null: coloured by tools
   std::string title_;
 };
 

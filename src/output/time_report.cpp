@@ -104,9 +104,11 @@ TimeReport::Kinds TimeReport::totals() const {
 
 std::string TimeReport::text(machine::VirtualMachine& machine) {
   const double total = machine.time_s();
-  std::string text = fmt::format("{} on {}: {:.3f} s, without acceleration {:.3f} s\n\n",
+  const double feed_s = machine.statistics().feed_seconds();
+  const std::string ratio = total > 0 ? fmt::format(" (x {:.2f})", feed_s / total) : std::string();
+  std::string text = fmt::format("{} on {}: {:.3f} s, without acceleration {:.3f} s{}\n\n",
                                  printable(machine.program_name()), machine.definition().name,
-                                 total, machine.statistics().feed_seconds());
+                                 total, feed_s, ratio);
   const Kinds sums = totals();
   text += fmt::format("{:>8} {:>12} {:>12} {:>12} {:>12}\n", "tool", "time s", "rapid s", "cut s",
                       "dwell s");

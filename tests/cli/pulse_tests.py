@@ -8,6 +8,7 @@ import re
 
 import harness
 from harness import alarm, check, contains, equal, near, refused, status, test
+from limit_tests import fill
 from set_point_tests import ARM_PROGRAM, rows_of
 
 HEAD = "O1\nG21G90G17G94\n"
@@ -326,3 +327,28 @@ def memory(box):
     check(box.json("s.json")["time_s"] > 3600, "less than an hour")
     if harness.MEASURES_MEMORY:
         check(0 < result.peak_kib < 64 * 1024, f"{result.peak_kib} KiB of memory")
+
+
+# Into a pipe, whose lines are counted: the pulses of hours need no disk.
+COUNTED = ("sh", "-c", 'mkfifo pulses.csv; wc -l < pulses.csv > lines & "$@"; r=$?; wait; exit $r', "sh")
+
+
+def pulses_of_hours(box, hours):
+    """Runs this long in short lines; returns KiB of memory at the peak."""
+    pairs = 30_000 * hours  # of lines that take 67 ms and a ramp, each to a standstill
+    fill(box, "part.nc", HEAD.encode() + b"G61G91G01F1200\n", b"X1.2Y.6\nX-1.2Y-.6\n", pairs, b"M30\n")
+    result = box.kerf("run", "part.nc", "--pulses", "pulses.csv", "--summary", "s.json", peak=True,
+                      before=COUNTED)
+    status(result, 0)
+    check(box.json("s.json")["time_s"] > 3600 * hours, f"less than {hours} h")
+    equal(int(box.read("lines")), 1 + pairs * 2 * (240 + 120), "lines of the file")
+    os.remove(box.path("pulses.csv"))
+    return result.peak_kib
+
+
+@test("twice as long a program of pulses needs no more memory")
+def memory_of_hours(box):
+    one, two = (pulses_of_hours(box, hours) for hours in (1, 2))
+    if harness.MEASURES_MEMORY:
+        check(0 < one < 24 * 1024, f"{one} KiB of memory for an hour")
+        check(two < one + 1024, f"{two} KiB of memory for two hours, {one} KiB for one")

@@ -52,6 +52,16 @@ def from_the_start(box):
         near(place["length_mm"], way, 1e-6, f"length on {machine}")
 
 
+@test("kerf time says how much of the time there would be without acceleration")
+def ratio(box):
+    box.write("part.nc", "O1\nG21G90G94\nG01X1.F6000\nM30\n")  # 10 ms and as long again for the ramps
+    slow = ["--machine-set", "axis.X.acceleration=10000"]
+    contains(box.kerf("time", "part.nc", *slow).text,
+             "O0001 on mill3: 0.020 s, without acceleration 0.010 s (x 0.50)\n", "the first line")
+    box.write("part.nc", "O1\nM30\n")
+    contains(box.kerf("time", "part.nc").text, "without acceleration 0.000 s\n", "the first line")
+
+
 @test("kerf time tells of alarms and ends like kerf run")
 def alarms(box):
     box.write("part.nc", "O1\nG21G90\nG01X10.F100\nG01X[1/0]\nM30\n")

@@ -68,6 +68,7 @@ WRONG_RUNS = {
     "--plot without its file": ["--plot"],
     "--plot with an ending of another kind": ["--plot", "path.pdf"],
     "--plot without an ending": ["--plot", "path"],
+    "--plot-speed without --plot": ["--plot-speed"],
     "--dprnt without its file": ["--dprnt"],
     "--post without its file": ["--post"],
     "--coverage without its file": ["--coverage"],

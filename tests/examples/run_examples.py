@@ -13,7 +13,9 @@ an ending _VARIANT before the point:
   generate.py    writes the program of `command`, where a script made it
   README.md      quotes every command
 
---update rewrites expected files, pictures and printed texts, but never accepts another ending: a
+docs/command-line.md has a table of how long the plain commands take, which must be right too.
+
+--update rewrites expected files, pictures, printed texts and that table, but never accepts another ending: a
 new run must reach status end, and a run that used to end in an alarm must end in the same one. To
 expect an alarm, first write {"status": "alarm", "alarm": {"code": "PS0112"}} into
 expected_VARIANT.json.
@@ -25,6 +27,7 @@ import argparse
 import json
 import math
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -35,6 +38,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
+TIMES = ROOT / "docs/command-line.md"
+TIMES_HEAD = "| example | time s | without acceleration s | ratio |\n| --- | ---: | ---: | ---: |\n"
 
 STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
           "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
@@ -252,9 +257,28 @@ def replace(path: Path, data: bytes) -> None:
     print(f"     wrote {path.relative_to(ROOT)}")
 
 
-def try_example(folder: Path, kerf: Path, place: Path, rewrite: bool) -> int:
-    """The number of commands of a good example. With `rewrite`, all of its runs must be good before
-    one file is rewritten."""
+def times_row(name: str, summary: dict) -> str:
+    time_s, feed_s = summary["time_s"], summary["time_feed_s"]
+    return f"| {name} | {time_s:.1f} | {feed_s:.1f} | x {feed_s / time_s:.2f} |\n"
+
+
+def check_times(rows: list, rewrite: bool) -> None:
+    """The table of times in the document is the one of these runs."""
+    document = TIMES.read_text()
+    before, head, behind = document.partition(TIMES_HEAD)
+    if not head:
+        raise Failed(f"no table begins with {TIMES_HEAD.splitlines()[0]}")
+    rest = re.sub(r"\A(\|.*\n)*", "", behind)
+    wanted = before + head + "".join(rows) + rest
+    if rewrite:
+        replace(TIMES, wanted.encode())
+    elif document != wanted:
+        raise Failed("the table of times should be\n" + "".join(rows) + "--update writes it")
+
+
+def try_example(folder: Path, kerf: Path, place: Path, rewrite: bool) -> list:
+    """The summaries of a good example, that of the plain command first. With `rewrite`, all of its
+    runs must be good before one file is rewritten."""
     variants = variants_of(folder)
     check_no_orphans(folder, variants)
     check_generator(folder, variants)
@@ -267,7 +291,7 @@ def try_example(folder: Path, kerf: Path, place: Path, rewrite: bool) -> int:
     if rewrite:
         for variant, result in zip(variants, results):
             update(variant, result)
-    return len(variants)
+    return [result.summary for result in results]
 
 
 def main() -> int:
@@ -289,13 +313,16 @@ def main() -> int:
         return 1
 
     failures = commands = 0
+    times = []
     with tempfile.TemporaryDirectory() as scratch:
         for folder in folders:
             place = Path(scratch) / folder.name  # a root of its own: outputs never meet
             shutil.copytree(folder, place / "examples" / folder.name)
             try:
-                count = try_example(folder, options.kerf.resolve(), place, options.update)
+                summaries = try_example(folder, options.kerf.resolve(), place, options.update)
+                count = len(summaries)
                 commands += count
+                times.append(times_row(folder.name, summaries[0]))
                 print(f"ok   {folder.name}: {count} run{'s' if count > 1 else ''}")
             except (Failed, subprocess.TimeoutExpired) as problem:
                 failures += 1
@@ -303,6 +330,12 @@ def main() -> int:
             except (ValueError, LookupError) as problem:  # a command or an expectation is misspelt
                 failures += 1
                 print(f"FAIL {folder.name}: {type(problem).__name__}: {problem}")
+    try:
+        if not options.names and not failures:
+            check_times(times, options.update)
+    except Failed as problem:
+        failures += 1
+        print(f"FAIL {TIMES.relative_to(ROOT)}: {problem}".replace("\n", "\n     "))
     print(f"{len(folders)} examples, {failures} failed" if failures
           else f"{len(folders)} examples, {commands} runs, all as expected")
     return 1 if failures else 0

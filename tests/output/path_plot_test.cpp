@@ -186,7 +186,7 @@ TEST(PathPlot, AMachineWithoutYShowsZToTheRightAndXUpward) {
 }
 
 TEST(PathPlot, DiametersAreDrawnInTrueShapeAndNamedAsDiameters) {
-  PathPlot plot(axes("XZ"), "lathe", XMeasure::diameter);
+  PathPlot plot(axes("XZ"), "lathe", PlotColors::tools, XMeasure::diameter);
   plot.take(motion(control::Line{at(40, -40), {}}));  // 20 mm by 40 mm
   const std::string svg = plot.svg();
   EXPECT_NE(svg.find(">X \u2300 mm<"), std::string::npos);

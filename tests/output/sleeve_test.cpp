@@ -12,12 +12,12 @@ namespace {
 
 std::vector<Point3> simplified(const std::vector<Point3>& path, double tolerance) {
   Sleeve sleeve(tolerance);
-  sleeve.start(path.front());
+  sleeve.start(knot(path.front(), 0));
   std::vector<Point3> kept{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i) {
-    if (sleeve.add(path[i])) kept.push_back(sleeve.anchor());
+    if (sleeve.add(knot(path[i], 0))) kept.push_back(place_of(sleeve.anchor()));
   }
-  kept.push_back(sleeve.end());
+  kept.push_back(place_of(sleeve.end()));
   return kept;
 }
 

@@ -5,6 +5,7 @@
 
 #include "output/internal/plot/marks.hpp"
 #include "output/internal/plot/palette.hpp"
+#include "output/internal/plot/ruler.hpp"
 #include "output/internal/plot/text.hpp"
 
 namespace kerf::output::plot {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kRow = 22;
 constexpr double kTextSize = 13;
+constexpr double kTickText = 12;
 constexpr double kSwatch = 30;
 
 Point row_at(Point corner, std::size_t row) {
@@ -55,6 +57,50 @@ double draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
   return std::max(1.6, static_cast<double>(columns)) * kColumn;
 }
 
+// Numbers of one scale: enough decimals for two digits of the largest.
+std::string speed_text(double speed) { return speed < 10 ? significant(speed) : rounded(speed, 0); }
+
+// The scale's colours, as boxes that overlap so that no gap shows between them.
+void draw_ramp(DisplayList& sheet, const Rect& ramp, const SpeedScale& scale) {
+  const double step = ramp.width / static_cast<double>(scale.shades());
+  for (std::size_t shade = 0; shade < scale.shades(); ++shade) {
+    const double left = ramp.left + step * static_cast<double>(shade);
+    Outline box;
+    box.rectangle({left, ramp.top, ramp.right() - left, ramp.height});
+    sheet.add(std::move(box), {{}, 1, false, scale.color(shade)});
+  }
+}
+
+void draw_scale_marks(DisplayList& sheet, const Rect& ramp, double fastest) {
+  constexpr double kApart = 50;  // pixels between numbers
+  Outline marks;
+  for (const Tick& tick : ruler(0, fastest, kApart * fastest / ramp.width)) {
+    const double x = ramp.left + ramp.width * tick.value / fastest;
+    marks.segment({x, ramp.bottom()}, {x, ramp.bottom() + (tick.major ? 6 : 3)});
+    if (!tick.major) continue;
+    sheet.add(Text{{x, ramp.bottom() + 20}, tick.label, kTickText, Anchor::middle, kDark});
+  }
+  sheet.add(std::move(marks), {kFrame, 1, false, {}});
+}
+
+// Returns the width taken.
+double draw_speeds(DisplayList& sheet, Point corner, const SpeedScale& scale) {
+  constexpr double kRampWidth = 380, kRampHeight = 16;
+  draw_heading(sheet, corner, "Speed of the cuts as reached, mm/min");
+  if (scale.fastest() > 0) {
+    const Rect ramp{corner.x, corner.y + 22, kRampWidth, kRampHeight};
+    draw_ramp(sheet, ramp, scale);
+    draw_scale_marks(sheet, ramp, scale.fastest());
+    const Point below{corner.x, ramp.bottom() + 46};
+    const std::string fastest = "fastest cut " + speed_text(scale.fastest());
+    sheet.add(
+        Text{below, fastest + " \u00b7 dots: short slow places", kTextSize, Anchor::start, kDark});
+  } else {
+    sheet.add(Text{row_at(corner, 0), "nothing is cut", kTextSize, Anchor::start, kDark});
+  }
+  return kRampWidth + 60;
+}
+
 std::string hole_count(const HoleFinder& finder) {
   const std::size_t count = finder.holes().size();
   const std::string more = finder.overflowed() ? "more than " : "";
@@ -70,7 +116,8 @@ void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_sample(sheet, row_at(corner, 0), {kTravel, 1, true, {}});
   draw_words(sheet, row_at(corner, 0), "rapid, not cutting");
   draw_sample(sheet, row_at(corner, 1), {kDark, 1.6, false, {}});
-  draw_words(sheet, row_at(corner, 1), "cut, in the tool's colour");
+  draw_words(sheet, row_at(corner, 1),
+             subject.speed_scale ? "cut, coloured by its speed" : "cut, in the tool's colour");
   draw_start_mark(sheet, middle(2));
   draw_words(sheet, row_at(corner, 2), subject.has_cuts() ? "first cut" : "start");
   draw_end_mark(sheet, middle(3));
@@ -144,8 +191,9 @@ void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
 }  // namespace
 
 void draw_legend(DisplayList& sheet, Point corner, double width, const Subject& subject) {
-  const double tools = draw_tools(sheet, corner, subject);
-  draw_signs(sheet, {corner.x + tools, corner.y}, subject);
+  const double colors = subject.speed_scale ? draw_speeds(sheet, corner, *subject.speed_scale)
+                                            : draw_tools(sheet, corner, subject);
+  draw_signs(sheet, {corner.x + colors, corner.y}, subject);
   draw_extents(sheet, {corner.x + width - kTableWidth, corner.y}, subject);
 }
 

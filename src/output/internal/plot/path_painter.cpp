@@ -4,11 +4,13 @@
 
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/path_tracer.hpp"
+#include "output/internal/plot/speed_tracer.hpp"
 
 namespace kerf::output::plot {
 namespace {
 
 constexpr double kWidest = 1.6, kThinnest = 0.5;  // pixels: lines of the cuts
+constexpr double kWidestSpeeds = 2.4;             // pixels: their colour must show
 constexpr double kDense = 1.2;                    // pixels between lines: closer ones are shaded
 constexpr std::size_t kMostShaded = 8;            // tools; more colours would be told apart no more
 
@@ -45,16 +47,45 @@ void draw_lines(DisplayList& sheet, const Subject& subject, std::vector<Trail>& 
   }
 }
 
-// Wide enough to leave no gaps, also where a simplified path has lost lines.
+// A line as wide as this leaves no gaps where a simplified path has lost lines.
+double lost_width(const View& view, const Subject& subject) {
+  return 2.5 * subject.tolerance * view.scale();
+}
+
 void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
                  const Shading& shading, double apart) {
   PathTracer tracer(view, subject, &shading);
-  const double lost = 2.5 * subject.recorded.store().tolerance() * view.scale();
-  const double width = std::clamp(std::max(1.2 * apart, lost), 2 * kThinnest, 2 * kWidest);
+  const double width =
+      std::clamp(std::max(1.2 * apart, lost_width(view, subject)), 2 * kThinnest, 2 * kWidest);
   const std::size_t per_tool = shading.layer_count() * Shading::kShades;
   for (std::size_t i = 0; i < tracer.cuts().size(); ++i) {
     const Color color = Shading::tint(subject.tool_color[i / per_tool], i % Shading::kShades);
     sheet.add(std::move(tracer.cuts()[i].outline), {color, width, false, {}});
+  }
+}
+
+// In as many shades as fit: a tangle of slopes in all of them would make a picture of any size.
+SpeedTracer trace_speeds(const View& view, const Subject& subject) {
+  constexpr std::size_t kMostPoints = 120'000;
+  std::size_t shades = SpeedScale::kShades;
+  while (true) {
+    const SpeedScale scale(subject.speed_scale->fastest(), shades);
+    SpeedTracer tracer(view, subject.speeds, scale);
+    if (shades == 2 || tracer.point_count() <= kMostPoints) return tracer;
+    shades = std::max<std::size_t>(2, shades * 2 / 3);
+  }
+}
+
+// Slow places are small: they are painted over fast ones, and the smallest of them as dots.
+void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
+  constexpr double kDotsToLines = 1.9;  // widths
+  SpeedTracer tracer = trace_speeds(view, subject);
+  const double wanted = apart < kDense ? apart + lost_width(view, subject) : 0.4 * apart;
+  const double width = std::clamp(wanted, kThinnest, kWidestSpeeds);
+  for (std::size_t shade = tracer.scale().shades(); shade-- > 0;) {
+    const Color color = tracer.scale().color(shade);
+    sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});
+    sheet.add(std::move(tracer.dots()[shade]), {color, kDotsToLines * width, false, {}});
   }
 }
 
@@ -64,6 +95,10 @@ Look draw_path(DisplayList& sheet, const View& view, const Subject& subject, Sha
   PathTracer tracer(view, subject);
   draw_travels(sheet, tracer.travels());
   const double apart = cut_spacing(tracer.cuts());
+  if (subject.speed_scale) {
+    draw_speeds(sheet, view, subject, apart);
+    return Look::lines;
+  }
   const bool has_form = subject.recorded.has_y() && subject.cutters.size() <= kMostShaded;
   if (apart >= kDense || !has_form) {
     draw_lines(sheet, subject, tracer.cuts(), apart);

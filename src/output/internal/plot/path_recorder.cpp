@@ -14,12 +14,6 @@ constexpr double kChord_rad = 2 * std::numbers::pi / 128;
 
 constexpr double kLargest = PathStore::kLargestCoordinate;
 
-double drawable(double value, double otherwise) {
-  if (std::abs(value) <= kLargest) return value;
-  if (!std::isfinite(value)) return otherwise;
-  return value > 0 ? kLargest : -kLargest;
-}
-
 geometry::Vec3 vector(const Point3& point) { return {point[kX], point[kY], point[kZ]}; }
 Point3 point(geometry::Vec3 vector) { return {vector.x, vector.y, vector.z}; }
 
@@ -35,13 +29,8 @@ std::array<std::size_t, 2> plane_axes(control::Plane plane) {
 
 }  // namespace
 
-PathRecorder::PathRecorder(const control::AxisSetup& axes, double x_scale) : x_scale_(x_scale) {
-  constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = axes.find(kLetters[i]);
-    if (axis && !axes[*axis].rotary) coordinates_[i] = {base::index(*axis), i == kX ? x_scale : 1};
-  }
-  position_ = point_of(axes.start);
+PathRecorder::PathRecorder(const control::AxisSetup& axes, double x_scale)
+    : x_scale_(x_scale), space_(axes, x_scale), position_(space_.point_of(axes.start, {})) {
   travels_.add(position_);
 }
 
@@ -154,25 +143,16 @@ Box3 PathRecorder::all_extents() const {
   return all;
 }
 
-Point3 PathRecorder::point_of(const base::AxisVector& to) const {
-  Point3 point;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Coordinate& from = coordinates_[i];
-    point[i] = from.scale == 0 ? 0 : drawable(to.values[from.axis] * from.scale, position_[i]);
-  }
-  return point;
-}
-
 std::array<double, 2> PathRecorder::center_of(const control::Arc& arc) const {
   const auto axes = plane_axes(arc.plane);
-  return {arc.center[0] * coordinates_[axes[0]].scale, arc.center[1] * coordinates_[axes[1]].scale};
+  return {arc.center[0] * space_.scale(axes[0]), arc.center[1] * space_.scale(axes[1])};
 }
 
 // An arc whose plane the machine lacks, or whose centre is nowhere, is drawn as its chord.
 bool PathRecorder::can_bend(const control::Arc& arc) const {
   const auto axes = plane_axes(arc.plane);
   for (std::size_t i = 0; i < 2; ++i) {
-    if (coordinates_[axes[i]].scale == 0 || !(std::abs(arc.center[i]) <= kLargest)) return false;
+    if (space_.scale(axes[i]) == 0 || !(std::abs(arc.center[i]) <= kLargest)) return false;
   }
   return true;
 }

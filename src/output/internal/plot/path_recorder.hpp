@@ -10,6 +10,7 @@
 #include "output/internal/plot/hole_finder.hpp"
 #include "output/internal/plot/path_store.hpp"
 #include "output/internal/plot/space.hpp"
+#include "output/internal/plot/tip_in_space.hpp"
 
 namespace kerf::output::plot {
 
@@ -36,7 +37,7 @@ class PathRecorder {
   [[nodiscard]] const Box3& cut_extents() const { return cuts_; }  ///< empty without cuts
   [[nodiscard]] Box3 all_extents() const;                          ///< with the start
   [[nodiscard]] std::uint64_t move_count() const { return moves_; }
-  [[nodiscard]] bool has_y() const { return coordinates_[kY].scale != 0; }
+  [[nodiscard]] bool has_y() const { return space_.scale(kY) != 0; }
   [[nodiscard]] double x_scale() const { return x_scale_; }
   /// Where the first cut starts and the last one ends; without cuts, the path.
   [[nodiscard]] const Point3& start() const { return first_cut_; }
@@ -45,12 +46,6 @@ class PathRecorder {
   static constexpr std::size_t kMaxTools = 256;
 
  private:
-  // Where a coordinate comes from; an axis that the machine lacks has scale 0.
-  struct Coordinate {
-    std::size_t axis = 0;
-    double scale = 0;
-  };
-
   void straight(const base::AxisVector& to, Trace trace);
   void arc(const control::Arc& arc);
   void space_arc(const control::SpaceArc& arc);
@@ -58,13 +53,15 @@ class PathRecorder {
   void select_tool(std::uint32_t number);
   Pen pen_for(Trace trace);
   void arrive(const Point3& to, Trace trace);
-  [[nodiscard]] Point3 point_of(const base::AxisVector& to) const;
+  [[nodiscard]] Point3 point_of(const base::AxisVector& to) const {
+    return space_.point_of(to, position_);
+  }
   [[nodiscard]] std::array<double, 2> center_of(const control::Arc& arc) const;
   [[nodiscard]] bool can_bend(const control::Arc& arc) const;
   [[nodiscard]] Trace at_feed() const { return beam_off_ ? Trace::travel : Trace::cut; }
 
   double x_scale_;
-  std::array<Coordinate, 3> coordinates_{};
+  TipInSpace space_;
   Point3 position_{};
   Trace last_ = Trace::travel;
   bool beam_off_ = false;  // known only on machines that have a beam

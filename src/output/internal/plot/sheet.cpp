@@ -40,19 +40,21 @@ double height_for(const Projection& projection, const Box3& box, double width,
   return (width - padding.left - padding.right) * size.y / size.x + padding.top + padding.bottom;
 }
 
-std::string subtitle(const PathRecorder& recorder) {
-  const std::uint64_t moves = recorder.move_count();
+std::string subtitle(const Subject& subject) {
+  const std::uint64_t moves = subject.recorded.move_count();
   std::string text = "Tool path in machine coordinates \u00b7 " + grouped(moves) +
                      (moves == 1 ? " move" : " moves");
-  const double tolerance = recorder.store().tolerance();
-  if (tolerance > 0) text += " \u00b7 simplified to about " + significant(tolerance) + " mm";
+  if (subject.speed_scale) text += " \u00b7 coloured by the speed reached";
+  if (subject.tolerance > 0) {
+    text += " \u00b7 simplified to about " + significant(subject.tolerance) + " mm";
+  }
   return text;
 }
 
-void draw_head(DisplayList& sheet, const PathRecorder& recorder) {
+void draw_head(DisplayList& sheet, const Subject& subject) {
   const std::string title = fitted(sheet.title, 24, Weight::bold, kInner);
   sheet.add(Text{{kMargin, 44}, title, 24, Anchor::start, kDark, true});
-  sheet.add(Text{{kMargin, 68}, subtitle(recorder), 13, Anchor::start, kSoft});
+  sheet.add(Text{{kMargin, 68}, subtitle(subject), 13, Anchor::start, kSoft});
 }
 
 void draw_caption(DisplayList& sheet, const Rect& frame, std::string text, Look look) {
@@ -87,12 +89,13 @@ double draw_one_view(DisplayList& sheet, const Subject& subject) {
 
 }  // namespace
 
-DisplayList draw_sheet(const PathRecorder& recorder, const std::string& title) {
-  const Subject subject(recorder);
+DisplayList draw_sheet(const PathRecorder& recorder, const SpeedRecorder* speeds,
+                       const std::string& title) {
+  const Subject subject(recorder, speeds);
   DisplayList sheet;
   sheet.width = kWidth;
   sheet.title = printable(title);
-  draw_head(sheet, recorder);
+  draw_head(sheet, subject);
   const double bottom =
       recorder.has_y() ? draw_two_views(sheet, subject) : draw_one_view(sheet, subject);
   const double legend_top = bottom + kRulerBelow + 24;

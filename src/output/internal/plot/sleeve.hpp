@@ -1,16 +1,16 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
-#include "output/internal/plot/space.hpp"
+#include "output/internal/plot/knot.hpp"
 
 namespace kerf::output::plot {
 
 /// Simplifies a polyline in one pass, in constant time and memory per point: says which points to
 /// keep so that every point left out lies within the tolerance of the polyline of those kept, in
-/// each coordinate.
+/// each coordinate. The speed is a coordinate like the others, with a tolerance of its own.
 ///
 /// From the last point kept, the anchor, a straight line is laid along the axis on which the path
 /// goes furthest, s. Each point at s lets the line pass it at +-tolerance, so it leaves the line's
@@ -25,26 +25,27 @@ namespace kerf::output::plot {
 ///             '-.  steepest the other way
 class Sleeve {
  public:
-  /// `tolerance` > 0, mm.
-  explicit Sleeve(double tolerance = 1) : tolerance_(tolerance) {}
+  /// Both tolerances > 0: mm, and in the unit of the speeds.
+  explicit Sleeve(double tolerance = 1, double speed_tolerance = 1)
+      : tolerance_(tolerance), mm_per_speed_(tolerance / speed_tolerance) {}
 
-  void start(const Point3& at) {
+  void start(const Knot& at) {
     anchor_ = end_ = at;
     open_ = false;
   }
 
   /// The last point added: the path's end, to be kept when the path stops here.
-  [[nodiscard]] const Point3& end() const { return end_; }
+  [[nodiscard]] const Knot& end() const { return end_; }
 
   /// Adds the path's next point. True: the point before it must be kept; it is anchor() now.
-  bool add(const Point3& point) {
-    const bool fits = !open_ || narrow(point - anchor_);
+  bool add(const Knot& point) {
+    const bool fits = !open_ || narrow(step_to(point));
     if (!fits) start(end_);
-    if (!open_) open(point - anchor_);
+    if (!open_) open(step_to(point));
     end_ = point;
     return !fits;
   }
-  [[nodiscard]] const Point3& anchor() const { return anchor_; }
+  [[nodiscard]] const Knot& anchor() const { return anchor_; }
 
  private:
   // An interval of slopes, aside over along > 0. The first point's slopes are at most 1.
@@ -59,39 +60,51 @@ class Sleeve {
     }
   };
 
+  // From the anchor, with the speed as a length.
+  [[nodiscard]] Knot step_to(const Knot& point) const {
+    return {point[kX] - anchor_[kX], point[kY] - anchor_[kY], point[kZ] - anchor_[kZ],
+            (point[kSpeed] - anchor_[kSpeed]) * mm_per_speed_};
+  }
+
   // Points within the tolerance of the anchor say nothing about a direction.
-  void open(const Point3& step) {
-    const Point3 reach{std::abs(step[kX]), std::abs(step[kY]), std::abs(step[kZ])};
-    const double furthest = std::max({reach[kX], reach[kY], reach[kZ]});
-    if (furthest <= tolerance_) return;
-    along_ = reach[kX] == furthest ? kX : reach[kY] == furthest ? kY : kZ;
+  void open(const Knot& step) {
+    along_ = 0;
+    for (std::size_t i = 1; i < step.size(); ++i) {
+      if (std::abs(step[i]) > std::abs(step[along_])) along_ = i;
+    }
+    if (std::abs(step[along_]) <= tolerance_) return;
     sign_ = step[along_] < 0 ? -1 : 1;
-    side_ = {(along_ + 1) % 3, (along_ + 2) % 3};
+    for (std::size_t i = 0; i < slopes_.size(); ++i) side_[i] = (along_ + 1 + i) % step.size();
     reach_ = 0;
-    first_ = second_ = Slopes{};
+    slopes_ = {};
     open_ = true;
     narrow(step);
   }
 
-  bool narrow(const Point3& step) {
+  bool narrow(const Knot& step) {
     const double along = step[along_] * sign_;
     if (along < reach_) return false;
-    const double a = step[side_[0]], b = step[side_[1]];
-    if (!first_.allows(a, along) || !second_.allows(b, along)) return false;
-    first_.narrow(a, along, tolerance_);
-    second_.narrow(b, along, tolerance_);
+    for (std::size_t i = 0; i < slopes_.size(); ++i) {
+      if (!slopes_[i].allows(step[side_[i]], along)) return false;
+    }
+    for (std::size_t i = 0; i < slopes_.size(); ++i) {
+      slopes_[i].narrow(step[side_[i]], along, tolerance_);
+    }
     reach_ = along;
     return true;
   }
 
+  static constexpr std::size_t kSides = std::tuple_size_v<Knot> - 1;
+
   double tolerance_;
-  Point3 anchor_{}, end_{};
+  double mm_per_speed_;
+  Knot anchor_{}, end_{};
   bool open_ = false;      // whether a direction is chosen
   std::size_t along_ = 0;  // the coordinate that is s
   double sign_ = 1;
-  std::array<std::size_t, 2> side_{};
+  std::array<std::size_t, kSides> side_{};
   double reach_ = 0;  // s of the end
-  Slopes first_, second_;
+  std::array<Slopes, kSides> slopes_{};
 };
 
 }  // namespace kerf::output::plot

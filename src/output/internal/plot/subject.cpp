@@ -34,12 +34,20 @@ Box3 box_to_show(const PathRecorder& recorded) {
 
 }  // namespace
 
-Subject::Subject(const PathRecorder& recorder)
-    : recorded(recorder), path(recorder.store().path()), box(box_to_show(recorder)) {
+Subject::Subject(const PathRecorder& recorder, const SpeedRecorder* with_speeds)
+    : recorded(recorder),
+      path(recorder.store().path()),
+      tolerance(recorder.store().tolerance()),
+      box(box_to_show(recorder)) {
   for (const Tool& tool : recorded.tools()) {
-    tool_color.push_back(kToolColors[cutters.size() % kToolColors.size()]);
+    const Color own = kToolColors[cutters.size() % kToolColors.size()];
+    tool_color.push_back(with_speeds ? kSoft : own);
     if (tool.cuts) cutters.push_back(tool_color.size() - 1);
   }
+  if (!with_speeds) return;
+  speeds = with_speeds->path();
+  speed_scale.emplace(with_speeds->fastest());
+  tolerance = std::max(tolerance, with_speeds->tolerance());
 }
 
 std::string Subject::tool_name(std::size_t tool) const {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "output/internal/plot/display_list.hpp"
+#include "output/internal/plot/path_store.hpp"
+#include "output/internal/plot/segment_set.hpp"
+#include "output/internal/plot/speed_scale.hpp"
+#include "output/internal/plot/view.hpp"
+
+namespace kerf::output::plot {
+
+/// Brings a path with speeds onto the sheet: an outline for each shade, clipped to the view's
+/// frame. Between two vertices the shade changes where the speed, which goes linearly with the way,
+/// leaves it. Of lines of one shade that coincide, only the first is drawn.
+///
+/// A place where the tool is slower than before and behind it shows however short it is: as a dot,
+/// when it is shorter than kDot pixels.
+class SpeedTracer {
+ public:
+  SpeedTracer(const View& view, const Path& path, const SpeedScale& scale);
+
+  /// By shade, from the slowest.
+  [[nodiscard]] std::vector<Outline>& lines() { return lines_; }
+  [[nodiscard]] std::vector<Outline>& dots() { return dots_; }
+
+  [[nodiscard]] const SpeedScale& scale() const { return scale_; }
+  [[nodiscard]] std::size_t point_count() const;
+
+  static constexpr double kDot = 3;
+
+ private:
+  /// A part of a stroke in one shade, on the sheet.
+  struct Run {
+    std::size_t shade = 0;
+    std::vector<Point> points;
+  };
+
+  void trace(std::span<const Path::Vertex> stroke);
+  void split(const Path::Vertex& from, const Path::Vertex& to);
+  void piece(Point from, Point to, std::size_t shade);
+  void draw(std::vector<Run> runs);
+  void draw_line(const Run& run);
+  void draw_dot(const Run& run);
+
+  const View& view_;
+  SpeedScale scale_;
+  std::vector<Run> runs_;  // of the stroke under way
+  SegmentSet seen_;
+  std::vector<Outline> lines_, dots_;
+};
+
+}  // namespace kerf::output::plot

@@ -23,6 +23,17 @@ constexpr Shares shares(CellLimits::Use use) {
   return use == CellLimits::Use::corner ? kCorner : kPath;
 }
 
+// Of the tip, mm/s², in any direction.
+double most_acceleration(const AxisLimits& limits, std::size_t axes,
+                         const std::array<bool, base::kMaxAxes>& linear) {
+  double square = 0;
+  for (std::size_t m = 0; m < axes; ++m) {
+    const double a = linear[m] ? limits.acceleration.values[m] : 0;
+    square += a * a;
+  }
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
@@ -30,6 +41,7 @@ CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, 
     : limits_(axis_limits),
       chord_tolerance_mm_(settings.chord_tolerance_mm),
       period_s_(settings.period_s),
+      most_speed_up_mm_(most_acceleration(axis_limits, axes, linear) * period_s_ * period_s_),
       axes_(axes),
       linear_(linear) {
   for (std::size_t m = 0; m < axes; ++m) jerk_limited_ |= std::isfinite(limits_.jerk.values[m]);
@@ -37,17 +49,25 @@ CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, 
 
 // The exact formula knows no limit for circles within the tolerance. But a curve that bends so
 // sharply at one place may lead away from there.
-double CellLimits::tolerable_speed(double curvature, double deviation) const {
+double CellLimits::longest_chord(double curvature, double deviation) const {
   const double both = curvature + 8 * deviation;
-  if (both == 0) return kInfinite;
-  const double speed = std::sqrt(8 * chord_tolerance_mm_ / both) / period_s_;
-  if (curvature == 0) return speed;
+  const double chord = std::sqrt(8 * chord_tolerance_mm_ / both);
+  if (curvature == 0) return chord;
   const double of_chord_mm = chord_tolerance_mm_ * (curvature / both);
-  return std::min(speed, chord_feed_mm_s(1 / curvature, of_chord_mm, period_s_));
+  return std::min(chord, longest_chord_mm(1 / curvature, of_chord_mm));
+}
+
+double CellLimits::tolerable_speed(const CellBounds& bounds) const {
+  if (bounds.curvature == 0 && bounds.deviation == 0) return kInfinite;
+  const double chord = longest_chord(bounds.curvature, bounds.deviation);
+  if (most_speed_up_mm_ <= 2 * chord) return chord / period_s_;
+  const double half = most_speed_up_mm_ / 27;
+  const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));
+  return std::min(chord / 2, way) / period_s_;
 }
 
 double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {
-  double speed = tolerable_speed(bounds.curvature, bounds.deviation);
+  double speed = tolerable_speed(bounds);
   for (std::size_t m = 0; m < axes_; ++m) {
     const double first = bounds.driven.first.values[m];
     const double second = bounds.driven.second.values[m];

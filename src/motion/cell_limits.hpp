@@ -25,6 +25,9 @@ struct CellBounds {
 /// Between two set-points the tip leaves a path of curvature κ by the deviation of the chord c = v
 /// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
 /// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
+/// What lies beside a bend may be driven faster, with acceleration a. A chord over both leaves the
+/// path no farther as long as a T² <= 2 c; beyond that the bend is driven so slowly that c/2 of it
+/// is passed in a period at most, and c² >= y² + 2/27 a T² y with y = v T where it is shorter.
 class CellLimits {
  public:
   /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.
@@ -52,11 +55,13 @@ class CellLimits {
   [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
-  [[nodiscard]] double tolerable_speed(double curvature, double deviation) const;
+  [[nodiscard]] double longest_chord(double curvature, double deviation) const;
+  [[nodiscard]] double tolerable_speed(const CellBounds& bounds) const;
 
   AxisLimits limits_;
   double chord_tolerance_mm_;
   double period_s_;
+  double most_speed_up_mm_;  // a T²
   std::size_t axes_ = 0;
   std::array<bool, base::kMaxAxes> linear_{};
   bool jerk_limited_ = false;

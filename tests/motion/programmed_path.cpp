@@ -16,6 +16,9 @@ using base::AxisVector;
 using geometry::Vec2;
 using geometry::Vec3;
 
+// More motions than a period passes.
+constexpr std::size_t kFar = 400;
+
 double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) {
   double dot = 0;
   double square = 0;
@@ -114,8 +117,8 @@ double distance_to(const AxisVector& p, const AxisVector& from, const control::S
 bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double most_mm,
                              double& distance_mm) const {
   distance_mm = distance(tip, line, 1, Way::quick);
-  if (distance_mm > most_mm) distance_mm = distance(tip, line, 40, Way::quick);
-  if (distance_mm > most_mm) distance_mm = distance(tip, line, 40, Way::searched);
+  if (distance_mm > most_mm) distance_mm = distance(tip, line, kFar, Way::quick);
+  if (distance_mm > most_mm) distance_mm = distance(tip, line, kFar, Way::searched);
   return distance_mm <= most_mm;
 }
 

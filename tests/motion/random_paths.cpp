@@ -140,7 +140,7 @@ class Checker {
     if (off_path_) return;
     const double tolerance = path_.settings.tolerance_mm;
     near_path(point.tip, tolerance * (1 + kExcess) + 1e-9, "off the path");
-    if (linkage_) between(tolerance + path_.settings.chord_tolerance_mm * (1 + kExcess) + 1e-9);
+    between(tolerance + path_.settings.chord_tolerance_mm * (1 + kExcess) + 1e-9);
   }
 
   void follow(const AxisVector& tip) {
@@ -156,7 +156,8 @@ class Checker {
       AxisVector joints = joints_[1];
       for (std::size_t m = 0; m < base::kMaxAxes; ++m)
         joints.values[m] += (joints_[0].values[m] - joints_[1].values[m]) * i / kPlaces;
-      near_path(path_.machine->kinematics->forward(joints), most, "off the path between points");
+      const AxisVector tip = linkage_ ? path_.machine->kinematics->forward(joints) : joints;
+      near_path(tip, most, "off the path between points");
     }
   }
 

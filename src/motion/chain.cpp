@@ -44,8 +44,12 @@ void solve(const std::array<double, 7>& moments, std::array<AxisVector, 4>& righ
 }  // namespace
 
 ChainSmoother::ChainSmoother(double tolerance_mm, std::size_t axes,
-                             const std::array<bool, base::kMaxAxes>& linear)
-    : tolerance_(tolerance_mm), axes_(axes), linear_(linear), points_(kPoints) {}
+                             const std::array<bool, base::kMaxAxes>& linear, Follower& follower)
+    : tolerance_(tolerance_mm),
+      axes_(axes),
+      linear_(linear),
+      follower_(follower),
+      points_(kPoints) {}
 
 double ChainSmoother::size(const AxisVector& difference) const {
   double linear = 0;
@@ -210,7 +214,7 @@ bool ChainSmoother::next(bool ended, Piece& piece) {
     }
     const Node node = node_at(to, last, std::min(2 * node_.spread, kMostSpread));
     piece.curve = Curve::hermite(node_.jet, node.jet, points_[to].way - points_[at_].way, axes_);
-    if (!follows(piece.curve, to)) continue;
+    if (!follows(piece.curve, to) || !follower_.can_follow(piece.curve)) continue;
     piece.begin_off_mm = 0;
     piece.begin_turn = turn(node_.jet.first, at_ + 1);
     piece.end_turn = turn(node.jet.first, to);

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "motion/curve.hpp"
+#include "motion/follower.hpp"
 #include "motion/mark.hpp"
 #include "motion/ring.hpp"
 
@@ -15,7 +16,8 @@ namespace kerf::motion {
 /// The curve goes through some of the points, its nodes, with the direction and curvature of a
 /// parabola through neighbours; between nodes it is a polynomial of degree 5, so position,
 /// direction and curvature have no steps. It leaves the lines by `tolerance` at most: every point
-/// between two nodes is asked, and nodes move together until that holds.
+/// between two nodes is asked, and nodes move together until that holds and the driven axes can
+/// follow.
 ///
 /// Lines join a chain while the arc that they may stand for stays within the tolerance. Bounded
 /// memory, no allocation after the first motion.
@@ -41,8 +43,9 @@ class ChainSmoother {
     Mark mark;
   };
 
+  /// The follower must outlive this.
   ChainSmoother(double tolerance_mm, std::size_t axes,
-                const std::array<bool, base::kMaxAxes>& linear);
+                const std::array<bool, base::kMaxAxes>& linear, Follower& follower);
 
   [[nodiscard]] bool empty() const { return points_.size() < 2; }
   /// Whether a line from the chain's end to `to` goes on with it.
@@ -82,6 +85,7 @@ class ChainSmoother {
   double tolerance_;
   std::size_t axes_;
   std::array<bool, base::kMaxAxes> linear_;
+  Follower& follower_;
   Ring<Point> points_;
   Node node_;                 // where the next piece begins
   std::uint64_t at_ = 0;      // number of its point

@@ -62,24 +62,30 @@ double CornerRounder::size(const AxisVector& difference) const {
 
 // Reach with which neither the turn nor the step of the second derivative asks more than the share
 // of acceleration and jerk at the feed.
-double CornerRounder::wanted_reach(const AxisVector& turn, const AxisVector& bend,
-                                   double feed) const {
+double CornerRounder::wanted_reach(const base::PathJet& end, const base::PathJet& begin,
+                                   const Passage& passage) const {
   const AxisLimits& axis = limits_.axis_limits();
-  double v = feed;
-  for (std::size_t m = 0; m < axes_; ++m) {
+  const AxisVector turn = begin.first - end.first;
+  const AxisVector bend = begin.second - end.second;
+  double v = std::min(passage.feed_in, passage.feed_out);
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double d = std::fabs(turn.values[m]);
     // No axis can follow a turn faster than this.
     if (d > 0) v = std::min(v, 2 * axis.velocity.values[m] / d);
   }
-  const RoundingShape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  const bool with_jerk = limits_.jerk_limited();
+  const RoundingShape& shape = with_jerk ? kQuintic : kParabola;
   double reach = 0;
-  for (std::size_t m = 0; m < axes_; ++m) {
+  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double d = std::fabs(turn.values[m]);
-    const double a = kShareOfLimit * axis.acceleration.values[m];
+    if (d > 0)
+      reach =
+          std::max(reach, shape.second * d * v * v / (kShareOfLimit * axis.acceleration.values[m]));
+    if (!with_jerk) continue;
     const double j = kShareOfLimit * axis.jerk.values[m];
-    reach = std::max(reach, shape.second * d * v * v / a);
-    reach = std::max(reach, std::sqrt(shape.third * d * v * v * v / j));
-    reach = std::max(reach, shape.third * std::fabs(bend.values[m]) * v * v * v / j);
+    if (d > 0) reach = std::max(reach, std::sqrt(shape.third * d * v * v * v / j));
+    const double b = std::fabs(bend.values[m]);
+    if (b > 0) reach = std::max(reach, shape.third * b * v * v * v / j);
   }
   return reach;
 }
@@ -111,28 +117,33 @@ std::optional<Rounding> CornerRounder::round(const Curve& in, const Curve& out, 
 Corner CornerRounder::between(const Curve& in, const Curve& out, const Passage& passage) const {
   const base::PathJet end = in.jet(in.length());
   const base::PathJet begin = out.jet(0);
-  const AxisVector turn = begin.first - end.first;
-  AxisVector bend;
-  if (limits_.jerk_limited()) bend = begin.second - end.second;
-  const double angle = size(turn);
-  if (angle < kSameDirection && size(bend) < kSameDirection) return {};
-  const double tolerance_mm = passage.tolerance_mm;
-  if (tolerance_mm <= 0) return {Corner::Kind::sharp, {}};
-  const double feed = std::min(passage.feed_in, passage.feed_out);
-  double reach = std::min(wanted_reach(turn, bend, feed), passage.most_reach);
+  const double angle = size(begin.first - end.first);
+  const double bend = limits_.jerk_limited() ? size(begin.second - end.second) : 0;
+  if (angle < kSameDirection && bend < kSameDirection) return {};
+  const auto driven_end = follower_.driven(end);
+  const auto driven_begin = follower_.driven(begin);
+  if (passage.tolerance_mm <= 0 || !driven_end || !driven_begin) return {Corner::Kind::sharp, {}};
   const RoundingShape& shape = limits_.jerk_limited() ? kQuintic : kParabola;
+  double reach = std::min(wanted_reach(*driven_end, *driven_begin, passage), passage.most_reach);
   if (angle > 0)
-    reach = std::min(reach, kBelow * kBetween * tolerance_mm / (shape.deviation * angle));
-  const CornerTime time(limits_, shape, {end, room_of(in), passage.feed_in},
-                        {begin, room_of(out), passage.feed_out});
-  const double most_s = std::isfinite(tolerance_mm) ? kPreference * time.stopped_s() : kInfinite;
-  reach = best_reach(time, reach);
+    reach = std::min(reach, kBelow * kBetween * passage.tolerance_mm / (shape.deviation * angle));
+  const CornerTime time(limits_, shape, {end, *driven_end, room_of(in), passage.feed_in},
+                        {begin, *driven_begin, room_of(out), passage.feed_out});
+  return best_of(in, out, time, best_reach(time, reach), passage.tolerance_mm);
+}
+
+// The first that can be driven, lies near enough, and takes no longer than a stop.
+Corner CornerRounder::best_of(const Curve& in, const Curve& out, const CornerTime& time,
+                              double reach, double tolerance) const {
   constexpr int kMostTries = 30;
   constexpr double kShrink = 0.75;
+  const double most_s = std::isfinite(tolerance) ? kPreference * time.stopped_s() : kInfinite;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
-    const auto rounding = round(in, out, reach, tolerance_mm);
-    if (rounding && time.rounded_s(reach, rounding->curve) <= most_s)
-      return {Corner::Kind::rounded, *rounding};
+    const auto rounding = round(in, out, reach, tolerance);
+    if (!rounding || !follower_.can_follow(rounding->curve)) continue;
+    const double time_s =
+        follower_.linked() ? time.rounded_s(reach) : time.rounded_s(reach, rounding->curve);
+    if (time_s <= most_s) return {Corner::Kind::rounded, *rounding};
   }
   return {Corner::Kind::sharp, {}};
 }

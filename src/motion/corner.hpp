@@ -5,6 +5,7 @@
 #include "motion/cell_limits.hpp"
 #include "motion/corner_time.hpp"
 #include "motion/curve.hpp"
+#include "motion/follower.hpp"
 
 namespace kerf::motion {
 
@@ -48,15 +49,20 @@ struct Passage {
 ///
 class CornerRounder {
  public:
-  CornerRounder(const CellLimits& limits, std::size_t axes, std::array<bool, base::kMaxAxes> linear)
-      : limits_(limits), axes_(axes), linear_(linear) {}
+  /// The limits are those of the driven axes; `follower` says how these move. Both must outlive
+  /// this.
+  CornerRounder(const CellLimits& limits, std::size_t axes, std::array<bool, base::kMaxAxes> linear,
+                Follower& follower)
+      : limits_(limits), axes_(axes), linear_(linear), follower_(follower) {}
 
   /// The corner between the end of `in` and the begin of `out`.
   [[nodiscard]] Corner between(const Curve& in, const Curve& out, const Passage& passage) const;
 
  private:
-  [[nodiscard]] double wanted_reach(const base::AxisVector& turn, const base::AxisVector& bend,
-                                    double feed) const;
+  [[nodiscard]] double wanted_reach(const base::PathJet& end, const base::PathJet& begin,
+                                    const Passage& passage) const;
+  [[nodiscard]] Corner best_of(const Curve& in, const Curve& out, const CornerTime& time,
+                               double reach, double tolerance) const;
   [[nodiscard]] double size(const base::AxisVector& difference) const;
   [[nodiscard]] bool stays_near(const Rounding& rounding, const Curve& in, const Curve& out,
                                 double tolerance) const;
@@ -66,6 +72,7 @@ class CornerRounder {
   const CellLimits& limits_;
   std::size_t axes_;
   std::array<bool, base::kMaxAxes> linear_;
+  Follower& follower_;
 };
 
 }  // namespace kerf::motion

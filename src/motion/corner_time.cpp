@@ -30,19 +30,20 @@ CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, con
                        const Side& out)
     : limits_(limits),
       shape_(shape),
-      curves_{larger(in.jet.first, out.jet.first), larger(in.jet.second, out.jet.second),
-              larger(in.jet.third, out.jet.third)},
-      curvature_(length_mm(curves_.second, limits.linear())),
-      turn_(larger(out.jet.first - in.jet.first, {})),
-      bend_(larger(out.jet.second - in.jet.second, {})),
-      turn_mm_(length_mm(turn_, limits.linear())),
+      curves_{larger(in.driven.first, out.driven.first),
+              larger(in.driven.second, out.driven.second),
+              larger(in.driven.third, out.driven.third)},
+      curvature_(length_mm(larger(in.tip.second, out.tip.second), limits.linear())),
+      turn_(larger(out.driven.first - in.driven.first, {})),
+      bend_(larger(out.driven.second - in.driven.second, {})),
+      turn_mm_(length_mm(out.tip.first - in.tip.first, limits.linear())),
       in_(drive_of(in)),
       out_(drive_of(out)) {}
 
 CornerTime::Drive CornerTime::drive_of(const Side& side) const {
   CellBounds bounds;
   for (std::size_t m = 0; m < base::kMaxAxes; ++m)
-    bounds.driven.first.values[m] = std::fabs(side.jet.first.values[m]);
+    bounds.driven.first.values[m] = std::fabs(side.driven.first.values[m]);
   Drive drive{limits_.of(bounds, side.feed, CellLimits::Use::path), 0};
   drive.speed = std::min(drive.limits.velocity, reachable_speed(0, side.length / 2, drive.limits));
   return drive;

@@ -33,7 +33,7 @@ Interpolator::Interpolator(const control::AxisSetup& axes, const AxisLimits& lim
     : axes_(axes),
       settings_(settings),
       limits_(limits, settings, driven_axes(axes, linkage), linear_axes(axes)),
-      builder_(axes_, limits_, settings_, path_),
+      builder_(axes_, limits_, settings_, path_, linkage),
       maker_(limits_, linkage),
       look_ahead_(limits_.jerk_limited()),
       trial_(limits_.jerk_limited()),

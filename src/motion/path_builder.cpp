@@ -30,13 +30,14 @@ std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
 }  // namespace
 
 PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limits,
-                         const Settings& settings, Path& path)
+                         const Settings& settings, Path& path, const Linkage* linkage)
     : axes_(axes),
       limits_(limits),
       linear_(linear_axes(axes)),
       tolerance_mm_(settings.tolerance_mm),
-      corners_(limits, axes.count(), linear_),
-      chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_),
+      follower_(linkage),
+      corners_(limits, axes.count(), linear_, follower_),
+      chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_, follower_),
       curves_(axes),
       path_(path),
       at_(axes.start) {}
@@ -199,7 +200,9 @@ void PathBuilder::add_curve(const Curve& curve, double feed, bool fixed_override
     // What a smoothed chain leaves its lines near their end.
     const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
     const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
-    const Passage passage{open_.feed, feed, most, rapid_ ? kInfinite : tolerance_mm_ - used};
+    // Between the legs of a rapid the axes may go anywhere, if it is they that are driven.
+    const bool free = rapid_ && !follower_.linked();
+    const Passage passage{open_.feed, feed, most, free ? kInfinite : tolerance_mm_ - used};
     const Corner corner = corners_.between(open_.curve, curve, passage);
     if (corner.kind == Corner::Kind::rounded) {
       round(corner.rounding, slower * std::max(pitch_of(open_.curve), pitch_of(curve)));

@@ -22,9 +22,10 @@ namespace kerf::motion {
 /// some hundred short lines. Bounded memory, no allocation after the first motion.
 class PathBuilder {
  public:
-  /// The path must outlive the builder. `axes` likewise.
+  /// The limits are those of the driven axes, `linkage` is null when these are the program's.
+  /// Everything but the settings must outlive the builder.
   PathBuilder(const control::AxisSetup& axes, const CellLimits& limits, const Settings& settings,
-              Path& path);
+              Path& path, const Linkage* linkage = nullptr);
 
   /// Whether the path has room for what one more motion may add.
   [[nodiscard]] bool room() const;
@@ -82,6 +83,7 @@ class PathBuilder {
   const CellLimits& limits_;
   std::array<bool, base::kMaxAxes> linear_{};
   double tolerance_mm_;
+  Follower follower_;
   CornerRounder corners_;
   ChainSmoother chain_;
   MoveCurves curves_;

@@ -31,7 +31,8 @@ PathSampler::PathSampler(const control::AxisSetup& axes, const Settings& setting
     : axes_(axes),
       settings_(without_tolerance(settings)),
       limits_(no_limits(), settings_, axes.count(), {}),
-      builder_(axes_, limits_, settings_, path_) {
+      builder_(axes_, limits_, settings_, path_),
+      tip_(axes.start) {
   assert(settings.sampling != Sampling::planned);
 }
 

@@ -146,6 +146,40 @@ def from_the_stretched_arm(box):
     check(b">264<" in box.read("p.svg"), "X264 among the extents of the picture")
 
 
+def fastest(rows, joint):
+    return max(abs(b[joint] - a[joint]) / (b["t"] - a["t"]) for a, b in zip(rows, rows[1:]))
+
+
+@test("short lines along the rim of the reach are not smoothed beyond it")
+def along_the_rim(box):
+    ring = "".join(f"X{math.floor(264000 * math.cos(a)) / 1000:.3f}"
+                   f"Y{math.floor(264000 * math.sin(a)) / 1000:.3f}\n"
+                   for a in (n * 0.005 for n in range(1, 60)))
+    rows = points(box, HEAD + "G01X263.99Y0F600\n" + ring + "M30\n", "--machine", "arm4")
+    for joint in ("j1", "j2"):
+        check(fastest(rows, joint) <= 2 + 1e-6, f"{joint} no faster than 120 degrees/min")
+
+
+@test("where the axes of a rapid are done one after the other, a linkage stays near the corners")
+def rapid_legs(box):
+    program = HEAD + "G01X150.Y50.F6000\nG00X120.Y-52.\nX-90.Y48.\nM30\n"
+    rows = points(box, program, "--machine", "arm4", "--param", "LRP=0",
+                  *(word for key in ("kinematics.forearm=100", "tip.velocity=24000",
+                                     "axis.T1.velocity=6000", "axis.T2.velocity=6000",
+                                     "axis.T1.acceleration=100", "axis.T2.acceleration=100",
+                                     "axis.T1.jerk=1000", "axis.T2.jerk=1000")
+                    for word in ("--machine-set", key)))
+    check(max(abs(row["j1"]) for row in rows) < 163.835, "T1 within its limit")
+
+
+@test("equal steps of the arm begin where it stands")
+def steps_of_the_arm(box):
+    rows = points(box, HEAD + "G01X200.Y50.F600\nM30\n", "--machine", "arm4",
+                  "--machine-set", "interpolator.step_mm=10")
+    near(math.hypot(rows[0]["X"] - 264, rows[0]["Y"]), 10, 1e-9, "way to the first point")
+    near(rows[0]["j1"], 27.935935661, 1e-6, "T1 there")  # 2 acos(|tip| / 264)
+
+
 @test("a move out of reach has no record, row or time, nor has anything behind it")
 def out_of_reach(box):
     program = HEAD + "G01X200.Y100.F600\n%sM08\nG01X100.\nM30\n"

@@ -28,7 +28,7 @@ class CellCheck {
   CellCheck(const RandomPath& path, const motion::Linkage& linkage)
       : linkage_(linkage),
         limits_(path.limits, path.settings, linkage.size(), linear_axes(path.axes)),
-        builder_(path.axes, limits_, path.settings, path_),
+        builder_(path.axes, limits_, path.settings, path_, &linkage),
         maker_(limits_, &linkage),
         joints_(linkage.start()) {}
 

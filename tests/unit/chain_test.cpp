@@ -46,7 +46,8 @@ struct Smoothed {
 
 // One chain after the other, as lines join them.
 Smoothed smooth(const std::vector<Point>& points, double tolerance) {
-  ChainSmoother chain(tolerance, kAxes, kLinear);
+  Follower follower(nullptr);
+  ChainSmoother chain(tolerance, kAxes, kLinear, follower);
   Smoothed smoothed;
   std::size_t end = 0;
   bool begins = true;
@@ -289,7 +290,8 @@ TEST(ChainSmoother, NeverGoesRoundACornerThatTurnsMoreThanTwentyDegrees) {
     const double turn = random.in(20.5, 180) * kPi / 180;
     const double heading = random.in(-kPi, kPi);
     const double length = random.size(0.001, 1);
-    ChainSmoother chain(1e3, kAxes, kLinear);
+    Follower follower(nullptr);
+    ChainSmoother chain(1e3, kAxes, kLinear, follower);
     chain.start({});
     const AxisVector first{{length * std::cos(heading), length * std::sin(heading)}};
     chain.add(first, length, 10, false, {});
@@ -303,7 +305,8 @@ TEST(ChainSmoother, NeverGoesRoundACornerThatTurnsMoreThanTwentyDegrees) {
 // Two lines stand for an arc at most when its height over the longer one is within the tolerance.
 TEST(ChainSmoother, LongLinesAreNoPartOfACurve) {
   constexpr double kTolerance = 0.01;
-  ChainSmoother chain(kTolerance, kAxes, kLinear);
+  Follower follower(nullptr);
+  ChainSmoother chain(kTolerance, kAxes, kLinear, follower);
   chain.start({});
   chain.add({{10, 0}}, 10, 10, false, {});
   const auto accepts = [&](double turn) {

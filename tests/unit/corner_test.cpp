@@ -100,7 +100,8 @@ struct RandomCorner {
   double most_reach = 0;
 
   [[nodiscard]] Corner rounded(double used = 0) const {
-    return CornerRounder(limits, kAxes, kLinear)
+    Follower follower(nullptr);
+    return CornerRounder(limits, kAxes, kLinear, follower)
         .between(in.curve, out.curve, {feed, feed, most_reach, tolerance - used});
   }
 };
@@ -250,8 +251,9 @@ TEST(CornerTime, OfARightAngleIsWhatTheFormulaSays) {
     const CellLimits limits(test::equal_limits(1000, a, kInfinite),
                             {.period_s = 1e-3, .chord_tolerance_mm = 1e6}, kAxes, kLinear);
     const double length = 2 * v * v / a;
-    const CornerTime time(limits, {0.5, 0, 0.25}, {{{}, {{1, 0}}, {}, {}}, length, v},
-                          {{{}, {{0, 1}}, {}, {}}, length, v});
+    const PathJet x{{}, {{1, 0}}, {}, {}};
+    const PathJet y{{}, {{0, 1}}, {}, {}};
+    const CornerTime time(limits, {0.5, 0, 0.25}, {x, x, length, v}, {y, y, length, v});
     const double reach = random.size(0.01, 1) * v * v / (0.98 * 2 * a);
     const double vc = std::sqrt(0.98 * 2 * a * reach);
     const double cost = 2 * reach * (1 / vc - 1 / v) + (v - vc) * (v - vc) / (a * v);
@@ -263,7 +265,8 @@ TEST(CornerTime, OfARightAngleIsWhatTheFormulaSays) {
 TEST(CornerRounder, CurvesThatGoOnHaveNoCorner) {
   Random random;
   const CellLimits limits = limits_of(1000, 1e5);
-  const CornerRounder rounder(limits, kAxes, kLinear);
+  Follower follower(nullptr);
+  const CornerRounder rounder(limits, kAxes, kLinear, follower);
   for (int i = 0; i < kCases; ++i) {
     const Side in = random.line(true);
     const double l = in.curve.length();
@@ -282,8 +285,9 @@ TEST(CornerRounder, WithJerkACurvatureThatBeginsAtOnceIsACorner) {
     const double most = 0.49 * std::min(10.0, out.curve.length());
     for (const double jerk : {1e5, kInfinite}) {
       const CellLimits limits = limits_of(1000, jerk);
-      const Corner corner =
-          CornerRounder(limits, kAxes, kLinear).between(in, out.curve, {100, 100, most, 0.01});
+      Follower follower(nullptr);
+      const Corner corner = CornerRounder(limits, kAxes, kLinear, follower)
+                                .between(in, out.curve, {100, 100, most, 0.01});
       EXPECT_EQ(corner.kind == Corner::Kind::none, jerk == kInfinite) << i;
     }
   }

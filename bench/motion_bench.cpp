@@ -14,6 +14,7 @@
 #include "drive/pulse_counter.hpp"
 #include "drive/step_generator.hpp"
 #include "motion/interpolator.hpp"
+#include "optimum.hpp"
 
 namespace {
 
@@ -100,6 +101,25 @@ BENCHMARK(Plan)
     ->Args({3000, 50000})
     ->Args({12000, 50000})
     ->Unit(benchmark::kMillisecond);
+
+// Not a matter of this machine: the planned time of some rows beside the best possible one.
+void Optimum(benchmark::State& state) {
+  constexpr std::size_t kPoints = 8 * 1001;
+  auto motions = surface(static_cast<double>(state.range(0)));
+  motions.resize(kPoints);
+  double time_s = 0;
+  double best_s = 0;
+  for (auto _ : state) {
+    Interpolator interpolator(three_axes(), limits(kNoJerkLimit), {});
+    drive(interpolator, motions, [&] { interpolator.skip(); });
+    time_s = interpolator.time_s();
+    best_s = kerf::bench::optimal_time_s(three_axes(), limits(kNoJerkLimit), {}, motions);
+  }
+  state.counters["motion_s"] = time_s;
+  state.counters["best_s"] = best_s;
+  state.counters["ratio"] = time_s / best_s;
+}
+BENCHMARK(Optimum)->Args({3000})->Args({12000})->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void PlanAndInterpolate(benchmark::State& state) {
   const auto& motions = surface(static_cast<double>(state.range(0)));

@@ -28,6 +28,9 @@ using base::AxisVector;
 // of 100 mm is known to 1.4e-14, its third difference over (1 ms)³ to some 1e-4 mm/s³.
 constexpr double kExcess = 1e-6;
 constexpr double kPointError_mm = 1e-13;
+// Of the tolerance of chords: where the tip speeds up from one bend into a wider one, a chord over
+// both may have a little more than either.
+constexpr double kChord = 1.03;
 
 class Checker {
  public:
@@ -51,18 +54,19 @@ class Checker {
     interpolator.finish();
     drain(interpolator);
     if (was_reset_) go_on(interpolator);
-    if (!operator_) compare_with_stops(interpolator.time_s());
+    if (!operator_) slower_ = is_slower_than_with_stops(interpolator.time_s());
     const AxisVector end = was_reset_ ? new_end_ : programmed_.end();
     if (problem_.empty() && !(tip_ == end)) tell("the end is not exact");
     return problem_;
   }
   [[nodiscard]] std::uint64_t wishes() const { return wishes_; }
   [[nodiscard]] std::uint64_t setpoints() const { return rows_; }
+  /// To come to rest behind every motion would have been clearly faster. Chains and corners are
+  /// smoothed before anything is planned, by estimates, so that happens, but seldom.
+  [[nodiscard]] bool slower_than_with_stops() const { return slower_; }
 
  private:
-  // To come to rest behind every motion hardly takes less: chains and corners are smoothed before
-  // anything is planned, with an estimate of what they cost.
-  void compare_with_stops(double time_s) {
+  [[nodiscard]] bool is_slower_than_with_stops(double time_s) const {
     motion::Interpolator stopping(path_.axes, path_.limits, path_.settings, linkage_.get());
     for (control::Motion motion : path_.motions) {
       motion.exact_stop = true;
@@ -72,9 +76,7 @@ class Checker {
     if (!stopping.room()) stopping.skip();
     stopping.finish();
     stopping.skip();
-    constexpr double kEstimate = 1.5;
-    const double most = kEstimate * stopping.time_s() + 4 * path_.settings.period_s;
-    if (time_s > most) tell("slower than with stops", time_s, most);
+    return time_s > 1.1 * stopping.time_s() + 4 * path_.settings.period_s;
   }
 
   void drain(motion::Interpolator& interpolator) {
@@ -140,7 +142,15 @@ class Checker {
     if (off_path_) return;
     const double tolerance = path_.settings.tolerance_mm;
     near_path(point.tip, tolerance * (1 + kExcess) + 1e-9, "off the path");
-    between(tolerance + path_.settings.chord_tolerance_mm * (1 + kExcess) + 1e-9);
+    if (linkage_ || may_bend(point))
+      between(tolerance + kChord * path_.settings.chord_tolerance_mm);
+    line_before_ = line_;
+  }
+
+  // Between two points of one programmed line nothing does.
+  [[nodiscard]] bool may_bend(const motion::Setpoint& point) const {
+    const auto& action = path_.motions[point.mark.line - 1].action;
+    return line_ != line_before_ || !std::holds_alternative<control::Line>(action);
   }
 
   void follow(const AxisVector& tip) {
@@ -211,10 +221,12 @@ class Checker {
   SeededRandom random_;
   std::uint64_t wishes_ = 0;
   bool was_reset_ = false;
+  bool slower_ = false;
   bool off_path_ = false;
   AxisVector new_end_;
   std::uint64_t rows_ = 0;
   std::uint32_t line_ = 0;
+  std::uint32_t line_before_ = 0;
   std::string problem_;
 };
 
@@ -240,6 +252,7 @@ int main(int count, char** words) {
   }
   std::uint64_t setpoints = 0;
   std::uint64_t wishes = 0;
+  unsigned long slower = 0;
   int failures = 0;
   for (unsigned long i = 0; i < paths && failures < 20; ++i) {
     const auto path = kerf::test::random_path(seed + static_cast<unsigned>(i), *kind);
@@ -247,12 +260,17 @@ int main(int count, char** words) {
     const std::string problem = checker.run();
     setpoints += checker.setpoints();
     wishes += checker.wishes();
+    if (checker.slower_than_with_stops()) ++slower;
     if (problem.empty()) continue;
     std::printf("seed %lu: %s\n", seed + i, problem.c_str());
     ++failures;
   }
-  std::printf("%lu paths from seed %u, %llu set-points, %llu wishes: %d failures\n", paths, seed,
-              static_cast<unsigned long long>(setpoints), static_cast<unsigned long long>(wishes),
-              failures);
+  const unsigned long most_slower = 1 + paths / 100;
+  if (slower > most_slower) ++failures;
+  std::printf(
+      "%lu paths from seed %u, %llu set-points, %llu wishes, %lu slower than with stops: %d "
+      "failures\n",
+      paths, seed, static_cast<unsigned long long>(setpoints),
+      static_cast<unsigned long long>(wishes), slower, failures);
   return failures == 0 ? 0 : 1;
 }

@@ -75,7 +75,7 @@ double bound(const Stretch& stretch, AxisVector PathJet::*value, AxisVector Path
   return kALittle * most.value();
 }
 
-// Of the highest derivative less is known: a quarter of what the samples differ by is added.
+// Of the highest derivative less is known: half of what the samples differ by is added.
 double bound_of_third(const Stretch& stretch, std::size_t m) {
   const auto& [a, b, c] = stretch.samples();
   Most most;
@@ -87,7 +87,7 @@ double bound_of_third(const Stretch& stretch, std::size_t m) {
   }
   if (a.rates && b.rates && c.rates)
     most.see(a.rates->third.values[m], b.rates->third.values[m], c.rates->third.values[m]);
-  return kALittle * (most.value() + range.width() / 4);
+  return kALittle * (most.value() + range.width() / 2);
 }
 
 // Over the square of a step, from one in which no axis goes far.

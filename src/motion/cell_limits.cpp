@@ -24,20 +24,14 @@ constexpr Shares shares(CellLimits::Use use) {
 }
 
 // Of the tip, mm/s², in any direction.
-double most_acceleration(const AxisLimits& limits, std::size_t axes,
-                         const std::array<bool, base::kMaxAxes>& linear) {
-  double square = 0;
-  for (std::size_t m = 0; m < axes; ++m) {
-    const double a = linear[m] ? limits.acceleration.values[m] : 0;
-    square += a * a;
-  }
-  return std::sqrt(square);
+double most_acceleration(const AxisLimits& limits, std::size_t axes, const LinearAxes& linear) {
+  return AxisNorms{linear, axes}.mm(limits.acceleration);
 }
 
 }  // namespace
 
 CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
-                       std::array<bool, base::kMaxAxes> linear)
+                       const LinearAxes& linear)
     : limits_(axis_limits),
       chord_tolerance_mm_(settings.chord_tolerance_mm),
       period_s_(settings.period_s),

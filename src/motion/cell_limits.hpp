@@ -32,7 +32,7 @@ class CellLimits {
  public:
   /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.
   CellLimits(const AxisLimits& axis_limits, const Settings& settings, std::size_t axes,
-             std::array<bool, base::kMaxAxes> linear);
+             const LinearAxes& linear);
 
   /// What a part of the path leaves for changes of speed.
   enum class Use : std::uint8_t {
@@ -49,7 +49,7 @@ class CellLimits {
   [[nodiscard]] bool jerk_limited() const { return jerk_limited_; }
   [[nodiscard]] const AxisLimits& axis_limits() const { return limits_; }
   [[nodiscard]] double period_s() const { return period_s_; }
-  [[nodiscard]] const std::array<bool, base::kMaxAxes>& linear() const { return linear_; }
+  [[nodiscard]] const LinearAxes& linear() const { return linear_; }
 
  private:
   [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
@@ -63,7 +63,7 @@ class CellLimits {
   double period_s_;
   double most_speed_up_mm_;  // a T²
   std::size_t axes_ = 0;
-  std::array<bool, base::kMaxAxes> linear_{};
+  LinearAxes linear_{};
   bool jerk_limited_ = false;
 };
 

@@ -43,23 +43,13 @@ void solve(const std::array<double, 7>& moments, std::array<AxisVector, 4>& righ
 
 }  // namespace
 
-ChainSmoother::ChainSmoother(double tolerance_mm, std::size_t axes,
-                             const std::array<bool, base::kMaxAxes>& linear, Follower& follower)
+ChainSmoother::ChainSmoother(double tolerance_mm, std::size_t axes, const LinearAxes& linear,
+                             Follower& follower)
     : tolerance_(tolerance_mm),
       axes_(axes),
-      linear_(linear),
+      norms_{linear, axes},
       follower_(follower),
       points_(kPoints) {}
-
-double ChainSmoother::size(const AxisVector& difference) const {
-  double linear = 0;
-  double rotary = 0;
-  for (std::size_t m = 0; m < axes_; ++m) {
-    const double d = difference.values[m];
-    (linear_[m] ? linear : rotary) += d * d;
-  }
-  return std::sqrt(std::max(linear, rotary));
-}
 
 void ChainSmoother::start(const AxisVector& from) {
   points_.clear();
@@ -78,7 +68,7 @@ bool ChainSmoother::accepts(const AxisVector& to, double length) const {
     turn.values[m] = (to.values[m] - end.at.values[m]) / length -
                      (end.at.values[m] - before.at.values[m]) / last_length;
   }
-  const double angle = size(turn);
+  const double angle = norms_.larger(turn);
   return angle < kSharpestTurn_rad && std::max(length, last_length) * angle / 8 < tolerance_;
 }
 
@@ -148,7 +138,7 @@ bool ChainSmoother::fits(const PathJet& jet, std::uint64_t at, std::uint64_t fir
       difference.values[m] =
           jet.value.values[m] + s * (jet.first.values[m] + s * bend) - points_[n].at.values[m];
     }
-    if (size(difference) > tolerance_ / 2) return false;
+    if (norms_.larger(difference) > tolerance_ / 2) return false;
   }
   return true;
 }
@@ -190,10 +180,11 @@ bool ChainSmoother::follows(const Curve& curve, std::uint64_t last) const {
   double longest = 0;
   for (std::uint64_t n = at_ + 1; n <= last; ++n) {
     longest = std::max(longest, points_[n].way - points_[n - 1].way);
-    if (n < last && size(curve.at(points_[n].way - way) - points_[n].at) > tolerance_ / 2)
+    if (n < last && norms_.larger(curve.at(points_[n].way - way) - points_[n].at) > tolerance_ / 2)
       return false;
   }
-  return size(curve.bounds(0, curve.length()).second) * longest * longest / 8 <= tolerance_ / 2;
+  return norms_.larger(curve.bounds(0, curve.length()).second) * longest * longest / 8 <=
+         tolerance_ / 2;
 }
 
 bool ChainSmoother::next(bool ended, Piece& piece) {
@@ -231,7 +222,7 @@ double ChainSmoother::turn(const AxisVector& direction, std::uint64_t line) cons
   AxisVector difference = direction;
   for (std::size_t m = 0; m < axes_; ++m)
     difference.values[m] -= (to.at.values[m] - from.at.values[m]) / (to.way - from.way);
-  return size(difference);
+  return norms_.larger(difference);
 }
 
 // What no curve fits stays a line. It begins where the curve before has ended.
@@ -241,7 +232,7 @@ void ChainSmoother::line_piece(Piece& piece) {
   const AxisVector& begin = node_known_ ? node_.jet.value : from.at;
   piece.curve = Curve::line(begin, to.at, to.way - from.way, axes_);
   piece.joined = false;
-  piece.begin_off_mm = size(begin - from.at);
+  piece.begin_off_mm = norms_.larger(begin - from.at);
   piece.begin_turn = piece.end_turn = 0;
   piece.last = origin_ = ++at_;
   node_known_ = false;

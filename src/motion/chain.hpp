@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "motion/axis_norms.hpp"
 #include "motion/curve.hpp"
 #include "motion/follower.hpp"
 #include "motion/mark.hpp"
@@ -44,8 +45,8 @@ class ChainSmoother {
   };
 
   /// The follower must outlive this.
-  ChainSmoother(double tolerance_mm, std::size_t axes,
-                const std::array<bool, base::kMaxAxes>& linear, Follower& follower);
+  ChainSmoother(double tolerance_mm, std::size_t axes, const LinearAxes& linear,
+                Follower& follower);
 
   [[nodiscard]] bool empty() const { return points_.size() < 2; }
   /// Whether a line from the chain's end to `to` goes on with it.
@@ -80,11 +81,10 @@ class ChainSmoother {
   [[nodiscard]] double turn(const base::AxisVector& direction, std::uint64_t line) const;
   void line_piece(Piece& piece);
   void forget(bool ended);
-  [[nodiscard]] double size(const base::AxisVector& difference) const;
 
   double tolerance_;
   std::size_t axes_;
-  std::array<bool, base::kMaxAxes> linear_;
+  AxisNorms norms_;
   Follower& follower_;
   Ring<Point> points_;
   Node node_;                 // where the next piece begins

@@ -49,17 +49,6 @@ double best_reach(const CornerTime& time, double most) {
 
 }  // namespace
 
-// Norm of the linear axes, or of the rotary ones when that is more.
-double CornerRounder::size(const AxisVector& difference) const {
-  double linear = 0;
-  double rotary = 0;
-  for (std::size_t m = 0; m < axes_; ++m) {
-    const double d = difference.values[m];
-    (linear_[m] ? linear : rotary) += d * d;
-  }
-  return std::sqrt(std::max(linear, rotary));
-}
-
 // Reach with which neither the turn nor the step of the second derivative asks more than the share
 // of acceleration and jerk at the feed.
 double CornerRounder::wanted_reach(const base::PathJet& end, const base::PathJet& begin,
@@ -98,7 +87,7 @@ bool CornerRounder::stays_near(const Rounding& rounding, const Curve& in, const 
     const double s = rounding.curve.length() * i / kPlaces;
     const AxisVector programmed =
         s < rounding.reach ? in.at(in.length() - rounding.reach + s) : out.at(s - rounding.reach);
-    if (size(rounding.curve.at(s) - programmed) > kBetween * tolerance) return false;
+    if (norms_.larger(rounding.curve.at(s) - programmed) > kBetween * tolerance) return false;
   }
   return true;
 }
@@ -117,8 +106,8 @@ std::optional<Rounding> CornerRounder::round(const Curve& in, const Curve& out, 
 Corner CornerRounder::between(const Curve& in, const Curve& out, const Passage& passage) const {
   const base::PathJet end = in.jet(in.length());
   const base::PathJet begin = out.jet(0);
-  const double angle = size(begin.first - end.first);
-  const double bend = limits_.jerk_limited() ? size(begin.second - end.second) : 0;
+  const double angle = norms_.larger(begin.first - end.first);
+  const double bend = limits_.jerk_limited() ? norms_.larger(begin.second - end.second) : 0;
   if (angle < kSameDirection && bend < kSameDirection) return {};
   const auto driven_end = follower_.driven(end);
   const auto driven_begin = follower_.driven(begin);

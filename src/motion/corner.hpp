@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "motion/axis_norms.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/corner_time.hpp"
 #include "motion/curve.hpp"
@@ -51,9 +52,9 @@ class CornerRounder {
  public:
   /// The limits are those of the driven axes; `follower` says how these move. Both must outlive
   /// this.
-  CornerRounder(const CellLimits& limits, std::size_t axes, std::array<bool, base::kMaxAxes> linear,
+  CornerRounder(const CellLimits& limits, std::size_t axes, const LinearAxes& linear,
                 Follower& follower)
-      : limits_(limits), axes_(axes), linear_(linear), follower_(follower) {}
+      : limits_(limits), axes_(axes), norms_{linear, axes}, follower_(follower) {}
 
   /// The corner between the end of `in` and the begin of `out`.
   [[nodiscard]] Corner between(const Curve& in, const Curve& out, const Passage& passage) const;
@@ -63,7 +64,6 @@ class CornerRounder {
                                     const Passage& passage) const;
   [[nodiscard]] Corner best_of(const Curve& in, const Curve& out, const CornerTime& time,
                                double reach, double tolerance) const;
-  [[nodiscard]] double size(const base::AxisVector& difference) const;
   [[nodiscard]] bool stays_near(const Rounding& rounding, const Curve& in, const Curve& out,
                                 double tolerance) const;
   [[nodiscard]] std::optional<Rounding> round(const Curve& in, const Curve& out, double reach,
@@ -71,7 +71,7 @@ class CornerRounder {
 
   const CellLimits& limits_;
   std::size_t axes_;
-  std::array<bool, base::kMaxAxes> linear_;
+  AxisNorms norms_;
   Follower& follower_;
 };
 

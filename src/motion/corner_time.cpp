@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/axis_norms.hpp"
+
 namespace kerf::motion {
 
 using base::AxisVector;
@@ -16,13 +18,7 @@ AxisVector larger(const AxisVector& a, const AxisVector& b) {
   return result;
 }
 
-double length_mm(const AxisVector& v, const std::array<bool, base::kMaxAxes>& linear) {
-  double square = 0;
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
-    if (linear[m]) square += v.values[m] * v.values[m];
-  }
-  return std::sqrt(square);
-}
+AxisNorms norms(const CellLimits& limits) { return {limits.linear(), base::kMaxAxes}; }
 
 }  // namespace
 
@@ -33,10 +29,10 @@ CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, con
       curves_{larger(in.driven.first, out.driven.first),
               larger(in.driven.second, out.driven.second),
               larger(in.driven.third, out.driven.third)},
-      curvature_(length_mm(larger(in.tip.second, out.tip.second), limits.linear())),
+      curvature_(norms(limits).mm(larger(in.tip.second, out.tip.second))),
       turn_(larger(out.driven.first - in.driven.first, {})),
       bend_(larger(out.driven.second - in.driven.second, {})),
-      turn_mm_(length_mm(out.tip.first - in.tip.first, limits.linear())),
+      turn_mm_(norms(limits).mm(out.tip.first - in.tip.first)),
       in_(drive_of(in)),
       out_(drive_of(out)) {}
 

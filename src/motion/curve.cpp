@@ -228,15 +228,11 @@ CurveBounds Curve::bounds(double from, double to) const {
 }
 
 double Curve::curvature_bound(double from, double to, const CurveBounds& bounds,
-                              const std::array<bool, base::kMaxAxes>& linear) const {
+                              const LinearAxes& linear) const {
   if (kind_ == Kind::line) return 0;
   if (kind_ == Kind::arc)
     return std::fabs(rate_) * std::hypot(2 * radius_slope_, rate_ * largest_radius(from, to));
-  double square = 0;
-  for (std::size_t m = 0; m < axes_; ++m) {
-    if (linear[m]) square += bounds.second.values[m] * bounds.second.values[m];
-  }
-  return std::sqrt(square);
+  return AxisNorms{linear, axes_}.mm(bounds.second);
 }
 
 double Curve::largest_radius(double from, double to) const {

@@ -5,6 +5,7 @@
 
 #include "base/axes.hpp"
 #include "base/path_jet.hpp"
+#include "motion/axis_norms.hpp"
 
 namespace kerf::motion {
 
@@ -66,7 +67,7 @@ class Curve {
   /// Upper bound over [from, to] of the second derivative's length in the axes that count mm: the
   /// curvature, where the parameter is the length. `bounds` are those over [from, to].
   [[nodiscard]] double curvature_bound(double from, double to, const CurveBounds& bounds,
-                                       const std::array<bool, base::kMaxAxes>& linear) const;
+                                       const LinearAxes& linear) const;
 
  private:
   enum class Kind : std::uint8_t { line, polynomial, arc };

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/axis_norms.hpp"
+
 namespace kerf::motion {
 namespace {
-
-std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
-  std::array<bool, base::kMaxAxes> linear{};
-  for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
-  return linear;
-}
 
 std::size_t driven_axes(const control::AxisSetup& axes, const Linkage* linkage) {
   return linkage == nullptr ? axes.count() : linkage->size();

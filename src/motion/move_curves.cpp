@@ -50,13 +50,9 @@ void MoveCurves::add_legs(const AxisVector& to) {
 
 // Its parameter is the length of the linear axes, or of the rotary ones where these alone move.
 void MoveCurves::add_line(const AxisVector& to) {
-  double linear = 0;
-  double rotary = 0;
-  for (std::size_t m = 0; m < axes_.count(); ++m) {
-    const double d = to.values[m] - at_.values[m];
-    (axes_.axes[m].rotary ? rotary : linear) += d * d;
-  }
-  const double length = std::sqrt(linear > 0 ? linear : rotary);
+  const AxisVector way = to - at_;
+  const double linear = norms_.mm(way);
+  const double length = linear > 0 ? linear : norms_.degrees(way);
   if (length > 0) add(Curve::line(at_, to, length, axes_.count()));
 }
 

@@ -7,6 +7,7 @@
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
 #include "geometry/vec3.hpp"
+#include "motion/axis_norms.hpp"
 #include "motion/curve.hpp"
 
 namespace kerf::motion {
@@ -15,7 +16,8 @@ namespace kerf::motion {
 class MoveCurves {
  public:
   /// The axes must outlive this.
-  explicit MoveCurves(const control::AxisSetup& axes) : axes_(axes) {}
+  explicit MoveCurves(const control::AxisSetup& axes)
+      : axes_(axes), norms_{linear_axes(axes), axes.count()} {}
 
   /// The curves of a move in their order, until the next call: one; of an arc in space one from
   /// each point given to the next; of a rapid whose axes keep their own rates one until each of
@@ -33,6 +35,7 @@ class MoveCurves {
   void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
 
   const control::AxisSetup& axes_;
+  AxisNorms norms_;
   base::AxisVector at_;  // where the next curve begins
   std::array<Curve, base::kMaxAxes> curves_;
   std::size_t count_ = 0;

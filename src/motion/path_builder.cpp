@@ -21,47 +21,23 @@ constexpr double kMostOfCurve = 0.49;
 constexpr std::size_t kPiecesOfMotion = 600;
 constexpr std::size_t kMarksOfMotion = 600;
 
-std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
-  std::array<bool, base::kMaxAxes> linear{};
-  for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
-  return linear;
-}
-
 }  // namespace
 
 PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limits,
                          const Settings& settings, Path& path, const Linkage* linkage)
     : axes_(axes),
       limits_(limits),
-      linear_(linear_axes(axes)),
+      norms_{linear_axes(axes), axes.count()},
       tolerance_mm_(settings.tolerance_mm),
       follower_(linkage),
-      corners_(limits, axes.count(), linear_, follower_),
-      chain_(kChainShare * settings.tolerance_mm, axes.count(), linear_, follower_),
+      corners_(limits, axes.count(), norms_.linear, follower_),
+      chain_(kChainShare * settings.tolerance_mm, axes.count(), norms_.linear, follower_),
       curves_(axes),
       path_(path),
       at_(axes.start) {}
 
 bool PathBuilder::room() const {
   return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
-}
-
-double PathBuilder::linear_length(const AxisVector& to) const {
-  double square = 0;
-  for (std::size_t m = 0; m < axes_.count(); ++m) {
-    const double d = to.values[m] - at_.values[m];
-    if (linear_[m]) square += d * d;
-  }
-  return std::sqrt(square);
-}
-
-double PathBuilder::rotary_length(const AxisVector& to) const {
-  double square = 0;
-  for (std::size_t m = 0; m < axes_.count(); ++m) {
-    const double d = to.values[m] - at_.values[m];
-    if (!linear_[m]) square += d * d;
-  }
-  return std::sqrt(square);
 }
 
 // Length of the path per second. A feed that cannot be told is no limit.
@@ -117,9 +93,9 @@ void PathBuilder::take(const Motion& motion) {
 }
 
 void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const control::Feed& feed) {
-  const double linear = linear_length(to);
+  const double linear = norms_.mm(to - at_);
   const bool rotary_only = linear == 0;
-  const double length = rotary_only ? rotary_length(to) : linear;
+  const double length = rotary_only ? norms_.degrees(to - at_) : linear;
   if (length == 0) return;
   if (rotary_only != rotary_only_) stop();
   rotary_only_ = rotary_only;
@@ -255,11 +231,7 @@ double PathBuilder::length_per_parameter(const Curve& curve, double begin, doubl
 
 // Way in space for a small step of the parameter.
 double PathBuilder::way_in_space(const Curve& curve, double at) const {
-  const base::PathJet jet = curve.jet(at);
-  double square = 0;
-  for (std::size_t m = 0; m < axes_.count(); ++m)
-    square += linear_[m] ? jet.first.values[m] * jet.first.values[m] : 0;
-  return std::sqrt(square);
+  return norms_.mm(curve.jet(at).first);
 }
 
 // The feed of a helix is that of its circle: its length in space for that of the circle.

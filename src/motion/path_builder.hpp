@@ -6,6 +6,7 @@
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
+#include "motion/axis_norms.hpp"
 #include "motion/cell_limits.hpp"
 #include "motion/chain.hpp"
 #include "motion/corner.hpp"
@@ -75,13 +76,11 @@ class PathBuilder {
   void mark(double way, const Mark& mark);
   void place_marks(std::uint64_t last, double up_to, double shift);
   [[nodiscard]] double speed_of(const control::Feed& feed, double length) const;
-  [[nodiscard]] double linear_length(const base::AxisVector& to) const;
-  [[nodiscard]] double rotary_length(const base::AxisVector& to) const;
   [[nodiscard]] Mark mark_of(const control::Motion& motion, MoveKind kind, double speed = 0) const;
 
   const control::AxisSetup& axes_;
   const CellLimits& limits_;
-  std::array<bool, base::kMaxAxes> linear_{};
+  AxisNorms norms_;
   double tolerance_mm_;
   Follower follower_;
   CornerRounder corners_;

@@ -147,8 +147,9 @@ class Checker {
     line_before_ = line_;
   }
 
-  // Between two points of one programmed line nothing does.
+  // Between two points of one programmed line nothing does, nor before the first motion.
   [[nodiscard]] bool may_bend(const motion::Setpoint& point) const {
+    if (point.mark.line == 0) return false;
     const auto& action = path_.motions[point.mark.line - 1].action;
     return line_ != line_before_ || !std::holds_alternative<control::Line>(action);
   }

@@ -43,18 +43,24 @@ CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, 
 
 // The exact formula knows no limit for circles within the tolerance. But a curve that bends so
 // sharply at one place may lead away from there.
-double CellLimits::longest_chord(double curvature, double deviation) const {
-  const double both = curvature + 8 * deviation;
+double CellLimits::longest_chord(const CellBounds& bounds) const {
+  const double both = bounds.curvature + 8 * bounds.deviation;
+  if (both == 0) return kInfinite;
   const double chord = std::sqrt(8 * chord_tolerance_mm_ / both);
-  if (curvature == 0) return chord;
-  const double of_chord_mm = chord_tolerance_mm_ * (curvature / both);
-  return std::min(chord, longest_chord_mm(1 / curvature, of_chord_mm));
+  if (bounds.curvature == 0) return chord;
+  const double of_chord_mm = chord_tolerance_mm_ * (bounds.curvature / both);
+  return std::min(chord, longest_chord_mm(1 / bounds.curvature, of_chord_mm));
+}
+
+double CellLimits::border_mm(const CellBounds& bounds) const {
+  if (bounds.curvature == 0) return 0;
+  const double chord = longest_chord(bounds);
+  return most_speed_up_mm_ > 2 * chord ? chord : 0;
 }
 
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
-  if (bounds.curvature == 0 && bounds.deviation == 0) return kInfinite;
-  const double chord = longest_chord(bounds.curvature, bounds.deviation);
-  if (most_speed_up_mm_ <= 2 * chord) return chord / period_s_;
+  const double chord = longest_chord(bounds);
+  if (!bounds.at_border || most_speed_up_mm_ <= 2 * chord) return chord / period_s_;
   const double half = most_speed_up_mm_ / 27;
   const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));
   return std::min(chord / 2, way) / period_s_;

@@ -13,6 +13,9 @@ struct CellBounds {
   /// How far the tip leaves its line while the driven axes move in proportion: mm over the square
   /// of the step. 0 where they are the program's.
   double deviation = 0;
+  /// What is beside it may be quite different: within a chord of where its curve meets another, or
+  /// where the linkage is what bends.
+  bool at_border = false;
 };
 
 /// What a part of the path allows along it, from the derivatives q', q'', q''' of the driven axes:
@@ -26,8 +29,9 @@ struct CellBounds {
 /// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
 /// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
 /// What lies beside a bend may be driven faster, with acceleration a. A chord over both leaves the
-/// path no farther as long as a T² <= 2 c; beyond that the bend is driven so slowly that c/2 of it
-/// is passed in a period at most, and c² >= y² + 2/27 a T² y with y = v T where it is shorter.
+/// path no farther as long as a T² <= 2 c; beyond that the borders of the bend are driven so slowly
+/// that y = v T <= c/2 of them is passed in a period, and y² + 2/27 a T² y <= c² where they are all
+/// of it.
 class CellLimits {
  public:
   /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.
@@ -46,6 +50,9 @@ class CellLimits {
   /// The highest speed at any feed; infinite where nothing limits it.
   [[nodiscard]] double highest_speed(const CellBounds& bounds, Use use) const;
 
+  /// How far from its ends a curve with these bounds has borders; 0: nowhere.
+  [[nodiscard]] double border_mm(const CellBounds& bounds) const;
+
   [[nodiscard]] bool jerk_limited() const { return jerk_limited_; }
   [[nodiscard]] const AxisLimits& axis_limits() const { return limits_; }
   [[nodiscard]] double period_s() const { return period_s_; }
@@ -55,7 +62,7 @@ class CellLimits {
   [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
-  [[nodiscard]] double longest_chord(double curvature, double deviation) const;
+  [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
   [[nodiscard]] double tolerable_speed(const CellBounds& bounds) const;
 
   AxisLimits limits_;

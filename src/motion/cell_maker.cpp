@@ -38,7 +38,7 @@ void CellMaker::skip_to(const Path& path) {
 }
 
 void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& cells) {
-  const std::size_t needed = linkage_ == nullptr ? kMostParts : 1;
+  const std::size_t needed = linkage_ == nullptr ? kMostParts + 2 : 1;
   next_piece_ = std::max(next_piece_, path.pieces.begin());
   for (; next_piece_ < path.pieces.end() && cells.room() >= needed; ++next_piece_) {
     const PathPiece& piece = path.pieces[next_piece_];
@@ -58,26 +58,44 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
 
 CellBounds CellMaker::bounds_of(const PathPiece& piece, double begin, double end) const {
   const CurveBounds bounds = piece.curve.bounds(begin, end);
-  return {bounds, piece.curve.curvature_bound(begin, end, bounds, limits_.linear()), 0};
+  return {bounds, piece.curve.curvature_bound(begin, end, bounds, limits_.linear()), 0, false};
+}
+
+// One cell and two for its borders, if it has some.
+void CellMaker::split(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells) {
+  CellBounds bounds = bounds_of(piece, piece.begin, piece.end);
+  const double border = limits_.border_mm(bounds);
+  const double begin = piece.begin + border;
+  const double end = piece.end - border;
+  if (border == 0) return split_inside(piece, piece.begin, piece.end, bounds, overrides, cells);
+  bounds.at_border = true;
+  if (begin >= end) return add(piece, piece.begin, piece.end, bounds, overrides, cells);
+  add(piece, piece.begin, begin, bounds, overrides, cells);
+  bounds.at_border = false;
+  split_inside(piece, begin, end, bounds, overrides, cells);
+  bounds.at_border = true;
+  add(piece, end, piece.end, bounds, overrides, cells);
 }
 
 // One cell, or several where the shape takes much of the acceleration: then what is left depends on
 // the speed, and parts that are passed at different speeds should not share one limit.
-void CellMaker::split(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells) {
-  add(piece, piece.begin, piece.end, bounds_of(piece, piece.begin, piece.end), overrides, cells);
+void CellMaker::split_inside(const PathPiece& piece, double begin, double end,
+                             const CellBounds& bounds, const Overrides& overrides,
+                             Ring<Cell>& cells) {
+  add(piece, begin, end, bounds, overrides, cells);
   const PathLimits& limits = cells.back().limits;
   const double taken = limits.fall * limits.velocity * limits.velocity;
   if (piece.use == CellLimits::Use::corner || taken < kLittle * limits.acceleration) return;
   const double ramp = limits.velocity * limits.velocity / (2 * limits.acceleration);
-  const double length = piece.end - piece.begin;
+  const double length = end - begin;
   const double wanted = std::ceil(length / ramp * kPartsOfRamp);
   const auto parts = static_cast<int>(std::min(wanted, static_cast<double>(kMostParts)));
   if (parts < 2) return;
   cells.unpush();
   for (int i = 0; i < parts; ++i) {
-    const double begin = piece.begin + length * i / parts;
-    const double end = i + 1 == parts ? piece.end : piece.begin + length * (i + 1) / parts;
-    add(piece, begin, end, bounds_of(piece, begin, end), overrides, cells);
+    const double from = begin + length * i / parts;
+    const double to = i + 1 == parts ? end : begin + length * (i + 1) / parts;
+    add(piece, from, to, bounds_of(piece, from, to), overrides, cells);
   }
 }
 
@@ -86,6 +104,7 @@ bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cel
   if (cells_of_piece_ == 0) {
     begin_ = piece.begin;
     length_ = piece.end - piece.begin;
+    border_ = limits_.border_mm(bounds_of(piece, piece.begin, piece.end));
   }
   Stretch stretch(*linkage_, piece.curve);
   JointSample first = stretch.look_at(begin_, joints_);
@@ -105,6 +124,14 @@ bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cel
   return true;
 }
 
+// Where the next cell ends at the latest: a border is not one with what lies between.
+double CellMaker::most_end_of(const PathPiece& piece) const {
+  const double begin = piece.begin + border_;
+  const double end = piece.end - border_;
+  if (border_ == 0 || begin >= end || begin_ >= end) return piece.end;
+  return begin_ < begin ? begin : end;
+}
+
 // Finds the next cell, tried at twice the length of the one before and halved until it is one.
 // Returns its end.
 double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch& stretch,
@@ -112,11 +139,14 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
   const bool fine = cells_of_piece_ < kMostFineCells;
   const double coarse = fine ? 0 : (piece.end - piece.begin) / kCoarseCells;
   for (double length = 2 * length_;; length = stretch.length() / 2) {
+    const double most = most_end_of(piece);
     // What would remain behind the cell must not be shorter than a cell.
-    const bool last = begin_ + length + kShortest > piece.end;
-    const double end = last ? piece.end : begin_ + length;
+    const bool last = begin_ + length + kShortest > most;
+    const double end = last ? most : begin_ + length;
     stretch.look(begin_, first, end);
     bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
+    bounds.at_border =
+        bounds.deviation > 0 || end <= piece.begin + border_ || begin_ >= piece.end - border_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;
     const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
     if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;

@@ -49,6 +49,9 @@ class CellMaker {
  private:
   [[nodiscard]] CellBounds bounds_of(const PathPiece& piece, double begin, double end) const;
   void split(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
+  void split_inside(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
+                    const Overrides& overrides, Ring<Cell>& cells);
+  [[nodiscard]] double most_end_of(const PathPiece& piece) const;
   bool cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double look(const PathPiece& piece, const JointSample& first, Stretch& stretch,
                             CellBounds& bounds) const;
@@ -66,6 +69,7 @@ class CellMaker {
   std::size_t cells_of_piece_ = 0;
   double begin_ = 0;   // of the next cell
   double length_ = 0;  // of the last one
+  double border_ = 0;  // at its ends
 };
 
 }  // namespace kerf::motion

@@ -51,7 +51,7 @@ double CornerTime::Drive::lost_to_ramp_s(double corner_speed) const {
 }
 
 double CornerTime::speed_of(double reach) const {
-  CellBounds bounds{curves_, curvature_ + shape_.second / reach * turn_mm_, 0};
+  CellBounds bounds{curves_, curvature_ + shape_.second / reach * turn_mm_, 0, true};
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double turn = turn_.values[m] / reach;
     bounds.driven.second.values[m] += shape_.second * turn;
@@ -71,7 +71,8 @@ double CornerTime::rounded_s(double reach) const { return at_speed_s(reach, spee
 double CornerTime::rounded_s(double reach, const Curve& rounding) const {
   const CurveBounds driven = rounding.bounds(0, 2 * reach);
   const double curvature = rounding.curvature_bound(0, 2 * reach, driven, limits_.linear());
-  return at_speed_s(reach, limits_.highest_speed({driven, curvature, 0}, CellLimits::Use::corner));
+  return at_speed_s(reach,
+                    limits_.highest_speed({driven, curvature, 0, true}, CellLimits::Use::corner));
 }
 
 double CornerTime::stopped_s() const {

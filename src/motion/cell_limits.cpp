@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
+// Of the chord, at the border between two bends that the tip leaves with some acceleration.
+constexpr double kALittleLess = 0.95;
+
 // Shares of the axes' limits that the shape of the path may use at full speed, and of the jerk for
 // 3 q'' v a.
 struct Shares {
@@ -55,12 +58,13 @@ double CellLimits::longest_chord(const CellBounds& bounds) const {
 double CellLimits::border_mm(const CellBounds& bounds) const {
   if (bounds.curvature == 0) return 0;
   const double chord = longest_chord(bounds);
-  return most_speed_up_mm_ > 2 * chord ? chord : 0;
+  return most_speed_up_mm_ > chord ? chord : 0;
 }
 
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double chord = longest_chord(bounds);
-  if (!bounds.at_border || most_speed_up_mm_ <= 2 * chord) return chord / period_s_;
+  if (!bounds.at_border || most_speed_up_mm_ <= chord) return chord / period_s_;
+  if (most_speed_up_mm_ <= 2 * chord) return kALittleLess * chord / period_s_;
   const double half = most_speed_up_mm_ / 27;
   const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));
   return std::min(chord / 2, way) / period_s_;

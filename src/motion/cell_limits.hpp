@@ -29,9 +29,9 @@ struct CellBounds {
 /// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
 /// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
 /// What lies beside a bend may be driven faster, with acceleration a. A chord over both leaves the
-/// path no farther as long as a T² <= 2 c; beyond that the borders of the bend are driven so slowly
-/// that y = v T <= c/2 of them is passed in a period, and y² + 2/27 a T² y <= c² where they are all
-/// of it.
+/// path no farther as long as a T² <= c. Beyond that the borders of the bend are driven at 0.95 of
+/// their speed, which is enough up to 2 c, and then so slowly that y = v T <= c/2 of them is passed
+/// in a period, and y² + 2/27 a T² y <= c² where they are all of it.
 class CellLimits {
  public:
   /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.

@@ -146,7 +146,7 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
     stretch.look(begin_, first, end);
     bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
     bounds.at_border =
-        bounds.deviation > 0 || end <= piece.begin + border_ || begin_ >= piece.end - border_;
+        bounds.deviation > 0 || begin_ < piece.begin + border_ || end > piece.end - border_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;
     const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
     if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;

@@ -26,7 +26,6 @@ constexpr std::size_t kMarksOfMotion = 600;
 PathBuilder::PathBuilder(const control::AxisSetup& axes, const CellLimits& limits,
                          const Settings& settings, Path& path, const Linkage* linkage)
     : axes_(axes),
-      limits_(limits),
       norms_{linear_axes(axes), axes.count()},
       tolerance_mm_(settings.tolerance_mm),
       follower_(linkage),

@@ -79,7 +79,6 @@ class PathBuilder {
   [[nodiscard]] Mark mark_of(const control::Motion& motion, MoveKind kind, double speed = 0) const;
 
   const control::AxisSetup& axes_;
-  const CellLimits& limits_;
   AxisNorms norms_;
   double tolerance_mm_;
   Follower follower_;

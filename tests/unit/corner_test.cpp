@@ -149,9 +149,9 @@ TEST(CornerRounder, GoesOnFromOneCurveIntoTheOther) {
     const std::pair<PathJet, PathJet> joints[] = {
         {corner.in.curve.jet(corner.in.curve.length() - reach), rounding.curve.jet(0)},
         {rounding.curve.jet(2 * reach), corner.out.curve.jet(reach)}};
-    for (const auto& [before, behind] : joints) {
+    for (const auto& joint : joints) {
       const auto apart = [&](AxisVector PathJet::*derivative) {
-        return length(tip_of(before.*derivative - behind.*derivative));
+        return length(tip_of(joint.first.*derivative - joint.second.*derivative));
       };
       ASSERT_LE(apart(&PathJet::value), 1e-10) << i;
       // Points are known to 1e-14 of some hundred mm, slopes over the reach.

@@ -12,7 +12,8 @@
 namespace kerf::motion {
 
 /// Cuts the pieces of a path into cells. Where the driven axes are those of the program a piece is
-/// one cell, or some of equal length, and its curve has bounds of its own.
+/// one cell, or some of equal length, besides one for each of its borders (CellLimits), and its
+/// curve has bounds of its own.
 ///
 /// Through a linkage the bounds come from samples. A cell is so short that these agree (Stretch),
 /// and that it is driven nearly as fast as its fastest place allows, or at twice the feed, or

@@ -137,13 +137,7 @@ TEST(Interpolator, PassingOverThePointsKeepsTheTime) {
     Interpolator made(axes_named("XYZ"), ordinary_limits(jerk), {});
     const auto points = test::points_of(made, motions);
     Interpolator passed(axes_named("XYZ"), ordinary_limits(jerk), {});
-    for (const Motion& motion : motions) {
-      if (!passed.room()) passed.skip();
-      passed.take(motion);
-    }
-    if (!passed.room()) passed.skip();
-    passed.finish();
-    passed.skip();
+    test::pass_over(passed, motions);
     EXPECT_EQ(passed.time_s(), made.time_s());
     EXPECT_EQ(points.back().time_s, made.time_s());
   }

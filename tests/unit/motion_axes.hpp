@@ -63,4 +63,15 @@ inline std::vector<motion::Setpoint> points_of(motion::SetpointSource& source,
   return points;
 }
 
+/// Passes over all the set-points of motions.
+inline void pass_over(motion::SetpointSource& source, const std::vector<control::Motion>& motions) {
+  for (const control::Motion& motion : motions) {
+    if (!source.room()) source.skip();
+    source.take(motion);
+  }
+  if (!source.room()) source.skip();
+  source.finish();
+  source.skip();
+}
+
 }  // namespace kerf::test

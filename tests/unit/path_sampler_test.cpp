@@ -502,13 +502,7 @@ TEST(PathSampler, PassingOverThePointsKeepsTheTime) {
     PathSampler made(axes_named("XYZ"), settings_of(sampling));
     const Points points = test::points_of(made, motions);
     PathSampler passed(axes_named("XYZ"), settings_of(sampling));
-    for (const Motion& motion : motions) {
-      if (!passed.room()) passed.skip();
-      passed.take(motion);
-    }
-    if (!passed.room()) passed.skip();
-    passed.finish();
-    passed.skip();
+    test::pass_over(passed, motions);
     EXPECT_EQ(passed.time_s(), made.time_s());
     EXPECT_EQ(points.back().time_s, made.time_s());
   }

@@ -63,7 +63,8 @@ double CellLimits::border_mm(const CellBounds& bounds) const {
 
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double chord = longest_chord(bounds);
-  if (!bounds.at_border || most_speed_up_mm_ <= chord) return chord / period_s_;
+  if (!bounds.at_border || most_speed_up_mm_ <= chord)
+    return chord / std::sqrt(1 + std::min(1.0, most_speed_up_mm_ / chord) / 64) / period_s_;
   if (most_speed_up_mm_ <= 2 * chord) return kALittleLess * chord / period_s_;
   const double half = most_speed_up_mm_ / 27;
   const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));

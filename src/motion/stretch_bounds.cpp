@@ -28,12 +28,6 @@ class Most {
     see(end - width / 3 * end_rate);
     see(end);
   }
-  /// Of the parabola through three values at equal distances.
-  void see(double begin, double middle, double end) {
-    see(begin);
-    see(2 * middle - (begin + end) / 2);
-    see(end);
-  }
   [[nodiscard]] double value() const { return value_; }
 
  private:
@@ -75,18 +69,26 @@ double bound(const Stretch& stretch, AxisVector PathJet::*value, AxisVector Path
   return kALittle * most.value();
 }
 
-// Of the highest derivative less is known: half of what the samples differ by is added.
+// Of the highest derivative less is known. Between two samples it is nearly the parabola with its
+// values there and the mean that the derivative below tells; half of what is seen differs by is
+// added.
 double bound_of_third(const Stretch& stretch, std::size_t m) {
-  const auto& [a, b, c] = stretch.samples();
   Most most;
   Range range;
+  const auto see = [&](double value) {
+    most.see(value);
+    range.see(value);
+  };
   for (const JointSample& sample : stretch.samples()) {
-    if (!sample.rates) continue;
-    most.see(sample.rates->third.values[m]);
-    range.see(sample.rates->third.values[m]);
+    if (sample.rates) see(sample.rates->third.values[m]);
   }
-  if (a.rates && b.rates && c.rates)
-    most.see(a.rates->third.values[m], b.rates->third.values[m], c.rates->third.values[m]);
+  for (std::size_t i = 1; i < stretch.samples().size(); ++i) {
+    const auto& a = stretch.samples()[i - 1].rates;
+    const auto& b = stretch.samples()[i].rates;
+    if (!a || !b) continue;
+    const double way = b->second.values[m] - a->second.values[m];
+    see(3 * way / (stretch.length() / 2) - a->third.values[m] - b->third.values[m]);
+  }
   return kALittle * (most.value() + range.width() / 2);
 }
 

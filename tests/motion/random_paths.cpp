@@ -30,7 +30,7 @@ constexpr double kExcess = 1e-6;
 constexpr double kPointError_mm = 1e-13;
 // Of the tolerance of chords: where the tip speeds up from one bend into a wider one, a chord over
 // both may have a little more than either.
-constexpr double kChord = 1.03;
+constexpr double kChord = 1.000001;
 
 class Checker {
  public:

@@ -68,4 +68,14 @@ double decimal_of(float value) {
   return decimal;
 }
 
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const char* begin = text.data();
+  const char* const end = begin + text.size();
+  if (begin != end && *begin == '+') ++begin;
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
 }  // namespace kerf::base

@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace kerf::base {
 
@@ -36,6 +38,10 @@ void append_number(std::string& out, double value);
 [[nodiscard]] std::string number_text(double value);
 
 void append_integer(std::string& out, std::int64_t value);
+
+/// The number that is all of `text`, with a sign or without. Nothing: it is no number, or not
+/// finite.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
 
 /// The double nearest to the fewest digits that read back to `value`: 33.3F is 33.3, not
 /// 33.29999923706055.

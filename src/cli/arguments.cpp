@@ -6,6 +6,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/decimal.hpp"
 #include "cli/machine_setup.hpp"
 
 namespace kerf::cli {
@@ -14,13 +15,13 @@ namespace {
 // CLI11's own sentences about numbers print the largest double in full.
 const CLI::Validator kNotNegative(
     [](const std::string& text) -> std::string {
-      const auto value = parse_number(text);
+      const auto value = base::parse_number(text);
       return value && *value >= 0 ? "" : "a number that is not negative is expected";
     },
     "");
 const CLI::Validator kWholeNumber(
     [](const std::string& text) -> std::string {
-      const auto value = parse_number(text);
+      const auto value = base::parse_number(text);
       constexpr double kMost = 1e18;
       const bool whole = value && *value >= 0 && *value <= kMost && *value == std::floor(*value);
       return whole ? "" : "a whole number that is not negative is expected";

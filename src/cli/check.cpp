@@ -22,14 +22,9 @@ bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
   return a.place.file == b.place.file && a.place.line == b.place.line && a.number == b.number;
 }
 
-// Every block that does not compile, whether it is reached or not, then what the run itself raises.
+// What shows without running, reached or not, then what the run itself raises.
 std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget& budget) {
-  std::vector<Diagnostic> found = machine.library().findings();
-  for (Diagnostic& diagnostic : found) diagnostic.program = machine.program_name();
-  for (std::size_t program = 0; program < machine.library().program_count(); ++program) {
-    for (Diagnostic& diagnostic : machine.library().check(vm::CodeId(program)))
-      found.push_back(std::move(diagnostic));
-  }
+  std::vector<Diagnostic> found = machine.check();
   machine.run_to_end(budget);
   const auto add = [&](const std::optional<Diagnostic>& told) {
     if (!told) return;
@@ -38,18 +33,19 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
   };
   add(machine.alarm());
   add(machine.notice());
+  for (const Diagnostic& warning : machine.control().warnings()) add(warning);
   return found;
 }
 
 base::Outcome<ReadyMachine> make_ready(const std::string& path, const CheckOptions& options) {
+  auto file = base::SourceFile::open(path);
+  if (!file) return tl::unexpected(file.error());
   auto ready = set_up(
       {.machine = options.machine, .dialect = options.dialect, .parameters = options.parameters},
-      path);
+      **file);
   if (!ready) return ready;
   if (auto added = add_libraries(options.libraries, *ready->machine); !added)
     return tl::unexpected(added.error());
-  auto file = base::SourceFile::open(path);
-  if (!file) return tl::unexpected(file.error());
   ready->machine->load(std::move(*file));
   return ready;
 }

@@ -1,10 +1,11 @@
 #include "cli/machine_setup.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
+#include "base/decimal.hpp"
+#include "cli/dialect_choice.hpp"
 #include "machine/offset_file.hpp"
 #include "machine/state_file.hpp"
 #include "output/diagnostic_text.hpp"
@@ -17,8 +18,6 @@ using base::Outcome;
 
 constexpr std::size_t kLargestOffsetFile = 16 << 20;
 constexpr double kMostOffsetSeconds = 10;
-constexpr const char* kDefaultMachine = "mill3";
-constexpr const char* kMillDialect = "fanuc-mill";
 
 tl::unexpected<Failure> usage(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::usage, message});
@@ -85,31 +84,6 @@ Outcome<void> apply_settings(const MachineSetup& setup, machine::MachineDefiniti
   return definition.parameters.set("DPI", setup.decimal_point == "calculator" ? "1" : "0");
 }
 
-std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-// What was asked for, else what the file's ending says, else the machine's own.
-Outcome<std::string> choose_dialect(const MachineSetup& setup, const std::string& machines,
-                                    const std::string& program) {
-  const std::string available = std::string("; available: ") + kMillDialect;
-  if (!setup.dialect.empty() && setup.dialect != kMillDialect)
-    return usage("--dialect " + setup.dialect + ": this dialect is not available" + available);
-  if (!setup.dialect.empty()) return setup.dialect;
-  if (ending_of(program) == ".bas") {
-    return tl::unexpected(
-        Failure{Failure::Kind::input,
-                program + ": laser BASIC programs are not supported yet" + available});
-  }
-  if (machines == kMillDialect) return machines;
-  return tl::unexpected(Failure{
-      Failure::Kind::input,
-      setup.machine + ": a machine of dialect " + machines + " is not supported yet" + available});
-}
-
 Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
   std::uint32_t levels = 0;
   if (list == "all") return 0x3feU;
@@ -124,23 +98,14 @@ Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
   return levels;
 }
 
-// The number behind '#', or -1.
-double variable_number(const std::string& key) {
-  constexpr double kMostVariable = 999999;
-  const double number = key.starts_with('#') ? parse_number(key.substr(1)).value_or(-1) : -1;
-  return number >= 0 && number <= kMostVariable && number == std::floor(number) ? number : -1;
-}
-
 Outcome<void> set_variables(const RunOptions& options, machine::VirtualMachine& machine) {
   for (const std::string& text : options.variables) {
     auto setting = split_setting(text, "--set");
     if (!setting) return tl::unexpected(setting.error());
-    const double number = variable_number(setting->key);
-    const auto value = parse_number(setting->value);
-    if (number < 0 || !value) return usage("--set " + text + ": '#NUMBER=VALUE' is expected");
-    if (auto set = machine.set_variable(static_cast<std::uint32_t>(number), *value); !set) {
+    const auto value = base::parse_number(setting->value);
+    if (!value) return usage("--set " + text + ": a number is expected behind '='");
+    if (auto set = machine.set_variable(setting->key, *value); !set)
       return usage("--set " + text + ": " + set.error().message);
-    }
   }
   return {};
 }
@@ -149,7 +114,7 @@ Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& m
   for (const std::string& text : options.skip_at) {
     auto setting = split_setting(text, "--skip-at");
     if (!setting) return tl::unexpected(setting.error());
-    const auto value = parse_number(setting->value);
+    const auto value = base::parse_number(setting->value);
     const auto axis =
         setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
     if (!axis || !value)
@@ -159,11 +124,10 @@ Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& m
   return {};
 }
 
-Outcome<void> prepare(const RunOptions& options, machine::VirtualMachine& machine) {
+Outcome<void> prepare(const RunOptions& options, std::unique_ptr<base::SourceFile> program,
+                      machine::VirtualMachine& machine) {
   if (auto added = add_libraries(options.libraries, machine); !added) return added;
-  auto file = base::SourceFile::open(options.program);
-  if (!file) return tl::unexpected(file.error());
-  machine.load(std::move(*file));
+  machine.load(std::move(program));
   auto levels = parse_block_skip(options.block_skip);
   if (!levels) return tl::unexpected(levels.error());
   machine.set_block_skip(*levels);
@@ -173,16 +137,6 @@ Outcome<void> prepare(const RunOptions& options, machine::VirtualMachine& machin
 }
 
 }  // namespace
-
-std::optional<double> parse_number(const std::string& text) {
-  double value = 0;
-  const char* begin = text.data();
-  const char* const end = begin + text.size();
-  if (begin != end && *begin == '+') ++begin;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 Outcome<void> add_libraries(const std::vector<std::string>& folders,
                             machine::VirtualMachine& machine) {
@@ -213,20 +167,22 @@ ExitStatus exit_status_of(machine::VirtualMachine::Status status) {
 }
 
 Outcome<ReadyMachine> make_ready(const RunOptions& options) {
+  auto program = base::SourceFile::open(options.program);
+  if (!program) return tl::unexpected(program.error());
   auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
                        options.decimal_point, options.tools, options.offsets, options.state},
-                      options.program);
+                      **program);
   if (!ready) return ready;
-  if (auto prepared = prepare(options, *ready->machine); !prepared)
+  if (auto prepared = prepare(options, std::move(*program), *ready->machine); !prepared)
     return tl::unexpected(prepared.error());
   return ready;
 }
 
-Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& program) {
-  auto definition = machine::find_machine(setup.machine.empty() ? kDefaultMachine : setup.machine);
+Outcome<ReadyMachine> set_up(const MachineSetup& setup, const base::SourceFile& program) {
+  auto choice = choose_dialect(setup.machine, setup.dialect, program);
+  if (!choice) return tl::unexpected(choice.error());
+  auto definition = machine::find_machine(choice->machine);
   if (!definition) return tl::unexpected(definition.error());
-  auto dialect = choose_dialect(setup, definition->dialect, program);
-  if (!dialect) return tl::unexpected(dialect.error());
   if (auto applied = apply_settings(setup, *definition); !applied)
     return tl::unexpected(applied.error());
   control::Memory memory(definition->parameters.n_offsets);
@@ -239,11 +195,9 @@ Outcome<ReadyMachine> set_up(const MachineSetup& setup, const std::string& progr
       return tl::unexpected(read.error());
   }
   ReadyMachine ready;
-  ready.dialect = *dialect;
-  ready.why = setup.machine.empty()
-                  ? "machine mill3 and dialect fanuc-mill because nothing else was asked for"
-                  : "";
-  ready.machine = std::make_unique<machine::VirtualMachine>(*definition, std::move(memory));
+  ready.why = choice->why;
+  ready.machine = std::make_unique<machine::VirtualMachine>(
+      *definition, std::move(memory), machine::VirtualMachine::Settings{{}, choice->dialect});
   return ready;
 }
 

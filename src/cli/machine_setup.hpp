@@ -26,12 +26,11 @@ struct MachineSetup {
 /// A machine with its memory filled, and how it was chosen.
 struct ReadyMachine {
   std::unique_ptr<machine::VirtualMachine> machine;
-  std::string dialect;
   std::string why;  ///< sentence for the summary
 };
 
 [[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup,
-                                                 const std::string& program);
+                                                 const base::SourceFile& program);
 
 /// Adds folders of further programs. Failure (input): one of them is no folder, or cannot be read.
 [[nodiscard]] base::Outcome<void> add_libraries(const std::vector<std::string>& folders,
@@ -50,8 +49,5 @@ struct KeyValue {
 };
 [[nodiscard]] base::Outcome<KeyValue> split_setting(const std::string& text,
                                                     const std::string& option);
-
-/// A number written out; nothing else may follow it.
-[[nodiscard]] std::optional<double> parse_number(const std::string& text);
 
 }  // namespace kerf::cli

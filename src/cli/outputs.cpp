@@ -141,7 +141,7 @@ Outcome<void> Outputs::open_coverage() {
   machine_.observe_blocks(
       [this](base::FileId source, std::uint32_t line) { coverage_.count(source, line); });
   when_over([this](OutputFile& into) {
-    coverage_.write_csv(machine_.sources(), machine_.controller().assumptions().list(), into);
+    coverage_.write_csv(machine_.sources(), machine_.control().assumptions().list(), into);
   });
   return {};
 }
@@ -171,7 +171,7 @@ Outcome<void> Outputs::open_summary() {
   const Opened file = open_file(options_.summary);
   if (!file) return tl::unexpected(file.error());
   if (*file != nullptr)
-    when_over([this](OutputFile& into) { into.write(output::summary_json(machine_, dialect_)); });
+    when_over([this](OutputFile& into) { into.write(output::summary_json(machine_)); });
   return {};
 }
 
@@ -199,8 +199,7 @@ Outcome<void> Outputs::commit(Output& output) {
   return committed;
 }
 
-Outcome<void> Outputs::commit(const std::string& dialect) {
-  dialect_ = dialect;
+Outcome<void> Outputs::commit() {
   Outcome<void> result;
   for (Output& output : outputs_) {
     if (!is_written(output)) continue;

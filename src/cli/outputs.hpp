@@ -27,7 +27,7 @@ class Outputs {
   [[nodiscard]] base::Outcome<void> open();
   /// Completes the files of a run that is over. Failure (output): the first one that did not reach
   /// the disk; the others are written.
-  [[nodiscard]] base::Outcome<void> commit(const std::string& dialect);
+  [[nodiscard]] base::Outcome<void> commit();
   /// The files that commit() has written, for people.
   [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
 
@@ -61,7 +61,6 @@ class Outputs {
 
   const RunOptions& options_;
   machine::VirtualMachine& machine_;
-  std::string dialect_;
   std::vector<Output> outputs_;  // in the order in which they are completed
   std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;

@@ -5,6 +5,7 @@
 #include "cli/machine_setup.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
+#include "cli/run_report.hpp"
 #include "machine/state_file.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/summary.hpp"
@@ -19,17 +20,9 @@ void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), st
 
 void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready,
             const std::vector<std::string>& written) {
-  const bool json = options.diagnostics == DiagnosticFormat::json;
-  if (machine.alarm()) {
-    tell(json ? output::diagnostic_json(*machine.alarm(), machine.sources())
-              : output::diagnostic_text(*machine.alarm(), machine.sources()));
-  }
-  if (machine.notice()) {
-    tell(json ? output::diagnostic_json(*machine.notice(), machine.sources())
-              : output::diagnostic_text(*machine.notice(), machine.sources()));
-  }
-  if (json) return;
-  tell(output::summary_text(machine, ready.dialect));
+  report_diagnostics(machine, options.diagnostics);
+  if (options.diagnostics == DiagnosticFormat::json) return;
+  tell(output::summary_text(machine));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
   for (const std::string& path : written) tell("  wrote " + output::printable(path) + "\n");
 }
@@ -38,7 +31,7 @@ Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) 
   Progress progress;
   if (progress.wanted()) {
     machine.observe_progress([&] {
-      const base::Place place = machine.controller().standing_at();
+      const base::Place place = machine.control().standing_at();
       const bool in_main = place.file == base::FileId{0};
       if (!in_main) return;
       progress.show(place.line_start, machine.sources()[place.file].size(),
@@ -59,7 +52,7 @@ ExitStatus run(const RunOptions& options) {
   Outputs outputs(options, machine);
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
   const Status status = run_showing_progress(options, machine);
-  if (auto committed = outputs.commit(ready->dialect); !committed) return fail(committed.error());
+  if (auto committed = outputs.commit(); !committed) return fail(committed.error());
   if (!options.state.empty()) {
     if (auto written = machine::write_state(options.state, machine.memory()); !written)
       return fail(written.error());

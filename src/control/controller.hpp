@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "control/auxiliary.hpp"
 #include "control/block_buffer.hpp"
 #include "control/canned_cycle.hpp"
+#include "control/control.hpp"
 #include "control/program_calls.hpp"
 #include "control/references.hpp"
 #include "control/settings.hpp"
@@ -20,20 +20,9 @@
 
 namespace kerf::control {
 
-/// Why the control has given up control.
-enum class Halt : std::uint8_t {
-  none,           ///< it can go on
-  single_block,   ///< a block is over and single block is on
-  program_stop,   ///< M00
-  optional_stop,  ///< M01 with the switch on
-  message,        ///< #3006
-  end,            ///< M02, M30
-  alarm
-};
-
 /// The control of a machining centre: executes the blocks that the interpreter hands it and emits
 /// what the machine must do. Reads all its settings from the machine; knows neither time nor files.
-class Controller : public vm::Host, private Whereabouts {
+class Controller : public Control, public vm::Host, private Whereabouts {
  public:
   Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory,
              gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings,
@@ -42,39 +31,40 @@ class Controller : public vm::Host, private Whereabouts {
   /// Power-on state of everything but memory and position, standing at the head of `main`.
   void start(vm::CodeId main);
 
-  /// The reset button: power-on state of all modes and words, volatile variables vacant, no alarm.
-  /// The tool stays where it is, and so do offsets and the G92 shift.
-  void reset();
-
-  /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the
-  /// motions is not ready, or the budget is used up. Not after an end or an alarm.
-  Halt run(std::uint64_t instructions);
-
-  [[nodiscard]] Halt halt() const { return halt_; }
-  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarms_.alarm(); }
-  [[nodiscard]] const Assumptions& assumptions() const { return assumptions_; }
-  [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
   [[nodiscard]] const Coordinates& coordinates() const { return state_.coordinates; }
-  /// Machine coordinates as #5021 reads them: tool length included.
-  [[nodiscard]] base::AxisVector machine_position() const;
   [[nodiscard]] std::span<double> first_level_locals() {
     return interpreter_.locals_of_first_level();
   }
   [[nodiscard]] std::span<double> running_locals() { return interpreter_.locals(); }
-  /// The text that is executing, or that comes next.
-  [[nodiscard]] base::Place standing_at() { return interpreter_.place(); }
-  [[nodiscard]] std::string running_program() const { return calls_.running_name(); }
 
-  /// Stops behind every NC block; behind macro statements only with parameter SBM.
-  void set_single_block(bool on);
-  void set_optional_stop(bool on) { optional_stop_ = on; }
-  void set_block_skip(std::uint32_t levels) { interpreter_.set_switches(levels); }
-  /// Called at the beginning of each block with its line and file; slows down.
-  using BlockObserver = std::function<void(base::FileId file, std::uint32_t line)>;
-  void observe_blocks(BlockObserver observer);
+  // Control
 
-  /// The signal of a macro interrupt; answered at the next block when M96 has allowed it.
-  void interrupt() { interrupt_pending_ = true; }
+  Halt run(std::uint64_t instructions) override;
+  /// Volatile variables vacant; offsets and the G92 shift stay.
+  void reset() override;
+  [[nodiscard]] Halt halt() const override { return halt_; }
+  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const override {
+    return alarms_.alarm();
+  }
+  [[nodiscard]] const Assumptions& assumptions() const override { return assumptions_; }
+  [[nodiscard]] std::uint64_t blocks() const override { return blocks_; }
+  /// As #5021 reads them.
+  [[nodiscard]] base::AxisVector machine_position() const override;
+  [[nodiscard]] base::AxisVector tool_length() const override {
+    return state_.coordinates.length();
+  }
+  [[nodiscard]] base::AxisVector work_origin() const override {
+    return state_.coordinates.origin();
+  }
+  [[nodiscard]] base::Place standing_at() override { return interpreter_.place(); }
+  [[nodiscard]] std::string running_program() const override { return calls_.running_name(); }
+  /// Behind every NC block; behind macro statements only with parameter SBM.
+  void set_single_block(bool on) override;
+  void set_optional_stop(bool on) override { optional_stop_ = on; }
+  void set_block_skip(std::uint32_t levels) override { interpreter_.set_switches(levels); }
+  void observe_blocks(BlockObserver observer) override;
+  /// Answered at the next block when M96 has allowed it.
+  void interrupt() override { interrupt_pending_ = true; }
 
   /// Writes a variable from outside, before the start: `#number`. Failure: why not.
   [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);

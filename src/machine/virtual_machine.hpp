@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -11,13 +10,13 @@
 #include <vector>
 
 #include "base/source_file.hpp"
-#include "control/controller.hpp"
+#include "control/control.hpp"
 #include "control/memory.hpp"
-#include "lang/gcode/code_library.hpp"
+#include "machine/dialect.hpp"
 #include "machine/machine_definition.hpp"
-#include "machine/program_shelf.hpp"
 #include "machine/run_statistics.hpp"
 #include "machine/servo.hpp"
+#include "machine/signals.hpp"
 
 namespace kerf::machine {
 
@@ -52,7 +51,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   };
 
   struct Settings {
-    gcode::CodeLibrary::Settings library;
+    vm::PageSettings pages;
+    std::string dialect;  ///< of available_dialects(); empty: the machine's own
   };
 
   VirtualMachine(const MachineDefinition& definition, control::Memory memory)
@@ -66,7 +66,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// The file whose first program is to run. Alarms in its structure (PS0073, PS0074) are raised at
   /// cycle start.
   void load(std::unique_ptr<base::SourceFile> file);
-  void add_library_folder(const std::string& folder) { shelf_.add_folder(folder); }
+  void add_library_folder(const std::string& folder) { dialect_->add_library_folder(folder); }
   /// Called every few milliseconds of computing while the machine runs.
   void observe_progress(std::function<void()> observer) { progress_ = std::move(observer); }
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
@@ -80,16 +80,18 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
     print_output_ = std::move(output);
   }
   void add_skip_contact(const SkipContact& contact) { contacts_.push_back(contact); }
-  /// A variable, an input bit (#1000 to #1035), or the calendar (#3011, #3012). Before the start #1
-  /// to #33 are those of the main program. Failure (usage).
-  [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
+  /// A variable by its name in the program's language ("#100"). Before the start local ones are
+  /// those of the main program. Failure (usage).
+  [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) {
+    return dialect_->set_variable(name, value);
+  }
 
   // The panel
 
-  void set_single_block(bool on) { controller_->set_single_block(on); }
-  void set_optional_stop(bool on) { controller_->set_optional_stop(on); }
+  void set_single_block(bool on) { dialect_->control().set_single_block(on); }
+  void set_optional_stop(bool on) { dialect_->control().set_optional_stop(on); }
   /// One bit per level: bit n for /n, n = 1 to 9.
-  void set_block_skip(std::uint32_t levels) { controller_->set_block_skip(levels); }
+  void set_block_skip(std::uint32_t levels) { dialect_->control().set_block_skip(levels); }
 
   /// Starts the program, or goes on after a stop, until the next stop.
   Status cycle_start(const Budget& budget = {});
@@ -98,16 +100,16 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// Modal state, modal calls, local and volatile variables go; position and offsets stay.
   void reset();
   /// The signal of a macro interrupt (M96).
-  void interrupt() { controller_->interrupt(); }
+  void interrupt() { dialect_->control().interrupt(); }
   /// Called at the beginning of every block; slows the machine down.
-  void observe_blocks(control::Controller::BlockObserver observer) {
-    controller_->observe_blocks(std::move(observer));
+  void observe_blocks(control::Control::BlockObserver observer) {
+    dialect_->control().observe_blocks(std::move(observer));
   }
 
   // What there is to see
 
   [[nodiscard]] Status status() const { return status_; }
-  [[nodiscard]] control::Halt halt() const { return controller_->halt(); }
+  [[nodiscard]] control::Halt halt() const { return dialect_->control().halt(); }
   [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
   /// Why and where a budget ended the run.
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
@@ -115,36 +117,36 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
   /// Time that the axes took so far, dwells included.
   [[nodiscard]] double time_s() const { return servo_.time_s(); }
-  [[nodiscard]] control::Controller& controller() { return *controller_; }
+  [[nodiscard]] const std::string& dialect() const { return dialect_name_; }
+  [[nodiscard]] control::Control& control() { return dialect_->control(); }
   [[nodiscard]] control::Memory& memory() { return memory_; }
   /// Machine coordinates of all axes, tool length included: where the last motion ended that was
   /// within the budget; after an alarm of a drive, where the axes are.
   [[nodiscard]] base::AxisVector position() const;
   [[nodiscard]] const base::SourceSet& sources() const { return sources_; }
-  [[nodiscard]] gcode::CodeLibrary& library() { return library_; }
   /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
-  [[nodiscard]] std::string program_name() const;
+  [[nodiscard]] std::string program_name() const { return dialect_->program_name(); }
+  /// The program's variables that are not null, in the order of its language.
+  [[nodiscard]] std::vector<Variable> variables() { return dialect_->variables(); }
+  /// Mistakes of the loaded programs that show without running them.
+  [[nodiscard]] std::vector<base::Diagnostic> check() { return dialect_->check(); }
 
  private:
   // control::Surroundings
   double seconds() override;
-  double date() override;
-  double time_of_day() override;
+  double date() override { return signals_.date(seconds()); }
+  double time_of_day() override { return signals_.time_of_day(seconds()); }
   std::optional<control::Refusal> refusal(const base::AxisVector& from, const control::Motion& move,
                                           Intent intent) override;
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
-  std::uint32_t inputs(std::size_t word) override { return inputs_[word]; }
+  std::uint32_t inputs(std::size_t word) override { return signals_.inputs(word); }
   void print(std::string_view text) override;
 
   // control::MotionSink
   void take(const control::Motion& motion) override;
   bool ready() const override;
   [[nodiscard]] bool all_motions_made() const;
-  base::Outcome<void> set_input(std::uint32_t number, double value);
-  base::Outcome<void> set_date(double value);
-  base::Outcome<void> set_time(double value);
 
-  void power_on();
   bool start_program();
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
@@ -156,8 +158,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   MachineDefinition definition_;
   control::Memory memory_;
   base::SourceSet sources_;
-  gcode::CodeLibrary library_;
-  ProgramShelf shelf_;
+  Signals signals_;
   RunStatistics statistics_;
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
@@ -165,20 +166,16 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::function<void(std::string_view)> print_output_;
   std::function<void()> progress_;
   std::deque<SkipContact> contacts_;
-  std::array<std::uint32_t, 4> inputs_{};
-  std::unique_ptr<control::Controller> controller_;
+  std::string dialect_name_;
+  std::unique_ptr<Dialect> dialect_;
   std::optional<base::Diagnostic> alarm_;
   std::optional<base::Diagnostic> drive_alarm_;
   std::optional<base::Diagnostic> notice_;
-  std::chrono::sys_days start_day_ = std::chrono::year{2025} / 1 / 1;
-  double start_second_ = 0;  // of the day
   Status status_ = Status::idle;
-  std::array<double, gcode::kLocals> first_locals_;  // of the main program, from outside
   double most_seconds_ = 0;
   std::uint64_t most_motions_ = 0;
   std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
   bool motions_spent_ = false;   // one more than most_motions_ was asked for
-  base::FileId main_file_ = base::kNoFile;
 };
 
 }  // namespace kerf::machine

@@ -87,7 +87,7 @@ std::string extents_json(VirtualMachine& machine) {
 }
 
 base::AxisVector work_position(VirtualMachine& machine) {
-  return machine.position() - machine.controller().coordinates().origin();
+  return machine.position() - machine.control().work_origin();
 }
 
 std::string position_json(VirtualMachine& machine) {
@@ -98,7 +98,7 @@ std::string position_json(VirtualMachine& machine) {
 }
 
 std::vector<control::Assumption> assumptions(VirtualMachine& machine) {
-  std::vector<control::Assumption> list = machine.controller().assumptions().list();
+  std::vector<control::Assumption> list = machine.control().assumptions().list();
   if (machine.statistics().untimed_line() != 0) {
     list.push_back({machine.statistics().untimed_line(),
                     "feed per revolution without a spindle speed: its time is not counted"});
@@ -116,15 +116,8 @@ std::string assumed_json(VirtualMachine& machine) {
 
 std::string variables_json(VirtualMachine& machine) {
   Object object;
-  const auto put = [&](std::size_t number, double value) {
-    if (!vm::is_null(value)) object.number("#" + std::to_string(number), value);
-  };
-  const std::span<double> locals = machine.controller().first_level_locals();
-  for (std::size_t i = 1; i < locals.size(); ++i) put(i, locals[i]);
-  const auto& commons = machine.memory().commons;
-  for (std::size_t i = 0; i < commons.size(); ++i) {
-    put(i < gcode::kVolatileCommons ? 100 + i : 500 + i - gcode::kVolatileCommons, commons[i]);
-  }
+  for (const machine::Variable& variable : machine.variables())
+    object.number(variable.name, variable.value);
   return object.done();
 }
 
@@ -142,7 +135,7 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
+std::string summary_json(VirtualMachine& machine) {
   const machine::RunStatistics& run = machine.statistics();
   std::vector<std::string> tools;
   for (const std::uint32_t tool : run.tools()) tools.push_back(std::to_string(tool));
@@ -151,10 +144,10 @@ std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
   Object object;
   object.text("program", machine.program_name()).text("file", main_file(machine));
   object.text("machine", machine.definition().name)
-      .text("dialect", dialect)
+      .text("dialect", machine.dialect())
       .text("status", status_name(machine.status()));
   object.raw("alarm", alarm_json(machine));
-  object.number("blocks", static_cast<double>(machine.controller().blocks()))
+  object.number("blocks", static_cast<double>(machine.control().blocks()))
       .number("motions", static_cast<double>(run.motions()));
   object.number("time_s", base::tidy(machine.time_s()))
       .number("time_feed_s", base::tidy(run.feed_seconds()))
@@ -168,13 +161,14 @@ std::string summary_json(VirtualMachine& machine, const std::string& dialect) {
   return object.done() + "\n";
 }
 
-std::string summary_text(VirtualMachine& machine, const std::string& dialect) {
+std::string summary_text(VirtualMachine& machine) {
   const machine::RunStatistics& run = machine.statistics();
   const control::AxisSetup& axes = machine.definition().axes;
-  std::string text = fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
-                                 machine.definition().name, dialect, status_name(machine.status()));
+  std::string text =
+      fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
+                  machine.definition().name, machine.dialect(), status_name(machine.status()));
   text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n",
-                      machine.controller().blocks(), run.motions(), duration_text(machine.time_s()),
+                      machine.control().blocks(), run.motions(), duration_text(machine.time_s()),
                       duration_text(run.feed_seconds()));
   text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm(), run.cut_mm());
   for (std::size_t i = 0; i < axes.count() && run.motions() > 0; ++i) {

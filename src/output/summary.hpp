@@ -7,11 +7,9 @@
 namespace kerf::output {
 
 /// The summary of a run as one JSON object on one line (docs/command-line.md).
-[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine,
-                                       const std::string& dialect);
+[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine);
 
 /// The same for people: a few lines of text.
-[[nodiscard]] std::string summary_text(machine::VirtualMachine& machine,
-                                       const std::string& dialect);
+[[nodiscard]] std::string summary_text(machine::VirtualMachine& machine);
 
 }  // namespace kerf::output

@@ -31,9 +31,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint8_t choice = data[0];
   static const auto definition = *machine::find_machine("laser3");
   machine::VirtualMachine::Settings settings;
-  settings.library.lines_per_page = 1U << (choice & 7U);
-  settings.library.fresh_pages = 2;
-  settings.library.most_pages = 64;
+  settings.pages.lines_per_page = 1U << (choice & 7U);
+  settings.pages.fresh_pages = 2;
+  settings.pages.most_pages = 64;
   machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
                                   settings);
   machine.load(

@@ -12,6 +12,7 @@
 #include "cli/arguments.hpp"
 #include "cli/machine_setup.hpp"
 #include "expectations.hpp"
+#include "fanuc.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
 #include "temporary_folder.hpp"
@@ -42,7 +43,7 @@ const char* status_name(Status status) {
 // #1 to #33 of the main program's level, #100 to #199, #500 to #999.
 double variable(VirtualMachine& machine, const std::string& name) {
   const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
-  if (number < gcode::kLocals) return machine.controller().first_level_locals()[number];
+  if (number < gcode::kLocals) return fanuc(machine).first_level_locals()[number];
   if (number < 200) return machine.memory().commons[number - 100];
   return machine.memory().commons[number - 500 + gcode::kVolatileCommons];
 }
@@ -116,7 +117,7 @@ void TextTest::run() {
 
 double TextTest::local(const std::string& name) {
   const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
-  if (number < gcode::kLocals) return machine_->controller().running_locals()[number];
+  if (number < gcode::kLocals) return fanuc(*machine_).running_locals()[number];
   return variable(*machine_, name);
 }
 
@@ -208,7 +209,7 @@ void TextTest::check_records() {
 }
 
 void TextTest::check_assumed() {
-  const auto& list = machine_->controller().assumptions().list();
+  const auto& list = machine_->control().assumptions().list();
   for (const auto& [line, text] : expected_.assumed_in_line) {
     const bool found = std::any_of(
         list.begin(), list.end(),
@@ -224,8 +225,8 @@ void TextTest::check_assumed() {
 }
 
 void TextTest::check_positions() {
-  const base::AxisVector machine = machine_->controller().machine_position();
-  const base::AxisVector work = machine - machine_->controller().coordinates().origin();
+  const base::AxisVector machine = machine_->control().machine_position();
+  const base::AxisVector work = machine - machine_->control().work_origin();
   const auto check = [&](const std::vector<WantedPosition>& wanted, const base::AxisVector& got,
                          const char* system) {
     for (const WantedPosition& item : wanted) {

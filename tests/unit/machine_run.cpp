@@ -97,7 +97,7 @@ RunResult run_program(const std::string& program, const RunSetup& setup) {
   result.seconds = machine.statistics().feed_seconds();
   result.low = machine.statistics().low();
   result.high = machine.statistics().high();
-  result.position = machine.controller().machine_position();
+  result.position = machine.control().machine_position();
   return result;
 }
 

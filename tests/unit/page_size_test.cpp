@@ -11,6 +11,7 @@
 #include "cli/arguments.hpp"
 #include "cli/machine_setup.hpp"
 #include "expectations.hpp"
+#include "fanuc.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
 #include "temporary_folder.hpp"
@@ -36,13 +37,14 @@ std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
   auto ready =
       cli::set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
                    options.decimal_point, options.tools, options.offsets, options.state},
-                  options.program);
+                  **base::SourceFile::open(options.program));
   if (!ready) {
     ADD_FAILURE() << ready.error().message;
     return nullptr;
   }
-  auto machine = std::make_unique<VirtualMachine>(
-      ready->machine->definition(), ready->machine->memory(), VirtualMachine::Settings{settings});
+  auto machine =
+      std::make_unique<VirtualMachine>(ready->machine->definition(), ready->machine->memory(),
+                                       VirtualMachine::Settings{settings, {}});
   machine->load(std::move(*base::SourceFile::open(options.program)));
   std::uint32_t levels = 0;
   for (const char c : options.block_skip) {
@@ -52,15 +54,13 @@ std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
   machine->set_optional_stop(options.optional_stop);
   for (const std::string& text : options.variables) {
     const auto setting = cli::split_setting(text, "--set");
-    const auto set = machine->set_variable(
-        static_cast<std::uint32_t>(*cli::parse_number(setting->key.substr(1))),
-        *cli::parse_number(setting->value));
+    const auto set = machine->set_variable(setting->key, *base::parse_number(setting->value));
     EXPECT_TRUE(set) << text;
   }
   for (const std::string& text : options.skip_at) {
     const auto setting = cli::split_setting(text, "--skip-at");
     machine->add_skip_contact(
-        {*machine->definition().axes.find(setting->key[0]), *cli::parse_number(setting->value)});
+        {*machine->definition().axes.find(setting->key[0]), *base::parse_number(setting->value)});
   }
   return machine;
 }
@@ -97,13 +97,13 @@ std::vector<std::string> story_of(const cli::RunOptions& options, const Settings
     if (!vm::is_null(value))
       story.push_back("#" + std::to_string(number) + "=" + base::number_text(value));
   };
-  const auto locals = machine->controller().first_level_locals();
+  const auto locals = fanuc(*machine).first_level_locals();
   for (std::size_t i = 0; i < locals.size(); ++i) variable(i, locals[i]);
   const auto& commons = machine->memory().commons;
   for (std::size_t i = 0; i < commons.size(); ++i)
     variable(i < gcode::kVolatileCommons ? 100 + i : 400 + i, commons[i]);
   story.push_back("printed " + printed);
-  story.push_back("blocks " + std::to_string(machine->controller().blocks()));
+  story.push_back("blocks " + std::to_string(machine->control().blocks()));
   story.push_back("status " + std::to_string(static_cast<int>(status)));
   return story;
 }

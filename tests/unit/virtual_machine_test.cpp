@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lang/vm/value.hpp"
 #include "machine/machine_definition.hpp"
 
 namespace kerf::test {
@@ -25,8 +26,8 @@ class Panel : public ::testing::Test {
     machine_->load(base::SourceFile::from_text("part.nc", program));
     return *machine_;
   }
-  double x() { return machine_->controller().machine_position().values[0]; }
-  std::uint32_t line() { return machine_->controller().standing_at().line; }
+  double x() { return machine_->control().machine_position().values[0]; }
+  std::uint32_t line() { return machine_->control().standing_at().line; }
 
   std::optional<VirtualMachine> machine_;
 };

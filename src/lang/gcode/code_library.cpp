@@ -8,10 +8,7 @@
 namespace kerf::gcode {
 
 CodeLibrary::CodeLibrary(base::SourceSet& sources, const Settings& settings)
-    : sources_(sources),
-      settings_(settings),
-      compiler_(settings.lines_per_page),
-      allowed_(settings.fresh_pages) {}
+    : sources_(sources), compiler_(settings.lines_per_page), pages_(settings) {}
 
 CodeLibrary::~CodeLibrary() = default;
 
@@ -56,49 +53,17 @@ std::optional<vm::CodeId> CodeLibrary::find_outside(base::FileId file, std::uint
   return std::nullopt;
 }
 
-CodeLibrary::Slot* CodeLibrary::find_slot(vm::CodeId code, std::uint32_t number) {
-  const auto holds = [&](const Slot& slot) {
-    return slot.page->code == code && slot.page->number == number;
-  };
-  if (newest_ < slots_.size() && holds(slots_[newest_])) return &slots_[newest_];
-  const auto found = std::find_if(slots_.begin(), slots_.end(), holds);
-  return found == slots_.end() ? nullptr : &*found;
-}
-
-// A page that had to be thrown away and is wanted again: the program loops, so more pages stay.
-CodeLibrary::Slot& CodeLibrary::free_slot(bool seen_before) {
-  if (seen_before) allowed_ = std::min(allowed_ * 2, settings_.most_pages);
-  if (slots_.empty() || (slots_.size() < allowed_ && bytes_held() < settings_.most_bytes))
-    return slots_.emplace_back(Slot{std::make_unique<GcodePage>(), 0});
-  return *std::min_element(slots_.begin(), slots_.end(),
-                           [](const Slot& a, const Slot& b) { return a.used < b.used; });
-}
-
-std::size_t CodeLibrary::bytes_held() const {
-  std::size_t bytes = 0;
-  for (const Slot& slot : slots_) bytes += slot.page->bytes();
-  return bytes;
-}
-
 GcodePage& CodeLibrary::page(vm::CodeId code, std::uint32_t number) {
-  Slot* slot = find_slot(code, number);
-  if (slot == nullptr) {
-    learn_starts(code, number);
-    const bool seen_before = program(code).starts.size() > number + 1 || program(code).complete;
-    slot = &free_slot(seen_before && slots_.size() >= allowed_);
-    compile(code, number, *slot);
-  }
-  slot->used = ++clock_;
-  newest_ = static_cast<std::size_t>(slot - slots_.data());
-  return *slot->page;
+  if (GcodePage* const kept = pages_.find(code, number)) return *kept;
+  learn_starts(code, number);
+  const bool seen_before = program(code).starts.size() > number + 1 || program(code).complete;
+  return compile(code, number, seen_before);
 }
 
 // Compiles a page and notes where the next one begins.
-void CodeLibrary::compile(vm::CodeId code, std::uint32_t number, Slot& slot) {
+GcodePage& CodeLibrary::compile(vm::CodeId code, std::uint32_t number, bool seen_before) {
   Program& target = program(code);
-  GcodePage& page = *slot.page;
-  page.code = code;
-  page.number = number;
+  GcodePage& page = pages_.make_room(code, number, seen_before);
   compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end,
                     names_, page);
   if (page.last) {
@@ -106,6 +71,7 @@ void CodeLibrary::compile(vm::CodeId code, std::uint32_t number, Slot& slot) {
   } else if (target.starts.size() == number + 1) {
     target.starts.push_back({page.text_end, page.next_line, page.text_end});
   }
+  return page;
 }
 
 // A page that nobody has come near yet: the pages before it tell where it begins.
@@ -113,7 +79,7 @@ void CodeLibrary::learn_starts(vm::CodeId code, std::uint32_t number) {
   while (program(code).starts.size() <= number) {
     assert(!program(code).complete);
     const auto last = static_cast<std::uint32_t>(program(code).starts.size() - 1);
-    compile(code, last, free_slot(false));
+    compile(code, last, false);
   }
 }
 

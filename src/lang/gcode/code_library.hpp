@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -13,22 +12,15 @@
 #include "lang/gcode/page_compiler.hpp"
 #include "lang/gcode/program_directory.hpp"
 #include "lang/vm/code_page.hpp"
+#include "lang/vm/page_store.hpp"
 
 namespace kerf::gcode {
 
-/// All programs that a machine can call, compiled page by page when they are reached.
-///
-/// Pages are kept in a bounded store: a program that runs straight on uses the same few over and
-/// over, so its length costs nothing; a program that comes back to a page that had to go keeps more
-/// of them from then on, so that no loop reads its text twice per pass.
+/// All programs that a machine can call, compiled page by page when they are reached; pages are
+/// kept in a bounded store.
 class CodeLibrary : public vm::CodeSource {
  public:
-  struct Settings {
-    std::uint32_t lines_per_page = 256;
-    std::size_t fresh_pages = 8;         ///< kept while a program runs straight on
-    std::size_t most_pages = 1024;       ///< kept at most, some 30 MiB
-    std::size_t most_bytes = 64U << 20;  ///< of pages, when they are larger than usual
-  };
+  using Settings = vm::PageSettings;
 
   explicit CodeLibrary(base::SourceSet& sources) : CodeLibrary(sources, Settings{}) {}
   CodeLibrary(base::SourceSet& sources, const Settings& settings);
@@ -76,33 +68,21 @@ class CodeLibrary : public vm::CodeSource {
     std::optional<std::vector<PlacedLabel>> labels;  ///< sorted by number, then address
     std::map<vm::Address, vm::Region> regions{};     ///< resolved ones, by page and number
   };
-  struct Slot {
-    std::unique_ptr<GcodePage> page;
-    std::uint64_t used = 0;
-  };
-
   Program& program(vm::CodeId code) { return programs_[static_cast<std::size_t>(code)]; }
-  Slot* find_slot(vm::CodeId code, std::uint32_t number);
-  Slot& free_slot(bool seen_before);
-  [[nodiscard]] std::size_t bytes_held() const;
-  void compile(vm::CodeId code, std::uint32_t number, Slot& slot);
+  GcodePage& compile(vm::CodeId code, std::uint32_t number, bool seen_before);
   void learn_starts(vm::CodeId code, std::uint32_t number);
   const std::vector<PlacedLabel>& labels_of(vm::CodeId code);
   void check_page(vm::CodeId code, std::uint32_t number, std::vector<base::Diagnostic>& found);
   void add_programs(base::FileId file, std::uint32_t number_from_name);
 
   base::SourceSet& sources_;
-  Settings settings_;
   PageCompiler compiler_;
+  vm::PageStore<GcodePage> pages_;
   NameTable names_;
   std::vector<Program> programs_;
   std::unordered_map<std::uint32_t, vm::CodeId> by_number_;  // the first of each
   std::unordered_map<std::string, vm::CodeId> by_name_;
   std::vector<base::Diagnostic> findings_;
-  std::vector<Slot> slots_;
-  std::size_t newest_ = 0;   // slot that was asked for last
-  std::size_t allowed_ = 0;  // slots in use at most, for now
-  std::uint64_t clock_ = 0;
 };
 
 }  // namespace kerf::gcode

@@ -1,0 +1,21 @@
+#include "cli/run_report.hpp"
+
+#include <cstdio>
+
+#include "output/diagnostic_text.hpp"
+
+namespace kerf::cli {
+
+void report_diagnostics(machine::VirtualMachine& machine, DiagnosticFormat format) {
+  const auto tell = [&](const base::Diagnostic& diagnostic) {
+    const std::string text = format == DiagnosticFormat::json
+                                 ? output::diagnostic_json(diagnostic, machine.sources())
+                                 : output::diagnostic_text(diagnostic, machine.sources());
+    std::fwrite(text.data(), 1, text.size(), stderr);
+  };
+  for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
+  if (machine.alarm()) tell(*machine.alarm());
+  if (machine.notice()) tell(*machine.notice());
+}
+
+}  // namespace kerf::cli

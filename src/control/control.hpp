@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/axes.hpp"
+#include "base/diagnostic.hpp"
+#include "base/place.hpp"
+#include "control/assumptions.hpp"
+
+namespace kerf::control {
+
+/// Why the control has given up control.
+enum class Halt : std::uint8_t {
+  none,           ///< it can go on
+  single_block,   ///< a block is over and single block is on
+  program_stop,   ///< M00
+  optional_stop,  ///< M01 with the switch on
+  message,        ///< #3006
+  end,            ///< the program's end: M02, M30, END
+  alarm
+};
+
+/// A control as its machine sees it: executes a program of its language and emits what the machine
+/// must do. How a program gets into it and is started is the matter of each.
+class Control {
+ public:
+  /// Called at the beginning of each block with its file and line.
+  using BlockObserver = std::function<void(base::FileId file, std::uint32_t line)>;
+
+  Control() = default;
+  virtual ~Control() = default;
+  Control(const Control&) = delete;
+  Control& operator=(const Control&) = delete;
+
+  /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the
+  /// motions is not ready, or the budget is used up. Not after an end or an alarm.
+  virtual Halt run(std::uint64_t instructions) = 0;
+  /// The reset button: no alarm, modes as at power-on. The tool stays where it is.
+  virtual void reset() = 0;
+
+  [[nodiscard]] virtual Halt halt() const = 0;
+  [[nodiscard]] virtual const std::optional<base::Diagnostic>& alarm() const = 0;
+  /// What was accepted although it is probably a mistake: of each place and code the first one, and
+  /// not more than kMostWarnings of them.
+  [[nodiscard]] const std::vector<base::Diagnostic>& warnings() const { return warnings_; }
+  static constexpr std::size_t kMostWarnings = 100;
+  /// What was accepted and may surprise.
+  [[nodiscard]] virtual const Assumptions& assumptions() const = 0;
+  /// Blocks that were executed: of a language without blocks, statements that did something.
+  [[nodiscard]] virtual std::uint64_t blocks() const = 0;
+
+  /// Machine coordinates of all axes, tool length included.
+  [[nodiscard]] virtual base::AxisVector machine_position() const = 0;
+  /// What of them is the tool's length.
+  [[nodiscard]] virtual base::AxisVector tool_length() const = 0;
+  /// Where the zero of the active work coordinate system lies.
+  [[nodiscard]] virtual base::AxisVector work_origin() const = 0;
+
+  /// The text that is executing, or that comes next.
+  [[nodiscard]] virtual base::Place standing_at() = 0;
+  [[nodiscard]] virtual std::string running_program() const = 0;
+
+  virtual void set_single_block(bool on) = 0;
+  virtual void set_optional_stop(bool on) = 0;
+  /// One bit per level: bit n for /n, n = 1 to 9.
+  virtual void set_block_skip(std::uint32_t levels) = 0;
+  /// Slows down.
+  virtual void observe_blocks(BlockObserver observer) = 0;
+  /// The signal of a macro interrupt.
+  virtual void interrupt() = 0;
+
+ protected:
+  /// Cheap where the same was said before.
+  void warn(base::Code code, const base::Place& place, const std::string& detail,
+            const std::string& program);
+  void forget_warnings() { warnings_.clear(); }
+
+ private:
+  std::vector<base::Diagnostic> warnings_;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,112 @@
+#include "machine/internal/gcode_dialect.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/decimal.hpp"
+#include "lang/vm/value.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr double kMostVariable = 999999;
+
+// The number behind '#', or nothing.
+std::optional<std::uint32_t> variable_number(const std::string& name) {
+  if (name.size() < 2 || name[0] != '#') return std::nullopt;
+  const auto number = base::parse_number(name.substr(1));
+  if (!number || *number < 0 || *number > kMostVariable || *number != std::floor(*number))
+    return std::nullopt;
+  return static_cast<std::uint32_t>(*number);
+}
+
+std::uint32_t number_of_common(std::size_t index) {
+  const auto common = static_cast<std::uint32_t>(index);
+  return common < gcode::kVolatileCommons ? 100 + common : 500 + common - gcode::kVolatileCommons;
+}
+
+}  // namespace
+
+GcodeDialect::GcodeDialect(const Around& around)
+    : memory_(around.memory),
+      sources_(around.sources),
+      signals_(around.signals),
+      library_(around.sources, around.pages),
+      shelf_(around.sources, library_),
+      controller_(around.definition.parameters, around.definition.axes, around.memory, library_,
+                  shelf_, around.surroundings, around.sink) {
+  first_locals_.fill(vm::kNull);
+}
+
+void GcodeDialect::load(base::FileId file) {
+  const std::string& name = sources_[file].name();
+  if (name != "-") {
+    shelf_.know(name);
+    shelf_.add_folder(std::filesystem::path(name).parent_path().string());
+  }
+  main_file_ = file;
+  library_.add_file(file);
+}
+
+std::string GcodeDialect::program_name() const {
+  if (library_.program_count() == 0) return "O0000";
+  return gcode::name_of(library_.entry(vm::CodeId{0}));
+}
+
+// Alarms in the structure of the file (PS0073, PS0074) come before its first block.
+std::optional<base::Diagnostic> GcodeDialect::start() {
+  if (!library_.findings().empty()) return library_.findings().front();
+  if (library_.program_count() == 0)
+    return base::make_error(base::Code::empty_program,
+                            {.file = main_file_, .line = 1, .column = 1});
+  controller_.start(vm::CodeId{0});
+  const std::span<double> locals = controller_.running_locals();
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    if (!vm::is_null(first_locals_[i])) locals[i] = first_locals_[i];
+  }
+  first_locals_.fill(vm::kNull);
+  started_ = true;
+  return std::nullopt;
+}
+
+void GcodeDialect::reset() {
+  controller_.reset();
+  started_ = false;
+}
+
+// Every block that does not compile, whether it is reached or not.
+std::vector<base::Diagnostic> GcodeDialect::check() {
+  std::vector<base::Diagnostic> found = library_.findings();
+  for (base::Diagnostic& diagnostic : found) diagnostic.program = program_name();
+  for (std::size_t program = 0; program < library_.program_count(); ++program) {
+    for (base::Diagnostic& diagnostic : library_.check(vm::CodeId(program)))
+      found.push_back(std::move(diagnostic));
+  }
+  return found;
+}
+
+base::Outcome<void> GcodeDialect::set_variable(const std::string& name, double value) {
+  const auto number = variable_number(name);
+  if (!number)
+    return tl::unexpected(base::Failure{base::Failure::Kind::usage, "'#NUMBER=VALUE' is expected"});
+  if (const auto set = signals_.set(*number, value)) return *set;
+  if (!started_ && *number > 0 && *number < gcode::kLocals) {
+    first_locals_[*number] = value;
+    return {};
+  }
+  return controller_.set_variable(*number, value);
+}
+
+std::vector<Variable> GcodeDialect::variables() {
+  std::vector<Variable> list;
+  const auto put = [&](std::size_t number, double value) {
+    if (!vm::is_null(value)) list.push_back({"#" + std::to_string(number), value});
+  };
+  const std::span<double> locals = controller_.first_level_locals();
+  for (std::size_t i = 1; i < locals.size(); ++i) put(i, locals[i]);
+  for (std::size_t i = 0; i < memory_.commons.size(); ++i)
+    put(number_of_common(i), memory_.commons[i]);
+  return list;
+}
+
+}  // namespace kerf::machine

@@ -31,7 +31,13 @@ Code code_of(vm::Fault fault) {
     case vm::Fault::region_open:
     case vm::Fault::region_crossing: return Code::missing_end;
     case vm::Fault::region_not_entered: return Code::end_without_do;
-    case vm::Fault::none: break;
+    case vm::Fault::none:
+    case vm::Fault::zero_step:
+    case vm::Fault::loop_depth:
+    case vm::Fault::loop_not_open:
+    case vm::Fault::call_depth:
+    case vm::Fault::return_without_call:
+    case vm::Fault::steps_spent: break;  // of no instruction of macros
   }
   return Code::macro_format;
 }

@@ -28,11 +28,11 @@ struct CellBounds {
 /// Between two set-points the tip leaves a path of curvature κ by the deviation of the chord c = v
 /// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
 /// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
-/// What lies beside a bend may be driven faster, with acceleration a. Where a chord over both begins
-/// to leave the path farther, speeds differ by some a T / 8, and it is by a share of g / 64 with g =
-/// a T² / c: so much less is c². Where g > 1 the borders of the bend are driven at 0.95 of their
-/// speed, which is enough up to g = 2, and then so slowly that y = v T <= c/2 of them is passed in a
-/// period, and y² + 2/27 a T² y <= c² where they are all of it.
+/// What lies beside a bend may be driven faster, with acceleration a. Where a chord over both
+/// begins to leave the path farther, speeds differ by some a T / 8, and it is by a share of g / 64
+/// with g = a T² / c: so much less is c². Where g > 1 the borders of the bend are driven at 0.95 of
+/// their speed, which is enough up to g = 2, and then so slowly that y = v T <= c/2 of them is
+/// passed in a period, and y² + 2/27 a T² y <= c² where they are all of it.
 class CellLimits {
  public:
   /// `axes` is the number of driven axes. `linear`: whether an axis of the program counts mm.

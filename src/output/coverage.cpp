@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lang/gcode/text_window.hpp"
+#include "base/text_window.hpp"
 #include "output/diagnostic_text.hpp"
 
 namespace kerf::output {
@@ -17,7 +17,7 @@ std::string quoted(const std::string& text) {
 }
 
 // The beginning of a line, without the returns around it.
-std::string text_of(const gcode::TextWindow::Line& line, const base::SourceFile& source) {
+std::string text_of(const base::TextWindow::Line& line, const base::SourceFile& source) {
   if (line.too_long) return source.line_at(line.offset, kLongestLine);
   std::string_view text = line.text;
   text.remove_prefix(std::min(text.find_first_not_of('\r'), text.size()));
@@ -57,9 +57,9 @@ void Coverage::write_file(const base::SourceSet& sources, base::FileId file,
   const base::SourceFile& source = sources[file];
   const std::vector<std::uint64_t>& counts = counts_.at(file);
   const std::string name = quoted(printable(source.name())) + ",";
-  gcode::TextWindow window;
+  base::TextWindow window;
   window.stand_at(source, file, 0, source.size());
-  gcode::TextWindow::Line line;
+  base::TextWindow::Line line;
   for (std::uint32_t number = 1; window.next(line) && into.good(); ++number) {
     const std::uint64_t count = number < counts.size() ? counts[number] : 0;
     into.write(name + std::to_string(number) + "," + std::to_string(count) + "," +

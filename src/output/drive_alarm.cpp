@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "lang/gcode/text_window.hpp"
+#include "base/text_window.hpp"
 
 namespace kerf::output {
 namespace {
 
 std::uint64_t offset_of_line(const base::SourceFile& source, base::FileId file,
                              std::uint32_t wanted) {
-  gcode::TextWindow window;
+  base::TextWindow window;
   window.stand_at(source, file, 0, source.size());
-  gcode::TextWindow::Line line;
+  base::TextWindow::Line line;
   for (std::uint32_t number = 1; window.next(line); ++number) {
     if (number == wanted) return line.offset;
   }

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "lang/gcode/code_library.hpp"
-#include "lang/gcode/text_window.hpp"
+#include "base/text_window.hpp"
 
 namespace kerf::gcode {
 namespace {

@@ -74,7 +74,7 @@ void PageCompiler::compile(const base::SourceFile& file, base::FileId id, const 
   window_.stand_at(file, id, start.offset, end);
   BlockParser parser(page, names);
   std::uint32_t line_number = start.line;
-  TextWindow::Line line;
+  base::TextWindow::Line line;
   for (std::uint32_t lines = 0; lines < lines_per_page_; ++lines) {
     const bool full = window_.position() - start.offset >= kMostPageBytes;
     if (full || !window_.next(line)) break;

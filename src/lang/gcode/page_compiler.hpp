@@ -5,7 +5,7 @@
 #include "base/source_file.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/gcode/page.hpp"
-#include "lang/gcode/text_window.hpp"
+#include "base/text_window.hpp"
 
 namespace kerf::gcode {
 
@@ -29,7 +29,7 @@ class PageCompiler {
 
  private:
   std::uint32_t lines_per_page_;
-  TextWindow window_;
+  base::TextWindow window_;
 };
 
 }  // namespace kerf::gcode

@@ -4,7 +4,8 @@
 
 namespace kerf::vm {
 
-/// The instructions. R[x] is a register of the running frame, K[n] a constant of the page.
+/// The instructions. R[x] is a register of the running frame, K[n] a constant of the page, V[n] the
+/// register n, or from kRegisters on the global n - kRegisters.
 /// Arithmetic reads null as 0. `a`, `b`, `c` are registers, `n` is the operand.
 enum class Op : std::uint8_t {
   load_constant,      ///< R[a] = K[n]
@@ -45,6 +46,14 @@ enum class Op : std::uint8_t {
   enter_region,   ///< region n of the page is active from here on
   leave_region,   ///< region n is over: on behind its end
   repeat_region,  ///< the end of the region in slot a: back to its head
+  read_if_null,   ///< R[a], where it is null, = the host's variable n
+  open_loop,      ///< a loop of V[n] from R[a] to R[a+1] by R[a+2]: if it has a pass, the next
+                  ///< instruction is skipped and its passes begin behind that
+  repeat_loop,    ///< next pass of the innermost loop, or with n below kAnyLoop of that of V[n]
+  call_label,     ///< calls what stands at label n, in the registers of this frame
+  leave_call,     ///< back behind the call
+  save_variable,  ///< V[n] gets the value that it has now when this call is left
+  count_steps,    ///< n steps more are made
   skip_when_on,   ///< to instruction n if operator switch a is on
   note,           ///< remember n (a sequence number)
   fail,           ///< the host reports failure n of the page
@@ -64,6 +73,9 @@ static_assert(sizeof(Instruction) == 8);
 
 /// Registers of one frame. The first ones are the language's local variables.
 inline constexpr std::uint32_t kRegisters = 128;
+
+/// As the operand of repeat_loop: whichever loop is the innermost.
+inline constexpr std::uint32_t kAnyLoop = ~0U;
 
 /// Regions that can be active at once in a frame (slots 0 to 3).
 inline constexpr std::uint32_t kRegionSlots = 4;

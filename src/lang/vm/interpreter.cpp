@@ -14,6 +14,13 @@ bool equal(double x, double y) { return x == y || (is_null(x) && is_null(y)); }
 bool less(double x, double y) { return zero_if_null(x) < zero_if_null(y); }
 bool less_equal(double x, double y) { return zero_if_null(x) <= zero_if_null(y); }
 
+// Whether a loop that counts by `step` has a pass at `value`: an end that rounding has missed by a
+// millionth of a step is reached.
+bool is_within(double value, double to, double step) {
+  constexpr double kMissed = 1e-6;
+  return step > 0 ? value <= to + kMissed * step : value >= to + kMissed * step;
+}
+
 std::size_t slot_of(CodeId code, Address from, std::uint32_t label) {
   const std::uint64_t mixed =
       (static_cast<std::uint64_t>(code) * 0x9e3779b97f4a7c15ULL) ^
@@ -36,6 +43,9 @@ Interpreter::Interpreter(CodeSource& source, Host& host, const Settings& setting
 void Interpreter::start(CodeId main) {
   registers_.assign(kRegisters, kNull);
   frames_.assign(1, Frame{.code = main});
+  loops_.clear();
+  saved_.clear();
+  steps_left_ = settings_.steps;
   std::fill(jumps_.begin(), jumps_.end(), CachedJump{});
   running_ = {};
   begun_.reset();
@@ -53,11 +63,16 @@ void Interpreter::call(CodeId code, Locals locals) {
     if (registers_.size() < base + kRegisters) registers_.resize(base + kRegisters, kNull);
     std::fill_n(registers_.begin() + base, settings_.locals, kNull);
   }
-  frames_.push_back(Frame{.code = code, .base = base});
+  frames_.push_back(Frame{
+      .code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
 }
 
 void Interpreter::return_to_caller() {
   assert(frames_.size() > 1);
+  const Frame& frame = frames_.back();
+  for (; saved_.size() > frame.first_saved; saved_.pop_back())
+    variable(saved_.back().variable) = saved_.back().value;
+  loops_.resize(frame.first_loop);
   frames_.pop_back();
 }
 
@@ -147,6 +162,85 @@ bool Interpreter::repeat_region(std::uint8_t slot) {
   if (!region.active || region.end != running_.at) return fail(Fault::region_not_entered);
   frames_.back().at = region.head;
   return true;
+}
+
+double& Interpreter::variable(std::uint32_t number) {
+  return number < kRegisters ? registers_[frames_.back().base + number]
+                             : settings_.globals[number - kRegisters];
+}
+
+// A loop that was left by a jump and begins anew: it and what was inside of it are over.
+void Interpreter::discard_loop_of(std::uint32_t variable) {
+  const auto begin = loops_.begin() + static_cast<std::ptrdiff_t>(frames_.back().first_loop);
+  const auto found = std::find_if(begin, loops_.end(), [&](const CountedLoop& loop) {
+    return loop.variable == variable;
+  });
+  loops_.erase(found, loops_.end());
+}
+
+// Precondition: the frame's `at` is the next instruction, which a loop with a pass skips.
+bool Interpreter::open_loop(const Instruction& instruction, bool& has_pass) {
+  const double* const r = registers_.data() + frames_.back().base + instruction.a;
+  CountedLoop loop;
+  loop.variable = instruction.n;
+  loop.first = loop.last = zero_if_null(r[0]);
+  loop.to = zero_if_null(r[1]);
+  loop.step = zero_if_null(r[2]);
+  if (loop.step == 0) return fail(Fault::zero_step);
+  discard_loop_of(loop.variable);
+  variable(loop.variable) = loop.first;
+  has_pass = is_within(loop.first, loop.to, loop.step);
+  if (!has_pass) return true;
+  if (loops_.size() >= settings_.most_loops) return fail(Fault::loop_depth);
+  const Address next = frames_.back().at;
+  loop.head = {next.page, next.instruction + 1};
+  loops_.push_back(loop);
+  return true;
+}
+
+// Where it goes on, the frame's `at` becomes the head of the loop.
+bool Interpreter::repeat_loop(std::uint32_t number, bool& goes_on) {
+  const std::size_t first = frames_.back().first_loop;
+  while (number != kAnyLoop && loops_.size() > first && loops_.back().variable != number)
+    loops_.pop_back();
+  if (loops_.size() == first) return fail(Fault::loop_not_open);
+  CountedLoop& loop = loops_.back();
+  double& value = variable(loop.variable);
+  if (value != loop.last) {
+    loop.first = zero_if_null(value);
+    loop.passes = 0;
+  }
+  ++loop.passes;
+  value = loop.last = loop.first + loop.passes * loop.step;
+  if (!is_number(value)) return fail(Fault::overflow);
+  goes_on = is_within(value, loop.to, loop.step);
+  if (goes_on) {
+    frames_.back().at = loop.head;
+  } else {
+    loops_.pop_back();
+  }
+  return true;
+}
+
+bool Interpreter::call_label(std::uint32_t label) {
+  if (frames_.size() > settings_.most_calls) return fail(Fault::call_depth);
+  Frame called = frames_.back();
+  called.first_loop = loops_.size();
+  called.first_saved = saved_.size();
+  called.regions = {};
+  frames_.push_back(called);
+  if (jump_to_label(label)) return true;
+  frames_.pop_back();
+  return fail(Fault::label_missing);
+}
+
+// Once a call: what was saved first is what comes back.
+void Interpreter::save_variable(std::uint32_t number) {
+  const auto begin = saved_.begin() + static_cast<std::ptrdiff_t>(frames_.back().first_saved);
+  const bool saved = std::any_of(begin, saved_.end(), [&](const SavedVariable& candidate) {
+    return candidate.variable == number;
+  });
+  if (!saved) saved_.push_back({number, variable(number)});
 }
 
 bool Interpreter::fail(Fault fault) {
@@ -364,6 +458,55 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         find_mark();
         break;
       }
+      case Op::read_if_null:
+        if (is_null(r[i.a])) {
+          save();
+          double value = kNull;
+          if (!host_.read(i.n, value)) return Stop::over;
+          r[i.a] = value;
+        }
+        break;
+      case Op::open_loop: {
+        save();
+        bool has_pass = false;
+        if (!open_loop(i, has_pass)) return Stop::over;
+        if (has_pass) ++pc;
+        find_mark();
+        break;
+      }
+      case Op::repeat_loop: {
+        save();
+        bool goes_on = false;
+        if (!repeat_loop(i.n, goes_on)) return Stop::over;
+        if (--budget == 0) return Stop::budget;
+        if (!goes_on) break;
+        const Address head = frames_.back().at;
+        if (head.page != page->number) {
+          load();
+          break;
+        }
+        pc = head.instruction;
+        find_mark();
+        break;
+      }
+      case Op::call_label:
+        save();
+        if (!call_label(i.n)) return Stop::over;
+        if (--budget == 0) return Stop::budget;
+        load();
+        break;
+      case Op::leave_call:
+        if (frames_.size() == 1) return faulty(Fault::return_without_call);
+        save();
+        return_to_caller();
+        if (--budget == 0) return Stop::budget;
+        load();
+        break;
+      case Op::save_variable: save_variable(i.n); break;
+      case Op::count_steps:
+        if (steps_left_ < i.n) return faulty(Fault::steps_spent);
+        steps_left_ -= i.n;
+        break;
       case Op::skip_when_on:
         if ((switches_ >> i.a & 1U) != 0) {
           pc = i.n;

@@ -22,6 +22,10 @@ class Interpreter {
     std::uint32_t locals = 0;   ///< local variables per level, < kRegisters
     std::span<double> globals;  ///< storage of the global variables, owned by the caller
     const void* builtin_rules = nullptr;
+    // Of languages that count their loops, calls and steps by instructions:
+    std::size_t most_loops = 256;  ///< counted loops open at once
+    std::size_t most_calls = 1024;
+    std::uint64_t steps = ~std::uint64_t{0};  ///< that a program may make
   };
 
   enum class Stop : std::uint8_t {
@@ -83,6 +87,23 @@ class Interpreter {
     Address at{};  // the next instruction
     std::uint32_t base = 0;
     std::array<ActiveRegion, kRegionSlots> regions{};
+    std::size_t first_loop = 0;   // its counted loops are those from here on
+    std::size_t first_saved = 0;  // its saved variables
+  };
+  // The passes of a counted loop: first + k · step while nothing else has written its variable, so
+  // that no rounding adds up.
+  struct CountedLoop {
+    std::uint32_t variable = 0;
+    double first = 0;
+    double last = 0;  // value that the last pass left behind
+    double to = 0;
+    double step = 0;
+    double passes = 0;
+    Address head;
+  };
+  struct SavedVariable {
+    std::uint32_t variable = 0;
+    double value = 0;
   };
   struct Running {
     CodeId code{};
@@ -103,6 +124,12 @@ class Interpreter {
   bool enter_region(std::uint32_t number);
   bool leave_region(std::uint32_t number);
   bool repeat_region(std::uint8_t slot);
+  [[nodiscard]] double& variable(std::uint32_t number);
+  void discard_loop_of(std::uint32_t variable);
+  bool open_loop(const Instruction& instruction, bool& has_pass);
+  bool repeat_loop(std::uint32_t variable, bool& goes_on);
+  bool call_label(std::uint32_t label);
+  void save_variable(std::uint32_t number);
   const Region* closed_region(std::uint32_t number);
   bool fail(Fault fault);
 
@@ -111,6 +138,9 @@ class Interpreter {
   Settings settings_;
   std::vector<double> registers_;
   std::vector<Frame> frames_;
+  std::vector<CountedLoop> loops_;
+  std::vector<SavedVariable> saved_;
+  std::uint64_t steps_left_ = 0;
   std::vector<CachedJump> jumps_;
   Running running_;               // the instruction that executes, for place()
   std::optional<Address> begun_;  // the block whose begin the host has already seen

@@ -6,7 +6,7 @@
 
 #include "base/source_file.hpp"
 
-namespace kerf::gcode {
+namespace kerf::base {
 
 /// Longest block, and longest line, in bytes. A longer one raises BLOCK_TOO_LONG.
 inline constexpr std::size_t kLongestBlock = 1 << 20;
@@ -24,7 +24,7 @@ class TextWindow {
   };
 
   /// The next lines are those from byte `begin` up to byte `end`.
-  void stand_at(const base::SourceFile& file, base::FileId id, std::uint64_t begin,
+  void stand_at(const SourceFile& file, FileId id, std::uint64_t begin,
                 std::uint64_t end);
 
   /// The next line; false at the end of the stretch.
@@ -50,8 +50,8 @@ class TextWindow {
   void skip_long_line();
   [[nodiscard]] std::string_view view() const { return {buffer_.get(), size_}; }
 
-  const base::SourceFile* file_ = nullptr;
-  base::FileId id_ = base::kNoFile;
+  const SourceFile* file_ = nullptr;
+  FileId id_ = kNoFile;
   std::uint64_t end_ = 0;  // of the stretch, in the file
   std::unique_ptr<char[]> buffer_;
   std::size_t capacity_ = 0;
@@ -63,4 +63,4 @@ class TextWindow {
   bool has_semicolons_ = false;
 };
 
-}  // namespace kerf::gcode
+}  // namespace kerf::base

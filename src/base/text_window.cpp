@@ -1,9 +1,9 @@
-#include "lang/gcode/text_window.hpp"
+#include "base/text_window.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-namespace kerf::gcode {
+namespace kerf::base {
 namespace {
 
 constexpr std::size_t kChunkBytes = 1 << 15;
@@ -16,7 +16,7 @@ std::size_t find(std::string_view text, char wanted, std::size_t from) {
 
 }  // namespace
 
-void TextWindow::stand_at(const base::SourceFile& file, base::FileId id, std::uint64_t begin,
+void TextWindow::stand_at(const SourceFile& file, FileId id, std::uint64_t begin,
                           std::uint64_t end) {
   const bool goes_on = id == id_ && end == end_ && begin >= at_ && begin <= at_ + size_;
   file_ = &file;
@@ -138,4 +138,4 @@ bool TextWindow::next(Line& line) {
   return true;
 }
 
-}  // namespace kerf::gcode
+}  // namespace kerf::base

@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
+#include "cli/operator_input.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_report.hpp"
@@ -49,6 +50,7 @@ ExitStatus run(const RunOptions& options) {
   auto ready = make_ready(options);
   if (!ready) return fail(ready.error());
   VirtualMachine& machine = *ready->machine;
+  machine.set_input(operator_input);
   Outputs outputs(options, machine);
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
   const Status status = run_showing_progress(options, machine);

@@ -19,6 +19,7 @@ struct Assumed {
   static constexpr std::uint32_t scaled_arc = 46;
   static constexpr std::uint32_t feed_hundredths = 47;
   static constexpr std::uint32_t feed_hold = 48;
+  static constexpr std::uint32_t no_speed = 60;
   static constexpr std::uint32_t g_code = 100;
 };
 

@@ -111,9 +111,12 @@ struct Coolant {
   State state = State::off;
 };
 
-/// Laser power in percent of full; 0: beam off.
+/// Laser power in percent of full, 0 to 100; the beam has it where it is on.
 struct Power {
   double percent = 0;
+  bool on = true;  ///< else the power is set, and the beam stays off until the next Power
+
+  [[nodiscard]] double beam_percent() const { return on ? percent : 0; }
 };
 
 /// Line at feed that a signal may end early; `to` is where it ended.

@@ -52,8 +52,10 @@ struct Parameters {
   bool feed_per_revolution = true;  ///< G95 is available
   int spindle_max_rpm = 0;          ///< 3772; 0: no limit
   bool stroke_check = false;
-  int length_axis_type = 0;       ///< 5001#0: 0 = always Z, 1 = the axis of the block
-  int external_call_m = 198;      ///< 6030
+  bool invert_y = false;             ///< laser BASIC: Y of programs points the other way
+  int statement_limit = 10'000'000;  ///< laser BASIC: statements that a program may execute; 0: any
+  int length_axis_type = 0;          ///< 5001#0: 0 = always Z, 1 = the axis of the block
+  int external_call_m = 198;         ///< 6030
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram

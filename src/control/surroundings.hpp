@@ -46,8 +46,11 @@ class Surroundings {
   /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
   [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;
 
-  /// Output of DPRNT and BPRNT.
+  /// Output of the program: DPRNT, BPRNT, PRINT.
   virtual void print(std::string_view text) = 0;
+  /// The next line that the operator enters for INPUT, without its end; nothing: there is none any
+  /// more.
+  [[nodiscard]] virtual std::optional<std::string> input() = 0;
 };
 
 }  // namespace kerf::control

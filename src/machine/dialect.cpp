@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "machine/internal/basic_dialect.hpp"
 #include "machine/internal/gcode_dialect.hpp"
 
 namespace kerf::machine {
@@ -18,7 +19,8 @@ struct Maker {
   std::string_view name;
   std::unique_ptr<Dialect> (*make)(const Dialect::Around& around);
 };
-constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>}};
+constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>},
+                                Maker{"laser-basic", make<BasicDialect>}};
 
 }  // namespace
 

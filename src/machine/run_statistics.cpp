@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "control/plane_axes.hpp"
 #include "geometry/arc.hpp"
@@ -14,7 +13,6 @@ using base::AxisVector;
 using control::Feed;
 using control::FeedMode;
 using geometry::Vec2;
-using geometry::Vec3;
 
 constexpr std::size_t kMostMessages = 1000;
 
@@ -28,14 +26,15 @@ RunStatistics::RunStatistics(const control::AxisSetup& axes)
   }
 }
 
-void RunStatistics::reach(const AxisVector& point) {
+void RunStatistics::reach(const control::MotionExtent& extent) {
   if (motions_ == 0) {
-    low_ = high_ = point;
+    low_ = extent.low;
+    high_ = extent.high;
     return;
   }
   for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
-    low_.values[i] = std::min(low_.values[i], point.values[i]);
-    high_.values[i] = std::max(high_.values[i], point.values[i]);
+    low_.values[i] = std::min(low_.values[i], extent.low.values[i]);
+    high_.values[i] = std::max(high_.values[i], extent.high.values[i]);
   }
 }
 
@@ -93,51 +92,12 @@ void RunStatistics::arc(const control::Arc& arc, std::uint32_t line) {
   }
   const double flat = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
   const double whole = std::hypot(flat, rise);
-  reach_arc(arc, base::index(plane->first), base::index(plane->second));
   cut(whole, flat, arc.feed, line);
 }
 
 void RunStatistics::space_arc(const control::SpaceArc& arc, std::uint32_t line) {
   const control::SpaceArcPath path(axes_, at_, arc);
-  for (const auto& knot : path.knots().subspan(1)) reach(knot.point);
-  reach_farthest(path);
   cut(path.circle().length(), path.circle().length(), arc.feed, line);
-}
-
-// Where the circle goes farthest along X, Y and Z. The other axes have their extremes at the points
-// given.
-void RunStatistics::reach_farthest(const control::SpaceArcPath& path) {
-  constexpr Vec3 kDirections[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
-                                  {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
-  for (const Vec3 direction : kDirections) {
-    const double angle = path.circle().farthest_rad(direction);
-    if (angle <= 0 || angle >= path.circle().sweep_rad()) continue;
-    AxisVector reached = path.at(angle);
-    for (std::size_t i = 0; i < axes_.count(); ++i) {
-      if (!linear_[i]) reached.values[i] = path.knots().back().point.values[i];
-    }
-    reach(reached);
-  }
-}
-
-// The quadrant points that the arc passes.
-void RunStatistics::reach_arc(const control::Arc& arc, std::size_t first, std::size_t second) {
-  const bool clockwise = arc.direction == control::Direction::clockwise;
-  const Vec2 from{at_.values[first], at_.values[second]};
-  const Vec2 to{arc.to.values[first], arc.to.values[second]};
-  const Vec2 centre{arc.center[0], arc.center[1]};
-  const double sweep =
-      arc.turns > 0 ? 2 * std::numbers::pi : geometry::sweep_rad(from, to, centre, clockwise);
-  const double radius = std::max(geometry::length(from - centre), geometry::length(to - centre));
-  constexpr Vec2 kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-  for (const Vec2 quadrant : kQuadrants) {
-    const Vec2 point = centre + radius * quadrant;
-    if (point == from || geometry::sweep_rad(from, point, centre, clockwise) > sweep) continue;
-    AxisVector reached = arc.to;
-    reached.values[first] = point.u;
-    reached.values[second] = point.v;
-    reach(reached);
-  }
 }
 
 void RunStatistics::take(const control::Motion& motion) {
@@ -145,22 +105,18 @@ void RunStatistics::take(const control::Motion& motion) {
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     bool rotary_only = false;
     const double length = distance(line->to, rotary_only);
-    reach(line->to);
+    reach({line->to, line->to});
     cut(rotary_only ? 0 : length, length, line->feed, motion.line);
     at_ = line->to;
     ++motions_;
     return;
   }
   if (const auto* const to = target_of(motion)) {
-    reach(*to);
+    reach(control::extent_of(axes_, at_, motion));
     if (const auto* const a = std::get_if<Arc>(&motion.action)) {
-      ++motions_;
       arc(*a, motion.line);
-      --motions_;
     } else if (const auto* const in_space = std::get_if<SpaceArc>(&motion.action)) {
-      ++motions_;
       space_arc(*in_space, motion.line);
-      --motions_;
     } else if (std::holds_alternative<Rapid>(motion.action)) {
       rapid(*to);
     } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {

@@ -7,6 +7,7 @@
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
+#include "control/motion_extent.hpp"
 #include "control/space_arc_path.hpp"
 
 namespace kerf::machine {
@@ -39,13 +40,11 @@ class RunStatistics : public control::MotionSink {
   [[nodiscard]] std::uint32_t untimed_line() const { return untimed_line_; }
 
  private:
-  void reach(const base::AxisVector& point);
+  void reach(const control::MotionExtent& extent);
   void rapid(const base::AxisVector& to);
   void cut(double length, double feed_length, const control::Feed& feed, std::uint32_t line);
   void arc(const control::Arc& arc, std::uint32_t line);
   void space_arc(const control::SpaceArc& arc, std::uint32_t line);
-  void reach_farthest(const control::SpaceArcPath& path);
-  void reach_arc(const control::Arc& arc, std::size_t first, std::size_t second);
   [[nodiscard]] double distance(const base::AxisVector& to, bool& rotary_only) const;
 
   const control::AxisSetup& axes_;

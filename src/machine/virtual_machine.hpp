@@ -79,6 +79,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }
+  /// Where INPUT reads its lines: the next one without its end, or nothing when there is none.
+  /// Without it there are none.
+  void set_input(std::function<std::optional<std::string>()> input) { input_ = std::move(input); }
   void add_skip_contact(const SkipContact& contact) { contacts_.push_back(contact); }
   /// A variable by its name in the program's language ("#100"). Before the start local ones are
   /// those of the main program. Failure (usage).
@@ -141,6 +144,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
   std::uint32_t inputs(std::size_t word) override { return signals_.inputs(word); }
   void print(std::string_view text) override;
+  std::optional<std::string> input() override { return input_ ? input_() : std::nullopt; }
 
   // control::MotionSink
   void take(const control::Motion& motion) override;
@@ -164,6 +168,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
   std::vector<control::MotionSink*> sinks_;
   std::function<void(std::string_view)> print_output_;
+  std::function<std::optional<std::string>()> input_;
   std::function<void()> progress_;
   std::deque<SkipContact> contacts_;
   std::string dialect_name_;

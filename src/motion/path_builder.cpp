@@ -78,7 +78,7 @@ void PathBuilder::take(const Motion& motion) {
   } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
     add_dwell(motion, dwell->seconds);
   } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
-    power_percent_ = power->percent;
+    power_percent_ = power->beam_percent();
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
     stop();
     speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;

@@ -164,6 +164,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, Power>) {
       begin("power", motion);
       append_member(line_, ",\"percent\":", action.percent);
+      if (!action.on) line_ += ",\"beam\":false";
     } else if constexpr (std::is_same_v<Action, Probe>) {
       begin("probe", motion);
       target(action.to);

@@ -48,7 +48,7 @@ void PathRecorder::take(const control::Motion& motion) {
         } else if constexpr (std::is_same_v<Action, control::ToolChange>) {
           select_tool(action.tool);
         } else if constexpr (std::is_same_v<Action, control::Power>) {
-          beam_off_ = !(action.percent > 0);
+          beam_off_ = !(action.beam_percent() > 0);
         } else if constexpr (requires { action.to; }) {
           straight(action.to, at_feed());
         }

@@ -1,0 +1,112 @@
+#include "lang/basic/basic_program.hpp"
+
+#include <algorithm>
+
+#include "lang/basic/builtins.hpp"
+#include "lang/basic/line_compiler.hpp"
+
+namespace kerf::basic {
+namespace {
+
+using vm::Op;
+
+// Every label is there once: a jump within its page needs no search.
+void resolve_jumps(BasicPage& page) {
+  for (vm::Instruction& instruction : page.instructions) {
+    if (instruction.op != Op::jump_to_label) continue;
+    const auto found =
+        std::find_if(page.labels.begin(), page.labels.end(),
+                     [&](const Label& label) { return label.number == instruction.n; });
+    if (found != page.labels.end()) instruction = {Op::jump, 0, 0, 0, found->instruction};
+  }
+}
+
+}  // namespace
+
+void BasicProgram::load(base::FileId file) {
+  file_ = file;
+  scan_ = scan(sources_[file], file, settings_.lines_per_page);
+  compiled_.assign(scan_.pages.size(), false);
+}
+
+std::optional<std::uint32_t> BasicProgram::find_variable(const std::string& capitals) const {
+  const auto found = scan_.variables.find(capitals);
+  return found == scan_.variables.end() ? std::nullopt : std::optional(found->second);
+}
+
+BasicPage& BasicProgram::page(vm::CodeId code, std::uint32_t number) {
+  if (BasicPage* const kept = pages_.find(code, number)) return *kept;
+  BasicPage& page = pages_.make_room(code, number, compiled_[number]);
+  compiled_[number] = true;
+  compile(number, page);
+  return page;
+}
+
+void BasicProgram::compile(std::uint32_t number, BasicPage& page) {
+  const PageStart& start = scan_.pages[number];
+  const bool last = number + 1 == scan_.pages.size();
+  const base::SourceFile& file = sources_[file_];
+  page.clear();
+  page.file = file_;
+  page.text_begin = start.offset;
+  page.builtins = builtin_table();
+  window_.stand_at(file, file_, start.offset, last ? file.size() : scan_.pages[number + 1].offset);
+  LineCompiler compiler(page, scan_, start);
+  base::TextWindow::Line text;
+  for (std::uint32_t line = start.line; window_.next(text); ++line) {
+    const LineCompiler::Line place{text.text, line,
+                                   static_cast<std::uint32_t>(text.offset - start.offset)};
+    if (text.too_long) {
+      compiler.fail_long_line(place);
+    } else {
+      compiler.compile(place);
+    }
+  }
+  page.instructions.push_back({last ? Op::end_of_code : Op::next_page, 0, 0, 0, 0});
+  page.spans.push_back({});
+  resolve_jumps(page);
+}
+
+// The last page that begins before the label.
+std::uint32_t BasicProgram::page_of(std::uint32_t label) const {
+  const bool named = label < scan_.label_lines.size();
+  const auto begins_behind = [&](const PageStart& page) {
+    return named ? page.line > scan_.label_lines[label] : scan_.label_behind(page.nexts) > label;
+  };
+  const auto behind =
+      std::partition_point(scan_.pages.begin(), scan_.pages.end(),
+                           [&](const PageStart& page) { return !begins_behind(page); });
+  return static_cast<std::uint32_t>(behind - scan_.pages.begin()) - 1;
+}
+
+std::optional<vm::Address> BasicProgram::find_label(vm::CodeId code, vm::Address /*from*/,
+                                                    std::uint32_t label) {
+  const std::uint32_t number = page_of(label);
+  for (const Label& candidate : page(code, number).labels) {
+    if (candidate.number == label) return vm::Address{number, candidate.instruction};
+  }
+  return std::nullopt;
+}
+
+// No loop of the language is a region.
+vm::Region BasicProgram::resolve_region(vm::CodeId /*code*/, std::uint32_t /*page*/,
+                                        std::uint32_t /*region*/) {
+  return {};
+}
+
+std::vector<base::Diagnostic> BasicProgram::check() {
+  std::vector<base::Diagnostic> found = scan_.findings;
+  const auto is_new = [&](const base::Diagnostic& failure) {
+    return std::none_of(found.begin(), found.end(), [&](const base::Diagnostic& other) {
+      return other.place.line == failure.place.line && other.number == failure.number;
+    });
+  };
+  for (std::uint32_t number = 0; number < scan_.pages.size(); ++number) {
+    for (const base::Diagnostic& failure : page(kCode, number).failures) {
+      if (is_new(failure)) found.push_back(failure);
+    }
+  }
+  return found;
+}
+
+}  // namespace kerf::basic

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace kerf::basic {
+
+/// The words of the language; those behind `function` are functions.
+enum class Word : std::uint8_t {
+  none,
+  let,
+  print,
+  input,
+  if_,
+  then,
+  else_,
+  for_,
+  to,
+  step,
+  next,
+  go_to,
+  gosub,
+  return_,
+  end,
+  home,
+  speed,
+  power,
+  move,
+  line,
+  arc,
+  circle,
+  local,
+  and_,
+  or_,
+  not_,
+  rem,
+  function,  ///< no word: where functions begin
+  sin,
+  cos,
+  tan,
+  atn,
+  asin,
+  acos,
+  sqr,
+  abs,
+  int_,
+  sgn,
+  exp,
+  log,
+  deg,
+  rad,
+  atan2,
+  min,
+  max,
+  mod,
+  dist,
+  xpos,
+  ypos,
+  zpos,
+  moved
+};
+
+[[nodiscard]] constexpr bool is_function(Word word) { return word > Word::function; }
+
+/// The word of this text in capitals; `none` when it is a name.
+[[nodiscard]] Word word_of(std::string_view capitals);
+
+}  // namespace kerf::basic

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include "lang/basic/lexer.hpp"
+
+namespace kerf::basic {
+
+/// Why a statement does not compile. Thrown and caught within this room.
+struct SyntaxError {
+  base::Code code{};
+  const char* begin = nullptr;
+  const char* end = nullptr;
+  std::string detail{};
+};
+
+/// The tokens of a line, one ahead.
+class TokenStream {
+ public:
+  explicit TokenStream(std::string_view line) : lexer_(line), next_(lexer_.next()) {}
+
+  [[nodiscard]] const Token& peek() const { return next_; }
+  [[nodiscard]] bool at_end() const { return next_.type == TokenType::finished; }
+  Token take() {
+    Token taken = std::move(next_);
+    next_ = lexer_.next();
+    behind_ = taken.end;
+    return taken;
+  }
+  bool take(Delimiter wanted) { return next_.is(wanted) && (take(), true); }
+  bool take(Word wanted) { return next_.is(wanted) && (take(), true); }
+
+  /// The end of the last token that was taken.
+  [[nodiscard]] const char* behind() const { return behind_; }
+
+  [[noreturn]] void fail(base::Code code, std::string detail = {}) const {
+    throw SyntaxError{code, next_.begin, next_.end, std::move(detail)};
+  }
+
+ private:
+  Lexer lexer_;
+  Token next_;
+  const char* behind_ = nullptr;
+};
+
+}  // namespace kerf::basic

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+
+#include "control/laser_control.hpp"
+#include "lang/basic/basic_program.hpp"
+#include "machine/dialect.hpp"
+
+namespace kerf::machine {
+
+/// Laser BASIC. A program is one file and calls no others; its variables go by their names, in
+/// capitals or not.
+class BasicDialect final : public Dialect {
+ public:
+  explicit BasicDialect(const Around& around);
+
+  void load(base::FileId file) override { program_.load(file); }
+  void add_library_folder(const std::string& /*folder*/) override {}
+  [[nodiscard]] std::string program_name() const override { return control::LaserControl::kName; }
+  [[nodiscard]] std::optional<base::Diagnostic> start() override;
+  void reset() override;
+  [[nodiscard]] std::vector<base::Diagnostic> check() override;
+  [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
+  [[nodiscard]] std::vector<Variable> variables() override;
+  [[nodiscard]] control::Control& control() override { return control_; }
+
+ private:
+  basic::BasicProgram program_;
+  control::LaserControl control_;
+  std::map<std::uint32_t, double> first_values_;  // from outside, before the start
+  bool started_ = false;
+};
+
+}  // namespace kerf::machine

@@ -38,7 +38,7 @@ CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, 
     : limits_(axis_limits),
       chord_tolerance_mm_(settings.chord_tolerance_mm),
       period_s_(settings.period_s),
-      most_speed_up_mm_(most_acceleration(axis_limits, axes, linear) * period_s_ * period_s_),
+      acceleration_(most_acceleration(axis_limits, axes, linear)),
       axes_(axes),
       linear_(linear) {
   for (std::size_t m = 0; m < axes; ++m) jerk_limited_ |= std::isfinite(limits_.jerk.values[m]);
@@ -55,18 +55,26 @@ double CellLimits::longest_chord(const CellBounds& bounds) const {
   return std::min(chord, longest_chord_mm(1 / bounds.curvature, of_chord_mm));
 }
 
+// In a period, from rest: a T², mm. On a line what is beside a cell is much like it.
+double CellLimits::most_speed_up(const CellBounds& bounds) const {
+  const double acceleration =
+      bounds.curvature > 0 ? std::max(bounds.tip_acceleration, acceleration_) : acceleration_;
+  return acceleration * period_s_ * period_s_;
+}
+
 double CellLimits::border_mm(const CellBounds& bounds) const {
   if (bounds.curvature == 0) return 0;
   const double chord = longest_chord(bounds);
-  return most_speed_up_mm_ > chord ? chord : 0;
+  return most_speed_up(bounds) > chord ? chord : 0;
 }
 
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double chord = longest_chord(bounds);
-  if (!bounds.at_border || most_speed_up_mm_ <= chord)
-    return chord / std::sqrt(1 + std::min(1.0, most_speed_up_mm_ / chord) / 64) / period_s_;
-  if (most_speed_up_mm_ <= 2 * chord) return kALittleLess * chord / period_s_;
-  const double half = most_speed_up_mm_ / 27;
+  const double speed_up = most_speed_up(bounds);
+  if (!bounds.at_border || speed_up <= chord)
+    return chord / std::sqrt(1 + std::min(1.0, speed_up / chord) / 64) / period_s_;
+  if (speed_up <= 2 * chord) return kALittleLess * chord / period_s_;
+  const double half = speed_up / 27;
   const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));
   return std::min(chord / 2, way) / period_s_;
 }

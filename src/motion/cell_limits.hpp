@@ -13,6 +13,8 @@ struct CellBounds {
   /// How far the tip leaves its line while the driven axes move in proportion: mm over the square
   /// of the step. 0 where they are the program's.
   double deviation = 0;
+  /// Of the tip, in any direction, mm/s²; 0: what the driven axes have.
+  double tip_acceleration = 0;
   /// What is beside it may be quite different: within a chord of where its curve meets another, or
   /// where the linkage is what bends.
   bool at_border = false;
@@ -64,12 +66,13 @@ class CellLimits {
   [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
+  [[nodiscard]] double most_speed_up(const CellBounds& bounds) const;
   [[nodiscard]] double tolerable_speed(const CellBounds& bounds) const;
 
   AxisLimits limits_;
   double chord_tolerance_mm_;
   double period_s_;
-  double most_speed_up_mm_;  // a T²
+  double acceleration_;  // of the tip in any direction, where the driven axes are the program's
   std::size_t axes_ = 0;
   LinearAxes linear_{};
   bool jerk_limited_ = false;

@@ -58,7 +58,10 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
 
 CellBounds CellMaker::bounds_of(const PathPiece& piece, double begin, double end) const {
   const CurveBounds bounds = piece.curve.bounds(begin, end);
-  return {bounds, piece.curve.curvature_bound(begin, end, bounds, limits_.linear()), 0, false};
+  CellBounds result;
+  result.driven = bounds;
+  result.curvature = piece.curve.curvature_bound(begin, end, bounds, limits_.linear());
+  return result;
 }
 
 // One cell and two for its borders, if it has some.
@@ -104,7 +107,10 @@ bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cel
   if (cells_of_piece_ == 0) {
     begin_ = piece.begin;
     length_ = piece.end - piece.begin;
-    border_ = limits_.border_mm(bounds_of(piece, piece.begin, piece.end));
+    CellBounds bounds = bounds_of(piece, piece.begin, piece.end);
+    bounds.tip_acceleration =
+        linkage_->tip_acceleration(joints_, limits_.axis_limits().acceleration);
+    border_ = limits_.border_mm(bounds);
   }
   Stretch stretch(*linkage_, piece.curve);
   JointSample first = stretch.look_at(begin_, joints_);
@@ -145,6 +151,8 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
     const double end = last ? most : begin_ + length;
     stretch.look(begin_, first, end);
     bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
+    bounds.tip_acceleration =
+        linkage_->tip_acceleration(stretch.samples()[1].joints, limits_.axis_limits().acceleration);
     bounds.at_border =
         bounds.deviation > 0 || begin_ < piece.begin + border_ || end > piece.end - border_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;

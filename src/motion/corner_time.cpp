@@ -23,7 +23,7 @@ AxisNorms norms(const CellLimits& limits) { return {limits.linear(), base::kMaxA
 }  // namespace
 
 CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in,
-                       const Side& out)
+                       const Side& out, double tip_acceleration)
     : limits_(limits),
       shape_(shape),
       curves_{larger(in.driven.first, out.driven.first),
@@ -33,6 +33,7 @@ CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, con
       turn_(larger(out.driven.first - in.driven.first, {})),
       bend_(larger(out.driven.second - in.driven.second, {})),
       turn_mm_(norms(limits).mm(out.tip.first - in.tip.first)),
+      tip_acceleration_(tip_acceleration),
       in_(drive_of(in)),
       out_(drive_of(out)) {}
 
@@ -51,7 +52,10 @@ double CornerTime::Drive::lost_to_ramp_s(double corner_speed) const {
 }
 
 double CornerTime::speed_of(double reach) const {
-  CellBounds bounds{curves_, curvature_ + shape_.second / reach * turn_mm_, 0, true};
+  CellBounds bounds{.driven = curves_,
+                    .curvature = curvature_ + shape_.second / reach * turn_mm_,
+                    .tip_acceleration = tip_acceleration_,
+                    .at_border = true};
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double turn = turn_.values[m] / reach;
     bounds.driven.second.values[m] += shape_.second * turn;
@@ -71,8 +75,9 @@ double CornerTime::rounded_s(double reach) const { return at_speed_s(reach, spee
 double CornerTime::rounded_s(double reach, const Curve& rounding) const {
   const CurveBounds driven = rounding.bounds(0, 2 * reach);
   const double curvature = rounding.curvature_bound(0, 2 * reach, driven, limits_.linear());
-  return at_speed_s(reach,
-                    limits_.highest_speed({driven, curvature, 0, true}, CellLimits::Use::corner));
+  return at_speed_s(
+      reach, limits_.highest_speed({.driven = driven, .curvature = curvature, .at_border = true},
+                                   CellLimits::Use::corner));
 }
 
 double CornerTime::stopped_s() const {

@@ -31,7 +31,9 @@ class CornerTime {
     double length = 0;
     double feed = 0;
   };
-  CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in, const Side& out);
+  /// `tip_acceleration`: CellBounds::tip_acceleration at the corner.
+  CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in, const Side& out,
+             double tip_acceleration);
 
   [[nodiscard]] double rounded_s(double reach) const;
   /// Where the rounding is known: how fast its own curve can be driven is asked.
@@ -56,6 +58,7 @@ class CornerTime {
   base::AxisVector turn_;
   base::AxisVector bend_;
   double turn_mm_ = 0;  // of the axes that count mm
+  double tip_acceleration_ = 0;
   Drive in_, out_;
 };
 

@@ -153,6 +153,27 @@ Outcome<void> Outputs::open_pattern() {
   return {};
 }
 
+// Its steps come from the maker of the pattern, which is there before.
+Outcome<void> Outputs::open_pattern_plot() {
+  const std::string& path = options_.pattern_plot;
+  const bool png = path.ends_with(".png");
+  if (!path.empty() && !png && !path.ends_with(".svg"))
+    return usage("--pattern-plot " + path + ": a picture ends in .svg or .png");
+  if (!path.empty() && pattern_maker_ == nullptr)
+    return usage("--pattern-plot " + path + " shows what --pattern FILE makes: give that too");
+  const Opened file = open_file(path);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  pattern_plot_ = std::make_unique<output::PatternPlot>(machine_.program_name() + " on " +
+                                                        machine_.definition().name);
+  pattern_maker_->watch(*pattern_plot_);
+  when_over([this, png](OutputFile& into) {
+    const output::PatternReport report = pattern_maker_->report();
+    into.write(png ? pattern_plot_->png(report) : pattern_plot_->svg(report));
+  });
+  return {};
+}
+
 Outcome<void> Outputs::open_coverage() {
   const Opened file = open_file(options_.coverage);
   if (!file) return tl::unexpected(file.error());
@@ -198,6 +219,7 @@ Outcome<void> Outputs::open() {
   constexpr std::array kSteps = {
       &Outputs::open_prints, &Outputs::open_motion, &Outputs::open_points,  &Outputs::open_pulses,
       &Outputs::open_pwm,    &Outputs::open_rows,   &Outputs::open_post,    &Outputs::open_pattern,
+      &Outputs::open_pattern_plot,
       &Outputs::open_coverage, &Outputs::open_plot, &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;

@@ -14,6 +14,7 @@
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
 #include "output/pattern_maker.hpp"
+#include "output/pattern_plot.hpp"
 
 namespace kerf::cli {
 
@@ -57,6 +58,7 @@ class Outputs {
   base::Outcome<void> open_rows();
   base::Outcome<void> open_post();
   base::Outcome<void> open_pattern();
+  base::Outcome<void> open_pattern_plot();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();
@@ -73,6 +75,7 @@ class Outputs {
   std::unique_ptr<drive::PulseSink> pulses_;
   std::optional<output::PatternMachine> motors_;
   std::unique_ptr<drive::PatternWriter> pattern_;
+  std::unique_ptr<output::PatternPlot> pattern_plot_;
   output::PatternMaker* pattern_maker_ = nullptr;
   output::Coverage coverage_;
   std::string remarks_;

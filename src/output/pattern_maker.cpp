@@ -251,7 +251,7 @@ bool PatternMaker::step_along(const Curve& curve, double& s) {
 void PatternMaker::tell_watcher(const Curve& curve, double s, const PathGauge::Worst& worst) {
   const AxisVector at = curve.at(s);
   watcher_->step({at[motors_.x()], at[motors_.y()], worst.x - worst.path_x, worst.y - worst.path_y,
-                  motors_.tip_at(counts())[motors_.c()]});
+                  worst.mm, motors_.tip_at(counts())[motors_.c()], gauge_.places()});
 }
 
 // Ends are half a pulse off, and while pulses come one by one so is the counter. Where a step had

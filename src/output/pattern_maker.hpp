@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <string>
 
 #include "control/motion.hpp"
@@ -39,7 +39,9 @@ struct PatternReport {
 struct PatternStep {
   double x = 0, y = 0;       ///< on the path, where the step ends
   double off_x = 0, off_y = 0;  ///< from the path to the wheel, at its worst place in the step
+  double off_mm = 0;            ///< how far that is
   double heading_deg = 0;       ///< of the wheel
+  std::span<const PathGauge::Place> wheel{};  ///< between the pulses of the step; of this call only
 };
 
 /// Receives what a picture shows of a pattern, in order.

@@ -9,10 +9,18 @@ namespace kerf::output {
 using base::AxisVector;
 
 void PathGauge::take(const drive::Pulse& pulse) {
-  counts_.values[index(pulse.axis)] += sign(pulse.direction);
   const bool arm = pulse.axis == drive::axis_of(drive::ArmAxis::theta1) ||
                    pulse.axis == drive::axis_of(drive::ArmAxis::theta2);
-  if (arm && curve_ != nullptr) measure();
+  if (moved_ && pulse.time_ns != time_ns_) measure();
+  counts_.values[index(pulse.axis)] += sign(pulse.direction);
+  moved_ |= arm && curve_ != nullptr;
+  time_ns_ = pulse.time_ns;
+}
+
+PathGauge::Worst PathGauge::take_worst() {
+  if (moved_) measure();
+  begins_ = true;
+  return std::exchange(worst_, {});
 }
 
 // The nearest place by Newton's method, from the last one. Any place of the curve bounds the
@@ -34,6 +42,10 @@ void PathGauge::measure() {
   }
   const AxisVector near = curve_->at(s_);
   const double mm = std::hypot(near[x] - tip[x], near[y] - tip[y]);
+  moved_ = false;
+  if (begins_) places_.clear();
+  begins_ = false;
+  places_.push_back({tip[x], tip[y]});
   if (mm > worst_.mm) worst_ = {mm, tip[x], tip[y], near[x], near[y]};
 }
 

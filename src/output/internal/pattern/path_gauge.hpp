@@ -1,6 +1,7 @@
 #pragma once
 
-#include <utility>
+#include <span>
+#include <vector>
 
 #include "drive/pulse_sink.hpp"
 #include "motion/curve.hpp"
@@ -9,7 +10,8 @@
 namespace kerf::output {
 
 /// Measures how far the wheel is from the programmed path after every pulse of an arm: the tip of
-/// the counters against the nearest place of the curve that is being cut, in X and Y.
+/// the counters against the nearest place of the curve that is being cut, in X and Y. Pulses at the
+/// same time are one: between them the wheel is nowhere.
 class PathGauge : public drive::PulseSink {
  public:
   struct Worst {
@@ -30,8 +32,13 @@ class PathGauge : public drive::PulseSink {
   }
   void take(const drive::Pulse& pulse) override;
 
-  /// The worst place since the last call of this.
-  [[nodiscard]] Worst take_worst() { return std::exchange(worst_, {}); }
+  struct Place {
+    double x = 0, y = 0;
+  };
+  /// What the wheel did since the last call of this.
+  [[nodiscard]] Worst take_worst();
+  /// Where it stood between the pulses before that call, in order.
+  [[nodiscard]] std::span<const Place> places() const { return places_; }
 
  private:
   void measure();
@@ -40,7 +47,11 @@ class PathGauge : public drive::PulseSink {
   drive::ArmCounts counts_;
   const motion::Curve* curve_ = nullptr;
   double s_ = 0;  // of the nearest place
+  bool moved_ = false;  // since the last measure
+  std::int64_t time_ns_ = 0;
   Worst worst_;
+  bool begins_ = true;  // the next place is the first one of a step
+  std::vector<Place> places_;
 };
 
 }  // namespace kerf::output

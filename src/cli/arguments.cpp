@@ -193,9 +193,8 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
   replay->option_defaults()->group("Machine");
   replay->add_option("--machine", o.machine, "built-in machine or machine file; default arm4")
       ->type_name("NAME|FILE.toml");
-  repeated(replay->add_option(
-               "--machine-set", o.machine_keys,
-               "changes a key of the machine: drive.split=integer; may be repeated"))
+  repeated(replay->add_option("--machine-set", o.machine_keys,
+                              "changes a key of the machine: drive.split=integer; may be repeated"))
       ->type_name("KEY=VALUE");
   replay->add_flag("--return-to-start", o.return_to_start,
                    "goes on with the records that bring every counter to 0");

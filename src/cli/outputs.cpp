@@ -217,10 +217,10 @@ Outcome<void> Outputs::open_summary() {
 
 Outcome<void> Outputs::open() {
   constexpr std::array kSteps = {
-      &Outputs::open_prints, &Outputs::open_motion, &Outputs::open_points,  &Outputs::open_pulses,
-      &Outputs::open_pwm,    &Outputs::open_rows,   &Outputs::open_post,    &Outputs::open_pattern,
-      &Outputs::open_pattern_plot,
-      &Outputs::open_coverage, &Outputs::open_plot, &Outputs::open_summary};
+      &Outputs::open_prints,   &Outputs::open_motion,  &Outputs::open_points,
+      &Outputs::open_pulses,   &Outputs::open_pwm,     &Outputs::open_rows,
+      &Outputs::open_post,     &Outputs::open_pattern, &Outputs::open_pattern_plot,
+      &Outputs::open_coverage, &Outputs::open_plot,    &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

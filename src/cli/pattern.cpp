@@ -68,7 +68,7 @@ ExitStatus encode(const PatternOptions& options, const base::SourceSet& sources)
 
 drive::PatternFormat format_of(const PatternOptions& options, drive::ByteOrder usual) {
   using enum drive::ByteOrder;
-  const auto order = options.byte_order.empty() ? usual
+  const auto order = options.byte_order.empty()       ? usual
                      : options.byte_order == "little" ? little
                                                       : big;
   return {order, options.lenient ? drive::AxisBits::lenient : drive::AxisBits::strict};

@@ -1,8 +1,11 @@
+#include "output/pattern_replay.hpp"
+
 #include <array>
 #include <cstdio>
 #include <functional>
 #include <memory>
 
+#include "base/decimal.hpp"
 #include "base/output_file.hpp"
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
@@ -13,7 +16,6 @@
 #include "drive/pulse_vcd.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/motion_json.hpp"
-#include "output/pattern_replay.hpp"
 #include "output/path_plot.hpp"
 #include "output/replay_plot.hpp"
 #include "output/replay_summary.hpp"
@@ -160,8 +162,8 @@ Outcome<void> Replay::open_plot() {
   const auto file = open_file(path);
   if (!file) return tl::unexpected(file.error());
   if (*file == nullptr) return {};
-  plot_ = std::make_unique<output::PathPlot>(
-      definition_.axes, options_.file + " on " + definition_.name);
+  plot_ = std::make_unique<output::PathPlot>(definition_.axes,
+                                             options_.file + " on " + definition_.name);
   way_to_plot_ = std::make_unique<output::ReplayPlot>(replay_, *plot_);
   outputs_.back().finish = [this, png = is_png(path)](OutputFile& into) {
     into.write(png ? plot_->png() : plot_->svg());
@@ -200,10 +202,14 @@ base::Result<void> Replay::take(const drive::PatternRecord& record, std::uint64_
 }
 
 base::Result<void> Replay::return_to_start(std::uint64_t offset) {
-  const auto& lift = definition_.driven[index(drive::axis_of(drive::ArmAxis::z))];
-  const auto safe_z = base::round_away(definition_.pattern.travel_z_mm * lift.steps_per_unit);
+  const double per_mm = definition_.driven[index(drive::axis_of(drive::ArmAxis::z))].steps_per_unit;
+  const std::int64_t up = per_mm > 0 ? 1 : -1;  // of a motor that turns the other way, up is less
+  drive::ArmCounts counters = replay_.counters();
+  counters[drive::ArmAxis::z] *= up;
+  const auto safe_z = up * base::round_away(definition_.pattern.travel_z_mm * per_mm);
   base::Result<void> made;
-  for (const drive::FastMove& move : drive::return_to_start(replay_.counters(), safe_z)) {
+  for (drive::FastMove move : drive::return_to_start(counters, safe_z)) {
+    if (move.axis == drive::ArmAxis::z) move.count *= up;
     drive::each_record(move, [&](const drive::FastRecord& record) {
       if (made) made = take(record, offset);
     });

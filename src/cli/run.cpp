@@ -26,7 +26,8 @@ void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachi
   tell(output::summary_text(machine));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
   tell(outputs.remarks());
-  for (const std::string& path : outputs.written()) tell("  wrote " + output::printable(path) + "\n");
+  for (const std::string& path : outputs.written())
+    tell("  wrote " + output::printable(path) + "\n");
 }
 
 Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) {

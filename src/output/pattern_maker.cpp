@@ -17,9 +17,9 @@ using base::AxisVector;
 using drive::ArmAxis;
 using motion::Curve;
 
-constexpr double kStands = 1e-9;      // mm, degrees: less is rounding
-constexpr int kTravelSamples = 64;    // of each leg: joints keep their turn from one to the next
-constexpr double kHalfTurn_deg = 180; // after which the wheel is the same
+constexpr double kStands = 1e-9;       // mm, degrees: less is rounding
+constexpr int kTravelSamples = 64;     // of each leg: joints keep their turn from one to the next
+constexpr double kHalfTurn_deg = 180;  // after which the wheel is the same
 
 motion::Mark mark_of(const control::Motion& motion) {
   motion::Mark mark;
@@ -105,7 +105,8 @@ void PatternMaker::travel(const control::Motion& motion) {
   AxisVector joints = joints_;
   for (const Curve& curve : curves_.of(tip_, motion)) {
     for (int i = 1; i <= kTravelSamples; ++i) {
-      auto found = motors_.kinematics().follow(curve.at(curve.length() * i / kTravelSamples), joints);
+      auto found =
+          motors_.kinematics().follow(curve.at(curve.length() * i / kTravelSamples), joints);
       if (!found) return raise(found.error());
       joints = *found;
     }
@@ -192,8 +193,8 @@ double PatternMaker::heading_error_deg(const base::PathJet& at) const {
 // The wheel comes onto the work, or turns at a corner. What is left of the error is less than the
 // jump, and turned along the way.
 void PatternMaker::begin_cut(double error_deg) {
-  const std::int64_t turned = counts()[ArmAxis::theta3] +
-                              base::round_away(error_deg / motors_.step(ArmAxis::theta3));
+  const std::int64_t turned =
+      counts()[ArmAxis::theta3] + base::round_away(error_deg / motors_.step(ArmAxis::theta3));
   const bool jumps = std::fabs(error_deg) > machine_.definition().pattern.tangent_jump_deg;
   const std::int64_t now = counts()[ArmAxis::z];
   if (due_ == Due::nothing && !jumps) return;
@@ -201,8 +202,7 @@ void PatternMaker::begin_cut(double error_deg) {
     lift_due(now, Due::travel);
     ++report_.lifts;
   }
-  if (jumps)
-    fast(ArmAxis::z, higher(now, z_pulses(machine_.definition().pattern.travel_z_mm)));
+  if (jumps) fast(ArmAxis::z, higher(now, z_pulses(machine_.definition().pattern.travel_z_mm)));
   fast(ArmAxis::theta3, turned);
   lower();
 }
@@ -243,7 +243,8 @@ bool PatternMaker::step_along(const Curve& curve, double& s) {
   joints_ = sample->joints;
   s = sample->s;
   const PathGauge::Worst worst = gauge_.take_worst();
-  if (worst.mm > report_.measured.mm) report_.measured = {worst.mm, motion_->line, worst.x, worst.y};
+  if (worst.mm > report_.measured.mm)
+    report_.measured = {worst.mm, motion_->line, worst.x, worst.y};
   if (watcher_ != nullptr) tell_watcher(curve, s, worst);
   return true;
 }
@@ -300,27 +301,30 @@ void PatternMaker::raise(const kinematics::Fault& fault) {
 PatternReport PatternMaker::report() const {
   PatternReport report = report_;
   report.counters = counts();
-  report.time_s = static_cast<double>(machine_.definition().drive.arm.clock.nanoseconds(
-                      drive_.now_ticks())) *
-                  1e-9;
+  report.time_s =
+      static_cast<double>(machine_.definition().drive.arm.clock.nanoseconds(drive_.now_ticks())) *
+      1e-9;
   return report;
 }
 
 std::string pattern_text(const PatternReport& report, const machine::PatternSettings& settings) {
   std::string text = fmt::format(
-      "  pattern: {} fast records, {} triplets, {:.1f} s; {} corners turned in the air\n", report.fast,
-      report.triplets, report.time_s, report.lifts);
+      "  pattern: {} fast records, {} triplets, {:.1f} s; {} corners turned in the air\n",
+      report.fast, report.triplets, report.time_s, report.lifts);
   if (report.bound.line == 0) return text;
   const auto place = [](const PatternReport::Deviation& at) {
     return fmt::format("line {}, X{:.2f} Y{:.2f}", at.line, at.x, at.y);
   };
-  text += fmt::format("  the wheel leaves the path by at most {:.4f} mm ({}), {:.4f} of it pulses\n",
-                      report.bound.mm, place(report.bound), report.bound_pulses_mm);
-  text += fmt::format("  measured after every pulse: {:.4f} mm ({}); heading off by {:.3f} degrees\n",
-                      report.measured.mm, place(report.measured), report.heading_deg);
+  text +=
+      fmt::format("  the wheel leaves the path by at most {:.4f} mm ({}), {:.4f} of it pulses\n",
+                  report.bound.mm, place(report.bound), report.bound_pulses_mm);
+  text +=
+      fmt::format("  measured after every pulse: {:.4f} mm ({}); heading off by {:.3f} degrees\n",
+                  report.measured.mm, place(report.measured), report.heading_deg);
   if (report.bound.mm > settings.tolerance_mm) {
     text += fmt::format(
-        "  the tolerance of {} mm cannot be promised there: finer steps of the arms would be needed\n",
+        "  the tolerance of {} mm cannot be promised there: finer steps of the arms would be "
+        "needed\n",
         base::number_text(settings.tolerance_mm));
   }
   return text;

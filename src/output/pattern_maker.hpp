@@ -26,8 +26,8 @@ struct PatternReport {
 
   std::uint64_t fast = 0;  ///< records
   std::uint64_t triplets = 0;
-  std::uint64_t lifts = 0;  ///< corners that were turned in the air
-  Deviation bound;          ///< that no cut exceeds
+  std::uint64_t lifts = 0;     ///< corners that were turned in the air
+  Deviation bound;             ///< that no cut exceeds
   double bound_pulses_mm = 0;  ///< the part of it that whole pulses cost
   Deviation measured;          ///< after every pulse
   double heading_deg = 0;      ///< largest error of the wheel where a step begins, degrees
@@ -37,7 +37,7 @@ struct PatternReport {
 
 /// A place of a cut, for a picture.
 struct PatternStep {
-  double x = 0, y = 0;       ///< on the path, where the step ends
+  double x = 0, y = 0;          ///< on the path, where the step ends
   double off_x = 0, off_y = 0;  ///< from the path to the wheel, at its worst place in the step
   double off_mm = 0;            ///< how far that is
   double heading_deg = 0;       ///< of the wheel
@@ -106,7 +106,7 @@ class PatternMaker : public control::MotionSink {
   PathGauge gauge_;
   drive::ArmDrive drive_;
   const control::Motion* motion_ = nullptr;  // the present one
-  base::AxisVector tip_;     // where the programmed path is
+  base::AxisVector tip_;                     // where the programmed path is
   base::AxisVector joints_;  // of the path, not rounded; the wheel's is that of the counters
   Due due_ = Due::nothing;   // why the lift has still to go to z_due_
   std::int64_t z_due_ = 0;

@@ -33,8 +33,8 @@ constexpr double kHeight = 980;
 constexpr Rect kPath{84, 112, 900, 800};
 constexpr Rect kDetail{1064, 112, 500, 500};
 constexpr double kPixelsPerUnit = 1.5;
-constexpr double kShownOff = 0.03;      // of the path's extent: about what the worst place looks like
-constexpr double kTick_px = 9;          // of a heading
+constexpr double kShownOff = 0.03;  // of the path's extent: about what the worst place looks like
+constexpr double kTick_px = 9;      // of a heading
 constexpr double kTickApart_px = 26;
 constexpr double kLeastDetail_mm = 0.05;
 constexpr Color kTrue = plot::kTravel;
@@ -102,8 +102,9 @@ void Sheet::head(const std::string& title) {
   std::string text = plot::grouped(report_.triplets) + " triplets, " + plot::grouped(report_.fast) +
                      " fast records";
   if (report_.bound.line > 0) {
-    text += fmt::format(" \u00b7 the wheel leaves the path by at most {:.4f} mm, measured {:.4f} mm",
-                        report_.bound.mm, report_.measured.mm);
+    text +=
+        fmt::format(" \u00b7 the wheel leaves the path by at most {:.4f} mm, measured {:.4f} mm",
+                    report_.bound.mm, report_.measured.mm);
   }
   sheet_.add(Text{{36, 68}, text, 13, Anchor::start, plot::kSoft});
 }
@@ -274,8 +275,8 @@ void PatternPlot::add_detail(const PatternStep& step) {
   append(last_);
 }
 
-// Of each two neighbours within a cut the one farther off stays, and every place where a cut begins.
-// Where nearly all are such places, the later half goes.
+// Of each two neighbours within a cut the one farther off stays, and every place where a cut
+// begins. Where nearly all are such places, the later half goes.
 void PatternPlot::thin() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < knots_.size(); ++i) {

@@ -44,7 +44,7 @@ class PatternPlot : public PatternWatcher {
   std::string title_;
   std::vector<Knot> knots_;
   double worst_mm_ = 0;
-  Detail last_, detail_;  // of the step before; of the worst one and its neighbours
+  Detail last_, detail_;      // of the step before; of the worst one and its neighbours
   bool detail_open_ = false;  // the next step belongs to it
 };
 

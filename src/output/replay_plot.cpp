@@ -19,8 +19,7 @@ void ReplayPlot::follow(const control::Motion& motion) {
       const auto to = static_cast<double>(replay_.counters().values[i]);
       counts[i] = from + (to - from) * n / kPieces;
     }
-    piece.action =
-        control::Rapid{machine.kinematics().forward(machine.joints_at(counts)), true};
+    piece.action = control::Rapid{machine.kinematics().forward(machine.joints_at(counts)), true};
     into_.take(piece);
   }
 }

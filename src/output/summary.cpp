@@ -89,28 +89,16 @@ std::vector<control::Assumption> assumptions(VirtualMachine& machine) {
 std::string assumed_json(VirtualMachine& machine) {
   std::vector<std::string> items;
   for (const control::Assumption& assumption : assumptions(machine)) {
-    items.push_back(JsonObject().number("line", assumption.line).text("what", assumption.what).done());
+    items.push_back(
+        JsonObject().number("line", assumption.line).text("what", assumption.what).done());
   }
   return join(items);
 }
 
 std::string variables_json(VirtualMachine& machine) {
-<<<<<<< HEAD
-  Object object;
+  JsonObject object;
   for (const machine::Variable& variable : machine.variables())
     object.number(variable.name, variable.value);
-=======
-  JsonObject object;
-  const auto put = [&](std::size_t number, double value) {
-    if (!vm::is_null(value)) object.number("#" + std::to_string(number), value);
-  };
-  const std::span<double> locals = machine.controller().first_level_locals();
-  for (std::size_t i = 1; i < locals.size(); ++i) put(i, locals[i]);
-  const auto& commons = machine.memory().commons;
-  for (std::size_t i = 0; i < commons.size(); ++i) {
-    put(i < gcode::kVolatileCommons ? 100 + i : 500 + i - gcode::kVolatileCommons, commons[i]);
-  }
->>>>>>> 13b98f2 (kerf pattern decode, encode, replay)
   return object.done();
 }
 

@@ -19,7 +19,7 @@ using drive::ArmAxis;
 using drive::ArmCounts;
 using drive::PatternRecord;
 
-constexpr std::int64_t kMostPulses = 200'000;  // that are really made
+constexpr std::int64_t kMostPulses = 20'000;  // that are really made
 
 void require(bool condition) {
   if (!condition) std::abort();

@@ -70,13 +70,20 @@ TEST(PatternListing, ErrorsSayWhereAndWhatIsExpected) {
     std::uint32_t column;
     const char* says;
   };
-  const Row rows[] = {{"G T1 5", 1, "F or S"},        {"F T4 5", 3, "an axis"},
-                      {"F t1 5", 3, "an axis"},       {"F", 2, "an axis"},
-                      {"F T1", 5, "pulses of T1"},    {"F T1 5.5", 6, "whole number"},
-                      {"F T1 --5", 6, "pulses of T1"}, {"F T1 0x1", 6, "whole number"},
-                      {"S 1 2", 6, "pulses of T2"},   {"S 1 x 3", 5, "pulses of T1"},
-                      {"S 1 2 3 4", 9, "nothing more"}, {"F T1 2147483648", 6, "2147483647"},
-                      {"F Z 99999999999999999999", 5, "2147483647"}, {"F T1 -", 6, "whole number"}};
+  const Row rows[] = {{"G T1 5", 1, "F or S"},
+                      {"F T4 5", 3, "an axis"},
+                      {"F t1 5", 3, "an axis"},
+                      {"F", 2, "an axis"},
+                      {"F T1", 5, "pulses of T1"},
+                      {"F T1 5.5", 6, "whole number"},
+                      {"F T1 --5", 6, "pulses of T1"},
+                      {"F T1 0x1", 6, "whole number"},
+                      {"S 1 2", 6, "pulses of T2"},
+                      {"S 1 x 3", 5, "pulses of T1"},
+                      {"S 1 2 3 4", 9, "nothing more"},
+                      {"F T1 2147483648", 6, "2147483647"},
+                      {"F Z 99999999999999999999", 5, "2147483647"},
+                      {"F T1 -", 6, "whole number"}};
   for (const Row& row : rows) {
     const auto move = parse_listing(row.line, {.line = 7});
     ASSERT_FALSE(move) << row.line;

@@ -1,5 +1,7 @@
 // Programs as patterns, and patterns on the machine: what the wheel does against what was
 // programmed, measured by replays that share nothing with the maker but the linkage.
+#include "output/pattern_maker.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +16,6 @@
 #include "drive_recorder.hpp"
 #include "geometry/angle.hpp"
 #include "machine/virtual_machine.hpp"
-#include "output/pattern_maker.hpp"
 #include "output/pattern_replay.hpp"
 #include "seeded_random.hpp"
 
@@ -110,7 +111,8 @@ ArmCounts sum_of(const std::vector<PatternRecord>& records) {
 class Probe : public drive::PulseSink {
  public:
   template <typename Distance>
-  Probe(const PatternMachine& machine, Distance distance) : machine_(machine), distance_(distance) {}
+  Probe(const PatternMachine& machine, Distance distance)
+      : machine_(machine), distance_(distance) {}
 
   void take(const drive::Pulse& pulse) override {
     if (pulse.time_ns != time_ns_) look();
@@ -173,9 +175,8 @@ TEST(PatternMaker, ALineStartsAndEndsAtTheCountsOfTheReference) {
   const Made made = made_of(kLine, definition);
   EXPECT_EQ(made.report.counters[ArmAxis::theta1], 15766);
   EXPECT_EQ(made.report.counters[ArmAxis::theta2], -5621);
-  const double off = measured(made, definition, [](const AxisVector& tip) {
-    return from_line(tip, 120, -80, 200, 40);
-  });
+  const double off = measured(
+      made, definition, [](const AxisVector& tip) { return from_line(tip, 120, -80, 200, 40); });
   EXPECT_NEAR(off, made.report.measured.mm, 1e-6);
   EXPECT_LE(off, made.report.bound.mm);
 }
@@ -200,9 +201,12 @@ TEST(PatternReference, ClosedLoopErrorsOfEqualSamples) {
   const auto line = [](double u) { return AxisVector{{120 + 80 * u, -80 + 120 * u}}; };
   const auto off_line = [](const AxisVector& tip) { return from_line(tip, 120, -80, 200, 40); };
   const Loop loops[] = {
-      {500, kinematics::Branch::plus, circle,
+      {500,
+       kinematics::Branch::plus,
+       circle,
        [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); },
-       {18205, -5318, 18205, -5318}, 0.0128},
+       {18205, -5318, 18205, -5318},
+       0.0128},
       {450, kinematics::Branch::plus, line, off_line, {22755, -18115, 15766, -5621}, 0.0107},
       {450, kinematics::Branch::minus, line, off_line, {-22755, 4639, -15766, 10145}, 0.0096},
   };
@@ -213,7 +217,8 @@ TEST(PatternReference, ClosedLoopErrorsOfEqualSamples) {
     EXPECT_EQ(at[ArmAxis::theta2], loop.counts[1]);
     double worst = loop.distance(motors.tip_at(at));
     for (int i = 1; i <= loop.samples; ++i) {
-      joints = *motors.kinematics().inverse(loop.path(static_cast<double>(i) / loop.samples), joints);
+      joints =
+          *motors.kinematics().inverse(loop.path(static_cast<double>(i) / loop.samples), joints);
       const ArmCounts next = motors.counts_at(joints);
       for (double part = 0.05; part < 1.01; part += 0.05) {
         std::array<double, drive::kArmAxes> between{};
@@ -221,8 +226,8 @@ TEST(PatternReference, ClosedLoopErrorsOfEqualSamples) {
           const auto from = static_cast<double>(at.values[m]);
           between[m] = from + part * (static_cast<double>(next.values[m]) - from);
         }
-        worst = std::max(
-            worst, loop.distance(motors.kinematics().forward(motors.joints_at(between))));
+        worst =
+            std::max(worst, loop.distance(motors.kinematics().forward(motors.joints_at(between))));
       }
       at = next;
     }
@@ -248,13 +253,13 @@ TEST(PatternMaker, TheWheelTurnsInTheAirBeforeACutAndAtSharpCorners) {
   const auto definition = machine_with("cartesian-step");
   const Made made =
       made_of("G00Z5.\nX100.Y50.\nG01Z-.1F60.\nX110.\nX120.Y51.\nX120.Y70.\n", definition);
-  EXPECT_EQ(listed(made.records),
-            "F3:500 F1:5000 F0:10000 F3:-510 S F3:210 F2:112 F3:-210 S ");
+  EXPECT_EQ(listed(made.records), "F3:500 F1:5000 F0:10000 F3:-510 S F3:210 F2:112 F3:-210 S ");
   EXPECT_EQ(made.report.lifts, 1U);
 }
 
 TEST(PatternMaker, ACutOfTheLiftAloneIsAFastRecord) {
-  const Made made = made_of("G00Z5.\nX100.Y50.\nG01Z-1.F60.\nG01Z2.\nG01Z-2.\nG00Z5.\n", "cartesian-step");
+  const Made made =
+      made_of("G00Z5.\nX100.Y50.\nG01Z-1.F60.\nG01Z2.\nG01Z-2.\nG00Z5.\n", "cartesian-step");
   EXPECT_EQ(listed(made.records), "F3:500 F1:5000 F0:10000 F3:-600 F3:300 F3:-400 F3:700 ");
 }
 
@@ -285,9 +290,8 @@ TEST(PatternMaker, WhatTheTimersCannotDoIsAnAlarmOfItsLine) {
 }
 
 TEST(PatternMaker, AProgramMayGiveTheHeadingItself) {
-  const Made made =
-      made_of("G00Z5.\nX100.Y50.C90.\nG01Z-.1F60.\nX110.C120.\n",
-              machine_with("cartesian-step", {{"pattern.heading", "program"}}));
+  const Made made = made_of("G00Z5.\nX100.Y50.C90.\nG01Z-.1F60.\nX110.C120.\n",
+                            machine_with("cartesian-step", {{"pattern.heading", "program"}}));
   const double wheel_deg = static_cast<double>(made.report.counters[ArmAxis::theta3]) * 0.75;
   EXPECT_NEAR(std::remainder(wheel_deg - 120, 180), 0, 1.5);  // where the last step begins
   EXPECT_FALSE(made.alarm);
@@ -378,9 +382,8 @@ TEST(PatternReplay, SetPointsLieOnTheLinesOfThePulses) {
   PatternReplay replay(motors);
   Points sink;
   replay.add_sink(sink);
-  ASSERT_TRUE(replay.take(Triplet{{drive::pulse_field(2), drive::pulse_field(5),
-                                   drive::pulse_field(-3)},
-                                  Triplet::kAxes}));
+  ASSERT_TRUE(replay.take(Triplet{
+      {drive::pulse_field(2), drive::pulse_field(5), drive::pulse_field(-3)}, Triplet::kAxes}));
   replay.finish();
   // 2 pulses of the wheel, then 5 of the forearm: 14 half periods of 4096 ticks.
   const double half_s = 4096 * 12 / 11059200.0;

@@ -47,7 +47,8 @@ void each_record(const ListedMove& move, Take&& take) {
     return PulseField{static_cast<std::uint16_t>(count.size), count.negative};
   };
   if (const auto* const fast = std::get_if<ListedFast>(&move)) {
-    if (fast->count.size <= kMostFastPulses) return take(FastRecord{fast->axis, field(fast->count)});
+    if (fast->count.size <= kMostFastPulses)
+      return take(FastRecord{fast->axis, field(fast->count)});
     return each_record(FastMove{fast->axis, fast->count.count()}, take);
   }
   if (const auto* const slow = std::get_if<ListedSlow>(&move)) {

@@ -36,9 +36,9 @@ bool ListingReader::next_line() {
 base::Result<std::optional<ListedMove>> ListingReader::next() {
   while (next_line()) {
     if (too_long_) {
-      return base::unexpected(base::make_error(
-          base::Code::pattern_text, place_,
-          "the line has more than " + std::to_string(kLongestLine) + " bytes"));
+      return base::unexpected(
+          base::make_error(base::Code::pattern_text, place_,
+                           "the line has more than " + std::to_string(kLongestLine) + " bytes"));
     }
     auto move = parse_listing(line_, place_);
     if (!move) return base::unexpected(std::move(move.error()));

@@ -28,10 +28,10 @@ class ListingReader {
   const base::SourceFile& file_;
   base::FileId id_;
   std::string buffer_;
-  std::size_t at_ = 0;           // of the next line in the buffer
-  std::uint64_t begin_ = 0;      // of the buffer in the file
-  std::string_view line_;        // the present one, in the buffer
-  bool too_long_ = false;        // the present line
+  std::size_t at_ = 0;       // of the next line in the buffer
+  std::uint64_t begin_ = 0;  // of the buffer in the file
+  std::string_view line_;    // the present one, in the buffer
+  bool too_long_ = false;    // the present line
   base::Place place_;
 };
 

@@ -21,9 +21,9 @@ base::Result<std::optional<PatternRecord>> PatternReader::next() {
   offset_ = read_ - size_ + at_;
   const std::size_t there = std::min(size_ - at_, kRecordBytes);
   if (there < kRecordBytes) {
-    base::Diagnostic broken = base::make_error(
-        base::Code::pattern_truncated, {.file = id_},
-        "a record has 3 bytes, the last one " + std::to_string(there));
+    base::Diagnostic broken =
+        base::make_error(base::Code::pattern_truncated, {.file = id_},
+                         "a record has 3 bytes, the last one " + std::to_string(there));
     broken.offset = offset_;
     return base::unexpected(std::move(broken));
   }

@@ -9,7 +9,9 @@
 namespace kerf::output {
 
 /// Text as a JSON string.
-inline std::string quoted(const std::string& text) { return nlohmann::json(printable(text)).dump(); }
+inline std::string quoted(const std::string& text) {
+  return nlohmann::json(printable(text)).dump();
+}
 
 /// Builds a JSON object with our own number format: the fewest digits that read back.
 class JsonObject {

@@ -46,7 +46,7 @@ class PathGauge : public drive::PulseSink {
   const PatternMachine& machine_;
   drive::ArmCounts counts_;
   const motion::Curve* curve_ = nullptr;
-  double s_ = 0;  // of the nearest place
+  double s_ = 0;        // of the nearest place
   bool moved_ = false;  // since the last measure
   std::int64_t time_ns_ = 0;
   Worst worst_;

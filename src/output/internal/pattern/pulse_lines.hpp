@@ -8,9 +8,9 @@
 
 namespace kerf::output {
 
-/// The lines in time that the pulses of one record follow: pulse k is where the line passes k - 1/2,
-/// and it begins and ends at whole counts. Keeps the pulses of that record, at most 65535 of an
-/// axis.
+/// The lines in time that the pulses of one record follow: pulse k is where the line passes k -
+/// 1/2, and it begins and ends at whole counts. Keeps the pulses of that record, at most 65535 of
+/// an axis.
 ///
 ///   count │          ,── end          o pulses, the staircase of the counter
 ///         │      ,o'                  the line is within half a pulse of it

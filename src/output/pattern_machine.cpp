@@ -1,14 +1,19 @@
 #include "output/pattern_machine.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/decimal.hpp"
+#include "drive/timer_split.hpp"
 
 namespace kerf::output {
 namespace {
 
 using base::Axis;
 using base::AxisVector;
+
+constexpr double kSecondsPerMinute = 60;
 
 // Whether the driven axes are two that move the wheel over the work, the wheel and the lift.
 bool has_four_motors(const machine::MachineDefinition& machine) {
@@ -59,6 +64,20 @@ drive::ArmCounts PatternMachine::counts_at(const AxisVector& joints) const {
   for (std::size_t i = 0; i < counts.values.size(); ++i)
     counts.values[i] = base::round_away(joints.values[i] * steps_per_unit_[i]);
   return counts;
+}
+
+std::int64_t PatternMachine::half_period_ticks(const drive::ArmCounts& from,
+                                               const drive::SlowMove& triplet) const {
+  const drive::ArmSettings& arm = definition_->drive.arm;
+  const double speed_mm_s = definition_->pattern.cut_speed_mm_min / kSecondsPerMinute;
+  if (speed_mm_s == 0) return arm.half_period_ticks;
+  drive::ArmCounts to = from;
+  to[drive::ArmAxis::theta1] += triplet.theta1;
+  to[drive::ArmAxis::theta2] += triplet.theta2;
+  const AxisVector way = tip_at(to) - tip_at(from);
+  return drive::speed_true_half_period(std::hypot(way[x_], way[y_]), speed_mm_s, arm.clock.tick_s(),
+                                       std::max(std::abs(triplet.theta1), std::abs(triplet.theta2)),
+                                       arm.half_period_ticks);
 }
 
 double PatternMachine::half_pulse_mm(const AxisVector& joints) const {

@@ -4,6 +4,7 @@
 
 #include "base/result.hpp"
 #include "drive/arm_axis.hpp"
+#include "drive/slow_move.hpp"
 #include "kinematics/kinematics.hpp"
 #include "machine/machine_definition.hpp"
 
@@ -33,6 +34,11 @@ class PatternMachine {
   [[nodiscard]] double step(drive::ArmAxis axis) const {
     return 1 / steps_per_unit_[index(drive::axis_of(axis))];
   }
+
+  /// Ticks with which the arms make a triplet from these counts: those of the drive, or more, so
+  /// that the tip goes at pattern.cut_speed.
+  [[nodiscard]] std::int64_t half_period_ticks(const drive::ArmCounts& from,
+                                               const drive::SlowMove& triplet) const;
 
   // Of the program's axes.
   [[nodiscard]] base::Axis x() const { return x_; }

@@ -282,7 +282,8 @@ void PatternMaker::write(const drive::PatternRecord& record) {
     drive_.fast(travel->move());
     ++report_.fast;
   } else {
-    auto made = drive_.slow(std::get<drive::Triplet>(record).move());
+    const drive::SlowMove move = std::get<drive::Triplet>(record).move();
+    auto made = drive_.slow(move, motors_.half_period_ticks(counts(), move));
     if (!made) return raise(std::move(made.error()));
     ++report_.triplets;
   }

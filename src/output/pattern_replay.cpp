@@ -1,17 +1,13 @@
 #include "output/pattern_replay.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/decimal.hpp"
-#include "drive/timer_split.hpp"
 
 namespace kerf::output {
 namespace {
 
 using base::AxisVector;
-using drive::ArmAxis;
 
 constexpr double kNanoseconds = 1e9;
 constexpr double kSecondsPerMinute = 60;
@@ -67,18 +63,7 @@ base::Result<void> PatternReplay::make(const drive::FastRecord& record) {
 
 base::Result<void> PatternReplay::make(const drive::Triplet& triplet) {
   const drive::SlowMove move = triplet.move();
-  const machine::MachineDefinition& machine = machine_.definition();
-  const double speed_mm_s = machine.pattern.cut_speed_mm_min / kSecondsPerMinute;
-  if (speed_mm_s == 0) return drive_.slow(move);
-  drive::ArmCounts to = drive_.counters();
-  to[ArmAxis::theta1] += move.theta1;
-  to[ArmAxis::theta2] += move.theta2;
-  const AxisVector way = machine_.tip_at(to) - machine_.tip_at(drive_.counters());
-  const std::int64_t half_period = drive::speed_true_half_period(
-      std::hypot(way[machine_.x()], way[machine_.y()]), speed_mm_s,
-      machine.drive.arm.clock.tick_s(), std::max(std::abs(move.theta1), std::abs(move.theta2)),
-      machine.drive.arm.half_period_ticks);
-  return drive_.slow(move, half_period);
+  return drive_.slow(move, machine_.half_period_ticks(drive_.counters(), move));
 }
 
 // What the record has done, as a motion of the tip.

@@ -141,6 +141,7 @@ double measured(const Made& made, const machine::MachineDefinition& definition, 
   for (const PatternRecord& record : made.records) EXPECT_TRUE(replay.take(record));
   probe.look();
   EXPECT_EQ(replay.counters(), made.report.counters);
+  EXPECT_NEAR(replay.time_s(), made.report.time_s, 1e-9);
   EXPECT_EQ(sum_of(made.records), made.report.counters);
   return probe.worst;
 }
@@ -168,6 +169,27 @@ TEST(PatternMaker, ACircleStartsAndEndsAtTheCountsOfTheReference) {
   EXPECT_LE(off, made.report.bound.mm);
   // 2 * 4.363323e-5 (186.6 + 132) and a little for joints and chords.
   EXPECT_NEAR(made.report.bound.mm, 0.0278, 0.001);
+}
+
+TEST(PatternMaker, AtASpeedOfItsOwnThePatternTakesAsLongAsItsReplay) {
+  const auto definition = machine_with("arm4", {{"pattern.cut_speed", "78"}});
+  const Made made = made_of(kCircle, definition);
+  EXPECT_LE(measured(made, definition,
+                     [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); }),
+            made.report.bound.mm);
+  EXPECT_GT(made.report.time_s, made_of(kCircle).report.time_s);
+}
+
+TEST(PatternMaker, MotorsMayTurnTheOtherWay) {
+  for (const char* const key : {"axis.Z.steps_per_unit", "axis.T1.steps_per_unit"}) {
+    const std::string value = key[5] == 'Z' ? "-100" : "-200";
+    const auto definition = machine_with("arm4", {{key, value}});
+    const Made made = made_of(kCircle, definition);
+    const double off = measured(
+        made, definition, [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); });
+    EXPECT_GT(off, 0.005) << key;
+    EXPECT_LE(off, made.report.bound.mm) << key;
+  }
 }
 
 TEST(PatternMaker, ALineStartsAndEndsAtTheCountsOfTheReference) {
@@ -404,7 +426,8 @@ TEST(PatternReplay, AnotherSpeedForEveryTripletKeepsThatOfTheWheel) {
   const auto motors = *PatternMachine::of(definition);
   PatternReplay replay(motors);
   ASSERT_TRUE(replay.take(FastRecord{ArmAxis::theta1, {18000, false}}));
-  for (const auto& [theta1, theta2] : {std::pair{0, 30}, {20, 30}, {30, 0}, {-30, 30}}) {
+  const std::vector<std::pair<int, int>> moves = {{0, 30}, {20, 30}, {30, 0}, {-30, 30}};
+  for (const auto& [theta1, theta2] : moves) {
     const double begin_s = replay.time_s();
     const AxisVector from = motors.tip_at(replay.counters());
     ASSERT_TRUE(replay.take(

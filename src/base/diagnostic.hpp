@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "base/diagnostic_code.hpp"
@@ -18,6 +20,7 @@ struct Diagnostic {
   Place place;
   std::string program;  ///< "O0001" or a program's name; empty outside of programs
   std::string hint;     ///< what was probably meant; may be empty
+  std::optional<std::uint64_t> offset{};  ///< of a byte from 0, in files that are no text
 };
 
 /// A diagnostic with the control's own words followed by `detail` (which may be empty).

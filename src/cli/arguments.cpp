@@ -78,6 +78,17 @@ void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
       ->check(kWholeNumber);
 }
 
+void add_diagnostics(CLI::App& app, DiagnosticFormat& diagnostics) {
+  app.add_option_function<std::string>(
+         "--diagnostics",
+         [&diagnostics](const std::string& form) {
+           diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+         },
+         "alarms and warnings as text or as one JSON object a line; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
+}
+
 void add_outputs(CLI::App& run, RunOptions& o) {
   const auto file = [&](const char* name, std::string& path, const char* what) {
     run.add_option(name, path, what)->type_name("FILE");
@@ -88,6 +99,9 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
   file("--pwm", o.pwm, "changes of a laser's pulses and their timer, as CSV");
   file("--rows", o.rows, "moves and tool changes as rows of feature recognition, as CSV");
+  file("--pattern", o.pattern, "the pattern of an engraving arm that cuts the path");
+  file("--pattern-plot", o.pattern_plot,
+       "picture of the wheel's path on the true one: .svg or .png");
   file("--plot", o.plot, "picture of the path: .svg or .png");
   run.add_flag("--plot-speed", o.plot_speed,
                "colours the cuts of --plot by the speed that was really reached");
@@ -95,15 +109,8 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   file("--post", o.post, "the path as plain G-code without macros");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");
   run.add_flag("--keep-partial", o.keep_partial,
-               "writes --post and --pulses also when the run does not reach its end");
-  run.add_option_function<std::string>(
-         "--diagnostics",
-         [&o](const std::string& form) {
-           o.diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
-         },
-         "alarms and warnings as text or as one JSON object a line; default text")
-      ->type_name("FORM")
-      ->check(CLI::IsMember({"text", "json"}));
+               "writes --post, --pattern and --pulses also when the run does not reach its end");
+  add_diagnostics(run, o.diagnostics);
 }
 
 void add_run(CLI::App& app, RunOptions& o) {
@@ -160,6 +167,70 @@ void add_check(CLI::App& app, CheckOptions& o) {
       ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
 }
 
+CLI::App* add_pattern_action(CLI::App& pattern, PatternOptions& o, PatternOptions::Action action,
+                             const char* name, const char* what) {
+  CLI::App* app = pattern.add_subcommand(name, what);
+  app->group("Commands");
+  app->callback([&o, action] { o.action = action; });
+  app->add_option("file", o.file, "pattern file; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("--byte-order", o.byte_order, "of the counts of fast records")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"big", "little"}));
+  add_diagnostics(*app, o.diagnostics);
+  return app;
+}
+
+void add_lenient(CLI::App& app, PatternOptions& o) {
+  app.add_flag("--lenient", o.lenient, "does not look at the axis bits of triplets");
+}
+
+void add_replay(CLI::App& pattern, PatternOptions& o) {
+  CLI::App* replay = add_pattern_action(pattern, o, PatternOptions::Action::replay, "replay",
+                                        "runs a pattern on the machine and prints a summary");
+  add_lenient(*replay, o);
+  replay->option_defaults()->group("Machine");
+  replay->add_option("--machine", o.machine, "built-in machine or machine file; default arm4")
+      ->type_name("NAME|FILE.toml");
+  repeated(replay->add_option("--machine-set", o.machine_keys,
+                              "changes a key of the machine: drive.split=integer; may be repeated"))
+      ->type_name("KEY=VALUE");
+  replay->add_flag("--return-to-start", o.return_to_start,
+                   "goes on with the records that bring every counter to 0");
+  replay->option_defaults()->group("Outputs (- is standard output)");
+  const auto file = [&](const char* name, std::string& path, const char* what) {
+    replay->add_option(name, path, what)->type_name("FILE");
+  };
+  file("--output", o.output, "the records that were run, as a pattern");
+  file("--summary", o.summary, "summary as JSON");
+  file("--motion", o.motion, "motions of the tip as JSON Lines");
+  file("--points", o.points, "where the axes are at every period of the servo, as CSV");
+  file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
+  file("--plot", o.plot, "picture of the path: .svg or .png");
+  replay->add_flag("--keep-partial", o.keep_partial,
+                   "writes --output and --pulses also when the pattern is wrong somewhere");
+}
+
+void add_pattern(CLI::App& app, PatternOptions& o) {
+  using Action = PatternOptions::Action;
+  CLI::App* pattern =
+      app.add_subcommand("pattern", "reads, writes and runs patterns of the engraving arm");
+  pattern->group("Commands")->require_subcommand(1);
+  pattern->get_formatter()->label("SUBCOMMAND", "COMMAND");
+  CLI::App* decode = add_pattern_action(*pattern, o, Action::decode, "decode",
+                                        "prints the records of a pattern, a line each");
+  add_lenient(*decode, o);
+  decode->add_option("--output", o.output, "the listing; default standard output")
+      ->type_name("FILE");
+  CLI::App* encode = add_pattern_action(*pattern, o, Action::encode, "encode",
+                                        "makes a pattern of such a listing");
+  encode->add_option("--output", o.output, "the pattern; - is standard output")
+      ->type_name("FILE")
+      ->required();
+  add_replay(*pattern, o);
+}
+
 // CLI11 wants the words in reverse order.
 std::vector<std::string> reversed(std::vector<std::string> words) {
   std::reverse(words.begin(), words.end());
@@ -177,10 +248,12 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   TimeOptions time_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  PatternOptions pattern_options;
   MachinesOptions machines_options;
   add_run(app, run_options);
   add_time(app, time_options);
   add_check(app, check_options);
+  add_pattern(app, pattern_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
@@ -191,7 +264,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) {
     return tl::unexpected(base::Failure{
         base::Failure::Kind::usage,
-        "a command is needed: run, time, check or machines; `kerf --help` lists them"});
+        "a command is needed: run, time, check, pattern or machines; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -209,6 +282,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("run")) return run_options;
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("check")) return check_options;
+  if (app.got_subcommand("pattern")) return pattern_options;
   return machines_options;
 }
 

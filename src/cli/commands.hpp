@@ -36,6 +36,8 @@ struct RunOptions {
   std::string pulses;
   std::string pwm;
   std::string rows;
+  std::string pattern;
+  std::string pattern_plot;
   std::string plot;
   bool plot_speed = false;
   std::string dprnt;
@@ -62,9 +64,33 @@ struct CheckOptions {
   std::string format = "text";
 };
 
+/// Patterns of the engraving arm as bytes, as text and on the machine; paths are empty when not
+/// asked for.
+struct PatternOptions {
+  enum class Action : std::uint8_t { decode, encode, replay };
+
+  Action action = Action::decode;
+  std::string file;
+  std::string output;
+  std::string byte_order;  ///< empty: that of the machine, else high byte first
+  bool lenient = false;
+  DiagnosticFormat diagnostics = DiagnosticFormat::text;
+  // Of a replay
+  std::string machine = "arm4";
+  std::vector<std::string> machine_keys{};  ///< "KEY=VALUE"
+  bool return_to_start = false;
+  bool keep_partial = false;
+  std::string summary;
+  std::string motion;
+  std::string points;
+  std::string pulses;
+  std::string plot;
+};
+
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
+[[nodiscard]] ExitStatus pattern(const PatternOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

@@ -134,6 +134,46 @@ Outcome<void> Outputs::open_post() {
   return {};
 }
 
+Outcome<void> Outputs::open_pattern() {
+  if (options_.pattern.empty()) return {};
+  auto motors = output::PatternMachine::of(machine_.definition());
+  if (!motors) return usage("--pattern " + options_.pattern + ": " + motors.error().message);
+  motors_ = std::move(*motors);
+  const Opened file = open_file(options_.pattern, Kind::drives_a_machine);
+  if (!file) return tl::unexpected(file.error());
+  pattern_ =
+      std::make_unique<drive::PatternWriter>(machine_.definition().pattern.byte_order, **file);
+  auto maker = std::make_unique<output::PatternMaker>(machine_, *motors_, *pattern_);
+  pattern_maker_ = maker.get();
+  when_over([this](OutputFile&) {
+    pattern_maker_->finish();
+    remarks_ += output::pattern_text(pattern_maker_->report(), machine_.definition().pattern);
+  });
+  add(std::unique_ptr<control::MotionSink>(std::move(maker)));
+  return {};
+}
+
+// Its steps come from the maker of the pattern, which is there before.
+Outcome<void> Outputs::open_pattern_plot() {
+  const std::string& path = options_.pattern_plot;
+  const bool png = path.ends_with(".png");
+  if (!path.empty() && !png && !path.ends_with(".svg"))
+    return usage("--pattern-plot " + path + ": a picture ends in .svg or .png");
+  if (!path.empty() && pattern_maker_ == nullptr)
+    return usage("--pattern-plot " + path + " shows what --pattern FILE makes: give that too");
+  const Opened file = open_file(path);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  pattern_plot_ = std::make_unique<output::PatternPlot>(machine_.program_name() + " on " +
+                                                        machine_.definition().name);
+  pattern_maker_->watch(*pattern_plot_);
+  when_over([this, png](OutputFile& into) {
+    const output::PatternReport report = pattern_maker_->report();
+    into.write(png ? pattern_plot_->png(report) : pattern_plot_->svg(report));
+  });
+  return {};
+}
+
 Outcome<void> Outputs::open_coverage() {
   const Opened file = open_file(options_.coverage);
   if (!file) return tl::unexpected(file.error());
@@ -177,9 +217,10 @@ Outcome<void> Outputs::open_summary() {
 
 Outcome<void> Outputs::open() {
   constexpr std::array kSteps = {
-      &Outputs::open_prints, &Outputs::open_motion, &Outputs::open_points, &Outputs::open_pulses,
-      &Outputs::open_pwm,    &Outputs::open_rows,   &Outputs::open_post,   &Outputs::open_coverage,
-      &Outputs::open_plot,   &Outputs::open_summary};
+      &Outputs::open_prints,   &Outputs::open_motion,  &Outputs::open_points,
+      &Outputs::open_pulses,   &Outputs::open_pwm,     &Outputs::open_rows,
+      &Outputs::open_post,     &Outputs::open_pattern, &Outputs::open_pattern_plot,
+      &Outputs::open_coverage, &Outputs::open_plot,    &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

@@ -2,15 +2,19 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/output_file.hpp"
 #include "cli/commands.hpp"
+#include "drive/pattern/writer.hpp"
 #include "drive/pulse_sink.hpp"
 #include "machine/axis_point.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
+#include "output/pattern_maker.hpp"
+#include "output/pattern_plot.hpp"
 
 namespace kerf::cli {
 
@@ -30,6 +34,8 @@ class Outputs {
   [[nodiscard]] base::Outcome<void> commit();
   /// The files that commit() has written, for people.
   [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
+  /// What else outputs have to say behind the run, for people: indented lines.
+  [[nodiscard]] const std::string& remarks() const { return remarks_; }
 
  private:
   /// What could drive a machine is written only when the run reached its end.
@@ -51,6 +57,8 @@ class Outputs {
   base::Outcome<void> open_pwm();
   base::Outcome<void> open_rows();
   base::Outcome<void> open_post();
+  base::Outcome<void> open_pattern();
+  base::Outcome<void> open_pattern_plot();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();
@@ -65,7 +73,12 @@ class Outputs {
   std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;
   std::unique_ptr<drive::PulseSink> pulses_;
+  std::optional<output::PatternMachine> motors_;
+  std::unique_ptr<drive::PatternWriter> pattern_;
+  std::unique_ptr<output::PatternPlot> pattern_plot_;
+  output::PatternMaker* pattern_maker_ = nullptr;
   output::Coverage coverage_;
+  std::string remarks_;
   std::vector<std::string> written_;
 };
 

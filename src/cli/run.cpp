@@ -20,12 +20,14 @@ using Status = VirtualMachine::Status;
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready,
-            const std::vector<std::string>& written) {
+            const Outputs& outputs) {
   report_diagnostics(machine, options.diagnostics);
   if (options.diagnostics == DiagnosticFormat::json) return;
   tell(output::summary_text(machine));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
-  for (const std::string& path : written) tell("  wrote " + output::printable(path) + "\n");
+  tell(outputs.remarks());
+  for (const std::string& path : outputs.written())
+    tell("  wrote " + output::printable(path) + "\n");
 }
 
 Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) {
@@ -59,7 +61,7 @@ ExitStatus run(const RunOptions& options) {
     if (auto written = machine::write_state(options.state, machine.memory()); !written)
       return fail(written.error());
   }
-  report(options, machine, *ready, outputs.written());
+  report(options, machine, *ready, outputs);
   return exit_status_of(status);
 }
 

@@ -13,6 +13,7 @@
 #include "kinematics/settings.hpp"
 #include "machine/drive_settings.hpp"
 #include "machine/driven_axis.hpp"
+#include "machine/pattern_settings.hpp"
 #include "machine/tip_rates.hpp"
 #include "motion/settings.hpp"
 
@@ -42,6 +43,7 @@ struct MachineDefinition {
   kinematics::Settings kinematics;  ///< its joints follow from `driven`
   motion::Settings interpolator;
   DriveSettings drive;
+  PatternSettings pattern;
   control::AxisSetup axes;  ///< the program's; they follow from the others
   base::AxisVector start;   ///< of the driven axes at power-on, where `axes` have theirs
   control::Parameters parameters;
@@ -51,8 +53,8 @@ struct MachineDefinition {
                                                               const std::string& source);
 
   /// `--machine-set`: changes axis.NAME.KEY or TABLE.KEY, any number or word of the tables axis,
-  /// tip, kinematics, interpolator, drive (docs/machine-file.md) but what makes another machine of
-  /// it. Failure (usage): then nothing has changed.
+  /// tip, kinematics, interpolator, drive, pattern (docs/machine-file.md) but what makes another
+  /// machine of it. Failure (usage): then nothing has changed.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
   /// Never null: neither parse() nor set() lets a linkage pass that cannot be made. Joints of a

@@ -11,11 +11,11 @@
 namespace kerf::machine {
 namespace {
 
-constexpr std::array<std::string_view, 9> kTables = {"name",  "description",  "dialect",
-                                                     "axis",  "kinematics",   "tip",
-                                                     "drive", "interpolator", "control"};
-constexpr std::array<std::string_view, 4> kTablesOfKeys = {"kinematics", "tip", "interpolator",
-                                                           "drive"};
+constexpr std::array<std::string_view, 10> kTables = {
+    "name",       "description", "dialect", "axis",         "tip",
+    "kinematics", "pattern",     "drive",   "interpolator", "control"};
+constexpr std::array<std::string_view, 5> kTablesOfKeys = {"kinematics", "tip", "interpolator",
+                                                           "drive", "pattern"};
 constexpr std::array<std::string_view, 3> kJointNames = {"T1", "T2", "T3"};
 
 template <std::size_t N>

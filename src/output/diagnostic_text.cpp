@@ -120,6 +120,7 @@ std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::Sour
     text +=
         std::to_string(diagnostic.place.line) + ":" + std::to_string(diagnostic.place.column) + ":";
   }
+  if (diagnostic.offset) text += "byte " + std::to_string(*diagnostic.offset) + ":";
   text += std::string(text.empty() ? "" : " ") + severity_name(diagnostic.severity) + ": " +
           diagnostic.number + " " + printable(diagnostic.message);
   if (!diagnostic.program.empty()) text += " (" + printable(diagnostic.program) + ")";
@@ -140,6 +141,7 @@ std::string diagnostic_json(const base::Diagnostic& diagnostic, const base::Sour
   object["column"] = diagnostic.place.column;
   object["program"] = printable(diagnostic.program);
   object["hint"] = diagnostic.hint;
+  if (diagnostic.offset) object["offset"] = *diagnostic.offset;
   return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

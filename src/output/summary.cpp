@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
 #include "lang/vm/value.hpp"
 #include "output/diagnostic_text.hpp"
+#include "output/internal/json_object.hpp"
 
 namespace kerf::output {
 namespace {
@@ -27,26 +27,6 @@ const char* status_name(Status status) {
   return "";
 }
 
-std::string quoted(const std::string& text) { return nlohmann::json(printable(text)).dump(); }
-
-// Builds a JSON object with our own number format: the fewest digits that read back.
-class Object {
- public:
-  Object& text(const char* key, const std::string& value) { return raw(key, quoted(value)); }
-  Object& number(const std::string& key, double value) {
-    return raw(key, base::number_text(value));
-  }
-  Object& raw(const std::string& key, const std::string& value) {
-    out_ += out_.empty() ? "{" : ",";
-    out_ += "\"" + key + "\":" + value;
-    return *this;
-  }
-  [[nodiscard]] std::string done() const { return out_.empty() ? "{}" : out_ + "}"; }
-
- private:
-  std::string out_;
-};
-
 std::string join(const std::vector<std::string>& items) {
   std::string list = "[";
   for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
@@ -56,7 +36,7 @@ std::string join(const std::vector<std::string>& items) {
 std::string alarm_json(const VirtualMachine& machine) {
   if (!machine.alarm()) return "null";
   const base::Diagnostic& alarm = *machine.alarm();
-  Object object;
+  JsonObject object;
   object.text("code", alarm.number)
       .text("message", alarm.message)
       .text("file", file_name(alarm, machine.sources()));
@@ -67,7 +47,7 @@ std::string alarm_json(const VirtualMachine& machine) {
 }
 
 std::string axes_json(VirtualMachine& machine, const base::AxisVector& values) {
-  Object object;
+  JsonObject object;
   const control::AxisSetup& axes = machine.definition().axes;
   for (std::size_t i = 0; i < axes.count(); ++i) {
     object.number(std::string(1, axes.axes[i].letter), base::tidy(values.values[i]));
@@ -76,7 +56,7 @@ std::string axes_json(VirtualMachine& machine, const base::AxisVector& values) {
 }
 
 std::string extents_json(VirtualMachine& machine) {
-  Object object;
+  JsonObject object;
   const control::AxisSetup& axes = machine.definition().axes;
   for (std::size_t i = 0; i < axes.count(); ++i) {
     object.raw(std::string(1, axes.axes[i].letter),
@@ -91,7 +71,7 @@ base::AxisVector work_position(VirtualMachine& machine) {
 }
 
 std::string position_json(VirtualMachine& machine) {
-  return Object()
+  return JsonObject()
       .raw("work", axes_json(machine, work_position(machine)))
       .raw("machine", axes_json(machine, machine.position()))
       .done();
@@ -109,13 +89,14 @@ std::vector<control::Assumption> assumptions(VirtualMachine& machine) {
 std::string assumed_json(VirtualMachine& machine) {
   std::vector<std::string> items;
   for (const control::Assumption& assumption : assumptions(machine)) {
-    items.push_back(Object().number("line", assumption.line).text("what", assumption.what).done());
+    items.push_back(
+        JsonObject().number("line", assumption.line).text("what", assumption.what).done());
   }
   return join(items);
 }
 
 std::string variables_json(VirtualMachine& machine) {
-  Object object;
+  JsonObject object;
   for (const machine::Variable& variable : machine.variables())
     object.number(variable.name, variable.value);
   return object.done();
@@ -141,7 +122,7 @@ std::string summary_json(VirtualMachine& machine) {
   for (const std::uint32_t tool : run.tools()) tools.push_back(std::to_string(tool));
   std::vector<std::string> messages;
   for (const std::string& message : run.messages()) messages.push_back(quoted(message));
-  Object object;
+  JsonObject object;
   object.text("program", machine.program_name()).text("file", main_file(machine));
   object.text("machine", machine.definition().name)
       .text("dialect", machine.dialect())

@@ -28,6 +28,7 @@ import machine_tests  # noqa: F401
 import offset_tests  # noqa: F401
 import option_tests  # noqa: F401
 import output_tests  # noqa: F401
+import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401
 import post_tests  # noqa: F401
 import pulse_tests  # noqa: F401

@@ -77,6 +77,10 @@ WRONG_RUNS = {
     "--rows without its file": ["--rows"],
     "--pwm without its file": ["--pwm"],
     "--pwm on a machine without a laser": ["--pwm", "pwm.csv"],
+    "--pattern without its file": ["--pattern"],
+    "--pattern on a machine that takes none": ["--pattern", "part.pat"],
+    "--pattern-plot without --pattern": ["--pattern-plot", "part.svg", "--machine", "arm4"],
+    "--pattern-plot with an ending of another kind": ["--pattern-plot", "part.pdf"],
     "--pulses with an ending of another kind": ["--pulses", "pulses.txt"],
     "--tools without its file": ["--tools"],
     "--offsets without its file": ["--offsets"],
@@ -95,6 +99,20 @@ WRONG_COMMANDS = {
     "check --format of another kind": ["check", "part.nc", "--format", "xml"],
     "check --param that does not exist": ["check", "part.nc", "--param", "nosuch=1"],
     "check with an option of run": ["check", "part.nc", "--post", "out.nc"],
+    "pattern without a command": ["pattern"],
+    "pattern with a command that does not exist": ["pattern", "mirror", "part.nc"],
+    "pattern decode without a file": ["pattern", "decode"],
+    "pattern encode without --output": ["pattern", "encode", "part.nc"],
+    "pattern encode with an option of decode": ["pattern", "encode", "part.nc", "--lenient"],
+    "pattern decode with another byte order": ["pattern", "decode", "part.nc", "--byte-order", "middle"],
+    "pattern replay on a machine that takes none": ["pattern", "replay", "part.nc", "--machine", "mill3"],
+    "pattern replay on a machine that does not exist": ["pattern", "replay", "part.nc", "--machine", "mill99"],
+    "pattern replay --machine-set of an unknown key": ["pattern", "replay", "part.nc", "--machine-set",
+                                                       "pattern.colour=1"],
+    "pattern replay --plot with an ending of another kind": ["pattern", "replay", "part.nc", "--plot",
+                                                             "p.pdf"],
+    "pattern replay --pulses with an ending of another kind": ["pattern", "replay", "part.nc",
+                                                               "--pulses", "p.txt"],
     "machines with a name that is not built in": ["machines", "mill99"],
     "machines with two names": ["machines", "mill3", "mill4"],
 }
@@ -128,7 +146,7 @@ def help_of_kerf(box):
     status(result, 0)
     equal(result.err, "", "standard error")
     commands = re.findall(r"^  ([a-z]+) {3,}", result.text, re.MULTILINE)
-    equal(sorted(commands), ["check", "machines", "run", "time"], "commands in the help")
+    equal(sorted(commands), ["check", "machines", "pattern", "run", "time"], "commands in the help")
 
 
 @test("the help of every command is whole text without control characters")
@@ -242,8 +260,9 @@ def unknown_machine_twice(box):
 
 @last_test("every option that the help names was used by a test")
 def options_are_tested(box, commands):
-    for command in ("run", "check", "machines"):
-        named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", box.kerf(command, "--help").text))
+    for command in ("run", "check", "machines", "decode", "encode", "replay"):
+        room = ["pattern"] if command in ("decode", "encode", "replay") else []
+        named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", box.kerf(*room, command, "--help").text))
         used = {word.split("=")[0] for words in commands
                 if command in words[:12] for word in words if word.startswith("--")}
         equal(sorted(named - used - {"--help"}), [], f"options of {command} without a test")

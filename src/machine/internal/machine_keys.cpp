@@ -8,6 +8,7 @@
 namespace kerf::machine {
 namespace {
 
+using drive::ByteOrder;
 using drive::PwmTimer;
 using drive::TimerSplit;
 using kinematics::Kind;
@@ -32,6 +33,12 @@ constexpr std::array<string_view, 2> kOutputs = {"active_after_match", "active_b
 constexpr std::array kPwmOutputs = {PwmTimer::Output::active_after_match,
                                     PwmTimer::Output::active_before_match};
 
+constexpr std::array<string_view, 2> kByteOrders = {"big", "little"};
+constexpr std::array kPatternOrders = {ByteOrder::big, ByteOrder::little};
+constexpr std::array<string_view, 2> kHeadings = {"tangent", "program"};
+constexpr std::array kWheelHeadings = {PatternSettings::Heading::tangent,
+                                       PatternSettings::Heading::program};
+
 std::int64_t whole(double value) { return static_cast<std::int64_t>(value); }
 
 template <typename T, std::size_t N>
@@ -42,6 +49,7 @@ T item(const std::array<T, N>& items, double place) {
 bool is_x_theta_z(Kind kind) { return kind == Kind::x_theta_z; }
 bool is_head(Kind kind) { return kind == Kind::head_ac; }
 bool is_arm(Kind kind) { return kind == Kind::arm; }
+bool takes_patterns(Kind kind) { return kind == Kind::arm || kind == Kind::cartesian; }
 
 constexpr AxisKey kAxisKeys[] = {
     {"axis", "velocity", positive(), [](Axis& a, double v) { a.velocity_per_min = v; }},
@@ -110,6 +118,19 @@ constexpr MachineKey kMachineKeys[] = {
      [](Machine& m, double v) { m.drive.arm.fast.start_hz = v; }},
     {"drive", "fast_acceleration", positive(),
      [](Machine& m, double v) { m.drive.arm.fast.acceleration_hz_s = v; }},
+
+    {"pattern", "byte_order", one_of(kByteOrders),
+     [](Machine& m, double v) { m.pattern.byte_order = item(kPatternOrders, v); }, takes_patterns},
+    {"pattern", "tolerance", numbers(0.0001, 1000),
+     [](Machine& m, double v) { m.pattern.tolerance_mm = v; }, takes_patterns},
+    {"pattern", "travel_z", any_number(), [](Machine& m, double v) { m.pattern.travel_z_mm = v; },
+     takes_patterns},
+    {"pattern", "tangent_jump_deg", numbers(0, 90),
+     [](Machine& m, double v) { m.pattern.tangent_jump_deg = v; }, takes_patterns},
+    {"pattern", "heading", one_of(kHeadings),
+     [](Machine& m, double v) { m.pattern.heading = item(kWheelHeadings, v); }, takes_patterns},
+    {"pattern", "cut_speed", not_negative(),
+     [](Machine& m, double v) { m.pattern.cut_speed_mm_min = v; }, takes_patterns},
 
     {"drive", "max_power_w", not_negative(),
      [](Machine& m, double v) { m.drive.laser.max_power_w = v; }},

@@ -1,0 +1,117 @@
+#include "drive/pattern/listing.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <optional>
+
+#include "base/decimal.hpp"
+#include "drive/pattern/axis_name.hpp"
+
+namespace kerf::drive {
+namespace {
+
+void append_field(std::string& text, const PulseField& field) {
+  text += field.negative ? " -" : " ";
+  base::append_integer(text, field.pulses);
+}
+
+/// The words of one line, from the left.
+class LineParser {
+ public:
+  LineParser(std::string_view line, const base::Place& place)
+      : line_(line.substr(0, line.find('#'))), place_(place) {}
+
+  [[nodiscard]] base::Result<ListedMove> parse() {
+    const std::string_view kind = next_word();
+    if (kind.empty()) return ListedMove{};
+    if (kind == "F") return finished(fast());
+    if (kind == "S") return finished(slow());
+    return wrong("F or S is expected");
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+  // Empty at the end of the line.
+  std::string_view next_word() {
+    while (at_ < line_.size() && is_blank(line_[at_])) ++at_;
+    begin_ = at_;
+    while (at_ < line_.size() && !is_blank(line_[at_])) ++at_;
+    return line_.substr(begin_, at_ - begin_);
+  }
+
+  // About the word read last.
+  [[nodiscard]] tl::unexpected<base::Diagnostic> wrong(const std::string& what) const {
+    base::Place place = place_;
+    place.column = static_cast<std::uint32_t>(begin_ + 1);
+    place.length = static_cast<std::uint32_t>(at_ - begin_);
+    return base::unexpected(base::make_error(base::Code::pattern_text, place, what));
+  }
+
+  base::Result<ListedMove> fast() {
+    const std::string_view name = next_word();
+    for (std::size_t i = 0; i < kArmAxisNames.size(); ++i) {
+      if (name != kArmAxisNames[i]) continue;
+      auto n = count("the pulses of " + std::string(name));
+      if (!n) return base::unexpected(std::move(n.error()));
+      return ListedFast{static_cast<ArmAxis>(i), *n};
+    }
+    return wrong("an axis is expected: T1, T2, T3 or Z");
+  }
+
+  base::Result<ListedMove> slow() {
+    ListedSlow move;
+    for (std::size_t i = 0; i < move.counts.size(); ++i) {
+      auto n = count("the pulses of " + std::string(axis_name(Triplet::kAxes[i])));
+      if (!n) return base::unexpected(std::move(n.error()));
+      move.counts[i] = *n;
+    }
+    return move;
+  }
+
+  base::Result<ListedCount> count(const std::string& of) {
+    std::string_view word = next_word();
+    ListedCount result;
+    if (!word.empty() && (word[0] == '-' || word[0] == '+')) {
+      result.negative = word[0] == '-';
+      word.remove_prefix(1);
+    }
+    const char* const end = word.data() + word.size();
+    const bool digits = !word.empty() && word[0] >= '0' && word[0] <= '9';
+    const auto [stop, error] = std::from_chars(word.data(), end, result.size);
+    if (!digits || stop != end || error == std::errc::invalid_argument)
+      return wrong(of + " are expected, a whole number");
+    if (error != std::errc() || result.size > kMostListed)
+      return wrong(fmt::format("{}: at most {} stand in a line", of, kMostListed));
+    return result;
+  }
+
+  base::Result<ListedMove> finished(base::Result<ListedMove> move) {
+    if (move && !next_word().empty()) return wrong("nothing more belongs to this record");
+    return move;
+  }
+
+  std::string_view line_;
+  base::Place place_;
+  std::size_t at_ = 0;
+  std::size_t begin_ = 0;  // of the word read last
+};
+
+}  // namespace
+
+void append_listing(std::string& text, const PatternRecord& record) {
+  if (const auto* const fast = std::get_if<FastRecord>(&record)) {
+    text += "F ";
+    text += axis_name(fast->axis);
+    return append_field(text, fast->field);
+  }
+  text += 'S';
+  for (const PulseField& field : std::get<Triplet>(record).fields) append_field(text, field);
+}
+
+base::Result<ListedMove> parse_listing(std::string_view line, const base::Place& place) {
+  return LineParser(line, place).parse();
+}
+
+}  // namespace kerf::drive

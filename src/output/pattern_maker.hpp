@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "control/motion.hpp"
+#include "drive/arm_drive.hpp"
+#include "drive/pattern/writer.hpp"
+#include "machine/virtual_machine.hpp"
+#include "motion/move_curves.hpp"
+#include "output/internal/pattern/cut_sampler.hpp"
+#include "output/internal/pattern/path_gauge.hpp"
+#include "output/pattern_machine.hpp"
+
+namespace kerf::output {
+
+/// What a pattern has become, and how near the wheel keeps to the program.
+struct PatternReport {
+  /// Largest deviation of a cut and where it is.
+  struct Deviation {
+    double mm = 0;
+    std::uint32_t line = 0;  ///< source line, 0: there are no cuts
+    double x = 0, y = 0;     ///< tip, machine coordinates
+  };
+
+  std::uint64_t fast = 0;  ///< records
+  std::uint64_t triplets = 0;
+  std::uint64_t lifts = 0;     ///< corners that were turned in the air
+  Deviation bound;             ///< that no cut exceeds
+  double bound_pulses_mm = 0;  ///< the part of it that whole pulses cost
+  Deviation measured;          ///< after every pulse
+  double heading_deg = 0;      ///< largest error of the wheel where a step begins, degrees
+  double time_s = 0;           ///< of the pattern
+  drive::ArmCounts counters;   ///< at its end
+};
+
+/// A place of a cut, for a picture.
+struct PatternStep {
+  double x = 0, y = 0;          ///< on the path, where the step ends
+  double off_x = 0, off_y = 0;  ///< from the path to the wheel, at its worst place in the step
+  double off_mm = 0;            ///< how far that is
+  double heading_deg = 0;       ///< of the wheel
+  std::span<const PathGauge::Place> wheel{};  ///< between the pulses of the step; of this call only
+};
+
+/// Receives what a picture shows of a pattern, in order.
+class PatternWatcher {
+ public:
+  virtual ~PatternWatcher() = default;
+  /// The wheel stands on the work here, after a travel or a turn in the air.
+  virtual void set_down(double x, double y, double heading_deg) = 0;
+  virtual void step(const PatternStep& step) = 0;
+};
+
+/// Turns the motions of a program into the pattern that cuts them (docs/pattern.md, "Programs").
+///
+/// Cuts become triplets, everything else fast records. What the records cannot hold raises the
+/// machine's alarm at its source line; nothing of that motion is written.
+class PatternMaker : public control::MotionSink {
+ public:
+  /// All must outlive the maker. The motors stand where the machine is at power-on.
+  PatternMaker(machine::VirtualMachine& machine, const PatternMachine& motors,
+               drive::PatternWriter& writer);
+
+  void watch(PatternWatcher& watcher) { watcher_ = &watcher; }
+  void take(const control::Motion& motion) override;
+  /// Behind the last motion: the lift goes where it is due.
+  void finish();
+
+  [[nodiscard]] PatternReport report() const;
+
+ private:
+  enum class Due : std::uint8_t { nothing, travel, cut };
+
+  void travel(const control::Motion& motion);
+  void cut(const control::Motion& motion);
+  void cut_along(const motion::Curve& curve);
+  bool step_along(const motion::Curve& curve, double& s);
+  void turn_on_the_spot(const base::AxisVector& to);
+  bool refused(const motion::Curve& curve);
+  void lift_for_travel(std::int64_t programmed_z);
+  void lift_due(std::int64_t z, Due why);
+  void lower();
+  void begin_cut(double error_deg);
+  [[nodiscard]] bool moves_arms(const base::AxisVector& to) const;
+  [[nodiscard]] double heading_error_deg(const base::PathJet& at) const;
+  [[nodiscard]] std::int64_t z_pulses(double z_mm) const;
+  [[nodiscard]] std::int64_t higher(std::int64_t a, std::int64_t b) const;
+  void note(const CutSample& sample, const motion::Curve& curve, bool split);
+  void tell_watcher(const motion::Curve& curve, double s, const PathGauge::Worst& worst);
+
+  void fast(drive::ArmAxis axis, std::int64_t to);
+  void slow(const drive::SlowMove& move);
+  void write(const drive::PatternRecord& record);
+  void raise(base::Diagnostic alarm);
+  void raise(const kinematics::Fault& fault);
+  [[nodiscard]] const drive::ArmCounts& counts() const { return drive_.counters(); }
+
+  machine::VirtualMachine& machine_;
+  const PatternMachine& motors_;
+  drive::PatternWriter& writer_;
+  PatternWatcher* watcher_ = nullptr;
+  motion::MoveCurves curves_;
+  CutSampler sampler_;
+  PathGauge gauge_;
+  drive::ArmDrive drive_;
+  const control::Motion* motion_ = nullptr;  // the present one
+  base::AxisVector tip_;                     // where the programmed path is
+  base::AxisVector joints_;  // of the path, not rounded; the wheel's is that of the counters
+  Due due_ = Due::nothing;   // why the lift has still to go to z_due_
+  std::int64_t z_due_ = 0;
+  bool failed_ = false;
+  PatternReport report_;
+};
+
+/// What a report says, for people: some lines of text, each indented.
+[[nodiscard]] std::string pattern_text(const PatternReport& report,
+                                       const machine::PatternSettings& settings);
+
+}  // namespace kerf::output

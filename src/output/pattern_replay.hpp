@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "control/motion.hpp"
+#include "drive/arm_drive.hpp"
+#include "drive/pattern/record.hpp"
+#include "machine/axis_point.hpp"
+#include "machine/run_statistics.hpp"
+#include "output/internal/pattern/pulse_lines.hpp"
+#include "output/pattern_machine.hpp"
+
+namespace kerf::output {
+
+/// Runs the records of a pattern on the motors of a machine that stands where every counter is 0.
+///
+/// Pulses go to the pulse sinks. Motions: a line of the tip for each triplet, at the feed that it
+/// has, a rapid for each fast record; what moves nothing is none. Set-points: one for every period
+/// of the servo, joints on the straight lines that the pulses follow, up to the first period at
+/// which all stands. `line` of both is the number of the record, from 1.
+class PatternReplay {
+ public:
+  /// The machine must outlive the replay. Sinks are added before the first record.
+  explicit PatternReplay(const PatternMachine& machine);
+  PatternReplay(const PatternReplay&) = delete;
+  PatternReplay& operator=(const PatternReplay&) = delete;
+
+  void add_sink(drive::PulseSink& sink) { pulses_.sinks.push_back(&sink); }
+  void add_sink(control::MotionSink& sink) { motions_.push_back(&sink); }
+  void add_sink(machine::AxisPointSink& sink) {
+    if (points_.empty()) add_sink(static_cast<drive::PulseSink&>(lines_));
+    points_.push_back(&sink);
+  }
+
+  /// Makes the next record. Error TIMER_OVERFLOW: nothing of it has moved.
+  [[nodiscard]] base::Result<void> take(const drive::PatternRecord& record);
+  /// The end: the last set-points.
+  void finish();
+
+  [[nodiscard]] const PatternMachine& machine() const { return machine_; }
+
+  struct Totals {
+    std::uint64_t fast = 0;  ///< records
+    std::uint64_t triplets = 0;
+    std::uint64_t pulses = 0;
+  };
+  [[nodiscard]] const Totals& totals() const { return totals_; }
+  [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
+  [[nodiscard]] double time_s() const;
+  [[nodiscard]] const machine::RunStatistics& statistics() const { return statistics_; }
+  /// A sentence about the first joint that has stood beyond its travel, with its record; empty when
+  /// none has.
+  [[nodiscard]] const std::string& beyond_travel() const { return beyond_travel_; }
+  [[nodiscard]] std::uint64_t beyond_travel_record() const { return beyond_travel_record_; }
+
+ private:
+  struct Fan : drive::PulseSink {
+    void take(const drive::Pulse& pulse) override;
+    std::vector<drive::PulseSink*> sinks;
+    std::uint64_t count = 0;
+  };
+
+  base::Result<void> make(const drive::FastRecord& record);
+  base::Result<void> make(const drive::Triplet& triplet);
+  void arrive(bool fast, std::int64_t begin_ticks);
+  void sample(double begin_s, double end_s);
+  void look_at_travel(const base::AxisVector& joints);
+  [[nodiscard]] double seconds(std::int64_t ticks) const;
+
+  const PatternMachine& machine_;
+  Fan pulses_;
+  drive::ArmDrive drive_;
+  PulseLines lines_;
+  machine::RunStatistics statistics_;
+  std::vector<control::MotionSink*> motions_;
+  std::vector<machine::AxisPointSink*> points_;
+  base::AxisVector tip_;
+  std::uint64_t period_ = 0;  // of the servo, made so far
+  Totals totals_;
+  std::string beyond_travel_;
+  std::uint64_t beyond_travel_record_ = 0;
+};
+
+}  // namespace kerf::output

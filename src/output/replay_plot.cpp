@@ -1,0 +1,40 @@
+#include "output/replay_plot.hpp"
+
+#include <array>
+
+namespace kerf::output {
+
+ReplayPlot::ReplayPlot(PatternReplay& replay, control::MotionSink& into)
+    : replay_(replay), into_(into) {
+  replay.add_sink(static_cast<control::MotionSink&>(*this));
+}
+
+void ReplayPlot::follow(const control::Motion& motion) {
+  const PatternMachine& machine = replay_.machine();
+  std::array<double, drive::kArmAxes> counts{};
+  control::Motion piece = motion;
+  for (int n = 1; n < kPieces; ++n) {
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      const auto from = static_cast<double>(at_.values[i]);
+      const auto to = static_cast<double>(replay_.counters().values[i]);
+      counts[i] = from + (to - from) * n / kPieces;
+    }
+    piece.action = control::Rapid{machine.kinematics().forward(machine.joints_at(counts)), true};
+    into_.take(piece);
+  }
+}
+
+void ReplayPlot::take(const control::Motion& motion) {
+  const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+  if (rapid != nullptr) {
+    follow(motion);
+    control::Motion last = motion;
+    last.action = control::Rapid{rapid->to, true};
+    into_.take(last);
+  } else {
+    into_.take(motion);
+  }
+  at_ = replay_.counters();
+}
+
+}  // namespace kerf::output

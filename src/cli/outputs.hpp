@@ -51,6 +51,7 @@ class Outputs {
   base::Outcome<void> open_pwm();
   base::Outcome<void> open_rows();
   base::Outcome<void> open_post();
+  base::Outcome<void> open_teach();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();

@@ -215,8 +215,8 @@ void Post::write(const Motion& motion) {
   } else if (const auto* const a8 = std::get_if<Coolant>(&motion.action)) {
     code(a8->state == Coolant::State::off ? "M9" : a8->state == Coolant::State::mist ? "M7" : "M8");
   } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
-    code(power->percent > 0 ? "(LASER " + base::number_text(rounded(power->percent)) + " PERCENT)"
-                            : "(LASER OFF)");
+    const double percent = rounded(power->beam_percent());
+    code(percent > 0 ? "(LASER " + base::number_text(percent) + " PERCENT)" : "(LASER OFF)");
   } else if (std::holds_alternative<Stop>(motion.action)) {
     code("M0");
   } else if (std::holds_alternative<End>(motion.action)) {

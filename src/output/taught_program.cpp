@@ -239,7 +239,8 @@ void TaughtProgram::act(const control::SpaceArc& arc) {
 void TaughtProgram::act(const Dwell& dwell) { write(teach::Dwell{dwell.seconds}); }
 
 void TaughtProgram::act(const Power& power) {
-  write(power.percent > 0 ? teach::Laser{true, power.percent} : teach::Laser{false, std::nullopt});
+  const double percent = power.beam_percent();
+  write(percent > 0 ? teach::Laser{true, percent} : teach::Laser{false, std::nullopt});
 }
 
 void TaughtProgram::act(const Spindle& spindle) {

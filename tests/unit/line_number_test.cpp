@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "lang/gcode/code_library.hpp"
 #include "base/text_window.hpp"
+#include "lang/gcode/code_library.hpp"
 
 namespace kerf::gcode {
 namespace {
@@ -118,7 +118,7 @@ TEST(LineNumbers, BehindALineThatIsTooLongAreRightHoweverItEnds) {
     for (int shift = -6; shift <= 6; ++shift) {
       for (const std::size_t chunks : {0U, 1U, 2U}) {
         const std::size_t length =
-            kLongestBlock + (chunks + 1) * kChunk + static_cast<std::size_t>(shift + 6);
+            base::kLongestBlock + (chunks + 1) * kChunk + static_cast<std::size_t>(shift + 6);
         const std::string text =
             "#1=1" + end + "(" + std::string(length, 'c') + end + "#1=2" + end + "#1=3" + end;
         const std::vector<Told> told = blocks_of(text, 256);
@@ -135,7 +135,8 @@ TEST(LineNumbers, BehindALineThatIsTooLongAreRightHoweverItEnds) {
 }
 
 TEST(LineNumbers, TheLongestLineThatIsAllowedIsABlock) {
-  for (const std::size_t length : {kLongestBlock - 1, kLongestBlock, kLongestBlock + 1}) {
+  for (const std::size_t length :
+       {base::kLongestBlock - 1, base::kLongestBlock, base::kLongestBlock + 1}) {
     base::SourceSet sources;
     std::string line = "#1=1 (";
     line.resize(length, 'c');
@@ -144,7 +145,8 @@ TEST(LineNumbers, TheLongestLineThatIsAllowedIsABlock) {
     CodeLibrary library(sources);
     library.add_file(file);
     const GcodePage& page = library.page(vm::CodeId{0}, 0);
-    EXPECT_EQ(page.failures.size(), length > kLongestBlock ? 1U : 0U) << length << " characters";
+    EXPECT_EQ(page.failures.size(), length > base::kLongestBlock ? 1U : 0U)
+        << length << " characters";
     EXPECT_EQ(blocks_of(text, 256).size(), 2U);
   }
 }

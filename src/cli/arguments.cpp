@@ -107,9 +107,12 @@ void add_outputs(CLI::App& run, RunOptions& o) {
                "colours the cuts of --plot by the speed that was really reached");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
+  file("--teach", o.teach, "the path as taught points, a .tch file");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");
-  run.add_flag("--keep-partial", o.keep_partial,
-               "writes --post, --pattern and --pulses also when the run does not reach its end");
+  run.add_flag(
+      "--keep-partial", o.keep_partial,
+      "writes --post, --pattern, --teach and --pulses also when the run does not reach its "
+      "end");
   add_diagnostics(run, o.diagnostics);
 }
 

@@ -42,6 +42,7 @@ struct RunOptions {
   bool plot_speed = false;
   std::string dprnt;
   std::string post;
+  std::string teach;
   std::string coverage;
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };

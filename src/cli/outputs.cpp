@@ -13,6 +13,7 @@
 #include "output/set_point_csv.hpp"
 #include "output/step_pulses.hpp"
 #include "output/summary.hpp"
+#include "output/taught_program.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -174,6 +175,20 @@ Outcome<void> Outputs::open_pattern_plot() {
   return {};
 }
 
+Outcome<void> Outputs::open_teach() {
+  const machine::MachineDefinition& definition = machine_.definition();
+  if (!options_.teach.empty() && !output::TaughtProgram::can_say(definition.axes))
+    return usage("--teach " + options_.teach + ": taught points have the axes X Y Z A C, " +
+                 definition.name + " has others");
+  const Opened file = open_file(options_.teach, Kind::drives_a_machine);
+  if (!file) return tl::unexpected(file.error());
+  if (*file == nullptr) return {};
+  auto taught = std::make_unique<output::TaughtProgram>(machine_, **file);
+  when_over([writer = taught.get()](OutputFile&) { writer->finish(); });
+  add(std::move(taught));
+  return {};
+}
+
 Outcome<void> Outputs::open_coverage() {
   const Opened file = open_file(options_.coverage);
   if (!file) return tl::unexpected(file.error());
@@ -217,10 +232,11 @@ Outcome<void> Outputs::open_summary() {
 
 Outcome<void> Outputs::open() {
   constexpr std::array kSteps = {
-      &Outputs::open_prints,   &Outputs::open_motion,  &Outputs::open_points,
-      &Outputs::open_pulses,   &Outputs::open_pwm,     &Outputs::open_rows,
-      &Outputs::open_post,     &Outputs::open_pattern, &Outputs::open_pattern_plot,
-      &Outputs::open_coverage, &Outputs::open_plot,    &Outputs::open_summary};
+      &Outputs::open_prints, &Outputs::open_motion,   &Outputs::open_points,
+      &Outputs::open_pulses, &Outputs::open_pwm,      &Outputs::open_rows,
+      &Outputs::open_post,   &Outputs::open_pattern,  &Outputs::open_pattern_plot,
+      &Outputs::open_teach,  &Outputs::open_coverage, &Outputs::open_plot,
+      &Outputs::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }

@@ -59,6 +59,7 @@ class Outputs {
   base::Outcome<void> open_post();
   base::Outcome<void> open_pattern();
   base::Outcome<void> open_pattern_plot();
+  base::Outcome<void> open_teach();
   base::Outcome<void> open_coverage();
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();

@@ -19,6 +19,10 @@ struct Assumed {
   static constexpr std::uint32_t scaled_arc = 46;
   static constexpr std::uint32_t feed_hundredths = 47;
   static constexpr std::uint32_t feed_hold = 48;
+  static constexpr std::uint32_t taught_period = 49;
+  static constexpr std::uint32_t taught_radii = 50;
+  static constexpr std::uint32_t rapid_with_beam = 51;
+  static constexpr std::uint32_t no_laser = 52;
   static constexpr std::uint32_t no_speed = 60;
   static constexpr std::uint32_t g_code = 100;
 };

@@ -27,4 +27,17 @@ struct HeadAngles {
 /// The one of them with the smaller |ΔA| + |ΔC| from `previous`; the first when equal.
 [[nodiscard]] Result<HeadAngles> orientation(geometry::Vec3 normal, HeadAngles previous);
 
+/// Unit normal of the surface through three points that were touched on it, in any order: of its
+/// two directions the one towards the head, which is that with `beam` (beam_axis() when they were
+/// touched). Error singular: the points lie on one line, or the beam lies in the surface.
+[[nodiscard]] Result<geometry::Vec3> surface_normal(geometry::Vec3 q1, geometry::Vec3 q2,
+                                                    geometry::Vec3 q3, geometry::Vec3 beam);
+
+/// How far the beam is from its shortest turn, at most, while A and C go from `from` to `to` in
+/// proportion, degrees: the angle between it and the direction that turns from one end to the other
+/// on a great circle at an even rate. Where both ends are square to a surface that turns so, this
+/// is what the beam is off square between them. Looked at in 1/256 of the way; 180 where the ends
+/// are opposite to each other, when every turn is the shortest.
+[[nodiscard]] double most_off_shortest_turn_deg(HeadAngles from, HeadAngles to);
+
 }  // namespace kerf::kinematics

@@ -6,6 +6,7 @@
 
 #include "machine/internal/basic_dialect.hpp"
 #include "machine/internal/gcode_dialect.hpp"
+#include "machine/internal/teach_dialect.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -20,7 +21,8 @@ struct Maker {
   std::unique_ptr<Dialect> (*make)(const Dialect::Around& around);
 };
 constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>},
-                                Maker{"laser-basic", make<BasicDialect>}};
+                                Maker{"laser-basic", make<BasicDialect>},
+                                Maker{"teach", make<TeachDialect>}};
 
 }  // namespace
 

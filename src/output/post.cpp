@@ -1,5 +1,7 @@
 #include "output/post.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -14,7 +16,8 @@ namespace {
 
 using namespace control;
 
-constexpr double kStep = 1e4;  // coordinates are written to 0.0001
+constexpr double kStep = 1e4;             // coordinates are written to 0.0001
+constexpr double kMostRadius_mm = 99999;  // controls keep I, J, K to so many digits
 
 double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
 
@@ -137,8 +140,38 @@ void Post::arc(const Arc& arc) {
   end_block();
 }
 
+// Within half a digit of the output the arc lies in the plane, and nothing else moves.
+std::optional<Arc> Post::plane_arc(const SpaceArc& arc, const geometry::SpaceArc& circle,
+                                   Plane plane) const {
+  const auto axes = plane_axes(plane, axes_);
+  if (!axes || circle.radius() > kMostRadius_mm) return std::nullopt;
+  for (std::size_t i = 0; i < axes_.count(); ++i) {
+    if (axes->contains(base::Axis{static_cast<std::uint8_t>(i)})) continue;
+    const double stays = rounded(at_.values[i]);
+    const bool leaves = rounded(arc.via.values[i]) != stays || rounded(arc.to.values[i]) != stays ||
+                        (arc.full_circle && rounded(arc.second_via.values[i]) != stays);
+    if (leaves) return std::nullopt;
+  }
+  const geometry::Vec3& e3 = circle.e3();
+  const geometry::Vec3& centre = circle.centre();
+  const double upright = plane == Plane::xy ? e3.z : plane == Plane::zx ? e3.y : e3.x;
+  const double tilt = std::sqrt(std::max(0.0, (1 - upright) * (1 + upright)));
+  if (2 * circle.radius() * tilt > 0.5 / kStep) return std::nullopt;
+  const std::array<double, 2> in_plane = plane == Plane::xy   ? std::array{centre.x, centre.y}
+                                         : plane == Plane::zx ? std::array{centre.z, centre.x}
+                                                              : std::array{centre.y, centre.z};
+  return Arc{.to = arc.to,
+             .center = in_plane,
+             .feed = arc.feed,
+             .plane = plane,
+             .direction = upright > 0 ? Direction::counterclockwise : Direction::clockwise};
+}
+
 void Post::space_arc(const SpaceArc& arc) {
   const SpaceArcPath path(axes_, at_, arc);
+  for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz}) {
+    if (const auto flat = plane_arc(arc, path.circle(), plane)) return this->arc(*flat);
+  }
   const double most_rad = geometry::chord_angle_rad(path.circle().radius(), kChordTolerance_mm);
   const double length = path.circle().length();
   path.chords(most_rad, [&](const base::AxisVector& to) { line(to, arc.feed, length); });
@@ -181,6 +214,9 @@ void Post::write(const Motion& motion) {
     spindle(*a7);
   } else if (const auto* const a8 = std::get_if<Coolant>(&motion.action)) {
     code(a8->state == Coolant::State::off ? "M9" : a8->state == Coolant::State::mist ? "M7" : "M8");
+  } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
+    const double percent = rounded(power->beam_percent());
+    code(percent > 0 ? "(LASER " + base::number_text(percent) + " PERCENT)" : "(LASER OFF)");
   } else if (std::holds_alternative<Stop>(motion.action)) {
     code("M0");
   } else if (std::holds_alternative<End>(motion.action)) {

@@ -1,17 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/output_file.hpp"
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
+#include "geometry/space_arc.hpp"
 
 namespace kerf::output {
 
 /// Writes the executed path as plain G-code for controllers without macros: no variables, no
 /// cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
-/// G94), arcs with I, J, K, dwell in seconds. Arcs in space are chords that leave them by at most
-/// kChordTolerance_mm, rounding of the coordinates apart.
+/// G94), arcs with I, J, K, dwell in seconds. Arcs in space that lie in XY, ZX or YZ while nothing
+/// else moves are arcs as well; others are chords that leave them by at most kChordTolerance_mm,
+/// rounding of the coordinates apart. The power of a laser is a comment: no word of plain G-code
+/// says it.
 class Post : public control::MotionSink {
  public:
   static constexpr double kChordTolerance_mm = 0.001;
@@ -28,6 +32,9 @@ class Post : public control::MotionSink {
   void line(const base::AxisVector& to, const control::Feed& rate, double length_mm);
   void arc(const control::Arc& arc);
   void space_arc(const control::SpaceArc& arc);
+  [[nodiscard]] std::optional<control::Arc> plane_arc(const control::SpaceArc& arc,
+                                                      const geometry::SpaceArc& circle,
+                                                      control::Plane plane) const;
   void spindle(const control::Spindle& spindle);
   void select_plane(control::Plane plane);
   [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;

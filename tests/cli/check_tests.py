@@ -238,7 +238,7 @@ def sarif_uris(box):
 def wrong_option_once(box):
     names = [box.write(f"f{i}.nc", GOOD) for i in range(4)]
     for words, wanted in ((["--param", "nosuch=1"], 2), (["--library", "gone"], 3),
-                          (["--dialect", "teach"], 2)):
+                          (["--dialect", "pattern"], 2)):
         result = box.kerf("check", *names, *words)
         status(result, wanted)
         equal(len(result.err.splitlines()), 1, f"sentences about {words}")

@@ -211,7 +211,7 @@ def machine_of_dialect(box, dialect):
 @test("a machine whose dialect is not built yet is refused, unless another dialect is asked for")
 def dialect_of_a_machine(box):
     box.write("part.nc", PROGRAM)
-    for dialect in ("fanuc-lathe", "laser-basic", "teach", "pattern"):
+    for dialect in ("fanuc-lathe", "laser-basic", "pattern"):
         machine_of_dialect(box, dialect)
         for command in ("run", "check"):
             words = [command, "part.nc", "--machine", "mine.toml"]

@@ -133,7 +133,7 @@ def check_no_orphans(folder: Path, variants: list) -> None:
         known |= {variant.expected.name, variant.printed.name}
         known |= {variant.picture(suffix).name for suffix in PICTURE_HEADS}
     for path in sorted(folder.iterdir()):
-        if path.suffix in (".nc", ".json", ".svg", ".png", ".txt") and path.name not in known:
+        if path.suffix in (".nc", ".tch", ".json", ".svg", ".png", ".txt") and path.name not in known:
             raise Failed(f"no command speaks of {path.name}")
 
 

@@ -87,7 +87,8 @@ void TextTest::prepare() {
     ADD_FAILURE() << "not understood: " << mistake;
   ASSERT_GT(expected_.count, 0U) << "the program expects nothing";
   // In a folder of its own: the programs of the same folder can be called.
-  const std::string program = folder_.write("program.nc", read_file(path_));
+  const std::string program =
+      folder_.write("program" + path_.extension().string(), read_file(path_));
   std::vector<std::string> words = {"run", program};
   words.insert(words.end(), expected_.options.begin(), expected_.options.end());
   auto request = cli::parse_arguments(words);
@@ -263,7 +264,8 @@ std::string name_of(const fs::path& path) {
 void register_folder(const fs::path& folder) {
   std::vector<fs::path> programs;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".nc") programs.push_back(entry.path());
+    const fs::path& path = entry.path();
+    if (path.extension() == ".nc" || path.extension() == ".tch") programs.push_back(path);
   }
   std::sort(programs.begin(), programs.end());
   const std::string area = folder.filename().string();

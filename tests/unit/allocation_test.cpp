@@ -17,6 +17,7 @@
 #include "output/row_csv.hpp"
 #include "output/set_point_csv.hpp"
 #include "output/step_pulses.hpp"
+#include "output/taught_program.hpp"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
@@ -71,15 +72,18 @@ struct Outputs {
   bool points = false;
   bool pulses = false;
   bool rows = false;
+  bool taught = false;
+  std::string machine = "mill3";
+  std::string dialect{};
 };
 
 // Runs a program and expects nothing to be allocated in its last three quarters.
 void expect_no_allocation(const std::string& program, const Outputs& outputs = {},
                           std::uint64_t least_motions = kPasses) {
-  const machine::MachineDefinition definition = *machine::find_machine("mill3");
+  const machine::MachineDefinition definition = *machine::find_machine(outputs.machine);
   control::Memory memory(definition.parameters.n_offsets);
   memory.tools[1].radius_geometry = 3;
-  machine::VirtualMachine machine(definition, std::move(memory));
+  machine::VirtualMachine machine(definition, std::move(memory), {{}, outputs.dialect});
   Watch watch(least_motions / 4);
   const auto nowhere = std::move(*base::OutputFile::create("/dev/null"));
   output::MotionJson motion(machine.definition().axes, *nowhere);
@@ -99,6 +103,8 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   if (outputs.rows) machine.add_sink(rows);
   if (outputs.motion) machine.add_sink(motion);
   if (outputs.post) machine.add_sink(post);
+  output::TaughtProgram taught(machine, *nowhere);
+  if (outputs.taught) machine.add_sink(taught);
   if (outputs.coverage) {
     machine.observe_blocks(
         [&](base::FileId file, std::uint32_t line) { coverage.count(file, line); });
@@ -194,6 +200,25 @@ TEST(NoAllocation, InAStraightProgramWithNumbersCommentsAndArcs) {
                              std::to_string(100 + i % 5) + "\n";
     return i % 3 == 0 ? line + "G02 I5.\n" : line;
   }));
+}
+
+std::string taught(std::uint64_t passes) {
+  std::string text = "TEACH 1\nPOINT 0 0 0 0 0 here\nFEED 600\n";
+  for (std::uint64_t i = 0; i < passes; ++i)
+    text += "LINE " + std::to_string(i % 97 + 1) +
+            " 3 1 0.5 2 ; along\nARC 1 2 3 4 5 7 3 3 0 1\nLASER ON " + std::to_string(i % 100) +
+            "\nDWELL 0.1\nCIRCLE 2 2 2 0 0 3 3 5 1 1\nPOINT 0 0 0 0 0 there\n";
+  return text + "END\n";
+}
+
+TEST(NoAllocation, OfTaughtPoints) {
+  expect_no_allocation(taught(kPasses / 6 + 1), {.machine = "laser5", .dialect = "teach"});
+}
+
+TEST(NoAllocation, WhileTaughtPointsAreWritten) {
+  expect_no_allocation(taught(kPasses / 6 + 1),
+                       {.taught = true, .machine = "mill5", .dialect = "teach"});
+  expect_no_allocation(loop("G01X[#1/997]Y1.\nG02I5.\nG03X0Y0R60.\n"), {.taught = true});
 }
 
 TEST(NoAllocation, WhileMotionsAreWritten) {

@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "lang/gcode/code_library.hpp"
 #include "base/text_window.hpp"
+#include "lang/gcode/code_library.hpp"
 
 namespace kerf::gcode {
 namespace {
@@ -135,7 +135,8 @@ TEST(LineNumbers, BehindALineThatIsTooLongAreRightHoweverItEnds) {
 }
 
 TEST(LineNumbers, TheLongestLineThatIsAllowedIsABlock) {
-  for (const std::size_t length : {base::kLongestBlock - 1, base::kLongestBlock, base::kLongestBlock + 1}) {
+  for (const std::size_t length :
+       {base::kLongestBlock - 1, base::kLongestBlock, base::kLongestBlock + 1}) {
     base::SourceSet sources;
     std::string line = "#1=1 (";
     line.resize(length, 'c');
@@ -144,7 +145,8 @@ TEST(LineNumbers, TheLongestLineThatIsAllowedIsABlock) {
     CodeLibrary library(sources);
     library.add_file(file);
     const GcodePage& page = library.page(vm::CodeId{0}, 0);
-    EXPECT_EQ(page.failures.size(), length > base::kLongestBlock ? 1U : 0U) << length << " characters";
+    EXPECT_EQ(page.failures.size(), length > base::kLongestBlock ? 1U : 0U)
+        << length << " characters";
     EXPECT_EQ(blocks_of(text, 256).size(), 2U);
   }
 }

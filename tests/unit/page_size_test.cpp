@@ -11,8 +11,6 @@
 #include "cli/arguments.hpp"
 #include "cli/machine_setup.hpp"
 #include "expectations.hpp"
-#include "fanuc.hpp"
-#include "lang/vm/value.hpp"
 #include "observer.hpp"
 #include "temporary_folder.hpp"
 
@@ -21,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using machine::VirtualMachine;
-using Settings = gcode::CodeLibrary::Settings;
+using Settings = vm::PageSettings;
 
 // Long enough for every program of the text tests that ends, short for those that do not.
 constexpr machine::Budget kBudget{.seconds = 0, .motions = 20'000, .steps = 400'000};
@@ -42,9 +40,9 @@ std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
     ADD_FAILURE() << ready.error().message;
     return nullptr;
   }
-  auto machine =
-      std::make_unique<VirtualMachine>(ready->machine->definition(), ready->machine->memory(),
-                                       VirtualMachine::Settings{settings, {}});
+  auto machine = std::make_unique<VirtualMachine>(
+      ready->machine->definition(), ready->machine->memory(),
+      VirtualMachine::Settings{settings, ready->machine->dialect()});
   machine->load(std::move(*base::SourceFile::open(options.program)));
   std::uint32_t levels = 0;
   for (const char c : options.block_skip) {
@@ -93,15 +91,8 @@ std::vector<std::string> story_of(const cli::RunOptions& options, const Settings
                     "+" + std::to_string(alarm.place.length) + " byte " +
                     std::to_string(alarm.place.line_start) + " in " + alarm.program);
   }
-  const auto variable = [&](std::size_t number, double value) {
-    if (!vm::is_null(value))
-      story.push_back("#" + std::to_string(number) + "=" + base::number_text(value));
-  };
-  const auto locals = fanuc(*machine).first_level_locals();
-  for (std::size_t i = 0; i < locals.size(); ++i) variable(i, locals[i]);
-  const auto& commons = machine->memory().commons;
-  for (std::size_t i = 0; i < commons.size(); ++i)
-    variable(i < gcode::kVolatileCommons ? 100 + i : 400 + i, commons[i]);
+  for (const machine::Variable& variable : machine->variables())
+    story.push_back(variable.name + "=" + base::number_text(variable.value));
   story.push_back("printed " + printed);
   story.push_back("blocks " + std::to_string(machine->control().blocks()));
   story.push_back("status " + std::to_string(static_cast<int>(status)));
@@ -138,7 +129,8 @@ class PageSize : public testing::TestWithParam<fs::path> {};
 TEST_P(PageSize, DoesNotMatter) {
   std::vector<fs::path> programs;
   for (const auto& entry : fs::directory_iterator(GetParam())) {
-    if (entry.path().extension() == ".nc") programs.push_back(entry.path());
+    const fs::path& path = entry.path();
+    if (path.extension() == ".nc" || path.extension() == ".tch") programs.push_back(path);
   }
   std::sort(programs.begin(), programs.end());
   ASSERT_FALSE(programs.empty());
@@ -146,7 +138,8 @@ TEST_P(PageSize, DoesNotMatter) {
   const TemporaryFolder folder;
   for (const fs::path& program : programs) {
     const Expectations expected = read_expectations(read_file(program));
-    std::vector<std::string> words = {"run", folder.write("program.nc", read_file(program))};
+    std::vector<std::string> words = {
+        "run", folder.write("program" + program.extension().string(), read_file(program))};
     words.insert(words.end(), expected.options.begin(), expected.options.end());
     auto request = cli::parse_arguments(words);
     ASSERT_TRUE(request) << request.error().message;

@@ -1,0 +1,279 @@
+#include "output/taught_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/decimal.hpp"
+#include "control/plane_axes.hpp"
+#include "geometry/arc.hpp"
+#include "lang/teach/record_parser.hpp"
+#include "lang/teach/record_writer.hpp"
+#include "lang/teach/sequence.hpp"
+#include "machine/taught_for.hpp"
+#include "output/drive_alarm.hpp"
+#include "output/internal/feed_per_minute.hpp"
+
+namespace kerf::output {
+namespace {
+
+using namespace control;
+using base::Axis;
+using base::AxisVector;
+using base::number_text;
+using geometry::SpaceArc;
+using geometry::Vec2;
+using geometry::Vec3;
+
+constexpr std::string_view kLetters = "XYZAC";
+constexpr double kFullTurn_rad = 2 * std::numbers::pi;
+constexpr int kLooks = 16;  // at a way, to see whether an arc in space leaves it
+
+// How far a point is from a circle in space.
+double off_circle(const geometry::SpaceArc& circle, Vec3 point) {
+  const Vec3 arm = point - circle.centre();
+  const double along_normal = dot(arm, circle.e3());
+  const double radial = length(arm - along_normal * circle.e3()) - circle.radius();
+  return std::hypot(along_normal, radial);
+}
+
+}  // namespace
+
+/// The way of a plane arc by the share of it that is done, 0 to 1: the angle, the radius and all
+/// other axes change in proportion.
+struct TaughtProgram::RoundWay {
+  RoundWay(const PlaneAxes& axes, const AxisVector& begin, const Arc& arc)
+      : plane(axes),
+        from(begin),
+        to(arc.to),
+        centre{arc.center[0], arc.center[1]},
+        radius(length(axes.project(begin) - centre)),
+        end_radius(length(axes.project(arc.to) - centre)) {
+    const bool clockwise = arc.direction == Direction::clockwise;
+    const Vec2 first = plane.project(from);
+    start_rad = std::atan2(first.v - centre.v, first.u - centre.u);
+    sweep_rad = geometry::sweep_rad(first, plane.project(to), centre, clockwise) +
+                kFullTurn_rad * arc.turns;
+    sign = clockwise ? -1 : 1;
+  }
+
+  [[nodiscard]] AxisVector at(double share) const {
+    if (share <= 0) return from;
+    if (share >= 1) return to;
+    AxisVector point = from;
+    for (std::size_t i = 0; i < base::kMaxAxes; ++i)
+      point.values[i] = base::tidy(from.values[i] + share * (to.values[i] - from.values[i]));
+    const double angle = start_rad + sign * share * sweep_rad;
+    const double r = radius + share * (end_radius - radius);
+    plane.place(point, {base::tidy(centre.u + r * std::cos(angle)),
+                        base::tidy(centre.v + r * std::sin(angle))});
+    return point;
+  }
+
+  PlaneAxes plane;
+  AxisVector from;
+  AxisVector to;
+  Vec2 centre;
+  double radius;
+  double end_radius;
+  double start_rad = 0;
+  double sweep_rad = 0;  // > 0
+  double sign = 1;       // -1: clockwise
+};
+
+TaughtProgram::TaughtProgram(machine::VirtualMachine& machine, base::OutputFile& file)
+    : machine_(machine), axes_(machine.definition().axes), file_(file), at_(axes_.start) {
+  const TaughtFor self = machine::taught_for(machine.definition());
+  write(teach::Version{});
+  comment(" tool centre path in machine coordinates");
+  write(teach::Units{});
+  write(teach::Period{self.period_ms});
+  if (self.radii) write(*self.radii);
+}
+
+bool TaughtProgram::can_say(const AxisSetup& axes) {
+  return std::all_of(axes.axes.begin(), axes.axes.end(), [](const AxisConfig& axis) {
+    return kLetters.find(axis.letter) != std::string_view::npos;
+  });
+}
+
+teach::Pose TaughtProgram::pose(const AxisVector& at) const {
+  const auto value = [&](char letter) {
+    const auto axis = axes_.find(letter);
+    return axis ? at[*axis] : 0;
+  };
+  return {value('X'), value('Y'), value('Z'), value('A'), value('C')};
+}
+
+void TaughtProgram::write(const teach::Record& record) {
+  line_.clear();
+  teach::append_line(line_, &record, nullptr);
+  file_.write(line_);
+}
+
+void TaughtProgram::comment(const std::string& text) {
+  line_.clear();
+  const std::string_view view = text;
+  teach::append_line(line_, nullptr, &view);
+  file_.write(line_);
+}
+
+// mm; degrees where only rotary axes move.
+double TaughtProgram::length_to(const AxisVector& to) const {
+  const teach::Pose a = pose(at_);
+  const teach::Pose b = pose(to);
+  const double linear = length(b.focus() - a.focus());
+  return linear > 0 ? linear : std::hypot(b.a_deg - a.a_deg, b.c_deg - a.c_deg);
+}
+
+// False: the machine's alarm has been raised.
+bool TaughtProgram::feed(const Feed& feed, double length_mm) {
+  const double per_minute =
+      std::min(feed_per_minute(feed, length_mm, speed_rpm_), teach::kMostFeed);
+  if (!(per_minute > 0)) {
+    const base::Diagnostic alarm = base::make_error(
+        base::Code::teach_range, {}, "a taught cut needs its feed in mm/min, which is not known");
+    machine_.raise(
+        at_mark(alarm, {.program = motion_->program, .line = motion_->line, .file = motion_->file},
+                machine_.sources()));
+    return false;
+  }
+  if (per_minute != feed_) write(teach::Feed{per_minute});
+  feed_ = per_minute;
+  return true;
+}
+
+// Every path begins with a point.
+void TaughtProgram::begin_path() {
+  if (!begun_) write(teach::Point{pose(at_), {}});
+  begun_ = true;
+}
+
+void TaughtProgram::cut(const AxisVector& to, const Feed& rate, double length_mm) {
+  begin_path();
+  if (feed(rate, length_mm)) write(teach::Line{pose(to)});
+  at_ = to;
+}
+
+void TaughtProgram::act(const Rapid& rapid) {
+  write(teach::Point{pose(rapid.to), {}});
+  begun_ = true;
+  at_ = rapid.to;
+}
+
+void TaughtProgram::act(const Line& line) { cut(line.to, line.feed, length_to(line.to)); }
+void TaughtProgram::act(const Probe& probe) { cut(probe.to, probe.feed, length_to(probe.to)); }
+void TaughtProgram::act(const Thread& thread) {
+  cut(thread.to, {thread.lead, FeedMode::per_revolution}, length_to(thread.to));
+}
+
+// An arc in space through the middle of a stretch of the way, if it leaves that by little enough.
+std::optional<teach::Arc> TaughtProgram::arc_over(const RoundWay& way, double begin,
+                                                  double end) const {
+  const teach::Arc arc{pose(way.at((begin + end) / 2)), pose(way.at(end))};
+  const auto circle =
+      SpaceArc::through(pose(way.at(begin)).focus(), arc.via.focus(), arc.to.focus());
+  if (!circle) return std::nullopt;
+  for (int i = 1; i < kLooks; ++i) {
+    const double share = begin + (end - begin) * i / kLooks;
+    if (off_circle(*circle, pose(way.at(share)).focus()) > kTolerance_mm) return std::nullopt;
+  }
+  return arc;
+}
+
+// `count` equal arcs in place of the way. False: they would leave it; nothing is written.
+bool TaughtProgram::arcs(const RoundWay& way, double count) {
+  const auto piece = [&](double n) { return arc_over(way, n / count, (n + 1) / count); };
+  for (double n = 0; n < count; ++n) {
+    if (!piece(n)) return false;
+  }
+  for (double n = 0; n < count; ++n) write(*piece(n));
+  return true;
+}
+
+// Once or more times round to where the way begins, and nothing else moves.
+bool TaughtProgram::circles(const RoundWay& way) {
+  if (way.from != way.to) return false;
+  const double turns = std::round(way.sweep_rad / kFullTurn_rad);
+  const teach::Circle circle{pose(way.at(1 / (3 * turns))), pose(way.at(2 / (3 * turns)))};
+  if (teach::objection_to_circle(pose(way.from), circle)) return false;
+  for (double n = 0; n < turns; ++n) write(circle);
+  return true;
+}
+
+void TaughtProgram::chords(const RoundWay& way) {
+  const double radius = std::max(way.radius, way.end_radius);
+  const double most_rad = geometry::chord_angle_rad(radius, kTolerance_mm);
+  const double count = std::max(1.0, std::ceil(way.sweep_rad / most_rad - 1e-9));
+  for (double n = 1; n <= count; ++n) write(teach::Line{pose(way.at(n / count))});
+}
+
+void TaughtProgram::act(const Arc& arc) {
+  const auto plane = plane_axes(arc.plane, axes_);
+  if (!plane) return;
+  const RoundWay way(*plane, at_, arc);
+  const double rise = plane->normal ? arc.to[*plane->normal] - at_[*plane->normal] : 0;
+  const double mean_radius = (way.radius + way.end_radius) / 2;
+  begin_path();
+  if (feed(arc.feed, std::hypot(way.sweep_rad * mean_radius, rise))) {
+    const double halves = std::ceil(way.sweep_rad / std::numbers::pi - 1e-9);
+    const bool whole = way.sweep_rad < kFullTurn_rad && arcs(way, 1);
+    if (!whole && !circles(way) && !arcs(way, std::max(2.0, halves))) chords(way);
+  }
+  at_ = arc.to;
+}
+
+void TaughtProgram::act(const control::SpaceArc& arc) {
+  const SpaceArcPath path(axes_, at_, arc);
+  begin_path();
+  if (feed(arc.feed, path.circle().length())) {
+    if (arc.full_circle) {
+      write(teach::Circle{pose(arc.via), pose(arc.second_via)});
+    } else {
+      write(teach::Arc{pose(arc.via), pose(arc.to)});
+    }
+  }
+  at_ = arc.to;
+}
+
+void TaughtProgram::act(const Dwell& dwell) { write(teach::Dwell{dwell.seconds}); }
+
+void TaughtProgram::act(const Power& power) {
+  const double percent = power.beam_percent();
+  write(percent > 0 ? teach::Laser{true, percent} : teach::Laser{false, std::nullopt});
+}
+
+void TaughtProgram::act(const Spindle& spindle) {
+  const bool turns = spindle.turning == Spindle::Turning::clockwise ||
+                     spindle.turning == Spindle::Turning::counterclockwise;
+  speed_rpm_ = spindle.mode == Spindle::Mode::rpm ? spindle.speed : spindle.max_rpm;
+  comment(turns ? " spindle on, " + number_text(speed_rpm_) + " rpm" : " spindle off");
+}
+
+void TaughtProgram::act(const ToolChange& change) {
+  comment(" tool " + std::to_string(change.tool));
+}
+
+void TaughtProgram::act(const Coolant& coolant) {
+  comment(coolant.state == Coolant::State::off ? " coolant off" : " coolant on");
+}
+
+void TaughtProgram::act(const AuxiliaryCode& code) { comment(" M" + std::to_string(code.code)); }
+void TaughtProgram::act(const Stop& /*stop*/) { comment(" program stop"); }
+void TaughtProgram::act(const Message& message) {
+  comment(" message: " + std::string(message.text.view()));
+}
+void TaughtProgram::act(const End& /*end*/) { finish(); }
+
+void TaughtProgram::take(const Motion& motion) {
+  if (ended_) return;
+  motion_ = &motion;
+  std::visit([this](const auto& action) { act(action); }, motion.action);
+}
+
+void TaughtProgram::finish() {
+  if (!ended_) write(teach::End{});
+  ended_ = true;
+}
+
+}  // namespace kerf::output

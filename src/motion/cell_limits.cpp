@@ -55,10 +55,9 @@ double CellLimits::longest_chord(const CellBounds& bounds) const {
   return std::min(chord, longest_chord_mm(1 / bounds.curvature, of_chord_mm));
 }
 
-// In a period, from rest: a T², mm. On a line what is beside a cell is much like it.
+// In a period, from rest: a T², mm.
 double CellLimits::most_speed_up(const CellBounds& bounds) const {
-  const double acceleration =
-      bounds.curvature > 0 ? std::max(bounds.tip_acceleration, acceleration_) : acceleration_;
+  const double acceleration = std::max(bounds.tip_acceleration, acceleration_);
   return acceleration * period_s_ * period_s_;
 }
 
@@ -77,6 +76,15 @@ double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double half = speed_up / 27;
   const double way = chord * chord / (half + std::sqrt(half * half + chord * chord));
   return std::min(chord / 2, way) / period_s_;
+}
+
+double CellLimits::acceleration_along(const base::AxisVector& first) const {
+  double least = kInfinite;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double rate = std::fabs(first.values[m]);
+    if (rate > 0) least = std::min(least, limits_.acceleration.values[m] / rate);
+  }
+  return std::isfinite(least) ? least : 0;
 }
 
 double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {

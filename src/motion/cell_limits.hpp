@@ -13,7 +13,7 @@ struct CellBounds {
   /// How far the tip leaves its line while the driven axes move in proportion: mm over the square
   /// of the step. 0 where they are the program's.
   double deviation = 0;
-  /// Of the tip, in any direction, mm/s²; 0: what the driven axes have.
+  /// Of the tip along the path beside it, mm/s²; 0: what driven axes have that are the program's.
   double tip_acceleration = 0;
   /// What is beside it may be quite different: within a chord of where its curve meets another, or
   /// where the linkage is what bends.
@@ -52,6 +52,10 @@ class CellLimits {
   [[nodiscard]] PathLimits of(const CellBounds& bounds, double feed, Use use) const;
   /// The highest speed at any feed; infinite where nothing limits it.
   [[nodiscard]] double highest_speed(const CellBounds& bounds, Use use) const;
+
+  /// What the driven axes can give the tip along a path on which their derivatives are these; 0
+  /// where none of them moves.
+  [[nodiscard]] double acceleration_along(const base::AxisVector& first) const;
 
   /// How far from its ends a curve with these bounds has borders; 0: nowhere.
   [[nodiscard]] double border_mm(const CellBounds& bounds) const;

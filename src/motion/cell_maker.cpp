@@ -107,13 +107,16 @@ bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cel
   if (cells_of_piece_ == 0) {
     begin_ = piece.begin;
     length_ = piece.end - piece.begin;
-    CellBounds bounds = bounds_of(piece, piece.begin, piece.end);
-    bounds.tip_acceleration =
-        linkage_->tip_acceleration(joints_, limits_.axis_limits().acceleration);
-    border_ = limits_.border_mm(bounds);
   }
   Stretch stretch(*linkage_, piece.curve);
   JointSample first = stretch.look_at(begin_, joints_);
+  if (cells_of_piece_ == 0) {
+    CellBounds bounds = bounds_of(piece, piece.begin, piece.end);
+    beside_ =
+        std::max(acceleration_at(first), acceleration_at(stretch.look_at(piece.end, first.joints)));
+    bounds.tip_acceleration = beside_;
+    border_ = limits_.border_mm(bounds);
+  }
   while (begin_ < piece.end) {
     if (cells.room() == 0) return false;
     CellBounds bounds;
@@ -151,14 +154,19 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
     const double end = last ? most : begin_ + length;
     stretch.look(begin_, first, end);
     bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
-    bounds.tip_acceleration =
-        linkage_->tip_acceleration(stretch.samples()[1].joints, limits_.axis_limits().acceleration);
-    bounds.at_border =
-        bounds.deviation > 0 || begin_ < piece.begin + border_ || end > piece.end - border_;
+    const bool beside = begin_ < piece.begin + border_ || end > piece.end - border_;
+    bounds.at_border = beside || bounds.deviation > 0;
+    if (beside) bounds.tip_acceleration = beside_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;
     const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
     if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;
   }
+}
+
+// Of the tip where a curve ends: there its parameter is a length, and what lies beside it goes on
+// in its direction.
+double CellMaker::acceleration_at(const JointSample& end) const {
+  return end.rates ? limits_.acceleration_along(end.rates->first) : 0;
 }
 
 bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch,

@@ -56,6 +56,7 @@ class CellMaker {
   bool cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double look(const PathPiece& piece, const JointSample& first, Stretch& stretch,
                             CellBounds& bounds) const;
+  [[nodiscard]] double acceleration_at(const JointSample& end) const;
   [[nodiscard]] bool is_cell(const PathPiece& piece, const Stretch& stretch,
                              const CellBounds& bounds) const;
   void add(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
@@ -71,6 +72,7 @@ class CellMaker {
   double begin_ = 0;   // of the next cell
   double length_ = 0;  // of the last one
   double border_ = 0;  // at its ends
+  double beside_ = 0;  // CellBounds::tip_acceleration of those
 };
 
 }  // namespace kerf::motion

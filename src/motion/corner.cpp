@@ -116,10 +116,8 @@ Corner CornerRounder::between(const Curve& in, const Curve& out, const Passage& 
   double reach = std::min(wanted_reach(*driven_end, *driven_begin, passage), passage.most_reach);
   if (angle > 0)
     reach = std::min(reach, kBelow * kBetween * passage.tolerance_mm / (shape.deviation * angle));
-  const CornerTime time(
-      limits_, shape, {end, *driven_end, room_of(in), passage.feed_in},
-      {begin, *driven_begin, room_of(out), passage.feed_out},
-      follower_.tip_acceleration(driven_end->value, limits_.axis_limits().acceleration));
+  const CornerTime time(limits_, shape, {end, *driven_end, room_of(in), passage.feed_in},
+                        {begin, *driven_begin, room_of(out), passage.feed_out});
   return best_of(in, out, time, best_reach(time, reach), passage.tolerance_mm);
 }
 

@@ -23,7 +23,7 @@ AxisNorms norms(const CellLimits& limits) { return {limits.linear(), base::kMaxA
 }  // namespace
 
 CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in,
-                       const Side& out, double tip_acceleration)
+                       const Side& out)
     : limits_(limits),
       shape_(shape),
       curves_{larger(in.driven.first, out.driven.first),
@@ -33,7 +33,6 @@ CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, con
       turn_(larger(out.driven.first - in.driven.first, {})),
       bend_(larger(out.driven.second - in.driven.second, {})),
       turn_mm_(norms(limits).mm(out.tip.first - in.tip.first)),
-      tip_acceleration_(tip_acceleration),
       in_(drive_of(in)),
       out_(drive_of(out)) {}
 
@@ -41,7 +40,8 @@ CornerTime::Drive CornerTime::drive_of(const Side& side) const {
   CellBounds bounds;
   for (std::size_t m = 0; m < base::kMaxAxes; ++m)
     bounds.driven.first.values[m] = std::fabs(side.driven.first.values[m]);
-  Drive drive{limits_.of(bounds, side.feed, CellLimits::Use::path), 0};
+  Drive drive{limits_.of(bounds, side.feed, CellLimits::Use::path),
+              limits_.acceleration_along(side.driven.first), 0};
   drive.speed = std::min(drive.limits.velocity, reachable_speed(0, side.length / 2, drive.limits));
   return drive;
 }
@@ -54,7 +54,7 @@ double CornerTime::Drive::lost_to_ramp_s(double corner_speed) const {
 double CornerTime::speed_of(double reach) const {
   CellBounds bounds{.driven = curves_,
                     .curvature = curvature_ + shape_.second / reach * turn_mm_,
-                    .tip_acceleration = tip_acceleration_,
+                    .tip_acceleration = std::max(in_.acceleration, out_.acceleration),
                     .at_border = true};
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double turn = turn_.values[m] / reach;

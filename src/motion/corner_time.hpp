@@ -31,9 +31,7 @@ class CornerTime {
     double length = 0;
     double feed = 0;
   };
-  /// `tip_acceleration`: CellBounds::tip_acceleration at the corner.
-  CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in, const Side& out,
-             double tip_acceleration);
+  CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in, const Side& out);
 
   [[nodiscard]] double rounded_s(double reach) const;
   /// Where the rounding is known: how fast its own curve can be driven is asked.
@@ -44,6 +42,7 @@ class CornerTime {
   /// How fast one of the curves is driven.
   struct Drive {
     PathLimits limits;
+    double acceleration = 0;  // along it at the corner, from rest
     double speed = 0;
     [[nodiscard]] double lost_to_ramp_s(double corner_speed) const;
   };
@@ -58,7 +57,6 @@ class CornerTime {
   base::AxisVector turn_;
   base::AxisVector bend_;
   double turn_mm_ = 0;  // of the axes that count mm
-  double tip_acceleration_ = 0;
   Drive in_, out_;
 };
 

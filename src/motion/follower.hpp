@@ -27,11 +27,6 @@ class Follower {
   [[nodiscard]] bool can_follow(const Curve& curve);
   /// Derivatives of the driven axes from those of the tip; nothing where they are not determined.
   [[nodiscard]] std::optional<base::PathJet> driven(const base::PathJet& tip);
-  /// CellBounds::tip_acceleration where the driven axes stand at `joints` and have these.
-  [[nodiscard]] double tip_acceleration(const base::AxisVector& joints,
-                                        const base::AxisVector& accelerations) const {
-    return linkage_ == nullptr ? 0 : linkage_->tip_acceleration(joints, accelerations);
-  }
 
  private:
   const Linkage* linkage_;

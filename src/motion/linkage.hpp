@@ -32,11 +32,6 @@ class Linkage {
   [[nodiscard]] virtual std::optional<base::PathJet> along(
       const base::PathJet& tip, const base::AxisVector& joints) const = 0;
 
-  /// Upper bound, mm/s², of the acceleration of the tip at `joints` when no driven axis has more
-  /// than its `accelerations`, all of them at rest.
-  [[nodiscard]] virtual double tip_acceleration(const base::AxisVector& joints,
-                                                const base::AxisVector& accelerations) const = 0;
-
   /// Upper bound, mm, of how far the tip leaves the line between its ends while the driven axes go
   /// from `from` to `to` in proportion.
   [[nodiscard]] virtual double deviation_mm(const base::AxisVector& from,

@@ -253,7 +253,7 @@ TEST(CornerTime, OfARightAngleIsWhatTheFormulaSays) {
     const double length = 2 * v * v / a;
     const PathJet x{{}, {{1, 0}}, {}, {}};
     const PathJet y{{}, {{0, 1}}, {}, {}};
-    const CornerTime time(limits, {0.5, 0, 0.25}, {x, x, length, v}, {y, y, length, v}, 0);
+    const CornerTime time(limits, {0.5, 0, 0.25}, {x, x, length, v}, {y, y, length, v});
     const double reach = random.size(0.01, 1) * v * v / (0.98 * 2 * a);
     const double vc = std::sqrt(0.98 * 2 * a * reach);
     const double cost = 2 * reach * (1 / vc - 1 / v) + (v - vc) * (v - vc) / (a * v);

@@ -19,8 +19,6 @@ class JointLinkage : public motion::Linkage {
                                         const base::AxisVector& previous) const override;
   [[nodiscard]] std::optional<base::PathJet> along(const base::PathJet& tip,
                                                    const base::AxisVector& joints) const override;
-  [[nodiscard]] double tip_acceleration(const base::AxisVector& joints,
-                                        const base::AxisVector& accelerations) const override;
   [[nodiscard]] double deviation_mm(const base::AxisVector& from,
                                     const base::AxisVector& to) const override;
 

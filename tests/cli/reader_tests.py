@@ -5,6 +5,7 @@ and what arcs rise by must agree within TOLERANCE_MM.
 """
 
 import math
+import os
 import re
 import shlex
 import shutil
@@ -30,14 +31,18 @@ class Reader:
             raise Skipped("rs274 of LinuxCNC (linuxcnc-uspace) is not installed")
         program = Path(folder, name).read_text()
         tools = sorted(set(re.findall(r"^T(\d+) M6$", program, re.MULTILINE)), key=int)
-        Path(folder, "tools.tbl").write_text("".join(f"T{tool} P{tool} D1 Z0 ;\n" for tool in tools))
-        result = subprocess.run(["rs274", "-g", "-t", "tools.tbl", name], cwd=folder, capture_output=True, text=True,
-                                timeout=60, check=False)
+        table = "".join(f"T{tool} P{tool} D1 Z0 ;\n" for tool in tools)
+        Path(folder, "tools.tbl").write_text(table)
+        home = {**os.environ, "HOME": str(folder)}  # where it keeps the tools of a run
+        result = subprocess.run(["rs274", "-g", "-t", "tools.tbl", name], cwd=folder, env=home,
+                                capture_output=True, text=True, timeout=60, check=False)
         check(result.returncode == 0 and "error" not in result.stderr.lower(),
               f"rs274 refuses the posted program: {(result.stderr or result.stdout)[-300:]}")
         self.moves = []
-        self.plane, self.feed, self.s, self.on, self.at = "XY", 0.0, 0.0, False, dict.fromkeys("XYZABC", 0.0)
-        for name, text in re.findall(r"^\s*\d+ \S+\s+(\w+)\((.*)\)$", result.stdout, re.MULTILINE):
+        self.plane, self.feed, self.s, self.on = "XY", 0.0, 0.0, False
+        self.at = dict.fromkeys("XYZABC", 0.0)
+        calls = re.findall(r"^\s*\d+ \S+\s+(\w+)\((.*)\)$", result.stdout, re.MULTILINE)
+        for name, text in calls:
             self.take(name, [word.strip() for word in text.split(",")])
         check("PROGRAM_END" in result.stdout, "rs274 does not come to the end of the program")
 

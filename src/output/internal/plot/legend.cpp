@@ -107,6 +107,12 @@ std::string hole_count(const HoleFinder& finder) {
   return more + grouped(count) + (count == 1 ? " hole" : " holes");
 }
 
+std::string cut_words(const Subject& subject) {
+  if (!subject.cut_scale) return "cut, in the tool's colour";
+  const bool speeds = subject.cut_scale->of() == CutScale::Of::speeds;
+  return speeds ? "cut, coloured by its speed" : "cut, coloured by its energy";
+}
+
 void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_heading(sheet, corner, "Signs");
   const auto middle = [&](std::size_t row) {
@@ -116,8 +122,7 @@ void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_sample(sheet, row_at(corner, 0), {kTravel, 1, true, {}});
   draw_words(sheet, row_at(corner, 0), "rapid, not cutting");
   draw_sample(sheet, row_at(corner, 1), {kDark, 1.6, false, {}});
-  draw_words(sheet, row_at(corner, 1),
-             subject.cut_scale ? "cut, coloured by the scale" : "cut, in the tool's colour");
+  draw_words(sheet, row_at(corner, 1), cut_words(subject));
   draw_start_mark(sheet, middle(2));
   draw_words(sheet, row_at(corner, 2), subject.has_cuts() ? "first cut" : "start");
   draw_end_mark(sheet, middle(3));

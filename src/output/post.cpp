@@ -20,7 +20,6 @@ using namespace control;
 
 constexpr double kStep = 1e4;             // coordinates are written to 0.0001
 constexpr double kMostRadius_mm = 99999;  // controls keep I, J, K to so many digits
-
 constexpr std::size_t kLongestComment = 60;
 
 double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
@@ -313,8 +312,8 @@ void Post::finish() {
 
 std::string Post::remark() const {
   if (only_comments_ == 0) return {};
-  return "  --post: " + std::to_string(only_comments_) +
-         " things that plain G-code cannot say are comments, the first one of line " +
+  return "  --post: what plain G-code cannot say is in " + std::to_string(only_comments_) +
+         (only_comments_ == 1 ? " comment" : " comments") + ", the first one of line " +
          std::to_string(first_comment_line_) + "\n";
 }
 

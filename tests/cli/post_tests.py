@@ -222,7 +222,7 @@ def only_comments(box):
     comments = [line for line in box.read("post.nc").decode().splitlines() if line.startswith("(LINE")]
     equal([line.split(":")[0] for line in comments], ["(LINE 2", "(LINE 3", "(LINE 4"], "comments")
     check("M77" in comments[0] and "PROBING" in comments[1] and "LOAD" in comments[2], str(comments))
-    check("--post: 3 things" in result.err and "line 2" in result.err, result.err)
+    check("is in 3 comments" in result.err and "line 2" in result.err, result.err)
 
 
 @test("the scale of S and the word of the beam are keys of the machine")

@@ -105,6 +105,8 @@ void add_outputs(CLI::App& run, RunOptions& o) {
   file("--plot", o.plot, "picture of the path: .svg or .png");
   run.add_flag("--plot-speed", o.plot_speed,
                "colours the cuts of --plot by the speed that was really reached");
+  run.add_flag("--plot-energy", o.plot_energy,
+               "colours the cuts of --plot by the energy of the laser on each millimetre");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
   file("--teach", o.teach, "the path as taught points, a .tch file");

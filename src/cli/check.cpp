@@ -11,6 +11,7 @@
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
 #include "output/diagnostic_text.hpp"
+#include "output/drive_alarm.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -34,6 +35,7 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
   add(machine.alarm());
   add(machine.notice());
   for (const Diagnostic& warning : machine.control().warnings()) add(warning);
+  if (machine.dotted_cut()) add(output::at_line(*machine.dotted_cut(), machine.sources()));
   return found;
 }
 

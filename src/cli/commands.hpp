@@ -40,6 +40,7 @@ struct RunOptions {
   std::string pattern_plot;
   std::string plot;
   bool plot_speed = false;
+  bool plot_energy = false;
   std::string dprnt;
   std::string post;
   std::string teach;

@@ -7,7 +7,6 @@
 #include "drive/pulse_vcd.hpp"
 #include "output/laser_pulses.hpp"
 #include "output/motion_json.hpp"
-#include "output/path_plot.hpp"
 #include "output/post.hpp"
 #include "output/row_csv.hpp"
 #include "output/set_point_csv.hpp"
@@ -24,6 +23,10 @@ using base::OutputFile;
 
 tl::unexpected<Failure> usage(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+bool ends_as_picture(const std::string& path) {
+  return path.ends_with(".svg") || path.ends_with(".png");
 }
 
 std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
@@ -129,8 +132,12 @@ Outcome<void> Outputs::open_post() {
   const Opened file = open_file(options_.post, Kind::drives_a_machine);
   if (!file) return tl::unexpected(file.error());
   if (*file == nullptr) return {};
-  auto post = std::make_unique<output::Post>(machine_.definition().axes, **file);
-  when_over([writer = post.get()](OutputFile&) { writer->finish(); });
+  const machine::MachineDefinition& definition = machine_.definition();
+  auto post = std::make_unique<output::Post>(definition.axes, **file, definition.drive.laser);
+  when_over([this, writer = post.get()](OutputFile&) {
+    writer->finish();
+    remarks_ += writer->remark();
+  });
   add(std::move(post));
   return {};
 }
@@ -158,7 +165,7 @@ Outcome<void> Outputs::open_pattern() {
 Outcome<void> Outputs::open_pattern_plot() {
   const std::string& path = options_.pattern_plot;
   const bool png = path.ends_with(".png");
-  if (!path.empty() && !png && !path.ends_with(".svg"))
+  if (!path.empty() && !ends_as_picture(path))
     return usage("--pattern-plot " + path + ": a picture ends in .svg or .png");
   if (!path.empty() && pattern_maker_ == nullptr)
     return usage("--pattern-plot " + path + " shows what --pattern FILE makes: give that too");
@@ -201,22 +208,40 @@ Outcome<void> Outputs::open_coverage() {
   return {};
 }
 
-Outcome<void> Outputs::open_plot() {
-  const bool png = options_.plot.ends_with(".png");
-  if (options_.plot_speed && options_.plot.empty())
-    return usage("--plot-speed says how --plot FILE is coloured: give that too");
-  if (!options_.plot.empty() && !png && !options_.plot.ends_with(".svg"))
+Outcome<void> Outputs::check_plot() const {
+  const machine::MachineDefinition& definition = machine_.definition();
+  const std::string colours = options_.plot_speed ? "--plot-speed" : "--plot-energy";
+  const bool coloured = options_.plot_speed || options_.plot_energy;
+  if (coloured && options_.plot.empty())
+    return usage(colours + " says how --plot FILE is coloured: give that too");
+  if (options_.plot_speed && options_.plot_energy)
+    return usage("--plot-speed and --plot-energy: a cut has one colour");
+  if (options_.plot_energy && !definition.drive.laser.fitted())
+    return usage("--plot-energy: " + definition.name + " has no laser");
+  if (!options_.plot.empty() && !ends_as_picture(options_.plot))
     return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
+  return {};
+}
+
+std::unique_ptr<output::PathPlot> Outputs::make_plot() const {
+  const machine::MachineDefinition& definition = machine_.definition();
+  const std::string title = machine_.program_name() + " on " + definition.name;
+  if (options_.plot_energy)
+    return std::make_unique<output::PathPlot>(definition.axes, title, definition.drive.laser);
+  const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;
+  return std::make_unique<output::PathPlot>(definition.axes, title, colors);
+}
+
+Outcome<void> Outputs::open_plot() {
+  if (auto fits = check_plot(); !fits) return fits;
   const Opened file = open_file(options_.plot);
   if (!file) return tl::unexpected(file.error());
   if (*file == nullptr) return {};
-  const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;
-  auto plot = std::make_unique<output::PathPlot>(
-      machine_.definition().axes, machine_.program_name() + " on " + machine_.definition().name,
-      colors);
-  if (options_.plot_speed) machine_.add_point_sink(*plot);
-  when_over([picture = plot.get(), png](OutputFile& into) {
-    into.write(png ? picture->png() : picture->svg());
+  auto plot = make_plot();
+  if (options_.plot_speed || options_.plot_energy) machine_.add_point_sink(*plot);
+  when_over([this, picture = plot.get()](OutputFile& into) {
+    into.write(options_.plot.ends_with(".png") ? picture->png() : picture->svg());
+    remarks_ += picture->remark();
   });
   add(std::unique_ptr<control::MotionSink>(std::move(plot)));
   return {};

@@ -13,6 +13,7 @@
 #include "machine/axis_point.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
+#include "output/path_plot.hpp"
 #include "output/pattern_maker.hpp"
 #include "output/pattern_plot.hpp"
 
@@ -61,6 +62,8 @@ class Outputs {
   base::Outcome<void> open_pattern_plot();
   base::Outcome<void> open_teach();
   base::Outcome<void> open_coverage();
+  [[nodiscard]] base::Outcome<void> check_plot() const;
+  [[nodiscard]] std::unique_ptr<output::PathPlot> make_plot() const;
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();
   void add(std::unique_ptr<control::MotionSink> sink);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "output/diagnostic_text.hpp"
+#include "output/drive_alarm.hpp"
 
 namespace kerf::cli {
 
@@ -14,6 +15,7 @@ void report_diagnostics(machine::VirtualMachine& machine, DiagnosticFormat forma
     std::fwrite(text.data(), 1, text.size(), stderr);
   };
   for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
+  if (machine.dotted_cut()) tell(output::at_line(*machine.dotted_cut(), machine.sources()));
   if (machine.alarm()) tell(*machine.alarm());
   if (machine.notice()) tell(*machine.notice());
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "drive/arm_drive.hpp"
 #include "drive/pwm.hpp"
 #include "drive/step_generator.hpp"
@@ -8,10 +10,17 @@ namespace kerf::machine {
 
 /// The laser of a machine and the timer that makes its pulses.
 struct LaserSettings {
+  /// How G-code for a laser controller has the beam on: M3, constant power, or M4, power that
+  /// follows the speed.
+  enum class Beam : std::uint8_t { constant, dynamic };
+
   double max_power_w = 0;          ///< while the beam is on, >= 0; 0: there is no laser
   double pwm_frequency_hz = 2000;  ///< > 0
   double spot_mm = 0.1;            ///< diameter of the spot on the work, > 0
+  double burn_j_mm = 0;  ///< places with more energy burn, J/mm; 0: more than twice the median
   drive::PwmTimer timer;
+  double post_full_power = 1000;  ///< S of full power in G-code, > 0
+  Beam post_beam = Beam::constant;
 
   [[nodiscard]] bool fitted() const { return max_power_w > 0; }
 };

@@ -22,6 +22,7 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
     : definition_(definition),
       memory_(std::move(memory)),
       statistics_(definition_.axes),
+      dotted_cut_(definition_.drive.laser),
       servo_(definition_),
       dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect) {
   if (definition_.axes.linked)
@@ -100,6 +101,7 @@ void VirtualMachine::take(const control::Motion& motion) {
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_) return;
   statistics_.take(motion);
+  dotted_cut_.take(motion);
   servo_.take(motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
 }

@@ -13,6 +13,7 @@
 #include "control/control.hpp"
 #include "control/memory.hpp"
 #include "machine/dialect.hpp"
+#include "machine/dotted_cut.hpp"
 #include "machine/machine_definition.hpp"
 #include "machine/run_statistics.hpp"
 #include "machine/servo.hpp"
@@ -114,6 +115,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] control::Halt halt() const { return dialect_->control().halt(); }
   [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
+  /// The first cut of a laser whose pulses do not join.
+  [[nodiscard]] const std::optional<base::Diagnostic>& dotted_cut() const {
+    return dotted_cut_.warning();
+  }
   /// Why and where a budget ended the run.
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
@@ -164,6 +169,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   base::SourceSet sources_;
   Signals signals_;
   RunStatistics statistics_;
+  DottedCut dotted_cut_;
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
   std::vector<control::MotionSink*> sinks_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/text_window.hpp"
 
 namespace kerf::output {
@@ -20,13 +22,18 @@ std::uint64_t offset_of_line(const base::SourceFile& source, base::FileId file,
 
 }  // namespace
 
+base::Diagnostic at_line(base::Diagnostic finding, const base::SourceSet& sources) {
+  base::Place& place = finding.place;
+  if (sources.contains(place.file))
+    place.line_start = offset_of_line(sources[place.file], place.file, place.line);
+  return finding;
+}
+
 base::Diagnostic at_mark(base::Diagnostic alarm, const motion::Mark& mark,
                          const base::SourceSet& sources) {
   alarm.place = {.file = mark.file, .line = mark.line, .column = 1};
-  if (sources.contains(mark.file))
-    alarm.place.line_start = offset_of_line(sources[mark.file], mark.file, mark.line);
   alarm.program = fmt::format("O{:04}", static_cast<std::uint32_t>(mark.program));
-  return alarm;
+  return at_line(std::move(alarm), sources);
 }
 
 }  // namespace kerf::output

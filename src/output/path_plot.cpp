@@ -2,11 +2,13 @@
 
 #include <utility>
 
+#include "output/internal/plot/cut_recorder.hpp"
+#include "output/internal/plot/energy_of_cut.hpp"
 #include "output/internal/plot/path_recorder.hpp"
 #include "output/internal/plot/png_writer.hpp"
 #include "output/internal/plot/sheet.hpp"
-#include "output/internal/plot/speed_recorder.hpp"
 #include "output/internal/plot/svg_writer.hpp"
+#include "output/internal/plot/text.hpp"
 
 namespace kerf::output {
 namespace {
@@ -21,21 +23,37 @@ PathPlot::PathPlot(const control::AxisSetup& axes, std::string title, PlotColors
     : recorder_(std::make_unique<plot::PathRecorder>(axes, x_scale_of(x))),
       title_(std::move(title)) {
   if (colors == PlotColors::speeds)
-    speeds_ = std::make_unique<plot::SpeedRecorder>(axes, x_scale_of(x));
+    cuts_ = std::make_unique<plot::CutRecorder>(axes, x_scale_of(x),
+                                                std::make_unique<plot::SpeedOfCut>());
+}
+
+PathPlot::PathPlot(const control::AxisSetup& axes, std::string title,
+                   const machine::LaserSettings& laser)
+    : PathPlot(axes, std::move(title)) {
+  auto energy = std::make_unique<plot::EnergyOfCut>(laser);
+  energy_ = energy.get();
+  cuts_ = std::make_unique<plot::CutRecorder>(axes, 1, std::move(energy));
 }
 
 PathPlot::~PathPlot() = default;
 
 void PathPlot::take(const control::Motion& motion) { recorder_->take(motion); }
-void PathPlot::start(const machine::AxisPoint& at) { speeds_->start(at.tip); }
-void PathPlot::take(const machine::AxisPoint& point) { speeds_->take(point.tip); }
+void PathPlot::start(const machine::AxisPoint& at) { cuts_->start(at.tip); }
+void PathPlot::take(const machine::AxisPoint& point) { cuts_->take(point.tip); }
+
+std::string PathPlot::remark() const {
+  if (energy_ == nullptr || !(energy_->most() > 0)) return {};
+  return "  energy of the cuts: median " + plot::significant(energy_->median()) + " J/mm, most " +
+         plot::significant(energy_->most()) + " J/mm at line " +
+         std::to_string(energy_->line_of_most()) + "\n";
+}
 
 std::string PathPlot::svg() const {
-  return plot::write_svg(plot::draw_sheet(*recorder_, speeds_.get(), title_));
+  return plot::write_svg(plot::draw_sheet(*recorder_, cuts_.get(), title_));
 }
 
 std::string PathPlot::png() const {
-  return plot::write_png(plot::draw_sheet(*recorder_, speeds_.get(), title_), kPixelsPerUnit);
+  return plot::write_png(plot::draw_sheet(*recorder_, cuts_.get(), title_), kPixelsPerUnit);
 }
 
 }  // namespace kerf::output

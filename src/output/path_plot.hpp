@@ -7,12 +7,14 @@
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
 #include "machine/axis_point.hpp"
+#include "machine/drive_settings.hpp"
 
 namespace kerf::output {
 
 namespace plot {
 class PathRecorder;
-class SpeedRecorder;
+class CutRecorder;
+class EnergyOfCut;
 }  // namespace plot
 
 /// What the X values of a machine's motions measure; lathes say diameters.
@@ -26,7 +28,8 @@ enum class PlotColors : std::uint8_t { tools, speeds };
 /// instead, Z to the right and X upward.
 ///
 /// Coloured by tools it needs the motions alone; coloured by speeds it shows how fast the tool went
-/// as the set-points have it, and those are its way where it cuts.
+/// as the set-points have it, and those are its way where it cuts. Coloured by energies likewise,
+/// where the beam is on.
 ///
 /// Takes motions in order, from where the axes start. Memory and the size of the picture are
 /// bounded however long the program is (SVG: about 2 MB at most): a path of more than some ten
@@ -41,15 +44,20 @@ class PathPlot : public control::MotionSink, public machine::AxisPointSink {
   /// true shape, and numbers of X stay diameters.
   PathPlot(const control::AxisSetup& axes, std::string title, PlotColors colors = PlotColors::tools,
            XMeasure x = XMeasure::length);
+  /// Coloured by the energies of this laser. Precondition: it is fitted.
+  PathPlot(const control::AxisSetup& axes, std::string title, const machine::LaserSettings& laser);
   ~PathPlot() override;
   PathPlot(const PathPlot&) = delete;
   PathPlot& operator=(const PathPlot&) = delete;
 
   void take(const control::Motion& motion) override;
-  /// Precondition: coloured by speeds.
+  /// Precondition: not coloured by tools.
   void start(const machine::AxisPoint& at) override;
   void take(const machine::AxisPoint& point) override;
 
+  /// For people, coloured by energies: the largest and its line, and the median; an indented line,
+  /// or nothing.
+  [[nodiscard]] std::string remark() const;
   /// The whole SVG document of what was taken so far.
   [[nodiscard]] std::string svg() const;
   /// The whole PNG file of what was taken so far. Text is set in DejaVu Sans.
@@ -57,7 +65,8 @@ class PathPlot : public control::MotionSink, public machine::AxisPointSink {
 
  private:
   std::unique_ptr<plot::PathRecorder> recorder_;
-  std::unique_ptr<plot::SpeedRecorder> speeds_;  // null: coloured by tools
+  std::unique_ptr<plot::CutRecorder> cuts_;  // null: coloured by tools
+  const plot::EnergyOfCut* energy_ = nullptr;
   std::string title_;
 };
 

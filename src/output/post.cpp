@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "base/decimal.hpp"
 #include "control/plane_axes.hpp"
@@ -18,14 +20,45 @@ using namespace control;
 
 constexpr double kStep = 1e4;             // coordinates are written to 0.0001
 constexpr double kMostRadius_mm = 99999;  // controls keep I, J, K to so many digits
+constexpr std::size_t kLongestComment = 60;
 
 double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
 
+// As a comment may hold it: the capitals, digits and marks that every controller reads.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text.substr(0, kLongestComment)) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool reads = code >= ' ' && code <= '~' && c != '(' && c != ')';
+    out += reads ? static_cast<char>(std::toupper(code)) : '?';
+  }
+  return out;
+}
+
+std::string beam_word(const machine::LaserSettings& laser) {
+  return laser.post_beam == machine::LaserSettings::Beam::constant ? "M3" : "M4";
+}
+
 }  // namespace
 
-Post::Post(const AxisSetup& axes, base::OutputFile& file)
-    : axes_(axes), file_(file), at_(axes.start) {
-  file_.write("(KERF: TOOL CENTRE PATH IN MACHINE COORDINATES)\nG21 G90 G94 G17\n");
+Post::Post(const AxisSetup& axes, base::OutputFile& file, const machine::LaserSettings& laser)
+    : axes_(axes), file_(file), at_(axes.start), laser_(laser) {
+  file_.write("(KERF: TOOL CENTRE PATH IN MACHINE COORDINATES)\n");
+  if (laser_.fitted())
+    file_.write("(LASER: " + beam_word(laser_) + " ON, M5 OFF, FULL POWER IS S" +
+                base::number_text(laser_.post_full_power) + ")\n");
+  file_.write("G21 G90 G94 G17\n");
+}
+
+// What the program says there and plain G-code does not.
+void Post::comment(const std::string& text) {
+  block("(LINE " + std::to_string(source_line_) + ": " + plain(text) + ")");
+  if (only_comments_++ == 0) first_comment_line_ = source_line_;
+}
+
+void Post::block(const std::string& text) {
+  line_ = text;
+  end_block();
 }
 
 void Post::word(char letter, double value) {
@@ -55,8 +88,7 @@ void Post::move(const char* code, const base::AxisVector& to) {
   at_ = to;
 }
 
-void Post::feed(const Feed& feed, double length_mm) {
-  const double per_minute = rounded(feed_per_minute(feed, length_mm, speed_rpm_));
+void Post::feed(double per_minute) {
   if (per_minute == feed_) return;
   feed_ = per_minute;
   word('F', per_minute);
@@ -77,25 +109,32 @@ bool Post::rounded_equal(const base::AxisVector& a, const base::AxisVector& b) c
 }
 
 // Nothing where the output's digits show no way.
-void Post::line(const base::AxisVector& to, const Feed& rate, double length_mm) {
+void Post::line(const base::AxisVector& to, double per_minute) {
   if (rounded_equal(at_, to)) {
     at_ = to;
     return;
   }
   move("G1", to);
-  feed(rate, length_mm);
+  feed(per_minute);
   end_block();
 }
 
+void Post::straight(const base::AxisVector& to, const Feed& rate) {
+  double squares = 0;
+  for (std::size_t i = 0; i < axes_.count(); ++i)
+    squares += std::pow(to.values[i] - at_.values[i], 2);
+  line(to, rounded(feed_per_minute(rate, std::sqrt(squares), speed_rpm_)));
+}
+
 // G96 stays what it is: its speed follows from where the tool stands.
-void Post::spindle(const Spindle& spindle) {
+void Post::act(const Spindle& spindle) {
   const bool turns = spindle.turning == Spindle::Turning::clockwise ||
                      spindle.turning == Spindle::Turning::counterclockwise;
   const bool css = turns && spindle.mode == Spindle::Mode::constant_surface_speed;
   speed_rpm_ = css ? spindle.max_rpm : spindle.speed;
   if (!turns) {
-    line_ = "M5";
-    end_block();
+    block("M5");
+    if (spindle.turning == Spindle::Turning::oriented) comment("M19");
     return;
   }
   if (css && spindle.max_rpm > 0) {
@@ -111,7 +150,43 @@ void Post::spindle(const Spindle& spindle) {
   end_block();
 }
 
-void Post::arc(const Arc& arc) {
+// Each rises by its share of the way along the other axes, and closes in the plane: what the radius
+// changes by, which is within the control's tolerance, is left to the rest of the arc.
+void Post::full_circles(const Arc& arc, const PlaneAxes& plane, double per_minute) {
+  const double rest_rad =
+      geometry::sweep_rad(plane.project(at_), plane.project(arc.to), {arc.center[0], arc.center[1]},
+                          arc.direction == Direction::clockwise);
+  const double turns = arc.turns + rest_rad / (2 * std::numbers::pi);
+  const base::AxisVector from = at_;
+  Arc circle = arc;
+  for (unsigned turn = 1; turn <= arc.turns; ++turn) {
+    circle.to = from;
+    for (std::size_t i = 0; i < axes_.count(); ++i) {
+      const base::Axis axis{static_cast<std::uint8_t>(i)};
+      if (!plane.contains(axis)) circle.to[axis] += (arc.to[axis] - from[axis]) * turn / turns;
+    }
+    sweep(circle, plane, per_minute);
+  }
+}
+
+// At most a turn; to where it starts it is a whole one.
+void Post::sweep(const Arc& arc, const PlaneAxes& plane, double per_minute) {
+  const geometry::Vec2 from = plane.project(at_);
+  select_plane(arc.plane);
+  const bool stays = rounded_equal(at_, arc.to);
+  modal_.clear();
+  move(arc.direction == Direction::clockwise ? "G2" : "G3", arc.to);
+  if (stays) {
+    word(axes_[plane.first].letter, rounded(arc.to[plane.first]));
+    word(axes_[plane.second].letter, rounded(arc.to[plane.second]));
+  }
+  word(plane.first_offset, rounded(arc.center[0] - rounded(from.u)));
+  word(plane.second_offset, rounded(arc.center[1] - rounded(from.v)));
+  feed(per_minute);
+  end_block();
+}
+
+void Post::act(const Arc& arc) {
   const auto plane = plane_axes(arc.plane, axes_);
   if (!plane) return;
   const geometry::Vec2 from = plane->project(at_);
@@ -119,25 +194,16 @@ void Post::arc(const Arc& arc) {
   const geometry::Vec2 centre{arc.center[0], arc.center[1]};
   const bool clockwise = arc.direction == Direction::clockwise;
   const double length = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
+  const double per_minute = rounded(feed_per_minute(arc.feed, length, speed_rpm_));
   const bool closed = rounded(from.u) == rounded(to.u) && rounded(from.v) == rounded(to.v);
   const bool short_way = geometry::sweep_rad(from, to, centre, clockwise) < std::numbers::pi;
+  full_circles(arc, *plane, per_minute);
   // An arc to its own start is a full circle: one that is shorter than a digit must not look so.
-  if (closed && short_way && arc.turns == 0) {
-    line(arc.to, arc.feed, length);
-    return;
+  if (closed && short_way) {
+    line(arc.to, per_minute);
+  } else {
+    sweep(arc, *plane, per_minute);
   }
-  select_plane(arc.plane);
-  const bool stays = rounded_equal(at_, arc.to);
-  modal_.clear();
-  move(clockwise ? "G2" : "G3", arc.to);
-  if (stays) {
-    word(axes_[plane->first].letter, rounded(arc.to[plane->first]));
-    word(axes_[plane->second].letter, rounded(arc.to[plane->second]));
-  }
-  word(plane->first_offset, rounded(centre.u - from.u));
-  word(plane->second_offset, rounded(centre.v - from.v));
-  feed(arc.feed, length);
-  end_block();
 }
 
 // Within half a digit of the output the arc lies in the plane, and nothing else moves.
@@ -167,67 +233,88 @@ std::optional<Arc> Post::plane_arc(const SpaceArc& arc, const geometry::SpaceArc
              .direction = upright > 0 ? Direction::counterclockwise : Direction::clockwise};
 }
 
-void Post::space_arc(const SpaceArc& arc) {
+void Post::act(const SpaceArc& arc) {
   const SpaceArcPath path(axes_, at_, arc);
   for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz}) {
-    if (const auto flat = plane_arc(arc, path.circle(), plane)) return this->arc(*flat);
+    if (const auto flat = plane_arc(arc, path.circle(), plane)) return act(*flat);
   }
   const double most_rad = geometry::chord_angle_rad(path.circle().radius(), kChordTolerance_mm);
-  const double length = path.circle().length();
-  path.chords(most_rad, [&](const base::AxisVector& to) { line(to, arc.feed, length); });
+  const double per_minute = rounded(feed_per_minute(arc.feed, path.circle().length(), speed_rpm_));
+  path.chords(most_rad, [&](const base::AxisVector& to) { line(to, per_minute); });
 }
 
-void Post::take(const Motion& motion) { write(motion); }
+void Post::act(const Rapid& rapid) {
+  move("G0", rapid.to);
+  end_block();
+}
 
-void Post::write(const Motion& motion) {
-  const auto length_to = [&](const base::AxisVector& to) {
-    double sum = 0;
-    for (std::size_t i = 0; i < axes_.count(); ++i)
-      sum += std::pow(to.values[i] - at_.values[i], 2);
-    return std::sqrt(sum);
-  };
-  const auto straight = [&](const base::AxisVector& to, const Feed& rate) {
-    line(to, rate, length_to(to));
-  };
-  const auto code = [&](const std::string& text) {
-    line_ = text;
-    end_block();
-  };
-  if (const auto* const a = std::get_if<Rapid>(&motion.action)) {
-    move("G0", a->to);
-    end_block();
-  } else if (const auto* const a1 = std::get_if<Line>(&motion.action)) {
-    straight(a1->to, a1->feed);
-  } else if (const auto* const a2 = std::get_if<Arc>(&motion.action)) {
-    arc(*a2);
-  } else if (const auto* const space = std::get_if<SpaceArc>(&motion.action)) {
-    space_arc(*space);
-  } else if (const auto* const a3 = std::get_if<Probe>(&motion.action)) {
-    straight(a3->to, a3->feed);
-  } else if (const auto* const a4 = std::get_if<Thread>(&motion.action)) {
-    straight(a4->to, {a4->lead, FeedMode::per_revolution});
-  } else if (const auto* const a5 = std::get_if<Dwell>(&motion.action)) {
-    code("G4 P" + base::number_text(rounded(a5->seconds)));
-  } else if (const auto* const a6 = std::get_if<ToolChange>(&motion.action)) {
-    code("T" + std::to_string(a6->tool) + " M6");
-  } else if (const auto* const a7 = std::get_if<Spindle>(&motion.action)) {
-    spindle(*a7);
-  } else if (const auto* const a8 = std::get_if<Coolant>(&motion.action)) {
-    code(a8->state == Coolant::State::off ? "M9" : a8->state == Coolant::State::mist ? "M7" : "M8");
-  } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
-    const double percent = rounded(power->beam_percent());
-    code(percent > 0 ? "(LASER " + base::number_text(percent) + " PERCENT)" : "(LASER OFF)");
-  } else if (std::holds_alternative<Stop>(motion.action)) {
-    code("M0");
-  } else if (std::holds_alternative<End>(motion.action)) {
-    ended_ = true;
-    code("M30");
+void Post::act(const Line& line) { straight(line.to, line.feed); }
+
+void Post::act(const Probe& probe) {
+  comment("PROBING MOVE");
+  straight(probe.to, probe.feed);
+}
+
+void Post::act(const Thread& thread) {
+  comment("THREAD OF LEAD " + base::number_text(rounded(thread.lead)));
+  straight(thread.to, {thread.lead, FeedMode::per_revolution});
+}
+
+void Post::act(const Dwell& dwell) { block("G4 P" + base::number_text(rounded(dwell.seconds))); }
+
+void Post::act(const ToolChange& change) { block("T" + std::to_string(change.tool) + " M6"); }
+
+void Post::act(const Coolant& coolant) {
+  switch (coolant.state) {
+    case Coolant::State::off: return block("M9");
+    case Coolant::State::mist: return block("M7");
+    case Coolant::State::flood: return block("M8");
   }
+}
+
+// A beam that is only set takes its power as S alone, once it is off.
+void Post::act(const Power& power) {
+  const double percent = rounded(power.beam_percent());
+  if (!laser_.fitted()) {
+    const std::string beam = percent > 0 ? base::number_text(percent) + " PERCENT" : "OFF";
+    if (power.on || beam_on_) comment("LASER " + beam);
+    beam_on_ = percent > 0;
+    return;
+  }
+  const double s = rounded(power.percent / 100 * laser_.post_full_power);
+  if (percent > 0) {
+    line_ = beam_word(laser_);
+  } else if (beam_on_) {
+    block("M5");
+  }
+  beam_on_ = percent > 0;
+  if (beam_on_ || (!power.on && s != s_)) word('S', s_ = s);
+  end_block();
+}
+
+void Post::act(const AuxiliaryCode& code) { comment("M" + std::to_string(code.code)); }
+void Post::act(const Stop& /*stop*/) { block("M0"); }
+void Post::act(const Message& message) { comment("MESSAGE " + std::string(message.text.view())); }
+
+void Post::act(const End& /*end*/) { finish(); }
+
+void Post::take(const Motion& motion) {
+  source_line_ = motion.line;
+  std::visit([this](const auto& action) { act(action); }, motion.action);
 }
 
 void Post::finish() {
-  if (!ended_) file_.write("M30\n");
+  if (ended_) return;
+  if (beam_on_ && laser_.fitted()) block("M5");
+  block("M30");
   ended_ = true;
+}
+
+std::string Post::remark() const {
+  if (only_comments_ == 0) return {};
+  return "  --post: what plain G-code cannot say is in " + std::to_string(only_comments_) +
+         (only_comments_ == 1 ? " comment" : " comments") + ", the first one of line " +
+         std::to_string(first_comment_line_) + "\n";
 }
 
 }  // namespace kerf::output

@@ -1,9 +1,11 @@
 """--pwm: the laser's pulses and the registers of their timer. No G-code switches the beam: its power
-is tried with motions made by hand, in tests/unit/laser_pulses_test.cpp."""
+is tried with laser BASIC, and with motions made by hand in tests/unit/laser_pulses_test.cpp."""
 
+import csv
+import io
 import os
 
-from harness import alarm, check, equal, refused, status, test
+from harness import alarm, check, contains, equal, near, refused, status, test
 
 PROGRAM = "O1\nG21G90G94\nG00X5.\nG01X10.F600\nM30\n"
 HEADER = "t,line,f,duty,TCNTB,TCMPB\n"
@@ -85,3 +87,42 @@ def cannot_write(box):
     for name in ("/dev/full", "folder", "missing/pwm.csv"):
         refused(box.kerf("run", "part.nc", "--machine", "laser3", "--pwm", name), 3, name)
     equal(box.files(), ["folder", "part.nc"], "files behind it")
+
+
+BASIC = ("speed(50)\npower(80)\nline(20,0)\nmove(0,10)\npower(25)\nline(20,10)\n"
+         "power(100)\nline(20,20)\nend\n")
+
+
+@test("the duty of --pwm and the power of --points follow POWER of laser BASIC, and MOVE is off")
+def basic(box):
+    box.write("part.bas", BASIC)
+    status(box.kerf("run", "part.bas", "--pwm", "pwm.csv", "--points", "points.csv"), 0)
+    changes = [row for row in csv.DictReader(io.StringIO(box.read("pwm.csv").decode()))]
+    equal([(row["line"], row["duty"], row["TCMPB"]) for row in changes],
+          [("3", "0.8", "10000"), ("4", "0", "0"), ("6", "0.25", "3125"), ("8", "1", "12500"),
+           ("8", "0", "0")], "changes of the duty")
+    powers = {"3": "80", "4": "0", "6": "25", "8": "100"}
+    for row in csv.DictReader(io.StringIO(box.read("points.csv").decode())):
+        equal(row["power"], powers[row["line"]], f"power at {row['t']} s")
+        while changes and float(changes[0]["t"]) < float(row["t"]):
+            duty = float(changes.pop(0)["duty"])
+        near(100 * duty, float(row["power"]), 1e-9, f"duty at {row['t']} s")
+
+
+@test("pulses farther apart than the spot are told once, with line and numbers; joined ones are not")
+def dotted(box):
+    box.write("part.bas", "speed(100)\npower(50)\nmove(1,1)\nline(50,1)\nline(50,9)\nend\n")
+    for setting in ("drive.pwm_frequency_hz=1000", "drive.pwm_frequency_hz=2000"):
+        result = box.kerf("run", "part.bas", "--machine-set", setting)
+        status(result, 0)
+        check("DOTTED_CUT" not in result.err, f"with {setting}: {result.err}")
+    coarse = ["--machine-set", "drive.pwm_frequency_hz=500"]
+    result = box.kerf("run", "part.bas", *coarse)
+    status(result, 0)
+    equal(result.err.count("DOTTED_CUT"), 1, "warnings")
+    first = result.err.splitlines()[:2]
+    contains(first[0], "part.bas:4:1: warning: DOTTED_CUT", "the warning")
+    contains(first[0], "500 Hz at 100 mm/s: a pulse every 0.2 mm, the spot has 0.1 mm", "the warning")
+    contains(first[1], "line(50,1)", "the source line")
+    full = box.write("full.bas", "speed(100)\npower(100)\nline(50,1)\nend\n")
+    check("DOTTED" not in box.kerf("run", full, *coarse).err, "full power has no pulses")

@@ -1,4 +1,5 @@
-"""--plot-speed: pictures whose colours are the speeds that were reached."""
+"""--plot-speed and --plot-energy: pictures whose colours are the speeds that were reached, and what a
+laser left on each millimetre."""
 
 import re
 import xml.etree.ElementTree as xml
@@ -84,3 +85,67 @@ def an_hour(box):
         status(result, 0)
         bounded(result, 48)
         check(len(box.read("speed.svg")) < 2_000_000, "the picture is larger than 2 MB")
+
+
+BURN = "#d62728"
+SQUARE = ("speed(100)\npower(80)\nmove(0,0)\nline(20,0)\nline(20,20)\nline(0,20)\nline(0,0)\n"
+          "end\n")
+
+
+@test("--plot-energy marks the corners of a square as burns, and says the most energy and its line")
+def energy_of_corners(box):
+    box.write("part.bas", SQUARE)
+    stop = ["--machine-set", "interpolator.tolerance=0"]
+    result = box.kerf("run", "part.bas", "--plot", "energy.svg", "--plot-energy", *stop)
+    status(result, 0)
+    contains(result.err, "energy of the cuts: median 0.48 J/mm", "the summary")  # 60 W 0.8 / 100 mm/s
+    most = float(re.search(r"most ([\d.]+) J/mm at line [4567]\n", result.err)[1])
+    # From rest at 3000 mm/s2 a spot of 0.1 mm takes 8.2 ms: 3.9 J/mm; braking is in it besides.
+    check(3.5 < most < 8, f"the most is {most} J/mm")
+    burns = shapes(box, "energy.svg", BURN)
+    check(burns and max(map(widest, burns)) < 40, "burns are short places at the corners")
+    svg = box.read("energy.svg").decode()
+    contains(svg, "Energy of the cuts, J/mm", "the legend")
+    contains(svg, "red: burns, more than 0.96", "the legend")
+
+
+@test("--plot-energy has the energy of the speed reached where nothing slows the beam down")
+def energy_of_constant_feed(box):
+    box.write("part.bas", SQUARE.replace("speed(100)", "speed(40)"))
+    for name in ("one.svg", "two.svg"):
+        result = box.kerf("run", "part.bas", "--plot", name, "--plot-energy", "--machine-set",
+                          "interpolator.mode=equal")
+        status(result, 0)
+        contains(result.err, "median 1.2 J/mm, most 1.2 J/mm", "the summary")  # 48 W / 40 mm/s
+    equal(shapes(box, "one.svg", BURN), [], "burns")
+    equal(box.read("one.svg"), box.read("two.svg"), "the second picture")
+
+
+@test("drive.burn_j_mm says from where a cut burns")
+def burn_key(box):
+    box.write("part.bas", SQUARE)
+    result = box.kerf("run", "part.bas", "--plot", "energy.svg", "--plot-energy", "--machine-set",
+                      "drive.burn_j_mm=0.4")
+    status(result, 0)
+    burns = shapes(box, "energy.svg", BURN)
+    check(max(map(widest, burns)) > 100, "the sides do not burn")
+    contains(box.read("energy.svg").decode(), "red: burns, more than 0.4", "the legend")
+
+
+@test("--plot-energy is refused without --plot, without a laser and beside --plot-speed")
+def energy_usage(box):
+    box.write("part.bas", SQUARE)
+    refused(box.kerf("run", "part.bas", "--plot-energy"), 2, "--plot-energy", "--plot FILE")
+    refused(box.kerf("run", "part.bas", "--plot", "a.svg", "--plot-energy", "--machine", "mill3"), 2,
+            "--plot-energy", "mill3", "laser")
+    refused(box.kerf("run", "part.bas", "--plot", "a.svg", "--plot-energy", "--plot-speed"), 2,
+            "--plot-energy", "--plot-speed")
+    equal(box.files(), ["part.bas"], "files")
+
+
+@test("--plot-energy of a run whose beam is never on shows no cut")
+def no_beam(box):
+    box.write("part.nc", HEAD + "G01X100.F6000\nM30\n")
+    result = box.kerf("run", "part.nc", "--machine", "laser3", "--plot", "a.png", "--plot-energy")
+    status(result, 0)
+    check("energy" not in result.err, "the summary tells of an energy")

@@ -212,3 +212,29 @@ def itself(box):
             status(box.kerf("run", posted, "--post", generation, *words), 0)
             posted = box.write(generation + ".nc", again(box.read(generation).decode()))
         check(box.read("two") == box.read("three"), f"the post of the post of {name} differs")
+
+
+@test("what plain G-code cannot say is a comment with its source line, and the summary counts it")
+def only_comments(box):
+    box.write("part.nc", HEAD + "G00X1.\nM77\nG31X5.F50\n#3006=1(LOAD {PART})\nM30\n")
+    result = box.kerf("run", "part.nc", "--post", "post.nc")
+    status(result, 0)
+    comments = [line for line in box.read("post.nc").decode().splitlines() if line.startswith("(LINE")]
+    equal([line.split(":")[0] for line in comments], ["(LINE 2", "(LINE 3", "(LINE 4"], "comments")
+    check("M77" in comments[0] and "PROBING" in comments[1] and "LOAD" in comments[2], str(comments))
+    check("is in 3 comments" in result.err and "line 2" in result.err, result.err)
+
+
+@test("the scale of S and the word of the beam are keys of the machine")
+def laser_keys(box):
+    box.write("part.bas", "power(50)\nline(9,0)\nend\n")
+    words = ["--machine-set", "drive.post_full_power=255", "--machine-set", "drive.post_beam=M4"]
+    status(box.kerf("run", "part.bas", "--post", "post.nc", *words), 0)
+    lines = box.read("post.nc").decode().splitlines()
+    equal(lines[1], "(LASER: M4 ON, M5 OFF, FULL POWER IS S255)", "the head")
+    equal([line for line in lines[3:] if line[0] in "SM"], ["S127.5", "M4 S127.5", "M5", "M30"],
+          "the beam")
+    status(box.kerf("run", "part.bas", "--post", "post.nc", "--machine", "mill3"), 0)
+    text = box.read("post.nc").decode()
+    check("M3" not in text.replace("M30", ""), "a spindle turns on a machine without a laser")
+    check("(LINE 2: LASER 50 PERCENT)" in text, text)

@@ -19,6 +19,7 @@ import harness
 # Each of these adds its tests.
 import alarm_tests  # noqa: F401
 import check_tests  # noqa: F401
+import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
@@ -32,6 +33,7 @@ import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401
 import post_tests  # noqa: F401
 import pulse_tests  # noqa: F401
+import reader_tests  # noqa: F401
 import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import signal_tests  # noqa: F401

@@ -69,6 +69,8 @@ WRONG_RUNS = {
     "--plot with an ending of another kind": ["--plot", "path.pdf"],
     "--plot without an ending": ["--plot", "path"],
     "--plot-speed without --plot": ["--plot-speed"],
+    "--plot-energy without --plot": ["--plot-energy"],
+    "--plot-energy on a machine without a laser": ["--plot", "path.svg", "--plot-energy"],
     "--dprnt without its file": ["--dprnt"],
     "--post without its file": ["--post"],
     "--coverage without its file": ["--coverage"],

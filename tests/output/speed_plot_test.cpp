@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/internal/plot/cut_recorder.hpp"
+#include "output/internal/plot/cut_tracer.hpp"
 #include "output/internal/plot/palette.hpp"
-#include "output/internal/plot/speed_recorder.hpp"
-#include "output/internal/plot/speed_tracer.hpp"
 #include "output/internal/plot/subject.hpp"
 #include "output/path_plot.hpp"
 #include "plot_motions.hpp"
@@ -93,9 +93,9 @@ struct Drawing {
     const Subject subject(motions, &speeds);
     const Rect frame{0, 0, 1000, 1000};
     const View view(kFromAbove, subject.box, frame, frame);
-    SpeedTracer tracer(view, subject.speeds, *subject.speed_scale);
+    CutTracer tracer(view, subject.values, *subject.cut_scale);
     std::vector<std::size_t> found;
-    for (std::size_t shade = 0; shade < SpeedScale::kShades; ++shade) {
+    for (std::size_t shade = 0; shade < CutScale::kShades; ++shade) {
       if (passes(tracer.lines()[shade], view.map({x, y, 0}))) found.push_back(shade);
     }
     return found;
@@ -104,14 +104,14 @@ struct Drawing {
   // kShades where nothing is drawn.
   std::size_t slowest_at(double x, double y) const {
     const auto found = shades_at(x, y);
-    return found.empty() ? SpeedScale::kShades : found.front();
+    return found.empty() ? CutScale::kShades : found.front();
   }
 
   std::size_t dot_count() const {
     const Subject subject(motions, &speeds);
     const Rect frame{0, 0, 1000, 1000};
     const View view(kFromAbove, subject.box, frame, frame);
-    SpeedTracer tracer(view, subject.speeds, *subject.speed_scale);
+    CutTracer tracer(view, subject.values, *subject.cut_scale);
     std::size_t count = 0;
     for (const Outline& dots : tracer.dots()) count += dots.points.size() / 2;
     return count;
@@ -132,20 +132,20 @@ struct Drawing {
 
   // Precondition: nothing else is drawn there.
   void expect_shade(double x, double y, double speed_mm_s) const {
-    const double wanted = speed_mm_s / kTop * SpeedScale::kShades;
+    const double wanted = speed_mm_s / kTop * CutScale::kShades;
     EXPECT_NEAR(static_cast<double>(slowest_at(x, y)) + 0.5, wanted, 1) << "at " << x << ", " << y;
   }
 
   PathRecorder motions{axes("XYZ"), 1};
-  SpeedRecorder speeds{axes("XYZ"), 1};
+  CutRecorder speeds{axes("XYZ"), 1, std::make_unique<SpeedOfCut>()};
 };
 
 TEST(SpeedPlot, ALineShowsTheRampsAtItsEnds) {
   Drawing drawing;
   drawing.machine().line({0, 0, 0}, {100, 0, 0});
-  EXPECT_NEAR(drawing.speeds.fastest(), kFeed, 1e-6);
+  EXPECT_NEAR(drawing.speeds.measure().scale().top(), kFeed, 1e-6);
   EXPECT_EQ(drawing.slowest_at(0, 0), 0U);
-  EXPECT_EQ(drawing.shades_at(50, 0), std::vector<std::size_t>{SpeedScale::kShades - 1});
+  EXPECT_EQ(drawing.shades_at(50, 0), std::vector<std::size_t>{CutScale::kShades - 1});
   EXPECT_EQ(drawing.slowest_at(100, 0), 0U);
   for (const double x : {0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 88.0, 94.0, 97.0, 99.0}) {
     drawing.expect_shade(x, 0, speed_on_line(x, 100));
@@ -215,10 +215,10 @@ TEST(SpeedPlot, WhatGoesOnElsewhereIsNotJoined) {
 }
 
 TEST(SpeedPlot, DiametersAreSpeedsOfTheRadius) {
-  SpeedRecorder lathe(axes("XZ"), 0.5);
+  CutRecorder lathe(axes("XZ"), 0.5, std::make_unique<SpeedOfCut>());
   lathe.start({});
   lathe.take({1, at(20, 0), {}});  // 10 mm in a second
-  EXPECT_NEAR(lathe.fastest(), 600, 1e-9);
+  EXPECT_NEAR(lathe.measure().scale().top(), 600, 1e-9);
 }
 
 // Twenty minutes of a zigzag: more than a million set-points.
@@ -242,23 +242,23 @@ double brightness(Color color) {
   return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
 }
 
-TEST(SpeedScale, ColoursKeepTheirOrderInGreyAndShowOnWhite) {
-  const SpeedScale scale(1000);
-  for (std::size_t shade = 1; shade < SpeedScale::kShades; ++shade) {
+TEST(CutScale, ColoursKeepTheirOrderInGreyAndShowOnWhite) {
+  const CutScale scale = CutScale::of_speeds(1000);
+  for (std::size_t shade = 1; shade < CutScale::kShades; ++shade) {
     EXPECT_GT(brightness(scale.color(shade)), brightness(scale.color(shade - 1)));
   }
-  EXPECT_LT(brightness(scale.color(SpeedScale::kShades - 1)), 0.6);
+  EXPECT_LT(brightness(scale.color(CutScale::kShades - 1)), 0.6);
 }
 
-TEST(SpeedScale, ShadesAreEqualStepsFromZeroToTheFastest) {
-  const SpeedScale scale(2400);
+TEST(CutScale, ShadesAreEqualStepsFromZeroToTheFastest) {
+  const CutScale scale = CutScale::of_speeds(2400);
   EXPECT_EQ(scale.shade(0), 0U);
   EXPECT_EQ(scale.shade(99), 0U);
   EXPECT_EQ(scale.shade(101), 1U);
-  EXPECT_EQ(scale.shade(2399), SpeedScale::kShades - 1);
-  EXPECT_EQ(scale.shade(2400), SpeedScale::kShades - 1);
-  EXPECT_EQ(scale.shade(9999), SpeedScale::kShades - 1);
-  EXPECT_EQ(SpeedScale(0).shade(0), 0U);
+  EXPECT_EQ(scale.shade(2399), CutScale::kShades - 1);
+  EXPECT_EQ(scale.shade(2400), CutScale::kShades - 1);
+  EXPECT_EQ(scale.shade(9999), CutScale::kShades - 1);
+  EXPECT_EQ(CutScale::of_speeds(0).shade(0), 0U);
 }
 
 // A whole picture of what a machine does.

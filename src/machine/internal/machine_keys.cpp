@@ -33,6 +33,9 @@ constexpr std::array<string_view, 2> kOutputs = {"active_after_match", "active_b
 constexpr std::array kPwmOutputs = {PwmTimer::Output::active_after_match,
                                     PwmTimer::Output::active_before_match};
 
+constexpr std::array<string_view, 2> kBeamWords = {"M3", "M4"};
+constexpr std::array kBeams = {LaserSettings::Beam::constant, LaserSettings::Beam::dynamic};
+
 constexpr std::array<string_view, 2> kByteOrders = {"big", "little"};
 constexpr std::array kPatternOrders = {ByteOrder::big, ByteOrder::little};
 constexpr std::array<string_view, 2> kHeadings = {"tangent", "program"};
@@ -137,6 +140,12 @@ constexpr MachineKey kMachineKeys[] = {
     {"drive", "pwm_frequency_hz", positive(),
      [](Machine& m, double v) { m.drive.laser.pwm_frequency_hz = v; }},
     {"drive", "spot_mm", positive(), [](Machine& m, double v) { m.drive.laser.spot_mm = v; }},
+    {"drive", "burn_j_mm", not_negative(),
+     [](Machine& m, double v) { m.drive.laser.burn_j_mm = v; }},
+    {"drive", "post_full_power", positive(),
+     [](Machine& m, double v) { m.drive.laser.post_full_power = v; }},
+    {"drive", "post_beam", one_of(kBeamWords),
+     [](Machine& m, double v) { m.drive.laser.post_beam = item(kBeams, v); }},
     {"drive", "pclk_hz", positive(),
      [](Machine& m, double v) { m.drive.laser.timer.clock_hz = v; }},
     {"drive", "prescaler", whole_numbers(0, 255),

@@ -57,25 +57,23 @@ double draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
   return std::max(1.6, static_cast<double>(columns)) * kColumn;
 }
 
-// Numbers of one scale: enough decimals for two digits of the largest.
-std::string speed_text(double speed) { return speed < 10 ? significant(speed) : rounded(speed, 0); }
-
 // The scale's colours, as boxes that overlap so that no gap shows between them.
-void draw_ramp(DisplayList& sheet, const Rect& ramp, const SpeedScale& scale) {
+void draw_ramp(DisplayList& sheet, const Rect& ramp, const CutScale& scale) {
   const double step = ramp.width / static_cast<double>(scale.shades());
-  for (std::size_t shade = 0; shade < scale.shades(); ++shade) {
-    const double left = ramp.left + step * static_cast<double>(shade);
+  for (std::size_t place = 0; place < scale.shades(); ++place) {
+    const double left = ramp.left + step * static_cast<double>(place);
     Outline box;
     box.rectangle({left, ramp.top, ramp.right() - left, ramp.height});
-    sheet.add(std::move(box), {{}, 1, false, scale.color(shade)});
+    sheet.add(std::move(box), {{}, 1, false, scale.color_from_below(place)});
   }
 }
 
-void draw_scale_marks(DisplayList& sheet, const Rect& ramp, double fastest) {
+// `ramp` is that of the even steps.
+void draw_scale_marks(DisplayList& sheet, const Rect& ramp, double top) {
   constexpr double kApart = 50;  // pixels between numbers
   Outline marks;
-  for (const Tick& tick : ruler(0, fastest, kApart * fastest / ramp.width)) {
-    const double x = ramp.left + ramp.width * tick.value / fastest;
+  for (const Tick& tick : ruler(0, top, kApart * top / ramp.width)) {
+    const double x = ramp.left + ramp.width * tick.value / top;
     marks.segment({x, ramp.bottom()}, {x, ramp.bottom() + (tick.major ? 6 : 3)});
     if (!tick.major) continue;
     sheet.add(Text{{x, ramp.bottom() + 20}, tick.label, kTickText, Anchor::middle, kDark});
@@ -84,17 +82,19 @@ void draw_scale_marks(DisplayList& sheet, const Rect& ramp, double fastest) {
 }
 
 // Returns the width taken.
-double draw_speeds(DisplayList& sheet, Point corner, const SpeedScale& scale) {
+double draw_values(DisplayList& sheet, Point corner, const Subject& subject) {
   constexpr double kRampWidth = 380, kRampHeight = 16;
-  draw_heading(sheet, corner, "Speed of the cuts as reached, mm/min");
-  if (scale.fastest() > 0) {
+  const CutScale& scale = *subject.cut_scale;
+  const bool speeds = scale.of() == CutScale::Of::speeds;
+  draw_heading(sheet, corner,
+               speeds ? "Speed of the cuts as reached, mm/min" : "Energy of the cuts, J/mm");
+  if (!scale.is_empty()) {
     const Rect ramp{corner.x, corner.y + 22, kRampWidth, kRampHeight};
     draw_ramp(sheet, ramp, scale);
-    draw_scale_marks(sheet, ramp, scale.fastest());
+    const double steps = static_cast<double>(scale.steps()) / static_cast<double>(scale.shades());
+    draw_scale_marks(sheet, {ramp.left, ramp.top, ramp.width * steps, ramp.height}, scale.top());
     const Point below{corner.x, ramp.bottom() + 46};
-    const std::string fastest = "fastest cut " + speed_text(scale.fastest());
-    sheet.add(
-        Text{below, fastest + " \u00b7 dots: short slow places", kTextSize, Anchor::start, kDark});
+    sheet.add(Text{below, subject.cut_caption, kTextSize, Anchor::start, kDark});
   } else {
     sheet.add(Text{row_at(corner, 0), "nothing is cut", kTextSize, Anchor::start, kDark});
   }
@@ -107,6 +107,12 @@ std::string hole_count(const HoleFinder& finder) {
   return more + grouped(count) + (count == 1 ? " hole" : " holes");
 }
 
+std::string cut_words(const Subject& subject) {
+  if (!subject.cut_scale) return "cut, in the tool's colour";
+  const bool speeds = subject.cut_scale->of() == CutScale::Of::speeds;
+  return speeds ? "cut, coloured by its speed" : "cut, coloured by its energy";
+}
+
 void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_heading(sheet, corner, "Signs");
   const auto middle = [&](std::size_t row) {
@@ -116,8 +122,7 @@ void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_sample(sheet, row_at(corner, 0), {kTravel, 1, true, {}});
   draw_words(sheet, row_at(corner, 0), "rapid, not cutting");
   draw_sample(sheet, row_at(corner, 1), {kDark, 1.6, false, {}});
-  draw_words(sheet, row_at(corner, 1),
-             subject.speed_scale ? "cut, coloured by its speed" : "cut, in the tool's colour");
+  draw_words(sheet, row_at(corner, 1), cut_words(subject));
   draw_start_mark(sheet, middle(2));
   draw_words(sheet, row_at(corner, 2), subject.has_cuts() ? "first cut" : "start");
   draw_end_mark(sheet, middle(3));
@@ -191,8 +196,8 @@ void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
 }  // namespace
 
 void draw_legend(DisplayList& sheet, Point corner, double width, const Subject& subject) {
-  const double colors = subject.speed_scale ? draw_speeds(sheet, corner, *subject.speed_scale)
-                                            : draw_tools(sheet, corner, subject);
+  const double colors =
+      subject.cut_scale ? draw_values(sheet, corner, subject) : draw_tools(sheet, corner, subject);
   draw_signs(sheet, {corner.x + colors, corner.y}, subject);
   draw_extents(sheet, {corner.x + width - kTableWidth, corner.y}, subject);
 }

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
+#include "output/internal/plot/cut_tracer.hpp"
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/path_tracer.hpp"
-#include "output/internal/plot/speed_tracer.hpp"
 
 namespace kerf::output::plot {
 namespace {
 
 constexpr double kWidest = 1.6, kThinnest = 0.5;  // pixels: lines of the cuts
-constexpr double kWidestSpeeds = 2.4;             // pixels: their colour must show
+constexpr double kWidestValues = 2.4;             // pixels: their colour must show
 constexpr double kDense = 1.2;                    // pixels between lines: closer ones are shaded
 constexpr std::size_t kMostShaded = 8;            // tools; more colours would be told apart no more
 
@@ -65,23 +65,23 @@ void draw_shaded(DisplayList& sheet, const View& view, const Subject& subject,
 }
 
 // In as many shades as fit: a tangle of slopes in all of them would make a picture of any size.
-SpeedTracer trace_speeds(const View& view, const Subject& subject) {
+CutTracer trace_values(const View& view, const Subject& subject) {
   constexpr std::size_t kMostPoints = 120'000;
-  std::size_t shades = SpeedScale::kShades;
+  std::size_t shades = CutScale::kShades;
   while (true) {
-    const SpeedScale scale(subject.speed_scale->fastest(), shades);
-    SpeedTracer tracer(view, subject.speeds, scale);
-    if (shades == 2 || tracer.point_count() <= kMostPoints) return tracer;
-    shades = std::max<std::size_t>(2, shades * 2 / 3);
+    CutTracer tracer(view, subject.values, subject.cut_scale->with_shades(shades));
+    if (shades == CutScale::kFewestShades || tracer.point_count() <= kMostPoints) return tracer;
+    shades = std::max(CutScale::kFewestShades, shades * 2 / 3);
   }
 }
 
-// Slow places are small: they are painted over fast ones, and the smallest of them as dots.
-void draw_speeds(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
+// Slow places, and burns, are small: they are painted over the others, and the smallest of them as
+// dots.
+void draw_values(DisplayList& sheet, const View& view, const Subject& subject, double apart) {
   constexpr double kDotsToLines = 1.9;  // widths
-  SpeedTracer tracer = trace_speeds(view, subject);
+  CutTracer tracer = trace_values(view, subject);
   const double wanted = apart < kDense ? apart + lost_width(view, subject) : 0.4 * apart;
-  const double width = std::clamp(wanted, kThinnest, kWidestSpeeds);
+  const double width = std::clamp(wanted, kThinnest, kWidestValues);
   for (std::size_t shade = tracer.scale().shades(); shade-- > 0;) {
     const Color color = tracer.scale().color(shade);
     sheet.add(std::move(tracer.lines()[shade]), {color, width, false, {}});
@@ -95,8 +95,8 @@ Look draw_path(DisplayList& sheet, const View& view, const Subject& subject, Sha
   PathTracer tracer(view, subject);
   draw_travels(sheet, tracer.travels());
   const double apart = cut_spacing(tracer.cuts());
-  if (subject.speed_scale) {
-    draw_speeds(sheet, view, subject, apart);
+  if (subject.cut_scale) {
+    draw_values(sheet, view, subject, apart);
     return Look::lines;
   }
   const bool has_form = subject.recorded.has_y() && subject.cutters.size() <= kMostShaded;

@@ -13,11 +13,11 @@ Knot chord_end(const ArcPath& arc, std::size_t number, std::size_t count) {
 }
 
 Knot knot_of(const Path::Vertex& vertex) {
-  return knot(vertex.at, static_cast<double>(vertex.speed));
+  return knot(vertex.at, static_cast<double>(vertex.value));
 }
 
 Path::Vertex vertex_of(const Knot& knot, std::uint32_t arc) {
-  return {place_of(knot), static_cast<float>(knot[kSpeed]), arc};
+  return {place_of(knot), static_cast<float>(knot[kValue]), arc};
 }
 
 double largest_extent(const Path& path) {
@@ -46,7 +46,7 @@ void PathStore::line(Pen pen, const Point3& from, const Point3& to) {
 
 void PathStore::line(Pen pen, const Knot& from, const Knot& to) {
   use(pen, from);
-  fastest_ = std::max(fastest_, to[kSpeed]);
+  largest_ = std::max(largest_, to[kValue]);
   if (tolerance_ > 0) {
     simplified_line(to);
   } else {
@@ -112,11 +112,11 @@ void PathStore::keep(const Knot& to) {
   tail_ = to;
 }
 
-// The pen and, as fine as they are kept, the speeds, without regard to direction.
+// The pen and, as fine as they are kept, the values, without regard to direction.
 std::uint32_t PathStore::label_of(const Knot& from, const Knot& to) const {
   constexpr std::uint32_t kPens = 0x20000;
-  const double speed = (from[kSpeed] + to[kSpeed]) / (2 * speed_tolerance_);
-  const auto level = static_cast<std::uint32_t>(std::min(speed, 30'000.0));
+  const double value = (from[kValue] + to[kValue]) / (2 * value_tolerance_);
+  const auto level = static_cast<std::uint32_t>(std::min(value, 30'000.0));
   return level * kPens + pen_.tool * 2U + static_cast<std::uint32_t>(pen_.trace);
 }
 
@@ -139,19 +139,19 @@ void PathStore::coarsen() {
   const Knot at = tail_;
   constexpr double kCoarser = 1.5;
   const double first = std::max(largest_extent(original) * kFinest, kLeastTolerance);
-  const double finest_speed = std::max(fastest_ * kFinestSpeed, kLeastTolerance);
+  const double finest_value = std::max(largest_ * kFinestValue, kLeastTolerance);
   double tolerance = tolerance_ > 0 ? tolerance_ * kCoarser : first;
-  while (!rebuild(original, tolerance, finest_speed * std::max(1.0, tolerance / first))) {
+  while (!rebuild(original, tolerance, finest_value * std::max(1.0, tolerance / first))) {
     tolerance *= kCoarser;
   }
   begin(pen, at);
 }
 
 // False, with the work half done, as soon as three quarters of the budget are not enough.
-bool PathStore::rebuild(const Path& path, double tolerance, double speed_tolerance) {
+bool PathStore::rebuild(const Path& path, double tolerance, double value_tolerance) {
   tolerance_ = tolerance;
-  speed_tolerance_ = speed_tolerance;
-  sleeve_ = Sleeve(tolerance, speed_tolerance);
+  value_tolerance_ = value_tolerance;
+  sleeve_ = Sleeve(tolerance, value_tolerance);
   seen_.clear(2 * tolerance);
   path_ = {};
   cost_ = 0;

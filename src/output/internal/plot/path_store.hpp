@@ -27,7 +27,7 @@ struct Path {
   static constexpr std::uint32_t kNoArc = 0xffffffffU;
   struct Vertex {
     Point3 at;
-    float speed = 0;             ///< mm/min, of a path that was given with speeds
+    float value = 0;             ///< of a path that was given with values: CutMeasure
     std::uint32_t arc = kNoArc;  ///< index of the arc that leads here, or kNoArc: a straight line
   };
   struct Stroke {
@@ -50,20 +50,20 @@ struct Path {
 /// a contour that is cut a million times, or hatching finer than any picture. What comes later is
 /// simplified as it comes. Everything kept is a point of the true path.
 ///
-/// Speeds are simplified along with the places, within kFinestSpeed of the fastest at first and
-/// coarser as the places are: between two vertices the speed goes linearly with the way.
+/// Values are simplified along with the places, within kFinestValue of the largest at first and
+/// coarser as the places are: between two vertices the value goes linearly with the way.
 class PathStore {
  public:
   static constexpr std::size_t kBudget = 50'000;     ///< vertices
   static constexpr double kFinest = 1.0 / 8192;      ///< of the largest extent of the cuts
-  static constexpr double kFinestSpeed = 1.0 / 128;  ///< of the fastest
+  static constexpr double kFinestValue = 1.0 / 128;  ///< of the largest value
   static constexpr double kLeastTolerance = 1e-6;    ///< mm
   static constexpr double kLargestCoordinate = 1e9;  ///< mm; the caller keeps within
 
   /// The pen moves from where it is; `from` is that place.
   void line(Pen pen, const Point3& from, const Point3& to);
   void arc(Pen pen, const ArcPath& arc);
-  /// With the speeds at both places.
+  /// With the values at both places.
   void line(Pen pen, const Knot& from, const Knot& to);
   /// The pen leaves the path: the next line may begin anywhere.
   void lift();
@@ -85,7 +85,7 @@ class PathStore {
   void keep(const Knot& to);
   void append(const Knot& to, std::uint32_t arc);
   void coarsen();
-  bool rebuild(const Path& path, double tolerance, double speed_tolerance);
+  bool rebuild(const Path& path, double tolerance, double value_tolerance);
   [[nodiscard]] std::uint32_t label_of(const Knot& from, const Knot& to) const;
   bool rebuild_vertex(const Path& path, const Path::Vertex& vertex);
 
@@ -96,8 +96,8 @@ class PathStore {
   bool stroke_open_ = false;  // the last stroke of path_ ends at tail_
   Pen pen_;
   Knot tail_{};  // end of what was kept
-  double fastest_ = 0;
-  double speed_tolerance_ = 1;
+  double largest_ = 0;
+  double value_tolerance_ = 1;
   Sleeve sleeve_;
   SegmentSet seen_;
 };

@@ -40,11 +40,15 @@ double height_for(const Projection& projection, const Box3& box, double width,
   return (width - padding.left - padding.right) * size.y / size.x + padding.top + padding.bottom;
 }
 
+std::string quantity(const CutScale& scale) {
+  return scale.of() == CutScale::Of::speeds ? "speed reached" : "energy per millimetre";
+}
+
 std::string subtitle(const Subject& subject) {
   const std::uint64_t moves = subject.recorded.move_count();
   std::string text = "Tool path in machine coordinates \u00b7 " + grouped(moves) +
                      (moves == 1 ? " move" : " moves");
-  if (subject.speed_scale) text += " \u00b7 coloured by the speed reached";
+  if (subject.cut_scale) text += " \u00b7 coloured by the " + quantity(*subject.cut_scale);
   if (subject.tolerance > 0) {
     text += " \u00b7 simplified to about " + significant(subject.tolerance) + " mm";
   }
@@ -89,9 +93,9 @@ double draw_one_view(DisplayList& sheet, const Subject& subject) {
 
 }  // namespace
 
-DisplayList draw_sheet(const PathRecorder& recorder, const SpeedRecorder* speeds,
+DisplayList draw_sheet(const PathRecorder& recorder, const CutRecorder* cuts,
                        const std::string& title) {
-  const Subject subject(recorder, speeds);
+  const Subject subject(recorder, cuts);
   DisplayList sheet;
   sheet.width = kWidth;
   sheet.title = printable(title);

@@ -10,7 +10,7 @@ namespace kerf::output::plot {
 
 /// Simplifies a polyline in one pass, in constant time and memory per point: says which points to
 /// keep so that every point left out lies within the tolerance of the polyline of those kept, in
-/// each coordinate. The speed is a coordinate like the others, with a tolerance of its own.
+/// each coordinate. The value is a coordinate like the others, with a tolerance of its own.
 ///
 /// From the last point kept, the anchor, a straight line is laid along the axis on which the path
 /// goes furthest, s. Each point at s lets the line pass it at +-tolerance, so it leaves the line's
@@ -25,9 +25,9 @@ namespace kerf::output::plot {
 ///             '-.  steepest the other way
 class Sleeve {
  public:
-  /// Both tolerances > 0: mm, and in the unit of the speeds.
-  explicit Sleeve(double tolerance = 1, double speed_tolerance = 1)
-      : tolerance_(tolerance), mm_per_speed_(tolerance / speed_tolerance) {}
+  /// Both tolerances > 0: mm, and in the unit of the values.
+  explicit Sleeve(double tolerance = 1, double value_tolerance = 1)
+      : tolerance_(tolerance), mm_per_value_(tolerance / value_tolerance) {}
 
   void start(const Knot& at) {
     anchor_ = end_ = at;
@@ -60,10 +60,10 @@ class Sleeve {
     }
   };
 
-  // From the anchor, with the speed as a length.
+  // From the anchor, with the value as a length.
   [[nodiscard]] Knot step_to(const Knot& point) const {
     return {point[kX] - anchor_[kX], point[kY] - anchor_[kY], point[kZ] - anchor_[kZ],
-            (point[kSpeed] - anchor_[kSpeed]) * mm_per_speed_};
+            (point[kValue] - anchor_[kValue]) * mm_per_value_};
   }
 
   // Points within the tolerance of the anchor say nothing about a direction.
@@ -97,7 +97,7 @@ class Sleeve {
   static constexpr std::size_t kSides = std::tuple_size_v<Knot> - 1;
 
   double tolerance_;
-  double mm_per_speed_;
+  double mm_per_value_;
   Knot anchor_{}, end_{};
   bool open_ = false;      // whether a direction is chosen
   std::size_t along_ = 0;  // the coordinate that is s

@@ -34,20 +34,21 @@ Box3 box_to_show(const PathRecorder& recorded) {
 
 }  // namespace
 
-Subject::Subject(const PathRecorder& recorder, const SpeedRecorder* with_speeds)
+Subject::Subject(const PathRecorder& recorder, const CutRecorder* cuts)
     : recorded(recorder),
       path(recorder.store().path()),
       tolerance(recorder.store().tolerance()),
       box(box_to_show(recorder)) {
   for (const Tool& tool : recorded.tools()) {
     const Color own = kToolColors[cutters.size() % kToolColors.size()];
-    tool_color.push_back(with_speeds ? kSoft : own);
+    tool_color.push_back(cuts ? kSoft : own);
     if (tool.cuts) cutters.push_back(tool_color.size() - 1);
   }
-  if (!with_speeds) return;
-  speeds = with_speeds->path();
-  speed_scale.emplace(with_speeds->fastest());
-  tolerance = std::max(tolerance, with_speeds->tolerance());
+  if (!cuts) return;
+  values = cuts->path();
+  cut_scale = cuts->measure().scale();
+  cut_caption = cuts->measure().caption();
+  tolerance = std::max(tolerance, cuts->tolerance());
 }
 
 std::string Subject::tool_name(std::size_t tool) const {

@@ -4,24 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "output/internal/plot/cut_recorder.hpp"
+#include "output/internal/plot/cut_scale.hpp"
 #include "output/internal/plot/display_list.hpp"
 #include "output/internal/plot/path_recorder.hpp"
-#include "output/internal/plot/speed_recorder.hpp"
-#include "output/internal/plot/speed_scale.hpp"
 
 namespace kerf::output::plot {
 
 /// What all parts of the sheet show: a recording, with the choices that its parts must share.
 struct Subject {
-  /// With `speeds` the colours of the cuts are those of their speeds, and tools have none.
-  Subject(const PathRecorder& recorder, const SpeedRecorder* speeds);
+  /// With `cuts` the colours of the cuts are those of their values, and tools have none.
+  Subject(const PathRecorder& recorder, const CutRecorder* cuts);
 
   const PathRecorder& recorded;  ///< outlives this
   Path path;
-  Path speeds;                            ///< the cuts with their speeds
-  std::optional<SpeedScale> speed_scale;  ///< none: the colours are those of the tools
-  double tolerance;                       ///< mm; 0: nothing was simplified
-  Box3 box;  ///< what the views show; never empty, never flat in X and Y at once
+  Path values;                        ///< the cuts with what their colours say
+  std::optional<CutScale> cut_scale;  ///< none: the colours are those of the tools
+  std::string cut_caption;
+  double tolerance;  ///< mm; 0: nothing was simplified
+  Box3 box;          ///< what the views show; never empty, never flat in X and Y at once
   std::vector<Color> tool_color;     ///< by index of the tool
   std::vector<std::size_t> cutters;  ///< indices of the tools that cut, in order of first use
 

@@ -4,29 +4,29 @@
 #include <span>
 #include <vector>
 
+#include "output/internal/plot/cut_scale.hpp"
 #include "output/internal/plot/display_list.hpp"
 #include "output/internal/plot/path_store.hpp"
 #include "output/internal/plot/segment_set.hpp"
-#include "output/internal/plot/speed_scale.hpp"
 #include "output/internal/plot/view.hpp"
 
 namespace kerf::output::plot {
 
-/// Brings a path with speeds onto the sheet: an outline for each shade, clipped to the view's
-/// frame. Between two vertices the shade changes where the speed, which goes linearly with the way,
+/// Brings a path with values onto the sheet: an outline for each shade, clipped to the view's
+/// frame. Between two vertices the shade changes where the value, which goes linearly with the way,
 /// leaves it. Of lines of one shade that coincide, only the first is drawn.
 ///
-/// A place where the tool is slower than before and behind it shows however short it is: as a dot,
-/// when it is shorter than kDot pixels.
-class SpeedTracer {
+/// A place of a lower shade than before and behind it, slower or with more energy, shows however
+/// short it is: as a dot, when it is shorter than kDot pixels.
+class CutTracer {
  public:
-  SpeedTracer(const View& view, const Path& path, const SpeedScale& scale);
+  CutTracer(const View& view, const Path& path, const CutScale& scale);
 
-  /// By shade, from the slowest.
+  /// By shade.
   [[nodiscard]] std::vector<Outline>& lines() { return lines_; }
   [[nodiscard]] std::vector<Outline>& dots() { return dots_; }
 
-  [[nodiscard]] const SpeedScale& scale() const { return scale_; }
+  [[nodiscard]] const CutScale& scale() const { return scale_; }
   [[nodiscard]] std::size_t point_count() const;
 
   static constexpr double kDot = 3;
@@ -46,7 +46,7 @@ class SpeedTracer {
   void draw_dot(const Run& run);
 
   const View& view_;
-  SpeedScale scale_;
+  CutScale scale_;
   std::vector<Run> runs_;  // of the stroke under way
   SegmentSet seen_;
   std::vector<Outline> lines_, dots_;

@@ -9,6 +9,7 @@ an ending _VARIANT before the point:
   command        one line, as typed in the root of the repository: ./kerf run examples/...
   expected.json  the stable part of the summary that --summary writes
   picture.svg    what --plot wrote, where the command has it (or .png)
+  pattern.svg    likewise of --pattern-plot
   printed.txt    what --dprnt wrote, where the command has it
   generate.py    writes the program of `command`, where a script made it
   README.md      quotes every command
@@ -45,6 +46,8 @@ STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages"
           "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
 STABLE_IN_ALARM = ("code", "program", "line")
 RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
+SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt")
+PICTURES = {"--plot": "picture", "--pattern-plot": "pattern"}
 PICTURE_BYTES = (4_000, 250_000)
 PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
 EXIT_STATUS = {"end": 0, "alarm": 1}
@@ -62,7 +65,7 @@ class Result:
     exit_status: int
     errors: str
     summary: dict
-    picture: Path = None
+    pictures: dict = field(default_factory=dict)  # place in the example: file that was written
     printed: Path = None
 
 
@@ -90,8 +93,8 @@ class Variant:
     def program(self) -> Path:
         return ROOT / self.words[2]
 
-    def picture(self, suffix: str) -> Path:
-        return self.folder / f"picture{self.ending}{suffix}"
+    def picture(self, kind: str, suffix: str) -> Path:
+        return self.folder / f"{kind}{self.ending}{suffix}"
 
     def option(self, name: str) -> str:
         """The value of an option of the command, "" without it."""
@@ -131,9 +134,10 @@ def check_no_orphans(folder: Path, variants: list) -> None:
     known = {variant.program.name for variant in variants}
     for variant in variants:
         known |= {variant.expected.name, variant.printed.name}
-        known |= {variant.picture(suffix).name for suffix in PICTURE_HEADS}
+        known |= {variant.picture(kind, suffix).name
+                  for kind in PICTURES.values() for suffix in PICTURE_HEADS}
     for path in sorted(folder.iterdir()):
-        if path.suffix in (".nc", ".tch", ".json", ".svg", ".png", ".txt") and path.name not in known:
+        if path.suffix in SPOKEN_OF and path.name not in known:
             raise Failed(f"no command speaks of {path.name}")
 
 
@@ -156,8 +160,10 @@ def run(variant: Variant, kerf: Path, place: Path) -> Result:
         raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary\n"
                      + done.stderr.rstrip())
     result = Result(done.returncode, done.stderr, stable(json.loads(summary.read_text())))
-    if variant.option("--plot"):
-        result.picture = place / variant.option("--plot")
+    for option, kind in PICTURES.items():
+        if variant.option(option):
+            drawn = place / variant.option(option)
+            result.pictures[variant.picture(kind, drawn.suffix)] = drawn
     if variant.option("--dprnt"):
         result.printed = place / variant.option("--dprnt")
     return result
@@ -209,15 +215,15 @@ def check_ending(variant: Variant, result: Result) -> None:
 
 
 def check_outputs(variant: Variant, result: Result) -> None:
-    """The picture is a picture of decent size, and what was asked for is there."""
-    if result.picture is not None:
-        if not result.picture.is_file():
-            raise Failed(f"{variant.command.name}: no picture was written")
-        data = result.picture.read_bytes()
-        if not data.startswith(PICTURE_HEADS[result.picture.suffix]):
-            raise Failed(f"{result.picture.name}: is not {result.picture.suffix}")
+    """Pictures are pictures of decent size, and what was asked for is there."""
+    for drawn in result.pictures.values():
+        if not drawn.is_file():
+            raise Failed(f"{variant.command.name}: no picture was written to {drawn.name}")
+        data = drawn.read_bytes()
+        if not data.startswith(PICTURE_HEADS[drawn.suffix]):
+            raise Failed(f"{drawn.name}: is not {drawn.suffix}")
         if not PICTURE_BYTES[0] <= len(data) <= PICTURE_BYTES[1]:
-            raise Failed(f"{result.picture.name}: {len(data)} bytes, not within "
+            raise Failed(f"{drawn.name}: {len(data)} bytes, not within "
                          f"{PICTURE_BYTES[0]} to {PICTURE_BYTES[1]}")
     if result.printed is not None and not result.printed.is_file():
         raise Failed(f"{variant.command.name}: nothing was printed to {result.printed.name}")
@@ -232,9 +238,8 @@ def compare(variant: Variant, result: Result) -> None:
         if result.printed.read_text() != before:
             found.append(f"{variant.printed.name}: expected\n{before}got\n"
                          + result.printed.read_text().rstrip())
-    if result.picture is not None and not variant.picture(result.picture.suffix).is_file():
-        found.append(f"{variant.picture(result.picture.suffix).name} is missing; "
-                     "--update writes it")
+    found += [f"{picture.name} is missing; --update writes it"
+              for picture in result.pictures if not picture.is_file()]
     if found:
         raise Failed(f"{variant.command.name}: " + "\n".join(found))
 
@@ -244,8 +249,8 @@ def update(variant: Variant, result: Result) -> None:
     replace(variant.expected, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
     if result.printed is not None:
         replace(variant.printed, result.printed.read_bytes())
-    if result.picture is not None:
-        replace(variant.picture(result.picture.suffix), result.picture.read_bytes())
+    for picture, drawn in result.pictures.items():
+        replace(picture, drawn.read_bytes())
 
 
 def replace(path: Path, data: bytes) -> None:

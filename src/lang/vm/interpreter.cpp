@@ -46,6 +46,7 @@ void Interpreter::start(CodeId main) {
   loops_.clear();
   saved_.clear();
   steps_left_ = settings_.steps;
+  steps_end_.reset();
   std::fill(jumps_.begin(), jumps_.end(), CachedJump{});
   running_ = {};
   begun_.reset();
@@ -53,7 +54,7 @@ void Interpreter::start(CodeId main) {
 }
 
 Interpreter::Stop Interpreter::run(std::uint64_t instructions) {
-  return tracing_ ? run_loop<true>(instructions) : run_loop<false>(instructions);
+  return tracing_ || steps_end_ ? run_loop<true>(instructions) : run_loop<false>(instructions);
 }
 
 void Interpreter::call(CodeId code, Locals locals) {
@@ -63,8 +64,8 @@ void Interpreter::call(CodeId code, Locals locals) {
     if (registers_.size() < base + kRegisters) registers_.resize(base + kRegisters, kNull);
     std::fill_n(registers_.begin() + base, settings_.locals, kNull);
   }
-  frames_.push_back(Frame{
-      .code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
+  frames_.push_back(
+      Frame{.code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
 }
 
 void Interpreter::return_to_caller() {
@@ -172,9 +173,8 @@ double& Interpreter::variable(std::uint32_t number) {
 // A loop that was left by a jump and begins anew: it and what was inside of it are over.
 void Interpreter::discard_loop_of(std::uint32_t variable) {
   const auto begin = loops_.begin() + static_cast<std::ptrdiff_t>(frames_.back().first_loop);
-  const auto found = std::find_if(begin, loops_.end(), [&](const CountedLoop& loop) {
-    return loop.variable == variable;
-  });
+  const auto found = std::find_if(
+      begin, loops_.end(), [&](const CountedLoop& loop) { return loop.variable == variable; });
   loops_.erase(found, loops_.end());
 }
 
@@ -243,6 +243,14 @@ void Interpreter::save_variable(std::uint32_t number) {
   if (!saved) saved_.push_back({number, variable(number)});
 }
 
+// Steps are counted many at a time; the last ones one by one, so that the program ends where it
+// should however it is cut.
+void Interpreter::last_steps_end_at(const CodePage& page, std::uint32_t count_steps) {
+  const BlockMark* const first = page.mark_of(count_steps);
+  steps_end_ = Address{page.number, first[steps_left_].instruction};
+  steps_left_ = 0;
+}
+
 bool Interpreter::fail(Fault fault) {
   host_.fault(fault);
   return false;
@@ -295,6 +303,10 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
     if constexpr (kTracing) {
       if (pc == next_mark) {
         const Address here{page->number, pc};
+        if (steps_end_ == here) {
+          ++pc;
+          return faulty(Fault::steps_spent);
+        }
         if (begun_ != here) {
           ++pc, save(), --pc;
           frames_.back().at = here;
@@ -504,8 +516,14 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         break;
       case Op::save_variable: save_variable(i.n); break;
       case Op::count_steps:
-        if (steps_left_ < i.n) return faulty(Fault::steps_spent);
-        steps_left_ -= i.n;
+        if (steps_left_ >= i.n) {
+          steps_left_ -= i.n;
+          break;
+        }
+        if (steps_left_ == 0) return faulty(Fault::steps_spent);
+        save();
+        last_steps_end_at(*page, pc - 1);
+        if constexpr (!kTracing) return run_loop<true>(budget);
         break;
       case Op::skip_when_on:
         if ((switches_ >> i.a & 1U) != 0) {

@@ -76,7 +76,7 @@ def by_ending(box):
     for name in ("part.bas", "PART.BAS", "part.Bas"):
         told = summary(box, "x=1\n", name=name)
         equal((told["dialect"], told["machine"]), ("laser-basic", "laser3"), name)
-        contains(run(box, "x=1\n", name=name).text, "because of the file's ending", "the reason")
+        contains(run(box, "x=1\n", name=name).err, "because of the file's ending", "the reason")
 
 
 BY_TEXT = ["' a comment\nhome\n", "home\n", "\n\n  Speed(5)\n", "x=1\n", "print 1\n", "for i=1 to 2\nnext\n",
@@ -88,7 +88,7 @@ def by_text(box):
     for text in BY_TEXT:
         told = summary(box, text, name="part.txt")
         equal(told["dialect"], "laser-basic", repr(text))
-        contains(run(box, text, name="part.txt").text, "because of the first lines", "the reason")
+        contains(run(box, text, name="part.txt").err, "because of the first lines", "the reason")
     for text in ("O1\nM30\n", "G21\nM30\n", "%\nO1\nM30\n%\n", "(LINE)\nM30\n", "#1=1\nM30\n"):
         equal(summary(box, text, name="part.txt")["dialect"], "fanuc-mill", repr(text))
 
@@ -97,11 +97,11 @@ def by_text(box):
 def choices(box):
     told = summary(box, SQUARE, "--dialect", "laser-basic", name="part.nc")
     equal((told["dialect"], told["machine"]), ("laser-basic", "laser3"), "by --dialect")
-    contains(run(box, SQUARE, "--dialect", "laser-basic", name="part.nc").text,
+    contains(run(box, SQUARE, "--dialect", "laser-basic", name="part.nc").err,
              "machine laser3 because of --dialect laser-basic", "the reason")
     told = summary(box, SQUARE, "--machine", "mill3")
     equal((told["dialect"], told["machine"]), ("laser-basic", "mill3"), "by the ending on a mill")
-    contains(run(box, SQUARE, "--machine", "mill3").text, "dialect laser-basic because of the file's ending",
+    contains(run(box, SQUARE, "--machine", "mill3").err, "dialect laser-basic because of the file's ending",
              "the reason")
     told = summary(box, "O1\nM30\n", "--dialect", "fanuc-mill")
     equal(told["dialect"], "fanuc-mill", "against the ending")
@@ -116,6 +116,16 @@ def machine_of_basic(box):
     result = box.kerf("run", "part.txt", "--machine", "mine.toml")
     status(result, 0)
     check(result.text.startswith("5\n"), result.text)
+
+
+@test("the work origin is that of G54, and the travel is that of the machine")
+def origin(box):
+    box.write("o.toml", "[work.G54]\nX = 10\nY = -5\n[work.EXT]\nZ = 1\n")
+    run(box, "home\nmove(1,2,3)\nprint xpos;ypos;zpos\n", "--offsets", "o.toml", "--motion", "m.jsonl")
+    equal([[move["to"][axis] for axis in "XYZ"] for move in box.motions("m.jsonl") if move["kind"] == "rapid"],
+          [[10, -5, 1], [11, -3, 4]], "targets")
+    alarm(run(box, "move(341,0)\n", "--offsets", "o.toml", wanted=1), "LB0019", 1)
+    run(box, "move(-360,0)\n", "--offsets", "o.toml")
 
 
 @test("check lists all mistakes of a program in the order of its lines, each once")
@@ -184,11 +194,11 @@ def pwm(box):
 
 @test("a program of a million lines needs no more memory than a short one")
 def long_program(box):
-    box.write("part.bas", "speed(50);power(60)\n" + "line(1,0)\nline(0,1)\n" * 500_000)
-    result = box.kerf("run", "part.bas", "--summary", "s.json", "--max-motions", "0", "--max-seconds", "0",
-                      peak=True)
+    box.write("part.bas", "speed(50);power(60)\nx=0\n" + "x=x+1\nif x>300 then x=0\n" * 500_000 +
+              "line(x,1)\n")
+    result = box.kerf("run", "part.bas", "--summary", "s.json", peak=True)
     status(result, 0)
-    near(box.json("s.json")["cut_mm"], 1 + 999_999 * 2 ** 0.5, 1, "length of the cuts")
+    near(box.json("s.json")["position"]["work"]["X"], 500_000 % 301, 1e-6, "the last point")
     if MEASURES_MEMORY:
         check(result.peak_kib < 100_000, f"peak memory {result.peak_kib} KiB")
 
@@ -198,7 +208,8 @@ def rubbish(box):
     import random
     source = random.Random(5)
     for count in (1, 10, 1000, 100_000):
-        alarm(run(box, bytes(source.randrange(256) for _ in range(count)) + b"$", wanted=1), "LB00")
+        result = run(box, bytes(source.randrange(256) for _ in range(count)) + b"$", wanted=1)
+        contains(result.err, " error: LB00", "the diagnostic")
     alarm(run(box, b"\x00", wanted=1), "LB0026", 1)
 
 

@@ -47,6 +47,7 @@ void Interpreter::start(CodeId main) {
   saved_.clear();
   steps_left_ = settings_.steps;
   steps_end_.reset();
+  steps_spent_ = false;
   std::fill(jumps_.begin(), jumps_.end(), CachedJump{});
   running_ = {};
   begun_.reset();
@@ -95,6 +96,10 @@ base::Place Interpreter::place() {
   for (std::uint32_t page = running_.at.page; place.line == 0 && page > 0; --page) {
     const CodePage& before = source_.page(running_.code, page - 1);
     place = before.place_of(static_cast<std::uint32_t>(before.instructions.size() - 1));
+  }
+  if (steps_spent_) {
+    place.column = steps_end_->column;
+    place.length = 1;
   }
   return place;
 }
@@ -245,9 +250,9 @@ void Interpreter::save_variable(std::uint32_t number) {
 
 // Steps are counted many at a time; the last ones one by one, so that the program ends where it
 // should however it is cut.
-void Interpreter::last_steps_end_at(const CodePage& page, std::uint32_t count_steps) {
-  const BlockMark* const first = page.mark_of(count_steps);
-  steps_end_ = Address{page.number, first[steps_left_].instruction};
+void Interpreter::end_steps_behind(const CodePage& page, std::uint32_t count_steps) {
+  const BlockMark& end = page.mark_of(count_steps)[steps_left_];
+  steps_end_ = StepsEnd{{page.number, end.instruction}, end.offset - end.line_offset + 1};
   steps_left_ = 0;
 }
 
@@ -303,8 +308,9 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
     if constexpr (kTracing) {
       if (pc == next_mark) {
         const Address here{page->number, pc};
-        if (steps_end_ == here) {
+        if (steps_end_ && steps_end_->at == here) {
           ++pc;
+          steps_spent_ = true;
           return faulty(Fault::steps_spent);
         }
         if (begun_ != here) {
@@ -520,9 +526,10 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
           steps_left_ -= i.n;
           break;
         }
-        if (steps_left_ == 0) return faulty(Fault::steps_spent);
         save();
-        last_steps_end_at(*page, pc - 1);
+        steps_spent_ = steps_left_ == 0;
+        end_steps_behind(*page, pc - 1);
+        if (steps_spent_) return faulty(Fault::steps_spent);
         if constexpr (!kTracing) return run_loop<true>(budget);
         break;
       case Op::skip_when_on:

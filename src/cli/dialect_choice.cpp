@@ -30,9 +30,9 @@ constexpr std::array kLanguages = {Language{"laser-basic", ".bas", "laser3"},
 constexpr Language kMill{"fanuc-mill", "", "mill3"};
 
 // Words that begin a statement of laser BASIC and no block of G-code.
-constexpr std::array<std::string_view, 13> kBasicWords = {"LET",  "PRINT",  "INPUT", "FOR",  "NEXT",
-                                                          "HOME", "SPEED",  "POWER", "MOVE", "LINE",
-                                                          "ARC",  "CIRCLE", "GOSUB"};
+constexpr std::array<std::string_view, 14> kBasicWords = {"LET",  "REM",  "PRINT",  "INPUT", "FOR",
+                                                          "NEXT", "HOME", "SPEED",  "POWER", "MOVE",
+                                                          "LINE", "ARC",  "CIRCLE", "GOSUB"};
 
 bool is_available(std::string_view dialect) {
   const std::vector<std::string_view> all = machine::available_dialects();
@@ -68,6 +68,8 @@ struct FirstWord {
 
 FirstWord first_word(std::string_view line) {
   FirstWord first;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
   std::size_t at = line.find_first_not_of(" \t\r");
   if (at == std::string_view::npos) return first;
   const auto in_word = [&] {

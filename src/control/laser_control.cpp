@@ -202,7 +202,9 @@ bool LaserControl::read(double number, double& value) {
     case Inquiry::z: value = moves_.position().z; break;
     case Inquiry::moved: value = moves_.moved(); break;
     case Inquiry::input: return read_input(value);
-    default: warn(Code::basic_unset, place(), program_.variables()[inquiry], kName);
+    default:
+      warn(Code::basic_unset, place(), program_.variables()[inquiry], kName);
+      set_variable(inquiry, 0);
   }
   return true;
 }

@@ -18,6 +18,7 @@ import harness
 
 # Each of these adds its tests.
 import alarm_tests  # noqa: F401
+import basic_tests  # noqa: F401
 import check_tests  # noqa: F401
 import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401

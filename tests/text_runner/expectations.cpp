@@ -1,5 +1,7 @@
 #include "expectations.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace kerf::test {
@@ -35,6 +37,15 @@ std::optional<double> number(const std::string& text) {
   return value;
 }
 
+// "#100=1" and "x=1"
+bool names_variable(const std::string& text) {
+  const std::string name = trimmed(text.substr(0, text.find('=')));
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return name.size() < text.size() &&
+         (name.starts_with("#") ||
+          (!name.empty() && std::all_of(name.begin(), name.end(), is_letter)));
+}
+
 std::vector<std::string> moves(const std::string& text) {
   return text == "none" ? std::vector<std::string>{} : split(text, ';');
 }
@@ -50,6 +61,8 @@ class Reader {
   void alarm(std::string body, std::uint32_t line);
   void variables(const std::string& body, std::vector<WantedVariable>& into);
   void positions(const std::string& body, std::vector<WantedPosition>& into);
+  void warning(std::string body, std::uint32_t line);
+  void counts(const std::string& body);
   void mistake(const std::string& body) { result_.mistakes.push_back(body); }
 
   Expectations result_;
@@ -66,6 +79,7 @@ Expectations Reader::read(const std::string& text) {
     if (text[i] != '(') continue;
     const std::size_t close = text.find_first_of(")\r\n", i);
     if (close == std::string::npos || text[close] != ')') continue;
+    i = text.rfind('(', close);  // a bracket that the program leaves open is no comment
     comment(trimmed(text.substr(i + 1, close - i - 1)), line);
     i = close;
   }
@@ -75,6 +89,8 @@ Expectations Reader::read(const std::string& text) {
 void Reader::comment(std::string body, std::uint32_t line) {
   if (take(body, "run with:")) {
     result_.options = split(body, ' ');
+  } else if (take(body, "with input:")) {
+    result_.input = split(body, ',');
   } else if (take(body, "expect ")) {
     ++result_.count;
     expect(body, line);
@@ -91,7 +107,9 @@ void Reader::expect(std::string body, std::uint32_t line) {
     alarm(body, line);
   } else if (take(body, "assumed:")) {
     result_.assumed_in_line[line] = body;
-  } else if (body.starts_with("#")) {
+  } else if (take(body, "warning ")) {
+    warning(body, line);
+  } else if (names_variable(body)) {
     variables(body, result_.variables_after_line[line]);
   } else {
     mistake(body);
@@ -115,14 +133,42 @@ void Reader::finally(std::string body) {
     result_.records = split(body, ';');
   } else if (take(body, "alarm ")) {
     alarm(body, 0);
-  } else if (body.starts_with("#")) {
+  } else if (take(body, "counts ")) {
+    counts(body);
+  } else if (take(body, "lines of ")) {
+    result_.lines_mm = number(body);
+  } else if (take(body, "printed ")) {
+    result_.printed = body;
+  } else if (names_variable(body)) {
     variables(body, result_.variables);
   } else {
     mistake(body);
   }
 }
 
-// NUMBER [line N] [at TEXT] [says TEXT]
+// NUMBER [at TEXT]
+void Reader::warning(std::string body, std::uint32_t line) {
+  WantedWarning wanted{body.substr(0, body.find(' ')), line, {}};
+  body = trimmed(body.substr(wanted.number.size()));
+  if (take(body, "at ")) {
+    wanted.at = body;
+  } else if (!body.empty()) {
+    mistake(body);
+  }
+  result_.warnings.push_back(wanted);
+}
+
+// KIND N, …
+void Reader::counts(const std::string& body) {
+  for (const std::string& part : split(body, ',')) {
+    const std::size_t blank = part.find(' ');
+    const auto count = number(blank == std::string::npos ? "" : part.substr(blank + 1));
+    if (!count) return mistake(part);
+    result_.counts[part.substr(0, blank)] = static_cast<std::size_t>(*count);
+  }
+}
+
+// NUMBER [line N] [column N] [at TEXT] [says TEXT]
 void Reader::alarm(std::string body, std::uint32_t line) {
   WantedAlarm wanted;
   wanted.line = line;
@@ -131,6 +177,11 @@ void Reader::alarm(std::string body, std::uint32_t line) {
   if (take(body, "line ")) {
     const std::string digits = body.substr(0, body.find(' '));
     wanted.line = static_cast<std::uint32_t>(number(digits).value_or(0));
+    body = trimmed(body.substr(digits.size()));
+  }
+  if (take(body, "column ")) {
+    const std::string digits = body.substr(0, body.find(' '));
+    wanted.column = static_cast<std::uint32_t>(number(digits).value_or(0));
     body = trimmed(body.substr(digits.size()));
   }
   if (take(body, "at ")) {
@@ -148,7 +199,7 @@ void Reader::variables(const std::string& body, std::vector<WantedVariable>& int
     const std::size_t equals = part.find('=');
     const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
     const auto parsed = number(value);
-    if (part.starts_with("#") && (parsed || value == "null")) {
+    if (names_variable(part) && (parsed || value == "null")) {
       into.push_back({part.substr(0, equals), parsed});
     } else {
       mistake(part);
@@ -170,5 +221,15 @@ void Reader::positions(const std::string& body, std::vector<WantedPosition>& int
 }  // namespace
 
 Expectations read_expectations(const std::string& text) { return Reader().read(text); }
+
+bool is_program(const std::filesystem::path& path) {
+  return path.extension() == ".nc" || path.extension() == ".tch" || path.extension() == ".bas";
+}
+
+std::function<std::optional<std::string>()> reader_of(std::vector<std::string> lines) {
+  return [lines = std::move(lines), next = std::size_t{0}]() mutable {
+    return next < lines.size() ? std::optional(lines[next++]) : std::nullopt;
+  };
+}
 
 }  // namespace kerf::test

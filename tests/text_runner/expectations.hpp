@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,9 +18,16 @@ struct WantedVariable {
 
 struct WantedAlarm {
   std::string number;
-  std::uint32_t line = 0;  ///< 0: any
-  std::string at;          ///< text under the caret; empty: any
-  std::string says;        ///< part of the message
+  std::uint32_t line = 0;    ///< 0: any
+  std::uint32_t column = 0;  ///< 0: any
+  std::string at;            ///< text under the caret; empty: any
+  std::string says;          ///< part of the message
+};
+
+struct WantedWarning {
+  std::string number;
+  std::uint32_t line = 0;
+  std::string at;  ///< text under the caret; empty: any
 };
 
 struct WantedPosition {
@@ -34,17 +43,28 @@ struct Expectations {
   std::map<std::uint32_t, std::string> assumed_in_line;
   bool nothing_assumed = false;
   std::optional<WantedAlarm> alarm;
+  std::vector<WantedWarning> warnings;  ///< all that there are
   std::vector<WantedVariable> variables;
   std::vector<WantedPosition> machine;
   std::vector<WantedPosition> work;
   std::string status;
   std::vector<std::string> prints;
   std::optional<std::vector<std::string>> moves;
+  std::map<std::string, std::size_t> counts;  ///< of moves, by their kinds
+  std::optional<double> lines_mm;             ///< length of all lines together
+  std::optional<std::string> printed;         ///< the whole text, its ends of lines as "|"
+  std::vector<std::string> input;             ///< lines that INPUT reads
   std::optional<std::vector<std::string>> records;
   std::size_t count = 0;              ///< of expectations
   std::vector<std::string> mistakes;  ///< comments that look like expectations and are none
 };
 
 [[nodiscard]] Expectations read_expectations(const std::string& text);
+
+/// Whether the file is one of the programs of the text tests.
+[[nodiscard]] bool is_program(const std::filesystem::path& path);
+
+/// What INPUT reads: these lines one after the other, then nothing.
+[[nodiscard]] std::function<std::optional<std::string>()> reader_of(std::vector<std::string> lines);
 
 }  // namespace kerf::test

@@ -40,8 +40,22 @@ const char* status_name(Status status) {
   }
 }
 
-// #1 to #33 of the main program's level, #100 to #199, #500 to #999.
+std::string capitals(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+double named_variable(VirtualMachine& machine, const std::string& name) {
+  for (const machine::Variable& variable : machine.variables()) {
+    if (variable.name == capitals(name)) return variable.value;
+  }
+  return vm::kNull;
+}
+
+// #1 to #33 of the main program's level, #100 to #199, #500 to #999; of laser BASIC by name.
 double variable(VirtualMachine& machine, const std::string& name) {
+  if (name[0] != '#') return named_variable(machine, name);
   const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
   if (number < gcode::kLocals) return fanuc(machine).first_level_locals()[number];
   if (number < 200) return machine.memory().commons[number - 100];
@@ -66,7 +80,10 @@ class TextTest : public testing::Test {
   void check_moves();
   void check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got,
                   const std::string& what);
+  void check_counts();
   void check_records();
+  void check_warnings();
+  [[nodiscard]] std::string text_at(const base::Place& place) const;
   void check_assumed();
   void check_positions();
   double local(const std::string& name);
@@ -99,6 +116,7 @@ void TextTest::prepare() {
   machine_ = std::move(ready->machine);
   recorder_ = std::make_unique<Recorder>(machine_->definition().axes);
   machine_->add_sink(*recorder_);
+  machine_->set_input(reader_of(expected_.input));
   machine_->set_print_output([this](std::string_view text) { printed_ += text; });
 }
 
@@ -117,6 +135,7 @@ void TextTest::run() {
 }
 
 double TextTest::local(const std::string& name) {
+  if (name[0] != '#') return variable(*machine_, name);
   const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
   if (number < gcode::kLocals) return fanuc(*machine_).running_locals()[number];
   return variable(*machine_, name);
@@ -148,12 +167,35 @@ void TextTest::check_alarm() {
   if (wanted.line != 0) {
     EXPECT_EQ(alarm->place.line, wanted.line);
   }
+  if (wanted.column != 0) {
+    EXPECT_EQ(alarm->place.column, wanted.column);
+  }
   EXPECT_NE(alarm->message.find(wanted.says), std::string::npos) << alarm->message;
   if (wanted.at.empty()) return;
-  const std::string text = read_file(path_);
-  EXPECT_EQ(text.substr(alarm->place.line_start + alarm->place.column - 1,
-                        std::max(1U, alarm->place.length)),
-            wanted.at);
+  EXPECT_EQ(text_at(alarm->place), wanted.at);
+}
+
+std::string TextTest::text_at(const base::Place& place) const {
+  return read_file(path_).substr(place.line_start + place.column - 1, std::max(1U, place.length));
+}
+
+// In the order of their lines; no others.
+void TextTest::check_warnings() {
+  std::vector<base::Diagnostic> got = machine_->control().warnings();
+  std::stable_sort(got.begin(), got.end(),
+                   [](const auto& a, const auto& b) { return a.place.line < b.place.line; });
+  std::string list;
+  for (const base::Diagnostic& warning : got)
+    list += "\n    line " + std::to_string(warning.place.line) + " " + warning.number + " " +
+            warning.message;
+  ASSERT_EQ(got.size(), expected_.warnings.size()) << "warnings:" << list;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const WantedWarning& wanted = expected_.warnings[i];
+    EXPECT_EQ(got[i].number, wanted.number) << list;
+    EXPECT_EQ(got[i].place.line, wanted.line) << list;
+    if (wanted.at.empty()) continue;
+    EXPECT_EQ(text_at(got[i].place), wanted.at);
+  }
 }
 
 void TextTest::check_end() {
@@ -167,6 +209,10 @@ void TextTest::check_end() {
   if (!expected_.prints.empty()) {
     EXPECT_EQ(printed_, prints);
   }
+  if (!expected_.printed) return;
+  std::string printed = printed_;
+  std::replace(printed.begin(), printed.end(), '\n', '|');
+  EXPECT_EQ(printed, *expected_.printed);
 }
 
 void TextTest::check_list(const std::vector<std::string>& wanted, const std::vector<Observed>& got,
@@ -191,6 +237,27 @@ void TextTest::check_moves() {
     std::copy_if(all.begin(), all.end(), std::back_inserter(of_line),
                  [&, at = line](const Observed& item) { return item.line == at; });
     check_list(wanted, of_line, "moves of line " + std::to_string(line));
+  }
+}
+
+void TextTest::check_counts() {
+  std::map<std::string, std::size_t> counts;
+  double lines_mm = 0;
+  base::AxisVector from = machine_->definition().axes.start;
+  for (const Observed& item : recorder_->observed()) {
+    if (!item.moves) continue;
+    ++counts[item.text.substr(0, item.text.find(' '))];
+    const base::AxisVector to = *control::target_of(item.motion);
+    const base::AxisVector way = to - from;
+    if (std::holds_alternative<control::Line>(item.motion.action))
+      lines_mm += std::hypot(way.values[0], way.values[1], way.values[2]);
+    from = to;
+  }
+  if (!expected_.counts.empty()) {
+    EXPECT_EQ(counts, expected_.counts);
+  }
+  if (expected_.lines_mm) {
+    EXPECT_NEAR(lines_mm, *expected_.lines_mm, kVariableTolerance);
   }
 }
 
@@ -247,7 +314,9 @@ void TextTest::TestBody() {
   check_alarm();
   check_end();
   check_moves();
+  check_counts();
   check_records();
+  check_warnings();
   check_assumed();
   check_positions();
 }
@@ -265,7 +334,7 @@ void register_folder(const fs::path& folder) {
   std::vector<fs::path> programs;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path& path = entry.path();
-    if (path.extension() == ".nc" || path.extension() == ".tch") programs.push_back(path);
+    if (is_program(path)) programs.push_back(path);
   }
   std::sort(programs.begin(), programs.end());
   const std::string area = folder.filename().string();

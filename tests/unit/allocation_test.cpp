@@ -175,6 +175,15 @@ TEST(NoAllocation, InALoopThatPrints) {
   expect_no_allocation(loop("DPRNT[PASS*#1[60]*AT*X#5001[43]]\nG01X[#1/1000]\n"));
 }
 
+// Arithmetic, conditions, routines with variables of their own, inner loops, prints and motions.
+TEST(NoAllocation, InALoopOfLaserBasic) {
+  expect_no_allocation(
+      "speed(50);power(60)\nfor i=1 to 20000\nx=i/1000;y=10*sin(x)^2\n"
+      "if x>1 and y<>0 then line(x,y) else move(x,0)\nprint i;x,\"text\"\ngosub sub\nnext\nend\n"
+      "sub: local x,y\nfor j=1 to 2\nx=j+mod(i,3)+dist(0,0)\narc(j,j,2,0,90)\nnext\nreturn\n",
+      {.machine = "laser3", .dialect = "laser-basic"});
+}
+
 TEST(NoAllocation, InALoopOverManyPages) {
   std::string blocks;
   for (int i = 0; i < 3000; ++i) blocks += "G01X[#1+" + std::to_string(i) + ".]\n";

@@ -63,15 +63,20 @@ std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
   return machine;
 }
 
+struct Program {
+  cli::RunOptions options;
+  std::vector<std::string> input;
+};
+
 // Everything that a run shows, as text.
-std::vector<std::string> story_of(const cli::RunOptions& options, const Settings& settings,
-                                  bool tracing) {
+std::vector<std::string> story_of(const Program& program, const Settings& settings, bool tracing) {
   std::vector<std::string> story;
-  auto machine = make_machine(options, settings);
+  auto machine = make_machine(program.options, settings);
   if (machine == nullptr) return story;
   Recorder recorder(machine->definition().axes);
   std::string printed;
   machine->add_sink(recorder);
+  machine->set_input(reader_of(program.input));
   machine->set_print_output([&](std::string_view text) { printed += text; });
   if (tracing) machine->observe_blocks([](base::FileId, std::uint32_t) {});
   const auto status = machine->run_to_end(kBudget);
@@ -91,6 +96,9 @@ std::vector<std::string> story_of(const cli::RunOptions& options, const Settings
                     "+" + std::to_string(alarm.place.length) + " byte " +
                     std::to_string(alarm.place.line_start) + " in " + alarm.program);
   }
+  for (const base::Diagnostic& warning : machine->control().warnings())
+    story.push_back("warning " + warning.number + " at " + std::to_string(warning.place.line) +
+                    ":" + std::to_string(warning.place.column));
   for (const machine::Variable& variable : machine->variables())
     story.push_back(variable.name + "=" + base::number_text(variable.value));
   story.push_back("printed " + printed);
@@ -108,17 +116,16 @@ std::string first_difference(const std::vector<std::string>& got,
 }
 
 // Runs a program cut in other ways; empty: nothing differs.
-std::string difference_of_pages(const cli::RunOptions& options,
-                                const std::vector<std::string>& wanted) {
+std::string difference_of_pages(const Program& program, const std::vector<std::string>& wanted) {
   for (const std::uint32_t lines : {1U, 2U, 7U, 256U}) {
     const Settings usual{.lines_per_page = lines};
     const Settings tight{.lines_per_page = lines, .fresh_pages = 1, .most_pages = 1};
     const std::string pages = " with " + std::to_string(lines) + " lines a page";
-    std::string what = first_difference(story_of(options, usual, false), wanted);
+    std::string what = first_difference(story_of(program, usual, false), wanted);
     if (!what.empty()) return pages + ":\n" + what;
-    what = first_difference(story_of(options, tight, false), wanted);
+    what = first_difference(story_of(program, tight, false), wanted);
     if (!what.empty()) return pages + " and room for one page:\n" + what;
-    what = first_difference(story_of(options, usual, true), wanted);
+    what = first_difference(story_of(program, usual, true), wanted);
     if (!what.empty()) return pages + ", watched block by block:\n" + what;
   }
   return {};
@@ -130,7 +137,7 @@ TEST_P(PageSize, DoesNotMatter) {
   std::vector<fs::path> programs;
   for (const auto& entry : fs::directory_iterator(GetParam())) {
     const fs::path& path = entry.path();
-    if (path.extension() == ".nc" || path.extension() == ".tch") programs.push_back(path);
+    if (is_program(path)) programs.push_back(path);
   }
   std::sort(programs.begin(), programs.end());
   ASSERT_FALSE(programs.empty());
@@ -143,10 +150,10 @@ TEST_P(PageSize, DoesNotMatter) {
     words.insert(words.end(), expected.options.begin(), expected.options.end());
     auto request = cli::parse_arguments(words);
     ASSERT_TRUE(request) << request.error().message;
-    const auto& options = std::get<cli::RunOptions>(*request);
-    const std::vector<std::string> wanted = story_of(options, {}, false);
+    const Program runnable{std::get<cli::RunOptions>(*request), expected.input};
+    const std::vector<std::string> wanted = story_of(runnable, {}, false);
     ASSERT_FALSE(wanted.empty()) << program;
-    const std::string what = difference_of_pages(options, wanted);
+    const std::string what = difference_of_pages(runnable, wanted);
     EXPECT_TRUE(what.empty()) << program.filename().string() << what;
   }
 }

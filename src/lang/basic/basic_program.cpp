@@ -1,6 +1,8 @@
 #include "lang/basic/basic_program.hpp"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "lang/basic/builtins.hpp"
 #include "lang/basic/line_compiler.hpp"
@@ -96,16 +98,17 @@ vm::Region BasicProgram::resolve_region(vm::CodeId /*code*/, std::uint32_t /*pag
 
 std::vector<base::Diagnostic> BasicProgram::check() {
   std::vector<base::Diagnostic> found = scan_.findings;
-  const auto is_new = [&](const base::Diagnostic& failure) {
-    return std::none_of(found.begin(), found.end(), [&](const base::Diagnostic& other) {
-      return other.place.line == failure.place.line && other.number == failure.number;
-    });
-  };
+  std::set<std::pair<std::uint32_t, std::string>> told;  // lines and numbers
+  for (const base::Diagnostic& finding : found) told.emplace(finding.place.line, finding.number);
   for (std::uint32_t number = 0; number < scan_.pages.size(); ++number) {
     for (const base::Diagnostic& failure : page(kCode, number).failures) {
-      if (is_new(failure)) found.push_back(failure);
+      if (told.emplace(failure.place.line, failure.number).second) found.push_back(failure);
     }
   }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const base::Diagnostic& a, const base::Diagnostic& b) {
+                     return a.place.line < b.place.line;
+                   });
   return found;
 }
 

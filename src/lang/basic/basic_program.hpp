@@ -26,7 +26,7 @@ class BasicProgram : public vm::CodeSource {
 
   /// What keeps the program from running: LB0007, LB0014, LB0020, LB0021, LB0026.
   [[nodiscard]] const std::vector<base::Diagnostic>& findings() const { return scan_.findings; }
-  /// These, and all statements that do not compile.
+  /// These, and all statements that do not compile, in the order of the lines.
   [[nodiscard]] std::vector<base::Diagnostic> check();
 
   /// Names in capitals, by their numbers; the first kNear live in registers.

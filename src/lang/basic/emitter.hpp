@@ -23,9 +23,7 @@ class Emitter : public vm::Emitter {
   /// A free register. Throws SyntaxError where a statement needs more than there are.
   [[nodiscard]] std::uint8_t allocate() {
     const auto reg = free_register();
-    if (!reg)
-      throw SyntaxError{base::Code::basic_syntax, line_text(), line_text(),
-                        "the expression is nested too deeply"};
+    if (!reg) throw SyntaxError{base::Code::basic_syntax, line_text(), line_text(), kTooDeep};
     return *reg;
   }
   static bool is_temporary(std::uint8_t reg) { return reg >= kNear; }
@@ -34,14 +32,13 @@ class Emitter : public vm::Emitter {
     return variable < kNear ? variable : vm::kRegisters + variable - kNear;
   }
 
-  [[nodiscard]] const Known& known() const { return known_; }
+  [[nodiscard]] Known& known() { return known_; }
   void know(std::uint32_t variable) {
     if (variable < kNear) known_.set(variable);
   }
   [[nodiscard]] bool knows(std::uint32_t variable) const {
     return variable < kNear && known_.test(variable);
   }
-  void know_only(const Known& known) { known_ = known; }
   void know_nothing() { known_.reset(); }
 
  private:

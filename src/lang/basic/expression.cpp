@@ -53,7 +53,26 @@ std::uint32_t number(Inquiry inquiry) { return static_cast<std::uint32_t>(inquir
 
 }  // namespace
 
-Operand Expression::parse() { return disjunction(); }
+// How deep brackets, signs and functions may stand within each other: a bound of the stack.
+class Expression::Level {
+ public:
+  explicit Level(Expression& expression) : depth_(expression.depth_) {
+    constexpr int kDeepest = 200;
+    if (depth_ == kDeepest) expression.tokens_.fail(Code::basic_syntax, kTooDeep);
+    ++depth_;
+  }
+  ~Level() { --depth_; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+
+ private:
+  int& depth_;
+};
+
+Operand Expression::parse() {
+  const Level level(*this);
+  return disjunction();
+}
 
 // expr = conj { "OR" conj }
 Operand Expression::disjunction() {
@@ -78,6 +97,7 @@ Operand Expression::conjunction() {
 // neg = "NOT" neg | rel
 Operand Expression::negation() {
   if (!tokens_.peek().is(Word::not_)) return comparison();
+  const Level level(*this);
   const Token sign = tokens_.take();
   const Operand operand = negation();
   return binary(Op::equal, operand, {.is_constant = true}, sign);
@@ -120,6 +140,7 @@ Operand Expression::term() {
 
 // unary = ("-" | "+") unary | power
 Operand Expression::unary() {
+  const Level level(*this);
   if (tokens_.take(Delimiter::plus)) return unary();
   if (!tokens_.peek().is(Delimiter::minus)) return power();
   const Token sign = tokens_.take();
@@ -318,10 +339,12 @@ std::uint8_t Expression::parse_into_next() {
   return reg;
 }
 
-// A comparison that was compiled last becomes the branch itself.
+// A comparison that was compiled last, and whose result nothing else wants, becomes the branch
+// itself.
 std::uint32_t Expression::branch(const Operand& condition, bool when) {
   const auto expected = static_cast<std::uint8_t>(when ? 1 : 0);
-  if (!condition.is_constant && !emitter_.page().instructions.empty()) {
+  if (!condition.is_constant && Emitter::is_temporary(condition.reg) &&
+      !emitter_.page().instructions.empty()) {
     vm::Instruction& last = emitter_.page().instructions.back();
     if (is_comparison(last.op) && last.a == condition.reg) {
       last.op = shifted(last.op, Op::equal, Op::branch_equal);

@@ -32,6 +32,8 @@ class Expression {
   [[nodiscard]] std::uint32_t number_of(const Token& name) const;
 
  private:
+  class Level;
+
   Operand disjunction();
   Operand conjunction();
   Operand negation();
@@ -56,6 +58,7 @@ class Expression {
 
   TokenStream& tokens_;
   Emitter& emitter_;
+  int depth_ = 0;  // of Levels
 };
 
 }  // namespace kerf::basic

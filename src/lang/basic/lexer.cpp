@@ -16,6 +16,10 @@ constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
 }
+// Bytes of the UTF-8 character that begins with this byte.
+constexpr std::ptrdiff_t length_of(unsigned char first) {
+  return first < 0xC0 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+}
 constexpr char capital(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
@@ -38,7 +42,12 @@ Lexer::Character Lexer::character_at(const char* at) const {
   if (at == end_) return {};
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(at[i]); };
   if (byte(0) < 0x80) return {*at == '\0' ? kForeign : *at, 1};
-  if (end_ - at < 3 || byte(0) < 0xE0 || byte(0) > 0xEF) return {kForeign, 1};
+  const std::ptrdiff_t length = length_of(byte(0));
+  const bool whole = end_ - at >= length && std::all_of(at + 1, at + length, [](char c) {
+                       return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+                     });
+  if (!whole) return {kForeign, 1};
+  if (length != 3) return {kForeign, static_cast<std::size_t>(length)};
   const unsigned code = (byte(0) & 0x0FU) << 12 | (byte(1) & 0x3FU) << 6 | (byte(2) & 0x3FU);
   if (code == 0x3000 || code == 0xFEFF) return {' ', 3};
   if (code >= 0xFF01 && code <= 0xFF5E) return {static_cast<char>(code - 0xFEE0), 3};

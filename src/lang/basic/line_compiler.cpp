@@ -1,6 +1,7 @@
 #include "lang/basic/line_compiler.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace kerf::basic {
 namespace {
@@ -81,33 +82,48 @@ void LineCompiler::statements(TokenStream& tokens, Within within) {
   };
   while (!is_over()) {
     if (tokens.take(Delimiter::semicolon)) continue;
-    statement(tokens);
+    statement(tokens, within);
   }
 }
 
-// A mistake ends the line, up to the ELSE that belongs to an IF before it.
-void LineCompiler::statement(TokenStream& tokens) {
-  const Token first = tokens.peek();
-  begin_statement(first);
-  try {
+void LineCompiler::statement(TokenStream& tokens, Within within) {
+  begin_statement(tokens.peek());
+  attempt(tokens, within, [&] {
     command(tokens, tokens.take());
-    const bool over =
-        tokens.at_end() || tokens.peek().is(Delimiter::semicolon) || tokens.peek().is(Word::else_);
-    if (!over) {
-      if (tokens.peek().is(Delimiter::close))
-        tokens.fail(Code::basic_brackets, "nothing is open that this one closes");
-      tokens.fail(
-          tokens.peek().type == TokenType::wrong ? tokens.peek().mistake : Code::basic_syntax,
-          "the statement should end here");
-    }
+    expect_end(tokens);
+  });
+}
+
+void LineCompiler::expect_end(const TokenStream& tokens) {
+  const Token& next = tokens.peek();
+  if (tokens.at_end() || next.is(Delimiter::semicolon) || next.is(Word::else_)) return;
+  if (next.is(Delimiter::close))
+    tokens.fail(Code::basic_brackets, "nothing is open that this one closes");
+  tokens.fail(next.type == TokenType::wrong ? next.mistake : Code::basic_syntax,
+              "the statement should end here");
+}
+
+template <typename Part>
+void LineCompiler::attempt(TokenStream& tokens, Within within, const Part& part) {
+  try {
+    part();
   } catch (const SyntaxError& error) {
     report(error);
-    for (int depth = 0; !tokens.at_end(); tokens.take()) {
-      if (tokens.peek().is(Word::if_)) ++depth;
-      if (tokens.peek().is(Word::else_) && depth-- == 0) break;
-      loops_ += tokens.peek().is(Word::for_);
-      nexts_ += tokens.peek().is(Word::next);
-    }
+    leave(tokens, within);
+  }
+}
+
+// A mistake ends the line, up to the ELSE that belongs to an IF before it. A loop without a pass
+// whose NEXT is left out comes upon the mistake.
+void LineCompiler::leave(TokenStream& tokens, Within within) {
+  const std::uint32_t mistake = emitter_.here() - 1;
+  for (int depth = std::exchange(unread_ifs_, 0); !tokens.at_end(); tokens.take()) {
+    const Token& next = tokens.peek();
+    depth += next.is(Word::if_);
+    if (next.is(Word::else_) && depth-- == 0 && within == Within::condition) return;
+    loops_ += next.is(Word::for_);
+    if (next.is(Word::next))
+      page_.labels.push_back({emitter_.scan().label_behind(nexts_++), mistake});
   }
 }
 
@@ -242,6 +258,9 @@ void LineCompiler::input(TokenStream& tokens, const Token& first) {
 
 // "IF" expr ( "THEN" ( NUMBER | stmts ) | "GOTO" ref ) [ "ELSE" ( NUMBER | stmts ) ]
 void LineCompiler::if_statement(TokenStream& tokens) {
+  constexpr int kMostIfs = 100;
+  ++unread_ifs_;
+  if (ifs_ == kMostIfs) tokens.fail(Code::basic_syntax, "there are too many IFs on this line");
   Expression expression(tokens, emitter_);
   const Operand condition = expression.parse();
   if (!tokens.peek().is(Word::then) && !tokens.peek().is(Word::go_to)) {
@@ -250,29 +269,34 @@ void LineCompiler::if_statement(TokenStream& tokens) {
     tokens.fail(Code::basic_then);
   }
   const std::uint32_t when_false = expression.branch(condition, false);
-  const Emitter::Known known = emitter_.known();
+  unread_ifs_ = 0;
+  Emitter::Known known = emitter_.known();
   tokens.take(Word::then);
+  ++ifs_;
   branch_of_if(tokens);
+  std::swap(known, emitter_.known());
   if (tokens.take(Word::else_)) {
     const std::uint32_t when_true = emitter_.emit({Op::jump, 0, 0, 0, 0});
     emitter_.land(when_false);
-    emitter_.know_only(known);
     branch_of_if(tokens);
     emitter_.land(when_true);
   } else {
     emitter_.land(when_false);
   }
-  emitter_.know_only(known);
+  --ifs_;
+  emitter_.known() &= known;  // written on both ways
   begin_stretch();
 }
 
 // NUMBER is a label to go to.
 void LineCompiler::branch_of_if(TokenStream& tokens) {
   begin_stretch();
-  if (tokens.peek().type != TokenType::number) return statements(tokens, Within::condition);
-  const Token target = tokens.take();
-  begin_statement(target);
-  jump_to(target, Op::jump_to_label, target);
+  if (tokens.peek().type == TokenType::number) {
+    const Token target = tokens.peek();
+    begin_statement(target);
+    attempt(tokens, Within::condition, [&] { jump(tokens, Op::jump_to_label, target); });
+  }
+  statements(tokens, Within::condition);
 }
 
 // "FOR" VARIABLE "=" expr "TO" expr [ "STEP" expr ]

@@ -31,7 +31,12 @@ class LineCompiler {
 
   void label(TokenStream& tokens);
   void statements(TokenStream& tokens, Within within);
-  void statement(TokenStream& tokens);
+  void statement(TokenStream& tokens, Within within);
+  /// Compiles a part of the line, or makes an instruction that fails of it and leaves it.
+  template <typename Part>
+  void attempt(TokenStream& tokens, Within within, const Part& part);
+  void leave(TokenStream& tokens, Within within);
+  static void expect_end(const TokenStream& tokens);
   void begin_statement(const Token& first);
   void begin_stretch() { steps_ = kNoSteps; }
   void report(const SyntaxError& error);
@@ -64,6 +69,8 @@ class LineCompiler {
   std::uint32_t loops_;             // FORs before the next one
   std::uint32_t nexts_;             // NEXTs before the next one
   std::uint32_t steps_ = kNoSteps;  // the count_steps of the stretch that is compiled
+  int ifs_ = 0;                     // within each other on this line
+  int unread_ifs_ = 0;              // whose condition is not compiled yet
   std::uint32_t first_item_ = 0;    // of the PRINT that is compiled
 };
 

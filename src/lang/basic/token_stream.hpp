@@ -14,6 +14,9 @@ struct SyntaxError {
   std::string detail{};
 };
 
+/// Why a statement is wrong that needs more registers, or a deeper stack, than there are.
+inline constexpr const char* kTooDeep = "the expression is nested too deeply";
+
 /// The tokens of a line, one ahead.
 class TokenStream {
  public:

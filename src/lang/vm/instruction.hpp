@@ -53,7 +53,7 @@ enum class Op : std::uint8_t {
   call_label,     ///< calls what stands at label n, in the registers of this frame
   leave_call,     ///< back behind the call
   save_variable,  ///< V[n] gets the value that it has now when this call is left
-  count_steps,    ///< n steps more are made
+  count_steps,    ///< the next n blocks of the page are a step each
   skip_when_on,   ///< to instruction n if operator switch a is on
   note,           ///< remember n (a sequence number)
   fail,           ///< the host reports failure n of the page

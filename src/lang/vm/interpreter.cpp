@@ -46,6 +46,8 @@ void Interpreter::start(CodeId main) {
   loops_.clear();
   saved_.clear();
   steps_left_ = settings_.steps;
+  steps_end_.reset();
+  steps_spent_ = false;
   std::fill(jumps_.begin(), jumps_.end(), CachedJump{});
   running_ = {};
   begun_.reset();
@@ -53,7 +55,7 @@ void Interpreter::start(CodeId main) {
 }
 
 Interpreter::Stop Interpreter::run(std::uint64_t instructions) {
-  return tracing_ ? run_loop<true>(instructions) : run_loop<false>(instructions);
+  return tracing_ || steps_end_ ? run_loop<true>(instructions) : run_loop<false>(instructions);
 }
 
 void Interpreter::call(CodeId code, Locals locals) {
@@ -63,8 +65,8 @@ void Interpreter::call(CodeId code, Locals locals) {
     if (registers_.size() < base + kRegisters) registers_.resize(base + kRegisters, kNull);
     std::fill_n(registers_.begin() + base, settings_.locals, kNull);
   }
-  frames_.push_back(Frame{
-      .code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
+  frames_.push_back(
+      Frame{.code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
 }
 
 void Interpreter::return_to_caller() {
@@ -94,6 +96,10 @@ base::Place Interpreter::place() {
   for (std::uint32_t page = running_.at.page; place.line == 0 && page > 0; --page) {
     const CodePage& before = source_.page(running_.code, page - 1);
     place = before.place_of(static_cast<std::uint32_t>(before.instructions.size() - 1));
+  }
+  if (steps_spent_) {
+    place.column = steps_end_->column;
+    place.length = 1;
   }
   return place;
 }
@@ -172,9 +178,8 @@ double& Interpreter::variable(std::uint32_t number) {
 // A loop that was left by a jump and begins anew: it and what was inside of it are over.
 void Interpreter::discard_loop_of(std::uint32_t variable) {
   const auto begin = loops_.begin() + static_cast<std::ptrdiff_t>(frames_.back().first_loop);
-  const auto found = std::find_if(begin, loops_.end(), [&](const CountedLoop& loop) {
-    return loop.variable == variable;
-  });
+  const auto found = std::find_if(
+      begin, loops_.end(), [&](const CountedLoop& loop) { return loop.variable == variable; });
   loops_.erase(found, loops_.end());
 }
 
@@ -243,6 +248,14 @@ void Interpreter::save_variable(std::uint32_t number) {
   if (!saved) saved_.push_back({number, variable(number)});
 }
 
+// Steps are counted many at a time; the last ones one by one, so that the program ends where it
+// should however it is cut.
+void Interpreter::end_steps_behind(const CodePage& page, std::uint32_t count_steps) {
+  const BlockMark& end = page.mark_of(count_steps)[steps_left_];
+  steps_end_ = StepsEnd{{page.number, end.instruction}, end.offset - end.line_offset + 1};
+  steps_left_ = 0;
+}
+
 bool Interpreter::fail(Fault fault) {
   host_.fault(fault);
   return false;
@@ -295,6 +308,11 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
     if constexpr (kTracing) {
       if (pc == next_mark) {
         const Address here{page->number, pc};
+        if (steps_end_ && steps_end_->at == here) {
+          ++pc;
+          steps_spent_ = true;
+          return faulty(Fault::steps_spent);
+        }
         if (begun_ != here) {
           ++pc, save(), --pc;
           frames_.back().at = here;
@@ -504,8 +522,15 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         break;
       case Op::save_variable: save_variable(i.n); break;
       case Op::count_steps:
-        if (steps_left_ < i.n) return faulty(Fault::steps_spent);
-        steps_left_ -= i.n;
+        if (steps_left_ >= i.n) {
+          steps_left_ -= i.n;
+          break;
+        }
+        save();
+        steps_spent_ = steps_left_ == 0;
+        end_steps_behind(*page, pc - 1);
+        if (steps_spent_) return faulty(Fault::steps_spent);
+        if constexpr (!kTracing) return run_loop<true>(budget);
         break;
       case Op::skip_when_on:
         if ((switches_ >> i.a & 1U) != 0) {

@@ -105,6 +105,11 @@ class Interpreter {
     std::uint32_t variable = 0;
     double value = 0;
   };
+  // The block that is one too many, known once it is near.
+  struct StepsEnd {
+    Address at;
+    std::uint32_t column = 0;
+  };
   struct Running {
     CodeId code{};
     Address at;
@@ -130,6 +135,7 @@ class Interpreter {
   bool repeat_loop(std::uint32_t variable, bool& goes_on);
   bool call_label(std::uint32_t label);
   void save_variable(std::uint32_t number);
+  void end_steps_behind(const CodePage& page, std::uint32_t count_steps);
   const Region* closed_region(std::uint32_t number);
   bool fail(Fault fault);
 
@@ -141,6 +147,8 @@ class Interpreter {
   std::vector<CountedLoop> loops_;
   std::vector<SavedVariable> saved_;
   std::uint64_t steps_left_ = 0;
+  std::optional<StepsEnd> steps_end_;
+  bool steps_spent_ = false;
   std::vector<CachedJump> jumps_;
   Running running_;               // the instruction that executes, for place()
   std::optional<Address> begun_;  // the block whose begin the host has already seen

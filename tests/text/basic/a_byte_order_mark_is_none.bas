@@ -1,0 +1,3 @@
+﻿home
+print 1
+' (finally prints 1)

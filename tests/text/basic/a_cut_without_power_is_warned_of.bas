@@ -1,0 +1,5 @@
+speed(10)
+line(1,0) ' (expect warning LW0003 at line)
+circle(0,0,1) ' (expect warning LW0003 at circle)
+power(0)
+line(2,0)

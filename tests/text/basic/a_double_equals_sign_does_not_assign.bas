@@ -1,0 +1,1 @@
+x==3 ' (expect alarm LB0004 at ==)

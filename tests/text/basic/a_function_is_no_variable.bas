@@ -1,0 +1,1 @@
+sin=3 ' (expect alarm LB0001 at sin)

@@ -1,0 +1,1 @@
+x=sin(1,2) ' (expect alarm LB0017 at sin)

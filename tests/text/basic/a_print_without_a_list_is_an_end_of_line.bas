@@ -1,0 +1,4 @@
+print 1;
+print
+print
+' (finally printed 1 ||)

@@ -1,0 +1,1 @@
+line: x=1 ' (expect alarm LB0001 at :)

@@ -1,0 +1,1 @@
+let to=3 ' (expect alarm LB0005 at to)

@@ -1,0 +1,1 @@
+power(101) ' (expect alarm LB0018 column 1 says argument out of domain)

@@ -1,0 +1,1 @@
+foo(1) ' (expect alarm LB0015 column 1 says unknown command)

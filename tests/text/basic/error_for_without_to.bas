@@ -1,0 +1,2 @@
+for i=1 10 ' (expect alarm LB0009 column 9 says to expected)
+next

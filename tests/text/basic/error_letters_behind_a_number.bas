@@ -1,0 +1,1 @@
+x=3abc ' (expect alarm LB0021 column 3 says malformed number)

@@ -1,0 +1,1 @@
+x=' (expect alarm LB0003 column 3 says no expression present)

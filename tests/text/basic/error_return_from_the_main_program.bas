@@ -1,0 +1,1 @@
+return ' (expect alarm LB0013 column 1 says return without gosub)

@@ -1,0 +1,2 @@
+for i to 3 ' (expect alarm LB0004 at to)
+next

@@ -1,0 +1,1 @@
+goto "x" ' (expect alarm LB0001 at "x")

@@ -1,0 +1,2 @@
+home()
+home(1) ' (expect alarm LB0017 at home)

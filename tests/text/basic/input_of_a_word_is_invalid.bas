@@ -1,0 +1,3 @@
+' (with input: 5, abc)
+input a
+input b ' (expect alarm LB0025 says abc)

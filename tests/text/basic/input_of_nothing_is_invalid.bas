@@ -1,0 +1,1 @@
+input a ' (expect alarm LB0025 at input)

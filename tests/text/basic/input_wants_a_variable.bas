@@ -1,0 +1,1 @@
+input 5 ' (expect alarm LB0005 at 5)

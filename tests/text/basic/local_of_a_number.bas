@@ -1,0 +1,1 @@
+local 3 ' (expect alarm LB0005 at 3)

@@ -1,0 +1,8 @@
+speed(10)
+power(50)
+line(1,0)
+power(20)
+line(2,0)
+move(3,0)
+line(4,0)
+' (finally records: power 50; line X1 Y0 Z0 F600; power 20; line X2 Y0 Z0 F600; power 0; rapid X3 Y0 Z0; power 20; line X4 Y0 Z0 F600; power 0; end)

@@ -1,0 +1,1 @@
+print "a" "b" ' (expect alarm LB0001 column 11)

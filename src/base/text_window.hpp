@@ -24,8 +24,7 @@ class TextWindow {
   };
 
   /// The next lines are those from byte `begin` up to byte `end`.
-  void stand_at(const SourceFile& file, FileId id, std::uint64_t begin,
-                std::uint64_t end);
+  void stand_at(const SourceFile& file, FileId id, std::uint64_t begin, std::uint64_t end);
 
   /// The next line; false at the end of the stretch.
   [[nodiscard]] bool next(Line& line);

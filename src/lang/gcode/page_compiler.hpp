@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "base/source_file.hpp"
+#include "base/text_window.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/gcode/page.hpp"
-#include "base/text_window.hpp"
 
 namespace kerf::gcode {
 

@@ -75,6 +75,7 @@ void Post::end_block() {
   line_.clear();
 }
 
+// The first move names every axis that does not stand at 0 at power-on: another controller's does.
 void Post::move(const char* code, const base::AxisVector& to) {
   if (modal_ != code) {
     if (!line_.empty()) line_ += ' ';
@@ -83,9 +84,11 @@ void Post::move(const char* code, const base::AxisVector& to) {
   modal_ = code;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const double value = rounded(to.values[i]);
-    if (value != rounded(at_.values[i])) word(axes_.axes[i].letter, value);
+    const bool unknown = !moved_ && axes_.start.values[i] != 0;
+    if (unknown || value != rounded(at_.values[i])) word(axes_.axes[i].letter, value);
   }
   at_ = to;
+  moved_ = true;
 }
 
 void Post::feed(double per_minute) {

@@ -73,6 +73,7 @@ class Post : public control::MotionSink {
   base::OutputFile& file_;
   std::string line_;
   base::AxisVector at_;
+  bool moved_ = false;
   std::string modal_;
   control::Plane plane_ = control::Plane::xy;
   double feed_ = -1;

@@ -114,38 +114,45 @@ double distance_to(const AxisVector& p, const AxisVector& from, const control::S
 
 }  // namespace
 
+// The motion that the point says it belongs to and its neighbours first, by both ways: the others
+// are many, and the search for the nearest place of a steep helix is slow.
 bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double most_mm,
                              double& distance_mm) const {
-  distance_mm = distance(tip, line, 1, Way::quick);
-  if (distance_mm > most_mm) distance_mm = distance(tip, line, kFar, Way::quick);
-  if (distance_mm > most_mm) distance_mm = distance(tip, line, kFar, Way::searched);
+  distance_mm = std::numeric_limits<double>::infinity();
+  std::size_t begin = line;
+  std::size_t end = line;
+  for (const std::size_t around : {std::size_t{1}, kFar}) {
+    const std::size_t first = line > around ? line - around : 1;
+    const std::size_t last = std::min(path_.motions.size(), line + around);
+    for (const Way way : {Way::quick, Way::searched}) {
+      for (std::size_t n = first; n <= last; ++n) {
+        if (around == kFar && n >= begin && n < end) continue;
+        distance_mm = std::min(distance_mm, distance(tip, n, way));
+        if (distance_mm <= most_mm) return true;
+      }
+    }
+    begin = first;
+    end = last + 1;
+  }
+  if (std::isinf(distance_mm)) distance_mm = 0;
   return distance_mm <= most_mm;
 }
 
-// To the nearest of the motions around the one that the point says it belongs to.
-double ProgrammedPath::distance(const AxisVector& tip, std::uint32_t line, std::size_t around,
-                                Way way) const {
-  const std::size_t first = line > around ? line - around : 1;
-  const std::size_t last = std::min(path_.motions.size(), line + around);
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = first; n <= last; ++n) {
-    const control::Motion& motion = path_.motions[n - 1];
-    const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
-    if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
-    const AxisVector* const to = control::target_of(motion);
-    if (to == nullptr) continue;
-    const AxisVector from = start_of(n - 1);
-    if (const auto* const arc = std::get_if<control::Arc>(&motion.action)) {
-      const ProgrammedArc programmed(from, *arc, path_.axes);
-      least = std::min(
-          least, way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip));
-    } else if (const auto* const space_arc = std::get_if<control::SpaceArc>(&motion.action)) {
-      least = std::min(least, distance_to(tip, from, *space_arc));
-    } else {
-      least = std::min(least, distance_to_segment(tip, from, *to));
-    }
+double ProgrammedPath::distance(const AxisVector& tip, std::size_t line, Way way) const {
+  const control::Motion& motion = path_.motions[line - 1];
+  const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+  if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
+  const AxisVector* const to = control::target_of(motion);
+  if (to == nullptr) return std::numeric_limits<double>::infinity();
+  const AxisVector from = start_of(line - 1);
+  if (const auto* const arc = std::get_if<control::Arc>(&motion.action)) {
+    const ProgrammedArc programmed(from, *arc, path_.axes);
+    return way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip);
   }
-  return std::isfinite(least) ? least : 0;
+  if (way == Way::searched) return std::numeric_limits<double>::infinity();
+  if (const auto* const space_arc = std::get_if<control::SpaceArc>(&motion.action))
+    return distance_to(tip, from, *space_arc);
+  return distance_to_segment(tip, from, *to);
 }
 
 AxisVector ProgrammedPath::start_of(std::size_t motion) const {

@@ -20,8 +20,7 @@ class ProgrammedPath {
  private:
   enum class Way : std::uint8_t { quick, searched };
 
-  [[nodiscard]] double distance(const base::AxisVector& tip, std::uint32_t line, std::size_t around,
-                                Way way) const;
+  [[nodiscard]] double distance(const base::AxisVector& tip, std::size_t line, Way way) const;
   [[nodiscard]] base::AxisVector start_of(std::size_t motion) const;
 
   const RandomPath& path_;

@@ -28,10 +28,6 @@ using base::AxisVector;
 // of 100 mm is known to 1.4e-14, its third difference over (1 ms)³ to some 1e-4 mm/s³.
 constexpr double kExcess = 1e-6;
 constexpr double kPointError_mm = 1e-13;
-// Of the tolerance of chords: where the tip speeds up from one bend into a wider one, a chord over
-// both may have a little more than either.
-constexpr double kChord = 1.000001;
-
 class Checker {
  public:
   Checker(const RandomPath& path, bool with_operator, unsigned seed)
@@ -143,7 +139,7 @@ class Checker {
     const double tolerance = path_.settings.tolerance_mm;
     near_path(point.tip, tolerance * (1 + kExcess) + 1e-9, "off the path");
     if (linkage_ || may_bend(point))
-      between(tolerance + kChord * path_.settings.chord_tolerance_mm);
+      between(tolerance + (1 + kExcess) * path_.settings.chord_tolerance_mm);
     line_before_ = line_;
   }
 

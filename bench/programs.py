@@ -3,8 +3,8 @@
 
 usage: programs.py OUTDIR [--scale S] [--only a,b] [--ten-million]
 
-A program exists once per language that takes part: NAME.nc for Kerf (FANUC macro B), NAME.ngc for
-LinuxCNC (o-words), NAME.lua. Twins do the same work in the same order with the same numbers.
+A program exists once per language that takes part: NAME.nc for Kerf (FANUC macro B), NAME.for.bas
+and NAME.goto.bas for Kerf (laser BASIC), NAME.ngc for LinuxCNC (o-words), NAME.lua. Twins do the same work in the same order with the same numbers.
 Millimetres throughout. --scale 0.01 makes every program a hundredth as long.
 """
 
@@ -334,6 +334,24 @@ while a < {passes} do
 end
 print(string.format("%.17g", c))
 """
+LOOP_FOR = """\
+LET C=0
+FOR A=0 TO {passes}-1
+LET B=SIN(RAD(A))*COS(RAD(A))
+LET C=C+SQR(B*B+1)
+NEXT A
+END
+"""
+LOOP_GOTO = """\
+LET A=0
+LET C=0
+100 LET B=SIN(RAD(A))*COS(RAD(A))
+LET C=C+SQR(B*B+1)
+LET A=A+1
+IF A<{passes} GOTO 100
+END
+"""
+LOOP_TWINS = {".lua": LOOP_LUA, ".for.bas": LOOP_FOR, ".goto.bas": LOOP_GOTO}
 MOVE = "G01 X[#1*0.001] Y[#2*10]\n"
 
 CALLS_NC = """\
@@ -411,13 +429,13 @@ class Benchmark:
     title: str
     size: int
     write: Callable[[Path, Dialect, int], Expect]
-    lua: str = ""
+    twins: dict = field(default_factory=dict)  # texts by ending, in languages that are no G-code
 
 
 BENCHMARKS = (
     Benchmark("a", "finishing", "1,000,000 short G01", MILLION, write_finishing),
     Benchmark("b", "mixed", "200,000 lines of mixed work", MILLION // 5, write_mixed),
-    Benchmark("c", "loop", "1,000,000 passes of arithmetic", MILLION, write_loop, LOOP_LUA),
+    Benchmark("c", "loop", "1,000,000 passes of arithmetic", MILLION, write_loop, LOOP_TWINS),
     Benchmark("d", "loop_move", "1,000,000 passes with a G01", MILLION, write_loop_with_move),
     Benchmark("e", "calls", "200,000 G65 calls", MILLION // 5, write_calls),
 )
@@ -426,13 +444,13 @@ TEN_MILLION = Benchmark("a10", "finishing_10m", "10,000,000 short G01", 10 * MIL
 
 
 def generate(benchmark: Benchmark, folder: Path, scale: float = 1, peers: bool = True) -> Expect:
-    """Writes the program, and with `peers` its twins, as folder/NAME.nc, .ngc and .lua."""
+    """Writes the program, and with `peers` its twins, as folder/NAME.nc, .ngc, .lua and so on."""
     size = max(1, int(benchmark.size * scale))
     expect = benchmark.write(folder / (benchmark.name + FANUC.suffix), FANUC, size)
     if peers:
         benchmark.write(folder / (benchmark.name + NGC.suffix), NGC, size)
-    if peers and benchmark.lua:
-        (folder / (benchmark.name + ".lua")).write_text(benchmark.lua.format(passes=size))
+    for suffix, text in benchmark.twins.items() if peers else ():
+        (folder / (benchmark.name + suffix)).write_text(text.format(passes=size))
     return expect
 
 

@@ -29,6 +29,7 @@ void BasicProgram::load(base::FileId file) {
   file_ = file;
   scan_ = scan(sources_[file], file, settings_.lines_per_page);
   compiled_.assign(scan_.pages.size(), false);
+  early_ = {};
 }
 
 std::optional<std::uint32_t> BasicProgram::find_variable(const std::string& capitals) const {
@@ -53,7 +54,7 @@ void BasicProgram::compile(std::uint32_t number, BasicPage& page) {
   page.text_begin = start.offset;
   page.builtins = builtin_table();
   window_.stand_at(file, file_, start.offset, last ? file.size() : scan_.pages[number + 1].offset);
-  LineCompiler compiler(page, scan_, start);
+  LineCompiler compiler(page, scan_, start, number == 0 ? std::nullopt : std::optional(early_));
   base::TextWindow::Line text;
   for (std::uint32_t line = start.line; window_.next(text); ++line) {
     const LineCompiler::Line place{text.text, line,
@@ -67,6 +68,7 @@ void BasicProgram::compile(std::uint32_t number, BasicPage& page) {
   page.instructions.push_back({last ? Op::end_of_code : Op::next_page, 0, 0, 0, 0});
   page.spans.push_back({});
   resolve_jumps(page);
+  if (number == 0) early_ = compiler.early();
 }
 
 // The last page that begins before the label.

@@ -6,6 +6,7 @@
 
 #include "base/source_file.hpp"
 #include "base/text_window.hpp"
+#include "lang/basic/emitter.hpp"
 #include "lang/basic/page.hpp"
 #include "lang/basic/scan.hpp"
 #include "lang/vm/page_store.hpp"
@@ -49,6 +50,7 @@ class BasicProgram : public vm::CodeSource {
   base::FileId file_ = base::kNoFile;
   Scan scan_;
   std::vector<bool> compiled_;  // pages that have been at least once
+  Emitter::Known early_;        // what the first page writes before any way parts
   base::TextWindow window_;
 };
 

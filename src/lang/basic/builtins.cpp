@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace kerf::basic {
 namespace {
@@ -51,8 +50,6 @@ double call_distance(const double* a, BuiltinContext&) {
   return std::hypot(a[0] - a[3], a[1] - a[4], a[2] - a[5]);
 }
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
 // In the order of Function.
 constexpr std::array kTable = {
     Builtin{[](const double* a, BuiltinContext&) { return std::sin(a[0]); }, 1},
@@ -67,8 +64,6 @@ constexpr std::array kTable = {
     Builtin{call_sgn, 1},
     Builtin{[](const double* a, BuiltinContext&) { return std::exp(a[0]); }, 1},
     Builtin{call_log, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return a[0] * kDegrees; }, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return a[0] / kDegrees; }, 1},
     Builtin{[](const double* a, BuiltinContext&) { return std::atan2(a[0], a[1]); }, 2},
     Builtin{[](const double* a, BuiltinContext&) { return std::min(a[0], a[1]); }, 2},
     Builtin{[](const double* a, BuiltinContext&) { return std::max(a[0], a[1]); }, 2},

@@ -19,8 +19,6 @@ enum class Function : std::uint32_t {
   sgn,
   exp,
   log,
-  deg,
-  rad,
   atan2,
   min,
   max,

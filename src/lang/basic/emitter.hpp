@@ -1,6 +1,8 @@
 #pragma once
 
 #include <bitset>
+#include <optional>
+#include <utility>
 
 #include "lang/basic/page.hpp"
 #include "lang/basic/scan.hpp"
@@ -15,7 +17,14 @@ class Emitter : public vm::Emitter {
  public:
   using Known = std::bitset<kNear>;
 
-  Emitter(BasicPage& page, const Scan& scan) : vm::Emitter(page, kNear), page_(page), scan_(scan) {}
+  /// `early`: what the first page has found out; nothing while that one is compiled.
+  Emitter(BasicPage& page, const Scan& scan, std::optional<Known> early)
+      : vm::Emitter(page, kNear),
+        page_(page),
+        scan_(scan),
+        known_(early.value_or(Known())),
+        early_(known_),
+        parted_(early.has_value()) {}
 
   [[nodiscard]] BasicPage& page() { return page_; }
   [[nodiscard]] const Scan& scan() const { return scan_; }
@@ -39,12 +48,25 @@ class Emitter : public vm::Emitter {
   [[nodiscard]] bool knows(std::uint32_t variable) const {
     return variable < kNear && known_.test(variable);
   }
-  void know_nothing() { known_.reset(); }
+  /// The way to the next instruction is open: from here on only that is known which was written
+  /// before any way parted.
+  void know_little() {
+    part_ways();
+    known_ = early_;
+  }
+  /// Ways part or meet here for the first time, unless they have before.
+  void part_ways() {
+    if (!std::exchange(parted_, true)) early_ = known_;
+  }
+  /// What every statement behind this page may rely on. Precondition: the page is the first.
+  [[nodiscard]] Known early() const { return parted_ ? early_ : known_; }
 
  private:
   BasicPage& page_;
   const Scan& scan_;
   Known known_;
+  Known early_;
+  bool parted_;
 };
 
 }  // namespace kerf::basic

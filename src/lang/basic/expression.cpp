@@ -1,5 +1,6 @@
 #include "lang/basic/expression.hpp"
 
+#include <numbers>
 #include <optional>
 
 namespace kerf::basic {
@@ -7,6 +8,8 @@ namespace {
 
 using base::Code;
 using vm::Op;
+
+constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
 
 std::optional<Op> comparison_of(const Token& token) {
   switch (token.delimiter) {
@@ -201,30 +204,40 @@ Operand Expression::function() {
   return arguments_of(name.word, name);
 }
 
-// Into consecutive registers; the result takes the first one.
+// Into consecutive registers, but for a single one, which is taken where it is.
 Operand Expression::arguments_of(Word word, const Token& name) {
   if (!tokens_.peek().is(Delimiter::open))
     tokens_.fail(Code::basic_syntax, "'(' is expected behind " + name.text);
   const Token open = tokens_.take();
-  const auto first = static_cast<std::uint8_t>(emitter_.mark());
+  const std::uint32_t mark = emitter_.mark();
+  auto first = static_cast<std::uint8_t>(mark);
   std::size_t count = 0;
   if (!tokens_.peek().is(Delimiter::close)) {
-    do {
-      parse_into_next();
-      ++count;
-    } while (tokens_.take(Delimiter::comma));
+    const Operand argument = parse();
+    ++count;
+    if (tokens_.peek().is(Delimiter::close)) {
+      first = in_register(argument);
+    } else {
+      move_to(result_register(mark), argument);
+    }
+    for (; tokens_.take(Delimiter::comma); ++count) parse_into_next();
   }
   if (!tokens_.take(Delimiter::close))
     throw SyntaxError{Code::basic_brackets, open.begin, open.end, "this one is not closed"};
   if (word == Word::dist) return distance(first, count, name);
-  const Function function = *function_of(word);
-  const std::size_t wanted = builtin_table()[basic::number_of(function)].arguments;
+  const std::optional<Function> function = function_of(word);
+  const std::size_t wanted = function ? builtin_table()[basic::number_of(*function)].arguments : 1;
   if (count != wanted)
     throw SyntaxError{Code::basic_argument_count, name.begin, name.end,
                       name.text + (wanted == 1 ? " takes one" : " takes two")};
   emitter_.stand_at(name.begin, name.end);
-  const std::uint8_t result = result_register(first);
-  emitter_.emit({Op::call_builtin, result, first, 0, basic::number_of(function)});
+  const std::uint8_t result = result_register(mark);
+  if (function) {
+    emitter_.emit({Op::call_builtin, result, first, 0, basic::number_of(*function)});
+  } else {
+    const Op op = word == Word::deg ? Op::multiply_constant : Op::divide_constant;
+    emitter_.emit({op, result, first, 0, emitter_.constant(kDegreesOfRadian)});
+  }
   return {.reg = result};
 }
 

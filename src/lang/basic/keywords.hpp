@@ -47,8 +47,6 @@ enum class Word : std::uint8_t {
   sgn,
   exp,
   log,
-  deg,
-  rad,
   atan2,
   min,
   max,
@@ -57,7 +55,9 @@ enum class Word : std::uint8_t {
   xpos,
   ypos,
   zpos,
-  moved
+  moved,
+  deg,
+  rad
 };
 
 [[nodiscard]] constexpr bool is_function(Word word) { return word > Word::function; }

@@ -71,7 +71,7 @@ void LineCompiler::label(TokenStream& tokens) {
   tokens.take();
   if (named) tokens.take();
   page_.labels.push_back({emitter_.scan().labels.at(name).number, emitter_.here()});
-  emitter_.know_nothing();
+  emitter_.know_little();
   begin_stretch();
 }
 
@@ -338,7 +338,7 @@ void LineCompiler::next(TokenStream& tokens, const Token& first) {
   emitter_.stand_at(first.begin, first.end);
   emitter_.emit({Op::repeat_loop, 0, 0, 0, slot});
   page_.labels.push_back({emitter_.scan().label_behind(number), emitter_.here()});
-  emitter_.know_nothing();
+  emitter_.know_little();
   begin_stretch();
 }
 
@@ -363,7 +363,7 @@ void LineCompiler::jump_to(const Token& target, Op op, const Token& first) {
   emitter_.stand_at(first.begin, first.end);
   emitter_.emit({op, 0, 0, 1, label->second.number});
   // What was LOCAL may be vacant again behind a call.
-  if (op == Op::call_label) emitter_.know_nothing();
+  if (op == Op::call_label) emitter_.know_little();
   begin_stretch();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "lang/basic/expression.hpp"
@@ -11,9 +12,11 @@ namespace kerf::basic {
 /// fails when it is reached; what stands behind it on the line is not compiled, but for an ELSE.
 class LineCompiler {
  public:
-  /// `start` is where the page begins. Both must outlive the compiler.
-  LineCompiler(BasicPage& page, const Scan& scan, const PageStart& start)
-      : page_(page), emitter_(page, scan), loops_(start.loops), nexts_(start.nexts) {}
+  /// `start` is where the page begins, `early` what the first page has found to be written early;
+  /// nothing for that page itself. Page and scan must outlive the compiler.
+  LineCompiler(BasicPage& page, const Scan& scan, const PageStart& start,
+               std::optional<Emitter::Known> early)
+      : page_(page), emitter_(page, scan, early), loops_(start.loops), nexts_(start.nexts) {}
 
   /// A line and where it is: its number, and the offset of its first byte in the page's text.
   struct Line {
@@ -24,6 +27,7 @@ class LineCompiler {
   void compile(const Line& line);
   /// A line that is longer than any can be.
   void fail_long_line(const Line& line);
+  [[nodiscard]] Emitter::Known early() const { return emitter_.early(); }
 
  private:
   /// What ends a list of statements besides the end of the line.
@@ -38,7 +42,11 @@ class LineCompiler {
   void leave(TokenStream& tokens, Within within);
   static void expect_end(const TokenStream& tokens);
   void begin_statement(const Token& first);
-  void begin_stretch() { steps_ = kNoSteps; }
+  /// Ways part or meet: what follows is not certain to run with what came before.
+  void begin_stretch() {
+    steps_ = kNoSteps;
+    emitter_.part_ways();
+  }
   void report(const SyntaxError& error);
 
   void command(TokenStream& tokens, const Token& first);

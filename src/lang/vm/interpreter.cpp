@@ -113,7 +113,7 @@ base::Place Interpreter::place_of_call(std::size_t depth) {
 // Leaving a region by a jump ends it; one whose text still surrounds the target stays active.
 void Interpreter::drop_left_regions(Address target) {
   for (ActiveRegion& region : frames_.back().regions) {
-    if (target < region.head || region.end < target) region.active = false;
+    if (region.active && (target < region.head || region.end < target)) region.active = false;
   }
 }
 
@@ -408,18 +408,16 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
       case Op::branch: KERF_BRANCH(zero_if_null(r[i.b]) != 0)
 #undef KERF_BRANCH
 
-      case Op::jump: {
-        save();
-        const Address target{page->number, i.n};
-        drop_left_regions(target);
-        pc = i.n;
-        find_mark();
+      case Op::jump:
+        drop_left_regions({page->number, i.n});
         if (--budget == 0) {
-          frames_.back().at = target;
+          save();
+          frames_.back().at = {page->number, i.n};
           return Stop::budget;
         }
+        pc = i.n;
+        find_mark();
         break;
-      }
       case Op::jump_to_label: {
         save();
         if (!go_to_label(i.c != 0 ? i.n : r[i.b])) return Stop::over;

@@ -91,8 +91,9 @@ bool TextWindow::find_end_with_returns(std::size_t from, LineEnd& end) const {
   }
   std::size_t behind = carriage;
   while (behind < text.size() && text[behind] == '\r') ++behind;
-  if (behind == text.size()) return false;  // an LF may still come
-  if (text[behind] == '\n') {
+  const bool last = behind == text.size();
+  if (last && at_ + size_ < end_) return false;  // an LF may still come
+  if (!last && text[behind] == '\n') {
     end = {carriage, behind + 1};
   } else if (carriage == from && before(from) == '\n') {
     return find_end_with_returns(behind, end);

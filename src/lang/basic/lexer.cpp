@@ -61,8 +61,9 @@ bool Lexer::take(char wanted) {
   return true;
 }
 
+// A CR that ends no line is a blank.
 void Lexer::skip_blanks() {
-  while (peek().value == ' ' || peek().value == '\t') advance();
+  while (peek().value == ' ' || peek().value == '\t' || peek().value == '\r') advance();
 }
 
 Token Lexer::done(Token token) const {

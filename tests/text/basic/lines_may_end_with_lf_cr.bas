@@ -1,0 +1,4 @@
+a=1
+print a
+' (finally prints 1)
+

@@ -1,0 +1,1 @@
+print 1 ' (finally prints 1)

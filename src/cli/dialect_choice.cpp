@@ -39,13 +39,6 @@ bool is_available(std::string_view dialect) {
   return std::find(all.begin(), all.end(), dialect) != all.end();
 }
 
-std::string list_of_available() {
-  std::string text;
-  for (const std::string_view name : machine::available_dialects())
-    text += (text.empty() ? "; available: " : ", ") + std::string(name);
-  return text;
-}
-
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -104,11 +97,21 @@ std::optional<Language> by_text(const base::SourceFile& program) {
   return std::nullopt;
 }
 
+// Of a dialect that is not available.
+std::string why_not(const std::string& dialect) {
+  if (dialect == kPatternDialect)
+    return "pattern bytes are run by `kerf pattern replay` and `kerf run --dialect pattern`";
+  const bool known = std::find(machine::kDialects.begin(), machine::kDialects.end(), dialect) !=
+                     machine::kDialects.end();
+  return known ? "the dialect " + dialect + " is not available yet"
+               : "there is no dialect " + dialect;
+}
+
 Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
                                  const std::string& source) {
   if (is_available(choice.dialect)) return choice;
-  return tl::unexpected(Failure{kind, source + ": the dialect " + choice.dialect +
-                                          " is not available" + list_of_available()});
+  return tl::unexpected(
+      Failure{kind, source + ": " + why_not(choice.dialect) + "; available: " + dialect_list()});
 }
 
 std::string machine_of(const std::string& dialect) {
@@ -119,6 +122,20 @@ std::string machine_of(const std::string& dialect) {
 }
 
 }  // namespace
+
+std::string dialect_list() {
+  std::string text;
+  for (const std::string_view name : machine::available_dialects())
+    text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::string usual_machines() {
+  std::string text(kMill.machine);
+  for (const Language& language : kLanguages)
+    text += ", " + std::string(language.machine) + " for " + std::string(language.dialect);
+  return text;
+}
 
 Outcome<DialectChoice> choose_dialect(const std::string& machine, const std::string& dialect,
                                       const base::SourceFile& program) {

@@ -212,6 +212,40 @@ def replayed_counters(box):
     check(all(a[0] <= b[0] for a, b in zip(made, made[1:])), "times go backwards")
 
 
+@test("kerf run --dialect pattern is a replay")
+def run_as_a_dialect(box):
+    box.write("a.pat", WORKED)
+    outputs = ["--summary", "s.json", "--motion", "m.jsonl", "--points", "p.csv", "--pulses", "q.csv",
+               "--plot", "p.svg"]
+    status(box.kerf("pattern", "replay", "a.pat", *outputs, "--output", "b.pat"), 0)
+    files = ("s.json", "m.jsonl", "p.csv", "q.csv", "p.svg", "b.pat")
+    replayed = {name: box.read(name) for name in files}
+    for name in files:
+        os.remove(box.path(name))
+    status(box.kerf("run", "a.pat", "--dialect", "pattern", *outputs, "--pattern", "b.pat"), 0)
+    for name in files:
+        equal(box.read(name), replayed[name], name)
+    status(box.kerf("run", "a.pat", "--dialect", "pattern", "--machine", "cartesian-step",
+                    "--machine-set", "drive.split=integer", "--summary", "s.json"), 0)
+    equal(box.json("s.json")["machine"], "cartesian-step", "machine")
+    box.write("a.pat", WORKED + b"\x40")
+    result = box.kerf("run", "a.pat", "--dialect", "pattern", "--diagnostics", "json")
+    status(result, 1)
+    contains(result.err, '"code":"PATTERN_TRUNCATED"', "the alarm")
+
+
+@test("kerf run --dialect pattern refuses what is for programs only")
+def run_as_a_dialect_refuses(box):
+    box.write("a.pat", WORKED)
+    for words in (["--set", "#1=2"], ["--post", "a.nc"], ["--max-motions", "5"], ["--optional-stop"],
+                  ["--plot", "a.svg", "--plot-speed"], ["--coverage", "-"]):
+        option = "--plot-speed" if "--plot-speed" in words else words[0]
+        refused(box.kerf("run", "a.pat", "--dialect", "pattern", *words), 2,
+                option + " does not go with --dialect pattern")
+    refused(box.kerf("run", "a.pat", "--dialect", "pattern", "--machine", "mill3"), 2, "mill3")
+    equal(box.files(), ["a.pat"], "files")
+
+
 def forward(t1, t2):
     a, b = math.radians(t2), math.radians(t1 + t2)
     return 132 * (math.cos(a) + math.cos(b)), 132 * (math.sin(a) + math.sin(b))

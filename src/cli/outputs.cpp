@@ -172,7 +172,7 @@ Outcome<void> Outputs::open_pattern_plot() {
   const Opened file = open_file(path);
   if (!file) return tl::unexpected(file.error());
   if (*file == nullptr) return {};
-  pattern_plot_ = std::make_unique<output::PatternPlot>(machine_.program_name() + " on " +
+  pattern_plot_ = std::make_unique<output::PatternPlot>(output::program_title(machine_) + " on " +
                                                         machine_.definition().name);
   pattern_maker_->watch(*pattern_plot_);
   when_over([this, png](OutputFile& into) {
@@ -225,7 +225,7 @@ Outcome<void> Outputs::check_plot() const {
 
 std::unique_ptr<output::PathPlot> Outputs::make_plot() const {
   const machine::MachineDefinition& definition = machine_.definition();
-  const std::string title = machine_.program_name() + " on " + definition.name;
+  const std::string title = output::program_title(machine_) + " on " + definition.name;
   if (options_.plot_energy)
     return std::make_unique<output::PathPlot>(definition.axes, title, definition.drive.laser);
   const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "lang/vm/value.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/internal/json_object.hpp"
@@ -116,6 +118,13 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
+std::string program_title(VirtualMachine& machine) {
+  const std::string name = machine.program_name();
+  if (name != base::kUnnumberedProgram) return name;
+  const std::string file = main_file(machine);
+  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+}
+
 std::string summary_json(VirtualMachine& machine) {
   const machine::RunStatistics& run = machine.statistics();
   std::vector<std::string> tools;
@@ -146,7 +155,7 @@ std::string summary_text(VirtualMachine& machine) {
   const machine::RunStatistics& run = machine.statistics();
   const control::AxisSetup& axes = machine.definition().axes;
   std::string text =
-      fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
+      fmt::format("{} on {} ({}): {}\n", printable(program_title(machine)),
                   machine.definition().name, machine.dialect(), status_name(machine.status()));
   text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n",
                       machine.control().blocks(), run.motions(), duration_text(machine.time_s()),

@@ -12,4 +12,7 @@ namespace kerf::output {
 /// The same for people: a few lines of text.
 [[nodiscard]] std::string summary_text(machine::VirtualMachine& machine);
 
+/// What a person calls the program of the machine: its name, else that of its file without folders.
+[[nodiscard]] std::string program_title(machine::VirtualMachine& machine);
+
 }  // namespace kerf::output

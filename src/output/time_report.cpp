@@ -8,6 +8,7 @@
 
 #include "base/decimal.hpp"
 #include "output/diagnostic_text.hpp"
+#include "output/summary.hpp"
 
 namespace kerf::output {
 namespace {
@@ -137,7 +138,7 @@ std::string TimeReport::text(machine::VirtualMachine& machine) {
   const double feed_s = machine.statistics().feed_seconds();
   const std::string ratio = total > 0 ? fmt::format(" (x {:.2f})", feed_s / total) : std::string();
   std::string text = fmt::format("{} on {}: {:.3f} s, without acceleration {:.3f} s{}\n\n",
-                                 printable(machine.program_name()), machine.definition().name,
+                                 printable(program_title(machine)), machine.definition().name,
                                  total, feed_s, ratio);
   const Kinds sums = totals();
   text += fmt::format("{:>8} {:>12} {:>12} {:>12} {:>12}\n", "tool", "time s", "rapid s", "cut s",

@@ -165,7 +165,7 @@ def motions(box):
     equal([m["percent"] for m in found if m["kind"] == "power"], [40, 0, 40, 0], "power")
     summary = box.json("s.json")
     equal((summary["program"], summary["machine"], summary["dialect"], summary["status"]),
-          ("part", "laser5", "teach", "end"), "summary")
+          ("O0000", "laser5", "teach", "end"), "summary")
     equal(summary["blocks"], 16, "blocks")
     equal([(a["line"], "beam is on" in a["what"]) for a in summary["assumed"]], [(14, True)],
           "assumed")
@@ -220,7 +220,7 @@ def mistakes(box):
         placed(result, "bad.tch", number, line, column)
         found = box.json("s.json")["alarm"]
         equal((found["code"], found["line"], found["column"], found["program"]),
-              (number, line, column, "bad"), text)
+              (number, line, column, "O0000"), text)
         placed(box.kerf("check", "bad.tch"), "bad.tch", number, line, column)
 
 

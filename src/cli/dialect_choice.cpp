@@ -27,6 +27,7 @@ struct Language {
 };
 constexpr std::array kLanguages = {Language{"laser-basic", ".bas", "laser3"},
                                    Language{"teach", ".tch", "laser5"}};
+constexpr Language kPattern{kPatternDialect, ".pat", "arm4"};
 constexpr Language kMill{"fanuc-mill", "", "mill3"};
 
 // Words that begin a statement of laser BASIC and no block of G-code.
@@ -47,7 +48,7 @@ std::string upper(std::string text) {
 
 std::optional<Language> by_ending(const std::string& path) {
   const std::string ending = upper(std::filesystem::path(path).extension().string());
-  for (const Language& language : kLanguages) {
+  for (const Language& language : {kLanguages[0], kLanguages[1], kPattern}) {
     if (ending == upper(std::string(language.ending))) return language;
   }
   return std::nullopt;
@@ -122,6 +123,12 @@ std::string machine_of(const std::string& dialect) {
 }
 
 }  // namespace
+
+bool is_pattern(const std::string& dialect, const std::string& path) {
+  if (!dialect.empty()) return dialect == kPatternDialect;
+  const auto language = by_ending(path);
+  return language && language->dialect == kPatternDialect;
+}
 
 std::string dialect_list() {
   std::string text;

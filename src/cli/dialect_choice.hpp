@@ -25,6 +25,10 @@ struct DialectChoice {
 /// The dialect of pattern bytes: a replay runs them, not a control.
 inline constexpr const char* kPatternDialect = "pattern";
 
+/// Whether the file at `path` is such bytes: the dialect that was asked for says so, or its ending
+/// where none was.
+[[nodiscard]] bool is_pattern(const std::string& dialect, const std::string& path);
+
 /// The dialects that programs can be in, for people: "fanuc-mill, laser-basic, teach".
 [[nodiscard]] std::string dialect_list();
 

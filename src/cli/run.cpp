@@ -51,7 +51,7 @@ Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) 
 }  // namespace
 
 ExitStatus run(const RunOptions& options) {
-  if (options.dialect == kPatternDialect) return run_pattern(options);
+  if (is_pattern(options.dialect, options.program)) return run_pattern(options);
   auto ready = make_ready(options);
   if (!ready) return fail(ready.error());
   VirtualMachine& machine = *ready->machine;

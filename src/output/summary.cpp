@@ -118,14 +118,16 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string program_title(VirtualMachine& machine) {
-  const std::string name = machine.program_name();
-  if (name != base::kUnnumberedProgram) return name;
-  const std::string file = main_file(machine);
-  return file == "-" ? "standard input" : std::filesystem::path(file).filename().string();
+std::string file_title(const std::string& path) {
+  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
 }
 
-std::string summary_json(VirtualMachine& machine) {
+std::string program_title(VirtualMachine& machine) {
+  const std::string name = machine.program_name();
+  return name != base::kUnnumberedProgram ? name : file_title(main_file(machine));
+}
+
+std::string summary_json(VirtualMachine& machine, const std::string& pattern) {
   const machine::RunStatistics& run = machine.statistics();
   std::vector<std::string> tools;
   for (const std::uint32_t tool : run.tools()) tools.push_back(std::to_string(tool));
@@ -147,6 +149,7 @@ std::string summary_json(VirtualMachine& machine) {
   object.raw("tools", join(tools))
       .raw("messages", join(messages))
       .number("parts", machine.memory().parts);
+  if (!pattern.empty()) object.raw("pattern", pattern);
   object.raw("assumed", assumed_json(machine)).raw("variables", variables_json(machine));
   return object.done() + "\n";
 }

@@ -224,6 +224,16 @@ def mistakes(box):
         placed(box.kerf("check", "bad.tch"), "bad.tch", number, line, column)
 
 
+@test("a byte order mark before TEACH is no part of a taught program")
+def byte_order_mark(box):
+    box.write("good.tch", b"\xef\xbb\xbf" + tch("POINT 1 2 3 4 5").encode())
+    status(box.kerf("run", "good.tch"), 0)
+    box.write("bad.tch", b"\xef\xbb\xbfTEACH 2\nEND\n")
+    placed(box.kerf("run", "bad.tch"), "bad.tch", "TEACH_VERSION", 1, 10)
+    box.write("bad.tch", tch("POINT 1 2 3 4 5").encode() + b"\xef\xbb\xbf")
+    placed(box.kerf("run", "bad.tch"), "bad.tch", "TEACH_ORDER", 6 + 1, 1)
+
+
 @test("a file of taught points that begins with anything but TEACH 1 says so")
 def no_version(box):
     box.write("bad.tch", "; points\nUNITS MM DEG\nEND\n")

@@ -9,8 +9,8 @@ namespace {
 // Of the table's text: all in capitals, as controls show it, or else as it is to be read.
 std::string sentence(std::string_view text) {
   std::string result(text);
-  const bool shouted = std::none_of(text.begin(), text.end(),
-                                    [](unsigned char c) { return std::islower(c) != 0; });
+  const bool shouted =
+      std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::islower(c) != 0; });
   if (!shouted) return result;
   std::transform(result.begin(), result.end(), result.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

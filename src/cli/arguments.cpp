@@ -34,8 +34,10 @@ CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(fal
 
 std::string built_in_machines() {
   std::string text;
-  for (const machine::BuiltinMachine& machine : machine::builtin_machines())
-    text += (text.empty() ? "" : ", ") + std::string(machine.name);
+  for (const machine::BuiltinMachine& machine : machine::builtin_machines()) {
+    if (!text.empty()) text += ", ";
+    text += machine.name;
+  }
   return text;
 }
 

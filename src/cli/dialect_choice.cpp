@@ -132,15 +132,21 @@ bool is_pattern(const std::string& dialect, const std::string& path) {
 
 std::string dialect_list() {
   std::string text;
-  for (const std::string_view name : machine::available_dialects())
-    text += (text.empty() ? "" : ", ") + std::string(name);
+  for (const std::string_view name : machine::available_dialects()) {
+    if (!text.empty()) text += ", ";
+    text += name;
+  }
   return text;
 }
 
 std::string usual_machines() {
   std::string text(kMill.machine);
-  for (const Language& language : kLanguages)
-    text += ", " + std::string(language.machine) + " for " + std::string(language.dialect);
+  for (const Language& language : kLanguages) {
+    text += ", ";
+    text += language.machine;
+    text += " for ";
+    text += language.dialect;
+  }
   return text;
 }
 

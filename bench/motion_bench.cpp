@@ -79,6 +79,25 @@ void drive(Interpolator& interpolator, const std::vector<Motion>& motions, Drain
   drain();
 }
 
+// Hands each set-point of the motions to `take`.
+template <typename Take>
+void interpolate(Interpolator& interpolator, const std::vector<Motion>& motions, Take&& take) {
+  Setpoint point;
+  drive(interpolator, motions, [&] {
+    while (interpolator.next(point)) take(point);
+  });
+}
+
+// How many set-points the motions have.
+std::int64_t count_points(Interpolator& interpolator, const std::vector<Motion>& motions) {
+  std::int64_t points = 0;
+  interpolate(interpolator, motions, [&](Setpoint& point) {
+    benchmark::DoNotOptimize(point);
+    ++points;
+  });
+  return points;
+}
+
 // Arguments: feed in mm/min, jerk in mm/s³ or 0 for none.
 double jerk_of(const benchmark::State& state) {
   return state.range(1) == 0 ? kNoJerkLimit : static_cast<double>(state.range(1));
@@ -126,13 +145,7 @@ void PlanAndInterpolate(benchmark::State& state) {
   std::int64_t points = 0;
   for (auto _ : state) {
     Interpolator interpolator(three_axes(), limits(jerk_of(state)), {});
-    Setpoint point;
-    drive(interpolator, motions, [&] {
-      while (interpolator.next(point)) {
-        benchmark::DoNotOptimize(point);
-        ++points;
-      }
-    });
+    points += count_points(interpolator, motions);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kSegments));
   state.counters["points_per_s"] =
@@ -153,13 +166,7 @@ void LongMoves(benchmark::State& state) {
   std::int64_t points = 0;
   for (auto _ : state) {
     Interpolator interpolator(three_axes(), limits(jerk_of(state)), {});
-    Setpoint point;
-    drive(interpolator, motions, [&] {
-      while (interpolator.next(point)) {
-        benchmark::DoNotOptimize(point);
-        ++points;
-      }
-    });
+    points += count_points(interpolator, motions);
   }
   state.SetItemsProcessed(points);
 }
@@ -186,9 +193,8 @@ void StepPulses(benchmark::State& state) {
   for (auto& axis : axes) axis.steps_per_unit = static_cast<double>(state.range(0));
   std::vector<kerf::drive::JointPoint> points;
   Interpolator interpolator(three_axes(), limits(kNoJerkLimit), {});
-  Setpoint point;
-  drive(interpolator, motions, [&] {
-    while (interpolator.next(point)) points.push_back({point.time_s, point.tip});
+  interpolate(interpolator, motions, [&](const Setpoint& point) {
+    points.push_back({point.time_s, point.tip});
   });
   struct Counter : kerf::drive::PulseSink {
     std::int64_t pulses = 0;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/decimal.hpp"
+#include "cli/dialect_choice.hpp"
 #include "cli/machine_setup.hpp"
 
 namespace kerf::cli {
@@ -31,20 +32,39 @@ const CLI::Validator kWholeNumber(
 // One value a time: `--set A B` is no way to write two.
 CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(false); }
 
-void add_machine(CLI::App& app, std::string& machine, std::string& dialect) {
-  app.add_option("--machine", machine, "built-in machine or machine file; default mill3")
+std::string built_in_machines() {
+  std::string text;
+  for (const machine::BuiltinMachine& machine : machine::builtin_machines()) {
+    if (!text.empty()) text += ", ";
+    text += machine.name;
+  }
+  return text;
+}
+
+enum class Patterns : std::uint8_t { run, not_run };
+
+void add_machine(CLI::App& app, std::string& machine, std::string& dialect, Patterns patterns) {
+  const std::string pattern = std::string(", ") + kPatternDialect;
+  const bool run = patterns == Patterns::run;
+  app.add_option("--machine", machine,
+                 "machine file or built-in machine: " + built_in_machines() + "; default " +
+                     usual_machines() + (run ? ", arm4 for pattern" : ""))
       ->type_name("NAME|FILE.toml");
-  app.add_option("--dialect", dialect, "language; default that of the machine: fanuc-mill")
+  app.add_option("--dialect", dialect,
+                 "language: " + dialect_list() + (run ? pattern : "") +
+                     "; default what the file's ending or its first lines tell, else that of the "
+                     "machine")
       ->type_name("NAME");
 }
 
-void add_preparation(CLI::App& run, RunOptions& o) {
-  add_machine(run, o.machine, o.dialect);
+void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
+  add_machine(run, o.machine, o.dialect, patterns);
   repeated(run.add_option("--library", o.libraries, "folder of further programs; may be repeated"))
       ->type_name("FOLDER");
   repeated(run.add_option("--set", o.variables,
-                          "sets a variable before the start: '#100=5'; may be repeated"))
-      ->type_name("#N=VALUE");
+                          "sets a variable before the start: '#100=5', in laser BASIC x=5; may be "
+                          "repeated"))
+      ->type_name("NAME=VALUE");
   repeated(run.add_option("--param", o.parameters,
                           "changes a parameter of the control: DPI=1; may be repeated"))
       ->type_name("KEY=VALUE");
@@ -126,7 +146,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->type_name("PROGRAM")
       ->required();
   run->option_defaults()->group("Machine, memory, panel");
-  add_preparation(*run, o);
+  add_preparation(*run, o, Patterns::run);
   run->option_defaults()->group("Limits");
   add_budget(*run, o.max_seconds, o.max_motions);
   run->option_defaults()->group("Outputs (- is standard output)");
@@ -141,7 +161,7 @@ void add_time(CLI::App& app, TimeOptions& o) {
       ->type_name("PROGRAM")
       ->required();
   time->option_defaults()->group("Machine, memory, panel");
-  add_preparation(*time, o.run);
+  add_preparation(*time, o.run, Patterns::not_run);
   time->option_defaults()->group("Limits");
   add_budget(*time, o.run.max_seconds, o.run.max_motions);
   time->option_defaults()->group("Output");
@@ -156,7 +176,7 @@ void add_check(CLI::App& app, CheckOptions& o) {
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
   check->group("Commands");
   check->add_option("files", o.files, "program files")->type_name("FILE")->required();
-  add_machine(*check, o.machine, o.dialect);
+  add_machine(*check, o.machine, o.dialect, Patterns::not_run);
   repeated(
       check->add_option("--library", o.libraries, "folder of further programs; may be repeated"))
       ->type_name("FOLDER");
@@ -196,7 +216,9 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
                                         "runs a pattern on the machine and prints a summary");
   add_lenient(*replay, o);
   replay->option_defaults()->group("Machine");
-  replay->add_option("--machine", o.machine, "built-in machine or machine file; default arm4")
+  replay
+      ->add_option("--machine", o.machine,
+                   "machine file or built-in machine, arm4 or cartesian-step; default arm4")
       ->type_name("NAME|FILE.toml");
   repeated(replay->add_option("--machine-set", o.machine_keys,
                               "changes a key of the machine: drive.split=integer; may be repeated"))
@@ -245,7 +267,10 @@ std::vector<std::string> reversed(std::vector<std::string> words) {
 }  // namespace
 
 base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
-  CLI::App app("Kerf runs CNC programs: FANUC G-code with Custom Macro B", "kerf");
+  CLI::App app(
+      "Kerf runs CNC programs: FANUC G-code with Custom Macro B, laser BASIC, taught points, "
+      "patterns",
+      "kerf");
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.set_version_flag("--version", "kerf 0.1.0");

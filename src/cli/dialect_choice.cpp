@@ -27,6 +27,7 @@ struct Language {
 };
 constexpr std::array kLanguages = {Language{"laser-basic", ".bas", "laser3"},
                                    Language{"teach", ".tch", "laser5"}};
+constexpr Language kPattern{kPatternDialect, ".pat", "arm4"};
 constexpr Language kMill{"fanuc-mill", "", "mill3"};
 
 // Words that begin a statement of laser BASIC and no block of G-code.
@@ -39,13 +40,6 @@ bool is_available(std::string_view dialect) {
   return std::find(all.begin(), all.end(), dialect) != all.end();
 }
 
-std::string list_of_available() {
-  std::string text;
-  for (const std::string_view name : machine::available_dialects())
-    text += (text.empty() ? "; available: " : ", ") + std::string(name);
-  return text;
-}
-
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -54,7 +48,7 @@ std::string upper(std::string text) {
 
 std::optional<Language> by_ending(const std::string& path) {
   const std::string ending = upper(std::filesystem::path(path).extension().string());
-  for (const Language& language : kLanguages) {
+  for (const Language& language : {kLanguages[0], kLanguages[1], kPattern}) {
     if (ending == upper(std::string(language.ending))) return language;
   }
   return std::nullopt;
@@ -104,11 +98,21 @@ std::optional<Language> by_text(const base::SourceFile& program) {
   return std::nullopt;
 }
 
+// Of a dialect that is not available.
+std::string why_not(const std::string& dialect) {
+  if (dialect == kPatternDialect)
+    return "pattern bytes are run by `kerf pattern replay` and `kerf run --dialect pattern`";
+  const bool known = std::find(machine::kDialects.begin(), machine::kDialects.end(), dialect) !=
+                     machine::kDialects.end();
+  return known ? "the dialect " + dialect + " is not available yet"
+               : "there is no dialect " + dialect;
+}
+
 Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
                                  const std::string& source) {
   if (is_available(choice.dialect)) return choice;
-  return tl::unexpected(Failure{kind, source + ": the dialect " + choice.dialect +
-                                          " is not available" + list_of_available()});
+  return tl::unexpected(
+      Failure{kind, source + ": " + why_not(choice.dialect) + "; available: " + dialect_list()});
 }
 
 std::string machine_of(const std::string& dialect) {
@@ -119,6 +123,32 @@ std::string machine_of(const std::string& dialect) {
 }
 
 }  // namespace
+
+bool is_pattern(const std::string& dialect, const std::string& path) {
+  if (!dialect.empty()) return dialect == kPatternDialect;
+  const auto language = by_ending(path);
+  return language && language->dialect == kPatternDialect;
+}
+
+std::string dialect_list() {
+  std::string text;
+  for (const std::string_view name : machine::available_dialects()) {
+    if (!text.empty()) text += ", ";
+    text += name;
+  }
+  return text;
+}
+
+std::string usual_machines() {
+  std::string text(kMill.machine);
+  for (const Language& language : kLanguages) {
+    text += ", ";
+    text += language.machine;
+    text += " for ";
+    text += language.dialect;
+  }
+  return text;
+}
 
 Outcome<DialectChoice> choose_dialect(const std::string& machine, const std::string& dialect,
                                       const base::SourceFile& program) {

@@ -22,4 +22,17 @@ struct DialectChoice {
                                                           const std::string& dialect,
                                                           const base::SourceFile& program);
 
+/// The dialect of pattern bytes: a replay runs them, not a control.
+inline constexpr const char* kPatternDialect = "pattern";
+
+/// Whether the file at `path` is such bytes: the dialect that was asked for says so, or its ending
+/// where none was.
+[[nodiscard]] bool is_pattern(const std::string& dialect, const std::string& path);
+
+/// The dialects that programs can be in, for people: "fanuc-mill, laser-basic, teach".
+[[nodiscard]] std::string dialect_list();
+
+/// The machines that are taken when none is asked for, for people: "mill3, laser3 for laser-basic".
+[[nodiscard]] std::string usual_machines();
+
 }  // namespace kerf::cli

@@ -6,6 +6,7 @@
 
 #include "base/decimal.hpp"
 #include "cli/dialect_choice.hpp"
+#include "cli/failure.hpp"
 #include "machine/offset_file.hpp"
 #include "machine/state_file.hpp"
 #include "output/diagnostic_text.hpp"
@@ -18,10 +19,6 @@ using base::Outcome;
 
 constexpr std::size_t kLargestOffsetFile = 16 << 20;
 constexpr double kMostOffsetSeconds = 10;
-
-tl::unexpected<Failure> usage(const std::string& message) {
-  return tl::unexpected(Failure{Failure::Kind::usage, message});
-}
 
 Outcome<std::string> read_text(const std::string& path) {
   auto file = base::SourceFile::open(path);

@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -43,6 +44,15 @@ ExitStatus guarded_main(int argc, char** argv) {
   return fail({kerf::base::Failure::Kind::output, "standard output: cannot be written"});
 }
 
+// No file may be opened under the number of a stream that the caller has closed: INPUT would read
+// the program. What stands there instead can be neither read nor written.
+void keep_numbers_of_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    const bool closed = fcntl(stream, F_GETFD) < 0;
+    if (closed && open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
 // What nohup or a shell's background job has told to ignore stays ignored.
 void stop_at(int signal) {
   if (std::signal(signal, stop) == SIG_IGN) std::signal(signal, SIG_IGN);
@@ -51,6 +61,7 @@ void stop_at(int signal) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_numbers_of_streams();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) stop_at(signal);
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error of the write
   std::signal(SIGPIPE, SIG_IGN);

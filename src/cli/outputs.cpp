@@ -3,8 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "drive/pulse_csv.hpp"
-#include "drive/pulse_vcd.hpp"
+#include "cli/failure.hpp"
 #include "output/laser_pulses.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
@@ -17,38 +16,13 @@
 namespace kerf::cli {
 namespace {
 
-using base::Failure;
 using base::Outcome;
 using base::OutputFile;
 
-tl::unexpected<Failure> usage(const std::string& message) {
-  return tl::unexpected(Failure{Failure::Kind::usage, message});
-}
-
-bool ends_as_picture(const std::string& path) {
-  return path.ends_with(".svg") || path.ends_with(".png");
-}
-
-std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
-  std::vector<std::string> names;
-  for (const machine::DrivenAxis& axis : machine.driven) names.push_back(axis.name);
-  return names;
-}
+constexpr auto kRecord = OutputFiles::Kind::record;
+constexpr auto kDrives = OutputFiles::Kind::drives_a_machine;
 
 }  // namespace
-
-Outputs::Opened Outputs::open_file(const std::string& path, Kind kind) {
-  if (path.empty()) return nullptr;
-  auto created = OutputFile::create(path);
-  if (!created) return tl::unexpected(created.error());
-  outputs_.push_back({kind, std::move(*created), {}});
-  return outputs_.back().file.get();
-}
-
-// Of the output that was opened last.
-void Outputs::when_over(std::function<void(OutputFile&)> finish) {
-  outputs_.back().finish = std::move(finish);
-}
 
 void Outputs::add(std::unique_ptr<control::MotionSink> sink) {
   machine_.add_sink(*sink);
@@ -61,85 +35,59 @@ void Outputs::add(std::unique_ptr<machine::AxisPointSink> sink) {
 }
 
 Outcome<void> Outputs::open_prints() {
-  const Opened file = open_file(options_.dprnt.empty() ? "-" : options_.dprnt);
-  if (!file) return tl::unexpected(file.error());
-  machine_.set_print_output([into = *file](std::string_view text) { into->write(text); });
-  return {};
+  return files_.open(options_.dprnt.empty() ? "-" : options_.dprnt, kRecord, [&](OutputFile& file) {
+    machine_.set_print_output([&file](std::string_view text) { file.write(text); });
+  });
 }
 
 Outcome<void> Outputs::open_motion() {
-  const Opened file = open_file(options_.motion);
-  if (!file) return tl::unexpected(file.error());
-  if (*file != nullptr)
-    add(std::make_unique<output::MotionJson>(machine_.definition().axes, **file));
-  return {};
+  return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
+    add(std::make_unique<output::MotionJson>(machine_.definition().axes, file));
+  });
 }
 
 Outcome<void> Outputs::open_points() {
-  const Opened file = open_file(options_.points);
-  if (!file) return tl::unexpected(file.error());
-  if (*file != nullptr) add(std::make_unique<output::SetPointCsv>(machine_.definition(), **file));
-  return {};
+  return files_.open(options_.points, kRecord, [&](OutputFile& file) {
+    add(std::make_unique<output::SetPointCsv>(machine_.definition(), file));
+  });
 }
 
 Outcome<void> Outputs::open_pulses() {
-  const std::string& path = options_.pulses;
-  const bool vcd = path.ends_with(".vcd");
-  if (!path.empty() && path != "-" && !vcd && !path.ends_with(".csv"))
-    return usage("--pulses " + path + ": step pulses end in .csv or .vcd");
-  const Opened file = open_file(path, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  if (vcd) {
-    write_vcd(**file);
-  } else {
-    pulses_ = std::make_unique<drive::PulseCsv>(axis_names(machine_.definition()), **file);
-  }
+  auto sink = open_pulse_file(files_, options_.pulses, machine_.definition());
+  if (!sink) return tl::unexpected(sink.error());
+  if (!*sink) return {};
+  pulses_ = std::move(*sink);
   add(std::make_unique<output::StepPulses>(machine_, *pulses_));
   return {};
-}
-
-void Outputs::write_vcd(OutputFile& file) {
-  const machine::MachineDefinition& definition = machine_.definition();
-  auto vcd = std::make_unique<drive::PulseVcd>(axis_names(definition),
-                                               definition.drive.timing.direction_setup_ns, file);
-  when_over([writer = vcd.get()](OutputFile&) { writer->finish(); });
-  pulses_ = std::move(vcd);
 }
 
 Outcome<void> Outputs::open_pwm() {
   const machine::MachineDefinition& definition = machine_.definition();
   if (!options_.pwm.empty() && !definition.drive.laser.fitted())
     return usage("--pwm " + options_.pwm + ": " + definition.name + " has no laser");
-  const Opened file = open_file(options_.pwm);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  auto pulses = std::make_unique<output::LaserPulses>(machine_, **file);
-  when_over([laser = pulses.get()](OutputFile&) { laser->finish(); });
-  add(std::move(pulses));
-  return {};
+  return files_.open(options_.pwm, kRecord, [&](OutputFile& file) {
+    auto pulses = std::make_unique<output::LaserPulses>(machine_, file);
+    files_.when_over([laser = pulses.get()](OutputFile&) { laser->finish(); });
+    add(std::move(pulses));
+  });
 }
 
 Outcome<void> Outputs::open_rows() {
-  const Opened file = open_file(options_.rows);
-  if (!file) return tl::unexpected(file.error());
-  if (*file != nullptr)
-    add(std::make_unique<output::RowCsv>(machine_.definition().axes, machine_.memory(), **file));
-  return {};
+  return files_.open(options_.rows, kRecord, [&](OutputFile& file) {
+    add(std::make_unique<output::RowCsv>(machine_.definition().axes, machine_.memory(), file));
+  });
 }
 
 Outcome<void> Outputs::open_post() {
-  const Opened file = open_file(options_.post, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  const machine::MachineDefinition& definition = machine_.definition();
-  auto post = std::make_unique<output::Post>(definition.axes, **file, definition.drive.laser);
-  when_over([this, writer = post.get()](OutputFile&) {
-    writer->finish();
-    remarks_ += writer->remark();
+  return files_.open(options_.post, kDrives, [&](OutputFile& file) {
+    const machine::MachineDefinition& definition = machine_.definition();
+    auto post = std::make_unique<output::Post>(definition.axes, file, definition.drive.laser);
+    files_.when_over([this, writer = post.get()](OutputFile&) {
+      writer->finish();
+      remarks_ += writer->remark();
+    });
+    add(std::move(post));
   });
-  add(std::move(post));
-  return {};
 }
 
 Outcome<void> Outputs::open_pattern() {
@@ -147,39 +95,34 @@ Outcome<void> Outputs::open_pattern() {
   auto motors = output::PatternMachine::of(machine_.definition());
   if (!motors) return usage("--pattern " + options_.pattern + ": " + motors.error().message);
   motors_ = std::move(*motors);
-  const Opened file = open_file(options_.pattern, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  pattern_ =
-      std::make_unique<drive::PatternWriter>(machine_.definition().pattern.byte_order, **file);
-  auto maker = std::make_unique<output::PatternMaker>(machine_, *motors_, *pattern_);
-  pattern_maker_ = maker.get();
-  when_over([this](OutputFile&) {
-    pattern_maker_->finish();
-    remarks_ += output::pattern_text(pattern_maker_->report(), machine_.definition().pattern);
+  return files_.open(options_.pattern, kDrives, [&](OutputFile& file) {
+    const machine::PatternSettings& settings = machine_.definition().pattern;
+    pattern_ = std::make_unique<drive::PatternWriter>(settings.byte_order, file);
+    auto maker = std::make_unique<output::PatternMaker>(machine_, *motors_, *pattern_);
+    pattern_maker_ = maker.get();
+    files_.when_over([this, &settings](OutputFile&) {
+      pattern_maker_->finish();
+      pattern_report_ = pattern_maker_->report();
+      remarks_ += output::pattern_text(*pattern_report_, settings);
+    });
+    add(std::unique_ptr<control::MotionSink>(std::move(maker)));
   });
-  add(std::unique_ptr<control::MotionSink>(std::move(maker)));
-  return {};
 }
 
 // Its steps come from the maker of the pattern, which is there before.
 Outcome<void> Outputs::open_pattern_plot() {
   const std::string& path = options_.pattern_plot;
-  const bool png = path.ends_with(".png");
-  if (!path.empty() && !ends_as_picture(path))
-    return usage("--pattern-plot " + path + ": a picture ends in .svg or .png");
+  if (auto fits = check_picture("--pattern-plot", path); !fits) return fits;
   if (!path.empty() && pattern_maker_ == nullptr)
     return usage("--pattern-plot " + path + " shows what --pattern FILE makes: give that too");
-  const Opened file = open_file(path);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  pattern_plot_ = std::make_unique<output::PatternPlot>(machine_.program_name() + " on " +
-                                                        machine_.definition().name);
-  pattern_maker_->watch(*pattern_plot_);
-  when_over([this, png](OutputFile& into) {
-    const output::PatternReport report = pattern_maker_->report();
-    into.write(png ? pattern_plot_->png(report) : pattern_plot_->svg(report));
+  return files_.open(path, kRecord, [&](OutputFile&) {
+    pattern_plot_ = std::make_unique<output::PatternPlot>(title());
+    pattern_maker_->watch(*pattern_plot_);
+    files_.when_over([this, png = is_png(path)](OutputFile& into) {
+      const output::PatternReport report = pattern_maker_->report();
+      into.write(png ? pattern_plot_->png(report) : pattern_plot_->svg(report));
+    });
   });
-  return {};
 }
 
 Outcome<void> Outputs::open_teach() {
@@ -187,25 +130,21 @@ Outcome<void> Outputs::open_teach() {
   if (!options_.teach.empty() && !output::TaughtProgram::can_say(definition.axes))
     return usage("--teach " + options_.teach + ": taught points have the axes X Y Z A C, " +
                  definition.name + " has others");
-  const Opened file = open_file(options_.teach, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  auto taught = std::make_unique<output::TaughtProgram>(machine_, **file);
-  when_over([writer = taught.get()](OutputFile&) { writer->finish(); });
-  add(std::move(taught));
-  return {};
+  return files_.open(options_.teach, kDrives, [&](OutputFile& file) {
+    auto taught = std::make_unique<output::TaughtProgram>(machine_, file);
+    files_.when_over([writer = taught.get()](OutputFile&) { writer->finish(); });
+    add(std::move(taught));
+  });
 }
 
 Outcome<void> Outputs::open_coverage() {
-  const Opened file = open_file(options_.coverage);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  machine_.observe_blocks(
-      [this](base::FileId source, std::uint32_t line) { coverage_.count(source, line); });
-  when_over([this](OutputFile& into) {
-    coverage_.write_csv(machine_.sources(), machine_.control().assumptions().list(), into);
+  return files_.open(options_.coverage, kRecord, [&](OutputFile&) {
+    machine_.observe_blocks(
+        [this](base::FileId source, std::uint32_t line) { coverage_.count(source, line); });
+    files_.when_over([this](OutputFile& into) {
+      coverage_.write_csv(machine_.sources(), machine_.control().assumptions().list(), into);
+    });
   });
-  return {};
 }
 
 Outcome<void> Outputs::check_plot() const {
@@ -218,41 +157,48 @@ Outcome<void> Outputs::check_plot() const {
     return usage("--plot-speed and --plot-energy: a cut has one colour");
   if (options_.plot_energy && !definition.drive.laser.fitted())
     return usage("--plot-energy: " + definition.name + " has no laser");
-  if (!options_.plot.empty() && !ends_as_picture(options_.plot))
-    return usage("--plot " + options_.plot + ": a picture ends in .svg or .png");
-  return {};
+  return check_picture("--plot", options_.plot);
+}
+
+std::string Outputs::title() const {
+  return output::program_title(machine_) + " on " + machine_.definition().name;
 }
 
 std::unique_ptr<output::PathPlot> Outputs::make_plot() const {
   const machine::MachineDefinition& definition = machine_.definition();
-  const std::string title = machine_.program_name() + " on " + definition.name;
   if (options_.plot_energy)
-    return std::make_unique<output::PathPlot>(definition.axes, title, definition.drive.laser);
+    return std::make_unique<output::PathPlot>(definition.axes, title(), definition.drive.laser);
   const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;
-  return std::make_unique<output::PathPlot>(definition.axes, title, colors);
+  return std::make_unique<output::PathPlot>(definition.axes, title(), colors);
 }
 
 Outcome<void> Outputs::open_plot() {
   if (auto fits = check_plot(); !fits) return fits;
-  const Opened file = open_file(options_.plot);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  auto plot = make_plot();
-  if (options_.plot_speed || options_.plot_energy) machine_.add_point_sink(*plot);
-  when_over([this, picture = plot.get()](OutputFile& into) {
-    into.write(options_.plot.ends_with(".png") ? picture->png() : picture->svg());
-    remarks_ += picture->remark();
+  return files_.open(options_.plot, kRecord, [&](OutputFile&) {
+    auto plot = make_plot();
+    if (options_.plot_speed || options_.plot_energy) machine_.add_point_sink(*plot);
+    files_.when_over([this, picture = plot.get()](OutputFile& into) {
+      into.write(is_png(options_.plot) ? picture->png() : picture->svg());
+      remarks_ += picture->remark();
+    });
+    add(std::unique_ptr<control::MotionSink>(std::move(plot)));
   });
-  add(std::unique_ptr<control::MotionSink>(std::move(plot)));
-  return {};
 }
 
+// Null: the pattern was asked for and not written.
+std::string Outputs::pattern_in_summary() const {
+  if (options_.pattern.empty()) return {};
+  return pattern_report_ ? output::pattern_json(*pattern_report_, machine_.definition().pattern)
+                         : "null";
+}
+
+// Behind all others: it tells what they have become.
 Outcome<void> Outputs::open_summary() {
-  const Opened file = open_file(options_.summary);
-  if (!file) return tl::unexpected(file.error());
-  if (*file != nullptr)
-    when_over([this](OutputFile& into) { into.write(output::summary_json(machine_)); });
-  return {};
+  return files_.open(options_.summary, kRecord, [&](OutputFile&) {
+    files_.when_over([this](OutputFile& into) {
+      into.write(output::summary_json(machine_, pattern_in_summary()));
+    });
+  });
 }
 
 Outcome<void> Outputs::open() {
@@ -268,28 +214,10 @@ Outcome<void> Outputs::open() {
   return {};
 }
 
-bool Outputs::is_written(const Output& output) const {
-  return output.kind == Kind::record || options_.keep_partial ||
-         machine_.status() == machine::VirtualMachine::Status::end;
-}
-
-Outcome<void> Outputs::commit(Output& output) {
-  if (output.finish) output.finish(*output.file);
-  auto committed = output.file->commit();
-  const std::string& path = output.file->path();
-  if (committed && path != "-") written_.push_back(path);
-  return committed;
-}
-
 Outcome<void> Outputs::commit() {
-  Outcome<void> result;
-  for (Output& output : outputs_) {
-    if (!is_written(output)) continue;
-    auto committed = commit(output);
-    if (!committed && result) result = committed;
-  }
-  outputs_.clear();
-  return result;
+  const bool at_end = machine_.status() == machine::VirtualMachine::Status::end;
+  return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
+                                                       : OutputFiles::Which::records_only);
 }
 
 }  // namespace kerf::cli

@@ -1,15 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/output_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/output_files.hpp"
 #include "drive/pattern/writer.hpp"
-#include "drive/pulse_sink.hpp"
 #include "machine/axis_point.hpp"
 #include "machine/virtual_machine.hpp"
 #include "output/coverage.hpp"
@@ -19,8 +17,7 @@
 
 namespace kerf::cli {
 
-/// The output files of a run: opened before it, so that one that cannot be written is told at once;
-/// committed behind it, so that none looks complete that is not.
+/// The outputs of a run: their files, and what writes into them while it lasts.
 class Outputs {
  public:
   /// Both must outlive the outputs, which the machine must not run without.
@@ -34,27 +31,15 @@ class Outputs {
   /// the disk; the others are written.
   [[nodiscard]] base::Outcome<void> commit();
   /// The files that commit() has written, for people.
-  [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
+  [[nodiscard]] const std::vector<std::string>& written() const { return files_.written(); }
   /// What else outputs have to say behind the run, for people: indented lines.
   [[nodiscard]] const std::string& remarks() const { return remarks_; }
 
  private:
-  /// What could drive a machine is written only when the run reached its end.
-  enum class Kind : std::uint8_t { record, drives_a_machine };
-  struct Output {
-    Kind kind = Kind::record;
-    std::unique_ptr<base::OutputFile> file;
-    std::function<void(base::OutputFile&)> finish;  ///< writes what is known only behind the run
-  };
-  using Opened = base::Outcome<base::OutputFile*>;  // null: the option was not given
-
-  Opened open_file(const std::string& path, Kind kind = Kind::record);
-  void when_over(std::function<void(base::OutputFile&)> finish);
   base::Outcome<void> open_prints();
   base::Outcome<void> open_motion();
   base::Outcome<void> open_points();
   base::Outcome<void> open_pulses();
-  void write_vcd(base::OutputFile& file);
   base::Outcome<void> open_pwm();
   base::Outcome<void> open_rows();
   base::Outcome<void> open_post();
@@ -63,17 +48,17 @@ class Outputs {
   base::Outcome<void> open_teach();
   base::Outcome<void> open_coverage();
   [[nodiscard]] base::Outcome<void> check_plot() const;
+  [[nodiscard]] std::string pattern_in_summary() const;
+  [[nodiscard]] std::string title() const;
   [[nodiscard]] std::unique_ptr<output::PathPlot> make_plot() const;
   base::Outcome<void> open_plot();
   base::Outcome<void> open_summary();
   void add(std::unique_ptr<control::MotionSink> sink);
   void add(std::unique_ptr<machine::AxisPointSink> sink);
-  [[nodiscard]] bool is_written(const Output& output) const;
-  base::Outcome<void> commit(Output& output);
 
   const RunOptions& options_;
   machine::VirtualMachine& machine_;
-  std::vector<Output> outputs_;  // in the order in which they are completed
+  OutputFiles files_;
   std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;
   std::unique_ptr<drive::PulseSink> pulses_;
@@ -81,9 +66,9 @@ class Outputs {
   std::unique_ptr<drive::PatternWriter> pattern_;
   std::unique_ptr<output::PatternPlot> pattern_plot_;
   output::PatternMaker* pattern_maker_ = nullptr;
+  std::optional<output::PatternReport> pattern_report_;  // of a pattern that was written
   output::Coverage coverage_;
   std::string remarks_;
-  std::vector<std::string> written_;
 };
 
 }  // namespace kerf::cli

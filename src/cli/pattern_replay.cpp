@@ -2,37 +2,31 @@
 
 #include <array>
 #include <cstdio>
-#include <functional>
 #include <memory>
 
 #include "base/decimal.hpp"
-#include "base/output_file.hpp"
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
+#include "cli/output_files.hpp"
 #include "cli/pattern_files.hpp"
 #include "drive/pattern/reader.hpp"
 #include "drive/pattern/writer.hpp"
-#include "drive/pulse_csv.hpp"
-#include "drive/pulse_vcd.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/motion_json.hpp"
 #include "output/path_plot.hpp"
 #include "output/replay_plot.hpp"
 #include "output/replay_summary.hpp"
 #include "output/set_point_csv.hpp"
+#include "output/summary.hpp"
 
 namespace kerf::cli {
 namespace {
 
-using base::Failure;
 using base::Outcome;
 using base::OutputFile;
 
-tl::unexpected<Failure> usage(const std::string& message) {
-  return tl::unexpected(Failure{Failure::Kind::usage, message});
-}
-
-bool is_png(const std::string& path) { return path.ends_with(".png"); }
+constexpr auto kRecord = OutputFiles::Kind::record;
+constexpr auto kDrives = OutputFiles::Kind::drives_a_machine;
 
 Outcome<machine::MachineDefinition> machine_of(const PatternOptions& options) {
   auto machine = machine::find_machine(options.machine);
@@ -46,8 +40,7 @@ Outcome<machine::MachineDefinition> machine_of(const PatternOptions& options) {
   return machine;
 }
 
-/// A replay with its files: opened before it, so that one that cannot be written is told at once,
-/// committed behind it.
+/// A replay with its files.
 class Replay {
  public:
   Replay(const PatternOptions& options, const base::SourceSet& sources,
@@ -62,15 +55,6 @@ class Replay {
   ExitStatus run();
 
  private:
-  enum class Kind : std::uint8_t { record, drives_a_machine };
-  struct Output {
-    Kind kind = Kind::record;
-    std::unique_ptr<OutputFile> file;
-    std::function<void(OutputFile&)> finish;
-  };
-
-  // Null: the option was not given.
-  Outcome<OutputFile*> open_file(const std::string& path, Kind kind = Kind::record);
   Outcome<void> open_output();
   Outcome<void> open_motion();
   Outcome<void> open_points();
@@ -81,7 +65,6 @@ class Replay {
   base::Result<void> take(const drive::PatternRecord& record, std::uint64_t offset);
   base::Result<void> return_to_start(std::uint64_t offset);
   Outcome<void> commit();
-  void tell(const std::optional<base::Diagnostic>& alarm) const;
   void warn() const;
 
   const PatternOptions& options_;
@@ -90,95 +73,60 @@ class Replay {
   drive::PatternFormat format_;
   output::PatternReplay replay_;
   output::ReplaySummary summary_;
-  std::vector<Output> outputs_;
+  OutputFiles files_;
   std::unique_ptr<drive::PatternWriter> writer_;
   std::unique_ptr<output::MotionJson> motion_;
   std::unique_ptr<output::SetPointCsv> points_;
   std::unique_ptr<drive::PulseSink> pulses_;
   std::unique_ptr<output::PathPlot> plot_;
   std::unique_ptr<output::ReplayPlot> way_to_plot_;
-  std::vector<std::string> written_;
 };
 
-Outcome<OutputFile*> Replay::open_file(const std::string& path, Kind kind) {
-  if (path.empty()) return nullptr;
-  auto created = OutputFile::create(path);
-  if (!created) return tl::unexpected(created.error());
-  outputs_.push_back({kind, std::move(*created), {}});
-  return outputs_.back().file.get();
-}
-
 Outcome<void> Replay::open_output() {
-  const auto file = open_file(options_.output, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  if (*file != nullptr) writer_ = std::make_unique<drive::PatternWriter>(format_.order, **file);
-  return {};
+  return files_.open(options_.output, kDrives, [&](OutputFile& file) {
+    writer_ = std::make_unique<drive::PatternWriter>(format_.order, file);
+  });
 }
 
 Outcome<void> Replay::open_motion() {
-  const auto file = open_file(options_.motion);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  motion_ = std::make_unique<output::MotionJson>(definition_.axes, **file);
-  replay_.add_sink(static_cast<control::MotionSink&>(*motion_));
-  return {};
+  return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
+    motion_ = std::make_unique<output::MotionJson>(definition_.axes, file);
+    replay_.add_sink(static_cast<control::MotionSink&>(*motion_));
+  });
 }
 
 Outcome<void> Replay::open_points() {
-  const auto file = open_file(options_.points);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  points_ = std::make_unique<output::SetPointCsv>(definition_, **file);
-  replay_.add_sink(static_cast<machine::AxisPointSink&>(*points_));
-  return {};
+  return files_.open(options_.points, kRecord, [&](OutputFile& file) {
+    points_ = std::make_unique<output::SetPointCsv>(definition_, file);
+    replay_.add_sink(static_cast<machine::AxisPointSink&>(*points_));
+  });
 }
 
 Outcome<void> Replay::open_pulses() {
-  const std::string& path = options_.pulses;
-  const bool vcd = path.ends_with(".vcd");
-  if (!path.empty() && path != "-" && !vcd && !path.ends_with(".csv"))
-    return usage("--pulses " + path + ": step pulses end in .csv or .vcd");
-  const auto file = open_file(path, Kind::drives_a_machine);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  std::vector<std::string> names;
-  for (const machine::DrivenAxis& axis : definition_.driven) names.push_back(axis.name);
-  if (vcd) {
-    auto writer = std::make_unique<drive::PulseVcd>(
-        names, definition_.drive.timing.direction_setup_ns, **file);
-    outputs_.back().finish = [vcd_writer = writer.get()](OutputFile&) { vcd_writer->finish(); };
-    pulses_ = std::move(writer);
-  } else {
-    pulses_ = std::make_unique<drive::PulseCsv>(names, **file);
-  }
-  replay_.add_sink(*pulses_);
+  auto sink = open_pulse_file(files_, options_.pulses, definition_);
+  if (!sink) return tl::unexpected(sink.error());
+  pulses_ = std::move(*sink);
+  if (pulses_) replay_.add_sink(*pulses_);
   return {};
 }
 
 Outcome<void> Replay::open_plot() {
-  const std::string& path = options_.plot;
-  if (!path.empty() && !is_png(path) && !path.ends_with(".svg"))
-    return usage("--plot " + path + ": a picture ends in .svg or .png");
-  const auto file = open_file(path);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  plot_ = std::make_unique<output::PathPlot>(definition_.axes,
-                                             options_.file + " on " + definition_.name);
-  way_to_plot_ = std::make_unique<output::ReplayPlot>(replay_, *plot_);
-  outputs_.back().finish = [this, png = is_png(path)](OutputFile& into) {
-    into.write(png ? plot_->png() : plot_->svg());
-  };
-  return {};
+  if (auto fits = check_picture("--plot", options_.plot); !fits) return fits;
+  return files_.open(options_.plot, kRecord, [&](OutputFile&) {
+    plot_ = std::make_unique<output::PathPlot>(
+        definition_.axes, output::file_title(options_.file) + " on " + definition_.name);
+    way_to_plot_ = std::make_unique<output::ReplayPlot>(replay_, *plot_);
+    files_.when_over([this](OutputFile& into) {
+      into.write(is_png(options_.plot) ? plot_->png() : plot_->svg());
+    });
+  });
 }
 
 Outcome<void> Replay::open_summary() {
-  const auto file = open_file(options_.summary);
-  if (!file) return tl::unexpected(file.error());
-  if (*file == nullptr) return {};
-  outputs_.back().finish = [this](OutputFile& into) {
-    into.write(output::replay_json(replay_, summary_));
-  };
-  return {};
+  return files_.open(options_.summary, kRecord, [&](OutputFile&) {
+    files_.when_over(
+        [this](OutputFile& into) { into.write(output::replay_json(replay_, summary_)); });
+  });
 }
 
 Outcome<void> Replay::open() {
@@ -230,16 +178,8 @@ base::Result<void> Replay::play() {
 }
 
 Outcome<void> Replay::commit() {
-  Outcome<void> result;
-  for (Output& output : outputs_) {
-    if (output.kind == Kind::drives_a_machine && summary_.alarm && !options_.keep_partial) continue;
-    if (output.finish) output.finish(*output.file);
-    auto committed = output.file->commit();
-    if (committed && output.file->path() != "-") written_.push_back(output.file->path());
-    if (!committed && result) result = committed;
-  }
-  outputs_.clear();
-  return result;
+  return files_.commit(summary_.alarm && !options_.keep_partial ? OutputFiles::Which::records_only
+                                                                : OutputFiles::Which::all);
 }
 
 void Replay::warn() const {
@@ -262,7 +202,8 @@ ExitStatus Replay::run() {
   warn();
   if (options_.diagnostics == DiagnosticFormat::text) {
     std::string text = output::replay_text(replay_, summary_);
-    for (const std::string& path : written_) text += "  wrote " + output::printable(path) + "\n";
+    for (const std::string& path : files_.written())
+      text += "  wrote " + output::printable(path) + "\n";
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
   return summary_.alarm ? ExitStatus::findings : ExitStatus::well;

@@ -1,10 +1,12 @@
 #include <cstdio>
 
 #include "cli/commands.hpp"
+#include "cli/dialect_choice.hpp"
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
 #include "cli/operator_input.hpp"
 #include "cli/outputs.hpp"
+#include "cli/pattern_run.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_report.hpp"
 #include "machine/state_file.hpp"
@@ -49,6 +51,7 @@ Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) 
 }  // namespace
 
 ExitStatus run(const RunOptions& options) {
+  if (is_pattern(options.dialect, options.program)) return run_pattern(options);
   auto ready = make_ready(options);
   if (!ready) return fail(ready.error());
   VirtualMachine& machine = *ready->machine;

@@ -13,6 +13,8 @@ ExitStatus time(const TimeOptions& options) {
   const machine::MachineDefinition& definition = machine.definition();
   output::TimeReport times(definition.axes, definition.interpolator.period_s);
   machine.add_point_sink(times);
+  machine.observe_blocks(
+      [&times](base::FileId file, std::uint32_t line) { times.line_begins(file, line); });
   const auto status = machine.run_to_end({options.run.max_seconds, options.run.max_motions, 0});
   auto file = base::OutputFile::create("-");
   if (!file) return fail(file.error());

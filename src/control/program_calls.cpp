@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "control/assumed.hpp"
 
 namespace kerf::control {
@@ -24,8 +25,7 @@ void ProgramCalls::start(vm::CodeId main) {
 std::string ProgramCalls::name_at(std::size_t level) const {
   const gcode::ProgramEntry& entry = library_.entry(levels_[level].code);
   if (!entry.name.empty()) return entry.name;
-  std::string digits = std::to_string(entry.number);
-  return "O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  return base::program_name(entry.number);
 }
 
 bool ProgramCalls::has_own_locals(Kind kind) {

@@ -49,7 +49,7 @@ class Dialect {
   virtual void load(base::FileId file) = 0;
   /// A folder of programs that can be called.
   virtual void add_library_folder(const std::string& folder) = 0;
-  /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
+  /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without either.
   [[nodiscard]] virtual std::string program_name() const = 0;
   /// Stands at the head of the loaded program. Otherwise the alarm that it raises at once.
   [[nodiscard]] virtual std::optional<base::Diagnostic> start() = 0;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/program_name.hpp"
+
 namespace kerf::machine {
 namespace {
 
@@ -29,7 +31,7 @@ void DottedCut::look_at(const control::Motion& motion, const control::Feed& feed
       base::Code::dotted_cut, {.file = motion.file, .line = motion.line, .column = 1},
       fmt::format("{:.6g} Hz at {:.6g} mm/s: a pulse every {:.6g} mm, the spot has {:.6g} mm",
                   laser_.pwm_frequency_hz, feed.value / 60, pitch_mm, laser_.spot_mm));
-  warning_->program = fmt::format("O{:04}", static_cast<std::uint32_t>(motion.program));
+  warning_->program = base::program_name(static_cast<std::uint32_t>(motion.program));
   warning_->severity = base::Severity::warning;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/program_name.hpp"
+
 namespace kerf::output {
 namespace {
 
@@ -123,7 +125,8 @@ std::string diagnostic_text(const base::Diagnostic& diagnostic, const base::Sour
   if (diagnostic.offset) text += "byte " + std::to_string(*diagnostic.offset) + ":";
   text += std::string(text.empty() ? "" : " ") + severity_name(diagnostic.severity) + ": " +
           diagnostic.number + " " + printable(diagnostic.message);
-  if (!diagnostic.program.empty()) text += " (" + printable(diagnostic.program) + ")";
+  if (!diagnostic.program.empty() && diagnostic.program != base::kUnnumberedProgram)
+    text += " (" + printable(diagnostic.program) + ")";
   text += "\n";
   if (!file.empty() && diagnostic.place.line > 0)
     text += excerpt(diagnostic.place, sources[diagnostic.place.file]);

@@ -1,9 +1,8 @@
 #include "output/drive_alarm.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
+#include "base/program_name.hpp"
 #include "base/text_window.hpp"
 
 namespace kerf::output {
@@ -32,7 +31,7 @@ base::Diagnostic at_line(base::Diagnostic finding, const base::SourceSet& source
 base::Diagnostic at_mark(base::Diagnostic alarm, const motion::Mark& mark,
                          const base::SourceSet& sources) {
   alarm.place = {.file = mark.file, .line = mark.line, .column = 1};
-  alarm.program = fmt::format("O{:04}", static_cast<std::uint32_t>(mark.program));
+  alarm.program = base::program_name(static_cast<std::uint32_t>(mark.program));
   return at_line(std::move(alarm), sources);
 }
 

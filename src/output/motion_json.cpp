@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "control/space_arc_path.hpp"
 #include "geometry/angle.hpp"
 
@@ -75,9 +76,8 @@ MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file)
 void MotionJson::begin(const char* kind, const Motion& motion) {
   if (motion.program != program_number_) {
     program_number_ = motion.program;
-    const std::string digits = std::to_string(static_cast<std::uint32_t>(motion.program));
-    program_ = "\",\"program\":\"O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') +
-               digits + "\",\"line\":";
+    program_ = "\",\"program\":\"" +
+               base::program_name(static_cast<std::uint32_t>(motion.program)) + "\",\"line\":";
   }
   line_ = "{\"kind\":\"";
   line_ += kind;

@@ -272,7 +272,12 @@ void PatternMaker::fast(ArmAxis axis, std::int64_t to) {
 }
 
 void PatternMaker::slow(const drive::SlowMove& move) {
-  each_record(move, [this](const drive::Triplet& triplet) { write(triplet); });
+  std::uint64_t triplets = 0;
+  each_record(move, [&](const drive::Triplet& triplet) {
+    write(triplet);
+    ++triplets;
+  });
+  if (triplets > 1) ++report_.splits;
 }
 
 // Into the file and onto the motors, which may not be able to make it.
@@ -306,29 +311,6 @@ PatternReport PatternMaker::report() const {
       static_cast<double>(machine_.definition().drive.arm.clock.nanoseconds(drive_.now_ticks())) *
       1e-9;
   return report;
-}
-
-std::string pattern_text(const PatternReport& report, const machine::PatternSettings& settings) {
-  std::string text = fmt::format(
-      "  pattern: {} fast records, {} triplets, {:.1f} s; {} corners turned in the air\n",
-      report.fast, report.triplets, report.time_s, report.lifts);
-  if (report.bound.line == 0) return text;
-  const auto place = [](const PatternReport::Deviation& at) {
-    return fmt::format("line {}, X{:.2f} Y{:.2f}", at.line, at.x, at.y);
-  };
-  text +=
-      fmt::format("  the wheel leaves the path by at most {:.4f} mm ({}), {:.4f} of it pulses\n",
-                  report.bound.mm, place(report.bound), report.bound_pulses_mm);
-  text +=
-      fmt::format("  measured after every pulse: {:.4f} mm ({}); heading off by {:.3f} degrees\n",
-                  report.measured.mm, place(report.measured), report.heading_deg);
-  if (report.bound.mm > settings.tolerance_mm) {
-    text += fmt::format(
-        "  the tolerance of {} mm cannot be promised there: finer steps of the arms would be "
-        "needed\n",
-        base::number_text(settings.tolerance_mm));
-  }
-  return text;
 }
 
 }  // namespace kerf::output

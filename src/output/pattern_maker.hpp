@@ -12,28 +12,9 @@
 #include "output/internal/pattern/cut_sampler.hpp"
 #include "output/internal/pattern/path_gauge.hpp"
 #include "output/pattern_machine.hpp"
+#include "output/pattern_report.hpp"
 
 namespace kerf::output {
-
-/// What a pattern has become, and how near the wheel keeps to the program.
-struct PatternReport {
-  /// Largest deviation of a cut and where it is.
-  struct Deviation {
-    double mm = 0;
-    std::uint32_t line = 0;  ///< source line, 0: there are no cuts
-    double x = 0, y = 0;     ///< tip, machine coordinates
-  };
-
-  std::uint64_t fast = 0;  ///< records
-  std::uint64_t triplets = 0;
-  std::uint64_t lifts = 0;     ///< corners that were turned in the air
-  Deviation bound;             ///< that no cut exceeds
-  double bound_pulses_mm = 0;  ///< the part of it that whole pulses cost
-  Deviation measured;          ///< after every pulse
-  double heading_deg = 0;      ///< largest error of the wheel where a step begins, degrees
-  double time_s = 0;           ///< of the pattern
-  drive::ArmCounts counters;   ///< at its end
-};
 
 /// A place of a cut, for a picture.
 struct PatternStep {
@@ -113,9 +94,5 @@ class PatternMaker : public control::MotionSink {
   bool failed_ = false;
   PatternReport report_;
 };
-
-/// What a report says, for people: some lines of text, each indented.
-[[nodiscard]] std::string pattern_text(const PatternReport& report,
-                                       const machine::PatternSettings& settings);
 
 }  // namespace kerf::output

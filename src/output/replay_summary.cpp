@@ -4,8 +4,11 @@
 
 #include "base/decimal.hpp"
 #include "drive/pattern/axis_name.hpp"
+#include "drive/pattern/codec.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/internal/json_object.hpp"
+#include "output/pattern_report.hpp"
+#include "output/summary.hpp"
 
 namespace kerf::output {
 namespace {
@@ -18,10 +21,14 @@ std::string alarm_json(const std::optional<base::Diagnostic>& alarm, const std::
   return object.done();
 }
 
-std::string counters_json(const drive::ArmCounts& counters) {
+std::string pattern_json(const PatternReplay::Totals& totals) {
+  const std::uint64_t records = totals.fast + totals.triplets;
   JsonObject object;
-  for (std::size_t i = 0; i < drive::kArmAxes; ++i)
-    object.number(std::string(drive::kArmAxisNames[i]), static_cast<double>(counters.values[i]));
+  object.number("records", static_cast<double>(records))
+      .number("fast", static_cast<double>(totals.fast))
+      .number("triplets", static_cast<double>(totals.triplets))
+      .number("bytes", static_cast<double>(records * drive::kRecordBytes))
+      .number("pulses", static_cast<double>(totals.pulses));
   return object.done();
 }
 
@@ -50,21 +57,17 @@ std::string position_json(const PatternReplay& replay) {
 
 std::string replay_json(const PatternReplay& replay, const ReplaySummary& summary) {
   const machine::RunStatistics& run = replay.statistics();
-  const PatternReplay::Totals& totals = replay.totals();
   JsonObject object;
   object.text("file", summary.file).text("machine", replay.machine().definition().name);
   object.text("dialect", "pattern").text("status", summary.alarm ? "alarm" : "end");
   object.raw("alarm", alarm_json(summary.alarm, summary.file));
-  object.number("records", static_cast<double>(totals.fast + totals.triplets))
-      .number("fast", static_cast<double>(totals.fast))
-      .number("triplets", static_cast<double>(totals.triplets))
-      .number("pulses", static_cast<double>(totals.pulses));
   object.number("motions", static_cast<double>(run.motions()))
       .number("time_s", base::tidy(replay.time_s()))
       .number("rapid_mm", base::tidy(run.rapid_mm()))
       .number("cut_mm", base::tidy(run.cut_mm()));
   object.raw("extents", extents_json(replay)).raw("position", position_json(replay));
-  object.raw("counters", counters_json(replay.counters()));
+  object.raw("pattern", pattern_json(replay.totals()))
+      .raw("counters", counters_json(replay.counters()));
   return object.done() + "\n";
 }
 
@@ -73,7 +76,7 @@ std::string replay_text(const PatternReplay& replay, const ReplaySummary& summar
   const PatternReplay::Totals& totals = replay.totals();
   const auto& axes = replay.machine().definition().axes.axes;
   std::string text =
-      fmt::format("{} on {} (pattern): {}\n", printable(summary.file),
+      fmt::format("{} on {} (pattern): {}\n", printable(file_title(summary.file)),
                   replay.machine().definition().name, summary.alarm ? "alarm" : "end");
   text += fmt::format("  {} records: {} fast, {} triplets; {} pulses, {:.1f} s\n",
                       totals.fast + totals.triplets, totals.fast, totals.triplets, totals.pulses,

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "lang/vm/value.hpp"
 #include "output/diagnostic_text.hpp"
 #include "output/internal/json_object.hpp"
@@ -116,7 +118,16 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string summary_json(VirtualMachine& machine) {
+std::string file_title(const std::string& path) {
+  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+}
+
+std::string program_title(VirtualMachine& machine) {
+  const std::string name = machine.program_name();
+  return name != base::kUnnumberedProgram ? name : file_title(main_file(machine));
+}
+
+std::string summary_json(VirtualMachine& machine, const std::string& pattern) {
   const machine::RunStatistics& run = machine.statistics();
   std::vector<std::string> tools;
   for (const std::uint32_t tool : run.tools()) tools.push_back(std::to_string(tool));
@@ -138,6 +149,7 @@ std::string summary_json(VirtualMachine& machine) {
   object.raw("tools", join(tools))
       .raw("messages", join(messages))
       .number("parts", machine.memory().parts);
+  if (!pattern.empty()) object.raw("pattern", pattern);
   object.raw("assumed", assumed_json(machine)).raw("variables", variables_json(machine));
   return object.done() + "\n";
 }
@@ -146,7 +158,7 @@ std::string summary_text(VirtualMachine& machine) {
   const machine::RunStatistics& run = machine.statistics();
   const control::AxisSetup& axes = machine.definition().axes;
   std::string text =
-      fmt::format("{} on {} ({}): {}\n", printable(machine.program_name()),
+      fmt::format("{} on {} ({}): {}\n", printable(program_title(machine)),
                   machine.definition().name, machine.dialect(), status_name(machine.status()));
   text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n",
                       machine.control().blocks(), run.motions(), duration_text(machine.time_s()),

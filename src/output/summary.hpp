@@ -6,10 +6,18 @@
 
 namespace kerf::output {
 
-/// The summary of a run as one JSON object on one line (docs/command-line.md).
-[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine);
+/// The summary of a run as one JSON object on one line (docs/command-line.md). `pattern` is the
+/// JSON of its member "pattern", which is left out when empty.
+[[nodiscard]] std::string summary_json(machine::VirtualMachine& machine,
+                                       const std::string& pattern = {});
 
 /// The same for people: a few lines of text.
 [[nodiscard]] std::string summary_text(machine::VirtualMachine& machine);
+
+/// What a person calls a file: its name without folders.
+[[nodiscard]] std::string file_title(const std::string& path);
+
+/// What a person calls the program of the machine: its name, else that of its file without folders.
+[[nodiscard]] std::string program_title(machine::VirtualMachine& machine);
 
 }  // namespace kerf::output

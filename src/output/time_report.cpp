@@ -8,6 +8,7 @@
 
 #include "base/decimal.hpp"
 #include "output/diagnostic_text.hpp"
+#include "output/summary.hpp"
 
 namespace kerf::output {
 namespace {
@@ -16,6 +17,8 @@ using motion::Mark;
 
 constexpr std::size_t kMostLines = 100'000;
 constexpr std::size_t kDearest = 10;
+constexpr std::array kMoveKinds = {motion::MoveKind::rapid, motion::MoveKind::cut,
+                                   motion::MoveKind::dwell};
 
 const char* kind_name(motion::MoveKind kind) {
   switch (kind) {
@@ -29,6 +32,18 @@ const char* kind_name(motion::MoveKind kind) {
 std::string file_of(const Mark& mark, const machine::VirtualMachine& machine) {
   return machine.sources().contains(mark.file) ? printable(machine.sources()[mark.file].name())
                                                : std::string("-");
+}
+
+std::string programmed_text(const std::array<float, 2>& speeds) {
+  if (!(speeds[1] > 0)) return "-";
+  return speeds[0] == speeds[1] ? fmt::format("{:.2f}", speeds[1])
+                                : fmt::format("{:.2f}-{:.2f}", speeds[0], speeds[1]);
+}
+
+nlohmann::ordered_json programmed_json(const std::array<float, 2>& speeds) {
+  if (!(speeds[1] > 0)) return nullptr;
+  const auto per_minute = [](float speed) { return base::tidy(static_cast<double>(speed) * 60); };
+  return {per_minute(speeds[0]), per_minute(speeds[1])};
 }
 
 }  // namespace
@@ -45,11 +60,23 @@ double TimeReport::seconds(std::uint64_t periods) const {
   return static_cast<double>(periods) * period_s_;
 }
 
+void TimeReport::line_begins(base::FileId file, std::uint32_t line) {
+  runs_.count(file, line);
+  if (runs_.size() > 4 * kMostLines)
+    runs_.forget([this](base::FileId of, std::uint32_t number) { return !moves(of, number); });
+}
+
+bool TimeReport::moves(base::FileId file, std::uint32_t line) const {
+  return std::any_of(kMoveKinds.begin(), kMoveKinds.end(), [&](motion::MoveKind kind) {
+    return lines_.contains(key_of({.line = line, .file = file, .kind = kind}));
+  });
+}
+
 void TimeReport::take(const machine::AxisPoint& point) {
   const Mark& mark = point.tip.mark;
   if (current_.periods == 0 || key_of(mark) != key_of(current_.mark)) {
     book();
-    current_ = {mark, 0, 1, 0};
+    current_ = {mark, 0, 0, {mark.speed, mark.speed}};
   }
   double square = 0;
   for (std::size_t m = 0; m < axes_.count(); ++m) {
@@ -57,6 +84,8 @@ void TimeReport::take(const machine::AxisPoint& point) {
     if (!axes_.axes[m].rotary) square += d * d;
   }
   current_.length_mm += std::sqrt(square);
+  current_.programmed = {std::min(current_.programmed[0], mark.speed),
+                         std::max(current_.programmed[1], mark.speed)};
   ++current_.periods;
   ++tools_[mark.tool][static_cast<std::size_t>(mark.kind)];
   at_ = point.tip.tip;
@@ -64,11 +93,13 @@ void TimeReport::take(const machine::AxisPoint& point) {
 
 void TimeReport::book() {
   if (current_.periods == 0) return;
-  Account& account = lines_[key_of(current_.mark)];
-  account.mark = current_.mark;
+  Account& account =
+      lines_.try_emplace(key_of(current_.mark), Account{current_.mark, 0, 0, current_.programmed})
+          .first->second;
   account.periods += current_.periods;
-  account.times += current_.times;
   account.length_mm += current_.length_mm;
+  account.programmed = {std::min(account.programmed[0], current_.programmed[0]),
+                        std::max(account.programmed[1], current_.programmed[1])};
   current_.periods = 0;
   if (lines_.size() > kMostLines) forget_the_cheap();
 }
@@ -107,7 +138,7 @@ std::string TimeReport::text(machine::VirtualMachine& machine) {
   const double feed_s = machine.statistics().feed_seconds();
   const std::string ratio = total > 0 ? fmt::format(" (x {:.2f})", feed_s / total) : std::string();
   std::string text = fmt::format("{} on {}: {:.3f} s, without acceleration {:.3f} s{}\n\n",
-                                 printable(machine.program_name()), machine.definition().name,
+                                 printable(program_title(machine)), machine.definition().name,
                                  total, feed_s, ratio);
   const Kinds sums = totals();
   text += fmt::format("{:>8} {:>12} {:>12} {:>12} {:>12}\n", "tool", "time s", "rapid s", "cut s",
@@ -119,17 +150,17 @@ std::string TimeReport::text(machine::VirtualMachine& machine) {
   for (const auto& [tool, kinds] : tools_)
     row("T" + std::to_string(tool), {seconds(kinds[0]), seconds(kinds[1]), seconds(kinds[2])});
   row("all", sums);
-  text += "\nthe places that cost most\n";
-  text += fmt::format("{:>12} {:>7} {:>7}  {:<5} {:>9} {:>10}  {}\n", "time s", "share", "times",
-                      "kind", "mm/s", "programmed", "where");
+  text += "\nthe lines that cost most\n";
+  text += fmt::format("{:>12} {:>7} {:>7}  {:<5} {:>12} {:>15}  {}\n", "time s", "share", "runs",
+                      "kind", "reached mm/s", "programmed mm/s", "where");
   for (const Account& account : dearest()) {
     const double time_s = seconds(account.periods);
-    const double programmed = static_cast<double>(account.mark.speed);
-    text += fmt::format("{:>12.3f} {:>6.1f}% {:>7}  {:<5} {:>9.2f} {:>10}  {}:{}\n", time_s,
-                        total > 0 ? 100 * time_s / total : 0, account.times,
-                        kind_name(account.mark.kind), account.length_mm / time_s,
-                        programmed > 0 ? fmt::format("{:.2f}", programmed) : std::string("-"),
-                        file_of(account.mark, machine), account.mark.line);
+    text += fmt::format(
+        "{:>12.3f} {:>6.1f}% {:>7}  {:<5} {:>12} {:>15}  {}:{}\n", time_s,
+        total > 0 ? 100 * time_s / total : 0, runs_.of(account.mark.file, account.mark.line),
+        kind_name(account.mark.kind),
+        account.length_mm > 0 ? fmt::format("{:.2f}", account.length_mm / time_s) : "-",
+        programmed_text(account.programmed), file_of(account.mark, machine), account.mark.line);
   }
   if (has_forgotten_) text += "of very many lines those that cost least were not kept\n";
   return text;
@@ -152,14 +183,13 @@ std::string TimeReport::json(machine::VirtualMachine& machine) {
   }
   object["places"] = Json::array();
   for (const Account& account : dearest()) {
-    object["places"].push_back(
-        {{"file", file_of(account.mark, machine)},
-         {"line", account.mark.line},
-         {"kind", kind_name(account.mark.kind)},
-         {"time_s", base::tidy(seconds(account.periods))},
-         {"times", account.times},
-         {"length_mm", base::tidy(account.length_mm)},
-         {"programmed_mm_min", base::tidy(static_cast<double>(account.mark.speed) * 60)}});
+    object["places"].push_back({{"file", file_of(account.mark, machine)},
+                                {"line", account.mark.line},
+                                {"kind", kind_name(account.mark.kind)},
+                                {"time_s", base::tidy(seconds(account.periods))},
+                                {"runs", runs_.of(account.mark.file, account.mark.line)},
+                                {"length_mm", base::tidy(account.length_mm)},
+                                {"programmed_mm_min", programmed_json(account.programmed)}});
   }
   return object.dump() + "\n";
 }

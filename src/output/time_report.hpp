@@ -9,6 +9,7 @@
 
 #include "machine/axis_point.hpp"
 #include "machine/virtual_machine.hpp"
+#include "output/line_runs.hpp"
 
 namespace kerf::output {
 
@@ -20,6 +21,9 @@ class TimeReport : public machine::AxisPointSink {
  public:
   /// `linear`: which axes of the program count mm. `period_s` is the servo's.
   TimeReport(const control::AxisSetup& axes, double period_s);
+
+  /// A line of a program begins to run: what the machine tells whoever observes its blocks.
+  void line_begins(base::FileId file, std::uint32_t line);
 
   void start(const machine::AxisPoint& at) override { at_ = at.tip.tip; }
   void take(const machine::AxisPoint& point) override;
@@ -33,15 +37,16 @@ class TimeReport : public machine::AxisPointSink {
   static constexpr std::size_t kKinds = 3;
   using Kinds = std::array<double, kKinds>;  // seconds by motion::MoveKind
 
-  /// What a source line costs.
+  /// What the moves of one kind cost that a source line makes.
   struct Account {
     motion::Mark mark;
     std::uint64_t periods = 0;
-    std::uint64_t times = 0;
     double length_mm = 0;
+    std::array<float, 2> programmed{};  ///< lowest and highest, mm/s as in the mark
   };
 
   [[nodiscard]] static std::uint64_t key_of(const motion::Mark& mark);
+  [[nodiscard]] bool moves(base::FileId file, std::uint32_t line) const;
   void book();
   void forget_the_cheap();
   [[nodiscard]] std::vector<Account> dearest();
@@ -52,6 +57,7 @@ class TimeReport : public machine::AxisPointSink {
   double period_s_;
   std::map<std::uint32_t, std::array<std::uint64_t, kKinds>> tools_;
   std::unordered_map<std::uint64_t, Account> lines_;
+  LineRuns runs_;
   Account current_;
   base::AxisVector at_;
   bool has_forgotten_ = false;

@@ -3,7 +3,7 @@
 import os
 import socket
 
-from harness import Skipped, alarm, contains, equal, refused, status, test
+from harness import Skipped, alarm, check, contains, equal, refused, status, test
 
 PROGRAM = "O1\nG21G90\nG00X1.Y2.Z3.\nM30\n"
 
@@ -44,6 +44,31 @@ def named_pipe(box):
 def closed_standard_input(box):
     result = box.kerf(before=("sh", "-c", '"$1" run - <&-', "sh"))
     refused(result, 3)
+
+
+def with_streams(streams):
+    return {"before": ("sh", "-c", f'exec "$@" {streams}', "sh")}
+
+
+@test("INPUT of a closed standard input reads nothing, least of all the program")
+def input_of_closed_standard_input(box):
+    box.write("part.bas", "12\ninput a\n")
+    result = box.kerf("run", "part.bas", **with_streams("<&-"))
+    alarm(result, "LB0025", 2)
+    contains(result.err, "nothing is left to read", "the diagnostic")
+
+
+@test("nothing is printed into a file that was opened while standard output is closed")
+def closed_standard_output(box):
+    program = "REM\nprint 1\nprint 2\n"
+    result = box.kerf("run", "-", "--summary", "s.json", "--motion", "m.jsonl", stdin=program,
+                      **with_streams(">&-"))
+    status(result, 3)
+    for name in box.files():
+        check(not box.read(name).startswith(b"1"), f"{name} holds what was printed")
+    result = box.kerf("run", "-", "--summary", "s.json", stdin="x=1/0\n", **with_streams("2>&-"))
+    status(result, 1)
+    equal(box.json("s.json")["status"], "alarm", "the summary")
 
 
 def missing(words, *parts):

@@ -163,7 +163,7 @@ def empty(box):
     result = box.kerf("pattern", "replay", "a.pat", "--summary", "-", "--points", "p.csv")
     status(result, 0)
     summary = json.loads(result.text)
-    equal((summary["status"], summary["records"], summary["time_s"]), ("end", 0, 0), "the summary")
+    equal((summary["status"], summary["pattern"]["records"], summary["time_s"]), ("end", 0, 0), "the summary")
     equal(len(box.read("p.csv").splitlines()), 1, "lines of set-points")
 
 
@@ -210,6 +210,89 @@ def replayed_counters(box):
     equal(len(made), summary["pulses"], "pulses")
     equal({k: v for k, v in counts(made).items() if v}, {"T1": 12, "T2": 3993}, "sum of the pulses")
     check(all(a[0] <= b[0] for a, b in zip(made, made[1:])), "times go backwards")
+
+
+@test("the summary says what --pattern became, the same as the pattern itself")
+def pattern_in_summary(box):
+    box.write("part.nc", CIRCLE)
+    status(box.kerf("run", "part.nc", "--machine", "arm4", "--pattern", "a.pat", "--summary", "s.json"), 0)
+    told = box.json("s.json")["pattern"]
+    listing = box.kerf("pattern", "decode", "a.pat").lines()
+    equal((told["records"], told["fast"], told["triplets"], told["bytes"]),
+          (len(listing), sum(line[0] == "F" for line in listing),
+           sum(line[0] == "S" for line in listing), len(box.read("a.pat"))), "records")
+    check(0 < told["measured_mm"] <= told["bound_mm"] < 0.03, f"deviations: {told}")
+    check(0 < told["bound_pulses_mm"] <= told["bound_mm"], f"pulses: {told}")
+    equal((told["bound_at"]["line"], told["tolerance_mm"], told["splits"]), (6, 0.02, 0), "the worst place")
+    near(math.hypot(told["bound_at"]["X"] - 150, told["bound_at"]["Y"] - 60), 25, 1e-6, "its radius")
+    status(box.kerf("pattern", "replay", "a.pat", "--summary", "r.json"), 0)
+    replayed = box.json("r.json")
+    equal({key: replayed["pattern"][key] for key in ("records", "fast", "triplets", "bytes")},
+          {key: told[key] for key in ("records", "fast", "triplets", "bytes")}, "of the replay")
+    equal(replayed["counters"], told["counters"], "counters")
+    near(replayed["time_s"], told["time_s"], 1e-9, "time")
+
+
+@test("the summary counts the turns and steps that one triplet cannot hold")
+def splits_in_summary(box):
+    box.write("part.nc", HEAD + "G00Z5.\nX175.Y60.\nG01Z-.1F60.\nC150.F600.\nX170.F78.\nG00Z5.\nM30\n")
+    status(box.kerf("run", "part.nc", "--machine", "arm4", "--machine-set", "pattern.heading=program",
+                    "--pattern", "a.pat", "--summary", "s.json"), 0)
+    listing = box.kerf("pattern", "decode", "a.pat").lines()
+    equal(sum(line.startswith("S 30 ") for line in listing), 3, "whole triplets of one long turn")
+    equal(box.json("s.json")["pattern"]["splits"], 1, "splits")
+
+
+@test("the summary has no pattern where none was asked for, and null where it was not written")
+def no_pattern_in_summary(box):
+    box.write("part.nc", CIRCLE.replace("M30", "X[1/0]"))
+    box.kerf("run", "part.nc", "--machine", "arm4", "--summary", "s.json")
+    check("pattern" not in box.json("s.json"), "a pattern")
+    box.kerf("run", "part.nc", "--machine", "arm4", "--summary", "s.json", "--pattern", "a.pat")
+    equal(box.json("s.json")["pattern"], None, "the pattern that was not written")
+    box.kerf("run", "part.nc", "--machine", "arm4", "--summary", "s.json", "--pattern", "a.pat", "--keep-partial")
+    equal(box.json("s.json")["pattern"]["bytes"], len(box.read("a.pat")), "of the one that was kept")
+
+
+@test("kerf run --dialect pattern is a replay")
+def run_as_a_dialect(box):
+    box.write("a.pat", WORKED)
+    outputs = ["--summary", "s.json", "--motion", "m.jsonl", "--points", "p.csv", "--pulses", "q.csv",
+               "--plot", "p.svg"]
+    status(box.kerf("pattern", "replay", "a.pat", *outputs, "--output", "b.pat"), 0)
+    files = ("s.json", "m.jsonl", "p.csv", "q.csv", "p.svg", "b.pat")
+    replayed = {name: box.read(name) for name in files}
+    for name in files:
+        os.remove(box.path(name))
+    status(box.kerf("run", "a.pat", "--dialect", "pattern", *outputs, "--pattern", "b.pat"), 0)
+    for name in files:
+        equal(box.read(name), replayed[name], name)
+    status(box.kerf("run", "a.pat", *outputs, "--pattern", "b.pat"), 0)
+    for name in files:
+        equal(box.read(name), replayed[name], name + " by the file's ending")
+    status(box.kerf("run", "a.pat", "--dialect", "pattern", "--machine", "cartesian-step",
+                    "--machine-set", "drive.split=integer", "--summary", "s.json"), 0)
+    equal(box.json("s.json")["machine"], "cartesian-step", "machine")
+    box.write("a.pat", WORKED + b"\x40")
+    result = box.kerf("run", "a.pat", "--dialect", "pattern", "--diagnostics", "json")
+    status(result, 1)
+    contains(result.err, '"code":"PATTERN_TRUNCATED"', "the alarm")
+
+
+@test("kerf run --dialect pattern refuses what is for programs only")
+def run_as_a_dialect_refuses(box):
+    box.write("a.pat", WORKED)
+    for words in (["--set", "#1=2"], ["--post", "a.nc"], ["--max-motions", "5"], ["--optional-stop"],
+                  ["--plot", "a.svg", "--plot-speed"], ["--coverage", "-"]):
+        option = "--plot-speed" if "--plot-speed" in words else words[0]
+        refused(box.kerf("run", "a.pat", "--dialect", "pattern", *words), 2,
+                option + " does not go with --dialect pattern")
+    refused(box.kerf("run", "a.pat", "--dialect", "pattern", "--machine", "mill3"), 2, "mill3")
+    equal(box.files(), ["a.pat"], "files")
+    for command in ("check", "time"):
+        refused(box.kerf(command, "a.pat"), 3, "a.pat: pattern bytes are run by `kerf pattern replay`")
+    box.write("part.pat", "O1\nM30\n")
+    status(box.kerf("run", "part.pat", "--dialect", "fanuc-mill"), 0)
 
 
 def forward(t1, t2):

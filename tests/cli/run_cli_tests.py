@@ -27,6 +27,7 @@ import laser_tests  # noqa: F401
 import library_tests  # noqa: F401
 import limit_tests  # noqa: F401
 import machine_tests  # noqa: F401
+import name_tests  # noqa: F401
 import offset_tests  # noqa: F401
 import option_tests  # noqa: F401
 import output_tests  # noqa: F401

@@ -165,7 +165,7 @@ def motions(box):
     equal([m["percent"] for m in found if m["kind"] == "power"], [40, 0, 40, 0], "power")
     summary = box.json("s.json")
     equal((summary["program"], summary["machine"], summary["dialect"], summary["status"]),
-          ("part", "laser5", "teach", "end"), "summary")
+          ("O0000", "laser5", "teach", "end"), "summary")
     equal(summary["blocks"], 16, "blocks")
     equal([(a["line"], "beam is on" in a["what"]) for a in summary["assumed"]], [(14, True)],
           "assumed")
@@ -220,8 +220,18 @@ def mistakes(box):
         placed(result, "bad.tch", number, line, column)
         found = box.json("s.json")["alarm"]
         equal((found["code"], found["line"], found["column"], found["program"]),
-              (number, line, column, "bad"), text)
+              (number, line, column, "O0000"), text)
         placed(box.kerf("check", "bad.tch"), "bad.tch", number, line, column)
+
+
+@test("a byte order mark before TEACH is no part of a taught program")
+def byte_order_mark(box):
+    box.write("good.tch", b"\xef\xbb\xbf" + tch("POINT 1 2 3 4 5").encode())
+    status(box.kerf("run", "good.tch"), 0)
+    box.write("bad.tch", b"\xef\xbb\xbfTEACH 2\nEND\n")
+    placed(box.kerf("run", "bad.tch"), "bad.tch", "TEACH_VERSION", 1, 10)
+    box.write("bad.tch", tch("POINT 1 2 3 4 5").encode() + b"\xef\xbb\xbf")
+    placed(box.kerf("run", "bad.tch"), "bad.tch", "TEACH_ORDER", 6 + 1, 1)
 
 
 @test("a file of taught points that begins with anything but TEACH 1 says so")

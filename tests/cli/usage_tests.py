@@ -221,6 +221,40 @@ def dialect_of_a_machine(box):
             status(box.kerf(*words, "--dialect", "fanuc-mill"), 0)
 
 
+@test("the help names every built-in machine and every dialect")
+def help_names(box):
+    machines = [line.split()[0] for line in box.kerf("machines").lines()]
+    check(len(machines) >= 7, f"machines: {machines}")
+    for command, dialects in (("run", {"fanuc-mill", "laser-basic", "teach", "pattern"}),
+                              ("check", {"fanuc-mill", "laser-basic", "teach"}),
+                              ("time", {"fanuc-mill", "laser-basic", "teach"})):
+        text = " ".join(box.kerf(command, "--help").text.split())
+        options = text.split("--machine ", 1)[1]
+        about_machines = options.split("--dialect", 1)[0]
+        for name in machines:
+            contains(about_machines, name, f"--machine of {command}")
+        contains(about_machines, "default mill3, laser3 for laser-basic, laser5 for teach", command)
+        about = options.split("--dialect", 1)[1].split(";", 1)[0].split("language: ", 1)[1]
+        equal(set(about.split(", ")), dialects, f"--dialect of {command}")
+        for dialect in dialects - {"pattern"}:
+            box.write("part", "" if dialect != "teach" else "TEACH 1\nEND\n")
+            result = box.kerf(command, "part", "--dialect", dialect)
+            check(result.status in (0, 1), f"{command} --dialect {dialect}: {result.err}")
+
+
+@test("--dialect says what there is of a name that it does not take")
+def wrong_dialects(box):
+    box.write("part.nc", PROGRAM)
+    there = "; available: fanuc-mill, laser-basic, teach"
+    refused(box.kerf("run", "part.nc", "--dialect", "foo"), 2,
+            "--dialect foo: there is no dialect foo" + there)
+    refused(box.kerf("run", "part.nc", "--dialect", "fanuc-lathe"), 2,
+            "--dialect fanuc-lathe: the dialect fanuc-lathe is not available yet" + there)
+    for command in ("check", "time"):
+        refused(box.kerf(command, "part.nc", "--dialect", "pattern"), 2,
+                "`kerf pattern replay` and `kerf run --dialect pattern`" + there)
+
+
 @test("a machine whose dialect does not exist is refused with the line")
 def wrong_dialect_of_a_machine(box):
     box.write("part.nc", PROGRAM)

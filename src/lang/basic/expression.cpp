@@ -60,7 +60,7 @@ std::uint32_t number(Inquiry inquiry) { return static_cast<std::uint32_t>(inquir
 class Expression::Level {
  public:
   explicit Level(Expression& expression) : depth_(expression.depth_) {
-    constexpr int kDeepest = 200;
+    constexpr int kDeepest = 1 + 200;  // the expression itself, and what stands within it
     if (depth_ == kDeepest) expression.tokens_.fail(Code::basic_syntax, kTooDeep);
     ++depth_;
   }
@@ -143,12 +143,13 @@ Operand Expression::term() {
 
 // unary = ("-" | "+") unary | power
 Operand Expression::unary() {
+  const bool minus = tokens_.peek().is(Delimiter::minus);
+  if (!minus && !tokens_.peek().is(Delimiter::plus)) return power();
   const Level level(*this);
-  if (tokens_.take(Delimiter::plus)) return unary();
-  if (!tokens_.peek().is(Delimiter::minus)) return power();
   const Token sign = tokens_.take();
   const std::uint32_t mark = emitter_.mark();
   const Operand operand = unary();
+  if (!minus) return operand;
   if (operand.is_constant) return {.is_constant = true, .value = -operand.value};
   emitter_.stand_at(sign.begin, sign.end);
   const std::uint8_t result = result_register(mark);
@@ -160,6 +161,7 @@ Operand Expression::unary() {
 Operand Expression::power() {
   const Operand left = atom();
   if (!tokens_.peek().is(Delimiter::power)) return left;
+  const Level level(*this);
   const Token sign = tokens_.take();
   return call(Function::power, left, unary(), sign);
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <unordered_set>
 
+#include "base/program_name.hpp"
 #include "lang/gcode/lexer.hpp"
 
 namespace kerf::gcode {
@@ -404,9 +405,7 @@ void Scanner::finish() {
 }  // namespace
 
 std::string name_of(const ProgramEntry& entry) {
-  if (!entry.name.empty()) return entry.name;
-  const std::string digits = std::to_string(entry.number);
-  return "O" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+  return entry.name.empty() ? base::program_name(entry.number) : entry.name;
 }
 
 ProgramDirectory read_directory(const base::SourceFile& file, base::FileId id) {

@@ -290,6 +290,13 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
     pc = frame.at.instruction;
     find_mark();
   };
+  // Of the pass that begins: most often it is on this page.
+  const auto go_on_at_head = [&] {
+    const Address head = frames_.back().at;
+    if (head.page != page->number) return load();
+    pc = head.instruction;
+    find_mark();
+  };
   // What the host may see: where we are (`running_`) and where we go on (`at`).
   const auto save = [&] {
     Frame& frame = frames_.back();
@@ -461,19 +468,12 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         if (!leave_region(i.n)) return Stop::over;
         load();
         break;
-      case Op::repeat_region: {
+      case Op::repeat_region:
         save();
         if (!repeat_region(i.a)) return Stop::over;
         if (--budget == 0) return Stop::budget;
-        const Address head = frames_.back().at;
-        if (head.page != page->number) {
-          load();
-          break;
-        }
-        pc = head.instruction;
-        find_mark();
+        go_on_at_head();
         break;
-      }
       case Op::read_if_null:
         if (is_null(r[i.a])) {
           save();
@@ -495,14 +495,7 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         bool goes_on = false;
         if (!repeat_loop(i.n, goes_on)) return Stop::over;
         if (--budget == 0) return Stop::budget;
-        if (!goes_on) break;
-        const Address head = frames_.back().at;
-        if (head.page != page->number) {
-          load();
-          break;
-        }
-        pc = head.instruction;
-        find_mark();
+        if (goes_on) go_on_at_head();
         break;
       }
       case Op::call_label:

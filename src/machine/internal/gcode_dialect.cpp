@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "lang/vm/value.hpp"
 
 namespace kerf::machine {
@@ -49,7 +50,7 @@ void GcodeDialect::load(base::FileId file) {
 }
 
 std::string GcodeDialect::program_name() const {
-  if (library_.program_count() == 0) return "O0000";
+  if (library_.program_count() == 0) return base::kUnnumberedProgram;
   return gcode::name_of(library_.entry(vm::CodeId{0}));
 }
 

@@ -1,33 +1,24 @@
 #include "machine/internal/teach_dialect.hpp"
 
-#include <filesystem>
-
 #include "machine/taught_for.hpp"
 
 namespace kerf::machine {
 
 TeachDialect::TeachDialect(const Around& around)
-    : sources_(around.sources),
-      library_(around.sources, around.pages),
+    : library_(around.sources, around.pages),
       control_(around.definition.axes, taught_for(around.definition), library_, around.surroundings,
                around.sink) {}
 
-// "-" has no name of its own.
-void TeachDialect::load(base::FileId file) {
-  library_.load(file);
-  name_ = std::filesystem::path(sources_[file].name()).stem().string();
-}
-
 std::optional<base::Diagnostic> TeachDialect::start() {
   if (!library_.loaded()) return base::make_error(base::Code::empty_program, {});
-  control_.start(name_);
+  control_.start(program_name());
   return std::nullopt;
 }
 
 std::vector<base::Diagnostic> TeachDialect::check() {
   if (!library_.loaded()) return {};
   std::vector<base::Diagnostic> found = library_.check();
-  for (base::Diagnostic& diagnostic : found) diagnostic.program = name_;
+  for (base::Diagnostic& diagnostic : found) diagnostic.program = program_name();
   return found;
 }
 

@@ -1,19 +1,19 @@
 #pragma once
 
+#include "base/program_name.hpp"
 #include "control/teach_control.hpp"
 #include "machine/dialect.hpp"
 
 namespace kerf::machine {
 
-/// Taught points (docs/teach.md). A program has no variables and calls nothing; its name is that of
-/// its file.
+/// Taught points (docs/teach.md). A program has no variables and calls nothing.
 class TeachDialect final : public Dialect {
  public:
   explicit TeachDialect(const Around& around);
 
-  void load(base::FileId file) override;
+  void load(base::FileId file) override { library_.load(file); }
   void add_library_folder(const std::string& /*folder*/) override {}
-  [[nodiscard]] std::string program_name() const override { return name_; }
+  [[nodiscard]] std::string program_name() const override { return base::kUnnumberedProgram; }
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
@@ -21,10 +21,8 @@ class TeachDialect final : public Dialect {
   [[nodiscard]] control::TeachControl& control() override { return control_; }
 
  private:
-  const base::SourceSet& sources_;
   teach::TeachLibrary library_;
   control::TeachControl control_;
-  std::string name_;
 };
 
 }  // namespace kerf::machine

@@ -1,2 +1,2 @@
-for i=1 10 ' (expect alarm LB0009 column 9 says to expected)
+for i=1 10 ' (expect alarm LB0009 column 9 says TO expected)
 next

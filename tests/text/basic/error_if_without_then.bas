@@ -1,1 +1,1 @@
-if 1 print 2 ' (expect alarm LB0008 column 6 says then expected)
+if 1 print 2 ' (expect alarm LB0008 column 6 says THEN expected)

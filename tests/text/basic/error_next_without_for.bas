@@ -1,1 +1,1 @@
-next ' (expect alarm LB0011 column 1 says next without for)
+next ' (expect alarm LB0011 column 1 says NEXT without FOR)

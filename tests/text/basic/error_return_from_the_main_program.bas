@@ -1,1 +1,1 @@
-return ' (expect alarm LB0013 column 1 says return without gosub)
+return ' (expect alarm LB0013 column 1 says RETURN without GOSUB)

@@ -207,7 +207,7 @@ def replayed_counters(box):
     equal((summary["machine"], summary["dialect"], summary["status"], summary["alarm"]),
           ("arm4", "pattern", "end", None), "the head of the summary")
     made = csv_pulses(box.read("p.csv").decode())
-    equal(len(made), summary["pulses"], "pulses")
+    equal(len(made), summary["pattern"]["pulses"], "pulses")
     equal({k: v for k, v in counts(made).items() if v}, {"T1": 12, "T2": 3993}, "sum of the pulses")
     check(all(a[0] <= b[0] for a, b in zip(made, made[1:])), "times go backwards")
 

@@ -95,6 +95,7 @@ class PathBuilder {
   double speed_rpm_ = 0;
   double power_percent_ = 0;
   std::uint32_t tool_ = 0;
+  std::uint64_t taken_ = 0;
 };
 
 }  // namespace kerf::motion

@@ -20,8 +20,30 @@ enum class Halt : std::uint8_t {
   program_stop,   ///< M00
   optional_stop,  ///< M01 with the switch on
   message,        ///< #3006
+  gate,           ///< a BlockGate has not let the next block pass
   end,            ///< the program's end: M02, M30, END
   alarm
+};
+
+/// A block that is to be executed next.
+struct BlockStart {
+  base::FileId file = base::kNoFile;
+  std::uint32_t line = 0;      ///< from 1
+  bool first_of_line = false;  ///< no block before it on its line
+  std::size_t depth = 1;       ///< programs and subroutines that are open, this one included
+};
+
+/// Asked before every block.
+class BlockGate {
+ public:
+  BlockGate() = default;
+  virtual ~BlockGate() = default;
+  BlockGate(const BlockGate&) = delete;
+  BlockGate& operator=(const BlockGate&) = delete;
+
+  /// False: the control halts before the block (Halt::gate). Run on, it executes the block without
+  /// asking again.
+  [[nodiscard]] virtual bool passes(const BlockStart& block) = 0;
 };
 
 /// A control as its machine sees it: executes a program of its language and emits what the machine

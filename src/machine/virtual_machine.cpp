@@ -174,6 +174,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
       case Halt::single_block:
       case Halt::program_stop:
       case Halt::message:
+      case Halt::gate:
         if (!batch) return finish(Status::running);
         break;
       case Halt::none: break;

@@ -41,8 +41,8 @@ bool is_integer_in(const Json& value, const Argument& argument) {
 }
 
 bool is_text_in(const Json& value, const Argument& argument) {
-  return value.is_string() && static_cast<double>(value.get_ref<const std::string&>().size()) <=
-                                  argument.high;
+  return value.is_string() &&
+         static_cast<double>(value.get_ref<const std::string&>().size()) <= argument.high;
 }
 
 template <typename Fits>
@@ -59,16 +59,15 @@ bool fits(const Json& value, const Argument& argument) {
     case Kind::nullable: return value.is_null() || is_number_in(value, argument);
     case Kind::text: return is_text_in(value, argument);
     case Kind::choice:
-      return value.is_string() && std::find(argument.choices.begin(), argument.choices.end(),
-                                            value.get_ref<const std::string&>()) !=
-                                      argument.choices.end();
+      return value.is_string() &&
+             std::find(argument.choices.begin(), argument.choices.end(),
+                       value.get_ref<const std::string&>()) != argument.choices.end();
     case Kind::integers:
       return every(value, [&](const Json& each) { return is_integer_in(each, argument); });
     case Kind::texts:
       return every(value, [&](const Json& each) { return is_text_in(each, argument); });
     case Kind::fields: return value.is_object();
-    case Kind::list:
-      return every(value, [](const Json& each) { return each.is_object(); });
+    case Kind::list: return every(value, [](const Json& each) { return each.is_object(); });
   }
   return false;
 }
@@ -124,8 +123,8 @@ Outcome<void> check_arguments(const Json& object, const std::vector<Argument>& a
   }
   for (const Argument& argument : arguments) {
     if (argument.need == Argument::Need::required && !object.contains(argument.name))
-      return usage("the argument " + std::string(argument.name) + " is missing: " +
-                   kind_text(argument));
+      return usage("the argument " + std::string(argument.name) +
+                   " is missing: " + kind_text(argument));
   }
   return {};
 }

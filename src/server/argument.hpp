@@ -44,15 +44,15 @@ inline constexpr std::size_t kMostEntries = 1000;
 
 /// Holds an object against the arguments that it may have. `ignored` are keys that belong to the
 /// frame of a command. Failure (usage): a sentence that names the argument.
-[[nodiscard]] base::Outcome<void> check_arguments(const Json& object,
-                                                  const std::vector<Argument>& arguments,
-                                                  const std::vector<std::string_view>& ignored = {});
+[[nodiscard]] base::Outcome<void> check_arguments(
+    const Json& object, const std::vector<Argument>& arguments,
+    const std::vector<std::string_view>& ignored = {});
 
 /// "number −100 to 100", "one of edit, mdi, auto"
 [[nodiscard]] std::string kind_text(const Argument& argument);
 
-/// What an object that has passed check_arguments() holds. A key that is not there reads as nothing,
-/// false, 0 or "".
+/// What an object that has passed check_arguments() holds. A key that is not there reads as
+/// nothing, false, 0 or "".
 class Arguments {
  public:
   explicit Arguments(const Json& object) : object_(object) {}

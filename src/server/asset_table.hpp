@@ -15,8 +15,8 @@ struct Asset {
 };
 
 /// The files of the page as tools/pack_web.mjs has packed them: a line `path TAB content type TAB
-/// etag TAB bytes` for each, an empty line, then the bytes one after the other. The pack must outlive
-/// the table. A pack that is cut short gives the files that are whole.
+/// etag TAB bytes` for each, an empty line, then the bytes one after the other. The pack must
+/// outlive the table. A pack that is cut short gives the files that are whole.
 class AssetTable {
  public:
   explicit AssetTable(std::string_view pack);

@@ -76,7 +76,8 @@ class Client {
   std::deque<std::string> queue_;
   std::size_t queued_bytes_ = 0;
   MachineRecord* watched_ = nullptr;
-  std::uint64_t seen_ = 0;  // revision of the state that was sent last
+  std::uint64_t seen_ = 0;        // revision of the state that was sent last
+  std::uint64_t seen_touch_ = 0;  // touched() of the machine then
   std::shared_ptr<ChunkStore> chunks_;
   std::size_t next_chunk_ = 0;
   RateLimit rate_{limits::kCommandsPerSecond, limits::kCommandBurst};

@@ -16,8 +16,9 @@ namespace limits {
 inline constexpr std::size_t kMessageBytes = 1U << 20U;  ///< a WebSocket message to the server
 inline constexpr std::size_t kTextBytes = 1'000'000;     ///< a program in a command
 inline constexpr std::size_t kHeaderBytes = 16U << 10U;  ///< of an HTTP request
-inline constexpr std::size_t kQueueBytes = 8U << 20U;  ///< answers and events that wait for a client
-inline constexpr int kCommandsPerSecond = 200;           ///< of a connection, on average
+inline constexpr std::size_t kQueueBytes = 8U
+                                           << 20U;  ///< answers and events that wait for a client
+inline constexpr int kCommandsPerSecond = 200;      ///< of a connection, on average
 inline constexpr int kCommandBurst = 400;
 inline constexpr std::size_t kConnections = 256;
 inline constexpr std::size_t kMachines = 256;

@@ -66,7 +66,9 @@ class Database {
 /// All or nothing of what is done during its life: what is not committed is undone.
 class Transaction {
  public:
-  explicit Transaction(Database& database) : database_(database) { database.run("BEGIN IMMEDIATE"); }
+  explicit Transaction(Database& database) : database_(database) {
+    database.run("BEGIN IMMEDIATE");
+  }
   ~Transaction();
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;

@@ -16,8 +16,9 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 }
 
 Json failure_json(const std::string& code, const std::string& message) {
-  return {{"severity", "error"}, {"code", code}, {"message", message}, {"file", ""}, {"line", 0},
-          {"column", 0},         {"length", 0},  {"program", ""},      {"cause", ""}, {"remedy", ""}};
+  return {{"severity", "error"}, {"code", code}, {"message", message}, {"file", ""},
+          {"line", 0},           {"column", 0},  {"length", 0},        {"program", ""},
+          {"cause", ""},         {"remedy", ""}};
 }
 
 std::vector<std::string> files_of(const base::SourceSet& sources) {
@@ -36,7 +37,7 @@ class Preview::Run {
       : preview_(preview),
         observer_(observer),
         machine_(preview.order_.definition, preview.order_.memory,
-                 {.pages = {}, .dialect = preview.order_.program.dialect}),
+                 {.pages = {}, .dialect = preview.order_.dialect}),
         chunks_(preview.order_.definition, output::PathChunks::Source::preview, preview.order_.run,
                 [this](const std::string& chunk) { keep(chunk); }) {}
 

@@ -11,10 +11,10 @@
 #include "base/diagnostic.hpp"
 #include "control/memory.hpp"
 #include "machine/machine_definition.hpp"
+#include "machine/program_text.hpp"
 #include "output/path_chunks.hpp"
 #include "server/argument.hpp"
 #include "server/chunk_store.hpp"
-#include "server/program_source.hpp"
 
 namespace kerf::server {
 
@@ -22,7 +22,8 @@ namespace kerf::server {
 struct PreviewOrder {
   machine::MachineDefinition definition;
   control::Memory memory;
-  ProgramSource program;
+  machine::ProgramText program;
+  std::string dialect;  ///< empty: that of the machine
   std::string library_folder;
   std::uint32_t skip_levels = 0;
   bool optional_stop = false;

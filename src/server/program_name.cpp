@@ -27,8 +27,7 @@ base::Outcome<void> check_program_name(const std::string& name) {
     return wrong("the name of a program has at most 100 bytes, this one has " +
                  std::to_string(name.size()));
   const std::string shown = output::printable(name);
-  if (shown != name)
-    return wrong("the name " + shown + " has characters that are no text");
+  if (shown != name) return wrong("the name " + shown + " has characters that are no text");
   const std::size_t bad = name.find_first_of(kForbidden);
   if (bad != std::string::npos)
     return wrong("the name " + shown + " has the character " + name[bad] +
@@ -40,8 +39,7 @@ base::Outcome<void> check_program_name(const std::string& name) {
 
 base::Outcome<void> check_machine_name(const std::string& name) {
   const auto fits = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
-  if (name.empty() || name.size() > kLongestMachine ||
-      !std::all_of(name.begin(), name.end(), fits))
+  if (name.empty() || name.size() > kLongestMachine || !std::all_of(name.begin(), name.end(), fits))
     return wrong("the name of a machine has 1 to 32 letters, digits, '-' and '_'");
   return {};
 }

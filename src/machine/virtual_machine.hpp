@@ -141,6 +141,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
  private:
   // control::Surroundings
+  bool clock_can_be_read() override { return true; }
   double seconds() override;
   double date() override { return signals_.date(seconds()); }
   double time_of_day() override { return signals_.time_of_day(seconds()); }
@@ -149,6 +150,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
   std::uint32_t inputs(std::size_t word) override { return signals_.inputs(word); }
   void print(std::string_view text) override;
+  bool input_can_be_read() override { return true; }
   std::optional<std::string> input() override { return input_ ? input_() : std::nullopt; }
 
   // control::MotionSink

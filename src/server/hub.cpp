@@ -551,7 +551,7 @@ void Hub::start_preview(MachineRecord& machine, const control::Memory& memory) {
   machine.preview.reset();
   if (!machine.program) return;
   const auto text = text_of(*machine.program);
-  auto chunks = ChunkStore::create(settings_.data);
+  auto chunks = ChunkStore::create(settings_.data, chunk_budget_);
   if (!text || !chunks) return;
   PreviewOrder order{machine.definition, memory, *text, machine.program->dialect,
                      library_->folder()};

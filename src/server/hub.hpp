@@ -132,6 +132,7 @@ class Hub {
   MachineStore store_;
   std::map<std::string, std::unique_ptr<MachineRecord>> machines_;
   std::map<Client*, std::shared_ptr<Client>> clients_;
+  std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
   std::uint64_t next_client_ = 1;
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;

@@ -58,12 +58,12 @@ Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind, double speed) con
           static_cast<float>(power_percent_),
           std::isfinite(speed) ? static_cast<float>(speed) : 0,
           tool_,
-          taken_};
+          motions_};
 }
 
 void PathBuilder::take(const Motion& motion) {
   using namespace control;
-  ++taken_;
+  ++motions_;
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     add_line(motion, line->to, line->feed);
   } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {

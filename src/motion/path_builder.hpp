@@ -95,7 +95,7 @@ class PathBuilder {
   double speed_rpm_ = 0;
   double power_percent_ = 0;
   std::uint32_t tool_ = 0;
-  std::uint64_t taken_ = 0;
+  std::uint64_t motions_ = 0;  // taken
 };
 
 }  // namespace kerf::motion

@@ -187,7 +187,10 @@ void HttpSession::become_websocket() {
 
 HttpSession::Response HttpSession::response(http::status status, const std::string& type,
                                             std::string body) const {
-  Response made(status, parser_->get().version());
+  // A request that could not be read has no version.
+  constexpr unsigned kHttp11 = 11;
+  const unsigned asked = parser_->get().version();
+  Response made(status, asked == 0 ? kHttp11 : asked);
   made.set(http::field::server, "kerf");
   made.set(http::field::content_type, type);
   made.set(http::field::cache_control, "no-store");

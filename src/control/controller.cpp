@@ -175,6 +175,18 @@ void Controller::settle_alarm() {
   buffer_.release();
 }
 
+std::optional<double> Controller::peek(double number) {
+  if (alarms_.alarm()) return std::nullopt;
+  double value = vm::kNull;
+  if (variables_.read(number, value)) return value;
+  alarms_.clear();
+  return std::nullopt;
+}
+
+vm::Interpreter::Settings Controller::evaluation_settings() {
+  return {gcode::kLocals, state_.memory.commons, &math_};
+}
+
 base::Outcome<void> Controller::set_variable(std::uint32_t number, double value) {
   SystemVariables::Event event;
   const bool good =

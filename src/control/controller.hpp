@@ -39,6 +39,10 @@ class Controller : public ProgramControl, public vm::Host {
   void set_shift(const base::AxisVector& shift) { state_.coordinates.set_shift(shift); }
   /// Offsets in the memory were changed by the operator.
   void offsets_changed() { state_.coordinates.offsets_changed(); }
+  /// A variable as a program would read it, without an alarm; nothing: it cannot be read.
+  [[nodiscard]] std::optional<double> peek(double number);
+  /// For expressions beside the program.
+  [[nodiscard]] vm::Interpreter::Settings evaluation_settings();
   [[nodiscard]] std::span<double> first_level_locals() {
     return interpreter_.locals_of_first_level();
   }

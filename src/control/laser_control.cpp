@@ -182,6 +182,24 @@ void LaserControl::print(const basic::BasicPage& page, const basic::Statement& s
   surroundings_.print(print_.text_of(page, items, registers));
 }
 
+std::optional<double> LaserControl::peek(double number) const {
+  switch (Inquiry{static_cast<std::uint32_t>(number)}) {
+    case Inquiry::x: return moves_.position().x;
+    case Inquiry::y: return moves_.position().y;
+    case Inquiry::z: return moves_.position().z;
+    case Inquiry::moved: return moves_.moved();
+    case Inquiry::input: return std::nullopt;
+    default: return 0;  // a variable that was never written
+  }
+}
+
+vm::Interpreter::Settings LaserControl::evaluation_settings() {
+  vm::Interpreter::Settings settings;
+  settings.locals = basic::kNear;
+  settings.globals = globals_;
+  return settings;
+}
+
 // A variable that was never written, the recorded position, or a number that the operator enters.
 Verdict LaserControl::read(double number, double& value) {
   const auto inquiry = static_cast<std::uint32_t>(number);

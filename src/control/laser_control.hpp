@@ -30,6 +30,12 @@ class LaserControl final : public ProgramControl, private vm::Host {
   [[nodiscard]] double variable(std::uint32_t number);
   void set_variable(std::uint32_t number, double value);
 
+  /// What an expression beside the program reads of the control; nothing: it would have to ask the
+  /// operator.
+  [[nodiscard]] std::optional<double> peek(double number) const;
+  /// For such expressions. Precondition: started.
+  [[nodiscard]] vm::Interpreter::Settings evaluation_settings();
+
   // Control
   Halt run(std::uint64_t instructions) override;
   void reset() override;

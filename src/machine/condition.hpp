@@ -3,12 +3,15 @@
 #include <memory>
 
 #include "lang/vm/code_page.hpp"
+#include "lang/vm/evaluation.hpp"
 
 namespace kerf::machine {
 
-/// A condition of a breakpoint, compiled by the language of its program. Empty: always.
+/// A condition of a breakpoint, compiled by the language of its program, for that program's
+/// machine. Empty: always.
 struct Condition {
-  std::shared_ptr<vm::CodePage> code;  ///< ends in do_block r: the register that holds its value
+  std::unique_ptr<vm::CodePage> code;
+  std::unique_ptr<vm::Evaluation> evaluation;  ///< of `code`
 };
 
 }  // namespace kerf::machine

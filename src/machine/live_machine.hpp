@@ -40,8 +40,8 @@ class LiveMachine {
   using Outcome = base::Outcome<void>;
 
   struct Settings {
-    std::string dialect;  ///< of available_dialects(); empty: the machine's own
-    std::vector<std::string> library_folders;
+    std::string dialect{};  ///< of available_dialects(); empty: the machine's own
+    std::vector<std::string> library_folders{};
     double jog_mm_min = 1000;           ///< of dry run, and of jog where no speed is given
     double jog_deg_min = 1800;          ///< likewise, of rotary axes
     std::size_t printed_bytes = 65536;  ///< of what the program prints are kept

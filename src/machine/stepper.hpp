@@ -29,8 +29,10 @@ class Stepper : public control::BlockGate {
   /// Must outlive the stepper, or be replaced by watch().
   explicit Stepper(Dialect& dialect) : dialect_(&dialect) {}
 
-  /// The same breakpoints for a machine made anew.
+  /// The same breakpoints for another machine; the one that was watched is not asked any more.
   void watch(Dialect& dialect);
+  /// Likewise, where that one is gone.
+  void attach(Dialect& dialect);
 
   /// All breakpoints there are. Failure (usage): a condition is none in the language, a variable is
   /// none of the program; the sentence names the breakpoint. Then nothing has changed.
@@ -43,8 +45,13 @@ class Stepper : public control::BlockGate {
   void step(Step how);
   /// Before a line is executed the next time.
   void run_to(std::string file, std::uint32_t line);
-  /// Before the block of this number, counted by blocks().
-  void run_to_block(std::uint64_t number);
+  // These stay, whatever else the program stops for, until they are set anew; 0: off. Nothing else
+  // stops it before.
+
+  /// Before a line of the loaded program.
+  void search_line(std::uint32_t line);
+  /// Before the block of this number, counted from 1, and no breakpoint between.
+  void search_block(std::uint64_t number);
   void forget_target();
 
   /// Counts blocks even though nothing is looked for.
@@ -59,17 +66,23 @@ class Stepper : public control::BlockGate {
   void start();
   /// The block that it has stopped before is executed now.
   void go_on();
-  /// A variable was set by the operator.
-  void forget_values() { known_.clear(); }
+  /// A variable was set by the operator: that stops nothing.
+  void forget_values() { remember(known_depth()); }
 
   // control::BlockGate
   [[nodiscard]] bool passes(const control::BlockStart& block) override;
 
  private:
-  enum class Target : std::uint8_t { none, depth, line, block };
-  struct Armed;
+  enum class Target : std::uint8_t { none, depth, line };
 
+  [[nodiscard]] base::Outcome<std::vector<Condition>> compile(
+      const std::vector<Breakpoint>& breakpoints);
   void learn_gate();
+  void remember(std::size_t depth);
+  [[nodiscard]] std::size_t known_depth() const {
+    return known_.empty() ? 1 : known_.front().size();
+  }
+  [[nodiscard]] bool is_met(std::size_t number, BreakpointHit hit);
   [[nodiscard]] bool reached(const control::BlockStart& block) const;
   [[nodiscard]] bool at_line_breakpoint(const control::BlockStart& block);
   [[nodiscard]] bool has_changed(const control::BlockStart& block);
@@ -82,10 +95,10 @@ class Stepper : public control::BlockGate {
   std::size_t most_depth_ = 0;
   std::string file_;
   std::uint32_t line_ = 0;
-  std::uint64_t block_ = 0;
+  std::uint32_t searched_line_ = 0;
+  std::uint64_t searched_block_ = 0;
   std::uint64_t blocks_ = 0;
   bool counts_ = false;
-  bool leaves_stop_ = false;  // the next block is the one that it has stopped before
   std::uint32_t last_line_ = 0;
   std::optional<BreakpointHit> hit_;
   std::vector<std::vector<double>> known_;  // a variable's values, by the depth of calls

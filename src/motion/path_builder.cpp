@@ -45,7 +45,9 @@ double PathBuilder::speed_of(const control::Feed& feed, double length) const {
   switch (feed.mode) {
     case control::FeedMode::per_minute: speed = feed.value / 60; break;
     case control::FeedMode::inverse_time: speed = length * feed.value / 60; break;
-    case control::FeedMode::per_revolution: speed = feed.value * speed_rpm_ / 60; break;
+    case control::FeedMode::per_revolution:
+      speed = feed.value * speed_rpm_ * spindle_override_ / 60;
+      break;
   }
   return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
 }

@@ -32,8 +32,10 @@ Json diagnostic_json(const base::Diagnostic& diagnostic, const base::SourceSet& 
   json["column"] = diagnostic.place.column;
   json["length"] = diagnostic.place.length;
   json["program"] = output::printable(diagnostic.program);
-  json["cause"] = base::text_of(diagnostic.code).cause;
-  json["remedy"] = output::printable(diagnostic.hint);
+  const base::CodeText& text = base::text_of(diagnostic.code);
+  json["cause"] = text.cause;
+  json["remedy"] =
+      diagnostic.hint.empty() ? std::string(text.remedy) : output::printable(diagnostic.hint);
   return json;
 }
 

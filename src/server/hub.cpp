@@ -253,7 +253,12 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
     return reply.no(machine->op == nullptr
                         ? name + ": nobody operates " + machine->name + "; take control first"
                         : name + ": " + machine->name + " is operated by " + machine->op->name());
-  find_handler(name)(*this, {client, machine, body, reply});
+  try {
+    find_handler(name)(*this, {client, machine, body, reply});
+  } catch (const std::exception& fault) {
+    tell(name + ": fault of Kerf itself: " + fault.what());
+    reply.no(std::string("fault of Kerf itself: ") + fault.what());
+  }
 }
 
 // Work elsewhere
@@ -569,9 +574,14 @@ void Hub::start_preview(MachineRecord& machine, const control::Memory& memory) {
   }
   machine.touch();
   previews_->post([this, preview, name = machine.name] {
-    preview->run([&](const PreviewState& state) {
+    const auto tell_state = [&](const PreviewState& state) {
       to_sockets_([this, name, preview, state] { previewed(name, preview, state); });
-    });
+    };
+    try {
+      preview->run(tell_state);
+    } catch (const std::exception& fault) {
+      tell(name + ": the preview: fault of Kerf itself: " + fault.what());
+    }
   });
 }
 

@@ -119,7 +119,7 @@ void MachineThread::execute(Order order) {
   runner.thread_.bind();
   const auto now = Clock::now();
   advance(runner, now);
-  order.job(runner);
+  do_job(order);
   std::vector<Publication> made;
   if (now - runner.published_at_ >= of_seconds(kTick_s)) publish(runner, now, made);
   if (!made.empty()) publish_(std::move(made));
@@ -132,7 +132,7 @@ void MachineThread::lend(Order order) {
   }
   helpers_.post([this, order = std::move(order)] {
     order.runner->thread_.bind();
-    order.job(*order.runner);
+    do_job(order);
     order.runner->advanced_to_ = Clock::now();
     {
       const std::lock_guard lock(guard_);
@@ -170,9 +170,22 @@ void MachineThread::advance(Runner& runner, Clock::time_point now) {
   try {
     runner.machine().advance(std::min(passed, kMostLate_s));
   } catch (const std::exception& fault) {
-    runner.broken_ = true;
-    publish_({{runner.name(), nullptr, nullptr, fault.what()}});
+    give_up(runner, fault.what());
   }
+}
+
+// A fault of Kerf costs one machine, not the server.
+void MachineThread::do_job(const Order& order) {
+  try {
+    order.job(*order.runner);
+  } catch (const std::exception& fault) {
+    give_up(*order.runner, fault.what());
+  }
+}
+
+void MachineThread::give_up(Runner& runner, const std::string& fault) {
+  runner.broken_ = true;
+  publish_({{runner.name(), nullptr, nullptr, fault}});
 }
 
 void MachineThread::publish(Runner& runner, Clock::time_point now, std::vector<Publication>& into) {

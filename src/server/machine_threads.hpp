@@ -106,6 +106,8 @@ class MachineThread {
   [[nodiscard]] std::optional<Order> next_order(Clock::time_point until);
   void execute(Order order);
   void lend(Order order);
+  void do_job(const Order& order);
+  void give_up(Runner& runner, const std::string& fault);
   void tick();
   void advance(Runner& runner, Clock::time_point now);
   void publish(Runner& runner, Clock::time_point now, std::vector<Publication>& into);

@@ -10,10 +10,6 @@ namespace {
 
 using base::Outcome;
 
-tl::unexpected<base::Failure> usage(const std::string& message) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, message});
-}
-
 void instant(Hub& hub, const Request& request) {
   hub.on_machine(request, Pace::slow,
                  [time_s = request.arguments().number("time_s")](Runner& runner) -> Outcome<Json> {

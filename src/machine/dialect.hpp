@@ -83,6 +83,8 @@ class Dialect {
   /// `level` of the calls, 0: main.
   [[nodiscard]] virtual std::optional<double> variable(const std::string& name,
                                                        std::size_t level) = 0;
+  /// Whether each level of the calls has a variable of this name of its own.
+  [[nodiscard]] virtual bool is_local(const std::string& /*name*/) const { return false; }
   /// Failure (usage): why not.
   [[nodiscard]] virtual base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                             std::size_t level) = 0;

@@ -90,18 +90,14 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
   if (done == 0) return refused("the program stands at its beginning");
   Replay back(journal, done);
   back.go_to(std::numeric_limits<double>::infinity());
-  journal.entries.resize(back.done());
+  const std::size_t kept = back.done();
   std::unique_ptr<LiveCore> there = back.take();
   there->stepper().search_block(0);
   there->stepper().count_blocks(false);
   for (control::MotionSink* const sink : sinks) there->add_sink(*sink);
   for (AxisPointSink* const sink : point_sinks) there->add_point_sink(*sink);
   there->tell_sinks();
-  const std::uint64_t stopped_before = done;
-  journal.entries.push_back({there->points(), [stopped_before](LiveCore& machine) {
-                               machine.stepper().search_block(stopped_before);
-                               return Outcome{};
-                             }});
+  journal.go_back(done, kept, there->points());
   core = std::move(there);
   touch();
   return {};

@@ -48,7 +48,8 @@ base::Outcome<void> Stepper::set_breakpoints(std::vector<Breakpoint> breakpoints
   breakpoints_ = std::move(breakpoints);
   conditions_ = std::move(*conditions);
   known_.clear();
-  remember(dialect_->control().open_calls().size());
+  depth_ = std::max<std::size_t>(dialect_->control().open_calls().size(), 1);
+  remember(depth_);
   learn_gate();
   return {};
 }
@@ -118,19 +119,25 @@ void Stepper::start() {
   blocks_ = 0;
   last_line_ = 0;
   hit_.reset();
+  depth_ = 1;
   known_.clear();
-  remember(1);
+  remember(depth_);
   learn_gate();
 }
 
 void Stepper::go_on() { hit_.reset(); }
+
+// A variable that all levels share is known once.
+std::size_t Stepper::depth_of(std::size_t number, std::size_t depth) const {
+  return dialect_->is_local(breakpoints_[number].variable) ? depth : 1;
+}
 
 // Values of the watched variables in the innermost of `depth` calls; those of the callers stay.
 void Stepper::remember(std::size_t depth) {
   known_.resize(breakpoints_.size());
   for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
     if (breakpoints_[i].variable.empty() || depth == 0) continue;
-    known_[i].resize(depth, vm::kNull);
+    known_[i].resize(depth_of(i, depth), vm::kNull);
     known_[i].back() = dialect_->variable(breakpoints_[i].variable, depth - 1).value_or(vm::kNull);
   }
 }
@@ -154,6 +161,8 @@ bool Stepper::is_met(std::size_t number, BreakpointHit hit) {
     const std::optional<bool> holds = dialect_->holds(conditions_[number]);
     if (!holds) hit.trouble = "the condition has no value here";
     if (holds && !*holds) return false;
+  } else if (!breakpoints_[number].condition.empty()) {
+    hit.trouble = "the condition does not fit this program";
   }
   hit_ = std::move(hit);
   return true;
@@ -175,8 +184,9 @@ bool Stepper::has_changed(const control::BlockStart& block) {
   for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
     if (breakpoints_[i].variable.empty()) continue;
     const auto now = dialect_->variable(breakpoints_[i].variable, block.depth - 1);
-    const bool entered = known_[i].size() < block.depth;
-    known_[i].resize(block.depth, now.value_or(vm::kNull));
+    const std::size_t depth = depth_of(i, block.depth);
+    const bool entered = known_[i].size() < depth;
+    known_[i].resize(depth, now.value_or(vm::kNull));
     const double before = std::exchange(known_[i].back(), now.value_or(vm::kNull));
     if (changed || !now || entered || same(before, *now)) continue;
     changed = is_met(i, {breakpoints_[i], last_line_, before, *now, {}});
@@ -186,6 +196,7 @@ bool Stepper::has_changed(const control::BlockStart& block) {
 
 bool Stepper::passes(const control::BlockStart& block) {
   hit_.reset();
+  depth_ = block.depth;
   if (searched_line_ != 0) {
     const bool found =
         block.line == searched_line_ && block.first_of_line && is_file("", block.file);

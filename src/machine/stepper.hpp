@@ -67,7 +67,7 @@ class Stepper : public control::BlockGate {
   /// The block that it has stopped before is executed now.
   void go_on();
   /// A variable was set by the operator: that stops nothing.
-  void forget_values() { remember(known_depth()); }
+  void forget_values() { remember(depth_); }
 
   // control::BlockGate
   [[nodiscard]] bool passes(const control::BlockStart& block) override;
@@ -79,9 +79,7 @@ class Stepper : public control::BlockGate {
       const std::vector<Breakpoint>& breakpoints);
   void learn_gate();
   void remember(std::size_t depth);
-  [[nodiscard]] std::size_t known_depth() const {
-    return known_.empty() ? 1 : known_.front().size();
-  }
+  [[nodiscard]] std::size_t depth_of(std::size_t number, std::size_t depth) const;
   [[nodiscard]] bool is_met(std::size_t number, BreakpointHit hit);
   [[nodiscard]] bool reached(const control::BlockStart& block) const;
   [[nodiscard]] bool at_line_breakpoint(const control::BlockStart& block);
@@ -100,6 +98,7 @@ class Stepper : public control::BlockGate {
   std::uint64_t blocks_ = 0;
   bool counts_ = false;
   std::uint32_t last_line_ = 0;
+  std::size_t depth_ = 1;  // of calls, at the block that it was asked for last
   std::optional<BreakpointHit> hit_;
   std::vector<std::vector<double>> known_;  // a variable's values, by the depth of calls
 };

@@ -45,6 +45,7 @@ void Interpolator::hold_behind_block() {
 void Interpolator::reset() {
   wants_hold_ = wants_reset_ = true;
   wants_whole_block_ = false;
+  if (held_) drop();
 }
 
 void Interpolator::resume() {

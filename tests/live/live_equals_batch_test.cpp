@@ -177,7 +177,7 @@ TEST(LiveMachine, TheLineShownIsThatOfTheAxesNotThatOfTheControl) {
   Bench bench;
   bench.load("O1\nG91G94G01X10.F600\nX10.\nX10.\nX10.\nM30\n");
   EXPECT_DONE(bench->cycle_start());
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 600; ++i) {
     bench->advance(0.01);
     const machine::Snapshot shown = bench.now();
     if (shown.status != Status::running) break;

@@ -157,7 +157,7 @@ TEST(Panel, SingleBlockTurnedOnOnTheWayStopsBehindTheBlockUnderWay) {
 
 TEST(Panel, SingleBlockInBasicStopsBehindEveryStatement) {
   Bench bench("laser3", {.dialect = "laser-basic"});
-  bench.load("SPEED 10\nMOVE 1,0\nMOVE 2,0\nMOVE 3,0\nEND\n", "a.bas");
+  bench.load("SPEED(10)\nMOVE(1,0)\nMOVE(2,0)\nMOVE(3,0)\nEND\n", "a.bas");
   EXPECT_DONE(bench->set_switch(Switch::single_block, true));
   for (const double x : {0, 1, 2, 3}) {
     EXPECT_DONE(bench->cycle_start());

@@ -24,6 +24,7 @@ class GcodeDialect final : public Dialect {
   [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
+  [[nodiscard]] bool is_local(const std::string& name) const override;
   [[nodiscard]] VariableListing list_variables(std::size_t level) override;
   [[nodiscard]] base::AxisVector shift() const override {
     return controller_.coordinates().shift();

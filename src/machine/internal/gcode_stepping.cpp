@@ -49,12 +49,16 @@ std::optional<double> GcodeDialect::variable(const std::string& name, std::size_
   return level == 0 ? first_locals_[*number] : vm::kNull;
 }
 
+bool GcodeDialect::is_local(const std::string& name) const {
+  const auto number = number_of_variable(name);
+  return number && *number < gcode::kLocals;
+}
+
 base::Outcome<void> GcodeDialect::set_variable_at(const std::string& name, double value,
                                                   std::size_t level) {
   const auto number = number_of_variable(name);
   if (!number) return refused("'#NUMBER' is expected, not '" + name + "'");
-  const bool is_local = *number > 0 && *number < gcode::kLocals;
-  if (!is_local || !started_) return set_variable(name, value);
+  if (*number == 0 || !is_local(name) || !started_) return set_variable(name, value);
   if (level >= controller_.levels()) return refused("there is no such level of calls");
   controller_.locals_of(level)[*number] = value;
   return {};

@@ -1,5 +1,7 @@
 #include "machine/internal/journal.hpp"
 
+#include <algorithm>
+
 namespace kerf::machine {
 namespace {
 
@@ -8,11 +10,29 @@ constexpr int kMostIdleCalls = 200;
 
 }  // namespace
 
+// The stop belongs where the last one before it was called off.
+void Journal::go_back(std::uint64_t block, std::size_t kept, std::uint64_t points) {
+  entries.resize(kept);
+  const auto last = std::find_if(entries.rbegin(), entries.rend(),
+                                 [](const Entry& entry) { return entry.last_block.has_value(); });
+  if (last != entries.rend()) {
+    last->last_block = block;
+  } else {
+    entries.insert(entries.begin(), Entry{0, {}, block});
+  }
+  entries.push_back({points, {}, 0});
+}
+
 Replay::Replay(const Journal& journal, std::uint64_t last_block)
     : journal_(journal), last_block_(last_block), core_(std::make_unique<LiveCore>(journal.start)) {
   core_->set_run(journal.run);
   core_->stepper().count_blocks(true);
-  core_->stepper().search_block(last_block);
+  stop_before(0);
+}
+
+void Replay::stop_before(std::uint64_t recorded) {
+  const bool recorded_first = recorded != 0 && (last_block_ == 0 || recorded < last_block_);
+  core_->stepper().search_block(recorded_first ? recorded : last_block_);
 }
 
 bool Replay::is_at_last_block() {
@@ -37,10 +57,13 @@ void Replay::go_to(double time_s) {
     const Journal::Entry& entry = journal_.entries[done_];
     make_points(time_s, entry.points);
     if (core_->points() < entry.points || is_at_last_block()) break;
-    static_cast<void>(entry.act(*core_));
+    if (entry.last_block) {
+      stop_before(*entry.last_block);
+    } else {
+      static_cast<void>(entry.act(*core_));
+    }
   }
-  if (last_block_ != 0 || time_s < std::numeric_limits<double>::infinity())
-    make_points(time_s, kAll);
+  make_points(time_s, kAll);
 }
 
 }  // namespace kerf::machine

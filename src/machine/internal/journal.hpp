@@ -14,10 +14,16 @@ struct Journal {
   struct Entry {
     std::uint64_t points = 0;
     std::function<base::Outcome<void>(LiveCore&)> act;
+    /// Instead of an act: from here on the program stops before the block of this number, 0: not.
+    std::optional<std::uint64_t> last_block{};
   };
   RunStart start;
   std::uint64_t run = 0;
   std::vector<Entry> entries;
+
+  /// The run was made again up to before a block, behind its first `kept` entries and `points`
+  /// points: forgets the others, and notes the stop.
+  void go_back(std::uint64_t block, std::size_t kept, std::uint64_t points);
 };
 
 /// A run that is made again.
@@ -39,6 +45,7 @@ class Replay {
  private:
   void make_points(double until_s, std::uint64_t most);
   [[nodiscard]] bool is_at_last_block();
+  void stop_before(std::uint64_t recorded);
 
   const Journal& journal_;
   std::uint64_t last_block_;

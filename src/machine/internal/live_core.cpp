@@ -116,6 +116,7 @@ base::Outcome<void> LiveCore::open_program() {
   auto file = program_->open();
   if (!file) return tl::unexpected(file.error());
   machine_->load(std::move(*file));
+  stepper_->attach(machine_->language());
   return {};
 }
 

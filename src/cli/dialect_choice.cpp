@@ -1,14 +1,11 @@
 #include "cli/dialect_choice.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <filesystem>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "machine/dialect.hpp"
+#include "machine/language.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -16,6 +13,7 @@ namespace {
 using base::Failure;
 using base::Outcome;
 
+<<<<<<< HEAD
 // So much of a text is looked at.
 constexpr std::size_t kLook = 4096;
 
@@ -34,12 +32,17 @@ constexpr Language kMill{"fanuc-mill", "", "mill3"};
 constexpr std::array<std::string_view, 14> kBasicWords = {"LET",  "REM",  "PRINT",  "INPUT", "FOR",
                                                           "NEXT", "HOME", "SPEED",  "POWER", "MOVE",
                                                           "LINE", "ARC",  "CIRCLE", "GOSUB"};
+=======
+// Where nothing else is asked for.
+constexpr machine::Language kMill{"fanuc-mill", "", "mill3"};
+>>>>>>> server
 
 bool is_available(std::string_view dialect) {
   const std::vector<std::string_view> all = machine::available_dialects();
   return std::find(all.begin(), all.end(), dialect) != all.end();
 }
 
+<<<<<<< HEAD
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -108,6 +111,15 @@ std::string why_not(const std::string& dialect) {
                : "there is no dialect " + dialect;
 }
 
+=======
+std::string list_of_available() {
+  std::string text;
+  for (const std::string_view name : machine::available_dialects())
+    text += (text.empty() ? "; available: " : ", ") + std::string(name);
+  return text;
+}
+
+>>>>>>> server
 Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
                                  const std::string& source) {
   if (is_available(choice.dialect)) return choice;
@@ -116,10 +128,7 @@ Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
 }
 
 std::string machine_of(const std::string& dialect) {
-  for (const Language& language : kLanguages) {
-    if (language.dialect == dialect) return std::string(language.machine);
-  }
-  return std::string(kMill.machine);
+  return std::string(machine::language_of(dialect).value_or(kMill).machine);
 }
 
 }  // namespace
@@ -158,8 +167,8 @@ Outcome<DialectChoice> choose_dialect(const std::string& machine, const std::str
         machine.empty() ? "machine " + chosen + " because of --dialect " + dialect : "";
     return available({dialect, chosen, why}, Failure::Kind::usage, "--dialect " + dialect);
   }
-  const auto ending = by_ending(program.name());
-  const auto language = ending ? ending : by_text(program);
+  const auto ending = machine::language_by_ending(program.name());
+  const auto language = ending ? ending : machine::language_by_text(program);
   if (language && is_available(language->dialect)) {
     const std::string chosen = machine.empty() ? std::string(language->machine) : machine;
     return DialectChoice{

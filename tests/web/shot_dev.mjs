@@ -1,6 +1,6 @@
 import { chromium } from 'playwright-core';
 const [base, out, w = '1440', h = '900', machine = 'mill', scheme = 'dark', ...rest] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--disable-gpu-rasterization', '--disable-accelerated-2d-canvas'] });
 const page = await browser.newPage({ viewport: { width: +w, height: +h }, colorScheme: scheme, locale: rest.includes('zh') ? 'zh-TW' : 'en-US' });
 page.on('console', (m) => ['error', 'warning'].includes(m.type()) && console.log(m.type(), m.text()));
 page.on('pageerror', (e) => console.log('PAGEERROR', e.message, e.stack?.split('\n').slice(0, 3).join('|')));

@@ -9,10 +9,15 @@ export interface ChartWishes {
   describe(index: number): string;
 }
 
+type Look = Pick<uPlot.Options, 'series' | 'axes' | 'scales'>;
+
 const CLICK_PX = 3;
 
 export class Chart {
   private plot: uPlot | null = null;
+  /** What the plot was made for: with the same it only gets new data. */
+  private form = '';
+  private waves: Waves | null = null;
   private cursor_s = 0;
   private readonly readout = document.createElement('div');
   private readonly watch: ResizeObserver;
@@ -32,29 +37,26 @@ export class Chart {
   }
 
   set_speed(time_s: number[], speed: number[], axis: string): void {
-    const ink = colours(this.host);
-    const series: uPlot.Series[] = [{}, { stroke: ink.accent, fill: ink.accent + '22', width: 1.4, points: { show: false } }];
-    this.draw([time_s, speed], series, [this.time_axis(), { ...this.axis(), label: axis, labelSize: 18, labelFont: FONT, size: 54 }], {});
+    const { accent } = colours(this.host);
+    this.waves = null;
+    this.draw([time_s, speed], `speed ${accent}`, () => ({
+      series: [{}, { stroke: accent, fill: `${accent}22`, width: 1.4, points: { show: false } }],
+      axes: [
+        this.time_axis(),
+        { ...this.axis(), label: axis, labelSize: 18, labelFont: FONT, size: 54 },
+      ],
+    }));
   }
 
   set_waves(waves: Waves): void {
-    const ink = colours(this.host);
+    this.waves = waves;
     const names = waves.lanes.map((lane) => lane.name);
-    const series: uPlot.Series[] = [{}];
-    waves.curves.forEach((_, i) => {
-      const colour = ink.lanes[i % ink.lanes.length];
-      series.push({ stroke: colour, fill: colour + '38', fillTo: () => names.length - 1 - i + 0.5, width: 1, points: { show: false }, paths: uPlot.paths.stepped!({ align: 1 }) });
-    });
-    const lanes: uPlot.Axis = {
-      ...this.axis(),
-      size: 34,
-      splits: () => names.map((_, i) => names.length - 1 - i + 0.5),
-      values: () => names,
-      grid: { show: false },
-    };
-    this.draw([Array.from(waves.time_s), ...waves.curves.map((c) => Array.from(c))], series, [this.time_axis(), lanes], {
-      y: { range: [0, Math.max(1, names.length)] },
-    }, (plot) => mark_lines(plot, waves, ink.text));
+    const data = [Array.from(waves.time_s), ...waves.curves.map((curve) => Array.from(curve))];
+    this.draw(data, `waves ${names.join(' ')} ${colours(this.host).text}`, () => ({
+      series: [{}, ...names.map((_, i) => this.lane(i, names.length))],
+      axes: [this.time_axis(), this.lane_axis(names)],
+      scales: { y: { range: [0, Math.max(1, names.length)] } },
+    }));
   }
 
   set_cursor(time_s: number): void {
@@ -62,14 +64,14 @@ export class Chart {
     this.plot?.redraw(false);
   }
 
-  private draw(
-    data: number[][],
-    series: uPlot.Series[],
-    axes: uPlot.Axis[],
-    scales: uPlot.Scales,
-    behind: (plot: uPlot) => void = () => {},
-  ): void {
+  private draw(data: number[][], form: string, look: () => Look): void {
+    if (this.plot && form === this.form) {
+      this.plot.setData(data as uPlot.AlignedData);
+      return;
+    }
+    this.form = form;
     this.plot?.destroy();
+    const { series, axes, scales } = look();
     const options: uPlot.Options = {
       ...this.size(),
       series,
@@ -79,7 +81,7 @@ export class Chart {
       padding: [8, 10, 0, 0],
       cursor: { y: false, drag: { x: true, y: false, setScale: false } },
       hooks: {
-        draw: [behind, (plot) => this.draw_cursor(plot)],
+        draw: [(plot) => this.mark_lines(plot), (plot) => this.draw_cursor(plot)],
         setCursor: [(plot) => this.read_out(plot)],
         ready: [(plot) => this.listen(plot)],
         setSelect: [(plot) => this.select(plot)],
@@ -89,17 +91,45 @@ export class Chart {
     this.plot.over.append(this.readout);
   }
 
+  private lane(index: number, count: number): uPlot.Series {
+    const { lanes } = colours(this.host);
+    const colour = lanes[index % lanes.length];
+    return {
+      stroke: colour,
+      fill: `${colour}38`,
+      fillTo: () => count - 1 - index + 0.5,
+      width: 1,
+      points: { show: false },
+    };
+  }
+
+  private lane_axis(names: string[]): uPlot.Axis {
+    return {
+      ...this.axis(),
+      size: 34,
+      splits: () => names.map((_, i) => names.length - 1 - i + 0.5),
+      values: () => names,
+      grid: { show: false },
+    };
+  }
+
+  private mark_lines(plot: uPlot): void {
+    if (this.waves) mark_lines(plot, this.waves, colours(this.host).text);
+  }
+
   private listen(plot: uPlot): void {
     let from = 0;
     plot.over.addEventListener('pointerdown', (event) => (from = event.clientX));
     plot.over.addEventListener('pointerup', (event) => {
-      if (Math.abs(event.clientX - from) <= CLICK_PX) this.wishes.jump(plot.posToVal(event.offsetX, 'x'));
+      if (Math.abs(event.clientX - from) <= CLICK_PX)
+        this.wishes.jump(plot.posToVal(event.offsetX, 'x'));
     });
   }
 
   private select(plot: uPlot): void {
     const { left, width } = plot.select;
-    if (width > CLICK_PX * 2) this.wishes.zoom(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x'));
+    if (width > CLICK_PX * 2)
+      this.wishes.zoom(plot.posToVal(left, 'x'), plot.posToVal(left + width, 'x'));
     plot.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
   }
 
@@ -128,13 +158,26 @@ export class Chart {
 
   private axis(): uPlot.Axis {
     const { text, line } = colours(this.host);
-    return { stroke: text, font: FONT, grid: { stroke: line, width: 1 }, ticks: { stroke: line, width: 1, size: 4 } };
+    return {
+      stroke: text,
+      font: FONT,
+      grid: { stroke: line, width: 1 },
+      ticks: { stroke: line, width: 1, size: 4 },
+    };
   }
   private time_axis(): uPlot.Axis {
-    return { ...this.axis(), size: 26, space: 70, values: (_, ticks) => ticks.map((tick) => `${tick} s`) };
+    return {
+      ...this.axis(),
+      size: 26,
+      space: 70,
+      values: (_, ticks) => ticks.map((tick) => `${tick} s`),
+    };
   }
   private size() {
-    return { width: Math.max(80, this.host.clientWidth), height: Math.max(60, this.host.clientHeight) };
+    return {
+      width: Math.max(80, this.host.clientWidth),
+      height: Math.max(60, this.host.clientHeight),
+    };
   }
 }
 

@@ -22,7 +22,10 @@ const KINDS: TokenKind[] = [
   'skip',
 ];
 
-const TAGS = Object.fromEntries(KINDS.map((kind) => [kind, Tag.define()])) as Record<TokenKind, Tag>;
+const TAGS = Object.fromEntries(KINDS.map((kind) => [kind, Tag.define()])) as Record<
+  TokenKind,
+  Tag
+>;
 
 const COLOURS: Record<Exclude<TokenKind, 'plain'>, [string, string?]> = {
   program: ['syntax-keyword', '600'],

@@ -1,5 +1,12 @@
 /** What lies over the text: the block that executes, the line that is chosen, the breakpoints. */
-import { type Extension, RangeSet, RangeSetBuilder, StateEffect, StateField, type Text } from '@codemirror/state';
+import {
+  type Extension,
+  RangeSet,
+  RangeSetBuilder,
+  StateEffect,
+  StateField,
+  type Text,
+} from '@codemirror/state';
 import { Decoration, EditorView, GutterMarker, gutter } from '@codemirror/view';
 import type { Breakpoint } from '../logic/protocol';
 
@@ -17,7 +24,8 @@ const marks = StateField.define<Marks>({
     for (const effect of transaction.effects) if (effect.is(set_marks)) return effect.value;
     return value;
   },
-  provide: (field) => EditorView.decorations.from(field, (value) => (view) => lines(view.state.doc, value)),
+  provide: (field) =>
+    EditorView.decorations.from(field, (value) => (view) => lines(view.state.doc, value)),
 });
 
 const executing_line = Decoration.line({ class: 'cm-executing' });
@@ -31,7 +39,8 @@ function lines(doc: Text, { executing, chosen }: Marks) {
   ];
   wanted.sort((a, b) => a[0] - b[0]);
   for (const [line, decoration] of wanted) {
-    if (line >= 1 && line <= doc.lines) builder.add(doc.line(line).from, doc.line(line).from, decoration);
+    if (line >= 1 && line <= doc.lines)
+      builder.add(doc.line(line).from, doc.line(line).from, decoration);
   }
   return builder.finish();
 }
@@ -45,7 +54,11 @@ class Dot extends GutterMarker {
     super();
   }
   override eq(other: Dot): boolean {
-    return other.condition === this.condition && other.executing === this.executing && other.is_set === this.is_set;
+    return (
+      other.condition === this.condition &&
+      other.executing === this.executing &&
+      other.is_set === this.is_set
+    );
   }
   override toDOM(): HTMLElement {
     const mark = document.createElement('span');
@@ -61,10 +74,12 @@ function dots(doc: Text, value: Marks): RangeSet<GutterMarker> {
   for (const b of value.breakpoints) {
     if (b.line) by_line.set(b.line, new Dot(b.condition ?? '', b.line === value.executing, true));
   }
-  if (value.executing && !by_line.has(value.executing)) by_line.set(value.executing, new Dot('', true, false));
+  if (value.executing && !by_line.has(value.executing))
+    by_line.set(value.executing, new Dot('', true, false));
   const builder = new RangeSetBuilder<GutterMarker>();
   for (const line of [...by_line.keys()].sort((a, b) => a - b)) {
-    if (line <= doc.lines) builder.add(doc.line(line).from, doc.line(line).from, by_line.get(line)!);
+    if (line <= doc.lines)
+      builder.add(doc.line(line).from, doc.line(line).from, by_line.get(line)!);
   }
   return builder.finish();
 }

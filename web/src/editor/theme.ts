@@ -8,11 +8,16 @@ export const theme = EditorView.theme({
   '.cm-content': { caretColor: 'var(--accent)', padding: '4px 0 40vh' },
   '.cm-line': { padding: '0 10px 0 4px' },
   '.cm-cursor': { borderLeftColor: 'var(--accent)', borderLeftWidth: '2px' },
-  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
-    backgroundColor: 'color-mix(in srgb, var(--accent) 30%, transparent)',
-  },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground':
+    {
+      backgroundColor: 'color-mix(in srgb, var(--accent) 30%, transparent)',
+    },
   '.cm-gutters': { backgroundColor: 'transparent', border: 'none', color: 'var(--text-3)' },
-  '.cm-lineNumbers .cm-gutterElement': { padding: '0 8px 0 2px', minWidth: '34px', fontSize: '11.5px' },
+  '.cm-lineNumbers .cm-gutterElement': {
+    padding: '0 8px 0 2px',
+    minWidth: '34px',
+    fontSize: '11.5px',
+  },
   '.cm-activeLine': { backgroundColor: 'color-mix(in srgb, var(--text) 5%, transparent)' },
   '.cm-activeLineGutter': { backgroundColor: 'transparent', color: 'var(--text)' },
   '.cm-breakpoints': { width: '18px', cursor: 'pointer' },
@@ -21,7 +26,10 @@ export const theme = EditorView.theme({
   '.cm-dot': { fontSize: '11px', lineHeight: '1' },
   '.cm-dot.set': { color: 'var(--alarm)' },
   '.cm-dot.here:not(.set)': { color: 'var(--run)' },
-  '.cm-executing': { backgroundColor: 'var(--executing) !important', boxShadow: 'inset 3px 0 0 var(--run)' },
+  '.cm-executing': {
+    backgroundColor: 'var(--executing) !important',
+    boxShadow: 'inset 3px 0 0 var(--run)',
+  },
   '.cm-chosen': { backgroundColor: 'var(--chosen)', boxShadow: 'inset 3px 0 0 var(--accent)' },
   '.cm-gutter-lint': { width: '10px' },
   '.cm-gutter-lint .cm-gutterElement': { padding: '0' },
@@ -42,9 +50,21 @@ export const theme = EditorView.theme({
   '.cm-diagnostic-warning .cm-alarm-card b': { color: 'var(--hold)' },
   '.cm-alarm-card .message': { fontWeight: '600' },
   '.cm-alarm-card p': { margin: '3px 0 0' },
-  '.cm-lintRange-error': { backgroundImage: 'none', textDecoration: 'underline wavy var(--alarm) 1px', textUnderlineOffset: '3px' },
-  '.cm-lintRange-warning': { backgroundImage: 'none', textDecoration: 'underline dashed var(--hold) 1px', textUnderlineOffset: '3px' },
-  '.cm-panels': { backgroundColor: 'var(--raised)', color: 'var(--text)', borderColor: 'var(--line)' },
+  '.cm-lintRange-error': {
+    backgroundImage: 'none',
+    textDecoration: 'underline wavy var(--alarm) 1px',
+    textUnderlineOffset: '3px',
+  },
+  '.cm-lintRange-warning': {
+    backgroundImage: 'none',
+    textDecoration: 'underline dashed var(--hold) 1px',
+    textUnderlineOffset: '3px',
+  },
+  '.cm-panels': {
+    backgroundColor: 'var(--raised)',
+    color: 'var(--text)',
+    borderColor: 'var(--line)',
+  },
   '.cm-panel.cm-search': { fontFamily: 'var(--sans)', padding: '6px 8px' },
   '.cm-panel.cm-search input, .cm-panel.cm-search button': {
     backgroundColor: 'var(--control)',
@@ -54,5 +74,7 @@ export const theme = EditorView.theme({
     color: 'var(--text)',
   },
   '.cm-searchMatch': { backgroundColor: 'color-mix(in srgb, var(--hold) 35%, transparent)' },
-  '.cm-searchMatch-selected': { backgroundColor: 'color-mix(in srgb, var(--hold) 65%, transparent)' },
+  '.cm-searchMatch-selected': {
+    backgroundColor: 'color-mix(in srgb, var(--hold) 65%, transparent)',
+  },
 });

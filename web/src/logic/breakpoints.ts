@@ -51,7 +51,5 @@ export function moved(
 
 function sorted(list: Breakpoint[]): Breakpoint[] {
   const key = (b: Breakpoint) => `${b.variable ? 1 : 0}${b.file ?? ''}`;
-  return [...list].sort(
-    (a, b) => key(a).localeCompare(key(b)) || (a.line ?? 0) - (b.line ?? 0),
-  );
+  return [...list].sort((a, b) => key(a).localeCompare(key(b)) || (a.line ?? 0) - (b.line ?? 0));
 }

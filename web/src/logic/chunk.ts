@@ -90,7 +90,8 @@ class ArrayReader {
 
   private take(size: number): number {
     const start = this.at;
-    if (start + size > this.buffer.byteLength) throw new BadChunk('a path chunk that ends too early');
+    if (start + size > this.buffer.byteLength)
+      throw new BadChunk('a path chunk that ends too early');
     this.at = start + ((size + 3) & ~3);
     return start;
   }

@@ -14,11 +14,29 @@ const STOPS: Record<Scheme, Rgb[]> = {
 };
 
 const TOOLS: Record<Scheme, Rgb[]> = {
-  dark: ['#4fb3ff', '#ffb454', '#7ddc8a', '#ff7d92', '#c9a2ff', '#f2ea73', '#5fe0d8', '#ff9ad8'].map(hex),
-  light: ['#0a63b0', '#a65100', '#177334', '#b3203d', '#6a3fb5', '#6b6200', '#006e70', '#a02a7c'].map(hex),
+  dark: [
+    '#4fb3ff',
+    '#ffb454',
+    '#7ddc8a',
+    '#ff7d92',
+    '#c9a2ff',
+    '#f2ea73',
+    '#5fe0d8',
+    '#ff9ad8',
+  ].map(hex),
+  light: [
+    '#0a63b0',
+    '#a65100',
+    '#177334',
+    '#b3203d',
+    '#6a3fb5',
+    '#6b6200',
+    '#006e70',
+    '#a02a7c',
+  ].map(hex),
 };
 
-const RAPID: Record<Scheme, Rgb> = { dark: hex('#7d8b99'), light: hex('#7b8794') };
+const RAPID: Record<Scheme, Rgb> = { dark: hex('#7d8b99'), light: hex('#6a7682') };
 
 export const rapid_colour = (scheme: Scheme): Rgb => RAPID[scheme];
 
@@ -35,7 +53,9 @@ export function scale_colour(share: number, scheme: Scheme): Rgb {
   const place = Math.min(1, Math.max(0, share)) * (stops.length - 1);
   const below = Math.min(stops.length - 2, Math.floor(place));
   const part = place - below;
-  return [0, 1, 2].map((i) => stops[below][i] + part * (stops[below + 1][i] - stops[below][i])) as Rgb;
+  return [0, 1, 2].map(
+    (i) => stops[below][i] + part * (stops[below + 1][i] - stops[below][i]),
+  ) as Rgb;
 }
 
 /** Round numbers that a legend writes beside its scale, at most `count`, the ends among them. */

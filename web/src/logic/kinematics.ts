@@ -139,7 +139,8 @@ function arm_joints(k: Kinematics, tip: Point, rotary: Axes, before: Axes): Axes
   const opening = Math.sqrt(Math.max(0, (sum - r) * (sum + r)));
   const closing = Math.sqrt(Math.max(0, (r - difference) * (r + difference)));
   const elbow = 2 * Math.atan2(side * opening, closing);
-  const shoulder = Math.atan2(tip[1], tip[0]) - Math.atan2(fore * Math.sin(elbow), upper + fore * Math.cos(elbow));
+  const shoulder =
+    Math.atan2(tip[1], tip[0]) - Math.atan2(fore * Math.sin(elbow), upper + fore * Math.cos(elbow));
   const t2 = nearest_turn(deg(shoulder), axis(before, 'T2'), 360);
   const t1 = k.forearm_absolute ? deg(shoulder + elbow) : deg(elbow);
   const heading = axis(rotary, 'C') - deg(shoulder + elbow);

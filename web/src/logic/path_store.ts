@@ -89,7 +89,11 @@ export class PathStore {
     const chunk = this.chunks[index];
     const first = Math.max(1, last_not_above(chunk.motion, motion - 1) + 1);
     const last = Math.min(chunk.vertices - 1, last_not_above(chunk.motion, motion));
-    let best: PathPlace = { chunk: index, vertex: Math.min(first - 1, chunk.vertices - 1), fraction: 0 };
+    let best: PathPlace = {
+      chunk: index,
+      vertex: Math.min(first - 1, chunk.vertices - 1),
+      fraction: 0,
+    };
     let nearest = Infinity;
     for (let vertex = first; vertex <= last; vertex++) {
       const { distance, fraction } = foot(chunk.xyz, 3 * (vertex - 1), tip);

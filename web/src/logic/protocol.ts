@@ -6,7 +6,7 @@ export type Status = 'idle' | 'running' | 'held' | 'stopped' | 'step' | 'end' | 
 export type Mode = 'edit' | 'mdi' | 'auto' | 'jog' | 'ref' | 'teach';
 export type SwitchName = 'single-block' | 'optional-stop' | 'dry-run' | 'machine-lock';
 export type StepHow = 'over' | 'into' | 'out' | 'back';
-export type CaptureKind = 'point' | 'line' | 'arc-via' | 'arc-end';
+export type CaptureKind = 'point' | 'line' | 'arc-via' | 'arc-end' | 'circle-end';
 
 export const MODES: readonly Mode[] = ['edit', 'mdi', 'auto', 'jog', 'ref', 'teach'];
 
@@ -42,6 +42,7 @@ export interface MachineDefinition {
 
 export interface MachineEntry {
   name: string;
+  title: string;
   definition: string;
   status: Status;
   operator: string | null;
@@ -108,7 +109,9 @@ export interface MachineState {
   variables_revision: number;
   printed: string;
   /** INPUT of the program waits for a line of the operator. */
-  waits_for_input?: boolean;
+  waits_for_input: boolean;
+  /** Why the machine does not work at all. */
+  fault: string | null;
   breakpoint: BreakpointHit | null;
 }
 
@@ -180,14 +183,14 @@ export interface ProgramEntry {
   name: string;
   bytes: number;
   modified: string;
-  dialect?: string;
-  revisions?: number;
 }
 
 export interface Revision {
   revision: number;
   bytes: number;
   modified: string;
+  /** Its text is still there. */
+  kept: boolean;
 }
 
 /** A state before the first one has come: nothing is known, nothing moves. */
@@ -221,5 +224,7 @@ export const EMPTY_STATE: MachineState = {
   clients: [],
   variables_revision: 0,
   printed: '',
+  waits_for_input: false,
+  fault: null,
   breakpoint: null,
 };

@@ -6,12 +6,15 @@
 /** Edges of one axis: time, direction (+1, -1), time, direction … */
 export type Edges = number[];
 
+/** The time in which one NC line moves the axes. */
 export interface LineSpan {
-  file: string;
   line: number;
   from_s: number;
   to_s: number;
 }
+
+export const line_spans = (rows: [from_s: number, to_s: number, line: number][]): LineSpan[] =>
+  rows.map(([from_s, to_s, line]) => ({ line, from_s, to_s }));
 
 export interface Lane {
   name: string;
@@ -39,7 +42,10 @@ export function waves(
   columns: number,
 ): Waves {
   const names = Object.keys(axes);
-  const time_s = Float64Array.from({ length: columns + 1 }, (_, i) => from_s + ((to_s - from_s) * i) / columns);
+  const time_s = Float64Array.from(
+    { length: columns + 1 },
+    (_, i) => from_s + ((to_s - from_s) * i) / columns,
+  );
   const signed = names.map((name) => rates(axes[name], from_s, to_s, columns));
   const lanes = names.map((name, i) => ({
     name,
@@ -71,19 +77,4 @@ function steps_of(edges: Edges): number {
   let sum = 0;
   for (let i = 1; i < edges.length; i += 2) sum += edges[i];
   return sum;
-}
-
-/** The single pulses of an axis within a span as a square wave: high for `width_s` from each edge on. */
-export function square_wave(edges: Edges, from_s: number, to_s: number, width_s: number): [number[], number[]] {
-  const time: number[] = [from_s];
-  const level: number[] = [0];
-  for (let i = 0; i + 1 < edges.length; i += 2) {
-    const t = edges[i];
-    if (t < from_s || t > to_s) continue;
-    time.push(t, t, t + width_s, t + width_s);
-    level.push(0, edges[i + 1], edges[i + 1], 0);
-  }
-  time.push(to_s);
-  level.push(0);
-  return [time, level];
 }

@@ -38,10 +38,18 @@ export function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean
   const [x, y, z] = size(box);
   const solid = new BoxGeometry(Math.max(x, 1e-6), Math.max(y, 1e-6), Math.max(z, 1e-6));
   const material = dashed
-    ? new LineDashedMaterial({ color: colour, dashSize: Math.hypot(x, y) / 90, gapSize: Math.hypot(x, y) / 120 })
+    ? new LineDashedMaterial({
+        color: colour,
+        dashSize: Math.hypot(x, y) / 90,
+        gapSize: Math.hypot(x, y) / 120,
+      })
     : new LineBasicMaterial({ color: colour });
   const edges = new LineSegments(new EdgesGeometry(solid), material);
-  edges.position.set((box.min[0] + box.max[0]) / 2, (box.min[1] + box.max[1]) / 2, (box.min[2] + box.max[2]) / 2);
+  edges.position.set(
+    (box.min[0] + box.max[0]) / 2,
+    (box.min[1] + box.max[1]) / 2,
+    (box.min[2] + box.max[2]) / 2,
+  );
   if (dashed) edges.computeLineDistances();
   return edges;
 }
@@ -52,7 +60,12 @@ export function stock_box(box: Box, palette: Palette): Group {
   const [x, y, z] = size(box);
   const body = new Mesh(
     new BoxGeometry(Math.max(x, 0.01), Math.max(y, 0.01), Math.max(z, 0.01)),
-    new MeshBasicMaterial({ color: palette.stock, transparent: true, opacity: 0.07, depthWrite: false }),
+    new MeshBasicMaterial({
+      color: palette.stock,
+      transparent: true,
+      opacity: 0.07,
+      depthWrite: false,
+    }),
   );
   const edges = box_edges(box, palette.stock, false);
   body.position.copy(edges.position);
@@ -65,10 +78,7 @@ export function ground_grid(box: Box, palette: Palette): Group {
   const [width, depth] = size(box);
   const step = round_step(Math.max(width, depth) / 24);
   const group = new Group();
-  group.add(
-    grid_lines(box, step, palette.grid),
-    grid_lines(box, step * 5, palette.grid_strong),
-  );
+  group.add(grid_lines(box, step, palette.grid), grid_lines(box, step * 5, palette.grid_strong));
   return group;
 }
 
@@ -121,7 +131,8 @@ export function label(text: string, colour: string, pixels: number): Sprite {
 export function size_labels(root: Group, mm_per_pixel: number): void {
   root.traverse((object) => {
     const { aspect, pixels } = object.userData as { aspect?: number; pixels?: number };
-    if (aspect && pixels) object.scale.set(pixels * aspect * mm_per_pixel, pixels * mm_per_pixel, 1);
+    if (aspect && pixels)
+      object.scale.set(pixels * aspect * mm_per_pixel, pixels * mm_per_pixel, 1);
   });
 }
 

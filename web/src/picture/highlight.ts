@@ -9,7 +9,13 @@ const MOST_SEGMENTS = 200_000;
 
 export class Highlight {
   readonly group = new Group();
-  private readonly edge = new LineMaterial({ color: 0x000000, linewidth: 6, depthTest: false, transparent: true, opacity: 0.55 });
+  private readonly edge = new LineMaterial({
+    color: 0x000000,
+    linewidth: 6,
+    depthTest: false,
+    transparent: true,
+    opacity: 0.55,
+  });
   private readonly core = new LineMaterial({ color: 0xffffff, linewidth: 3, depthTest: false });
 
   set_colour(colour: string): void {

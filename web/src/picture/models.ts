@@ -55,7 +55,12 @@ function part(geometry: BufferGeometry, colour: string, opacity = 1): Mesh {
 }
 
 /** A cylinder along Z from `bottom` up. */
-function pillar(radius_low: number, radius_high: number, bottom: number, height: number): BufferGeometry {
+function pillar(
+  radius_low: number,
+  radius_high: number,
+  bottom: number,
+  height: number,
+): BufferGeometry {
   return new CylinderGeometry(radius_high, radius_low, height, 28)
     .rotateX(Math.PI / 2)
     .translate(0, 0, bottom + height / 2);
@@ -64,9 +69,17 @@ function pillar(radius_low: number, radius_high: number, bottom: number, height:
 /** A bar along X with round ends, lying on `z`. */
 function link(length: number, width: number, thick: number, z: number, colour: string): Group {
   const group = new Group();
-  const bar = part(new BoxGeometry(length, width, thick).translate(length / 2, 0, z + thick / 2), colour);
+  const bar = part(
+    new BoxGeometry(length, width, thick).translate(length / 2, 0, z + thick / 2),
+    colour,
+  );
   const ends = [0, length].map((x) =>
-    part(new CylinderGeometry(width / 2, width / 2, thick, 28).rotateX(Math.PI / 2).translate(x, 0, z + thick / 2), colour),
+    part(
+      new CylinderGeometry(width / 2, width / 2, thick, 28)
+        .rotateX(Math.PI / 2)
+        .translate(x, 0, z + thick / 2),
+      colour,
+    ),
   );
   group.add(bar, ...ends);
   return group;
@@ -117,7 +130,10 @@ class NozzleModel implements Model {
     this.beam = new Beam(palette, 10, 0.9);
     this.group.add(
       this.beam.mesh,
-      part(new ConeGeometry(5, 12, 28, 1, true).rotateX(-Math.PI / 2).translate(0, 0, 13), palette.metal),
+      part(
+        new ConeGeometry(5, 12, 28, 1, true).rotateX(-Math.PI / 2).translate(0, 0, 13),
+        palette.metal,
+      ),
       part(pillar(5, 5, 19, 16), palette.metal_dark),
       part(pillar(6.4, 6.4, 35, 4), palette.metal),
     );
@@ -148,15 +164,32 @@ class HeadModel implements Model {
     this.beam = new Beam(palette, r_a * 0.42, u * 0.22);
     this.tilting.add(
       translated(this.beam.mesh, 0, 0, -r_a),
-      part(new ConeGeometry(u * 1.5, r_a * 0.22, 28, 1, true).rotateX(-Math.PI / 2).translate(0, 0, -r_a * 0.47), palette.metal),
+      part(
+        new ConeGeometry(u * 1.5, r_a * 0.22, 28, 1, true)
+          .rotateX(-Math.PI / 2)
+          .translate(0, 0, -r_a * 0.47),
+        palette.metal,
+      ),
       part(pillar(u * 1.5, u * 1.5, -r_a * 0.36, r_a * 0.3), palette.metal_dark),
       part(pillar(u * 2, u * 2, -r_a * 0.06, r_a * 0.16), palette.metal),
-      part(new CylinderGeometry(u * 1.25, u * 1.25, u * 6, 28).rotateZ(Math.PI / 2), palette.metal_dark),
+      part(
+        new CylinderGeometry(u * 1.25, u * 1.25, u * 6, 28).rotateZ(Math.PI / 2),
+        palette.metal_dark,
+      ),
     );
     this.turning.add(
-      part(new BoxGeometry(r_c + u * 2.4, u * 1.6, u * 2).translate(r_c / 2, 0, u * 3.8), palette.metal),
-      part(new BoxGeometry(u * 1.2, u * 2.6, u * 5.2).translate(r_c + u * 3.3, 0, u * 1.3), palette.metal),
-      part(new BoxGeometry(u * 6.6, u * 2.2, u * 1.6).translate(r_c + u * 0.6, 0, u * 3.9), palette.metal),
+      part(
+        new BoxGeometry(r_c + u * 2.4, u * 1.6, u * 2).translate(r_c / 2, 0, u * 3.8),
+        palette.metal,
+      ),
+      part(
+        new BoxGeometry(u * 1.2, u * 2.6, u * 5.2).translate(r_c + u * 3.3, 0, u * 1.3),
+        palette.metal,
+      ),
+      part(
+        new BoxGeometry(u * 6.6, u * 2.2, u * 1.6).translate(r_c + u * 0.6, 0, u * 3.9),
+        palette.metal,
+      ),
       part(pillar(u * 2.3, u * 2.3, u * 2.4, u * 2.8), palette.metal_dark),
       translated(this.tilting, r_c, 0, 0),
     );
@@ -201,7 +234,10 @@ class ArmModel implements Model {
     );
     this.upper.add(
       link(upper_mm, u * 2, u, u * 3.4, palette.metal),
-      part(pillar(u * 0.75, u * 0.75, u * 2.1, u * 2.8).translate(upper_mm, 0, 0), palette.metal_dark),
+      part(
+        pillar(u * 0.75, u * 0.75, u * 2.1, u * 2.8).translate(upper_mm, 0, 0),
+        palette.metal_dark,
+      ),
       translated(this.fore, upper_mm, 0, 0),
     );
     this.lift.add(this.upper, part(pillar(u * 1.25, u * 1.25, u * 2.2, u * 3), palette.metal_dark));
@@ -248,10 +284,24 @@ class TurningModel implements Model {
   ) {
     this.nozzle = new NozzleModel(palette);
     const u = reach_mm / 55;
-    this.rail = part(new BoxGeometry(reach_mm * 1.35, u, u).translate(reach_mm * 0.6, 0, 0), palette.metal);
-    const post = part(new BoxGeometry(u * 1.6, u * 1.6, reach_mm * 0.75).translate(reach_mm * 1.25, 0, -reach_mm * 0.375), palette.metal_dark);
+    this.rail = part(
+      new BoxGeometry(reach_mm * 1.35, u, u).translate(reach_mm * 0.6, 0, 0),
+      palette.metal,
+    );
+    const post = part(
+      new BoxGeometry(u * 1.6, u * 1.6, reach_mm * 0.75).translate(
+        reach_mm * 1.25,
+        0,
+        -reach_mm * 0.375,
+      ),
+      palette.metal_dark,
+    );
     this.carriage.add(this.rail, post);
-    this.group.add(this.carriage, this.nozzle.group, lines([0, 0, -reach_mm * 0.25, 0, 0, reach_mm * 0.55], palette.z));
+    this.group.add(
+      this.carriage,
+      this.nozzle.group,
+      lines([0, 0, -reach_mm * 0.25, 0, 0, reach_mm * 0.55], palette.z),
+    );
   }
 
   set(pose: Pose): void {

@@ -77,7 +77,10 @@ export class PathLayer {
 
   private exact(view: BlockView): Mesh {
     const { first, last } = view.block;
-    return this.make(view, Uint32Array.from({ length: last - first + 1 }, (_, i) => first + i));
+    return this.make(
+      view,
+      Uint32Array.from({ length: last - first + 1 }, (_, i) => first + i),
+    );
   }
 
   /** The exact mesh where thinning saves little. */

@@ -4,7 +4,13 @@
  * faint; rapids are thin and dashed.
  */
 import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector2, Vector3 } from 'three';
-import { type Colouring, type Scheme, rapid_colour, scale_stops, tool_colour } from '../logic/colour_scale';
+import {
+  type Colouring,
+  type Scheme,
+  rapid_colour,
+  scale_stops,
+  tool_colour,
+} from '../logic/colour_scale';
 
 export const TEXTURE_WIDTH = 2048;
 const TOOL_COLOURS = 8;
@@ -117,7 +123,9 @@ export class PathMaterial extends RawShaderMaterial {
   }
 
   set_scheme(scheme: Scheme, ground: string): void {
-    const tools = Array.from({ length: TOOL_COLOURS }, (_, i) => vector(tool_colour(i + 1, scheme)));
+    const tools = Array.from({ length: TOOL_COLOURS }, (_, i) =>
+      vector(tool_colour(i + 1, scheme)),
+    );
     this.uniforms.tools.value = tools;
     this.uniforms.stops.value = scale_stops(scheme).map(vector);
     this.uniforms.rapid.value = vector(rapid_colour(scheme));

@@ -23,7 +23,11 @@ const QUADS = new BufferAttribute(quad_indices(BLOCK), 1);
 
 function quad_indices(count: number): Uint16Array | Uint32Array {
   const indices = new Uint32Array(6 * count);
-  for (let i = 0; i < count; i++) indices.set([0, 1, 2, 2, 1, 3].map((corner) => 4 * i + corner), 6 * i);
+  for (let i = 0; i < count; i++)
+    indices.set(
+      [0, 1, 2, 2, 1, 3].map((corner) => 4 * i + corner),
+      6 * i,
+    );
   return indices;
 }
 

@@ -57,7 +57,6 @@ export class Picture {
   private readonly corner_camera = new OrthographicCamera(-1.7, 1.7, 1.7, -1.7, -10, 10);
   private readonly material = new PathMaterial();
   private readonly path = new PathLayer(this.material);
-  private readonly trace = new PathLayer(this.material);
   private readonly highlight = new Highlight();
   private readonly glide = new PoseGlide();
   private model: Model | null = null;
@@ -82,7 +81,12 @@ export class Picture {
     readonly canvas: HTMLCanvasElement,
     private readonly calm: () => boolean,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      powerPreference: 'high-performance',
+    });
     this.renderer.setClearColor(0, 0);
     this.renderer.autoClear = false;
     this.camera.up.set(0, 0, 1);
@@ -91,14 +95,13 @@ export class Picture {
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.touched());
     this.add_lights();
-    this.scene.add(this.path.group, this.trace.group, this.highlight.group);
+    this.scene.add(this.path.group, this.highlight.group);
     this.look('iso');
   }
 
   dispose(): void {
     this.closed = true;
     this.path.clear();
-    this.trace.clear();
     this.controls.dispose();
     this.renderer.dispose();
   }
@@ -125,10 +128,9 @@ export class Picture {
   }
 
   /** Takes over what has arrived of the path; the first of a new one is fitted into the picture. */
-  set_path(store: PathStore, trace: PathStore): void {
+  set_path(store: PathStore): void {
     this.store = store;
     this.path.take(store);
-    this.trace.take(trace);
     this.build_furniture();
     if (store.run !== this.fitted_run && !this.path_is_empty()) {
       this.fitted_run = store.run;
@@ -151,7 +153,8 @@ export class Picture {
 
   /** How far the run is; null: nothing has run, all of the path stands out. */
   set_progress(place: PathPlace | null): void {
-    this.material.uniforms.done.value = place && this.store ? vertices_before(this.store, place) : -1;
+    this.material.uniforms.done.value =
+      place && this.store ? vertices_before(this.store, place) : -1;
     this.request();
   }
 
@@ -222,8 +225,18 @@ export class Picture {
   /** What lies under a place of the canvas, in CSS pixels. */
   hit(x: number, y: number): Hit | null {
     if (!this.store) return null;
-    const matrix = new Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
-    const aim = { matrix: matrix.elements, width: this.width, height: this.height, x, y, reach_px: PICK_REACH_PX };
+    const matrix = new Matrix4().multiplyMatrices(
+      this.camera.projectionMatrix,
+      this.camera.matrixWorldInverse,
+    );
+    const aim = {
+      matrix: matrix.elements,
+      width: this.width,
+      height: this.height,
+      x,
+      y,
+      reach_px: PICK_REACH_PX,
+    };
     return pick(this.store, aim);
   }
 
@@ -253,7 +266,6 @@ export class Picture {
     const pixel_mm = this.pixel_mm();
     const rests = begin - this.moved_at > REST_AFTER_MS;
     this.path.choose_detail(pixel_mm, rests ? 0.7 : 2);
-    this.trace.choose_detail(pixel_mm, 1);
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
     this.renderer.setViewport(0, 0, this.width, this.height);
@@ -285,7 +297,12 @@ export class Picture {
   private frame_camera(): void {
     const aspect = this.width / this.height;
     const half = this.half_height_mm;
-    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    Object.assign(this.camera, {
+      left: -half * aspect,
+      right: half * aspect,
+      top: half,
+      bottom: -half,
+    });
     this.camera.updateProjectionMatrix();
   }
 
@@ -295,7 +312,9 @@ export class Picture {
     const aspect = this.width / this.height;
     let half = 1;
     for (let corner = 0; corner < 8; corner++) {
-      const point = new Vector3(...[0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max : box.min)[i]));
+      const point = new Vector3(
+        ...[0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max : box.min)[i]),
+      );
       point.applyMatrix4(inverse);
       half = Math.max(half, Math.abs(point.y), Math.abs(point.x) / aspect);
     }
@@ -334,7 +353,8 @@ export class Picture {
       if (this.shown.travel) this.furniture.add(box_edges(this.travel, this.palette.travel, true));
     }
     const cuts = this.store?.facts.cuts;
-    if (this.shown.stock && cuts && !is_empty(cuts)) this.furniture.add(stock_box(cuts, this.palette));
+    if (this.shown.stock && cuts && !is_empty(cuts))
+      this.furniture.add(stock_box(cuts, this.palette));
     this.scene.add(this.furniture);
     this.request();
   }
@@ -363,7 +383,9 @@ function travel_of(definition: MachineDefinition): Box {
   const { kinematics } = definition;
   const reach = Number(kinematics.upper_arm ?? 0) + Number(kinematics.forearm ?? 0);
   ['X', 'Y', 'Z'].forEach((name, i) => {
-    const axis = definition.axes.find((a) => a.name === name) ?? definition.joints.find((a) => a.name === name);
+    const axis =
+      definition.axes.find((a) => a.name === name) ??
+      definition.joints.find((a) => a.name === name);
     const far = reach || radius_of(definition);
     box.min[i] = axis?.min ?? -far;
     box.max[i] = axis?.max ?? far;
@@ -392,7 +414,8 @@ function cut_places(store: PathStore): PathPlace[] {
   for (let i = 0; i <= SAMPLES; i++) {
     const place = store.place_at((store.facts.end_s * i) / SAMPLES);
     const chunk = place && store.chunks[place.chunk];
-    if (chunk && chunk.kind[Math.min(place.vertex + 1, chunk.vertices - 1)] === Kind.cut) places.push(place);
+    if (chunk && chunk.kind[Math.min(place.vertex + 1, chunk.vertices - 1)] === Kind.cut)
+      places.push(place);
   }
   return places;
 }

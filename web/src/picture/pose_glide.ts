@@ -24,7 +24,11 @@ export class PoseGlide {
     const { from, to } = this;
     if (!from || !to) return to;
     const share = Math.min(1, (now - this.since) / GLIDE_MS);
-    return { ...to, tip: between(from.tip, to.tip, share), joints: axes_between(from.joints, to.joints, share) };
+    return {
+      ...to,
+      tip: between(from.tip, to.tip, share),
+      joints: axes_between(from.joints, to.joints, share),
+    };
   }
 
   moves(now: number): boolean {
@@ -37,6 +41,9 @@ const between = (a: Point, b: Point, share: number): Point =>
 
 function axes_between(a: Axes, b: Axes, share: number): Axes {
   return Object.fromEntries(
-    Object.entries(b).map(([name, value]) => [name, (a[name] ?? value) + share * (value - (a[name] ?? value))]),
+    Object.entries(b).map(([name, value]) => [
+      name,
+      (a[name] ?? value) + share * (value - (a[name] ?? value)),
+    ]),
   );
 }

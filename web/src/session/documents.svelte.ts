@@ -68,10 +68,9 @@ class Documents {
 
   /** Opens a program of the library without loading it. */
   async read(name: string, revision?: number): Promise<boolean> {
-    const args = revision === undefined ? { name } : { name, revision };
-    const answer = await panel.act('read', args);
-    if (!answer) return false;
-    const text = String(answer.text);
+    const text =
+      revision === undefined ? await this.fetched(name) : await this.asked(name, revision);
+    if (text === null) return false;
     const known = this.open.find((d) => d.name === name);
     this.put({
       name,
@@ -83,10 +82,13 @@ class Documents {
     return true;
   }
 
-  /** Opens a program of the library and loads it into the machine. */
+  /** Opens a program of the library and loads it into the machine, which need not wait for the text. */
   async open_and_load(name: string): Promise<void> {
-    if (!(await this.read(name))) return;
-    if (await panel.act('load', { program: name })) this.mark_loaded(name);
+    const [is_read, loaded] = await Promise.all([
+      this.read(name),
+      panel.act('load', { program: name }),
+    ]);
+    if (is_read && loaded) this.mark_loaded(name);
   }
 
   /** What the machine has loaded, when the page comes to it. */
@@ -139,8 +141,8 @@ class Documents {
 
   async upload(files: Iterable<File>): Promise<void> {
     for (const file of files) {
-      const address = `library/${encodeURIComponent(file.name)}${location.search}`;
-      const answer = await fetch(address, { method: 'PUT', body: file }).catch(() => null);
+      const wish = { method: 'PUT', body: file };
+      const answer = await fetch(library_address(file.name), wish).catch(() => null);
       if (answer?.ok) notices.say(t('notice.uploaded', { name: file.name }));
       else notices.say((await answer?.text()) || t('connection.refused'), 'refused');
     }
@@ -158,6 +160,19 @@ class Documents {
   renamed(from: string, to: string): void {
     this.open = this.open.map((d) => (d.name === from ? { ...d, name: to } : d));
     if (this.current === from) this.current = to;
+  }
+
+  /** By HTTP: however long it is, it does not stand before what the machine says. */
+  private async fetched(name: string): Promise<string | null> {
+    const answer = await fetch(library_address(name)).catch(() => null);
+    if (answer?.ok) return answer.text();
+    notices.say((await answer?.text()) || t('connection.refused'), 'refused');
+    return null;
+  }
+
+  private async asked(name: string, revision: number): Promise<string | null> {
+    const answer = await panel.act('read', { name, revision });
+    return answer ? String(answer.text) : null;
   }
 
   private async text_of(name: string): Promise<string | null> {
@@ -180,5 +195,8 @@ class Documents {
     this.open = this.open.map((d) => (d.name === name ? { ...d, ...change } : d));
   }
 }
+
+const library_address = (name: string): string =>
+  `library/${encodeURIComponent(name)}${location.search}`;
 
 export const documents = new Documents();

@@ -15,7 +15,7 @@ export const jog = {
     if (axis_under_way) return;
     const speed = preferences.jog_mm_min;
     if (preferences.jog_step > 0) {
-      void panel.act('jog', { axis, distance_mm: way * preferences.jog_step, speed_mm_min: speed });
+      void panel.act('jog', { axis, speed_mm_min: way * speed, distance_mm: preferences.jog_step });
       return;
     }
     axis_under_way = axis;

@@ -1,11 +1,6 @@
 /** Work offsets and the tool table; changes can be taken back. */
-import type { Axes } from '../logic/protocol';
+import { type OffsetRow, type WorkOffset, by_system } from '../logic/offsets';
 import { panel } from './panel.svelte';
-
-export interface WorkOffset {
-  name: string;
-  values: Axes;
-}
 
 export interface Tool {
   number: number;
@@ -59,7 +54,7 @@ class Offsets {
 
   private async ask(): Promise<void> {
     const work = await panel.ask('offsets').catch(() => null);
-    if (work) this.work = work.offsets as WorkOffset[];
+    if (work) this.work = by_system(work.offsets as OffsetRow[]);
     const tools = await panel.ask('tools').catch(() => null);
     if (tools) this.tools = tools.tools as Tool[];
   }

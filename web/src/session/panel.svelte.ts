@@ -1,5 +1,12 @@
 /** The machine that this page watches: what it says, and every command to it. */
-import { Connection, type Answer, type Command, type LineState, Refusal, type Socket } from '../logic/connection';
+import {
+  Connection,
+  type Answer,
+  type Command,
+  type LineState,
+  Refusal,
+  type Socket,
+} from '../logic/connection';
 import { decode_chunk } from '../logic/chunk';
 import { PathStore } from '../logic/path_store';
 import { patched } from '../logic/state_patch';
@@ -37,10 +44,9 @@ class Panel {
   epoch = $state(0);
   breakpoints = $state.raw<Breakpoint[]>([]);
   path = $state.raw<PathEvent | null>(null);
-  /** Changes with every chunk; the stores themselves are plain. */
+  /** Changes with every chunk; the store itself is plain. */
   path_version = $state(0);
   readonly preview = new PathStore();
-  readonly trace = new PathStore();
   readonly edits = new UndoStack();
 
   private readonly connection = new Connection(
@@ -87,8 +93,8 @@ class Panel {
     if (!answer) return;
     this.machine = machine;
     this.definition = answer.definition as MachineDefinition;
-    this.me = String(answer.client ?? this.me);
-    if (Array.isArray(answer.breakpoints)) this.breakpoints = answer.breakpoints as Breakpoint[];
+    this.me = String(answer.client);
+    this.breakpoints = answer.breakpoints as Breakpoint[];
     this.epoch++;
     sessionStorage.setItem(FIRST_MACHINE_KEY, machine);
     if (this.state.operator === null) await this.take_quietly();
@@ -98,12 +104,13 @@ class Panel {
     const answer = await this.act('machines');
     if (!answer) return;
     this.machines = answer.machines as MachineEntry[];
-    if (Array.isArray(answer.definitions)) this.definitions = answer.definitions as string[];
+    this.definitions = answer.definitions as string[];
   }
 
   take = (): Promise<unknown> => this.act('operate', { take: true });
   release = (): Promise<unknown> => this.act('operate', { take: false });
-  hand_to = (client: string): Promise<unknown> => this.act('operate', { take: false, hand_to: client });
+  hand_to = (client: string): Promise<unknown> =>
+    this.act('operate', { take: false, hand_to: client });
 
   cycle_start = (): Promise<unknown> => this.act('cycle-start');
   feed_hold = (): Promise<unknown> => this.act('feed-hold');
@@ -119,14 +126,14 @@ class Panel {
   async set_breakpoints(list: Breakpoint[]): Promise<void> {
     const before = this.breakpoints;
     this.breakpoints = list;
-    if (!(await this.act('breakpoints', { list }))) this.breakpoints = before;
+    const answer = await this.act('breakpoints', { list });
+    this.breakpoints = answer ? (answer.list as Breakpoint[]) : before;
   }
 
   private forget_machine(): void {
     this.state = EMPTY_STATE;
     this.path = null;
     this.preview.clear(-1);
-    this.trace.clear(-1);
     this.edits.clear();
     this.breakpoints = [];
     this.path_version++;
@@ -153,7 +160,7 @@ class Panel {
     if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
     else if (event.event === 'state') this.state = patched(this.state, event);
     else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
-    else if (event.event === 'notice') notices.say(String(event.text), 'refused');
+    else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
   }
 
   private on_path(event: PathEvent): void {
@@ -164,8 +171,7 @@ class Panel {
 
   private on_chunk(bytes: ArrayBuffer): void {
     const chunk = decode_chunk(bytes);
-    const store = chunk.source === 'preview' ? this.preview : this.trace;
-    if (store.add(chunk)) this.path_version++;
+    if (chunk.source === 'preview' && this.preview.add(chunk)) this.path_version++;
   }
 }
 

@@ -85,7 +85,8 @@ class Slider {
 
   private of_server(live: MachineState): Partial<MachineState> {
     const instant = this.instant;
-    if (!instant || this.time_s === null || Math.abs(instant.time_s - this.time_s) > 0.02) return {};
+    if (!instant || this.time_s === null || Math.abs(instant.time_s - this.time_s) > 0.02)
+      return {};
     const { position, modal, file, line } = instant;
     return {
       position: { ...position, distance: position.distance ?? {} },

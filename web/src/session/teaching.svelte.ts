@@ -11,8 +11,10 @@ class Teaching {
   capture = async (kind: CaptureKind): Promise<void> =>
     this.take(await panel.act('teach-capture', { kind }));
   record = async (record: string): Promise<void> =>
-    this.take(await panel.act('teach-record', { record }));
-  take_back = async (): Promise<void> => this.take(await panel.act('teach-take-back'));
+    this.take(await panel.act('teach-record', { text: record }));
+  take_back = async (): Promise<void> => this.take(await panel.act('teach-back'));
+
+  begin = async (): Promise<void> => this.take(await panel.act('teach-new'));
 
   /** What was taught becomes the program of the machine, ready for cycle start. */
   async load(): Promise<void> {
@@ -23,7 +25,7 @@ class Teaching {
 
   private take(answer: Answer | null): void {
     if (!answer) return;
-    this.name = String(answer.name ?? 'taught.tch');
+    this.name = 'taught.tch';
     documents.taught(this.name, String(answer.text), Number(answer.line));
   }
 }

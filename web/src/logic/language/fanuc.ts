@@ -8,6 +8,9 @@ const FUNCTION =
 
 const rules: Rule[] = [
   [/\s+/y, 'plain'],
+  // What DPRNT and BPRNT print is text but for its variables.
+  [/(?<=[DB]PRNT\[[^#]*)[^#\[\]]+/iy, 'string'],
+  [/(?<=[DB]PRNT\[.*\])[^#\[\]]+(?=.*\])/iy, 'string'],
   [/%.*/y, 'program'],
   [/#\d+|#_[A-Z0-9_]+(\[\d+\])?|#/iy, 'variable'],
   [KEYWORD, 'keyword'],
@@ -20,7 +23,7 @@ const rules: Rule[] = [
   [/M\d*/iy, 'm-code'],
   [/[XYZUVWABCIJKRQ](?=[-+.\d[#\s]|$)[-+]?\d*\.?\d*/iy, 'axis'],
   [/[FSTHDPLE](?=[-+.\d[#\s]|$)[-+]?\d*\.?\d*/iy, 'technology'],
-  [/\d*\.?\d+|\d+\./y, 'number'],
+  [/\d+\.?\d*|\.\d+/y, 'number'],
   [/[-+*/=[\]<>,;]/y, 'operator'],
 ];
 

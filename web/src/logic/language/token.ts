@@ -53,7 +53,7 @@ export function first_match(rules: Rule[], line: string, start: number): Token {
 export function tokens_of(lexer: Lexer, line: string): { kind: TokenKind; text: string }[] {
   const tokens: { kind: TokenKind; text: string }[] = [];
   let in_comment = false;
-  for (let at = 0; at < line.length; ) {
+  for (let at = 0; at < line.length;) {
     const token = lexer.next(line, at, in_comment);
     in_comment = token.in_comment ?? false;
     const text = line.slice(at, token.end);

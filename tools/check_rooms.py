@@ -27,10 +27,10 @@ ORDER = [
     "features",
     "machine",
     "output",
-    "cli",
     "server",
+    "cli",
 ]
-SIDE_BY_SIDE = [{"lang/gcode", "lang/basic", "lang/teach"}, {"cli", "server"}]
+SIDE_BY_SIDE = [{"lang/gcode", "lang/basic", "lang/teach"}]
 
 SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')

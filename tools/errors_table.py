@@ -51,7 +51,8 @@ def read_row(statement: str, line: int) -> Row:
     match = ROW.match(statement)
     if not match:
         raise SystemExit(f'{TABLE}:{line}: expected CODE(name, "number", "message", "cause")')
-    return Row(*(unquote(match[group]) for group in (2, 3, 4)))
+    number, message, text = (unquote(match[group]) for group in (2, 3, 4))
+    return Row(number, message, text.replace(" | ", " "))
 
 
 def statements(text: str) -> list[tuple[int, str]]:

@@ -6,8 +6,19 @@
 namespace kerf::base {
 namespace {
 
+// "cause | remedy"
+constexpr std::string_view kBetween = " | ";
+constexpr std::string_view cause_of(std::string_view text) {
+  return text.substr(0, text.find(kBetween));
+}
+constexpr std::string_view remedy_of(std::string_view text) {
+  const std::size_t at = text.find(kBetween);
+  return at == std::string_view::npos ? std::string_view() : text.substr(at + kBetween.size());
+}
+
 constexpr std::array kCodes = {
-#define CODE(name, number, message, cause) CodeText{#name, number, message, cause},
+#define CODE(name, number, message, text) \
+  CodeText{#name, number, message, cause_of(text), remedy_of(text)},
 #include "base/diagnostic_codes.def"
 #undef CODE
 };

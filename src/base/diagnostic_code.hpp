@@ -7,7 +7,7 @@ namespace kerf::base {
 
 /// What a diagnostic is about. One enumerator per row of diagnostic_codes.def.
 enum class Code : std::uint16_t {
-#define CODE(name, number, message, cause) name,
+#define CODE(name, number, message, cause_and_remedy) name,
 #include "base/diagnostic_codes.def"
 #undef CODE
 };
@@ -17,7 +17,8 @@ struct CodeText {
   std::string_view name;     ///< the enumerator
   std::string_view number;   ///< "PS0112", or a name in capitals where the control has no number
   std::string_view message;  ///< the control's own words
-  std::string_view cause;    ///< what it means and what to do
+  std::string_view cause;    ///< what it means
+  std::string_view remedy;   ///< what to do; empty where the cause says it
 };
 
 [[nodiscard]] const CodeText& text_of(Code code);

@@ -59,8 +59,8 @@ tl::expected<std::pair<int, std::uint64_t>, std::string> spool(int from) {
 SourceFile::SourceFile(std::string name, int descriptor, std::uint64_t size)
     : name_(std::move(name)), descriptor_(descriptor), size_(size) {}
 
-SourceFile::SourceFile(std::string name, std::string text)
-    : name_(std::move(name)), text_(std::move(text)), size_(text_.size()) {}
+SourceFile::SourceFile(std::string name, std::shared_ptr<const std::string> text)
+    : name_(std::move(name)), text_(std::move(text)), size_(text_->size()) {}
 
 SourceFile::~SourceFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -87,6 +87,11 @@ Outcome<std::unique_ptr<SourceFile>> SourceFile::open(const std::string& path) {
 }
 
 std::unique_ptr<SourceFile> SourceFile::from_text(std::string name, std::string text) {
+  return from_shared(std::move(name), std::make_shared<const std::string>(std::move(text)));
+}
+
+std::unique_ptr<SourceFile> SourceFile::from_shared(std::string name,
+                                                    std::shared_ptr<const std::string> text) {
   return std::unique_ptr<SourceFile>(new SourceFile(std::move(name), std::move(text)));
 }
 
@@ -94,7 +99,7 @@ std::size_t SourceFile::read(std::uint64_t offset, std::span<char> into) const {
   if (offset >= size_) return 0;
   if (descriptor_ < 0) {
     const std::size_t count = std::min<std::size_t>(into.size(), size_ - offset);
-    std::memcpy(into.data(), text_.data() + offset, count);
+    std::memcpy(into.data(), text_->data() + offset, count);
     return count;
   }
   std::size_t done = 0;

@@ -22,6 +22,10 @@ class SourceFile {
   /// A file that exists only in memory: tests, MDI, editors.
   [[nodiscard]] static std::unique_ptr<SourceFile> from_text(std::string name, std::string text);
 
+  /// Likewise, with a text that others hold, too.
+  [[nodiscard]] static std::unique_ptr<SourceFile> from_shared(
+      std::string name, std::shared_ptr<const std::string> text);
+
   ~SourceFile();
   SourceFile(const SourceFile&) = delete;
   SourceFile& operator=(const SourceFile&) = delete;
@@ -39,10 +43,10 @@ class SourceFile {
 
  private:
   SourceFile(std::string name, int descriptor, std::uint64_t size);
-  SourceFile(std::string name, std::string text);
+  SourceFile(std::string name, std::shared_ptr<const std::string> text);
 
   std::string name_;
-  std::string text_;
+  std::shared_ptr<const std::string> text_;
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };

@@ -236,6 +236,27 @@ void add_pattern(CLI::App& app, PatternOptions& o) {
   add_replay(*pattern, o);
 }
 
+void add_serve(CLI::App& app, ServeOptions& o) {
+  CLI::App* serve = app.add_subcommand("serve", "serves the panel for a browser");
+  serve->group("Commands");
+  serve->add_option("--host", o.host, "address to listen at; default 127.0.0.1, this computer only")
+      ->type_name("ADDRESS");
+  serve->add_option("--port", o.port, "port to listen at; default 8080, 0: any free one")
+      ->type_name("N");
+  serve->add_option("--token", o.token, "what visitors must know; needed with any other --host")
+      ->type_name("TEXT");
+  serve
+      ->add_option("--data", o.data,
+                   "folder of programs and machines; default $XDG_DATA_HOME/kerf or "
+                   "~/.local/share/kerf")
+      ->type_name("FOLDER");
+  serve->add_option("--threads", o.threads, "threads that machines run on; default one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 64U));
+  serve->add_flag("--protocol", o.protocol, "prints the protocol of the panel, and serves nothing");
+  serve->footer("Example: kerf serve --port 8090");
+}
+
 // CLI11 wants the words in reverse order.
 std::vector<std::string> reversed(std::vector<std::string> words) {
   std::reverse(words.begin(), words.end());
@@ -255,10 +276,12 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
   PatternOptions pattern_options;
   MachinesOptions machines_options;
+  ServeOptions serve_options;
   add_run(app, run_options);
   add_time(app, time_options);
   add_check(app, check_options);
   add_pattern(app, pattern_options);
+  add_serve(app, serve_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
@@ -267,9 +290,9 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
-    return tl::unexpected(base::Failure{
-        base::Failure::Kind::usage,
-        "a command is needed: run, time, check, pattern or machines; `kerf --help` lists them"});
+    return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                        "a command is needed: run, time, check, pattern, serve or "
+                                        "machines; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -288,6 +311,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
+  if (app.got_subcommand("serve")) return serve_options;
   return machines_options;
 }
 

@@ -89,10 +89,21 @@ struct PatternOptions {
   std::string plot;
 };
 
+/// The panel in the browser.
+struct ServeOptions {
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 8080;
+  std::string token;
+  std::string data;       ///< folder; empty: the usual one
+  unsigned threads = 0;   ///< that machines run on; 0: one a processor
+  bool protocol = false;  ///< prints the protocol instead
+};
+
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
+[[nodiscard]] ExitStatus serve(const ServeOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

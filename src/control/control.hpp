@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -20,8 +21,47 @@ enum class Halt : std::uint8_t {
   program_stop,   ///< M00
   optional_stop,  ///< M01 with the switch on
   message,        ///< #3006
+  gate,           ///< a BlockGate has not let the next block pass
   end,            ///< the program's end: M02, M30, END
   alarm
+};
+
+/// The modes of a control at one moment, as a plain value: what it means says the control whose it
+/// is (Control::modal_text).
+struct ModalView {
+  std::array<std::uint16_t, 24> codes{};
+  double feed = 0;
+  double speed = 0;
+  std::uint32_t length_offset = 0;
+  std::uint32_t radius_offset = 0;
+  friend bool operator==(const ModalView&, const ModalView&) = default;
+};
+
+/// A program or subroutine that is open.
+struct OpenCall {
+  std::string program;
+  base::Place place;  ///< what executes there, or comes next; of a caller the call
+};
+
+/// A block that is to be executed next.
+struct BlockStart {
+  base::FileId file = base::kNoFile;
+  std::uint32_t line = 0;      ///< from 1
+  bool first_of_line = false;  ///< no block before it on its line
+  std::size_t depth = 1;       ///< programs and subroutines that are open, this one included
+};
+
+/// Asked before every block.
+class BlockGate {
+ public:
+  BlockGate() = default;
+  virtual ~BlockGate() = default;
+  BlockGate(const BlockGate&) = delete;
+  BlockGate& operator=(const BlockGate&) = delete;
+
+  /// False: the control halts before the block (Halt::gate). Run on, it executes the block without
+  /// asking again.
+  [[nodiscard]] virtual bool passes(const BlockStart& block) = 0;
 };
 
 /// A control as its machine sees it: executes a program of its language and emits what the machine
@@ -60,9 +100,20 @@ class Control {
   /// Where the zero of the active work coordinate system lies.
   [[nodiscard]] virtual base::AxisVector work_origin() const = 0;
 
+  /// The tool stands at `tip` (machine coordinates without tool length), where it was brought by
+  /// hand. Precondition: can_be_moved().
+  virtual void stand_at(const base::AxisVector& tip) = 0;
+  /// Nothing that was commanded waits for the next block: cutter compensation, a corner.
+  [[nodiscard]] virtual bool can_be_moved() const = 0;
+
   /// The text that is executing, or that comes next.
   [[nodiscard]] virtual base::Place standing_at() = 0;
   [[nodiscard]] virtual std::string running_program() const = 0;
+  /// Main program first; empty before the start.
+  [[nodiscard]] virtual std::vector<OpenCall> open_calls() = 0;
+  [[nodiscard]] virtual ModalView modal() const = 0;
+  /// The list that this control shows, one entry a code or mode.
+  [[nodiscard]] virtual std::vector<std::string> modal_text(const ModalView& modal) const = 0;
 
   virtual void set_single_block(bool on) = 0;
   virtual void set_optional_stop(bool on) = 0;
@@ -70,6 +121,8 @@ class Control {
   virtual void set_block_skip(std::uint32_t levels) = 0;
   /// Slows down.
   virtual void observe_blocks(BlockObserver observer) = 0;
+  /// Asked before every block; null: none. Slows down.
+  virtual void set_gate(BlockGate* gate) = 0;
   /// The signal of a macro interrupt.
   virtual void interrupt() = 0;
 

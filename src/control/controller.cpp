@@ -62,7 +62,6 @@ Controller::Controller(const Parameters& parameters, const AxisSetup& axes, Memo
       library_(library),
       surroundings_(surroundings),
       math_{parameters.signed_angles, parameters.small_is_zero, 1000},
-      alarms_(*this),
       buffer_(sink),
       state_(parameters_, axes_, memory, alarms_, assumptions_, surroundings, buffer_),
       interpreter_(library, *this, {gcode::kLocals, memory.commons, &math_}),
@@ -98,7 +97,8 @@ void Controller::learn_calling_codes() {
                             parameters_.s_calls_program || parameters_.b_calls_program;
 }
 
-void Controller::start(vm::CodeId main) {
+void Controller::start(vm::CodeId main, Ends ends) {
+  ends_ = ends;
   LocalVariables kept;
   if (parameters_.keep_locals && interpreter_.depth() > 0) {
     std::copy_n(first_level_locals().begin(), kept.size(), kept.begin());
@@ -139,23 +139,13 @@ void Controller::reset() {
   if (!parameters_.keep_commons) state_.memory.clear_volatile();
 }
 
-void Controller::set_single_block(bool on) {
-  single_block_ = on;
-  learn_tracing();
-}
-
-void Controller::observe_blocks(BlockObserver observer) {
-  observer_ = std::move(observer);
-  learn_tracing();
-}
-
-void Controller::learn_tracing() {
-  in_statement_ = false;
-  interpreter_.set_tracing(observer_ != nullptr || (single_block_ && parameters_.stop_at_macro));
-}
-
 base::AxisVector Controller::machine_position() const {
   return state_.path.tip() + state_.coordinates.length();
+}
+
+void Controller::stand_at(const base::AxisVector& tip) {
+  state_.path.stand_at(tip);
+  state_.coordinates.arrive_at(tip);
 }
 
 Halt Controller::run(std::uint64_t instructions) {
@@ -185,6 +175,18 @@ void Controller::settle_alarm() {
   buffer_.release();
 }
 
+std::optional<double> Controller::peek(double number) {
+  if (alarms_.alarm()) return std::nullopt;
+  double value = vm::kNull;
+  if (variables_.read(number, value)) return value;
+  alarms_.clear();
+  return std::nullopt;
+}
+
+vm::Interpreter::Settings Controller::evaluation_settings() {
+  return {gcode::kLocals, state_.memory.commons, &math_};
+}
+
 base::Outcome<void> Controller::set_variable(std::uint32_t number, double value) {
   SystemVariables::Event event;
   const bool good =
@@ -198,9 +200,16 @@ base::Outcome<void> Controller::set_variable(std::uint32_t number, double value)
 
 // vm::Host
 
-bool Controller::read(double number, double& value) { return variables_.read(number, value); }
+// Clocks stand while axes move: the block waits until they have come to rest.
+Verdict Controller::read(double number, double& value) {
+  if (SystemVariables::is_clock(number) && !surroundings_.clock_can_be_read())
+    return Verdict::again;
+  return variables_.read(number, value) ? Verdict::go_on : Verdict::stop;
+}
 
 Verdict Controller::write(double number, double value) {
+  if (SystemVariables::is_clock(number) && !surroundings_.clock_can_be_read())
+    return Verdict::again;
   SystemVariables::Event event;
   if (!variables_.write(number, value, event)) return Verdict::stop;
   switch (event.kind) {
@@ -216,16 +225,24 @@ void Controller::fault(vm::Fault fault) { alarms_.raise(code_of(fault), detail_o
 void Controller::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
 
 Verdict Controller::end_of_code() {
+  if (ends_ == Ends::with_text && calls_.in_main()) return end_of_entry();
   alarms_.raise(Code::end_of_record, "the program runs out without M02, M30 or M99");
   return Verdict::stop;
 }
 
+// A held corner or compensation has nothing more to wait for.
+Verdict Controller::end_of_entry() {
+  if (!state_.path.release()) return Verdict::stop;
+  state_.path.act(End{});
+  buffer_.release();
+  return stopped(Halt::end);
+}
+
 Verdict Controller::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() ||
-                             (&mark)[-1].line != mark.line;
-  if (observer_ && first_of_line) observer_(page.file, mark.line);
   const bool behind_statement = std::exchange(in_statement_, true);
-  if (!behind_statement || !single_block_ || !parameters_.stop_at_macro) return Verdict::go_on;
+  const Verdict verdict = announce(page, mark);
+  if (verdict != Verdict::go_on || !behind_statement) return verdict;
+  if (!single_block_ || !parameters_.stop_at_macro) return Verdict::go_on;
   return stopped(Halt::single_block);
 }
 

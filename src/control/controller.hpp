@@ -8,8 +8,8 @@
 #include "control/auxiliary.hpp"
 #include "control/block_buffer.hpp"
 #include "control/canned_cycle.hpp"
-#include "control/control.hpp"
 #include "control/program_calls.hpp"
+#include "control/program_control.hpp"
 #include "control/references.hpp"
 #include "control/settings.hpp"
 #include "control/state.hpp"
@@ -22,16 +22,27 @@ namespace kerf::control {
 
 /// The control of a machining centre: executes the blocks that the interpreter hands it and emits
 /// what the machine must do. Reads all its settings from the machine; knows neither time nor files.
-class Controller : public Control, public vm::Host, private Whereabouts {
+class Controller : public ProgramControl, public vm::Host {
  public:
   Controller(const Parameters& parameters, const AxisSetup& axes, Memory& memory,
              gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings,
              MotionSink& sink);
 
+  /// Where a program ends: by M02, M30 or M99, or else it is an alarm; of an entry in MDI also
+  /// where its text does.
+  enum class Ends : std::uint8_t { by_code, with_text };
   /// Power-on state of everything but memory and position, standing at the head of `main`.
-  void start(vm::CodeId main);
+  void start(vm::CodeId main, Ends ends = Ends::by_code);
 
   [[nodiscard]] const Coordinates& coordinates() const { return state_.coordinates; }
+  /// What G92 has left behind, which outlives a reset.
+  void set_shift(const base::AxisVector& shift) { state_.coordinates.set_shift(shift); }
+  /// Offsets in the memory were changed by the operator.
+  void offsets_changed() { state_.coordinates.offsets_changed(); }
+  /// A variable as a program would read it, without an alarm; nothing: it cannot be read.
+  [[nodiscard]] std::optional<double> peek(double number);
+  /// For expressions beside the program.
+  [[nodiscard]] vm::Interpreter::Settings evaluation_settings();
   [[nodiscard]] std::span<double> first_level_locals() {
     return interpreter_.locals_of_first_level();
   }
@@ -42,12 +53,6 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   Halt run(std::uint64_t instructions) override;
   /// Volatile variables vacant; offsets and the G92 shift stay.
   void reset() override;
-  [[nodiscard]] Halt halt() const override { return halt_; }
-  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const override {
-    return alarms_.alarm();
-  }
-  [[nodiscard]] const Assumptions& assumptions() const override { return assumptions_; }
-  [[nodiscard]] std::uint64_t blocks() const override { return blocks_; }
   /// As #5021 reads them.
   [[nodiscard]] base::AxisVector machine_position() const override;
   [[nodiscard]] base::AxisVector tool_length() const override {
@@ -56,13 +61,13 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   [[nodiscard]] base::AxisVector work_origin() const override {
     return state_.coordinates.origin();
   }
-  [[nodiscard]] base::Place standing_at() override { return interpreter_.place(); }
+  void stand_at(const base::AxisVector& tip) override;
+  [[nodiscard]] bool can_be_moved() const override { return !state_.path.holds_moves(); }
   [[nodiscard]] std::string running_program() const override { return calls_.running_name(); }
-  /// Behind every NC block; behind macro statements only with parameter SBM.
-  void set_single_block(bool on) override;
+  [[nodiscard]] ModalView modal() const override;
+  [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override;
   void set_optional_stop(bool on) override { optional_stop_ = on; }
   void set_block_skip(std::uint32_t levels) override { interpreter_.set_switches(levels); }
-  void observe_blocks(BlockObserver observer) override;
   /// Answered at the next block when M96 has allowed it.
   void interrupt() override { interrupt_pending_ = true; }
 
@@ -72,7 +77,7 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   // vm::Host
   vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
                       const double* registers) override;
-  bool read(double number, double& value) override;
+  vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
   void failure(const base::Diagnostic& diagnostic) override;
@@ -80,10 +85,15 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
  private:
+  // ProgramControl
+  vm::Interpreter* interpreter() override { return &interpreter_; }
+  std::string name_of_level(std::size_t level) const override { return calls_.name_at(level); }
+  // Behind every NC block; behind macro statements only with parameter SBM.
+  bool single_block_traces() const override { return parameters_.stop_at_macro; }
+
   // Whereabouts
   // Before the start no program runs that a wrong variable could be told of.
   [[nodiscard]] bool started() const { return interpreter_.depth() > 0; }
-  base::Place place() override { return started() ? interpreter_.place() : base::Place{}; }
   std::string program_name() const override { return started() ? calls_.running_name() : ""; }
   std::string callers() override;
 
@@ -132,6 +142,7 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   bool finish_calls();
   bool set_interrupt();
   vm::Verdict stopped(Halt halt);
+  vm::Verdict end_of_entry();
 
   vm::Verdict print(const gcode::GcodePage& page, const gcode::Statement& statement,
                     const double* registers);
@@ -141,15 +152,12 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   bool take_interrupt();
   void learn_parameters();
   void learn_calling_codes();
-  void learn_tracing();
 
   Parameters parameters_;
   const AxisSetup& axes_;
   gcode::CodeLibrary& library_;
   Surroundings& surroundings_;
   gcode::MathRules math_;
-  Alarms alarms_;
-  Assumptions assumptions_;
   BlockBuffer buffer_;
   State state_;
   vm::Interpreter interpreter_;
@@ -176,14 +184,10 @@ class Controller : public Control, public vm::Host, private Whereabouts {
   bool in_block_ = false;                // an NC block has begun and is not over
   bool moved_ = false;                   // the block has commanded axis movement
   bool transferred_ = false;             // the block has called or returned
-  Halt halt_ = Halt::none;
-  bool single_block_ = false;
-  bool in_statement_ = false;  // the block that began last is a macro statement so far
+  Ends ends_ = Ends::by_code;
   bool optional_stop_ = false;
   bool interrupt_pending_ = false;
   std::uint32_t interrupt_program_ = 0;  // of M96; 0: not allowed
-  BlockObserver observer_;
-  std::uint64_t blocks_ = 0;
 };
 
 }  // namespace kerf::control

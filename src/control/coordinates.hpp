@@ -57,6 +57,12 @@ class Coordinates {
   void preset(const base::AxisVector& program);
   /// G92.1: drops the G52 and G92 shifts of an axis.
   void clear_shifts(base::Axis axis);
+  /// What presets have left: the shift of G92.
+  [[nodiscard]] const base::AxisVector& shift() const { return shift_; }
+  void set_shift(const base::AxisVector& shift) {
+    shift_ = shift;
+    refresh_origin();
+  }
   void set_transform(const Transform& transform);
 
  private:

@@ -1,6 +1,7 @@
 #include "control/laser_control.hpp"
 
 #include <numbers>
+#include <utility>
 
 #include "base/decimal.hpp"
 #include "lang/vm/value.hpp"
@@ -52,7 +53,6 @@ LaserControl::LaserControl(const Parameters& parameters, const AxisSetup& axes,
       program_(program),
       surroundings_(surroundings),
       sink_(sink),
-      alarms_(*this),
       outlet_(alarms_, surroundings,
               axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
       moves_(axes, alarms_, assumptions_, outlet_,
@@ -109,22 +109,17 @@ Halt LaserControl::run(std::uint64_t instructions) {
   return halt_;
 }
 
-void LaserControl::set_single_block(bool on) {
-  single_block_ = on;
-  learn_tracing();
+ModalView LaserControl::modal() const {
+  ModalView view;
+  view.feed = moves_.programmed_speed();
+  view.speed = moves_.programmed_power();
+  return view;
 }
 
-void LaserControl::observe_blocks(BlockObserver observer) {
-  observer_ = std::move(observer);
-  learn_tracing();
+std::vector<std::string> LaserControl::modal_text(const ModalView& modal) const {
+  return {"SPEED " + base::number_text(base::tidy(modal.feed)),
+          "POWER " + base::number_text(base::tidy(modal.speed))};
 }
-
-void LaserControl::learn_tracing() {
-  in_statement_ = false;
-  if (interpreter_) interpreter_->set_tracing(observer_ != nullptr || single_block_);
-}
-
-base::Place LaserControl::place() { return interpreter_ ? interpreter_->place() : base::Place{}; }
 
 // A recursion is as deep as it likes: only the nearest calls are told.
 std::string LaserControl::callers() {
@@ -141,15 +136,10 @@ std::string LaserControl::callers() {
 // vm::Host
 
 Verdict LaserControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  const bool first_of_line = &mark == page.marks.data() || (&mark)[-1].line != mark.line;
-  if (in_statement_ && single_block_) {
-    in_statement_ = false;
-    halt_ = Halt::single_block;
-    return Verdict::pause;
-  }
-  in_statement_ = true;
-  if (observer_ && first_of_line) observer_(page.file, mark.line);
-  return Verdict::go_on;
+  const bool behind_statement = std::exchange(in_statement_, true);
+  const Verdict verdict = announce(page, mark);
+  if (verdict != Verdict::go_on || !behind_statement || !single_block_) return verdict;
+  return halt_with(Halt::single_block, Verdict::pause);
 }
 
 Verdict LaserControl::execute(const vm::CodePage& code_page, std::uint32_t block,
@@ -192,8 +182,26 @@ void LaserControl::print(const basic::BasicPage& page, const basic::Statement& s
   surroundings_.print(print_.text_of(page, items, registers));
 }
 
+std::optional<double> LaserControl::peek(double number) const {
+  switch (Inquiry{static_cast<std::uint32_t>(number)}) {
+    case Inquiry::x: return moves_.position().x;
+    case Inquiry::y: return moves_.position().y;
+    case Inquiry::z: return moves_.position().z;
+    case Inquiry::moved: return moves_.moved();
+    case Inquiry::input: return std::nullopt;
+    default: return 0;  // a variable that was never written
+  }
+}
+
+vm::Interpreter::Settings LaserControl::evaluation_settings() {
+  vm::Interpreter::Settings settings;
+  settings.locals = basic::kNear;
+  settings.globals = globals_;
+  return settings;
+}
+
 // A variable that was never written, the recorded position, or a number that the operator enters.
-bool LaserControl::read(double number, double& value) {
+Verdict LaserControl::read(double number, double& value) {
   const auto inquiry = static_cast<std::uint32_t>(number);
   value = 0;
   switch (Inquiry{inquiry}) {
@@ -206,16 +214,23 @@ bool LaserControl::read(double number, double& value) {
       warn(Code::basic_unset, place(), program_.variables()[inquiry], kName);
       set_variable(inquiry, 0);
   }
-  return true;
+  return Verdict::go_on;
 }
 
-bool LaserControl::read_input(double& value) {
+Verdict LaserControl::read_input(double& value) {
+  if (!surroundings_.input_can_be_read()) return Verdict::again;
   const std::optional<std::string> line = surroundings_.input();
-  if (!line) return alarms_.raise(Code::basic_input, "nothing is left to read");
+  if (!line) {
+    alarms_.raise(Code::basic_input, "nothing is left to read");
+    return Verdict::stop;
+  }
   const auto number = base::parse_number(trimmed(*line));
-  if (!number) return alarms_.raise(Code::basic_input, "this is no number: " + line->substr(0, 40));
+  if (!number) {
+    alarms_.raise(Code::basic_input, "this is no number: " + line->substr(0, 40));
+    return Verdict::stop;
+  }
   value = *number;
-  return true;
+  return Verdict::go_on;
 }
 
 // No statement writes to the host.

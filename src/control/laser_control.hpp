@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "control/control.hpp"
 #include "control/laser_moves.hpp"
 #include "control/laser_print.hpp"
 #include "control/memory.hpp"
 #include "control/parameters.hpp"
+#include "control/program_control.hpp"
 #include "lang/basic/basic_program.hpp"
 #include "lang/vm/interpreter.hpp"
 
@@ -17,7 +17,7 @@ namespace kerf::control {
 /// The control of a laser that runs laser BASIC (docs/laser-basic.md): gives the statements of a
 /// program their meaning. There are no blocks to skip, no optional stops and no tools; the work
 /// origin is that of G54.
-class LaserControl final : public Control, private vm::Host, private Whereabouts {
+class LaserControl final : public ProgramControl, private vm::Host {
  public:
   /// All must outlive the control.
   LaserControl(const Parameters& parameters, const AxisSetup& axes, const Memory& memory,
@@ -30,26 +30,26 @@ class LaserControl final : public Control, private vm::Host, private Whereabouts
   [[nodiscard]] double variable(std::uint32_t number);
   void set_variable(std::uint32_t number, double value);
 
+  /// What an expression beside the program reads of the control; nothing: it would have to ask the
+  /// operator.
+  [[nodiscard]] std::optional<double> peek(double number) const;
+  /// For such expressions. Precondition: started.
+  [[nodiscard]] vm::Interpreter::Settings evaluation_settings();
+
   // Control
   Halt run(std::uint64_t instructions) override;
   void reset() override;
-  [[nodiscard]] Halt halt() const override { return halt_; }
-  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const override {
-    return alarms_.alarm();
-  }
-  [[nodiscard]] const Assumptions& assumptions() const override { return assumptions_; }
-  [[nodiscard]] std::uint64_t blocks() const override { return blocks_; }
   [[nodiscard]] base::AxisVector machine_position() const override { return moves_.tip(); }
   [[nodiscard]] base::AxisVector tool_length() const override { return {}; }
   [[nodiscard]] base::AxisVector work_origin() const override { return moves_.origin(); }
-  [[nodiscard]] base::Place standing_at() override { return place(); }
+  void stand_at(const base::AxisVector& tip) override { moves_.stand_at(tip); }
+  [[nodiscard]] bool can_be_moved() const override { return true; }
   [[nodiscard]] std::string running_program() const override { return kName; }
-  /// Behind every statement.
-  void set_single_block(bool on) override;
+  [[nodiscard]] ModalView modal() const override;
+  [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override;
   void set_optional_stop(bool /*on*/) override {}
   void set_block_skip(std::uint32_t /*levels*/) override {}
   void interrupt() override {}
-  void observe_blocks(BlockObserver observer) override;
 
   /// What programs without a number are called.
   static constexpr const char* kName = "O0000";
@@ -58,42 +58,39 @@ class LaserControl final : public Control, private vm::Host, private Whereabouts
   // vm::Host
   vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
                       const double* registers) override;
-  bool read(double number, double& value) override;
+  vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
   void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
   vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
+  // ProgramControl
+  vm::Interpreter* interpreter() override { return interpreter_.get(); }
+  std::string name_of_level(std::size_t /*level*/) const override { return kName; }
+  // Behind every statement.
+  bool single_block_traces() const override { return true; }
+
   // Whereabouts
-  base::Place place() override;
   [[nodiscard]] std::string program_name() const override { return kName; }
   std::string callers() override;
 
   [[nodiscard]] bool move(const basic::Statement& statement, std::span<const double> arguments);
   void print(const basic::BasicPage& page, const basic::Statement& statement,
              const double* registers);
-  bool read_input(double& value);
+  vm::Verdict read_input(double& value);
   vm::Verdict end_of_program();
-  void learn_tracing();
 
   const Parameters& parameters_;
   const Memory& memory_;
   basic::BasicProgram& program_;
   Surroundings& surroundings_;
   MotionSink& sink_;
-  Alarms alarms_;
-  Assumptions assumptions_;
   Outlet outlet_;
   LaserMoves moves_;
   LaserPrint print_;
   std::vector<double> globals_;  // variables that do not live in registers
   std::unique_ptr<vm::Interpreter> interpreter_;
-  BlockObserver observer_;
-  std::uint64_t blocks_ = 0;
-  Halt halt_ = Halt::none;
-  bool single_block_ = false;
-  bool in_statement_ = false;  // a statement has begun that single block stops behind
 };
 
 }  // namespace kerf::control

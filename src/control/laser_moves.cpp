@@ -55,6 +55,10 @@ void LaserMoves::start(const Settings& settings) {
   speed_ = highest_speed_;
   power_ = beam_ = moved_ = 0;
   power_set_ = speed_set_ = false;
+  refresh_position();
+}
+
+void LaserMoves::refresh_position() {
   const auto value = [&](std::size_t i) {
     return xyz_[i] ? tip_[*xyz_[i]] - settings_.origin[*xyz_[i]] : 0;
   };

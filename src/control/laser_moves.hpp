@@ -42,6 +42,14 @@ class LaserMoves {
   void start(const Settings& settings);
   void stand_at(const Source& source) { source_ = source; }
 
+  /// The axes were brought to `tip` by hand.
+  void stand_at(const base::AxisVector& tip) {
+    tip_ = tip;
+    refresh_position();
+  }
+  [[nodiscard]] double programmed_speed() const { return speed_; }  ///< mm/s
+  [[nodiscard]] double programmed_power() const { return power_; }  ///< percent
+
   // The statements. False: an alarm was raised at the statement.
   [[nodiscard]] bool home();
   [[nodiscard]] bool speed(double mm_s);
@@ -74,6 +82,7 @@ class LaserMoves {
     double length = 0;
   };
 
+  void refresh_position();
   [[nodiscard]] bool arc_through(std::span<const double> a);
   [[nodiscard]] bool arc_by_angles(std::span<const double> a);
   [[nodiscard]] bool arc_by_radius(std::span<const double> a);

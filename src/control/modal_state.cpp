@@ -123,6 +123,12 @@ Group group_of(GCode code) {
   return found == std::end(kCodes) ? Group::none : found->group;
 }
 
+std::string name_of(GCode code) {
+  const std::string number = std::to_string(code / 10);
+  const std::string name = (number.size() < 2 ? "G0" : "G") + number;
+  return code % 10 == 0 ? name : name + "." + std::to_string(code % 10);
+}
+
 ModalState::ModalState(const Parameters& parameters) {
   set(Group::motion, parameters.power_on_line ? 10 : 0);
   set(Group::plane, 170);

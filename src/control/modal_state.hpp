@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include "control/motion.hpp"
 #include "control/parameters.hpp"
@@ -41,6 +42,9 @@ inline constexpr std::size_t kGroups = 23;
 
 [[nodiscard]] Group group_of(GCode code);
 
+/// "G01", "G54.1".
+[[nodiscard]] std::string name_of(GCode code);
+
 /// The modal G codes of all groups. Value type.
 class ModalState {
  public:
@@ -65,6 +69,8 @@ class ModalState {
            : code == 930 ? FeedMode::inverse_time
                          : FeedMode::per_minute;
   }
+  /// All of them, in the order of the groups.
+  [[nodiscard]] const std::array<GCode, kGroups>& codes() const { return codes_; }
   /// Value of #4001 + number - 1, or a negative number when there is no such group.
   [[nodiscard]] double variable(std::size_t group_number) const;
 

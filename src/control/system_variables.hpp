@@ -26,6 +26,10 @@ class SystemVariables {
     program_number_ = std::move(program_number);
   }
 
+  /// Whether the variable tells or sets the time: #3001, #3002, #3011, #3012.
+  [[nodiscard]] static bool is_clock(double number) {
+    return number == 3001 || number == 3002 || number == 3011 || number == 3012;
+  }
   /// False: an alarm was raised (PS0115, PS1115).
   [[nodiscard]] bool read(double number, double& value);
   /// False: an alarm was raised (PS0115, PS0116, PS0032 …). `event` tells what else must happen.

@@ -42,6 +42,8 @@ class TaughtMoves {
 
   /// Where the beam is, machine coordinates.
   [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
+  /// The axes were brought to `tip` by hand.
+  void stand_at(const base::AxisVector& tip) { tip_ = tip; }
   /// The beam goes off; FEED and power are forgotten. The axes stay.
   void reset();
 

@@ -10,7 +10,6 @@ TeachControl::TeachControl(const AxisSetup& axes, const TaughtFor& machine,
                            teach::TeachLibrary& library, Surroundings& surroundings,
                            MotionSink& sink)
     : sink_(sink),
-      alarms_(*this),
       outlet_(alarms_, surroundings,
               axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
       moves_(axes, alarms_, assumptions_, outlet_, machine),
@@ -36,20 +35,6 @@ Halt TeachControl::run(std::uint64_t instructions) {
   return halt_;
 }
 
-void TeachControl::observe_blocks(BlockObserver observer) {
-  observer_ = std::move(observer);
-  interpreter_.set_tracing(observer_ != nullptr);
-}
-
-base::Place TeachControl::place() {
-  return interpreter_.depth() > 0 ? interpreter_.place() : base::Place{};
-}
-
-Verdict TeachControl::stop(Halt halt, Verdict verdict) {
-  halt_ = halt;
-  return verdict;
-}
-
 // vm::Host
 
 Verdict TeachControl::execute(const vm::CodePage& page, std::uint32_t block,
@@ -58,14 +43,13 @@ Verdict TeachControl::execute(const vm::CodePage& page, std::uint32_t block,
   const teach::Block& record = taught.blocks[block];
   ++blocks_;
   if (!moves_.execute(record, page.file)) return Verdict::stop;
-  if (std::holds_alternative<teach::End>(record.record)) return stop(Halt::end, Verdict::stop);
-  if (single_block_) return stop(Halt::single_block, Verdict::pause);
+  if (std::holds_alternative<teach::End>(record.record)) return halt_with(Halt::end, Verdict::stop);
+  if (single_block_) return halt_with(Halt::single_block, Verdict::pause);
   return sink_.ready() ? Verdict::go_on : Verdict::pause;
 }
 
 Verdict TeachControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  observer_(page.file, mark.line);
-  return Verdict::go_on;
+  return announce(page, mark);
 }
 
 void TeachControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
@@ -73,7 +57,7 @@ void TeachControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(
 // The compiler ends every program with END or a failure, and makes no code that reads, writes or
 // calculates.
 Verdict TeachControl::end_of_code() { return Verdict::stop; }
-bool TeachControl::read(double /*number*/, double& /*value*/) { return false; }
+Verdict TeachControl::read(double /*number*/, double& /*value*/) { return Verdict::stop; }
 Verdict TeachControl::write(double /*number*/, double /*value*/) { return Verdict::stop; }
 void TeachControl::fault(vm::Fault /*fault*/) {}
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/control.hpp"
+#include "control/program_control.hpp"
 #include "control/taught_moves.hpp"
 #include "lang/teach/teach_library.hpp"
 #include "lang/vm/interpreter.hpp"
@@ -10,7 +10,7 @@ namespace kerf::control {
 /// The control of a machine that goes to taught points: executes the records of a .tch file, one
 /// block each, as TaughtMoves says. There are no variables, no calls, no tool and no work offset:
 /// points are where the machine was.
-class TeachControl final : public Control, private vm::Host, private Whereabouts {
+class TeachControl final : public ProgramControl, private vm::Host {
  public:
   /// All must outlive the control.
   TeachControl(const AxisSetup& axes, const TaughtFor& machine, teach::TeachLibrary& library,
@@ -23,53 +23,46 @@ class TeachControl final : public Control, private vm::Host, private Whereabouts
   // Control
   Halt run(std::uint64_t instructions) override;
   void reset() override;
-  [[nodiscard]] Halt halt() const override { return halt_; }
-  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const override {
-    return alarms_.alarm();
-  }
-  [[nodiscard]] const Assumptions& assumptions() const override { return assumptions_; }
-  [[nodiscard]] std::uint64_t blocks() const override { return blocks_; }
   [[nodiscard]] base::AxisVector machine_position() const override { return moves_.tip(); }
   [[nodiscard]] base::AxisVector tool_length() const override { return {}; }
   [[nodiscard]] base::AxisVector work_origin() const override { return {}; }
-  [[nodiscard]] base::Place standing_at() override { return place(); }
+  void stand_at(const base::AxisVector& tip) override { moves_.stand_at(tip); }
+  [[nodiscard]] bool can_be_moved() const override { return true; }
   [[nodiscard]] std::string running_program() const override { return name_; }
-  void set_single_block(bool on) override { single_block_ = on; }
+  [[nodiscard]] ModalView modal() const override { return {}; }
+  [[nodiscard]] std::vector<std::string> modal_text(const ModalView& /*modal*/) const override {
+    return {};
+  }
   /// No record asks for a stop, none can be skipped, none calls.
   void set_optional_stop(bool /*on*/) override {}
   void set_block_skip(std::uint32_t /*levels*/) override {}
   void interrupt() override {}
-  void observe_blocks(BlockObserver observer) override;
 
  private:
   // vm::Host
   vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
                       const double* registers) override;
-  bool read(double number, double& value) override;
+  vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
   void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
   vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
+  // ProgramControl
+  vm::Interpreter* interpreter() override { return &interpreter_; }
+  std::string name_of_level(std::size_t /*level*/) const override { return name_; }
+  bool single_block_traces() const override { return false; }
+
   // Whereabouts
-  base::Place place() override;
   [[nodiscard]] std::string program_name() const override { return name_; }
   std::string callers() override { return {}; }
 
-  vm::Verdict stop(Halt halt, vm::Verdict verdict);
-
   MotionSink& sink_;
-  Alarms alarms_;
-  Assumptions assumptions_;
   Outlet outlet_;
   TaughtMoves moves_;
   vm::Interpreter interpreter_;
-  BlockObserver observer_;
   std::string name_;
-  std::uint64_t blocks_ = 0;
-  Halt halt_ = Halt::none;
-  bool single_block_ = false;
 };
 
 }  // namespace kerf::control

@@ -80,6 +80,12 @@ class Toolpath {
   void reset();
 
   [[nodiscard]] const Source& source() const { return source_; }
+  /// The tool was brought to `tip` by hand. Precondition: !holds_moves().
+  void stand_at(const base::AxisVector& tip) {
+    tip_ = tip;
+    compensation_.set_tip(tip);
+  }
+  [[nodiscard]] bool holds_moves() const { return compensation_.active() || corners_.holding(); }
   /// Where the tool stands, machine coordinates without tool length.
   [[nodiscard]] base::AxisVector tip() const;
 

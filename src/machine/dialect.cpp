@@ -26,6 +26,13 @@ constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>},
 
 }  // namespace
 
+bool Dialect::is_file(const std::string& name, base::FileId file) const {
+  if (!sources_.contains(file)) return false;
+  const std::string& whole = sources_[file].name();
+  return whole == name || (whole.size() > name.size() && whole.ends_with(name) &&
+                           whole[whole.size() - name.size() - 1] == '/');
+}
+
 std::vector<std::string_view> available_dialects() {
   std::vector<std::string_view> names;
   for (const Maker& maker : kMakers) names.push_back(maker.name);

@@ -14,8 +14,10 @@
 #include "control/motion.hpp"
 #include "control/surroundings.hpp"
 #include "lang/vm/page_store.hpp"
+#include "machine/condition.hpp"
 #include "machine/machine_definition.hpp"
 #include "machine/signals.hpp"
+#include "machine/variable_listing.hpp"
 
 namespace kerf::machine {
 
@@ -40,13 +42,20 @@ class Dialect {
     vm::PageSettings pages;
   };
 
-  Dialect() = default;
+  explicit Dialect(const base::SourceSet& sources) : sources_(sources) {}
   virtual ~Dialect() = default;
   Dialect(const Dialect&) = delete;
   Dialect& operator=(const Dialect&) = delete;
 
   /// The file whose first program is to run.
-  virtual void load(base::FileId file) = 0;
+  void load(base::FileId file) {
+    main_file_ = file;
+    load_file(file);
+  }
+  /// Whether a file goes by this name, or by what its name ends in behind a slash.
+  [[nodiscard]] bool is_file(const std::string& name, base::FileId file) const;
+  /// The one that was loaded.
+  [[nodiscard]] base::FileId main_file() const { return main_file_; }
   /// A folder of programs that can be called.
   virtual void add_library_folder(const std::string& folder) = 0;
   /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
@@ -57,11 +66,42 @@ class Dialect {
   virtual void reset() { control().reset(); }
   /// Mistakes that show without running the program.
   [[nodiscard]] virtual std::vector<base::Diagnostic> check() = 0;
+  /// Stands at the head of an entry in MDI, whose end is the end of its text; programs that it
+  /// calls are those that are loaded. Otherwise the alarm that it raises at once.
+  [[nodiscard]] virtual std::optional<base::Diagnostic> start_entry(base::FileId file) = 0;
+  /// What a program leaves behind besides memory and position: the shift of G92.
+  [[nodiscard]] virtual base::AxisVector shift() const { return {}; }
+  virtual void set_shift(const base::AxisVector& /*shift*/) {}
+  /// Offsets in the memory were changed by the operator.
+  virtual void offsets_changed() {}
+
+  /// A condition of a breakpoint. Failure (usage): it is none in this language.
+  [[nodiscard]] virtual base::Outcome<Condition> compile_condition(const std::string& text) = 0;
+  /// Whether it holds where the program stands; nothing: it has no value there.
+  [[nodiscard]] virtual std::optional<bool> holds(Condition& condition) = 0;
+  /// A variable by its name, vm::kNull where it is vacant; nothing: there is none of this name.
+  /// `level` of the calls, 0: main.
+  [[nodiscard]] virtual std::optional<double> variable(const std::string& name,
+                                                       std::size_t level) = 0;
+  /// Failure (usage): why not.
+  [[nodiscard]] virtual base::Outcome<void> set_variable_at(const std::string& name, double value,
+                                                            std::size_t level) = 0;
+  /// All of a level, `changed` left out.
+  [[nodiscard]] virtual VariableListing list_variables(std::size_t level) = 0;
+
   /// Before the start local variables are those of the main program. Failure (usage).
   [[nodiscard]] virtual base::Outcome<void> set_variable(const std::string& name, double value) = 0;
   /// All that are not null, in the order of the language.
   [[nodiscard]] virtual std::vector<Variable> variables() = 0;
   [[nodiscard]] virtual control::Control& control() = 0;
+  [[nodiscard]] virtual const control::Control& control() const = 0;
+
+ protected:
+  virtual void load_file(base::FileId file) = 0;
+
+ private:
+  const base::SourceSet& sources_;
+  base::FileId main_file_ = base::kNoFile;
 };
 
 /// Names of the dialects that Kerf runs, of kDialects.

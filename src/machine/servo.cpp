@@ -1,5 +1,7 @@
 #include "machine/servo.hpp"
 
+#include <cmath>
+
 #include "machine/internal/joint_linkage.hpp"
 #include "motion/interpolator.hpp"
 #include "motion/path_sampler.hpp"
@@ -31,17 +33,39 @@ Servo::Servo(const MachineDefinition& definition)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
       source_(make_source(definition, linkage_.get())),
-      joints_(definition.start) {}
+      joints_(definition.start),
+      commanded_(definition.axes.start) {
+  last_.tip = before_.tip = definition.axes.start;
+  for (const control::AxisConfig& axis : definition.axes.axes) is_rotary_.push_back(axis.rotary);
+}
 
 Servo::~Servo() = default;
 
 void Servo::take(const control::Motion& motion) {
-  if (!source_->room()) drain();
+  if (!paced_) {
+    if (!source_->room()) drain();
+    feed(motion);
+    return;
+  }
+  is_finished_ = is_asked_to_finish_ = false;
+  if (has_room()) {
+    feed(motion);
+  } else {
+    waiting_.push_back(motion);
+    if (const base::AxisVector* const to = control::target_of(motion)) waiting_end_ = *to;
+  }
+}
+
+void Servo::feed(const control::Motion& motion) {
   source_->take(motion);
   if (const base::AxisVector* const to = control::target_of(motion)) commanded_ = *to;
 }
 
 void Servo::finish() {
+  if (paced_) {
+    is_asked_to_finish_ = true;
+    return;
+  }
   if (!source_->room()) drain();
   source_->finish();
   drain();
@@ -51,6 +75,86 @@ void Servo::resume() {
   if (!broken_off_) return;
   broken_off_ = false;
   start(commanded_);
+}
+
+// Whether the source, emptied, can be asked again: it has been filled, or nothing follows.
+bool Servo::goes_on() {
+  while (!waiting_.empty() && source_->room()) {
+    feed(waiting_.front());
+    waiting_.pop_front();
+  }
+  if (waiting_.empty()) waiting_end_.reset();
+  if (!waiting_.empty() || !source_->room()) return true;
+  if (!is_asked_to_finish_ || is_finished_) return false;
+  source_->finish();
+  is_finished_ = true;
+  return true;
+}
+
+// The next point of the source. Who wants to rest and stands may need no more motions. False: there
+// is none, and nothing to make one of.
+bool Servo::fetch() {
+  const bool may_rest = source_->wants_hold() && source_->standing();
+  if (is_emptied_ && !may_rest && !goes_on()) return false;
+  motion::Setpoint point;
+  const bool made = source_->next(point);
+  if (made) next_ = point;
+  if (source_->held()) return made;
+  is_emptied_ = !made;
+  return made || goes_on();
+}
+
+Servo::Pace Servo::make_until(double until_s, std::uint64_t most_points) {
+  while (!broken_off_) {
+    if (next_ && (next_->time_s > until_s || points_ >= most_points)) return Pace::reached;
+    if (next_) {
+      const motion::Setpoint point = *next_;
+      next_.reset();
+      ++points_;
+      hand_out(point);
+    } else if (source_->at_reset()) {
+      return Pace::at_rest;
+    } else if (!fetch()) {
+      if (source_->held()) return Pace::reached;
+      return is_finished_ ? Pace::at_rest : Pace::wants_motions;
+    }
+  }
+  return Pace::at_rest;
+}
+
+void Servo::drop_waiting() {
+  waiting_.clear();
+  waiting_end_.reset();
+  source_->resume();
+  commanded_ = source_->tip();
+  is_emptied_ = is_finished_ = true;
+  is_asked_to_finish_ = false;
+}
+
+void Servo::lock(bool on) {
+  if (on == locked()) return;
+  if (on) {
+    locked_ = AxisPoint{last_, joints_};
+  } else {
+    locked_.reset();
+  }
+}
+
+double Servo::speed() const {
+  const double dt_s = last_.time_s - before_.time_s;
+  if (!(dt_s > 0)) return 0;
+  double linear = 0;
+  double rotary = 0;
+  for (std::size_t i = 0; i < is_rotary_.size(); ++i) {
+    const double way = last_.tip.values[i] - before_.tip.values[i];
+    (is_rotary_[i] ? rotary : linear) += way * way;
+  }
+  return std::sqrt(linear > 0 ? linear : rotary) / dt_s;
+}
+
+void Servo::tell_sinks() {
+  started_ = true;
+  for (AxisPointSink* const sink : sinks_) sink->start(stands_at());
 }
 
 void Servo::drain() {
@@ -75,9 +179,13 @@ void Servo::start(const base::AxisVector& tip) {
 }
 
 void Servo::hand_out(const motion::Setpoint& point) {
+  if (!started_) start(last_.tip);
   joints_ = linkage_ ? linkage_->joints(point.tip, joints_) : point.tip;
+  before_ = last_;
   last_ = point;
-  for (AxisPointSink* const sink : sinks_) sink->take({point, joints_});
+  AxisPoint seen{point, joints_};
+  if (locked_) seen = {{point.time_s, locked_->tip.tip, point.mark}, locked_->joints};
+  for (AxisPointSink* const sink : sinks_) sink->take(seen);
 }
 
 }  // namespace kerf::machine

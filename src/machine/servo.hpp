@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "control/motion.hpp"
@@ -18,6 +21,12 @@ namespace kerf::machine {
 ///
 /// Without sinks it only keeps the time, which is faster and the same. Broken off, it makes no more
 /// set-points and takes motions without making them: time and tip stay where they were.
+///
+/// It works in one of two ways, which make the same points. In a batch run it takes every motion
+/// and makes points whenever its source has no room for more. Paced, points are made by
+/// make_until() only, up to a time, and motions wait where there is no room: has_room() tells the
+/// control not to execute more blocks. The source is asked and fed in the same order: filled, then
+/// emptied.
 class Servo : public control::MotionSink {
  public:
   explicit Servo(const MachineDefinition& definition);
@@ -36,6 +45,45 @@ class Servo : public control::MotionSink {
   /// Goes on where the motions that were taken end. Precondition: finish() has been called.
   void resume();
 
+  // Paced
+
+  /// From now on. Precondition: nothing was taken yet.
+  void pace() { paced_ = true; }
+  /// Nothing waits, and the source has room.
+  [[nodiscard]] bool has_room() const { return waiting_.empty() && source_->room(); }
+  /// Everything that was taken is made, and the axes rest.
+  [[nodiscard]] bool at_rest() const { return is_emptied_ && is_finished_ && !next_; }
+  enum class Pace : std::uint8_t {
+    reached,        ///< the time, or the number of points
+    wants_motions,  ///< it goes on with more of them, or with finish()
+    at_rest
+  };
+  /// Hands out the points up to a time, in all at most `most_points`.
+  Pace make_until(double until_s, std::uint64_t most_points);
+  /// The tip, and what the operator can ask for.
+  [[nodiscard]] motion::SetpointSource& source() { return *source_; }
+  [[nodiscard]] const motion::SetpointSource& source() const { return *source_; }
+  /// Forgets motions that wait. Precondition: the source is at_reset(). The feed goes on.
+  void drop_waiting();
+  /// The sinks see the axes stand still; time and tip go on as the control has them.
+  void lock(bool on);
+  [[nodiscard]] bool locked() const { return locked_.has_value(); }
+  /// Where the axes stand: the tip and the driven ones.
+  [[nodiscard]] AxisPoint stands_at() const {
+    return locked_ ? *locked_ : AxisPoint{last_, joints_};
+  }
+  [[nodiscard]] const base::AxisVector& joints() const { return joints_; }
+  /// Of the tip over the last period, mm/s; degrees/s where only rotary axes turned.
+  [[nodiscard]] double speed() const;
+  /// Where the last motion ends that was taken.
+  [[nodiscard]] const base::AxisVector& commanded() const {
+    return waiting_end_ ? *waiting_end_ : commanded_;
+  }
+  /// Handed out so far.
+  [[nodiscard]] std::uint64_t points() const { return points_; }
+  /// Tells the sinks where the axes stand.
+  void tell_sinks();
+
   [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
   /// Since the start. The motions taken are made only after finish().
   [[nodiscard]] double time_s() const { return broken_off_ ? last_.time_s : source_->time_s(); }
@@ -44,6 +92,9 @@ class Servo : public control::MotionSink {
   [[nodiscard]] const motion::Setpoint& last() const { return last_; }
 
  private:
+  void feed(const control::Motion& motion);
+  [[nodiscard]] bool goes_on();
+  [[nodiscard]] bool fetch();
   void drain();
   void make_points();
   void start(const base::AxisVector& tip);
@@ -57,9 +108,21 @@ class Servo : public control::MotionSink {
   base::AxisVector joints_;
   base::AxisVector commanded_;  // where the last motion that was taken ends
   motion::Setpoint last_;
+  motion::Setpoint before_;  // the point before that
+  std::vector<bool> is_rotary_;
   std::uint64_t points_ = 0;
   bool started_ = false;  // the sinks know where the axes stood at first
   bool broken_off_ = false;
+
+  // Paced.
+  bool paced_ = false;
+  std::deque<control::Motion> waiting_;
+  std::optional<base::AxisVector> waiting_end_;  // where the last one of them ends
+  std::optional<motion::Setpoint> next_;         // made, and later than was asked for
+  bool is_emptied_ = true;  // the source has made all that it can of what it has
+  bool is_asked_to_finish_ = false;
+  bool is_finished_ = true;
+  std::optional<AxisPoint> locked_;  // where the axes really stand
 };
 
 }  // namespace kerf::machine

@@ -51,8 +51,19 @@ base::AxisVector VirtualMachine::position() const {
 }
 
 // Who reads a clock waits until all that was commanded is made: the axes come to rest.
-double VirtualMachine::seconds() {
+bool VirtualMachine::clock_can_be_read() {
+  if (!is_paced_ || diverted_ != nullptr || servo_.at_rest()) return true;
   servo_.finish();
+  return false;
+}
+
+bool VirtualMachine::input_can_be_read() {
+  waits_for_input_ = is_paced_ && input_ready_ && !input_ready_();
+  return !waits_for_input_;
+}
+
+double VirtualMachine::seconds() {
+  if (!is_paced_) servo_.finish();
   return servo_.time_s();
 }
 
@@ -92,17 +103,23 @@ bool VirtualMachine::all_motions_made() const {
 
 // A block may make any number of motions: between them the clock is looked at, too.
 bool VirtualMachine::ready() const {
+  if (diverted_ != nullptr) return true;
+  if (is_paced_) return servo_.has_room() && !servo_.broken_off();
   return !motions_spent_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
 }
 
 // Beyond the budget nothing is handed out any more. What moves nothing may still follow its last
 // motion: above all the end of the program.
 void VirtualMachine::take(const control::Motion& motion) {
+  if (diverted_ != nullptr) {
+    diverted_->take(motion);
+    return;
+  }
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_) return;
   statistics_.take(motion);
   dotted_cut_.take(motion);
-  servo_.take(motion);
+  servo_.take(alter_ ? alter_(motion) : motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
 }
 
@@ -174,6 +191,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
       case Halt::single_block:
       case Halt::program_stop:
       case Halt::message:
+      case Halt::gate:
         if (!batch) return finish(Status::running);
         break;
       case Halt::none: break;

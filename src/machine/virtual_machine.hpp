@@ -105,6 +105,58 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   void reset();
   /// The signal of a macro interrupt (M96).
   void interrupt() { dialect_->control().interrupt(); }
+  // By simulated time (LiveMachine). Set-points and blocks are the same as without.
+
+  /// From now on time passes by advance(); cycle_start() and run_to_end() are not for this machine.
+  /// Precondition: nothing has run.
+  void pace();
+  /// Begins the program, or goes on behind a stop, as advance() has it. False: an alarm.
+  bool set_off();
+  /// Begins an entry in MDI. False: an alarm.
+  bool set_off_entry(std::unique_ptr<base::SourceFile> file);
+  /// A move that the operator commands, from where the axes rest; finish_moves() behind the last
+  /// one. Otherwise why the joints cannot follow it; then nothing has changed.
+  [[nodiscard]] std::optional<control::Refusal> command(const control::Motion& motion);
+  void finish_moves();
+  /// Makes set-points up to a time of the run, in all at most `most_points`, and executes blocks as
+  /// far as the servo has room for what they command. True: the time is reached. False: the axes
+  /// rest and nothing follows (!is_active()), or there was too much to compute for one call, or a
+  /// line of input is missing.
+  bool advance(double until_s, std::uint64_t most_points);
+  /// Blocks or points are to come.
+  [[nodiscard]] bool is_active() const { return is_active_; }
+  /// The program has begun and is not over.
+  [[nodiscard]] bool is_in_program() const { return is_in_program_; }
+  [[nodiscard]] bool waits_for_input() const { return waits_for_input_; }
+  /// Whether the line that INPUT waits for is there; without it all of them are.
+  void set_input_ready(std::function<bool()> question) { input_ready_ = std::move(question); }
+  /// Behind servo().source().reset(), at rest: forgets what was ahead. The control stands where the
+  /// axes do; program and alarm are as they were.
+  void drop_ahead();
+  [[nodiscard]] Servo& servo() { return servo_; }
+  [[nodiscard]] const Servo& servo() const { return servo_; }
+  [[nodiscard]] Dialect& language() { return *dialect_; }
+  [[nodiscard]] const Dialect& language() const { return *dialect_; }
+  /// What is done with motions on their way to the servo; the sinks get them as they were.
+  void alter_motions(std::function<control::Motion(const control::Motion&)> change) {
+    alter_ = std::move(change);
+  }
+  /// While on, motions go to `sink` and to nobody else: the control comes to a line without moving
+  /// anything. Null: off.
+  void divert_motions(control::MotionSink* sink) { diverted_ = sink; }
+  /// The program that was begun will not go on.
+  void abandon() { is_in_program_ = false; }
+  /// Behind a diverted run: the program waits where it has halted. Joints are where they stand.
+  void stand_by();
+  /// The control has halted, whatever is still to be made.
+  [[nodiscard]] bool has_halted() const { return !executes_; }
+  /// Why the joints could not follow a move from where the axes rest.
+  [[nodiscard]] std::optional<control::Refusal> objection(const control::Motion& motion) {
+    return refusal(servo_.commanded(), motion, Intent::ask);
+  }
+  /// Of a diverted run: at most so many steps. False: it has not halted.
+  bool execute(std::uint64_t steps);
+
   /// Called at the beginning of every block; slows the machine down.
   void observe_blocks(control::Control::BlockObserver observer) {
     dialect_->control().observe_blocks(std::move(observer));
@@ -127,7 +179,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] double time_s() const { return servo_.time_s(); }
   [[nodiscard]] const std::string& dialect() const { return dialect_name_; }
   [[nodiscard]] control::Control& control() { return dialect_->control(); }
+  [[nodiscard]] const control::Control& control() const { return dialect_->control(); }
   [[nodiscard]] control::Memory& memory() { return memory_; }
+  [[nodiscard]] const control::Memory& memory() const { return memory_; }
   /// Machine coordinates of all axes, tool length included: where the last motion ended that was
   /// within the budget; after an alarm of a drive, where the axes are.
   [[nodiscard]] base::AxisVector position() const;
@@ -141,6 +195,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
  private:
   // control::Surroundings
+  bool clock_can_be_read() override;
   double seconds() override;
   double date() override { return signals_.date(seconds()); }
   double time_of_day() override { return signals_.time_of_day(seconds()); }
@@ -149,6 +204,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
   std::uint32_t inputs(std::size_t word) override { return signals_.inputs(word); }
   void print(std::string_view text) override;
+  bool input_can_be_read() override;
   std::optional<std::string> input() override { return input_ ? input_() : std::nullopt; }
 
   // control::MotionSink
@@ -156,6 +212,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool ready() const override;
   [[nodiscard]] bool all_motions_made() const;
 
+  bool begin_activity(std::optional<base::Diagnostic> alarm);
+  void execute_ahead();
+  void settle();
   bool start_program();
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
@@ -187,6 +246,17 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::uint64_t most_motions_ = 0;
   std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
   bool motions_spent_ = false;   // one more than most_motions_ was asked for
+
+  // Paced.
+  bool is_paced_ = false;
+  bool is_active_ = false;
+  bool is_in_program_ = false;
+  bool executes_ = false;    // the control has not halted
+  bool is_by_hand_ = false;  // what moves was commanded by the operator
+  bool waits_for_input_ = false;
+  std::function<bool()> input_ready_;
+  std::function<control::Motion(const control::Motion&)> alter_;
+  control::MotionSink* diverted_ = nullptr;
 };
 
 }  // namespace kerf::machine

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "motion/axis_norms.hpp"
 
@@ -66,6 +67,7 @@ void Interpolator::begin_section() {
   cell_way_ = -offset_;
   cells_left_ = section_.cells;
   driving_ = true;
+  if (section_.dwell_s == 0) standing_ = false;
 }
 
 void Interpolator::end_section() {
@@ -174,11 +176,19 @@ bool Interpolator::next(Setpoint& point) {
   return true;
 }
 
+base::AxisVector Interpolator::motion_end() const {
+  if (path_.marks.empty()) return tip_;
+  const PathMark& mark = path_.marks[path_.marks.begin()];
+  const bool known = path_.pieces.begin() <= mark.piece && mark.piece < path_.pieces.end();
+  return known ? path_.pieces[mark.piece].curve.at(mark.way) : tip_;
+}
+
 // The axes have come to rest.
 void Interpolator::end_standstill() {
-  if (stopping_ && !wants_hold_) look_ahead_.begin_at(cells_.begin(), offset_, 0);
-  stopping_ = false;
-  if (!wants_hold_) return;
+  standing_ = true;
+  const bool planned = std::exchange(stopping_, false);
+  if (planned && !wants_hold_) look_ahead_.begin_at(cells_.begin(), offset_, 0);
+  if (!wants_hold_ || (wants_whole_block_ && !planned && !block_is_over())) return;
   held_ = true;
   if (wants_reset_) drop();
 }

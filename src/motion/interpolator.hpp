@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "motion/cell_maker.hpp"
 #include "motion/look_ahead.hpp"
@@ -30,26 +31,26 @@ class Interpolator final : public SetpointSource {
   [[nodiscard]] bool next(Setpoint& point) override;
   void skip() override;
 
-  // The operator. Each of these takes effect as soon as it breaks no limit: speeds change along the
-  // path, which is not left.
-
-  /// 0 < feed, rapid <= 2.
-  void set_overrides(const Overrides& overrides);
-  /// The axes come to rest on the path.
-  void hold();
-  void resume();
-  /// As hold(); at rest everything ahead is dropped, and the next motion begins where the tool is.
-  void reset();
-  /// At rest after hold() or reset().
-  [[nodiscard]] bool held() const { return held_; }
-  /// At rest after reset(), with nothing ahead.
-  [[nodiscard]] bool at_reset() const { return at_reset_; }
+  void set_overrides(const Overrides& overrides) override;
+  void set_spindle_override(double factor) override { builder_.set_spindle_override(factor); }
+  void hold() override;
+  void hold_behind_block() override;
+  void resume() override;
+  void reset() override;
+  [[nodiscard]] bool wants_hold() const override { return wants_hold_; }
+  [[nodiscard]] bool held() const override { return held_; }
+  [[nodiscard]] bool at_reset() const override { return at_reset_; }
+  [[nodiscard]] bool empty() const override {
+    return path_.pieces.empty() && !builder_.keeps_back();
+  }
+  [[nodiscard]] bool standing() const override { return standing_; }
 
   /// A multiple of the period.
   [[nodiscard]] double time_s() const override {
     return static_cast<double>(tick_) * settings_.period_s;
   }
   [[nodiscard]] const base::AxisVector& tip() const override { return tip_; }
+  [[nodiscard]] base::AxisVector motion_end() const override;
 
  private:
   /// Speed and acceleration along the path, and the place: an offset from the begin of a cell.
@@ -84,6 +85,11 @@ class Interpolator final : public SetpointSource {
   [[nodiscard]] bool level_off(const Motion& from, Leveling& leveling) const;
   [[nodiscard]] bool replan(const Motion& from);
   [[nodiscard]] bool replan_hold(const Motion& from);
+  [[nodiscard]] bool replan_to_block_end(const Motion& from);
+  [[nodiscard]] std::optional<double> way_to(const PathMark& mark, const Motion& from) const;
+  [[nodiscard]] bool ends_in_standstill(const PathMark& mark) const;
+  [[nodiscard]] bool block_is_over() const;
+  void interrupt_dwell();
   [[nodiscard]] bool can_stop_within(const Motion& from, double way);
   [[nodiscard]] bool replan_overrides(const Motion& from);
   void try_overrides(std::uint64_t first);
@@ -106,9 +112,12 @@ class Interpolator final : public SetpointSource {
   Overrides wanted_;
   bool wants_hold_ = false;
   bool wants_reset_ = false;
-  bool stopping_ = false;  // the plan ends in the hold
+  bool wants_whole_block_ = false;   // the hold waits for the end of the block
+  std::uint64_t behind_motion_ = 0;  // which is not that of this motion
+  bool stopping_ = false;            // the plan ends in the hold
   bool held_ = false;
   bool at_reset_ = false;
+  bool standing_ = true;
 
   // The section under way.
   bool driving_ = false;

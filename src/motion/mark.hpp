@@ -18,6 +18,8 @@ struct Mark {
   float power_percent = 0;  ///< of the laser, while it lasts
   float speed = 0;          ///< programmed, mm/s; degrees/s of rotary moves; 0: none
   std::uint32_t tool = 0;   ///< in the spindle
+  /// Number of the motion among all that were taken, from 1; 0: none.
+  std::uint64_t motion = 0;
 };
 
 }  // namespace kerf::motion

@@ -9,6 +9,17 @@
 #include "motion/interpolator.hpp"
 
 namespace kerf::motion {
+namespace {
+
+// Shorter than any motion, mm or degrees, and than any period.
+constexpr double kSameWay = 1e-9;
+constexpr double kSameTime_s = 1e-12;
+
+bool same_block(const Mark& a, const Mark& b) {
+  return a.line == b.line && a.file == b.file && a.program == b.program;
+}
+
+}  // namespace
 
 /// A stretch in which the acceleration goes to 0, and how the tool moves behind it.
 struct Interpolator::Leveling {
@@ -19,12 +30,25 @@ struct Interpolator::Leveling {
 
 void Interpolator::set_overrides(const Overrides& overrides) { wanted_ = overrides; }
 
-void Interpolator::hold() { wants_hold_ = true; }
+void Interpolator::hold() {
+  wants_hold_ = true;
+  wants_whole_block_ = false;
+}
 
-void Interpolator::reset() { wants_hold_ = wants_reset_ = true; }
+void Interpolator::hold_behind_block() {
+  if (wants_hold_) return;
+  wants_hold_ = wants_whole_block_ = true;
+  constexpr std::uint64_t kAnyMotion = ~std::uint64_t{0};
+  behind_motion_ = standing_ ? mark_.motion : kAnyMotion;
+}
+
+void Interpolator::reset() {
+  wants_hold_ = wants_reset_ = true;
+  wants_whole_block_ = false;
+}
 
 void Interpolator::resume() {
-  wants_hold_ = wants_reset_ = false;
+  wants_hold_ = wants_reset_ = wants_whole_block_ = false;
   if (!held_) return;
   held_ = at_reset_ = false;
   look_ahead_.begin_at(cells_.begin(), offset_, 0);
@@ -56,14 +80,18 @@ Interpolator::Motion Interpolator::now() const {
 }
 
 void Interpolator::grant_wish() {
+  if (!held_ && !driving_ && !standing_) return;  // starved on the way
   const bool at_rest = held_ || !driving_;
-  if (at_rest && wants_hold_) {
+  if (at_rest && wants_hold_ && (!wants_whole_block_ || held_ || block_is_over())) {
     try_overrides(cells_.begin());
     overrides_ = wanted_;
     if (!held_) end_standstill();
     return;
   }
-  if (driving_ && section_.dwell_s > 0) return;
+  if (driving_ && section_.dwell_s > 0) {
+    if (wants_hold_ && !wants_whole_block_) interrupt_dwell();
+    return;
+  }
   const Motion from = now();
   if (from.acceleration == 0 || !limits_.jerk_limited()) {
     if (!replan(from)) return;
@@ -120,6 +148,57 @@ bool Interpolator::level_off(const Motion& from, Leveling& leveling) const {
   }
 }
 
+// What remains of a dwell follows when the feed goes on.
+void Interpolator::interrupt_dwell() {
+  const double done_s = static_cast<double>(tick_ - phase_tick_) * settings_.period_s;
+  cells_.front().dwell_s = std::max(section_.dwell_s - done_s, kSameTime_s);
+  driving_ = false;
+  overrides_ = wanted_;
+  end_standstill();
+}
+
+// How far a mark is from a place on the way to it; nothing where the path is not known that far.
+std::optional<double> Interpolator::way_to(const PathMark& mark, const Motion& from) const {
+  double way = -from.offset;
+  for (std::uint64_t n = from.cell; n < cells_.end(); ++n) {
+    const Cell& cell = cells_[n];
+    if (cell.piece > mark.piece) return way;
+    if (cell.piece == mark.piece && mark.way <= cell.end)
+      return way + std::max(0.0, mark.way - cell.begin);
+    way += cell.length();
+  }
+  return std::nullopt;
+}
+
+bool Interpolator::ends_in_standstill(const PathMark& mark) const {
+  if (mark.piece >= path_.pieces.end()) return false;
+  const PathPiece& piece = path_.pieces[mark.piece];
+  return piece.dwell_s > 0 || (piece.stop && mark.way >= piece.end - kSameWay);
+}
+
+// Where blocks end in a standstill the plan stays as it is: the hold comes there.
+bool Interpolator::replan_to_block_end(const Motion& from) {
+  for (std::uint64_t n = path_.marks.begin(); n < path_.marks.end(); ++n) {
+    const PathMark& mark = path_.marks[n];
+    if (n + 1 < path_.marks.end() && same_block(mark.mark, path_.marks[n + 1].mark)) continue;
+    const std::optional<double> way = way_to(mark, from);
+    if (!way || (*way > kSameWay && ends_in_standstill(mark))) return false;
+    if (*way > kSameWay && can_stop_within(from, *way)) return true;
+  }
+  return false;
+}
+
+// At rest: nothing of the block of the last point follows.
+bool Interpolator::block_is_over() const {
+  if (mark_.motion == behind_motion_) return false;
+  const Motion here{cells_.begin(), offset_, 0, 0};
+  for (std::uint64_t n = path_.marks.begin(); n < path_.marks.end(); ++n) {
+    const std::optional<double> way = way_to(path_.marks[n], here);
+    if (!way || *way > kSameWay) return !same_block(path_.marks[n].mark, mark_);
+  }
+  return true;
+}
+
 bool Interpolator::can_stop_within(const Motion& from, double way) {
   trial_.begin_at(from.cell, from.offset, from.speed);
   trial_.stop_after(way);
@@ -129,6 +208,7 @@ bool Interpolator::can_stop_within(const Motion& from, double way) {
 
 // The shortest way to rest, to one part in a thousand.
 bool Interpolator::replan_hold(const Motion& from) {
+  if (wants_whole_block_) return replan_to_block_end(from);
   double most = ramp_length(from.speed, 0, cells_[from.cell].limits);
   double least = 0;
   constexpr double kLongestWay = 1e6;

@@ -45,7 +45,9 @@ double PathBuilder::speed_of(const control::Feed& feed, double length) const {
   switch (feed.mode) {
     case control::FeedMode::per_minute: speed = feed.value / 60; break;
     case control::FeedMode::inverse_time: speed = length * feed.value / 60; break;
-    case control::FeedMode::per_revolution: speed = feed.value * speed_rpm_ / 60; break;
+    case control::FeedMode::per_revolution:
+      speed = feed.value * speed_rpm_ * spindle_override_ / 60;
+      break;
   }
   return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
 }
@@ -57,11 +59,13 @@ Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind, double speed) con
           kind,
           static_cast<float>(power_percent_),
           std::isfinite(speed) ? static_cast<float>(speed) : 0,
-          tool_};
+          tool_,
+          motions_};
 }
 
 void PathBuilder::take(const Motion& motion) {
   using namespace control;
+  ++motions_;
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     add_line(motion, line->to, line->feed);
   } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {

@@ -36,11 +36,16 @@ class PathBuilder {
   /// room().
   void stop();
 
+  /// Something that was taken is not on the path yet.
+  [[nodiscard]] bool keeps_back() const { return is_open_ || !chain_.empty(); }
   /// Where the last motion ended.
   [[nodiscard]] const base::AxisVector& at() const { return at_; }
   /// Forgets what it keeps back; the next motion begins at `at`.
   void clear(const base::AxisVector& at);
   void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }
+  /// What the operator makes of spindle speeds, > 0; feeds per revolution follow from the next
+  /// motion on.
+  void set_spindle_override(double factor) { spindle_override_ = factor; }
   void set_power(double percent) { power_percent_ = percent; }
 
  private:
@@ -93,8 +98,10 @@ class PathBuilder {
   std::uint64_t placed_ = 0;  // marks before this one know their cell
   base::AxisVector at_;
   double speed_rpm_ = 0;
+  double spindle_override_ = 1;
   double power_percent_ = 0;
   std::uint32_t tool_ = 0;
+  std::uint64_t motions_ = 0;  // taken
 };
 
 }  // namespace kerf::motion

@@ -110,14 +110,14 @@ double PathSampler::way_of(const Curve& curve) const {
 double PathSampler::speed_of(const PathPiece& piece) const {
   const bool has_feed = std::isfinite(piece.feed);
   if (has_feed && !(is_periodic(settings_.sampling) && turns_in_place(piece.curve)))
-    return piece.feed;
+    return piece.fixed_override ? piece.feed : piece.feed * overrides_.feed;
   const AxisVector slope = piece.curve.bounds(piece.begin, piece.end).first;
   double speed = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < axes_.count(); ++m) {
     if (slope.values[m] > 0)
       speed = std::min(speed, axes_.axes[m].rapid_per_min / 60 / slope.values[m]);
   }
-  return speed;
+  return piece.rapid ? speed * overrides_.rapid : speed;
 }
 
 bool PathSampler::turns_in_place(const Curve& curve) const {
@@ -146,7 +146,47 @@ double PathSampler::time_at(std::uint64_t step) const {
   return begin_s_ + (step == count_ ? length_s_ : static_cast<double>(step) * step_s_);
 }
 
+base::AxisVector PathSampler::motion_end() const {
+  return under_way_ ? path_.pieces[last_piece_].curve.end() : tip_;
+}
+
+// Behind a block: nothing of it follows.
+bool PathSampler::holds_here() const {
+  if (hold_ != Hold::behind_block) return hold_ != Hold::none;
+  if (under_way_ || mark_.motion == behind_motion_) return false;
+  if (path_.marks.empty()) return true;
+  const Mark& next = path_.marks[path_.marks.begin()].mark;
+  return next.line != mark_.line || next.file != mark_.file || next.program != mark_.program;
+}
+
+// Time passes where there is a period; without one there is nothing to tell.
+bool PathSampler::stand(Setpoint& point) {
+  if (hold_ == Hold::reset) {
+    if (under_way_) tick_ += done_;
+    begin_s_ = time_s_;
+    done_ = 0;
+    under_way_ = false;
+    path_.pieces.clear();
+    path_.marks.clear();
+    builder_.clear(tip_);
+  }
+  if (!is_periodic(settings_.sampling)) return false;
+  ++tick_;
+  time_s_ = time_at(under_way_ ? done_ : 0);
+  point = {time_s_, tip_, mark_};
+  return true;
+}
+
+void PathSampler::resume() {
+  hold_ = Hold::none;
+  held_ = false;
+}
+
+void PathSampler::reset() { hold_ = Hold::reset; }
+
 bool PathSampler::next(Setpoint& point) {
+  held_ = holds_here();
+  if (held_) return stand(point);
   if (!under_way_ && !begin_motion()) return false;
   ++done_;
   time_s_ = time_at(done_);

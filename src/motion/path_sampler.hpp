@@ -15,8 +15,9 @@ namespace kerf::motion {
 /// Each motion is driven by itself, at its feed, from end to end; rapids, and moves whose feed
 /// cannot be told, as fast as the program's axes go. Every point comes from the equation of its
 /// line or arc, none from the point before; the last one is exactly the programmed end. The limits
-/// of the axes are not asked otherwise, corners are not rounded, and there is no feed hold or
-/// override. No allocation after the first motion.
+/// of the axes are not asked otherwise, and corners are not rounded. Feed hold is at the next
+/// point, for without acceleration there is no way to rest; overrides change the motions that begin
+/// behind them. No allocation after the first motion.
 class PathSampler final : public SetpointSource {
  public:
   /// Precondition: the settings do not ask for Sampling::planned.
@@ -29,8 +30,32 @@ class PathSampler final : public SetpointSource {
   void skip() override;
   [[nodiscard]] double time_s() const override { return time_s_; }
   [[nodiscard]] const base::AxisVector& tip() const override { return tip_; }
+  [[nodiscard]] base::AxisVector motion_end() const override;
+
+  void set_overrides(const Overrides& overrides) override { overrides_ = overrides; }
+  void set_spindle_override(double factor) override { builder_.set_spindle_override(factor); }
+  void hold() override { hold_ = Hold::at_once; }
+  void hold_behind_block() override {
+    if (hold_ != Hold::none) return;
+    hold_ = Hold::behind_block;
+    behind_motion_ = under_way_ ? 0 : mark_.motion;
+  }
+  void resume() override;
+  void reset() override;
+  [[nodiscard]] bool wants_hold() const override { return hold_ != Hold::none; }
+  [[nodiscard]] bool held() const override { return held_; }
+  [[nodiscard]] bool at_reset() const override { return held_ && hold_ == Hold::reset; }
+  [[nodiscard]] bool empty() const override {
+    return !under_way_ && path_.pieces.empty() && !builder_.keeps_back();
+  }
+  /// Always: without acceleration it can stop anywhere.
+  [[nodiscard]] bool standing() const override { return true; }
 
  private:
+  enum class Hold : std::uint8_t { none, behind_block, at_once, reset };
+
+  [[nodiscard]] bool holds_here() const;
+  bool stand(Setpoint& point);
   bool begin_motion();
   void end_motion();
   void begin_dwell(double seconds);
@@ -59,6 +84,11 @@ class PathSampler final : public SetpointSource {
   double length_s_ = 0;  // how long it lasts, where there is no period
   bool literally_ = false;
   LiteralLine literal_;
+
+  Overrides overrides_;
+  Hold hold_ = Hold::none;
+  bool held_ = false;
+  std::uint64_t behind_motion_ = 0;
 
   std::uint64_t tick_ = 0;  // periods before it
   double begin_s_ = 0;      // its begin, where there is no period

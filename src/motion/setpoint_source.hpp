@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/motion.hpp"
+#include "motion/overrides.hpp"
 #include "motion/setpoint.hpp"
 
 namespace kerf::motion {
@@ -34,6 +35,34 @@ class SetpointSource {
   [[nodiscard]] virtual double time_s() const = 0;
   /// The last point; where the axes stand at power-on, before there is one.
   [[nodiscard]] virtual const base::AxisVector& tip() const = 0;
+  /// Where the motion of the last point ends, as far as that is known: else the tip.
+  [[nodiscard]] virtual base::AxisVector motion_end() const = 0;
+
+  // The operator. Each of these takes effect as soon as it breaks no limit: speeds change along the
+  // path, which is not left.
+
+  /// 0 < feed, rapid <= 2.
+  virtual void set_overrides(const Overrides& overrides) = 0;
+  /// What he makes of spindle speeds, > 0: feeds per revolution of motions taken from now on.
+  virtual void set_spindle_override(double factor) = 0;
+  /// The axes come to rest on the path.
+  virtual void hold() = 0;
+  /// They come to rest at the end of the block that is under way, or of the first one behind it
+  /// where that can be done.
+  virtual void hold_behind_block() = 0;
+  virtual void resume() = 0;
+  /// As hold(); at rest everything ahead is dropped, and the next motion begins where the tool is.
+  virtual void reset() = 0;
+  /// hold() or reset() was asked for, and not resume() since.
+  [[nodiscard]] virtual bool wants_hold() const = 0;
+  /// At rest after hold() or reset().
+  [[nodiscard]] virtual bool held() const = 0;
+  /// At rest after reset(), with nothing ahead.
+  [[nodiscard]] virtual bool at_reset() const = 0;
+  /// Everything that was taken is made.
+  [[nodiscard]] virtual bool empty() const = 0;
+  /// At the last point the axes were at rest.
+  [[nodiscard]] virtual bool standing() const = 0;
 };
 
 }  // namespace kerf::motion

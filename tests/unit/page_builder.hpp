@@ -126,6 +126,7 @@ class RecordingHost : public Host {
   std::vector<double> variables = std::vector<double>(100, kNull);
   /// What execute() does with block `n`; default: go_on.
   std::function<Verdict(std::uint32_t n)> on_block;
+  std::function<Verdict(double number)> on_read;
   std::function<Verdict(double number)> on_write;
   std::function<Verdict(const BlockMark&)> on_begin;
   std::function<Verdict()> on_end;
@@ -135,10 +136,10 @@ class RecordingHost : public Host {
     events.push_back("block " + std::to_string(block));
     return on_block ? on_block(block) : Verdict::go_on;
   }
-  bool read(double number, double& value) override {
+  Verdict read(double number, double& value) override {
     events.push_back("read " + std::to_string(static_cast<int>(number)));
     value = variables[static_cast<std::size_t>(number)];
-    return readable;
+    return on_read ? on_read(number) : readable ? Verdict::go_on : Verdict::stop;
   }
   Verdict write(double number, double value) override {
     events.push_back("write " + std::to_string(static_cast<int>(number)));

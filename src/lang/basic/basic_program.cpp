@@ -98,6 +98,32 @@ vm::Region BasicProgram::resolve_region(vm::CodeId /*code*/, std::uint32_t /*pag
   return {};
 }
 
+base::Result<std::unique_ptr<BasicPage>> BasicProgram::compile_condition(
+    const std::string& text) const {
+  auto page = std::make_unique<BasicPage>();
+  page->builtins = builtin_table();
+  Emitter emitter(*page, scan_, std::nullopt);
+  emitter.begin_block(text.data());
+  try {
+    for (TokenStream names(text); !names.at_end();) {
+      const Token name = names.take();
+      if (name.type == TokenType::variable && !find_variable(name.text))
+        throw SyntaxError{base::Code::basic_variable, name.begin, name.end,
+                          "the program has no variable " + name.text};
+    }
+    TokenStream tokens(text);
+    Expression expression(tokens, emitter);
+    const std::uint8_t reg = expression.parse_into_next();
+    if (!tokens.at_end()) tokens.fail(base::Code::basic_syntax, "nothing follows the condition");
+    emitter.emit({Op::do_block, 0, 0, 0, reg});
+  } catch (const SyntaxError& error) {
+    const vm::Span span = vm::Span::between(error.begin, error.end, text.data());
+    const base::Place place{.line = 1, .column = span.column, .length = span.length};
+    return tl::unexpected(base::make_error(error.code, place, error.detail));
+  }
+  return page;
+}
+
 std::vector<base::Diagnostic> BasicProgram::check() {
   std::vector<base::Diagnostic> found = scan_.findings;
   std::set<std::pair<std::uint32_t, std::string>> told;  // lines and numbers

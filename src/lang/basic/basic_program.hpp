@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/result.hpp"
 #include "base/source_file.hpp"
 #include "base/text_window.hpp"
 #include "lang/basic/emitter.hpp"
@@ -33,6 +35,11 @@ class BasicProgram : public vm::CodeSource {
   /// Names in capitals, by their numbers; the first kNear live in registers.
   [[nodiscard]] const std::vector<std::string>& variables() const { return scan_.variable_names; }
   [[nodiscard]] std::optional<std::uint32_t> find_variable(const std::string& capitals) const;
+
+  /// Compiles an expression ("a>5 AND b=0"), true where it is not 0, for vm::Evaluation. Otherwise
+  /// what is wrong with it: also a variable that the program does not have.
+  [[nodiscard]] base::Result<std::unique_ptr<BasicPage>> compile_condition(
+      const std::string& text) const;
 
   // vm::CodeSource
   BasicPage& page(vm::CodeId code, std::uint32_t number) override;

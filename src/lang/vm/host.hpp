@@ -12,6 +12,7 @@ enum class Verdict : std::uint8_t {
   go_on,        ///< with the next instruction
   transferred,  ///< the host has called, returned or jumped: go on there
   pause,        ///< give control back to whoever runs the interpreter; resumable
+  again,        ///< of read() and write(): likewise, and ask once more when it goes on
   stop          ///< the program is over: its end, or an alarm
 };
 
@@ -24,10 +25,10 @@ class Host {
   /// Executes a block. `registers` are those of the running frame.
   virtual Verdict execute(const CodePage& page, std::uint32_t block, const double* registers) = 0;
 
-  /// Reads a variable that is not a register or a global. False: the host has reported why not, and
-  /// the program is over.
-  virtual bool read(double number, double& value) = 0;
-  /// Writes one. What happens then: go_on, pause or stop.
+  /// Reads a variable that is not a register or a global: go_on, again (it cannot be told yet), or
+  /// stop, when the host has reported why not.
+  virtual Verdict read(double number, double& value) = 0;
+  /// Writes one. What happens then: go_on, again, pause or stop.
   virtual Verdict write(double number, double value) = 0;
 
   /// An instruction failed. The program is over.

@@ -296,6 +296,15 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
     running_ = {frame.code, {page->number, pc - 1}};
     frame.at = {page->number, pc};
   };
+  // The host does not go on: `again` puts the instruction before itself, its block as begun.
+  const auto left = [&](Verdict verdict) {
+    if (verdict == Verdict::stop) return Stop::over;
+    if (verdict == Verdict::again) {
+      frames_.back().at = running_.at;
+      begun_ = running_.at;
+    }
+    return Stop::paused;
+  };
   const auto faulty = [&](Fault fault) {
     save();
     fail(fault);
@@ -343,7 +352,8 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
       case Op::read_fixed: {
         save();
         double value = kNull;
-        if (!host_.read(i.op == Op::read ? zero_if_null(r[i.b]) : i.n, value)) return Stop::over;
+        const Verdict verdict = host_.read(i.op == Op::read ? zero_if_null(r[i.b]) : i.n, value);
+        if (verdict != Verdict::go_on) return left(verdict);
         r[i.a] = value;
         break;
       }
@@ -353,8 +363,7 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         const bool fixed = i.op == Op::write_fixed;
         const Verdict verdict =
             host_.write(fixed ? i.n : zero_if_null(r[i.a]), fixed ? r[i.a] : r[i.b]);
-        if (verdict == Verdict::stop) return Stop::over;
-        if (verdict == Verdict::pause) return Stop::paused;
+        if (verdict != Verdict::go_on) return left(verdict);
         break;
       }
       case Op::negate: r[i.a] = -zero_if_null(r[i.b]); break;
@@ -478,7 +487,8 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         if (is_null(r[i.a])) {
           save();
           double value = kNull;
-          if (!host_.read(i.n, value)) return Stop::over;
+          const Verdict verdict = host_.read(i.n, value);
+          if (verdict != Verdict::go_on) return left(verdict);
           r[i.a] = value;
         }
         break;

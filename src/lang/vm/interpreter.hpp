@@ -61,6 +61,10 @@ class Interpreter {
   [[nodiscard]] std::span<double> locals_of_first_level() {
     return {registers_.data(), settings_.locals};
   }
+  /// Of frame `depth`, 0 to depth() - 1, counted from the first.
+  [[nodiscard]] std::span<double> locals_of(std::size_t depth) {
+    return std::span(registers_).subspan(frames_[depth].base, settings_.locals);
+  }
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
   [[nodiscard]] CodeId running_code() const { return frames_.back().code; }
   /// The text of the instruction that executes, or executed last. What has no text of its own, as
@@ -74,7 +78,10 @@ class Interpreter {
   [[nodiscard]] std::uint32_t note() const { return note_; }
 
   void set_switches(std::uint32_t bits) { switches_ = bits; }
-  void set_tracing(bool on) { tracing_ = on; }
+  void set_tracing(bool on) {
+    tracing_ = on;
+    if (!on) begun_.reset();
+  }
 
  private:
   struct ActiveRegion {

@@ -14,10 +14,15 @@ std::string capitals(std::string text) {
   return text;
 }
 
+tl::unexpected<base::Failure> refused(const std::string& why) {
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage, why});
+}
+
 }  // namespace
 
 BasicDialect::BasicDialect(const Around& around)
-    : program_(around.sources, around.pages),
+    : Dialect(around.sources),
+      program_(around.sources, around.pages),
       control_(around.definition.parameters, around.definition.axes, around.memory, program_,
                around.surroundings, around.sink) {}
 
@@ -54,6 +59,53 @@ base::Outcome<void> BasicDialect::set_variable(const std::string& name, double v
     first_values_[*number] = value;
   }
   return {};
+}
+
+// The entry is a program of its own: variables of the one before it are gone.
+std::optional<base::Diagnostic> BasicDialect::start_entry(base::FileId file) {
+  program_.load(file);
+  return start();
+}
+
+base::Outcome<Condition> BasicDialect::compile_condition(const std::string& text) {
+  if (!program_.loaded()) return refused("no program is loaded");
+  auto page = program_.compile_condition(text);
+  if (!page) return refused(page.error().message);
+  Condition condition;
+  condition.code = std::move(*page);
+  return condition;
+}
+
+// A variable that was never written reads 0.
+std::optional<bool> BasicDialect::holds(Condition& condition) {
+  condition.evaluation =
+      std::make_unique<vm::Evaluation>(*condition.code, control_.evaluation_settings(),
+                                       [this](double number) { return control_.peek(number); });
+  const auto value = condition.evaluation->value(control_.locals_of(0));
+  if (!value) return std::nullopt;
+  return vm::zero_if_null(*value) != 0;
+}
+
+std::optional<double> BasicDialect::variable(const std::string& name, std::size_t /*level*/) {
+  const auto number = program_.find_variable(capitals(name));
+  if (!number) return std::nullopt;
+  if (started_) return control_.variable(*number);
+  const auto first = first_values_.find(*number);
+  return first == first_values_.end() ? vm::kNull : first->second;
+}
+
+base::Outcome<void> BasicDialect::set_variable_at(const std::string& name, double value,
+                                                  std::size_t /*level*/) {
+  return set_variable(name, value);
+}
+
+VariableListing BasicDialect::list_variables(std::size_t /*level*/) {
+  VariableListing listing;
+  listing.scopes = {VariableScope::program};
+  listing.levels = control_.levels();
+  for (const Variable& variable : variables())
+    listing.rows.push_back({variable.name, "", variable.value, VariableScope::program, 0, false});
+  return listing;
 }
 
 std::vector<Variable> BasicDialect::variables() {

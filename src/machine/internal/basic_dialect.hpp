@@ -14,17 +14,25 @@ class BasicDialect final : public Dialect {
  public:
   explicit BasicDialect(const Around& around);
 
-  void load(base::FileId file) override { program_.load(file); }
   void add_library_folder(const std::string& /*folder*/) override {}
   [[nodiscard]] std::string program_name() const override { return control::LaserControl::kName; }
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
+  [[nodiscard]] std::optional<base::Diagnostic> start_entry(base::FileId file) override;
+  [[nodiscard]] base::Outcome<Condition> compile_condition(const std::string& text) override;
+  [[nodiscard]] std::optional<bool> holds(Condition& condition) override;
+  [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
+  [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
+                                                    std::size_t level) override;
+  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
   void reset() override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override;
   [[nodiscard]] control::Control& control() override { return control_; }
+  [[nodiscard]] const control::Control& control() const override { return control_; }
 
  private:
+  void load_file(base::FileId file) override { program_.load(file); }
   basic::BasicProgram program_;
   control::LaserControl control_;
   std::map<std::uint32_t, double> first_values_;  // from outside, before the start

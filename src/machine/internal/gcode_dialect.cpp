@@ -11,15 +11,6 @@ namespace {
 
 constexpr double kMostVariable = 999999;
 
-// The number behind '#', or nothing.
-std::optional<std::uint32_t> variable_number(const std::string& name) {
-  if (name.size() < 2 || name[0] != '#') return std::nullopt;
-  const auto number = base::parse_number(name.substr(1));
-  if (!number || *number < 0 || *number > kMostVariable || *number != std::floor(*number))
-    return std::nullopt;
-  return static_cast<std::uint32_t>(*number);
-}
-
 std::uint32_t number_of_common(std::size_t index) {
   const auto common = static_cast<std::uint32_t>(index);
   return common < gcode::kVolatileCommons ? 100 + common : 500 + common - gcode::kVolatileCommons;
@@ -27,8 +18,17 @@ std::uint32_t number_of_common(std::size_t index) {
 
 }  // namespace
 
+std::optional<std::uint32_t> GcodeDialect::number_of_variable(const std::string& name) {
+  if (name.size() < 2 || name[0] != '#') return std::nullopt;
+  const auto number = base::parse_number(name.substr(1));
+  if (!number || *number < 0 || *number > kMostVariable || *number != std::floor(*number))
+    return std::nullopt;
+  return static_cast<std::uint32_t>(*number);
+}
+
 GcodeDialect::GcodeDialect(const Around& around)
-    : memory_(around.memory),
+    : Dialect(around.sources),
+      memory_(around.memory),
       sources_(around.sources),
       signals_(around.signals),
       library_(around.sources, around.pages),
@@ -38,13 +38,12 @@ GcodeDialect::GcodeDialect(const Around& around)
   first_locals_.fill(vm::kNull);
 }
 
-void GcodeDialect::load(base::FileId file) {
+void GcodeDialect::load_file(base::FileId file) {
   const std::string& name = sources_[file].name();
   if (name != "-") {
     shelf_.know(name);
     shelf_.add_folder(std::filesystem::path(name).parent_path().string());
   }
-  main_file_ = file;
   library_.add_file(file);
 }
 
@@ -58,13 +57,25 @@ std::optional<base::Diagnostic> GcodeDialect::start() {
   if (!library_.findings().empty()) return library_.findings().front();
   if (library_.program_count() == 0)
     return base::make_error(base::Code::empty_program,
-                            {.file = main_file_, .line = 1, .column = 1});
+                            {.file = main_file(), .line = 1, .column = 1});
   controller_.start(vm::CodeId{0});
   const std::span<double> locals = controller_.running_locals();
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (!vm::is_null(first_locals_[i])) locals[i] = first_locals_[i];
   }
   first_locals_.fill(vm::kNull);
+  started_ = true;
+  return std::nullopt;
+}
+
+std::optional<base::Diagnostic> GcodeDialect::start_entry(base::FileId file) {
+  const std::size_t before = library_.program_count();
+  const std::size_t findings = library_.findings().size();
+  library_.add_file(file);
+  if (library_.findings().size() > findings) return library_.findings().back();
+  if (library_.program_count() == before)
+    return base::make_error(base::Code::empty_program, {.file = file, .line = 1, .column = 1});
+  controller_.start(vm::CodeId(before), control::Controller::Ends::with_text);
   started_ = true;
   return std::nullopt;
 }
@@ -86,7 +97,7 @@ std::vector<base::Diagnostic> GcodeDialect::check() {
 }
 
 base::Outcome<void> GcodeDialect::set_variable(const std::string& name, double value) {
-  const auto number = variable_number(name);
+  const auto number = number_of_variable(name);
   if (!number)
     return tl::unexpected(base::Failure{base::Failure::Kind::usage, "'#NUMBER=VALUE' is expected"});
   if (const auto set = signals_.set(*number, value)) return *set;

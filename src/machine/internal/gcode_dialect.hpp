@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 
 #include "control/controller.hpp"
 #include "lang/gcode/code_library.hpp"
@@ -14,24 +15,39 @@ class GcodeDialect final : public Dialect {
  public:
   explicit GcodeDialect(const Around& around);
 
-  void load(base::FileId file) override;
   void add_library_folder(const std::string& folder) override { shelf_.add_folder(folder); }
   [[nodiscard]] std::string program_name() const override;
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
+  [[nodiscard]] std::optional<base::Diagnostic> start_entry(base::FileId file) override;
+  [[nodiscard]] base::Outcome<Condition> compile_condition(const std::string& text) override;
+  [[nodiscard]] std::optional<bool> holds(Condition& condition) override;
+  [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
+  [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
+                                                    std::size_t level) override;
+  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
+  [[nodiscard]] base::AxisVector shift() const override {
+    return controller_.coordinates().shift();
+  }
+  void set_shift(const base::AxisVector& shift) override { controller_.set_shift(shift); }
+  void offsets_changed() override { controller_.offsets_changed(); }
   void reset() override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override;
   [[nodiscard]] control::Controller& control() override { return controller_; }
+  [[nodiscard]] const control::Control& control() const override { return controller_; }
+
+  /// The number behind '#', or nothing.
+  [[nodiscard]] static std::optional<std::uint32_t> number_of_variable(const std::string& name);
 
  private:
+  void load_file(base::FileId file) override;
   control::Memory& memory_;
   base::SourceSet& sources_;
   Signals& signals_;
   gcode::CodeLibrary library_;
   ProgramShelf shelf_;
   control::Controller controller_;
-  base::FileId main_file_ = base::kNoFile;
   std::array<double, gcode::kLocals> first_locals_;  // of the main program, from outside
   bool started_ = false;
 };

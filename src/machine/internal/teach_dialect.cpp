@@ -7,13 +7,14 @@
 namespace kerf::machine {
 
 TeachDialect::TeachDialect(const Around& around)
-    : sources_(around.sources),
+    : Dialect(around.sources),
+      sources_(around.sources),
       library_(around.sources, around.pages),
       control_(around.definition.axes, taught_for(around.definition), library_, around.surroundings,
                around.sink) {}
 
 // "-" has no name of its own.
-void TeachDialect::load(base::FileId file) {
+void TeachDialect::load_file(base::FileId file) {
   library_.load(file);
   name_ = std::filesystem::path(sources_[file].name()).stem().string();
 }
@@ -29,6 +30,33 @@ std::vector<base::Diagnostic> TeachDialect::check() {
   std::vector<base::Diagnostic> found = library_.check();
   for (base::Diagnostic& diagnostic : found) diagnostic.program = name_;
   return found;
+}
+
+std::optional<base::Diagnostic> TeachDialect::start_entry(base::FileId file) {
+  load_file(file);
+  return start();
+}
+
+base::Outcome<Condition> TeachDialect::compile_condition(const std::string& /*text*/) {
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                      "taught points have no variables, and so no conditions"});
+}
+
+std::optional<bool> TeachDialect::holds(Condition& /*condition*/) { return std::nullopt; }
+
+std::optional<double> TeachDialect::variable(const std::string& /*name*/, std::size_t /*level*/) {
+  return std::nullopt;
+}
+
+base::Outcome<void> TeachDialect::set_variable_at(const std::string& name, double value,
+                                                  std::size_t /*level*/) {
+  return set_variable(name, value);
+}
+
+VariableListing TeachDialect::list_variables(std::size_t /*level*/) {
+  VariableListing listing;
+  listing.levels = control_.levels();
+  return listing;
 }
 
 base::Outcome<void> TeachDialect::set_variable(const std::string& /*name*/, double /*value*/) {

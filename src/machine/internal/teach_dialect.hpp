@@ -11,16 +11,24 @@ class TeachDialect final : public Dialect {
  public:
   explicit TeachDialect(const Around& around);
 
-  void load(base::FileId file) override;
   void add_library_folder(const std::string& /*folder*/) override {}
   [[nodiscard]] std::string program_name() const override { return name_; }
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
+  [[nodiscard]] std::optional<base::Diagnostic> start_entry(base::FileId file) override;
+  [[nodiscard]] base::Outcome<Condition> compile_condition(const std::string& text) override;
+  [[nodiscard]] std::optional<bool> holds(Condition& condition) override;
+  [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
+  [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
+                                                    std::size_t level) override;
+  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override { return {}; }
   [[nodiscard]] control::TeachControl& control() override { return control_; }
+  [[nodiscard]] const control::Control& control() const override { return control_; }
 
  private:
+  void load_file(base::FileId file) override;
   const base::SourceSet& sources_;
   teach::TeachLibrary library_;
   control::TeachControl control_;

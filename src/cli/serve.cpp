@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "cli/commands.hpp"
+#include "cli/failure.hpp"
+#include "server/protocol_page.hpp"
+#include "server/server.hpp"
+
+namespace kerf::cli {
+namespace {
+
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+// Empty: the environment names no place.
+std::string usual_data_folder() {
+  if (const std::string data = environment("XDG_DATA_HOME"); !data.empty()) return data + "/kerf";
+  if (const std::string home = environment("HOME"); !home.empty())
+    return home + "/.local/share/kerf";
+  return "";
+}
+
+void tell(const server::Server& server, const std::string& data) {
+  fmt::print("kerf: the panel is at {}\n", server.address_line());
+  fmt::print("kerf: programs and machines are in {}; Ctrl-C ends the server\n", data);
+  if (!server.has_page())
+    fmt::print("kerf: the page is not part of this program; `tools/build_web` builds it\n");
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+ExitStatus serve(const ServeOptions& options) {
+  if (options.protocol) {
+    fmt::print("{}", server::protocol_markdown());
+    return ExitStatus::well;
+  }
+  const std::string data = options.data.empty() ? usual_data_folder() : options.data;
+  if (data.empty())
+    return fail({base::Failure::Kind::usage,
+                 "--data is needed: neither XDG_DATA_HOME nor HOME "
+                 "says where programs and machines are kept"});
+  const unsigned threads =
+      options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  auto server = server::Server::open({{options.host, options.port, options.token}, data, threads});
+  if (!server) return fail(server.error());
+  tell(**server, data);
+  (*server)->run();
+  return ExitStatus::well;
+}
+
+}  // namespace kerf::cli

@@ -1,0 +1,62 @@
+#include "control/program_control.hpp"
+
+#include <utility>
+
+namespace kerf::control {
+
+std::size_t ProgramControl::levels() {
+  const vm::Interpreter* const machine = interpreter();
+  return machine == nullptr ? 0 : machine->depth();
+}
+
+std::span<double> ProgramControl::locals_of(std::size_t level) {
+  return interpreter()->locals_of(level);
+}
+
+base::Place ProgramControl::place() {
+  return levels() > 0 ? interpreter()->place() : base::Place{};
+}
+
+std::vector<OpenCall> ProgramControl::open_calls() {
+  std::vector<OpenCall> calls;
+  const std::size_t depth = levels();
+  for (std::size_t level = 0; level < depth; ++level) {
+    const bool innermost = level + 1 == depth;
+    calls.push_back(
+        {name_of_level(level), innermost ? place() : interpreter()->place_of_call(level + 1)});
+  }
+  return calls;
+}
+
+void ProgramControl::set_single_block(bool on) {
+  single_block_ = on;
+  learn_tracing();
+}
+
+void ProgramControl::observe_blocks(BlockObserver observer) {
+  observer_ = std::move(observer);
+  learn_tracing();
+}
+
+void ProgramControl::set_gate(BlockGate* gate) {
+  gate_ = gate;
+  learn_tracing();
+}
+
+void ProgramControl::learn_tracing() {
+  in_statement_ = false;
+  vm::Interpreter* const machine = interpreter();
+  if (machine == nullptr) return;
+  machine->set_tracing(observer_ || gate_ != nullptr || (single_block_ && single_block_traces()));
+}
+
+vm::Verdict ProgramControl::announce(const vm::CodePage& page, const vm::BlockMark& mark) {
+  const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() ||
+                             (&mark)[-1].line != mark.line;
+  if (observer_ && first_of_line) observer_(page.file, mark.line);
+  if (gate_ == nullptr || gate_->passes({page.file, mark.line, first_of_line, levels()}))
+    return vm::Verdict::go_on;
+  return halt_with(Halt::gate, vm::Verdict::pause);
+}
+
+}  // namespace kerf::control

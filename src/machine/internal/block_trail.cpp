@@ -1,0 +1,52 @@
+#include "machine/internal/block_trail.hpp"
+
+namespace kerf::machine {
+namespace {
+
+bool same(const BlockState& a, const BlockState& b) {
+  return a.modal == b.modal && a.origin == b.origin && a.tool_length == b.tool_length &&
+         a.spindle.turning == b.spindle.turning && a.spindle.speed == b.spindle.speed &&
+         a.spindle.mode == b.spindle.mode && a.coolant == b.coolant && a.tool == b.tool &&
+         a.power.on == b.power.on && a.power.percent == b.power.percent;
+}
+
+}  // namespace
+
+void BlockTrail::refresh() {
+  now_.modal = control_.modal();
+  now_.origin = control_.work_origin();
+  now_.tool_length = control_.tool_length();
+}
+
+void BlockTrail::take(const control::Motion& motion) {
+  ++motions_;
+  if (const auto* const spindle = std::get_if<control::Spindle>(&motion.action))
+    now_.spindle = *spindle;
+  if (const auto* const coolant = std::get_if<control::Coolant>(&motion.action))
+    now_.coolant = coolant->state;
+  if (const auto* const power = std::get_if<control::Power>(&motion.action)) now_.power = *power;
+  if (const auto* const change = std::get_if<control::ToolChange>(&motion.action))
+    now_.tool = change->tool;
+  refresh();
+  if (same(entries_.empty() ? last_ : entries_.back().state, now_)) return;
+  if (entries_.size() < kMost) {
+    entries_.push_back({motions_, now_});
+  } else {
+    entries_.back().state = now_;
+  }
+}
+
+const BlockState& BlockTrail::at(std::uint64_t motion) {
+  while (!entries_.empty() && entries_.front().first <= motion) {
+    last_ = entries_.front().state;
+    entries_.pop_front();
+  }
+  return last_;
+}
+
+const BlockState& BlockTrail::newest() {
+  refresh();
+  return now_;
+}
+
+}  // namespace kerf::machine

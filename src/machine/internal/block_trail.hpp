@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "control/control.hpp"
+#include "control/motion.hpp"
+
+namespace kerf::machine {
+
+/// What a control shows at one moment, besides what set-points carry.
+struct BlockState {
+  control::ModalView modal;
+  base::AxisVector origin;       ///< of the active work coordinate system
+  base::AxisVector tool_length;  ///< in the machine's axes
+  control::Spindle spindle;
+  control::Coolant::State coolant = control::Coolant::State::off;
+  control::Power power{0, false};
+  std::uint32_t tool = 0;  ///< in the spindle
+};
+
+/// Remembers what the control showed when it handed out each motion, until that motion is made: the
+/// control is ahead of the axes, and a panel shows the block that the axes are in.
+///
+/// It keeps one entry for motions in a row that show the same. Bounded: where more than kMost
+/// changes are ahead of the axes, the newest ones count as one.
+class BlockTrail : public control::MotionSink {
+ public:
+  static constexpr std::size_t kMost = 4096;
+
+  /// The control must outlive this.
+  explicit BlockTrail(control::Control& control) : control_(control) {}
+
+  void take(const control::Motion& motion) override;
+  /// What was shown with motion number `motion`, counted from 1; forgets what was before it.
+  [[nodiscard]] const BlockState& at(std::uint64_t motion);
+  /// Of the control as it stands now.
+  [[nodiscard]] const BlockState& newest();
+  /// Motions that were handed out.
+  [[nodiscard]] std::uint64_t motions() const { return motions_; }
+
+ private:
+  struct Entry {
+    std::uint64_t first = 0;  ///< the first motion of the state
+    BlockState state;
+  };
+  void refresh();
+
+  control::Control& control_;
+  BlockState now_;  // functions as handed out
+  std::deque<Entry> entries_;
+  BlockState last_;  // of the entry that was forgotten last
+  std::uint64_t motions_ = 0;
+};
+
+}  // namespace kerf::machine

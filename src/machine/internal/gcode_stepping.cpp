@@ -1,0 +1,86 @@
+// What a stepper asks of a FANUC program: conditions, and variables by level.
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "lang/gcode/condition.hpp"
+#include "lang/vm/value.hpp"
+#include "machine/internal/gcode_dialect.hpp"
+
+namespace kerf::machine {
+namespace {
+
+tl::unexpected<base::Failure> refused(const std::string& why) {
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage, why});
+}
+
+bool is_common(std::uint32_t number) {
+  return (number >= 100 && number <= 199) || (number >= 500 && number <= 999);
+}
+
+std::size_t index_of_common(std::uint32_t number) {
+  return number < 500 ? number - 100 : number - 500 + gcode::kVolatileCommons;
+}
+
+}  // namespace
+
+base::Outcome<Condition> GcodeDialect::compile_condition(const std::string& text) {
+  auto page = gcode::compile_condition(text, library_.names());
+  if (!page) return refused(page.error().message);
+  Condition condition;
+  condition.code = std::move(*page);
+  condition.evaluation =
+      std::make_unique<vm::Evaluation>(*condition.code, controller_.evaluation_settings(),
+                                       [this](double number) { return controller_.peek(number); });
+  return condition;
+}
+
+std::optional<bool> GcodeDialect::holds(Condition& condition) {
+  const auto value = condition.evaluation->value(controller_.running_locals());
+  if (!value) return std::nullopt;
+  return vm::zero_if_null(*value) != 0;
+}
+
+std::optional<double> GcodeDialect::variable(const std::string& name, std::size_t level) {
+  const auto number = number_of_variable(name);
+  if (!number) return std::nullopt;
+  if (is_common(*number)) return memory_.commons[index_of_common(*number)];
+  if (*number >= gcode::kLocals) return controller_.peek(*number);
+  if (level < controller_.levels()) return controller_.locals_of(level)[*number];
+  return level == 0 ? first_locals_[*number] : vm::kNull;
+}
+
+base::Outcome<void> GcodeDialect::set_variable_at(const std::string& name, double value,
+                                                  std::size_t level) {
+  const auto number = number_of_variable(name);
+  if (!number) return refused("'#NUMBER' is expected, not '" + name + "'");
+  const bool is_local = *number > 0 && *number < gcode::kLocals;
+  if (!is_local || !started_) return set_variable(name, value);
+  if (level >= controller_.levels()) return refused("there is no such level of calls");
+  controller_.locals_of(level)[*number] = value;
+  return {};
+}
+
+VariableListing GcodeDialect::list_variables(std::size_t level) {
+  VariableListing listing;
+  listing.scopes = {VariableScope::local, VariableScope::common, VariableScope::permanent};
+  listing.levels = controller_.levels();
+  std::map<std::uint32_t, std::string> labels;
+  for (const auto& [label, number] : memory_.names) labels.emplace(number, label);
+  const auto put = [&](std::uint32_t number, double value, VariableScope scope) {
+    const auto label = labels.find(number);
+    listing.rows.push_back({"#" + std::to_string(number),
+                            label == labels.end() ? "" : label->second, value, scope, level,
+                            false});
+  };
+  for (std::uint32_t number = 1; number < gcode::kLocals; ++number)
+    put(number, *variable("#" + std::to_string(number), level), VariableScope::local);
+  for (std::size_t i = 0; i < memory_.commons.size(); ++i) {
+    const bool is_volatile = i < gcode::kVolatileCommons;
+    const auto number = static_cast<std::uint32_t>(is_volatile ? 100 + i : 400 + i);
+    if (vm::is_null(memory_.commons[i]) && !labels.contains(number)) continue;
+    put(number, memory_.commons[i], is_volatile ? VariableScope::common : VariableScope::permanent);
+  }
+  return listing;
+}
+
+}  // namespace kerf::machine

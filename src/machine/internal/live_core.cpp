@@ -1,0 +1,470 @@
+// The life of a machine under its panel: runs begin, go on, are held and end.
+#include "machine/internal/live_core.hpp"
+
+#include <algorithm>
+
+#include "lang/vm/value.hpp"
+#include "machine/internal/approach.hpp"
+#include "machine/internal/refused.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr std::size_t kMostMessages = 50;
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
+// What a dial at 0 is until the first point of a motion that it holds.
+constexpr double kCreep = 1e-4;
+
+bool is_cut(const control::Motion& motion) {
+  return std::holds_alternative<control::Line>(motion.action) ||
+         std::holds_alternative<control::Arc>(motion.action) ||
+         std::holds_alternative<control::SpaceArc>(motion.action);
+}
+
+}  // namespace
+
+LiveCore::LiveCore(RunStart start)
+    : definition_(std::move(start.definition)),
+      settings_(std::move(start.settings)),
+      dialect_(std::move(start.dialect)),
+      panel_(start.panel),
+      program_(std::move(start.program)) {
+  machine_ = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
+                                              VirtualMachine::Settings{{}, dialect_});
+  machine_->language().set_shift(start.shift);
+  stepper_ = std::make_unique<Stepper>(machine_->language());
+  begin_anew();
+  static_cast<void>(open_program());
+  static_cast<void>(stepper_->set_breakpoints(std::move(start.breakpoints)));
+}
+
+LiveCore::~LiveCore() = default;
+
+RunStart LiveCore::run_start() const {
+  const AxisPoint at = machine_->servo().stands_at();
+  RunStart start{definition_,
+                 machine_->memory(),
+                 settings_,
+                 dialect_,
+                 panel_,
+                 program_,
+                 stepper_->breakpoints(),
+                 machine_->language().shift()};
+  start.definition.start = at.joints;
+  start.definition.axes.start = at.tip.tip;
+  return start;
+}
+
+void LiveCore::add_sink(control::MotionSink& sink) {
+  sinks_.push_back(&sink);
+  machine_->add_sink(sink);
+}
+
+void LiveCore::add_point_sink(AxisPointSink& sink) {
+  point_sinks_.push_back(&sink);
+  machine_->add_point_sink(sink);
+}
+
+void LiveCore::tell_sinks() { machine_->servo().tell_sinks(); }
+
+void LiveCore::raise(const base::Diagnostic& alarm) { machine_->raise(alarm); }
+
+// A machine in the state of power-on, its axes where they stand.
+void LiveCore::begin_anew() {
+  RunStart start = run_start();
+  definition_ = start.definition;
+  auto fresh = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
+                                                VirtualMachine::Settings{{}, dialect_});
+  fresh->language().set_shift(start.shift);
+  auto trail = std::make_unique<BlockTrail>(fresh->control());
+  fresh->pace();
+  for (const std::string& folder : settings_.library_folders) fresh->add_library_folder(folder);
+  fresh->add_sink(*trail);
+  fresh->add_point_sink(*this);
+  for (control::MotionSink* const sink : sinks_) fresh->add_sink(*sink);
+  for (AxisPointSink* const sink : point_sinks_) fresh->add_point_sink(*sink);
+  fresh->alter_motions([this](const control::Motion& motion) { return altered(motion); });
+  fresh->set_print_output([this](std::string_view text) {
+    printed_bytes_ += text.size();
+    printed_ += text;
+    if (printed_.size() > settings_.printed_bytes)
+      printed_.erase(0, printed_.size() - settings_.printed_bytes);
+  });
+  fresh->set_input_ready([this] { return !input_.empty(); });
+  fresh->set_input([this]() -> std::optional<std::string> {
+    if (input_.empty()) return std::nullopt;
+    std::string line = std::move(input_.front());
+    input_.pop_front();
+    return line;
+  });
+  stepper_->attach(fresh->language());
+  machine_ = std::move(fresh);
+  trail_ = std::move(trail);
+  lines_ = {};
+  approach_.reset();
+  activity_ = Activity::none;
+  is_fresh_ = true;
+  is_entry_ = feed_hold_ = block_hold_ = dial_hold_ = resetting_ = was_stepping_ = false;
+  deadline_s_ = 0;
+  apply_panel();
+  tell_sinks();
+}
+
+base::Outcome<void> LiveCore::open_program() {
+  if (!program_) return {};
+  auto file = program_->open();
+  if (!file) return tl::unexpected(file.error());
+  machine_->load(std::move(*file));
+  return {};
+}
+
+void LiveCore::apply_panel() {
+  control::Control& control = machine_->control();
+  control.set_single_block(panel_[Switch::single_block]);
+  control.set_optional_stop(panel_[Switch::optional_stop]);
+  control.set_block_skip(panel_.skip_levels);
+  machine_->servo().lock(panel_[Switch::machine_lock]);
+  apply_dials();
+}
+
+void LiveCore::apply_dials() {
+  const auto share = [](int percent) { return std::max(percent / 100.0, kCreep); };
+  motion::SetpointSource& source = machine_->servo().source();
+  source.set_overrides({share(panel_.dials.feed), share(panel_.dials.rapid)});
+  source.set_spindle_override(panel_.dials.spindle / 100.0);
+}
+
+// Dry run: cuts at the jog speed.
+control::Motion LiveCore::altered(const control::Motion& motion) const {
+  if (!panel_[Switch::dry_run] || activity_ != Activity::program || !is_cut(motion)) return motion;
+  control::Motion dry = motion;
+  const control::Feed feed{settings_.jog_mm_min, control::FeedMode::per_minute};
+  std::visit(
+      [&](auto& action) {
+        if constexpr (requires { action.feed; }) action.feed = feed;
+      },
+      dry.action);
+  return dry;
+}
+
+// A dial at 0 holds the motions that it is for; the others go on.
+void LiveCore::take(const AxisPoint& point) {
+  const motion::MoveKind kind = point.tip.mark.kind;
+  const bool at_zero = (kind == motion::MoveKind::cut && panel_.dials.feed == 0) ||
+                       (kind == motion::MoveKind::rapid && panel_.dials.rapid == 0);
+  if (!at_zero || machine_->servo().source().wants_hold()) return;
+  dial_hold_ = true;
+  machine_->servo().source().hold();
+}
+
+// Time
+
+void LiveCore::advance(double seconds) {
+  if (!is_active()) return;
+  deadline_s_ += seconds;
+  advance_to(deadline_s_, kAnyNumber);
+}
+
+void LiveCore::advance_to(double until_s, std::uint64_t most_points) {
+  reached_ = false;
+  while (is_active()) {
+    reached_ = machine_->advance(until_s, most_points);
+    motion::SetpointSource& source = machine_->servo().source();
+    if (is_active() && block_hold_ && source.held() && source.empty() && machine_->has_halted()) {
+      block_hold_ = false;
+      source.resume();
+      continue;
+    }
+    if (is_active()) break;
+    after_activity();
+  }
+  // Time in which the axes wait for the control is not made up for.
+  if (!reached_) deadline_s_ = time_s();
+}
+
+void LiveCore::after_activity() {
+  if (resetting_) return finish_reset();
+  switch (std::exchange(activity_, Activity::none)) {
+    case Activity::none: break;
+    case Activity::program: finish_program(); break;
+    case Activity::jog:
+      if (std::exchange(stopping_jog_, false)) {
+        machine_->drop_ahead();
+      } else if (jog_end_) {
+        raise_panel(jog_end_->code, jog_end_->sentence);
+      }
+      jog_end_.reset();
+      break;
+    case Activity::home: say("all axes are at their reference points"); break;
+    case Activity::approach:
+      approach_.reset();
+      go_on();
+      break;
+  }
+}
+
+void LiveCore::finish_program() {
+  feed_hold_ = block_hold_ = false;
+  if (stepper_->hit() || machine_->halt() != control::Halt::gate) stepper_->forget_target();
+  for (const std::string& text : machine_->statistics().messages()) say(text);
+  before_ = std::exchange(at_stop_, values());
+  ++changes_;
+}
+
+void LiveCore::finish_reset() {
+  machine_->drop_ahead();
+  machine_->reset();
+  machine_->abandon();
+  activity_ = Activity::none;
+  feed_hold_ = block_hold_ = dial_hold_ = resetting_ = stopping_jog_ = false;
+  is_entry_ = false;
+  is_fresh_ = false;
+  jog_end_.reset();
+  approach_.reset();
+  stepper_->start();
+  apply_panel();
+  ++changes_;
+}
+
+void LiveCore::reset() {
+  panel_alarm_.reset();
+  messages_.clear();
+  input_.clear();
+  resetting_ = true;
+  if (is_active()) {
+    machine_->servo().source().reset();
+  } else {
+    finish_reset();
+  }
+}
+
+void LiveCore::say(std::string message) {
+  if (!messages_.empty() && messages_.back() == message) return;
+  messages_.push_back(std::move(message));
+  if (messages_.size() > kMostMessages) messages_.pop_front();
+}
+
+void LiveCore::raise_panel(base::Code code, const std::string& sentence) {
+  panel_alarm_ = base::make_error(code, {}, sentence);
+}
+
+// The program
+
+LiveCore::Outcome LiveCore::load(ProgramText program, std::string dialect) {
+  if (is_active()) return refused("a program cannot be loaded while the machine is busy: reset");
+  if (dialect.empty())
+    dialect = settings_.dialect.empty() ? definition_.dialect : settings_.dialect;
+  const auto known = available_dialects();
+  if (std::find(known.begin(), known.end(), dialect) == known.end())
+    return refused("Kerf does not run the language '" + dialect + "'");
+  auto file = program.open();
+  if (!file) return tl::unexpected(file.error());
+  dialect_ = std::move(dialect);
+  program_ = std::move(program);
+  panel_alarm_.reset();
+  begin_anew();
+  return open_program();
+}
+
+bool LiveCore::would_begin() const {
+  return panel_.mode == Mode::automatic && !is_active() && !panel_alarm_ && !machine_->alarm() &&
+         (!machine_->is_in_program() || is_entry_);
+}
+
+std::optional<std::string> LiveCore::keeps_from_start() const {
+  if (resetting_) return "the machine is being reset";
+  if (panel_alarm_ || machine_->alarm()) return "an alarm is on: press reset first";
+  if (panel_.mode == Mode::automatic) {
+    if (!program_) return "no program is loaded";
+    return std::nullopt;
+  }
+  if (panel_.mode == Mode::mdi) {
+    if (machine_->is_in_program() && is_entry_) return std::nullopt;
+    return "there is no entry to go on with: enter blocks";
+  }
+  return "cycle start does nothing in mode " + std::string(name_of(panel_.mode)) +
+         ": turn the switch to auto";
+}
+
+LiveCore::Outcome LiveCore::begin_program() {
+  begin_anew();
+  if (auto opened = open_program(); !opened) return opened;
+  stepper_->start();
+  before_ = at_stop_ = values();
+  messages_.clear();
+  is_fresh_ = false;
+  ++run_;
+  return {};
+}
+
+// Goes on from wherever the machine stands.
+LiveCore::Outcome LiveCore::set_off(bool may_step) {
+  was_stepping_ = may_step;
+  motion::SetpointSource& source = machine_->servo().source();
+  if (is_active()) {
+    resume_feed();
+    const bool whole_blocks = panel_[Switch::single_block] || may_step;
+    if (activity_ == Activity::program && whole_blocks && !source.empty()) {
+      source.hold_behind_block();
+      block_hold_ = true;
+    }
+    return {};
+  }
+  if (approach_) return begin_approach();
+  go_on();
+  return {};
+}
+
+void LiveCore::go_on() {
+  activity_ = Activity::program;
+  deadline_s_ = time_s();
+  stepper_->go_on();
+  if (!machine_->set_off()) {
+    activity_ = Activity::none;
+    finish_program();
+  }
+}
+
+void LiveCore::resume_feed() {
+  feed_hold_ = block_hold_ = false;
+  if (!dial_hold_) machine_->servo().source().resume();
+}
+
+LiveCore::Outcome LiveCore::cycle_start() {
+  if (const auto why = keeps_from_start()) return refused(*why);
+  if (is_active() && !feed_hold_ && !block_hold_) return refused("the machine is running");
+  if (would_begin()) {
+    if (auto begun = begin_program(); !begun) return begun;
+  }
+  return set_off(false);
+}
+
+LiveCore::Outcome LiveCore::feed_hold() {
+  if (!is_active()) return refused("nothing moves that could be held");
+  if (activity_ == Activity::jog) return jog_stop();
+  feed_hold_ = true;
+  block_hold_ = false;
+  machine_->servo().source().hold();
+  return {};
+}
+
+LiveCore::Outcome LiveCore::step(Step how) {
+  if (const auto why = keeps_from_start()) return refused(*why);
+  if (is_active() && !feed_hold_ && !block_hold_)
+    return refused("the machine is running: hold first");
+  if (would_begin()) {
+    if (auto begun = begin_program(); !begun) return begun;
+    how = Step::into;
+  }
+  stepper_->step(is_active() ? Step::into : how);
+  return set_off(true);
+}
+
+LiveCore::Outcome LiveCore::run_to(const std::string& file, std::uint32_t line) {
+  if (const auto why = keeps_from_start()) return refused(*why);
+  if (line == 0) return refused("lines are counted from 1");
+  if (is_active() && !feed_hold_ && !block_hold_)
+    return refused("the machine is running: hold first");
+  if (would_begin()) {
+    if (auto begun = begin_program(); !begun) return begun;
+  }
+  stepper_->run_to(file, line);
+  return set_off(false);
+}
+
+LiveCore::Outcome LiveCore::set_breakpoints(std::vector<Breakpoint> breakpoints) {
+  return stepper_->set_breakpoints(std::move(breakpoints));
+}
+
+LiveCore::Outcome LiveCore::mdi(const std::string& text) {
+  if (panel_.mode != Mode::mdi) return refused("blocks are entered in mode mdi");
+  if (is_active()) return refused("the machine is busy");
+  if (panel_alarm_ || machine_->alarm()) return refused("an alarm is on: press reset first");
+  if (machine_->is_in_program() && !is_entry_)
+    return refused("a program is interrupted: let it end, or press reset");
+  if (text.find_first_not_of(" \t\r\n;") == std::string::npos) return refused("the entry is empty");
+  machine_->abandon();
+  stepper_->start();
+  before_ = at_stop_ = values();
+  is_entry_ = true;
+  is_fresh_ = false;
+  activity_ = Activity::program;
+  deadline_s_ = time_s();
+  ++run_;
+  if (!machine_->set_off_entry(base::SourceFile::from_text("MDI", text))) {
+    activity_ = Activity::none;
+    finish_program();
+  }
+  return {};
+}
+
+LiveCore::Outcome LiveCore::enter(std::string line) {
+  input_.push_back(std::move(line));
+  return {};
+}
+
+// Switches
+
+LiveCore::Outcome LiveCore::set_mode(Mode mode) {
+  if (mode == panel_.mode) return {};
+  if (is_active() || resetting_)
+    return refused(feed_hold_
+                       ? "the axes are held on their way: go on with cycle start, or press reset"
+                       : "the mode cannot be changed while the machine is running");
+  panel_.mode = mode;
+  return {};
+}
+
+LiveCore::Outcome LiveCore::set_switch(Switch which, bool on) {
+  if (panel_[which] == on) return {};
+  if (which == Switch::dry_run && is_active())
+    return refused("dry run is switched while nothing moves");
+  if (which == Switch::machine_lock && (is_active() || machine_->is_in_program()))
+    return refused("machine lock is switched between programs: let it end, or press reset");
+  panel_.switches[static_cast<std::size_t>(which)] = on;
+  if (which == Switch::machine_lock) {
+    begin_anew();
+    if (!on) say("machine lock is off: the position is that of the axes again");
+    return open_program();
+  }
+  apply_panel();
+  if (which == Switch::single_block && is_active() && activity_ == Activity::program) {
+    motion::SetpointSource& source = machine_->servo().source();
+    if (on && !feed_hold_) {
+      source.hold_behind_block();
+      block_hold_ = true;
+    } else if (!on && block_hold_ && !source.held()) {
+      resume_feed();
+    }
+  }
+  return {};
+}
+
+LiveCore::Outcome LiveCore::set_block_skip(std::uint32_t levels) {
+  constexpr std::uint32_t kLevels = 0x3fe;
+  if ((levels & ~kLevels) != 0) return refused("blocks are skipped by levels 1 to 9");
+  panel_.skip_levels = levels;
+  machine_->control().set_block_skip(levels);
+  return {};
+}
+
+LiveCore::Outcome LiveCore::set_dials(const OverrideDials& dials) {
+  const auto within = [](int value, int low, int high) { return low <= value && value <= high; };
+  if (!within(dials.feed, 0, 200)) return refused("the feed override is 0 to 200 percent");
+  if (!within(dials.rapid, 0, 100)) return refused("the rapid override is 0 to 100 percent");
+  if (!within(dials.spindle, 50, 120)) return refused("the spindle override is 50 to 120 percent");
+  panel_.dials = dials;
+  apply_dials();
+  if (!dial_hold_) return {};
+  const motion::MoveKind kind = machine_->servo().last().mark.kind;
+  const int dial = kind == motion::MoveKind::rapid ? dials.rapid : dials.feed;
+  if (dial == 0) return {};
+  dial_hold_ = false;
+  if (!feed_hold_ && !resetting_ && !block_hold_) machine_->servo().source().resume();
+  return {};
+}
+
+base::AxisVector LiveCore::standing_joints() const { return machine_->servo().stands_at().joints; }
+
+}  // namespace kerf::machine

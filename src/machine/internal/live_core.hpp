@@ -1,0 +1,186 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "machine/internal/block_trail.hpp"
+#include "machine/internal/line_finder.hpp"
+#include "machine/live_machine.hpp"
+#include "machine/virtual_machine.hpp"
+
+namespace kerf::machine {
+
+/// All that a run begins with: made from it again, a machine does the same again.
+struct RunStart {
+  MachineDefinition definition;  ///< its start is where the axes stand
+  control::Memory memory;
+  LiveMachine::Settings settings;
+  std::string dialect;
+  PanelSettings panel;
+  std::optional<ProgramText> program;
+  std::vector<Breakpoint> breakpoints;
+  base::AxisVector shift;  ///< of G92
+};
+
+/// The machine behind the panel: what the keys do, and what is to be seen. It remembers nothing of
+/// what was (LiveMachine does).
+///
+/// Each program runs on a VirtualMachine made anew (begin_anew()). What an operator does takes
+/// effect between two set-points; whatever follows depends on the number of points before it, and
+/// on no clock.
+class LiveCore : private AxisPointSink {
+ public:
+  using Outcome = base::Outcome<void>;
+
+  explicit LiveCore(RunStart start);
+  ~LiveCore() override;
+
+  [[nodiscard]] RunStart run_start() const;
+  void add_sink(control::MotionSink& sink);
+  void add_point_sink(AxisPointSink& sink);
+  void raise(const base::Diagnostic& alarm);
+  /// Where the axes stand.
+  void tell_sinks();
+
+  // Time
+  void advance(double seconds);
+  /// Up to a time and a number of points of this run.
+  void advance_to(double until_s, std::uint64_t most_points);
+  /// The last call has come to its time or number of points: otherwise it had too much to compute.
+  [[nodiscard]] bool is_reached() const { return reached_; }
+  [[nodiscard]] std::uint64_t points() const { return machine_->servo().points(); }
+  [[nodiscard]] double time_s() const { return machine_->servo().last().time_s; }
+  /// Something moves or executes, or is held on the way.
+  [[nodiscard]] bool is_active() const { return machine_->is_active(); }
+
+  // The panel, as in LiveMachine
+  Outcome load(ProgramText program, std::string dialect);
+  Outcome set_mode(Mode mode);
+  /// Whether cycle start begins the program, on a machine made anew.
+  [[nodiscard]] bool would_begin() const;
+  Outcome cycle_start();
+  Outcome feed_hold();
+  void reset();
+  Outcome set_switch(Switch which, bool on);
+  Outcome set_block_skip(std::uint32_t levels);
+  Outcome set_dials(const OverrideDials& dials);
+  Outcome jog(const std::string& axis, double speed_per_min);
+  Outcome jog_by(const std::string& axis, double distance, double speed_per_min);
+  Outcome jog_stop();
+  Outcome home();
+  Outcome mdi(const std::string& text);
+  Outcome enter(std::string line);
+  Outcome step(Step how);
+  Outcome run_to(const std::string& file, std::uint32_t line);
+  Outcome start_at(std::uint32_t line);
+  Outcome set_breakpoints(std::vector<Breakpoint> breakpoints);
+  Outcome set_variable(const std::string& name, std::optional<double> value,
+                       std::optional<std::size_t> level);
+  Outcome set_offset(const std::string& offset, const std::string& axis, double value);
+
+  // To see
+  [[nodiscard]] Status status() const;
+  [[nodiscard]] Snapshot snapshot();
+  [[nodiscard]] VariableListing variables(std::optional<std::size_t> level);
+  [[nodiscard]] VariableListing variables_named(const std::vector<std::string>& names,
+                                                std::optional<std::size_t> level);
+  [[nodiscard]] const PanelSettings& panel() const { return panel_; }
+  [[nodiscard]] const std::optional<ProgramText>& program() const { return program_; }
+  [[nodiscard]] const std::string& dialect() const { return dialect_; }
+  [[nodiscard]] Stepper& stepper() { return *stepper_; }
+  [[nodiscard]] VirtualMachine& machine() { return *machine_; }
+  [[nodiscard]] const VirtualMachine& machine() const { return *machine_; }
+  [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
+  [[nodiscard]] std::uint64_t run() const { return run_; }
+  void set_run(std::uint64_t run) { run_ = run; }
+  [[nodiscard]] base::AxisVector standing_joints() const;
+
+ private:
+  /// What is under way.
+  enum class Activity : std::uint8_t { none, program, jog, home, approach };
+  /// The end of a jog that is not the operator's.
+  struct JogEnd {
+    base::Code code{};
+    std::string sentence;
+  };
+  /// What a program restarted in its middle needs before its first move.
+  struct Approach;
+  using Values = std::map<std::pair<std::string, std::size_t>, double>;
+
+  // AxisPointSink: looks at every point.
+  void take(const AxisPoint& point) override;
+
+  void begin_anew();
+  [[nodiscard]] base::Outcome<void> open_program();
+  void apply_panel();
+  void apply_dials();
+  [[nodiscard]] control::Motion altered(const control::Motion& motion) const;
+  void go_on();
+  void resume_feed();
+  void after_activity();
+  void finish_reset();
+  void finish_program();
+  Outcome begin_program();
+  Outcome set_off(bool may_step);
+  [[nodiscard]] std::optional<std::string> keeps_from_start() const;
+  [[nodiscard]] std::optional<std::string> keeps_from_hand() const;
+  [[nodiscard]] std::optional<base::Axis> find_axis(const std::string& name) const;
+  Outcome jog_to(base::Axis axis, double distance, double speed_per_min, bool to_the_end);
+  [[nodiscard]] double travel_left(base::Axis axis, bool up) const;
+  [[nodiscard]] double reachable(const control::Motion& whole, base::Axis axis, double distance,
+                                 std::optional<JogEnd>& end);
+  void raise_panel(base::Code code, const std::string& sentence);
+  [[nodiscard]] Outcome queue_moves(const std::vector<control::Motion>& motions);
+  Outcome begin_approach();
+  void show_place(Snapshot& shown);
+  void show_functions(Snapshot& shown);
+  void show_positions(Snapshot& shown);
+  void show_alarm(Snapshot& shown) const;
+  void show_stack(Snapshot& shown);
+  [[nodiscard]] Values values();
+  void say(std::string message);
+
+  MachineDefinition definition_;
+  LiveMachine::Settings settings_;
+  std::string dialect_;
+  PanelSettings panel_;
+  std::optional<ProgramText> program_;
+  std::unique_ptr<VirtualMachine> machine_;
+  std::unique_ptr<BlockTrail> trail_;
+  std::unique_ptr<Stepper> stepper_;
+  std::vector<control::MotionSink*> sinks_;
+  std::vector<AxisPointSink*> point_sinks_;
+
+  Activity activity_ = Activity::none;
+  bool is_fresh_ = true;     // the program would begin on a machine that has done nothing
+  bool is_entry_ = false;    // what runs, or has run, is an entry in MDI
+  bool feed_hold_ = false;   // pressed
+  bool block_hold_ = false;  // the feed holds behind the block: single block
+  bool dial_hold_ = false;   // a dial stands at 0
+  bool resetting_ = false;
+  bool stopping_jog_ = false;
+  bool was_stepping_ = false;
+  std::optional<JogEnd> jog_end_;
+  std::unique_ptr<Approach> approach_;
+  std::optional<base::Diagnostic> panel_alarm_;
+  bool reached_ = false;
+  double deadline_s_ = 0;  // of the run: up to when points are wanted
+  std::uint64_t run_ = 0;
+  std::uint64_t changes_ = 0;  // of variables, by the operator
+  std::deque<std::string> messages_;
+  std::string printed_;
+  std::uint64_t printed_bytes_ = 0;
+  std::deque<std::string> input_;
+  LineFinder lines_;
+  Values before_;  // at the last stop but one
+  Values at_stop_;
+};
+
+}  // namespace kerf::machine

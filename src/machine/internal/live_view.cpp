@@ -1,0 +1,189 @@
+// What is to be seen of a live machine.
+#include <algorithm>
+#include <cmath>
+
+#include "lang/vm/value.hpp"
+#include "machine/internal/live_core.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr std::size_t kShownPrint = 4096;
+
+std::string name_of_program(control::ProgramNumber program, const std::string& without_number) {
+  const auto number = static_cast<std::uint32_t>(program);
+  if (number == 0) return without_number;
+  std::string digits = std::to_string(number);
+  digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+  return "O" + digits;
+}
+
+std::string file_of(const VirtualMachine& machine, base::FileId file) {
+  return machine.sources().contains(file) ? machine.sources()[file].name() : std::string();
+}
+
+AlarmText words_of(const base::Diagnostic& alarm, const VirtualMachine& machine) {
+  const base::CodeText& text = base::text_of(alarm.code);
+  AlarmText words;
+  words.code = alarm.number;
+  words.message = alarm.message;
+  words.program = alarm.program;
+  words.file = file_of(machine, alarm.place.file);
+  words.line = alarm.place.line;
+  words.column = alarm.place.column;
+  words.length = alarm.place.length;
+  words.cause = text.cause;
+  words.remedy = text.remedy;
+  return words;
+}
+
+}  // namespace
+
+Status LiveCore::status() const {
+  if (panel_alarm_ || machine_->alarm()) return Status::alarm;
+  if (is_active()) {
+    if (!machine_->servo().source().held()) return Status::running;
+    if (feed_hold_) return Status::held;
+    if (block_hold_) return was_stepping_ ? Status::step : Status::stopped;
+    return Status::running;
+  }
+  if (machine_->is_in_program())
+    return machine_->halt() == control::Halt::gate ? Status::step : Status::stopped;
+  return machine_->status() == VirtualMachine::Status::end ? Status::end : Status::idle;
+}
+
+// While axes move: where they are; at rest: where the control is.
+void LiveCore::show_place(Snapshot& shown) {
+  control::Control& control = machine_->control();
+  const motion::Mark& mark = machine_->servo().last().mark;
+  const base::Place standing = control.standing_at();
+  const bool by_mark = is_active() && mark.motion != 0 && mark.line != 0;
+  const base::FileId file = by_mark ? mark.file : standing.file;
+  shown.line = by_mark ? mark.line : standing.line;
+  shown.file = file_of(*machine_, file);
+  if (machine_->sources().contains(file))
+    shown.text = lines_.text(machine_->sources()[file], file, shown.line);
+  if (by_mark) {
+    shown.program = name_of_program(mark.program, machine_->program_name());
+  } else if (machine_->is_in_program() || machine_->alarm()) {
+    shown.program = control.running_program();
+  } else if (program_) {
+    shown.program = machine_->program_name();
+  }
+}
+
+void LiveCore::show_functions(Snapshot& shown) {
+  const motion::Mark& mark = machine_->servo().last().mark;
+  const bool moving = is_active() && mark.motion != 0;
+  const BlockState& state = moving ? trail_->at(mark.motion) : trail_->newest();
+  shown.modal = machine_->control().modal_text(state.modal);
+  shown.spindle = state.spindle.turning;
+  if (state.spindle.turning != control::Spindle::Turning::stopped)
+    shown.spindle_rpm = state.spindle.speed * panel_.dials.spindle / 100;
+  shown.coolant = state.coolant;
+  shown.tool = state.tool;
+  shown.power_percent = state.power.percent;
+  shown.beam = moving ? mark.power_percent > 0 : state.power.beam_percent() > 0;
+  shown.feed_programmed_mm_min = moving ? 60.0 * static_cast<double>(mark.speed) : 0;
+  shown.feed_actual_mm_min = moving ? 60 * machine_->servo().speed() : 0;
+}
+
+void LiveCore::show_positions(Snapshot& shown) {
+  const motion::Setpoint& at = machine_->servo().last();
+  const bool moving = is_active() && at.mark.motion != 0;
+  const BlockState& state = moving ? trail_->at(at.mark.motion) : trail_->newest();
+  shown.machine = at.tip + state.tool_length;
+  shown.work = at.tip - state.origin;
+  if (moving && at.mark.kind != motion::MoveKind::dwell)
+    shown.distance = machine_->servo().source().motion_end() - at.tip;
+  shown.joints = standing_joints();
+}
+
+void LiveCore::show_alarm(Snapshot& shown) const {
+  if (machine_->alarm()) {
+    shown.alarm = words_of(*machine_->alarm(), *machine_);
+  } else if (panel_alarm_) {
+    shown.alarm = words_of(*panel_alarm_, *machine_);
+  }
+}
+
+void LiveCore::show_stack(Snapshot& shown) {
+  if (is_active()) {
+    if (activity_ == Activity::program)
+      shown.stack.push_back({shown.program, shown.file, shown.line, 0});
+    return;
+  }
+  if (!machine_->is_in_program() && !machine_->alarm()) return;
+  for (const control::OpenCall& call : machine_->control().open_calls())
+    shown.stack.push_back(
+        {call.program, file_of(*machine_, call.place.file), call.place.line, shown.stack.size()});
+}
+
+Snapshot LiveCore::snapshot() {
+  Snapshot shown;
+  shown.status = status();
+  shown.panel = panel_;
+  shown.time_s = time_s();
+  shown.run = run_;
+  shown.motion = machine_->servo().last().mark.motion;
+  shown.motions = trail_->motions();
+  show_place(shown);
+  show_functions(shown);
+  show_positions(shown);
+  show_alarm(shown);
+  show_stack(shown);
+  shown.messages.assign(messages_.begin(), messages_.end());
+  shown.variables_revision = machine_->control().blocks() + (changes_ << 40U);
+  shown.printed =
+      printed_.size() > kShownPrint ? printed_.substr(printed_.size() - kShownPrint) : printed_;
+  shown.printed_bytes = printed_bytes_;
+  shown.waits_for_input = machine_->waits_for_input();
+  if (shown.status == Status::step) shown.breakpoint = stepper_->hit();
+  return shown;
+}
+
+LiveCore::Values LiveCore::values() {
+  Values all;
+  Dialect& language = machine_->language();
+  const std::size_t levels = std::max<std::size_t>(machine_->control().open_calls().size(), 1);
+  for (std::size_t level = 0; level < levels; ++level) {
+    for (const VariableRow& row : language.list_variables(level).rows) {
+      const std::size_t whose = row.scope == VariableScope::local ? level : 0;
+      all[{row.name, whose}] = row.value;
+    }
+  }
+  return all;
+}
+
+VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
+                                          std::optional<std::size_t> level) {
+  const VariableListing all = variables(level);
+  VariableListing listing{{}, all.scopes, all.levels};
+  const std::size_t levels = all.levels;
+  const std::size_t wanted = level.value_or(levels == 0 ? 0 : levels - 1);
+  for (const std::string& name : names) {
+    const auto listed = std::find_if(all.rows.begin(), all.rows.end(),
+                                     [&](const VariableRow& row) { return row.name == name; });
+    if (listed != all.rows.end()) {
+      listing.rows.push_back(*listed);
+    } else if (const auto value = machine_->language().variable(name, wanted)) {
+      listing.rows.push_back({name, "", *value, VariableScope::program, wanted, false});
+    }
+  }
+  return listing;
+}
+
+VariableListing LiveCore::variables(std::optional<std::size_t> level) {
+  const std::size_t levels = machine_->control().open_calls().size();
+  const std::size_t innermost = levels == 0 ? 0 : levels - 1;
+  VariableListing listing = machine_->language().list_variables(level.value_or(innermost));
+  for (VariableRow& row : listing.rows) {
+    const bool local = row.scope == VariableScope::local;
+    const auto found = before_.find({row.name, local ? row.level : 0});
+    const double before = found == before_.end() ? vm::kNull : found->second;
+    row.changed = before != row.value && !(vm::is_null(before) && vm::is_null(row.value));
+  }
+  return listing;
+}
+
+}  // namespace kerf::machine

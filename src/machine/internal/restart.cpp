@@ -1,0 +1,87 @@
+// Start at a line: the control runs up to it while nothing moves, then the axes are brought to
+// where it has them.
+#include "machine/internal/approach.hpp"
+#include "machine/internal/refused.hpp"
+
+namespace kerf::machine {
+namespace {
+
+// More than any program of a person needs to come to a line; an endless loop ends here.
+constexpr std::uint64_t kSteps = 50'000'000;
+constexpr std::uint64_t kSlice = 100'000;
+
+}  // namespace
+
+LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
+  if (panel_.mode != Mode::automatic) return refused("a program is started in mode auto");
+  if (const auto why = keeps_from_start()) return refused(*why);
+  if (is_active()) return refused("the machine is running");
+  if (auto begun = begin_program(); !begun) return begun;
+  const std::string where = "line " + std::to_string(line);
+  auto approach = std::make_unique<Approach>();
+  approach->to = machine_->servo().commanded();
+  machine_->divert_motions(approach.get());
+  machine_->control().set_single_block(false);
+  stepper_->search_line(line);
+  bool found = false;
+  std::string why = where + " was not reached within the steps that a search may make";
+  if (!machine_->set_off()) why = machine_->alarm()->message;
+  for (std::uint64_t steps = 0; steps < kSteps && machine_->is_active(); steps += kSlice) {
+    if (!machine_->execute(kSlice)) continue;
+    const control::Halt halt = machine_->halt();
+    found = halt == control::Halt::gate;
+    if (halt == control::Halt::end) why = "the program ends before " + where + " is reached";
+    if (halt == control::Halt::alarm)
+      why = "before " + where + " is reached: " + machine_->control().alarm()->message;
+    if (found || halt == control::Halt::end || halt == control::Halt::alarm) break;
+  }
+  stepper_->search_line(0);
+  machine_->divert_motions(nullptr);
+  if (!found) {
+    begin_anew();
+    if (auto opened = open_program(); !opened) return opened;
+    return refused(why);
+  }
+  machine_->stand_by();
+  apply_panel();
+  approach_ = std::move(approach);
+  before_ = at_stop_ = values();
+  return {};
+}
+
+// The tool's axis goes last, or first where it goes away from the work.
+LiveCore::Outcome LiveCore::begin_approach() {
+  std::vector<control::Motion> motions;
+  for (const auto* const function :
+       {&approach_->tool, &approach_->spindle, &approach_->coolant, &approach_->power}) {
+    if (*function) motions.push_back(**function);
+  }
+  const base::AxisVector from = machine_->servo().commanded();
+  base::AxisVector corner = approach_->to;
+  if (const auto z = definition_.axes.find('Z'); z && approach_->to[*z] < from[*z]) {
+    corner[*z] = from[*z];
+  } else if (z) {
+    corner = from;
+    corner[*z] = approach_->to[*z];
+  }
+  control::Motion move;
+  move.line = machine_->control().standing_at().line;
+  move.file = machine_->control().standing_at().file;
+  for (const base::AxisVector& to : {corner, approach_->to}) {
+    if (to == (motions.empty() || control::target_of(motions.back()) == nullptr
+                   ? from
+                   : *control::target_of(motions.back())))
+      continue;
+    move.action = control::Rapid{to, true};
+    motions.push_back(move);
+  }
+  if (motions.empty()) {
+    approach_.reset();
+    go_on();
+    return {};
+  }
+  activity_ = Activity::approach;
+  return queue_moves(motions);
+}
+
+}  // namespace kerf::machine

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/source_file.hpp"
+
+namespace kerf::machine {
+
+/// A language that shows in a program itself, and the machine that runs it where none is named.
+struct Language {
+  std::string_view dialect;
+  std::string_view ending;
+  std::string_view machine;
+};
+
+/// By the ending of a file: `.bas`, `.tch`. Nothing: any language, G-code above all.
+[[nodiscard]] std::optional<Language> language_by_ending(const std::string& path);
+/// By the first line that only one language has.
+[[nodiscard]] std::optional<Language> language_by_text(const base::SourceFile& program);
+/// Of a dialect; nothing: it is one of G-code.
+[[nodiscard]] std::optional<Language> language_of(std::string_view dialect);
+
+}  // namespace kerf::machine

@@ -1,0 +1,343 @@
+#include "machine/live_machine.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "lang/teach/record_parser.hpp"
+#include "machine/internal/journal.hpp"
+#include "machine/internal/live_core.hpp"
+#include "machine/internal/refused.hpp"
+#include "machine/point_capture.hpp"
+
+namespace kerf::machine {
+
+namespace {
+
+RunStart at_power_on(const MachineDefinition& definition, control::Memory memory,
+                     LiveMachine::Settings settings) {
+  std::string dialect = settings.dialect.empty() ? definition.dialect : settings.dialect;
+  return {definition, std::move(memory), std::move(settings), std::move(dialect), {}, {}, {}, {}};
+}
+
+}  // namespace
+
+/// The machine, what was done with it in this run, and the points that were taught.
+class LiveMachine::Impl {
+ public:
+  Impl(const MachineDefinition& definition, control::Memory memory, Settings settings);
+
+  using Act = std::function<Outcome(LiveCore&)>;
+  /// Does what the operator asks for, and remembers it.
+  Outcome perform(const Act& act);
+  /// Likewise; the run begins with it.
+  Outcome begin(const Act& act);
+  [[nodiscard]] Outcome step_back();
+  [[nodiscard]] base::Outcome<LiveCore*> core_at(double time_s);
+
+  std::unique_ptr<LiveCore> core;
+  Journal journal;
+  std::unique_ptr<Replay> replay;
+  machine::Capture capture;
+  std::vector<control::MotionSink*> sinks;
+  std::vector<AxisPointSink*> point_sinks;
+  std::shared_ptr<const Snapshot> shown;  // null: something may have changed since
+
+ private:
+  void touch() {
+    shown.reset();
+    replay.reset();
+  }
+};
+
+LiveMachine::Impl::Impl(const MachineDefinition& definition, control::Memory memory,
+                        Settings settings)
+    : core(std::make_unique<LiveCore>(
+          at_power_on(definition, std::move(memory), std::move(settings)))),
+      journal{core->run_start(), 0, {}},
+      capture(definition) {}
+
+LiveMachine::Outcome LiveMachine::Impl::perform(const Act& act) {
+  if (core->would_begin()) return begin(act);
+  const std::uint64_t points = core->points();
+  Outcome done = act(*core);
+  if (done) journal.entries.push_back({points, act});
+  touch();
+  return done;
+}
+
+LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
+  RunStart start = core->run_start();
+  const std::uint64_t run = core->run();
+  Outcome done = act(*core);
+  if (done) {
+    journal = {std::move(start), run, {}};
+    journal.entries.push_back({0, act});
+  }
+  touch();
+  return done;
+}
+
+// The blocks that were begun are counted by making the run again; so it stops one of them earlier
+// the next time.
+LiveMachine::Outcome LiveMachine::Impl::step_back() {
+  if (core->is_active())
+    return refused("the machine is running: hold it, or let it come to a stop");
+  Replay all(journal);
+  all.go_to(std::numeric_limits<double>::infinity());
+  const bool waits = all.core().machine().halt() == control::Halt::gate;
+  const std::uint64_t begun = all.core().stepper().blocks();
+  const std::uint64_t done = waits && begun > 0 ? begun - 1 : begun;
+  if (done == 0) return refused("the program stands at its beginning");
+  Replay back(journal, done);
+  back.go_to(std::numeric_limits<double>::infinity());
+  journal.entries.resize(back.done());
+  std::unique_ptr<LiveCore> there = back.take();
+  there->stepper().search_block(0);
+  there->stepper().count_blocks(false);
+  for (control::MotionSink* const sink : sinks) there->add_sink(*sink);
+  for (AxisPointSink* const sink : point_sinks) there->add_point_sink(*sink);
+  there->tell_sinks();
+  const std::uint64_t stopped_before = done;
+  journal.entries.push_back({there->points(), [stopped_before](LiveCore& machine) {
+                               machine.stepper().search_block(stopped_before);
+                               return Outcome{};
+                             }});
+  core = std::move(there);
+  touch();
+  return {};
+}
+
+base::Outcome<LiveCore*> LiveMachine::Impl::core_at(double time_s) {
+  if (!(time_s >= 0)) return refused("times of a run begin with 0 s");
+  if (time_s > core->time_s()) return refused("the run has not come to this time");
+  if (replay && replay->time_s() > time_s) replay.reset();
+  if (!replay) replay = std::make_unique<Replay>(journal);
+  replay->go_to(time_s);
+  return &replay->core();
+}
+
+LiveMachine::LiveMachine(const MachineDefinition& definition, control::Memory memory,
+                         Settings settings)
+    : impl_(std::make_unique<Impl>(definition, std::move(memory), std::move(settings))) {}
+LiveMachine::~LiveMachine() = default;
+LiveMachine::LiveMachine(LiveMachine&&) noexcept = default;
+LiveMachine& LiveMachine::operator=(LiveMachine&&) noexcept = default;
+
+void LiveMachine::add_sink(control::MotionSink& sink) {
+  impl_->sinks.push_back(&sink);
+  impl_->core->add_sink(sink);
+}
+
+void LiveMachine::add_point_sink(AxisPointSink& sink) {
+  impl_->point_sinks.push_back(&sink);
+  impl_->core->add_point_sink(sink);
+}
+
+void LiveMachine::raise(const base::Diagnostic& alarm) {
+  static_cast<void>(impl_->perform([alarm](LiveCore& core) {
+    core.raise(alarm);
+    return Outcome{};
+  }));
+}
+
+void LiveMachine::advance(double seconds) {
+  if (!impl_->core->is_active()) return;
+  impl_->core->advance(seconds);
+  impl_->shown.reset();
+}
+
+std::shared_ptr<const Snapshot> LiveMachine::snapshot() {
+  if (!impl_->shown) impl_->shown = std::make_shared<const Snapshot>(impl_->core->snapshot());
+  return impl_->shown;
+}
+
+// The program
+
+LiveMachine::Outcome LiveMachine::load(ProgramText program, std::string dialect) {
+  return impl_->begin([program = std::move(program), dialect = std::move(dialect)](LiveCore& core) {
+    return core.load(program, dialect);
+  });
+}
+
+const std::optional<ProgramText>& LiveMachine::program() const { return impl_->core->program(); }
+const std::string& LiveMachine::dialect() const { return impl_->core->dialect(); }
+std::vector<base::Diagnostic> LiveMachine::check() { return impl_->core->machine().check(); }
+
+// The panel
+
+LiveMachine::Outcome LiveMachine::set_mode(Mode mode) {
+  return impl_->perform([mode](LiveCore& core) { return core.set_mode(mode); });
+}
+
+LiveMachine::Outcome LiveMachine::cycle_start() {
+  return impl_->perform([](LiveCore& core) { return core.cycle_start(); });
+}
+
+LiveMachine::Outcome LiveMachine::feed_hold() {
+  return impl_->perform([](LiveCore& core) { return core.feed_hold(); });
+}
+
+void LiveMachine::reset() {
+  static_cast<void>(impl_->perform([](LiveCore& core) {
+    core.reset();
+    return Outcome{};
+  }));
+}
+
+LiveMachine::Outcome LiveMachine::set_switch(Switch which, bool on) {
+  const auto act = [which, on](LiveCore& core) { return core.set_switch(which, on); };
+  return which == Switch::machine_lock ? impl_->begin(act) : impl_->perform(act);
+}
+
+LiveMachine::Outcome LiveMachine::set_block_skip(std::uint32_t levels) {
+  return impl_->perform([levels](LiveCore& core) { return core.set_block_skip(levels); });
+}
+
+LiveMachine::Outcome LiveMachine::set_dials(const OverrideDials& dials) {
+  return impl_->perform([dials](LiveCore& core) { return core.set_dials(dials); });
+}
+
+LiveMachine::Outcome LiveMachine::jog(std::string_view axis, double speed_per_min) {
+  return impl_->perform([axis = std::string(axis), speed_per_min](LiveCore& core) {
+    return core.jog(axis, speed_per_min);
+  });
+}
+
+LiveMachine::Outcome LiveMachine::jog_by(std::string_view axis, double distance,
+                                         double speed_per_min) {
+  return impl_->perform([axis = std::string(axis), distance, speed_per_min](LiveCore& core) {
+    return core.jog_by(axis, distance, speed_per_min);
+  });
+}
+
+LiveMachine::Outcome LiveMachine::jog_stop() {
+  return impl_->perform([](LiveCore& core) { return core.jog_stop(); });
+}
+
+LiveMachine::Outcome LiveMachine::home() {
+  return impl_->perform([](LiveCore& core) { return core.home(); });
+}
+
+LiveMachine::Outcome LiveMachine::mdi(std::string text) {
+  return impl_->perform([text = std::move(text)](LiveCore& core) { return core.mdi(text); });
+}
+
+LiveMachine::Outcome LiveMachine::enter(std::string line) {
+  return impl_->perform([line = std::move(line)](LiveCore& core) { return core.enter(line); });
+}
+
+// Stepping
+
+LiveMachine::Outcome LiveMachine::step(Step how) {
+  return impl_->perform([how](LiveCore& core) { return core.step(how); });
+}
+
+LiveMachine::Outcome LiveMachine::step_back() { return impl_->step_back(); }
+
+LiveMachine::Outcome LiveMachine::run_to(std::string file, std::uint32_t line) {
+  return impl_->perform(
+      [file = std::move(file), line](LiveCore& core) { return core.run_to(file, line); });
+}
+
+LiveMachine::Outcome LiveMachine::start_at(std::uint32_t line) {
+  return impl_->begin([line](LiveCore& core) { return core.start_at(line); });
+}
+
+LiveMachine::Outcome LiveMachine::set_breakpoints(std::vector<Breakpoint> breakpoints) {
+  return impl_->perform([breakpoints = std::move(breakpoints)](LiveCore& core) {
+    return core.set_breakpoints(breakpoints);
+  });
+}
+
+const std::vector<Breakpoint>& LiveMachine::breakpoints() const {
+  return impl_->core->stepper().breakpoints();
+}
+
+// Memory
+
+VariableListing LiveMachine::variables(std::optional<std::size_t> level) {
+  return impl_->core->variables(level);
+}
+
+VariableListing LiveMachine::variables_named(const std::vector<std::string>& names,
+                                             std::optional<std::size_t> level) {
+  return impl_->core->variables_named(names, level);
+}
+
+LiveMachine::Outcome LiveMachine::set_variable(const std::string& name, std::optional<double> value,
+                                               std::optional<std::size_t> level) {
+  return impl_->perform([=](LiveCore& core) { return core.set_variable(name, value, level); });
+}
+
+LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::string_view axis,
+                                             double value) {
+  return impl_->perform([offset, axis = std::string(axis), value](LiveCore& core) {
+    return core.set_offset(offset, axis, value);
+  });
+}
+
+const control::Memory& LiveMachine::memory() const { return impl_->core->machine().memory(); }
+const MachineDefinition& LiveMachine::definition() const { return impl_->core->definition(); }
+
+// Time
+
+base::Outcome<std::shared_ptr<const Snapshot>> LiveMachine::state_at(double time_s) {
+  auto core = impl_->core_at(time_s);
+  if (!core) return tl::unexpected(core.error());
+  return std::make_shared<const Snapshot>((*core)->snapshot());
+}
+
+VariableListing LiveMachine::variables_at_state(std::optional<std::size_t> level) {
+  return (impl_->replay ? impl_->replay->core() : *impl_->core).variables(level);
+}
+
+// Teaching
+
+namespace {
+
+std::string words_of(const teach::Mistake& mistake) {
+  const std::string message(base::text_of(mistake.code).message);
+  return mistake.detail.empty() ? message : message + ": " + mistake.detail;
+}
+
+}  // namespace
+
+base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::string_view name) {
+  LiveCore& core = *impl_->core;
+  if (core.panel().mode != Mode::teach) return refused("points are captured in mode teach");
+  if (core.is_active()) return refused("points are captured while the axes rest");
+  const base::AxisVector joints = core.standing_joints();
+  machine::Capture& taught = impl_->capture;
+  std::optional<teach::Mistake> mistake;
+  switch (what) {
+    case Capture::point: mistake = taught.point(joints, name); break;
+    case Capture::line: mistake = taught.line(joints); break;
+    case Capture::arc_via: taught.middle(joints); break;
+    case Capture::arc_end: mistake = taught.arc(joints); break;
+    case Capture::circle_end: mistake = taught.circle(joints); break;
+  }
+  if (mistake) return refused(words_of(*mistake));
+  return this->taught();
+}
+
+base::Outcome<LiveMachine::Taught> LiveMachine::teach_record(std::string_view record) {
+  if (impl_->core->panel().mode != Mode::teach) return refused("points are taught in mode teach");
+  const auto parsed = teach::parse_record(teach::Words(record));
+  if (!parsed) return refused(words_of(parsed.error()));
+  if (const auto mistake = impl_->capture.add(*parsed)) return refused(words_of(*mistake));
+  return taught();
+}
+
+base::Outcome<LiveMachine::Taught> LiveMachine::take_back() {
+  if (!impl_->capture.take_back()) return refused("nothing has been taught");
+  return taught();
+}
+
+LiveMachine::Taught LiveMachine::taught() const {
+  const teach::Recorder& recorder = impl_->capture.recorder();
+  return {recorder.text(), static_cast<std::uint32_t>(recorder.records().size())};
+}
+
+void LiveMachine::new_teaching() { impl_->capture = machine::Capture(definition()); }
+
+}  // namespace kerf::machine

@@ -1,0 +1,63 @@
+#include "server/asset_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+extern "C" {
+extern const char kerf_page_begin[];
+extern const char kerf_page_end[];
+}
+
+namespace kerf::server {
+namespace {
+
+struct Line {
+  std::array<std::string_view, 4> fields;
+  std::size_t bytes = 0;
+};
+
+std::optional<Line> parse_line(std::string_view text) {
+  Line line;
+  for (std::size_t i = 0; i < line.fields.size(); ++i) {
+    const std::size_t end = std::min(text.find('\t'), text.size());
+    line.fields[i] = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  const std::string_view bytes = line.fields[3];
+  const auto read = std::from_chars(bytes.data(), bytes.data() + bytes.size(), line.bytes);
+  if (bytes.empty() || read.ec != std::errc() || read.ptr != bytes.data() + bytes.size())
+    return std::nullopt;
+  return line;
+}
+
+}  // namespace
+
+AssetTable::AssetTable(std::string_view pack) {
+  const std::size_t head = pack.find("\n\n");
+  if (head == std::string_view::npos) return;
+  std::string_view lines = pack.substr(0, head + 1);
+  std::string_view blobs = pack.substr(head + 2);
+  while (!lines.empty()) {
+    const std::size_t end = lines.find('\n');
+    const auto line = parse_line(lines.substr(0, end));
+    lines.remove_prefix(end + 1);
+    if (!line || line->bytes > blobs.size()) return;
+    assets_.push_back({std::string(line->fields[0]), std::string(line->fields[1]),
+                       std::string(line->fields[2]), blobs.substr(0, line->bytes)});
+    blobs.remove_prefix(line->bytes);
+  }
+}
+
+const Asset* AssetTable::find(std::string_view path) const {
+  const auto found = std::find_if(assets_.begin(), assets_.end(),
+                                  [&](const Asset& asset) { return asset.path == path; });
+  return found == assets_.end() ? nullptr : &*found;
+}
+
+std::string_view embedded_page() {
+  return {kerf_page_begin, static_cast<std::size_t>(kerf_page_end - kerf_page_begin)};
+}
+
+}  // namespace kerf::server

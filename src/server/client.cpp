@@ -1,0 +1,63 @@
+#include "server/client.hpp"
+
+#include "server/machine_record.hpp"
+
+namespace kerf::server {
+
+void Client::send(const Json& message) {
+  if (link_ == nullptr) return;
+  std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace);
+  queued_bytes_ += text.size();
+  if (queued_bytes_ > limits::kQueueBytes) {
+    link_->close(Link::Why::overflow,
+                 "More than 8 MiB of answers were waiting for a client that does not take them.");
+    return;
+  }
+  queue_.push_back(std::move(text));
+  link_->wake();
+}
+
+void Client::watch(MachineRecord* machine) {
+  watched_ = machine;
+  seen_ = 0;
+  seen_touch_ = 0;
+  chunks_.reset();
+  next_chunk_ = 0;
+}
+
+void Client::begin_chunks(std::shared_ptr<ChunkStore> chunks) {
+  chunks_ = std::move(chunks);
+  next_chunk_ = 0;
+  wake();
+}
+
+std::optional<Outgoing> Client::next() {
+  if (!queue_.empty()) {
+    Outgoing message{std::move(queue_.front()), false};
+    queue_.pop_front();
+    queued_bytes_ -= message.bytes.size();
+    return message;
+  }
+  if (auto state = next_state()) return state;
+  return next_chunk();
+}
+
+std::optional<Outgoing> Client::next_state() {
+  if (watched_ == nullptr || seen_touch_ == watched_->touched()) return std::nullopt;
+  const StateDocument& state = watched_->state();
+  seen_touch_ = watched_->touched();
+  if (state.revision() == seen_) return std::nullopt;
+  Outgoing message{state.event_since(seen_, watched_->name), false};
+  seen_ = state.revision();
+  return message;
+}
+
+std::optional<Outgoing> Client::next_chunk() {
+  if (!chunks_) return std::nullopt;
+  auto chunk = chunks_->read(next_chunk_);
+  if (!chunk) return std::nullopt;
+  ++next_chunk_;
+  return Outgoing{std::move(*chunk), true};
+}
+
+}  // namespace kerf::server

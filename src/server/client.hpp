@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "server/argument.hpp"
+#include "server/chunk_store.hpp"
+#include "server/commands.hpp"
+#include "server/rate_limit.hpp"
+
+namespace kerf::server {
+
+/// A message that leaves for a client.
+struct Outgoing {
+  std::string bytes;
+  bool binary = false;
+};
+
+/// The connection of a client as the hub sees it.
+class Link {
+ public:
+  virtual ~Link() = default;
+  /// There may be something to send now.
+  virtual void wake() = 0;
+  enum class Why : std::uint8_t { policy, overflow, going_away };
+  virtual void close(Why why, const std::string& sentence) = 0;
+};
+
+class MachineRecord;
+
+/// One who is connected: what waits for him, and which machine he watches. Belongs to the thread of
+/// the sockets.
+///
+/// Answers and events wait in a queue of at most limits::kQueueBytes. States are not queued: there
+/// is the newest one, of which he is sent what has changed since he got the last. Chunks are not
+/// queued either: he has a place in the run's chunks, and none is left out.
+class Client {
+ public:
+  Client(std::string name, Link& link) : name_(std::move(name)), link_(&link) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The connection is gone; what is sent from now on goes nowhere.
+  void cut() { link_ = nullptr; }
+  [[nodiscard]] bool connected() const { return link_ != nullptr; }
+
+  /// An answer or an event.
+  void send(const Json& message);
+  void wake() {
+    if (link_ != nullptr) link_->wake();
+  }
+  void close(Link::Why why, const std::string& sentence) {
+    if (link_ != nullptr) link_->close(why, sentence);
+  }
+
+  /// What is to be sent next: answers and events, then a state, then a chunk.
+  [[nodiscard]] std::optional<Outgoing> next();
+
+  [[nodiscard]] MachineRecord* watched() const { return watched_; }
+  void watch(MachineRecord* machine);
+  /// Another run has begun: its chunks are sent from the first one.
+  void begin_chunks(std::shared_ptr<ChunkStore> chunks);
+
+  [[nodiscard]] bool admit_command() { return rate_.admit(RateLimit::Clock::now()); }
+  int refused_in_a_row = 0;
+
+ private:
+  [[nodiscard]] std::optional<Outgoing> next_state();
+  [[nodiscard]] std::optional<Outgoing> next_chunk();
+
+  std::string name_;
+  Link* link_;
+  std::deque<std::string> queue_;
+  std::size_t queued_bytes_ = 0;
+  MachineRecord* watched_ = nullptr;
+  std::uint64_t seen_ = 0;        // revision of the state that was sent last
+  std::uint64_t seen_touch_ = 0;  // touched() of the machine then
+  std::shared_ptr<ChunkStore> chunks_;
+  std::size_t next_chunk_ = 0;
+  RateLimit rate_{limits::kCommandsPerSecond, limits::kCommandBurst};
+};
+
+}  // namespace kerf::server

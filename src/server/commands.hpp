@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "server/argument.hpp"
+
+namespace kerf::server {
+
+/// Version of the protocol that docs/panel-protocol.md describes.
+inline constexpr int kProtocol = 1;
+
+/// Sizes, rates and counts that the server keeps, each refused with a sentence.
+namespace limits {
+inline constexpr std::size_t kMessageBytes = 1U << 20U;  ///< a WebSocket message to the server
+inline constexpr std::size_t kTextBytes = 1'000'000;     ///< a program in a command
+inline constexpr std::size_t kHeaderBytes = 16U << 10U;  ///< of an HTTP request
+inline constexpr std::size_t kQueueBytes = 8U
+                                           << 20U;  ///< answers and events that wait for a client
+inline constexpr int kCommandsPerSecond = 200;      ///< of a connection, on average
+inline constexpr int kCommandBurst = 400;
+inline constexpr std::size_t kConnections = 256;
+inline constexpr std::size_t kMachines = 256;
+inline constexpr int kStatesPerSecond = 20;
+inline constexpr int kStalledSeconds = 10;  ///< a client that takes nothing for so long is closed
+}  // namespace limits
+
+/// A command of the panel. The table of them is the protocol: arguments are checked against it and
+/// its page is made from it.
+struct Command {
+  enum class Who : std::uint8_t {
+    anyone,   ///< who is connected
+    watcher,  ///< who watches a machine
+    op        ///< who operates the machine that he watches
+  };
+
+  std::string_view name;
+  Who who = Who::anyone;
+  std::vector<Argument> arguments;
+  std::string_view sentence;  ///< what it does
+  std::string_view answer{};  ///< keys of the answer besides id and ok
+};
+
+[[nodiscard]] const std::vector<Command>& commands();
+/// Null: there is no such command.
+[[nodiscard]] const Command* find_command(std::string_view name);
+
+}  // namespace kerf::server

@@ -1,0 +1,32 @@
+#include "server/handlers.hpp"
+
+namespace kerf::server {
+
+Handler find_handler(std::string_view command) {
+  for (const Handlers* const table : {&hub_handlers(), &panel_handlers(), &memory_handlers(),
+                                      &view_handlers(), &library_handlers()}) {
+    if (const auto found = table->find(command); found != table->end()) return found->second;
+  }
+  return nullptr;
+}
+
+const Handlers& hub_handlers() {
+  static const Handlers handlers = {
+      {"machines",
+       [](Hub& hub, const Request& r) {
+         Json definitions = Json::array();
+         for (const machine::BuiltinMachine& builtin : machine::builtin_machines())
+           definitions.push_back(builtin.name);
+         r.reply.yes({{"machines", hub.machine_rows()}, {"definitions", std::move(definitions)}});
+       }},
+      {"create", [](Hub& hub, const Request& r) { hub.create(r); }},
+      {"remove", [](Hub& hub, const Request& r) { hub.remove(r); }},
+      {"watch", [](Hub& hub, const Request& r) { hub.watch(r); }},
+      {"operate", [](Hub& hub, const Request& r) { hub.operate(r); }},
+      {"load", [](Hub& hub, const Request& r) { hub.load(r); }},
+      {"set-settings", [](Hub& hub, const Request& r) { hub.replace_definition(r); }},
+  };
+  return handlers;
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "server/client.hpp"
+#include "server/library.hpp"
+#include "server/machine_record.hpp"
+#include "server/machine_store.hpp"
+#include "server/machine_threads.hpp"
+#include "server/thread_check.hpp"
+#include "server/worker.hpp"
+
+namespace kerf::server {
+
+/// Hands something to the thread of the sockets. From any thread.
+using ToSockets = std::function<void(std::function<void()>)>;
+
+/// Where the answer to a command goes. Copies answer the same command; the first answer counts.
+class Reply {
+ public:
+  Reply(std::weak_ptr<Client> client, Json id) : client_(std::move(client)), id_(std::move(id)) {}
+
+  /// `{"id":…,"ok":true}` with these keys.
+  void yes(Json keys = Json::object()) const;
+  void no(const std::string& sentence) const;
+  void with(const base::Outcome<Json>& outcome) const;
+
+ private:
+  std::weak_ptr<Client> client_;
+  Json id_;
+};
+
+/// A command that has passed the table: its arguments are right, and who sent it may.
+struct Request {
+  std::shared_ptr<Client> client;
+  MachineRecord* machine = nullptr;  ///< that the client watches; null: none
+  std::shared_ptr<const Json> body;
+  Reply reply;
+
+  [[nodiscard]] Arguments arguments() const { return Arguments(*body); }
+};
+
+/// The machines of a server and those who are connected: who watches what, who operates what, and
+/// which command goes where. Belongs to the thread of the sockets and never waits: what computes or
+/// waits for the disk is done elsewhere and answers later.
+class Hub {
+ public:
+  struct Settings {
+    std::string data;  ///< folder
+    unsigned threads = 2;
+  };
+
+  /// Reads what the data folder holds; makes the first machines where there are none. Failure: the
+  /// folder cannot be used, or another server has it.
+  [[nodiscard]] static base::Outcome<std::unique_ptr<Hub>> open(const Settings& settings,
+                                                                ToSockets to_sockets);
+  ~Hub();
+  Hub(const Hub&) = delete;
+  Hub& operator=(const Hub&) = delete;
+
+  // Connections
+
+  [[nodiscard]] std::shared_ptr<Client> connect(Link& link);
+  void disconnect(Client& client);
+  /// A text frame of a client.
+  void receive(const std::shared_ptr<Client>& client, std::string_view text);
+  void close_all(const std::string& sentence);
+
+  // For those who serve commands
+
+  using MachineAction = std::function<base::Outcome<Json>(Runner&)>;
+  /// On the thread of the request's machine; the answer is what comes back.
+  void on_machine(const Request& request, Pace pace, MachineAction action);
+  /// The same, answered when the memory is on the disk.
+  void on_machine_durably(const Request& request, MachineAction action);
+  /// Where files are read and written; the answer is what comes back.
+  void on_disk(const Request& request, std::function<base::Outcome<Json>(Library&)> action);
+  /// For work that may take long and touches nothing of the hub.
+  void aside(const Request& request, std::function<base::Outcome<Json>()> action);
+  /// Back on the thread of the sockets.
+  void to_sockets(std::function<void()> action) const { to_sockets_(std::move(action)); }
+
+  [[nodiscard]] MachineRecord* find(const std::string& name);
+  [[nodiscard]] Json machine_rows() const;
+  void create(const Request& request);
+  void remove(const Request& request);
+  void watch(const Request& request);
+  void operate(const Request& request);
+  void load(const Request& request);
+  void replace_definition(const Request& request);
+  /// Once more, because what it runs with has changed.
+  void renew_preview(MachineRecord& machine);
+
+  [[nodiscard]] Library& library() { return *library_; }
+  [[nodiscard]] Worker& disk() { return *disk_; }
+  [[nodiscard]] std::size_t connections() const { return clients_.size(); }
+
+ private:
+  Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> library, MachineStore store,
+      int lock);
+
+  void save_memory(const std::string& name, std::shared_ptr<const control::Memory> memory);
+  void start_preview(MachineRecord& machine, const control::Memory& memory);
+  void load_into(MachineRecord& machine);
+  void put_definition(const std::string& name, const std::string& toml,
+                      const machine::MachineDefinition& definition, control::Memory memory,
+                      const Reply& reply);
+  void make_first_machines();
+  void start(const StoredMachine& stored);
+  void published(const std::vector<Publication>& publications);
+  void previewed(const std::string& machine, const std::shared_ptr<Preview>& preview,
+                 const PreviewState& state);
+  void leave_machine(Client& client);
+  void set_operator(MachineRecord& machine, Client* client);
+  void tell_machines();
+  void tell(const std::string& sentence) const;
+  void loaded(const std::string& machine, const LoadedProgram& program,
+              const control::Memory& memory, const Reply& reply);
+  [[nodiscard]] base::Outcome<machine::ProgramText> text_of(const LoadedProgram& program) const;
+  [[nodiscard]] std::shared_ptr<Runner> make_runner(const StoredMachine& stored) const;
+
+  ThreadCheck thread_{"that of the sockets"};
+  Settings settings_;
+  ToSockets to_sockets_;
+  int lock_;
+  std::unique_ptr<Library> library_;
+  MachineStore store_;
+  std::map<std::string, std::unique_ptr<MachineRecord>> machines_;
+  std::map<Client*, std::shared_ptr<Client>> clients_;
+  std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
+  std::uint64_t next_client_ = 1;
+  // What works for it; in the order in which it ends, last first.
+  std::unique_ptr<Worker> disk_;
+  std::unique_ptr<Worker> aside_;
+  std::unique_ptr<Worker> previews_;
+  std::unique_ptr<MachineThreads> threads_;
+};
+
+}  // namespace kerf::server

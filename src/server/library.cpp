@@ -1,0 +1,256 @@
+#include "server/library.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+
+#include "server/program_name.hpp"
+
+namespace kerf::server {
+namespace {
+
+using base::Failure;
+using base::Outcome;
+namespace fs = std::filesystem;
+
+tl::unexpected<Failure> usage(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
+tl::unexpected<Failure> disk(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::output, message});
+}
+
+enum class Entry { nothing, program, other };
+
+struct Look {
+  Entry entry = Entry::nothing;
+  std::uint64_t bytes = 0;
+  std::int64_t modified_ms = 0;
+};
+
+// Does not follow a link.
+Look look_at(const std::string& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) != 0) return {};
+  if (!S_ISREG(status.st_mode)) return {Entry::other};
+  return {Entry::program, static_cast<std::uint64_t>(status.st_size),
+          status.st_mtim.tv_sec * 1000 + status.st_mtim.tv_nsec / 1'000'000};
+}
+
+std::int64_t now_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+Outcome<std::string> read_whole(const std::string& path, std::uint64_t most) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return disk(path + ": " + std::strerror(errno));
+  std::string text;
+  constexpr std::size_t kPiece = 1 << 16;
+  while (text.size() <= most) {
+    const std::size_t size = text.size();
+    text.resize(size + kPiece);
+    const ssize_t count = ::read(descriptor, text.data() + size, kPiece);
+    text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count <= 0) break;
+  }
+  ::close(descriptor);
+  return text;
+}
+
+bool sync_folder(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool good = ::fsync(descriptor) == 0;
+  ::close(descriptor);
+  return good;
+}
+
+// An upload that a crash has left; no program has such a name.
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') && entry.is_regular_file(error)) fs::remove(entry.path(), error);
+  }
+}
+
+template <typename Work>
+auto guarded(Work&& work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const DatabaseError& error) {
+    return disk("the revisions cannot be kept: " + error.message);
+  }
+}
+
+}  // namespace
+
+Outcome<std::unique_ptr<Library>> Library::open(const std::string& folder,
+                                                const std::string& database) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return disk(folder + ": " + error.message());
+  remove_leftovers(folder);
+  try {
+    return std::unique_ptr<Library>(new Library(folder, std::make_unique<Revisions>(database)));
+  } catch (const DatabaseError& failed) {
+    return disk(failed.message);
+  }
+}
+
+Outcome<std::vector<ProgramInfo>> Library::programs() const {
+  std::vector<ProgramInfo> found;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    const std::string name = entry.path().filename().string();
+    const Look look = look_at(entry.path().string());
+    if (look.entry == Entry::program && check_program_name(name))
+      found.push_back({name, look.bytes, look.modified_ms});
+  }
+  if (error) return disk(folder_ + ": " + error.message());
+  std::sort(found.begin(), found.end(),
+            [](const ProgramInfo& a, const ProgramInfo& b) { return a.name < b.name; });
+  return found;
+}
+
+Outcome<std::string> Library::path_of(const std::string& name) const {
+  if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
+  const std::string path = join(name);
+  switch (look_at(path).entry) {
+    case Entry::program: return path;
+    case Entry::nothing: return usage("there is no program " + name + " in the library");
+    case Entry::other: return usage(name + " is no file, and the library touches nothing else");
+  }
+  return path;
+}
+
+Outcome<std::string> Library::read(const std::string& name) const {
+  auto path = path_of(name);
+  if (!path) return path;
+  if (look_at(*path).bytes > kMostReadBytes)
+    return usage(name + " is larger than 4 MiB; fetch it with GET /library/" + name);
+  return read_whole(*path, kMostReadBytes);
+}
+
+Outcome<std::string> Library::read_revision(const std::string& name, std::int64_t number) {
+  if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
+  return guarded([&]() -> Outcome<std::string> {
+    auto text = revisions_->text(name, number);
+    if (!text)
+      return usage(name + " has no revision " + std::to_string(number) +
+                   " whose text has been kept");
+    if (text->size() > kMostReadBytes)
+      return usage("this revision of " + name + " is larger than 4 MiB");
+    return std::move(*text);
+  });
+}
+
+Outcome<std::vector<Revision>> Library::revisions(const std::string& name) {
+  if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
+  return guarded([&]() -> Outcome<std::vector<Revision>> {
+    take_over(name);
+    auto found = revisions_->of(name);
+    if (found.empty()) return usage("there is no program " + name + " in the library");
+    return found;
+  });
+}
+
+Outcome<void> Library::check_room_for(const std::string& name) const {
+  if (auto checked = check_program_name(name); !checked) return checked;
+  switch (look_at(join(name)).entry) {
+    case Entry::program: return {};
+    case Entry::other: return usage(name + " is no file, and the library touches nothing else");
+    case Entry::nothing: break;
+  }
+  const auto all = programs();
+  if (!all) return tl::unexpected(all.error());
+  if (all->size() < kMostPrograms) return {};
+  return usage("the library holds " + std::to_string(kMostPrograms) +
+               " programs, and takes no more");
+}
+
+// What stands on the disk, if it is not the newest revision: someone has changed the file.
+void Library::take_over(const std::string& name) {
+  const Look look = look_at(join(name));
+  if (look.entry != Entry::program) return;
+  const auto newest = revisions_->newest(name);
+  if (newest && newest->bytes == look.bytes && look.bytes > Revisions::kMostText) return;
+  if (look.bytes > Revisions::kMostText) {
+    revisions_->add(name, {}, look.bytes, look.modified_ms);
+    return;
+  }
+  const auto text = read_whole(join(name), Revisions::kMostText);
+  if (!text) return;
+  if (newest && revisions_->text(name, newest->number) == *text) return;
+  revisions_->add(name, *text, text->size(), look.modified_ms);
+}
+
+Revision Library::note(const std::string& name) {
+  const Look look = look_at(join(name));
+  if (look.bytes > Revisions::kMostText) return revisions_->add(name, {}, look.bytes, now_ms());
+  const auto text = read_whole(join(name), Revisions::kMostText);
+  return revisions_->add(name, text ? *text : std::string(), look.bytes, now_ms());
+}
+
+Outcome<Revision> Library::write(const std::string& name, const std::string& text) {
+  auto file = begin_upload(name);
+  if (!file) return tl::unexpected(file.error());
+  (*file)->write(text);
+  return finish_upload(name, **file);
+}
+
+Outcome<std::unique_ptr<base::OutputFile>> Library::begin_upload(const std::string& name) const {
+  if (auto room = check_room_for(name); !room) return tl::unexpected(room.error());
+  return base::OutputFile::create(join(name));
+}
+
+// The file gets its name first: a crash in between leaves a program without a revision, which the
+// next look at it takes over.
+Outcome<Revision> Library::finish_upload(const std::string& name, base::OutputFile& upload) {
+  return guarded([&]() -> Outcome<Revision> {
+    if (auto room = check_room_for(name); !room) return tl::unexpected(room.error());
+    take_over(name);
+    if (auto done = upload.commit(base::OutputFile::Durability::survives_power_loss); !done)
+      return tl::unexpected(done.error());
+    return note(name);
+  });
+}
+
+Outcome<void> Library::rename(const std::string& from, const std::string& to) {
+  auto path = path_of(from);
+  if (!path) return tl::unexpected(path.error());
+  if (auto checked = check_program_name(to); !checked) return checked;
+  return guarded([&]() -> Outcome<void> {
+    take_over(from);
+    // Unlike rename(), link() does not replace what is there already.
+    if (::link(path->c_str(), join(to).c_str()) != 0) {
+      if (errno == EEXIST) return usage("there is a program " + to + " already");
+      return disk(to + ": " + std::strerror(errno));
+    }
+    if (::unlink(path->c_str()) != 0 || !sync_folder(folder_))
+      return disk(from + ": " + std::strerror(errno));
+    revisions_->rename(from, to);
+    return {};
+  });
+}
+
+Outcome<void> Library::remove(const std::string& name) {
+  auto path = path_of(name);
+  if (!path) return tl::unexpected(path.error());
+  return guarded([&]() -> Outcome<void> {
+    take_over(name);
+    if (::unlink(path->c_str()) != 0 || !sync_folder(folder_))
+      return disk(name + ": " + std::strerror(errno));
+    return {};
+  });
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,103 @@
+#include <ctime>
+
+#include "server/diagnostic_json.hpp"
+#include "server/handlers.hpp"
+
+namespace kerf::server {
+namespace {
+
+using base::Outcome;
+
+// "2026-11-21T15:04:05Z"
+std::string iso_time(std::int64_t ms) {
+  const std::time_t seconds = ms / 1000;
+  std::tm utc{};
+  ::gmtime_r(&seconds, &utc);
+  std::string text(32, '\0');
+  text.resize(std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc));
+  return text;
+}
+
+Outcome<Json> done(const Outcome<void>& outcome) {
+  if (!outcome) return tl::unexpected(outcome.error());
+  return Json::object();
+}
+
+void programs(Hub& hub, const Request& request) {
+  hub.on_disk(request, [](Library& library) -> Outcome<Json> {
+    const auto all = library.programs();
+    if (!all) return tl::unexpected(all.error());
+    Json rows = Json::array();
+    for (const ProgramInfo& info : *all)
+      rows.push_back(
+          {{"name", info.name}, {"bytes", info.bytes}, {"modified", iso_time(info.modified_ms)}});
+    return Json{{"programs", std::move(rows)}};
+  });
+}
+
+Outcome<Json> text_json(const Outcome<std::string>& text) {
+  if (!text) return tl::unexpected(text.error());
+  return Json{{"text", *text}};
+}
+
+// A program that was loaded as a text is in no library: the machine has it.
+void read(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const std::string name = arguments.text("name");
+  const MachineRecord* const machine = hub.find(arguments.text("machine"));
+  if (machine != nullptr && machine->program && machine->program->text &&
+      machine->program->name == name && !arguments.has("revision"))
+    return request.reply.yes({{"text", *machine->program->text}});
+  hub.on_disk(request, [name, revision = arguments.integer("revision")](Library& library) {
+    return text_json(revision > 0 ? library.read_revision(name, revision) : library.read(name));
+  });
+}
+
+void write(Hub& hub, const Request& request) {
+  hub.on_disk(request, [body = request.body](Library& library) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    const auto made = library.write(arguments.text("name"), arguments.text("text"));
+    if (!made) return tl::unexpected(made.error());
+    return Json{{"revision", made->number}};
+  });
+}
+
+void rename(Hub& hub, const Request& request) {
+  hub.on_disk(request, [body = request.body](Library& library) {
+    const Arguments arguments(*body);
+    return done(library.rename(arguments.text("from"), arguments.text("to")));
+  });
+}
+
+void remove(Hub& hub, const Request& request) {
+  hub.on_disk(request, [name = request.arguments().text("name")](Library& library) {
+    return done(library.remove(name));
+  });
+}
+
+void revisions(Hub& hub, const Request& request) {
+  hub.on_disk(request,
+              [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+                const auto all = library.revisions(name);
+                if (!all) return tl::unexpected(all.error());
+                Json rows = Json::array();
+                for (const Revision& revision : *all)
+                  rows.push_back({{"revision", revision.number},
+                                  {"modified", iso_time(revision.time_ms)},
+                                  {"bytes", revision.bytes},
+                                  {"kept", revision.kept}});
+                return Json{{"revisions", std::move(rows)}};
+              });
+}
+
+}  // namespace
+
+const Handlers& library_handlers() {
+  static const Handlers handlers = {
+      {"programs", programs}, {"read", read},     {"write", write},
+      {"rename", rename},     {"delete", remove}, {"revisions", revisions},
+  };
+  return handlers;
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,67 @@
+#include "server/listener.hpp"
+
+#include <boost/asio/io_context.hpp>
+#include <chrono>
+
+#include "server/http_session.hpp"
+
+namespace kerf::server {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using boost::system::error_code;
+
+Listener::Listener(asio::io_context& context, Site& site)
+    : acceptor_(context), timer_(context), site_(site) {}
+
+base::Outcome<void> Listener::listen() {
+  const auto failed = [&](const error_code& error) {
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::output,
+        site_.address.host + ":" + std::to_string(site_.address.port) + ": " + error.message()});
+  };
+  error_code error;
+  const std::string host = site_.address.host == "localhost" ? "127.0.0.1" : site_.address.host;
+  const auto address = asio::ip::make_address(host, error);
+  if (error)
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage,
+        "--host " + host + ": an address in numbers is expected, like 127.0.0.1 or 0.0.0.0"});
+  const tcp::endpoint endpoint(address, site_.address.port);
+  acceptor_.open(endpoint.protocol(), error);
+  if (error) return failed(error);
+  acceptor_.set_option(asio::socket_base::reuse_address(true), error);
+  acceptor_.bind(endpoint, error);
+  if (error) return failed(error);
+  acceptor_.listen(asio::socket_base::max_listen_connections, error);
+  if (error) return failed(error);
+  port_ = acceptor_.local_endpoint(error).port();
+  return {};
+}
+
+void Listener::stop() {
+  error_code ignored;
+  acceptor_.close(ignored);
+  timer_.cancel();
+}
+
+void Listener::accept() {
+  if (!acceptor_.is_open()) return;
+  if (site_.connections >= limits::kConnections) return wait_for_room();
+  acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    // Too many open files, above all: they become fewer again.
+    if (error) return self->wait_for_room();
+    std::make_shared<HttpSession>(std::move(socket), self->site_)->start();
+    self->accept();
+  });
+}
+
+void Listener::wait_for_room() {
+  timer_.expires_after(std::chrono::milliseconds(50));
+  timer_.async_wait([self = shared_from_this()](error_code error) {
+    if (!error) self->accept();
+  });
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,61 @@
+#include "server/machine_record.hpp"
+
+#include "output/diagnostic_text.hpp"
+#include "server/client.hpp"
+#include "server/state_json.hpp"
+
+namespace kerf::server {
+
+MachineRecord::MachineRecord(const StoredMachine& stored, std::shared_ptr<Runner> runner_in,
+                             MachineThread& thread_in)
+    : name(stored.name),
+      kind(stored.kind),
+      toml(stored.toml),
+      definition(stored.definition),
+      runner(std::move(runner_in)),
+      thread(&thread_in),
+      program(stored.program) {}
+
+void MachineRecord::touch() {
+  ++touched_;
+  for (Client* const watcher : watchers) watcher->wake();
+}
+
+const StateDocument& MachineRecord::state() {
+  if (documented_ == touched_ || !snapshot) return document_;
+  documented_ = touched_;
+  Json json = state_json(*snapshot, definition);
+  const bool whole = path && path->done && path->error.is_null();
+  json["total_s"] = whole ? Json(path->totals.time_s) : Json(nullptr);
+  json["preview_run"] = preview_run;
+  json["operator"] = op != nullptr ? Json(op->name()) : Json(nullptr);
+  json["clients"] = Json::array();
+  for (const Client* const watcher : watchers) json["clients"].push_back(watcher->name());
+  json["fault"] = fault.empty() ? Json(nullptr) : Json(fault);
+  document_.update(json);
+  return document_;
+}
+
+Json MachineRecord::path_event() const {
+  Json json = {{"event", "path"}, {"machine", name}, {"run", path->run}, {"done", path->done}};
+  const output::PathTotals& totals = path->totals;
+  json["motions"] = totals.motions;
+  json["vertices"] = totals.vertices;
+  json["time_s"] = totals.time_s;
+  json["bounds"] =
+      totals.vertices > 0 ? Json{{"min", totals.low}, {"max", totals.high}} : Json(nullptr);
+  json["files"] = path->files;
+  json["error"] = path->error;
+  return json;
+}
+
+Json MachineRecord::row() const {
+  return {{"name", name},
+          {"title", output::printable(definition.description)},
+          {"definition", kind},
+          {"status", snapshot ? Json(machine::name_of(snapshot->status)) : Json("idle")},
+          {"operator", op != nullptr ? Json(op->name()) : Json(nullptr)},
+          {"clients", watchers.size()}};
+}
+
+}  // namespace kerf::server

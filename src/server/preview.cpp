@@ -1,0 +1,115 @@
+#include "server/preview.hpp"
+
+#include <chrono>
+
+#include "machine/virtual_machine.hpp"
+#include "server/diagnostic_json.hpp"
+
+namespace kerf::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using machine::VirtualMachine;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+Json failure_json(const std::string& code, const std::string& message) {
+  return {{"severity", "error"}, {"code", code}, {"message", message}, {"file", ""},
+          {"line", 0},           {"column", 0},  {"length", 0},        {"program", ""},
+          {"cause", ""},         {"remedy", ""}};
+}
+
+std::vector<std::string> files_of(const base::SourceSet& sources) {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; sources.contains(base::FileId{i}); ++i)
+    names.push_back(file_label(sources[base::FileId{i}].name()));
+  return names;
+}
+
+}  // namespace
+
+// One run of the machine, with the clock that says when chunks go out.
+class Preview::Run {
+ public:
+  Run(Preview& preview, const Observer& observer)
+      : preview_(preview),
+        observer_(observer),
+        machine_(preview.order_.definition, preview.order_.memory,
+                 {.pages = {}, .dialect = preview.order_.dialect}),
+        chunks_(preview.order_.definition, output::PathChunks::Source::preview, preview.order_.run,
+                [this](const std::string& chunk) { keep(chunk); }) {}
+
+  void go() {
+    auto file = preview_.order_.program.open();
+    if (!file) return finish(failure_json("FILE", file.error().message));
+    machine_.add_library_folder(preview_.order_.library_folder);
+    machine_.load(std::move(*file));
+    machine_.set_block_skip(preview_.order_.skip_levels);
+    machine_.set_optional_stop(preview_.order_.optional_stop);
+    machine_.add_sink(chunks_);
+    machine_.add_point_sink(chunks_);
+    machine_.observe_progress([this] { look_at_clock(); });
+    const auto status = machine_.run_to_end({.seconds = kMostSeconds});
+    if (preview_.cancelled()) return;
+    chunks_.finish();
+    finish(error_of(status));
+  }
+
+ private:
+  void keep(const std::string& chunk) {
+    if (auto kept = preview_.chunks_->add(chunk); !kept && disk_error_.empty()) {
+      disk_error_ = kept.error().message;
+      break_off();
+    }
+    told_chunks_ = Clock::now();
+  }
+
+  // The alarm itself is never told: the run is thrown away, or its error is that of the disk.
+  void break_off() { machine_.raise(base::make_error(base::Code::budget_spent, {})); }
+
+  void look_at_clock() {
+    if (preview_.cancelled()) return break_off();
+    const auto now = Clock::now();
+    const bool none_yet = preview_.chunks_->count() == 0;
+    if (seconds_between(told_chunks_, now) < (none_yet ? kFirst_s : kNext_s)) return;
+    chunks_.flush();
+    told_chunks_ = now;
+    observer_(state(false, nullptr));
+  }
+
+  [[nodiscard]] Json error_of(VirtualMachine::Status status) {
+    if (!disk_error_.empty()) return failure_json("DISK", disk_error_);
+    if (status == VirtualMachine::Status::alarm && machine_.alarm())
+      return diagnostic_json(*machine_.alarm(), machine_.sources());
+    if (status == VirtualMachine::Status::budget && machine_.notice())
+      return diagnostic_json(*machine_.notice(), machine_.sources());
+    return nullptr;
+  }
+
+  [[nodiscard]] PreviewState state(bool done, Json error) const {
+    PreviewState state;
+    state.run = preview_.order_.run;
+    state.done = done;
+    state.totals = chunks_.totals();
+    state.files = files_of(machine_.sources());
+    state.error = std::move(error);
+    return state;
+  }
+
+  void finish(Json error) { observer_(state(true, std::move(error))); }
+
+  Preview& preview_;
+  const Observer& observer_;
+  VirtualMachine machine_;
+  output::PathChunks chunks_;
+  Clock::time_point told_chunks_ = Clock::now();
+  std::string disk_error_;
+};
+
+void Preview::run(const Observer& observer) {
+  if (!cancelled()) Run(*this, observer).go();
+}
+
+}  // namespace kerf::server

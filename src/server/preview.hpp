@@ -1,0 +1,71 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "control/memory.hpp"
+#include "machine/machine_definition.hpp"
+#include "machine/program_text.hpp"
+#include "output/path_chunks.hpp"
+#include "server/argument.hpp"
+#include "server/chunk_store.hpp"
+
+namespace kerf::server {
+
+/// What a preview runs: a program as the machine would run it that was asked, with its memory.
+struct PreviewOrder {
+  machine::MachineDefinition definition;
+  control::Memory memory;
+  machine::ProgramText program;
+  std::string dialect;  ///< empty: that of the machine
+  std::string library_folder;
+  std::uint32_t skip_levels = 0;
+  bool optional_stop = false;
+  std::uint32_t run = 0;
+};
+
+/// How far a preview is.
+struct PreviewState {
+  std::uint32_t run = 0;
+  bool done = false;
+  output::PathTotals totals;
+  std::vector<std::string> files;  ///< by the file numbers of the chunks
+  Json error;                      ///< a diagnostic, or null
+};
+
+/// A run of a program in the background, as fast as it goes, whose path becomes chunks.
+///
+/// run() belongs to a thread of its own and may take long. The first chunk comes after at most
+/// kFirst_s of computing, the others every kNext_s. Whoever wants no more of it calls cancel().
+class Preview {
+ public:
+  static constexpr double kFirst_s = 0.05;
+  static constexpr double kNext_s = 0.25;
+  static constexpr double kMostSeconds = 600;  ///< of computing
+
+  /// Called on the thread of run() when there are new chunks, about each second, and at the end.
+  using Observer = std::function<void(const PreviewState& state)>;
+
+  Preview(PreviewOrder order, std::shared_ptr<ChunkStore> chunks)
+      : order_(std::move(order)), chunks_(std::move(chunks)) {}
+
+  void run(const Observer& observer);
+  void cancel() { cancelled_ = true; }
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  [[nodiscard]] const std::shared_ptr<ChunkStore>& chunks() const { return chunks_; }
+
+ private:
+  class Run;
+
+  PreviewOrder order_;
+  std::shared_ptr<ChunkStore> chunks_;
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace kerf::server

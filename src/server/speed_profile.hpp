@@ -1,0 +1,19 @@
+#pragma once
+
+#include "server/argument.hpp"
+#include "server/chunk_store.hpp"
+
+namespace kerf::server {
+
+/// What `speeds` asks for of the chunks of a run.
+struct SpeedQuestion {
+  double from_s = 0;
+  double to_s = 0;
+  std::size_t points = 2;  ///< >= 2
+};
+
+/// `{time_s, speed_mm_min, line}`: lists of equal length. Times are the begins of `points` equal
+/// intervals; each has the fastest segment that reaches into it, none where nothing moves.
+[[nodiscard]] Json speed_profile(const ChunkStore& chunks, const SpeedQuestion& question);
+
+}  // namespace kerf::server

@@ -1,0 +1,86 @@
+#include "machine/virtual_machine.hpp"
+#include "server/diagnostic_json.hpp"
+#include "server/handlers.hpp"
+#include "server/shown_dialect.hpp"
+#include "server/speed_profile.hpp"
+#include "server/state_json.hpp"
+
+namespace kerf::server {
+namespace {
+
+using base::Outcome;
+
+tl::unexpected<base::Failure> usage(const std::string& message) {
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage, message});
+}
+
+void instant(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::slow,
+                 [time_s = request.arguments().number("time_s")](Runner& runner) -> Outcome<Json> {
+                   auto& machine = runner.machine();
+                   const auto snapshot = machine.state_at(time_s);
+                   if (!snapshot) return tl::unexpected(snapshot.error());
+                   Json json = state_json(**snapshot, machine.definition());
+                   json.update(variables_json(machine.variables_at_state()));
+                   return json;
+                 });
+}
+
+void speeds(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const SpeedQuestion question{arguments.number("from_s"), arguments.number("to_s"),
+                               static_cast<std::size_t>(arguments.integer("points"))};
+  if (question.to_s < question.from_s)
+    return request.reply.no("speeds: `to_s` comes before `from_s`");
+  if (!request.machine->preview) return request.reply.no("no program is loaded");
+  hub.aside(request, [question, chunks = request.machine->preview->chunks()]() -> Outcome<Json> {
+    return speed_profile(*chunks, question);
+  });
+}
+
+void pulses(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::slow,
+                 [seconds = request.arguments().number("seconds")](
+                     Runner& runner) -> Outcome<Json> { return runner.pulses().edges(seconds); });
+}
+
+// What stands in the way of a text shows without running it; the machine is one of its own.
+Json diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
+                    const std::string& text) {
+  auto file = base::SourceFile::from_text(name, text);
+  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
+                                  {.pages = {}, .dialect = dialect_shown_by(*file)});
+  machine.load(std::move(file));
+  Json list = Json::array();
+  for (const base::Diagnostic& each : machine.check())
+    list.push_back(diagnostic_json(each, machine.sources()));
+  return {{"diagnostics", std::move(list)}};
+}
+
+void check(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const MachineRecord* machine = request.machine;
+  if (arguments.has("machine")) {
+    machine = hub.find(arguments.text("machine"));
+    if (machine == nullptr)
+      return request.reply.no("there is no machine " + arguments.text("machine"));
+  }
+  const auto definition = machine != nullptr
+                              ? Outcome<machine::MachineDefinition>(machine->definition)
+                              : machine::find_machine("mill3");
+  if (!definition) return request.reply.no(definition.error().message);
+  hub.aside(request, [definition = *definition, body = request.body]() -> Outcome<Json> {
+    const Arguments asked(*body);
+    return diagnostics_of(definition, asked.text("name"), asked.text("text"));
+  });
+}
+
+}  // namespace
+
+const Handlers& view_handlers() {
+  static const Handlers handlers = {
+      {"instant", instant}, {"speeds", speeds}, {"pulses", pulses}, {"check", check}};
+  return handlers;
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/live_machine.hpp"
+
+namespace kerf::test {
+
+using machine::LiveMachine;
+using machine::Mode;
+using machine::Status;
+using machine::Switch;
+
+/// Keeps all set-points, and where sinks were told that the axes stand.
+class Points : public machine::AxisPointSink {
+ public:
+  void start(const machine::AxisPoint& at) override { starts.push_back(at); }
+  void take(const machine::AxisPoint& point) override { all.push_back(point); }
+  std::vector<machine::AxisPoint> starts;
+  std::vector<machine::AxisPoint> all;
+};
+
+/// A live machine on the bench, with what an operator does.
+class Bench {
+ public:
+  explicit Bench(const std::string& name = "mill3", LiveMachine::Settings settings = {},
+                 const std::vector<std::pair<std::string, std::string>>& parameters = {})
+      : definition_(*machine::find_machine(name)) {
+    for (const auto& [key, value] : parameters)
+      EXPECT_TRUE(definition_.parameters.set(key, value)) << key;
+    machine_.emplace(definition_, control::Memory(definition_.parameters.n_offsets),
+                     std::move(settings));
+  }
+
+  LiveMachine* operator->() { return &*machine_; }
+  LiveMachine& operator*() { return *machine_; }
+
+  Bench& load(const std::string& text, const std::string& name = "part.nc",
+              const std::string& dialect = {}) {
+    const auto loaded = machine_->load(machine::ProgramText::of(name, text), dialect);
+    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
+    return *this;
+  }
+  machine::Snapshot now() { return *machine_->snapshot(); }
+  Status status() { return machine_->snapshot()->status; }
+  double x() { return machine_->snapshot()->machine.values[0]; }
+  std::uint32_t line() { return machine_->snapshot()->line; }
+  /// Lets time pass until nothing is running any more.
+  Status settle(double pitch_s = 0.05) {
+    for (int i = 0; i < 200'000; ++i) {
+      machine_->advance(pitch_s);
+      if (status() != Status::running) break;
+    }
+    return status();
+  }
+  double value(const std::string& variable, std::optional<std::size_t> level = {}) {
+    const auto listing = machine_->variables_named({variable}, level);
+    EXPECT_EQ(listing.rows.size(), 1U) << variable;
+    return listing.rows.empty() ? -1e9 : listing.rows[0].value;
+  }
+
+ private:
+  machine::MachineDefinition definition_;
+  std::optional<LiveMachine> machine_;
+};
+
+/// The words of a refusal; empty: it was done.
+inline std::string why(const base::Outcome<void>& outcome) {
+  return outcome ? std::string() : outcome.error().message;
+}
+
+#define EXPECT_DONE(outcome) EXPECT_EQ(::kerf::test::why(outcome), "")
+#define EXPECT_REFUSED(outcome, words) \
+  EXPECT_NE(::kerf::test::why(outcome).find(words), std::string::npos) << ::kerf::test::why(outcome)
+
+}  // namespace kerf::test

@@ -1,0 +1,315 @@
+// The keys and switches of the panel, and the words with which they are refused.
+#include <cmath>
+
+#include "bench.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr const char* kLong = "O1\nG91G94G01X100.F600\nX100.\nM30\n";
+
+TEST(Panel, CycleStartDoesNothingInModesThatRunNothing) {
+  Bench bench;
+  bench.load(kLong);
+  for (const Mode mode : {Mode::edit, Mode::jog, Mode::reference, Mode::teach}) {
+    EXPECT_DONE(bench->set_mode(mode));
+    EXPECT_REFUSED(bench->cycle_start(), "turn the switch to auto");
+  }
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_REFUSED(bench->cycle_start(), "enter blocks");
+  EXPECT_EQ(bench.status(), Status::idle);
+}
+
+TEST(Panel, CycleStartNeedsAProgramAndNoAlarm) {
+  Bench bench;
+  EXPECT_REFUSED(bench->cycle_start(), "no program is loaded");
+  bench.load("O1\nG01X1.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  EXPECT_REFUSED(bench->cycle_start(), "press reset first");
+  ASSERT_TRUE(bench.now().alarm);
+  EXPECT_EQ(bench.now().alarm->code, "PS0011");
+  EXPECT_EQ(bench.now().alarm->line, 2U);
+  EXPECT_FALSE(bench.now().alarm->cause.empty());
+  bench->reset();
+  EXPECT_EQ(bench.status(), Status::idle);
+  EXPECT_DONE(bench->cycle_start());
+}
+
+TEST(Panel, WhileItRunsItRefusesWhatWouldDisturb) {
+  Bench bench;
+  bench.load(kLong);
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_EQ(bench.status(), Status::running);
+  EXPECT_REFUSED(bench->set_mode(Mode::jog), "while the machine is running");
+  EXPECT_REFUSED(bench->cycle_start(), "running");
+  EXPECT_REFUSED(bench->load(machine::ProgramText::of("b.nc", kLong)), "busy");
+  EXPECT_REFUSED(bench->set_variable("#100", 1), "while nothing moves");
+  EXPECT_REFUSED(bench->set_offset("G54", "X", 1), "while nothing moves");
+  EXPECT_REFUSED(bench->set_switch(Switch::dry_run, true), "while nothing moves");
+  EXPECT_REFUSED(bench->set_switch(Switch::machine_lock, true), "between programs");
+  EXPECT_REFUSED(bench->step(machine::Step::over), "hold first");
+  EXPECT_REFUSED(bench->run_to("", 3), "hold first");
+  EXPECT_REFUSED(bench->step_back(), "running");
+  EXPECT_REFUSED(bench->start_at(3), "running");
+  EXPECT_REFUSED(bench->jog("X", 100), "in mode jog");
+  EXPECT_REFUSED(bench->home(), "in mode ref");
+  EXPECT_REFUSED(bench->mdi("X1."), "in mode mdi");
+  EXPECT_REFUSED(bench->set_dials({201, 100, 100}), "0 to 200");
+  EXPECT_REFUSED(bench->set_dials({100, 101, 100}), "0 to 100");
+  EXPECT_REFUSED(bench->set_dials({100, 100, 49}), "50 to 120");
+  EXPECT_REFUSED(bench->set_block_skip(1), "levels 1 to 9");
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  EXPECT_REFUSED(bench->set_mode(Mode::jog), "go on with cycle start");
+}
+
+TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
+  Bench bench;
+  bench.load(kLong);
+  EXPECT_REFUSED(bench->feed_hold(), "nothing moves");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(3);
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  const double held = bench.x();
+  EXPECT_GT(held, 25);
+  EXPECT_LT(held, 35);
+  EXPECT_EQ(bench.line(), 2U);
+  bench->advance(5);
+  EXPECT_EQ(bench.x(), held);
+  EXPECT_EQ(bench.now().feed_actual_mm_min, 0);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 200);
+}
+
+TEST(Panel, ADwellIsHeldAndTheRestOfItFollows) {
+  Bench bench;
+  bench.load("O1\nG04X10.\nG91G00X1.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(4);
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  bench->advance(100);
+  EXPECT_EQ(bench.x(), 0);
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(5.5);
+  EXPECT_EQ(bench.x(), 0);
+  bench->advance(2);
+  EXPECT_EQ(bench.status(), Status::end);
+  EXPECT_EQ(bench.x(), 1);
+}
+
+TEST(Panel, ResetStopsOnTheWayAndTheControlKnowsWhere) {
+  Bench bench;
+  bench.load(kLong);
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(3);
+  bench->reset();
+  EXPECT_EQ(bench.settle(), Status::idle);
+  const double at = bench.x();
+  EXPECT_GT(at, 25);
+  EXPECT_LT(at, 35);
+  EXPECT_EQ(bench.now().work.values[0], at);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), at + 200);
+}
+
+TEST(Panel, SingleBlockStopsBehindEachBlock) {
+  Bench bench;
+  bench.load("O1\nG91G00X1.\nX1.\nM30\n");
+  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.x(), 1);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.x(), 2);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+}
+
+TEST(Panel, SingleBlockTurnedOnOnTheWayStopsBehindTheBlockUnderWay) {
+  Bench bench;
+  std::string blocks = "O1\nG91G94G64G01F600\n";
+  for (int i = 0; i < 40; ++i) blocks += "X10.\n";
+  bench.load(blocks + "M30\n");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(5.5);
+  const double before = bench.x();
+  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_NEAR(bench.x(), 10 * std::ceil(before / 10), 1e-6);
+  const double stopped = bench.x();
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_DONE(bench->cycle_start());
+    EXPECT_EQ(bench.settle(), Status::stopped);
+    EXPECT_NEAR(bench.x(), stopped + 10 * i, 1e-6);
+  }
+  EXPECT_DONE(bench->set_switch(Switch::single_block, false));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 400);
+}
+
+TEST(Panel, SingleBlockInBasicStopsBehindEveryStatement) {
+  Bench bench("laser3", {.dialect = "laser-basic"});
+  bench.load("SPEED 10\nMOVE 1,0\nMOVE 2,0\nMOVE 3,0\nEND\n", "a.bas");
+  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  for (const double x : {0, 1, 2, 3}) {
+    EXPECT_DONE(bench->cycle_start());
+    EXPECT_EQ(bench.settle(), Status::stopped);
+    EXPECT_EQ(bench.x(), x);
+  }
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+}
+
+TEST(Panel, OptionalStopAndBlockSkipAreSwitches) {
+  for (const bool on : {false, true}) {
+    Bench bench;
+    bench.load("O1\nG91G00X1.\nM01\n/X10.\nM30\n");
+    EXPECT_DONE(bench->set_switch(Switch::optional_stop, on));
+    EXPECT_DONE(bench->set_block_skip(on ? 2 : 0));
+    EXPECT_DONE(bench->cycle_start());
+    if (on) {
+      EXPECT_EQ(bench.settle(), Status::stopped);
+      EXPECT_DONE(bench->cycle_start());
+    }
+    EXPECT_EQ(bench.settle(), Status::end);
+    EXPECT_EQ(bench.x(), on ? 1 : 11);
+  }
+}
+
+TEST(Panel, DryRunGoesAtTheJogSpeed) {
+  Bench bench("mill3", {.jog_mm_min = 3000});
+  bench.load("O1\nG91G01X50.F60\nM30\n");
+  EXPECT_DONE(bench->set_switch(Switch::dry_run, true));
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(0.5);
+  EXPECT_NEAR(bench.now().feed_actual_mm_min, 3000, 1);
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_LT(bench.now().time_s, 2);
+}
+
+TEST(Panel, UnderMachineLockThePositionCountsAndTheAxesStand) {
+  Bench bench;
+  Points points;
+  bench->add_point_sink(points);
+  bench.load("O1\nG91G01X50.F6000\nM30\n");
+  EXPECT_DONE(bench->set_switch(Switch::machine_lock, true));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 50);
+  EXPECT_GT(points.all.size(), 100U);
+  for (const auto& point : points.all) {
+    EXPECT_EQ(point.tip.tip, base::AxisVector{});
+    EXPECT_EQ(point.joints, base::AxisVector{});
+  }
+  EXPECT_DONE(bench->set_switch(Switch::machine_lock, false));
+  EXPECT_EQ(bench.x(), 0);
+}
+
+TEST(Panel, TheFeedDialChangesTheFeedAndAtZeroHoldsCutsOnly) {
+  Bench bench;
+  bench.load("O1\nG91G00X50.\nG01X50.F600\nG00X50.\nM30\n");
+  EXPECT_DONE(bench->set_dials({0, 100, 100}));
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(60);
+  EXPECT_EQ(bench.status(), Status::running);
+  EXPECT_NEAR(bench.x(), 50, 1e-4);
+  EXPECT_EQ(bench.now().feed_actual_mm_min, 0);
+  EXPECT_DONE(bench->set_dials({200, 100, 100}));
+  bench->advance(1);
+  EXPECT_NEAR(bench.now().feed_actual_mm_min, 1200, 1);
+  EXPECT_DONE(bench->set_dials({200, 0, 100}));
+  bench->advance(60);
+  EXPECT_NEAR(bench.x(), 100, 1e-2);
+  EXPECT_DONE(bench->set_dials({200, 100, 100}));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 150);
+}
+
+TEST(Panel, TheSpindleDialIsInTheSpeedThatIsShown) {
+  Bench bench;
+  bench.load("O1\nM03S1000\nG91G00X1.\nM00\nM30\n");
+  EXPECT_DONE(bench->set_dials({100, 100, 120}));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.now().spindle_rpm, 1200);
+  EXPECT_EQ(bench.now().spindle, control::Spindle::Turning::clockwise);
+}
+
+TEST(Panel, MdiExecutesBlocksAndRemembersModesUntilReset) {
+  Bench bench;
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_REFUSED(bench->mdi(" \n"), "empty");
+  EXPECT_DONE(bench->mdi("G91 G01 F6000\nX10."));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 10);
+  EXPECT_DONE(bench->mdi("X5."));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 15);
+  EXPECT_DONE(bench->mdi("#500=7 (NOTE)"));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.value("#500"), 7);
+  bench->reset();
+  EXPECT_DONE(bench->mdi("X5."));  // G90 G00 again
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 5);
+  EXPECT_DONE(bench->mdi("G777"));
+  EXPECT_EQ(bench.settle(), Status::alarm);
+}
+
+TEST(Panel, MdiIsRefusedWhileAProgramIsInterrupted) {
+  Bench bench;
+  bench.load("O1\nM00\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_REFUSED(bench->mdi("X1."), "interrupted");
+}
+
+TEST(Panel, InputWaitsForALineOfTheOperator) {
+  Bench bench("laser3", {.dialect = "laser-basic"});
+  bench.load("INPUT A\nPRINT A+1\nEND\n", "a.bas");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(10);
+  EXPECT_EQ(bench.status(), Status::running);
+  EXPECT_TRUE(bench.now().waits_for_input);
+  EXPECT_DONE(bench->enter("41"));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_NE(bench.now().printed.find("42"), std::string::npos);
+}
+
+TEST(Panel, AnEndlessLoopWithoutMotionLeavesThePanelAlive) {
+  Bench bench;
+  bench.load("O1\nN1 #100=#100+1\nGOTO1\n");
+  EXPECT_DONE(bench->cycle_start());
+  for (int i = 0; i < 3; ++i) bench->advance(0.05);
+  EXPECT_EQ(bench.status(), Status::running);
+  bench->reset();
+  bench->advance(0.05);
+  EXPECT_EQ(bench.status(), Status::idle);
+}
+
+TEST(Panel, OffsetsAndToolsAreEntered) {
+  Bench bench;
+  bench.load("O1\nG90G00G54X0\nG43H5Z0\nM30\n");
+  EXPECT_DONE(bench->set_offset("G54", "X", 12.5));
+  EXPECT_DONE(bench->set_offset("tool.5.length_geometry", "", 30));
+  EXPECT_REFUSED(bench->set_offset("G60", "X", 1), "no offset");
+  EXPECT_REFUSED(bench->set_offset("G54", "Q", 1), "no axis");
+  EXPECT_REFUSED(bench->set_offset("tool.5.colour", "", 1), "no offset");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 12.5);
+  EXPECT_EQ(bench.now().machine.values[2], 30);
+  EXPECT_EQ(bench.now().work.values[0], 0);
+}
+
+}  // namespace
+}  // namespace kerf::test

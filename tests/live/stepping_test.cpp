@@ -1,0 +1,310 @@
+// Steps, breakpoints, the call stack, variables by level, and the way back.
+#include <algorithm>
+
+#include "bench.hpp"
+#include "lang/vm/value.hpp"
+
+namespace kerf::test {
+namespace {
+
+using machine::Breakpoint;
+using machine::Step;
+
+// Lines:                     1   2          3            4           5    6   7     8      9     10
+constexpr const char* kCalls =
+    "O1\n#100=1\nG65P2A5.\nG91G00X1.\nM30\nO2\n#2=#1+1\n#100=#2\nX#2\nM99\n";
+
+std::string stack_of(const machine::Snapshot& shown) {
+  std::string text;
+  for (const auto& level : shown.stack)
+    text += level.program + ":" + std::to_string(level.line) + " ";
+  return text;
+}
+
+Bench& stepped(Bench& bench, Step how) {
+  EXPECT_DONE(bench->step(how));
+  bench.settle();
+  return bench;
+}
+
+TEST(Stepping, IntoGoesBlockByBlockThroughCalls) {
+  Bench bench;
+  bench.load(kCalls);
+  std::vector<std::uint32_t> lines;
+  for (int i = 0; i < 20 && bench.status() != Status::end; ++i) {
+    stepped(bench, Step::into);
+    if (bench.status() == Status::step) lines.push_back(bench.line());
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 2, 3, 6, 7, 8, 9, 10, 4, 5}));
+}
+
+TEST(Stepping, OverStaysInTheProgramAndOutLeavesIt) {
+  Bench bench;
+  bench.load(kCalls);
+  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.line(), 3U);
+  stepped(bench, Step::over);
+  EXPECT_EQ(bench.line(), 4U);
+  EXPECT_EQ(bench.value("#100"), 6);
+
+  Bench other;
+  other.load(kCalls);
+  EXPECT_DONE(other->run_to("part.nc", 7));
+  EXPECT_EQ(other.settle(), Status::step);
+  EXPECT_EQ(stack_of(other.now()), "O0001:3 O0002:7 ");
+  EXPECT_EQ(other.value("#1"), 5);
+  EXPECT_TRUE(vm::is_null(other.value("#1", 0)));
+  stepped(other, Step::out);
+  EXPECT_EQ(other.line(), 4U);
+  EXPECT_EQ(stack_of(other.now()), "O0001:4 ");
+}
+
+TEST(Stepping, AxesRestBehindEachStep) {
+  Bench bench;
+  bench.load("O1\nG91G01X10.F600\nX10.\nX10.\nM30\n");
+  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.x(), 10);
+  EXPECT_EQ(bench.now().text, "X10.");
+  stepped(bench, Step::over);
+  EXPECT_EQ(bench.x(), 20);
+  EXPECT_EQ(bench.line(), 4U);
+}
+
+TEST(Breakpoints, OfALineStopBeforeItEachTime) {
+  Bench bench;
+  bench.load("O1\n#100=0\nWHILE[#100LT3]DO1\n#100=#100+1\nEND1\nM30\n");
+  EXPECT_DONE(bench->set_breakpoints({{"", 4, "", ""}}));
+  EXPECT_DONE(bench->cycle_start());
+  for (const double value : {0, 1, 2}) {
+    EXPECT_EQ(bench.settle(), Status::step);
+    EXPECT_EQ(bench.line(), 4U);
+    EXPECT_EQ(bench.value("#100"), value);
+    ASSERT_TRUE(bench.now().breakpoint);
+    EXPECT_EQ(bench.now().breakpoint->breakpoint.line, 4U);
+    EXPECT_DONE(bench->cycle_start());
+  }
+  EXPECT_EQ(bench.settle(), Status::end);
+}
+
+TEST(Breakpoints, ConditionsAreInTheLanguageOfTheProgram) {
+  Bench bench;
+  bench.load("O1\n#1=0\nN1 #1=#1+1\nIF[#1LT9]GOTO1\nM30\n");
+  EXPECT_DONE(bench->set_breakpoints({{"", 3, "#1 GT 5", ""}}));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.value("#1"), 6);
+  EXPECT_REFUSED(bench->set_breakpoints({{"", 3, "#1 >", ""}}), "breakpoint in line 3");
+  EXPECT_EQ(bench->breakpoints().size(), 1U);
+
+  Bench basic("laser3", {.dialect = "laser-basic"});
+  basic.load("a=0\n10 a=a+1\nIF a<9 THEN 10\nEND\n", "a.bas");
+  EXPECT_REFUSED(basic->set_breakpoints({{"", 2, "c>5", ""}}), "no variable C");
+  EXPECT_DONE(basic->set_breakpoints({{"", 2, "a>5", ""}}));
+  EXPECT_DONE(basic->cycle_start());
+  EXPECT_EQ(basic.settle(), Status::step);
+  EXPECT_EQ(basic.value("A"), 6);
+
+  Bench teach("laser5", {.dialect = "teach"});
+  teach.load("TEACH 1\nPOINT 1 0 0 0 0\nEND\n", "a.tch");
+  EXPECT_REFUSED(teach->set_breakpoints({{"", 2, "a>5", ""}}), "no variables");
+  EXPECT_DONE(teach->set_breakpoints({{"", 3, "", ""}}));
+  EXPECT_DONE(teach->cycle_start());
+  EXPECT_EQ(teach.settle(), Status::step);
+  EXPECT_EQ(teach.line(), 3U);
+}
+
+TEST(Breakpoints, AConditionWithoutAValueStopsAndSaysSo) {
+  Bench bench;
+  bench.load("O1\n#1=0\n#2=1\nM30\n");
+  EXPECT_DONE(bench->set_breakpoints({{"", 3, "1/#1 GT 5", ""}}));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  ASSERT_TRUE(bench.now().breakpoint);
+  EXPECT_NE(bench.now().breakpoint->trouble, "");
+  EXPECT_FALSE(bench.now().alarm);
+}
+
+TEST(Breakpoints, OfAVariableStopBehindTheBlockThatHasWrittenIt) {
+  Bench bench;
+  bench.load(kCalls);
+  EXPECT_REFUSED(bench->set_breakpoints({{"", 0, "", "COUNT"}}), "no such variable");
+  EXPECT_DONE(bench->set_breakpoints({{"", 0, "", "#100"}}));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  ASSERT_TRUE(bench.now().breakpoint);
+  EXPECT_EQ(bench.now().breakpoint->written_line, 2U);
+  EXPECT_EQ(bench.now().breakpoint->after, 1);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.now().breakpoint->written_line, 8U);
+  EXPECT_EQ(bench.now().breakpoint->before, 1);
+  EXPECT_EQ(bench.now().breakpoint->after, 6);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+}
+
+TEST(Breakpoints, ALocalVariableIsThatOfItsLevel) {
+  Bench bench;
+  bench.load("O1\n#1=9\nG65P2A5.\n#1=10\nM30\nO2\n#3=1\nM99\n");
+  EXPECT_DONE(bench->set_breakpoints({{"", 0, "", "#1"}}));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.now().breakpoint->after, 9);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::step);
+  EXPECT_EQ(bench.now().breakpoint->after, 10);
+}
+
+TEST(Variables, AreMarkedThatChangedAndCanBeSet) {
+  Bench bench;
+  bench.load("O1\n#100=1\n#101=2\n#102=#101\nM30\n");
+  EXPECT_DONE(bench->run_to("", 3));
+  bench.settle();
+  stepped(bench, Step::over);
+  const auto changed = [&](const std::string& name) {
+    const auto listing = bench->variables_named({name});
+    return !listing.rows.empty() && listing.rows[0].changed;
+  };
+  EXPECT_FALSE(changed("#100"));
+  EXPECT_TRUE(changed("#101"));
+  const auto revision = bench.now().variables_revision;
+  EXPECT_DONE(bench->set_variable("#101", 20));
+  EXPECT_NE(bench.now().variables_revision, revision);
+  EXPECT_REFUSED(bench->set_variable("101", 20), "'#NUMBER'");
+  EXPECT_REFUSED(bench->set_variable("#1", 20, 3), "no such level");
+  EXPECT_DONE(bench->set_variable("#100", std::nullopt));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.value("#102"), 20);
+  EXPECT_TRUE(vm::is_null(bench->memory().commons[0]));
+}
+
+// Where a program stands, as text.
+std::string state_of(Bench& bench) {
+  const machine::Snapshot shown = bench.now();
+  std::string text = std::to_string(shown.line) + " " + stack_of(shown);
+  for (const double value : shown.machine.values) text += std::to_string(value) + " ";
+  for (const std::string& code : shown.modal) text += code;
+  for (const auto& row : bench->variables().rows) {
+    if (!vm::is_null(row.value)) text += row.name + "=" + std::to_string(row.value) + " ";
+  }
+  return text;
+}
+
+TEST(StepBack, UndoesSteps) {
+  Bench bench;
+  bench.load(kCalls);
+  std::vector<std::string> states;
+  for (int i = 0; i < 9; ++i) states.push_back(state_of(stepped(bench, Step::into)));
+  for (int i = 7; i >= 0; --i) {
+    EXPECT_DONE(bench->step_back());
+    EXPECT_EQ(bench.status(), Status::step);
+    EXPECT_EQ(state_of(bench), states[static_cast<std::size_t>(i)]) << i;
+  }
+  EXPECT_REFUSED(bench->step_back(), "at its beginning");
+  for (int i = 1; i < 9; ++i)
+    EXPECT_EQ(state_of(stepped(bench, Step::into)), states[static_cast<std::size_t>(i)]) << i;
+}
+
+TEST(StepBack, GoesBackFromAnAlarmAndFromTheEnd) {
+  Bench bench;
+  bench.load("O1\n#100=5\nG91G00X1.\n#100=#100/0\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  EXPECT_DONE(bench->step_back());
+  EXPECT_EQ(bench.status(), Status::step);
+  EXPECT_EQ(bench.line(), 4U);
+  EXPECT_EQ(bench.x(), 1);
+  EXPECT_DONE(bench->step_back());
+  EXPECT_EQ(bench.line(), 3U);
+  EXPECT_EQ(bench.x(), 0);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+}
+
+TEST(StepBack, KeepsWhatTheOperatorDidBefore) {
+  Bench bench;
+  bench.load("O1\n#100=1\n#101=#100\n#102=#101\nM30\n");
+  EXPECT_DONE(bench->run_to("", 3));
+  bench.settle();
+  EXPECT_DONE(bench->set_variable("#100", 7));
+  stepped(bench, Step::over);
+  stepped(bench, Step::over);
+  EXPECT_EQ(bench.value("#102"), 7);
+  EXPECT_DONE(bench->step_back());
+  EXPECT_EQ(bench.line(), 4U);
+  EXPECT_EQ(bench.value("#101"), 7);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.value("#102"), 7);
+}
+
+TEST(AnInstant, IsTheStateThatTheRunHadThen) {
+  Bench bench;
+  bench.load("O1\n#100=1\nG91G01X10.F600\n#100=2\n#1=#3001\nG00Y5.\nG04X1.\nX5.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  struct Seen {
+    double time_s;
+    machine::Snapshot shown;
+  };
+  std::vector<Seen> seen;
+  for (int i = 0; bench.status() == Status::running && i < 1000; ++i) {
+    if (i == 20) {
+      EXPECT_DONE(bench->feed_hold());
+    }
+    bench->advance(0.037);
+    if (bench.status() == Status::held) {
+      EXPECT_DONE(bench->cycle_start());
+    }
+    seen.push_back({bench.now().time_s, bench.now()});
+  }
+  EXPECT_EQ(bench.status(), Status::end);
+  for (std::size_t i = 0; i < seen.size(); i += 3) {
+    const auto then = bench->state_at(seen[i].time_s);
+    ASSERT_TRUE(then);
+    EXPECT_EQ((*then)->machine, seen[i].shown.machine) << seen[i].time_s;
+    EXPECT_EQ((*then)->line, seen[i].shown.line) << seen[i].time_s;
+    EXPECT_EQ((*then)->modal, seen[i].shown.modal) << seen[i].time_s;
+  }
+  EXPECT_FALSE(bench->state_at(1e6));
+  EXPECT_FALSE(bench->state_at(-1));
+}
+
+TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {
+  const std::string text =
+      "O1\nT5M06\nS800M03\nG90G00X10.Y20.\nZ-5.\nG91G01X10.F300\nM00\nG90X50.\nG00Z0\nM30\n";
+  Bench bench;
+  bench.load(text);
+  EXPECT_REFUSED(bench->start_at(99), "ends before line 99");
+  EXPECT_DONE(bench->start_at(8));
+  EXPECT_EQ(bench.status(), Status::step);
+  EXPECT_EQ(bench.line(), 8U);
+  EXPECT_EQ(bench.x(), 0);
+  const auto modal = bench.now().modal;
+  EXPECT_NE(std::find(modal.begin(), modal.end(), "G91"), modal.end());
+  EXPECT_NE(std::find(modal.begin(), modal.end(), "G01"), modal.end());
+  Points points;
+  bench->add_point_sink(points);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 50);
+  EXPECT_EQ(bench.now().tool, 5U);
+  EXPECT_EQ(bench.now().spindle_rpm, 800);
+  // Over the work first, then down: while Z is away from 0, X and Y have arrived.
+  for (const auto& point : points.all) {
+    if (point.tip.tip.values[2] >= 0) continue;
+    EXPECT_GE(point.tip.tip.values[0], 20 - 1e-9);
+    EXPECT_EQ(point.tip.tip.values[1], 20);
+  }
+}
+
+TEST(StartAt, TellsOfAnAlarmOnTheWay) {
+  Bench bench;
+  bench.load("O1\nG01X1.\nG00X5.\nM30\n");
+  EXPECT_REFUSED(bench->start_at(3), "before line 3 is reached");
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -128,7 +128,11 @@ export class ProgramEditor {
       theme,
       this.read_only.of(EditorState.readOnly.of(this.is_read_only)),
       EditorState.lineSeparator.of(text.includes('\r\n') ? '\r\n' : '\n'),
-      EditorView.contentAttributes.of({ 'aria-label': this.label(), spellcheck: 'false' }),
+      EditorView.contentAttributes.of({
+        'aria-label': this.label(),
+        spellcheck: 'false',
+        tabindex: '0',
+      }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) this.tell_later();
         if (update.selectionSet || update.docChanged) this.tell_cursor(update.docChanged);

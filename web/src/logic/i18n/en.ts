@@ -83,7 +83,7 @@ export const en = {
   'help.more': 'Everything that this page does goes through one protocol:',
   'help.protocol': 'its commands and events',
   'help.title': 'Keyboard',
-  'jog.axis': 'Jog {axis} {way}',
+  'jog.axis': 'Jog {axis}{way}',
   'jog.continuous': 'continuous',
   'jog.home': 'Reference',
   'jog.speed': 'Speed, mm/min',

@@ -84,7 +84,7 @@ export const zh_hant: Record<TextKey, string> = {
   'help.more': '本頁面的所有動作都經由同一套通訊協定：',
   'help.protocol': '指令與事件說明',
   'help.title': '鍵盤操作',
-  'jog.axis': '寸動 {axis} {way}',
+  'jog.axis': '寸動 {axis}{way}',
   'jog.continuous': '連續',
   'jog.home': '原點復歸',
   'jog.speed': '速度 mm/min',

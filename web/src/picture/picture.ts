@@ -74,6 +74,7 @@ export class Picture {
   private moved_at = 0;
   private closed = false;
   private fitted_run = -1;
+  private is_turned_by_hand = false;
   /** Duration of the last frame's drawing, for whoever measures. */
   frame_ms = 0;
 
@@ -94,6 +95,7 @@ export class Picture {
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.touched());
+    this.controls.addEventListener('start', () => (this.is_turned_by_hand = true));
     this.add_lights();
     this.scene.add(this.path.group, this.highlight.group);
     this.look('iso');
@@ -127,14 +129,17 @@ export class Picture {
     this.fit();
   }
 
-  /** Takes over what has arrived of the path; the first of a new one is fitted into the picture. */
+  /** Takes over what has arrived of the path; until a hand turns the picture, all of it is kept in sight. */
   set_path(store: PathStore): void {
     this.store = store;
     this.path.take(store);
     this.build_furniture();
     if (store.run !== this.fitted_run && !this.path_is_empty()) {
       this.fitted_run = store.run;
+      this.is_turned_by_hand = false;
       this.build_model();
+    }
+    if (!this.is_turned_by_hand && !this.path_is_empty()) {
       this.fit();
     }
     this.request();
@@ -208,6 +213,7 @@ export class Picture {
   }
 
   turn(azimuth_rad: number, polar_rad: number): void {
+    this.is_turned_by_hand = true;
     const way = this.camera.position.clone().sub(this.controls.target);
     const side = new Vector3().crossVectors(this.camera.up, way).normalize();
     way.applyQuaternion(new Quaternion().setFromAxisAngle(side, polar_rad));
@@ -217,6 +223,7 @@ export class Picture {
   }
 
   zoom(factor: number): void {
+    this.is_turned_by_hand = true;
     this.camera.zoom *= factor;
     this.camera.updateProjectionMatrix();
     this.touched();

@@ -1,18 +1,16 @@
 import { expect, it } from 'vitest';
-import { group_of, in_order, is_quiet } from '../src/logic/modal';
+import { in_order, is_quiet } from '../src/logic/modal';
 import { by_system } from '../src/logic/offsets';
 import { scope_of } from '../src/logic/variables';
 
-it('modal codes have their group and their place, whatever order they come in', () => {
-  expect(['G01', 'G81', 'G19', 'G54.1 P3', 'G41', 'F200'].map(group_of)).toEqual([
-    'motion',
-    'motion',
-    'plane',
-    'system',
-    'compensation',
-    'other',
+it('modal codes have their place, whatever order they come in', () => {
+  expect(in_order(['F200', 'G54.1 P3', 'G41', 'G19', 'G81'])).toEqual([
+    'G81',
+    'G19',
+    'G41',
+    'G54.1 P3',
+    'F200',
   ]);
-  expect(in_order(['F200', 'G54', 'G17', 'G01'])).toEqual(['G01', 'G17', 'G54', 'F200']);
   expect([is_quiet('G40'), is_quiet('G41')]).toEqual([true, false]);
 });
 

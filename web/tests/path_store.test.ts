@@ -78,11 +78,6 @@ describe('lines', () => {
     );
     expect(store.ranges_of(1, 7)).toEqual([{ chunk: 0, first: 1, last: 2 }]);
   });
-  it('have a first time, or none', () => {
-    const store = two_chunks();
-    expect(store.first_time_of(0, 6)).toBe(5);
-    expect(store.first_time_of(0, 600)).toBeNull();
-  });
 });
 
 describe('a motion under way', () => {
@@ -136,7 +131,6 @@ describe('the store', () => {
       speed: [90, 580],
       tools: [1, 3],
       end_s: -50 + 3,
-      has_power: true,
     });
   });
 });

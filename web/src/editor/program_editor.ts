@@ -14,6 +14,7 @@ import {
   highlightActiveLineGutter,
   keymap,
   lineNumbers,
+  type ViewUpdate,
 } from '@codemirror/view';
 import type { Lexer } from '../logic/language/token';
 import { type Checker, checking } from './checking';
@@ -26,6 +27,8 @@ export interface EditorWishes extends GutterWishes {
   cursor(line: number): void;
   /** A line was clicked or gone to with the keys. */
   chosen(line: number): void;
+  /** The text was edited: where the lines from before are now; null: the line is gone. */
+  lines_moved(new_line: (line: number) => number | null): void;
 }
 
 const EDITED_AFTER_MS = 120;
@@ -134,7 +137,10 @@ export class ProgramEditor {
         tabindex: '0',
       }),
       EditorView.updateListener.of((update) => {
-        if (update.docChanged) this.tell_later();
+        if (update.docChanged) {
+          this.tell_later();
+          this.wishes.lines_moved((line) => line_behind(update, line));
+        }
         if (update.selectionSet || update.docChanged) this.tell_cursor(update.docChanged);
       }),
     ];
@@ -153,4 +159,12 @@ export class ProgramEditor {
     this.wishes.cursor(line);
     if (!by_typing) this.wishes.chosen(line);
   }
+}
+
+/** Where a line is behind an edit: where its first character went. */
+function line_behind({ startState, state, changes }: ViewUpdate, line: number): number | null {
+  if (line > startState.doc.lines) return null;
+  const { from, to } = startState.doc.line(line);
+  const is_gone = changes.touchesRange(from, to) === 'cover' && to > from;
+  return is_gone ? null : state.doc.lineAt(changes.mapPos(from, 1)).number;
 }

@@ -1,7 +1,7 @@
 /** Modal codes in their groups, for the rail: which group a code is of decides where it stands. */
 
 /** Groups of FANUC's list in the order in which they are shown. */
-const GROUPS: [string, RegExp][] = [
+const GROUPS: [name: string, codes: RegExp][] = [
   ['motion', /^G0?[0-3]$|^G33$|^G7[346]$|^G8[0-9]$/],
   ['plane', /^G1[789]$/],
   ['distance', /^G9[01]$/],
@@ -20,9 +20,6 @@ const GROUPS: [string, RegExp][] = [
 
 /** Codes that say that nothing special is on: drawn quietly. */
 const QUIET = new Set('G40 G49 G50 G50.1 G64 G67 G69 G80 G94 G97 G98 G15 G21 G17 G90'.split(' '));
-
-export const group_of = (code: string): string =>
-  GROUPS.find(([, expression]) => expression.test(code))?.[0] ?? 'other';
 
 export const is_quiet = (code: string): boolean => QUIET.has(code);
 

@@ -40,7 +40,6 @@ export interface Facts {
   feed: [number, number];
   speed: [number, number];
   tools: number[];
-  has_power: boolean;
 }
 
 export class PathStore {
@@ -129,18 +128,6 @@ export class PathStore {
     return ranges;
   }
 
-  /** When a line first moves the machine; null: it never does. */
-  first_time_of(file: number, line: number): number | null {
-    for (const chunk of this.chunks) {
-      for (let i = 1; i < chunk.vertices; i++) {
-        if (chunk.line[i] === line && chunk.file[i] === file) {
-          return chunk.time_base_s + chunk.time_s[i - 1];
-        }
-      }
-    }
-    return null;
-  }
-
   time_of(chunk: number, vertex: number): number {
     return this.chunks[chunk].time_base_s + this.chunks[chunk].time_s[vertex];
   }
@@ -175,7 +162,6 @@ export class PathStore {
       grow(facts.cuts, chunk.xyz[a], chunk.xyz[a + 1], chunk.xyz[a + 2]);
       widen(facts.feed, chunk.feed_mm_min[i]);
       widen(facts.speed, chunk.speed_mm_min[i]);
-      if (chunk.power_percent[i] > 0) facts.has_power = true;
       tools.add(chunk.tool[i]);
     }
     for (const block of this.blocks) if (block.chunk === chunk) join(facts.bounds, block.box);
@@ -195,7 +181,6 @@ function no_facts(): Facts {
     feed: [Infinity, -Infinity],
     speed: [Infinity, -Infinity],
     tools: [],
-    has_power: false,
   };
 }
 

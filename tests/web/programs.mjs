@@ -1,0 +1,60 @@
+// Programs that the scenarios run.
+
+/** Calls a macro with local variables. Line 3 calls, line 9 changes #33. */
+export const MACRO = `%
+O0100 (CALLS A MACRO)
+G65 P9100 A5. B2.
+#500=#500+1
+G91 G01 X1. F600
+G90
+M30
+O9100 (ADDS A AND B)
+#33=#1+#2
+G91 G01 X#33 F2000
+G90
+M99
+%
+`;
+
+/** Long enough to be held on its way: three metres at 300 mm/min. */
+export const LONG = `%
+O0200 (UP AND DOWN)
+G90 G54 G00 X0. Y0.
+G01 X150. F300.
+Y50.
+X0.
+Y0.
+M30
+%
+`;
+
+/** Divides by zero in line 5, behind a move. */
+export const WRONG = `%
+O0300 (DIVIDES BY ZERO)
+#100=0
+G91 G01 X1. F2000
+#101=1/#100
+G01 X5.
+M30
+%
+`;
+
+/** As many short cuts as are asked for, along a spiral. */
+export function spiral(cuts) {
+  const lines = [
+    "%",
+    "O0900 (A LONG SPIRAL)",
+    "G90 G94 G17 G21 G54",
+    "G00 X0. Y0. Z5.",
+    "G01 Z-1. F3000.",
+  ];
+  for (let i = 1; i <= cuts; i++) {
+    const angle = i * 0.02;
+    const radius = 5 + (i * 180) / cuts;
+    lines.push(
+      `X${(radius * Math.cos(angle)).toFixed(3)}Y${(radius * Math.sin(angle)).toFixed(3)}`,
+    );
+  }
+  lines.push("G00 Z5.", "M30", "%", "");
+  return lines.join("\n");
+}

@@ -1,0 +1,140 @@
+// node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--chromium PATH]
+//
+// Drives the page of the panel as a person does, in a real browser, against a real `kerf serve`. With --kerf a server is
+// started with an empty data folder and ended afterwards; some scenarios need that, because they end it themselves. Each
+// scenario has a page of its own; what one leaves behind in the server does not matter to the next. --shots takes the
+// pictures of docs/images. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
+import { mkdirSync } from "node:fs";
+import { parseArgs } from "node:util";
+import { chromium } from "playwright-core";
+import { PanelPage } from "./panel_page.mjs";
+import { Server } from "./server.mjs";
+import { accessibility } from "./scenarios/accessibility.mjs";
+import { debugging } from "./scenarios/debugging.mjs";
+import { editing } from "./scenarios/editing.mjs";
+import { faults } from "./scenarios/faults.mjs";
+import { manual } from "./scenarios/manual.mjs";
+import { million } from "./scenarios/million.mjs";
+import { operating } from "./scenarios/operating.mjs";
+import { pictures } from "./scenarios/pictures.mjs";
+
+const ALL = [
+  ...operating,
+  ...debugging,
+  ...editing,
+  ...manual,
+  ...accessibility,
+  ...faults,
+  ...million,
+  ...pictures,
+];
+const LIMIT_MS = 120_000;
+
+const { values } = parseArgs({
+  options: {
+    base: { type: "string" },
+    kerf: { type: "string" },
+    shots: { type: "string" },
+    only: { type: "string", multiple: true },
+    chromium: { type: "string", default: "/usr/bin/chromium" },
+  },
+});
+if (!values.base === !values.kerf) {
+  console.error(
+    "usage: node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]",
+  );
+  process.exit(2);
+}
+if (values.shots) mkdirSync(values.shots, { recursive: true });
+
+const server = values.kerf ? await Server.start(values.kerf) : null;
+// Without a graphics card the picture is drawn by software; 2-D canvases then belong to the processor, too.
+const browser = await chromium.launch({
+  executablePath: values.chromium,
+  args: [
+    "--no-sandbox",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-rasterization",
+    "--disable-accelerated-2d-canvas",
+  ],
+});
+
+const wanted = ALL.filter(
+  ({ name }) => !values.only || values.only.some((word) => name.includes(word)),
+);
+let failed = 0;
+let left_out = 0;
+for (const scenario of wanted) {
+  const reason = why_not(scenario);
+  if (reason) {
+    left_out++;
+    console.log(`  –  ${scenario.name}: ${reason}`);
+  } else if (!(await holds(scenario))) {
+    failed++;
+  }
+}
+await browser.close();
+await server?.end();
+console.log(
+  `${wanted.length - failed - left_out} hold, ${failed} do not, ${left_out} left out`,
+);
+process.exit(failed || wanted.length === 0 ? 1 : 0);
+
+function why_not(scenario) {
+  if (scenario.needs_server && !server)
+    return "it ends the server: --kerf is needed";
+  if (scenario.needs_shots && !values.shots)
+    return "it only takes pictures: --shots is needed";
+  return "";
+}
+
+async function holds(scenario) {
+  const began = Date.now();
+  const opened = [];
+  const context = {
+    browser,
+    server,
+    base: server?.base ?? values.base,
+    shots: values.shots,
+    async open(options) {
+      const page = await PanelPage.open(
+        browser,
+        server?.base ?? values.base,
+        options,
+      );
+      opened.push(page);
+      return page;
+    },
+  };
+  try {
+    const note = await within(LIMIT_MS, scenario.run(context));
+    for (const page of opened) page.expect_no_errors();
+    console.log(
+      `  ✓  ${scenario.name} (${((Date.now() - began) / 1000).toFixed(1)} s)${note ? `: ${note}` : ""}`,
+    );
+    return true;
+  } catch (reason) {
+    console.log(
+      `  ✗  ${scenario.name}\n     ${String(reason.stack ?? reason)
+        .split("\n")
+        .slice(0, 24)
+        .join("\n     ")}`,
+    );
+    for (const [i, page] of opened.entries())
+      await page.keep_for_search(scenario.name, i, values.shots ?? "/tmp");
+    return false;
+  } finally {
+    for (const page of opened) await page.close();
+  }
+}
+
+function within(milliseconds, promise) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(
+      () => reject(new Error(`not done in ${milliseconds / 1000} s`)),
+      milliseconds,
+    );
+  });
+  return Promise.race([promise, late]).finally(() => clearTimeout(timer));
+}

@@ -1,0 +1,125 @@
+/** What lies over the text: the block that executes, the line that is chosen, the breakpoints. */
+import {
+  type Extension,
+  RangeSet,
+  RangeSetBuilder,
+  StateEffect,
+  StateField,
+  type Text,
+} from '@codemirror/state';
+import { Decoration, EditorView, GutterMarker, gutter } from '@codemirror/view';
+import type { Breakpoint } from '../logic/protocol';
+
+export interface Marks {
+  executing: number;
+  chosen: number;
+  breakpoints: Breakpoint[];
+}
+
+const set_marks = StateEffect.define<Marks>();
+
+const marks = StateField.define<Marks>({
+  create: () => ({ executing: 0, chosen: 0, breakpoints: [] }),
+  update(value, transaction) {
+    for (const effect of transaction.effects) if (effect.is(set_marks)) return effect.value;
+    return value;
+  },
+  provide: (field) =>
+    EditorView.decorations.from(field, (value) => (view) => lines(view.state.doc, value)),
+});
+
+const executing_line = Decoration.line({ class: 'cm-executing' });
+const chosen_line = Decoration.line({ class: 'cm-chosen' });
+
+function lines(doc: Text, { executing, chosen }: Marks) {
+  const builder = new RangeSetBuilder<Decoration>();
+  const wanted: [number, Decoration][] = [
+    [chosen, chosen_line],
+    [executing, executing_line],
+  ];
+  wanted.sort((a, b) => a[0] - b[0]);
+  for (const [line, decoration] of wanted) {
+    if (line >= 1 && line <= doc.lines)
+      builder.add(doc.line(line).from, doc.line(line).from, decoration);
+  }
+  return builder.finish();
+}
+
+class Dot extends GutterMarker {
+  constructor(
+    readonly condition: string,
+    readonly executing: boolean,
+    readonly is_set: boolean,
+  ) {
+    super();
+  }
+  override eq(other: Dot): boolean {
+    return (
+      other.condition === this.condition &&
+      other.executing === this.executing &&
+      other.is_set === this.is_set
+    );
+  }
+  override toDOM(): HTMLElement {
+    const mark = document.createElement('span');
+    mark.className = `cm-dot${this.is_set ? ' set' : ''}${this.condition ? ' conditional' : ''}${this.executing ? ' here' : ''}`;
+    mark.title = this.condition;
+    mark.textContent = this.is_set ? (this.condition ? '◆' : '●') : this.executing ? '▶' : '';
+    return mark;
+  }
+}
+
+function dots(doc: Text, value: Marks): RangeSet<GutterMarker> {
+  const by_line = new Map<number, Dot>();
+  for (const b of value.breakpoints) {
+    if (b.line) by_line.set(b.line, new Dot(b.condition ?? '', b.line === value.executing, true));
+  }
+  if (value.executing && !by_line.has(value.executing))
+    by_line.set(value.executing, new Dot('', true, false));
+  const builder = new RangeSetBuilder<GutterMarker>();
+  for (const line of [...by_line.keys()].sort((a, b) => a - b)) {
+    if (line <= doc.lines)
+      builder.add(doc.line(line).from, doc.line(line).from, by_line.get(line)!);
+  }
+  return builder.finish();
+}
+
+export interface GutterWishes {
+  toggle(line: number): void;
+  condition(line: number): void;
+}
+
+export function marks_extension(wishes: GutterWishes): Extension {
+  return [
+    marks,
+    gutter({
+      class: 'cm-breakpoints',
+      markers: (view) => dots(view.state.doc, view.state.field(marks)),
+      lineMarkerChange: (update) => update.startState.field(marks) !== update.state.field(marks),
+      initialSpacer: () => new Dot('', false, true),
+      domEventHandlers: {
+        mousedown(view, block, event) {
+          const line = view.state.doc.lineAt(block.from).number;
+          const mouse = event as MouseEvent;
+          if (mouse.button === 2 || mouse.shiftKey) wishes.condition(line);
+          else wishes.toggle(line);
+          mouse.preventDefault();
+          return true;
+        },
+        contextmenu(_view, _block, event) {
+          event.preventDefault();
+          return true;
+        },
+      },
+    }),
+  ];
+}
+
+export function show_marks(view: EditorView, value: Marks): void {
+  const before = view.state.field(marks);
+  const same =
+    before.executing === value.executing &&
+    before.chosen === value.chosen &&
+    before.breakpoints === value.breakpoints;
+  if (!same) view.dispatch({ effects: set_marks.of(value) });
+}

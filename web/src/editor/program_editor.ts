@@ -1,0 +1,170 @@
+/** The program editor: CodeMirror with everything that an NC program needs, behind a small interface. */
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import {
+  highlightSelectionMatches,
+  openSearchPanel,
+  search,
+  searchKeymap,
+} from '@codemirror/search';
+import { Compartment, EditorState, type Extension } from '@codemirror/state';
+import {
+  EditorView,
+  drawSelection,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+  type ViewUpdate,
+} from '@codemirror/view';
+import type { Lexer } from '../logic/language/token';
+import { type Checker, checking } from './checking';
+import { language_of } from './languages';
+import { type GutterWishes, type Marks, marks_extension, show_marks } from './marks';
+import { theme } from './theme';
+
+export interface EditorWishes extends GutterWishes {
+  edited(text: string): void;
+  cursor(line: number): void;
+  /** A line was clicked or gone to with the keys. */
+  chosen(line: number): void;
+  /** The text was edited: where the lines from before are now; null: the line is gone. */
+  lines_moved(new_line: (line: number) => number | null): void;
+}
+
+const EDITED_AFTER_MS = 120;
+const EDGE_PX = 44;
+
+export class ProgramEditor {
+  private readonly view: EditorView;
+  private readonly read_only = new Compartment();
+  private pending: ReturnType<typeof setTimeout> | null = null;
+  private line = 0;
+  private is_read_only = false;
+
+  constructor(
+    host: HTMLElement,
+    private readonly label: () => string,
+    private readonly wishes: EditorWishes,
+    private readonly checker: Checker,
+  ) {
+    this.view = new EditorView({ parent: host });
+  }
+
+  dispose(): void {
+    if (this.pending) clearTimeout(this.pending);
+    this.view.destroy();
+  }
+
+  /** Another text; its history begins anew. */
+  show(text: string, lexer: Lexer): void {
+    this.flush();
+    this.line = 0;
+    this.view.setState(EditorState.create({ doc: text, extensions: this.extensions(text, lexer) }));
+  }
+
+  get text(): string {
+    return this.view.state.sliceDoc();
+  }
+
+  mark(marks: Marks): void {
+    show_marks(this.view, marks);
+  }
+
+  set_read_only(on: boolean): void {
+    this.is_read_only = on;
+    this.view.dispatch({ effects: this.read_only.reconfigure(EditorState.readOnly.of(on)) });
+  }
+
+  /** Into the picture, and the cursor there when `select`. */
+  go_to(line: number, select: boolean): void {
+    const { doc } = this.view.state;
+    if (line < 1 || line > doc.lines) return;
+    const { from } = doc.line(line);
+    this.view.dispatch({
+      ...(select ? { selection: { anchor: from } } : {}),
+      effects: EditorView.scrollIntoView(from, { y: 'center' }),
+    });
+  }
+
+  /** Keeps a line in sight without moving more than it must. */
+  follow(line: number): void {
+    this.view.requestMeasure({
+      key: this,
+      read: ({ state, scrollDOM }) => {
+        if (line > state.doc.lines) return false;
+        const block = this.view.lineBlockAt(state.doc.line(line).from);
+        const { scrollTop, clientHeight } = scrollDOM;
+        return block.top < scrollTop + EDGE_PX || block.bottom > scrollTop + clientHeight - EDGE_PX;
+      },
+      write: (is_out) => is_out && setTimeout(() => this.go_to(line, false)),
+    });
+  }
+
+  focus(): void {
+    this.view.focus();
+  }
+  find(): void {
+    openSearchPanel(this.view);
+  }
+
+  /** Tells an edit that has not been told yet. */
+  flush(): void {
+    if (!this.pending) return;
+    clearTimeout(this.pending);
+    this.pending = null;
+    this.wishes.edited(this.text);
+  }
+
+  private extensions(text: string, lexer: Lexer): Extension {
+    return [
+      lineNumbers(),
+      marks_extension(this.wishes),
+      history(),
+      drawSelection(),
+      highlightActiveLine(),
+      highlightActiveLineGutter(),
+      highlightSelectionMatches(),
+      search({ top: true }),
+      keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap]),
+      language_of(lexer),
+      checking(this.checker),
+      theme,
+      this.read_only.of(EditorState.readOnly.of(this.is_read_only)),
+      EditorState.lineSeparator.of(text.includes('\r\n') ? '\r\n' : '\n'),
+      EditorView.contentAttributes.of({
+        'aria-label': this.label(),
+        spellcheck: 'false',
+        tabindex: '0',
+      }),
+      EditorView.updateListener.of((update) => {
+        if (update.docChanged) {
+          this.tell_later();
+          this.wishes.lines_moved((line) => line_behind(update, line));
+        }
+        if (update.selectionSet || update.docChanged) this.tell_cursor(update.docChanged);
+      }),
+    ];
+  }
+
+  private tell_later(): void {
+    if (this.pending) clearTimeout(this.pending);
+    this.pending = setTimeout(() => this.flush(), EDITED_AFTER_MS);
+  }
+
+  private tell_cursor(by_typing: boolean): void {
+    const { state } = this.view;
+    const line = state.doc.lineAt(state.selection.main.head).number;
+    if (line === this.line) return;
+    this.line = line;
+    this.wishes.cursor(line);
+    if (!by_typing) this.wishes.chosen(line);
+  }
+}
+
+/** Where a line is behind an edit: where its first character went. */
+function line_behind({ startState, state, changes }: ViewUpdate, line: number): number | null {
+  if (line > startState.doc.lines) return null;
+  const { from, to } = startState.doc.line(line);
+  const is_gone = changes.touchesRange(from, to) === 'cover' && to > from;
+  return is_gone ? null : state.doc.lineAt(changes.mapPos(from, 1)).number;
+}

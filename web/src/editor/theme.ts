@@ -1,0 +1,80 @@
+/** The editor in the page's colours. */
+import { EditorView } from '@codemirror/view';
+
+export const theme = EditorView.theme({
+  '&': { height: '100%', backgroundColor: 'transparent', color: 'var(--text)', fontSize: '13px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.5' },
+  '.cm-content': { caretColor: 'var(--accent)', padding: '4px 0 40vh' },
+  '.cm-line': { padding: '0 10px 0 4px' },
+  '.cm-cursor': { borderLeftColor: 'var(--accent)', borderLeftWidth: '2px' },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground':
+    {
+      backgroundColor: 'color-mix(in srgb, var(--accent) 30%, transparent)',
+    },
+  '.cm-gutters': { backgroundColor: 'transparent', border: 'none', color: 'var(--text-3)' },
+  '.cm-lineNumbers .cm-gutterElement': {
+    padding: '0 8px 0 2px',
+    minWidth: '34px',
+    fontSize: '11.5px',
+  },
+  '.cm-activeLine': { backgroundColor: 'color-mix(in srgb, var(--text) 5%, transparent)' },
+  '.cm-activeLineGutter': { backgroundColor: 'transparent', color: 'var(--text)' },
+  '.cm-breakpoints': { width: '18px', cursor: 'pointer' },
+  '.cm-breakpoints .cm-gutterElement': { display: 'grid', placeItems: 'center' },
+  '.cm-breakpoints .cm-gutterElement:hover': { backgroundColor: 'var(--control)' },
+  '.cm-dot': { fontSize: '11px', lineHeight: '1' },
+  '.cm-dot.set': { color: 'var(--alarm)' },
+  '.cm-dot.here:not(.set)': { color: 'var(--run)' },
+  '.cm-executing': {
+    backgroundColor: 'var(--executing) !important',
+    boxShadow: 'inset 3px 0 0 var(--run)',
+  },
+  '.cm-chosen': { backgroundColor: 'var(--chosen)', boxShadow: 'inset 3px 0 0 var(--accent)' },
+  '.cm-gutter-lint': { width: '10px' },
+  '.cm-gutter-lint .cm-gutterElement': { padding: '0' },
+  '.cm-lint-marker': { width: '9px', height: '9px', marginTop: '5px' },
+  '.cm-tooltip': {
+    backgroundColor: 'var(--raised)',
+    border: '1px solid var(--line-strong)',
+    borderRadius: '5px',
+    boxShadow: 'var(--shadow)',
+    color: 'var(--text)',
+  },
+  '.cm-tooltip-lint': { maxWidth: '440px' },
+  '.cm-diagnostic': { padding: '8px 12px', whiteSpace: 'normal' },
+  '.cm-diagnostic-error': { borderLeft: '4px solid var(--alarm)' },
+  '.cm-diagnostic-warning': { borderLeft: '4px solid var(--hold)' },
+  '.cm-alarm-card': { fontFamily: 'var(--sans)', fontSize: '12.5px', lineHeight: '1.4' },
+  '.cm-alarm-card b': { color: 'var(--alarm)', fontSize: '14px' },
+  '.cm-diagnostic-warning .cm-alarm-card b': { color: 'var(--hold)' },
+  '.cm-alarm-card .message': { fontWeight: '600' },
+  '.cm-alarm-card p': { margin: '3px 0 0' },
+  '.cm-lintRange-error': {
+    backgroundImage: 'none',
+    textDecoration: 'underline wavy var(--alarm) 1px',
+    textUnderlineOffset: '3px',
+  },
+  '.cm-lintRange-warning': {
+    backgroundImage: 'none',
+    textDecoration: 'underline dashed var(--hold) 1px',
+    textUnderlineOffset: '3px',
+  },
+  '.cm-panels': {
+    backgroundColor: 'var(--raised)',
+    color: 'var(--text)',
+    borderColor: 'var(--line)',
+  },
+  '.cm-panel.cm-search': { fontFamily: 'var(--sans)', padding: '6px 8px' },
+  '.cm-panel.cm-search input, .cm-panel.cm-search button': {
+    backgroundColor: 'var(--control)',
+    backgroundImage: 'none',
+    border: '1px solid var(--line-strong)',
+    borderRadius: '4px',
+    color: 'var(--text)',
+  },
+  '.cm-searchMatch': { backgroundColor: 'color-mix(in srgb, var(--hold) 35%, transparent)' },
+  '.cm-searchMatch-selected': {
+    backgroundColor: 'color-mix(in srgb, var(--hold) 65%, transparent)',
+  },
+});

@@ -1,0 +1,133 @@
+/**
+ * One WebSocket to the server for as long as the page is open: numbers commands, matches answers, comes back by itself when
+ * the server was away. What is behind a broken line is refused, never sent twice: a cycle start that nobody answered must
+ * not happen a minute later.
+ */
+
+export type Answer = Record<string, unknown> & { ok: true };
+export type Command = Record<string, unknown>;
+export type LineState = 'connecting' | 'open' | 'waiting' | 'refused';
+
+/** The part of WebSocket that is used; a test passes its own. */
+export interface Socket {
+  binaryType: string;
+  send(text: string): void;
+  close(): void;
+  onopen: (() => void) | null;
+  onclose: ((event: { code: number; reason: string }) => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+}
+
+export interface Clock {
+  after(milliseconds: number, action: () => void): () => void;
+}
+
+export interface Listener {
+  line(state: LineState, retry_in_s: number, reason: string): void;
+  event(event: Record<string, unknown>): void;
+  chunk(bytes: ArrayBuffer): void;
+}
+
+/** The sentence with which the server, or the line, refuses a command. */
+export class Refusal extends Error {
+  override name = 'Refusal';
+}
+
+interface Waiting {
+  resolve(answer: Answer): void;
+  reject(reason: Refusal): void;
+}
+
+export const FIRST_RETRY_MS = 250;
+export const LAST_RETRY_MS = 5000;
+/** WebSocket's "policy violation": token or origin are wrong, trying again does not help. */
+const POLICY = 1008;
+
+export class Connection {
+  private socket: Socket | null = null;
+  private waiting = new Map<number, Waiting>();
+  private next_id = 1;
+  private retry_ms = FIRST_RETRY_MS;
+  private open = false;
+  private cancel_retry: (() => void) | null = null;
+
+  constructor(
+    private readonly make: () => Socket,
+    private readonly clock: Clock,
+    private readonly listener: Listener,
+    private readonly lost_line: () => string = () => 'The line to the server is down.',
+  ) {}
+
+  connect(): void {
+    this.cancel_retry?.();
+    this.cancel_retry = null;
+    this.listener.line('connecting', 0, '');
+    const socket = this.make();
+    this.socket = socket;
+    socket.binaryType = 'arraybuffer';
+    socket.onopen = () => this.opened();
+    socket.onmessage = (message) => this.received(message.data);
+    socket.onclose = (event) => this.closed(socket, event.code, event.reason);
+  }
+
+  close(): void {
+    this.cancel_retry?.();
+    const socket = this.socket;
+    this.socket = null;
+    this.open = false;
+    socket?.close();
+    this.refuse_all();
+  }
+
+  do(name: string, args: Command = {}): Promise<Answer> {
+    if (!this.open || !this.socket) return Promise.reject(new Refusal(this.lost_line()));
+    const id = this.next_id++;
+    this.socket.send(JSON.stringify({ id, do: name, ...args }));
+    return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
+  }
+
+  private opened(): void {
+    this.open = true;
+    this.retry_ms = FIRST_RETRY_MS;
+    this.listener.line('open', 0, '');
+  }
+
+  private received(data: unknown): void {
+    if (typeof data !== 'string') {
+      this.listener.chunk(data as ArrayBuffer);
+      return;
+    }
+    const frame = JSON.parse(data) as Record<string, unknown>;
+    if (typeof frame.id === 'number') this.answered(frame.id, frame);
+    else this.listener.event(frame);
+  }
+
+  private answered(id: number, frame: Record<string, unknown>): void {
+    const waiting = this.waiting.get(id);
+    this.waiting.delete(id);
+    if (!waiting) return;
+    if (frame.ok === true) waiting.resolve(frame as Answer);
+    else waiting.reject(new Refusal(String(frame.error ?? '')));
+  }
+
+  private closed(socket: Socket, code: number, reason: string): void {
+    if (socket !== this.socket) return;
+    this.open = false;
+    this.socket = null;
+    this.refuse_all();
+    if (code === POLICY) {
+      this.listener.line('refused', 0, reason);
+      return;
+    }
+    const wait = this.retry_ms;
+    this.retry_ms = Math.min(LAST_RETRY_MS, wait * 2);
+    this.listener.line('waiting', wait / 1000, reason);
+    this.cancel_retry = this.clock.after(wait, () => this.connect());
+  }
+
+  private refuse_all(): void {
+    const refused = [...this.waiting.values()];
+    this.waiting.clear();
+    for (const waiting of refused) waiting.reject(new Refusal(this.lost_line()));
+  }
+}

@@ -1,0 +1,31 @@
+/** The page's texts: one table a language, the same keys in each (a test holds that). */
+import { en } from './en';
+import { zh_hant } from './zh_hant';
+
+export type TextKey = keyof typeof en;
+export type Language = 'en' | 'zh-Hant';
+
+export const TABLES: Record<Language, Record<TextKey, string>> = { en, 'zh-Hant': zh_hant };
+
+/** How each language calls itself. */
+export const LANGUAGE_NAMES: Record<Language, string> = { en: 'English', 'zh-Hant': '繁體中文' };
+
+/** `{name}` in a text stands for a value. */
+export function text_of(
+  language: Language,
+  key: TextKey,
+  values: Record<string, string | number> = {},
+): string {
+  return TABLES[language][key].replace(/\{(\w+)\}/g, (whole, name: string) =>
+    name in values ? String(values[name]) : whole,
+  );
+}
+
+/** The first language of the browser that there is a table for. Any Chinese reads the Chinese table. */
+export function chosen_language(wishes: readonly string[]): Language {
+  for (const wish of wishes) {
+    if (/^zh/i.test(wish)) return 'zh-Hant';
+    if (/^en/i.test(wish)) return 'en';
+  }
+  return 'en';
+}

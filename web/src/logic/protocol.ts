@@ -1,0 +1,230 @@
+/** What the page and `kerf serve` say to each other, version 1 (docs/panel-protocol.md). Units stand in the keys. */
+
+export type Axes = Record<string, number>;
+
+export type Status = 'idle' | 'running' | 'held' | 'stopped' | 'step' | 'end' | 'alarm';
+export type Mode = 'edit' | 'mdi' | 'auto' | 'jog' | 'ref' | 'teach';
+export type SwitchName = 'single-block' | 'optional-stop' | 'dry-run' | 'machine-lock';
+export type StepHow = 'over' | 'into' | 'out' | 'back';
+export type CaptureKind = 'point' | 'line' | 'arc-via' | 'arc-end' | 'circle-end';
+
+export const MODES: readonly Mode[] = ['edit', 'mdi', 'auto', 'jog', 'ref', 'teach'];
+
+export interface AxisDefinition {
+  name: string;
+  rotary: boolean;
+  /** Travel in machine coordinates; null: turns without end. */
+  min: number | null;
+  max: number | null;
+  unit: string;
+  /** Programs name it; a joint of a linkage that only motors know has false. */
+  program: boolean;
+}
+
+export interface Kinematics {
+  kind: 'cartesian' | 'cartesian-step' | 'x-theta-z' | 'head-ac' | 'arm';
+  /** Keys of the machine file: r_a, r_c, upper_arm, forearm, x1, theta0_deg, z0 … */
+  [length: string]: string | number | boolean;
+}
+
+export interface MachineDefinition {
+  name: string;
+  title: string;
+  dialect: string;
+  dialects?: string[];
+  axes: AxisDefinition[];
+  joints: AxisDefinition[];
+  kinematics: Kinematics;
+  laser: boolean;
+  period_s: number;
+  rapid_mm_min: Axes;
+}
+
+export interface MachineEntry {
+  name: string;
+  title: string;
+  definition: string;
+  status: Status;
+  operator: string | null;
+  clients: number;
+}
+
+export interface Alarm {
+  code: string;
+  message: string;
+  file: string;
+  line: number;
+  column: number;
+  cause: string;
+  remedy: string;
+}
+
+export interface StackEntry {
+  program: string;
+  file: string;
+  line: number;
+  level: number;
+}
+
+export interface Spindle {
+  speed_rpm: number;
+  direction: string;
+  load: number | null;
+}
+
+export interface Overrides {
+  feed: number;
+  rapid: number;
+  spindle: number;
+}
+
+export interface MachineState {
+  status: Status;
+  mode: Mode;
+  program: string;
+  file: string;
+  line: number;
+  text: string;
+  time_s: number;
+  total_s: number | null;
+  motion: number;
+  motions: number | null;
+  position: { machine: Axes; work: Axes; distance: Axes };
+  joints: Axes;
+  modal: string[];
+  feed: { programmed_mm_min: number; actual_mm_min: number };
+  spindle: Spindle;
+  tool: number;
+  coolant: string;
+  power_percent: number | null;
+  beam: boolean;
+  override: Overrides;
+  switches: Partial<Record<SwitchName, boolean>>;
+  skip: number[];
+  alarm: Alarm | null;
+  messages: string[];
+  stack: StackEntry[];
+  operator: string | null;
+  clients: string[];
+  variables_revision: number;
+  printed: string;
+  /** INPUT of the program waits for a line of the operator. */
+  waits_for_input: boolean;
+  /** Why the machine does not work at all. */
+  fault: string | null;
+  breakpoint: BreakpointHit | null;
+}
+
+/** A place to stop at: a line, perhaps with a condition, or any writing of a variable. */
+export interface Breakpoint {
+  file?: string;
+  line?: number;
+  condition?: string;
+  variable?: string;
+}
+
+/** The breakpoint that has stopped the program. */
+export interface BreakpointHit extends Breakpoint {
+  /** Of a variable's: the line that has written it, and its values. */
+  written_line?: number;
+  before?: number | null;
+  after?: number | null;
+  /** Why the condition has no value. */
+  trouble?: string;
+}
+
+export interface Diagnostic {
+  severity: 'error' | 'warning' | 'info';
+  code: string;
+  message: string;
+  line: number;
+  column: number;
+  length: number;
+  cause: string;
+  remedy: string;
+}
+
+export interface Variable {
+  name: string;
+  value: number | null;
+  /** Level of the call stack that it belongs to; null: common to all. */
+  level: number | null;
+  changed: boolean;
+  /** A name that the program gave it. */
+  title?: string;
+  scope?: 'local' | 'common' | 'permanent' | 'program';
+}
+
+export interface PathEvent {
+  event: 'path';
+  machine: string;
+  run: number;
+  done: boolean;
+  motions: number;
+  time_s: number;
+  bounds: { min: number[]; max: number[] } | null;
+  files: string[];
+  error: Alarm | null;
+}
+
+export interface Instant {
+  time_s: number;
+  position: { machine: Axes; work: Axes; distance?: Axes };
+  joints?: Axes;
+  file: string;
+  line: number;
+  modal: string[];
+  variables: Variable[];
+  tool?: number;
+  power_percent?: number | null;
+}
+
+export interface ProgramEntry {
+  name: string;
+  bytes: number;
+  modified: string;
+}
+
+export interface Revision {
+  revision: number;
+  bytes: number;
+  modified: string;
+  /** Its text is still there. */
+  kept: boolean;
+}
+
+/** A state before the first one has come: nothing is known, nothing moves. */
+export const EMPTY_STATE: MachineState = {
+  status: 'idle',
+  mode: 'auto',
+  program: '',
+  file: '',
+  line: 0,
+  text: '',
+  time_s: 0,
+  total_s: null,
+  motion: 0,
+  motions: null,
+  position: { machine: {}, work: {}, distance: {} },
+  joints: {},
+  modal: [],
+  feed: { programmed_mm_min: 0, actual_mm_min: 0 },
+  spindle: { speed_rpm: 0, direction: 'stop', load: null },
+  tool: 0,
+  coolant: 'off',
+  power_percent: null,
+  beam: false,
+  override: { feed: 100, rapid: 100, spindle: 100 },
+  switches: {},
+  skip: [],
+  alarm: null,
+  messages: [],
+  stack: [],
+  operator: null,
+  clients: [],
+  variables_revision: 0,
+  printed: '',
+  waits_for_input: false,
+  fault: null,
+  breakpoint: null,
+};

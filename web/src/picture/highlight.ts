@@ -1,0 +1,54 @@
+/** The path of the chosen line, drawn over everything: wide, in one colour, with a dark edge that holds on any ground. */
+import { Color, Group, type Mesh } from 'three';
+import type { PathStore, Range } from '../logic/path_store';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+
+const MOST_SEGMENTS = 200_000;
+
+export class Highlight {
+  readonly group = new Group();
+  private readonly edge = new LineMaterial({
+    color: 0x000000,
+    linewidth: 6,
+    depthTest: false,
+    transparent: true,
+    opacity: 0.55,
+  });
+  private readonly core = new LineMaterial({ color: 0xffffff, linewidth: 3, depthTest: false });
+
+  set_colour(colour: string): void {
+    this.core.color = new Color(colour);
+  }
+
+  set(store: PathStore | null, ranges: Range[]): void {
+    for (const child of this.group.children) (child as Mesh).geometry.dispose();
+    this.group.clear();
+    if (!store || ranges.length === 0) return;
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(segments_of(store, ranges));
+    [this.edge, this.core].forEach((material, i) => {
+      const lines = new LineSegments2(geometry, material);
+      lines.renderOrder = 5 + i;
+      lines.frustumCulled = false;
+      this.group.add(lines);
+    });
+  }
+}
+
+function segments_of(store: PathStore, ranges: Range[]): Float32Array {
+  const total = Math.min(
+    MOST_SEGMENTS,
+    ranges.reduce((sum, range) => sum + range.last - range.first, 0),
+  );
+  const points = new Float32Array(6 * total);
+  let at = 0;
+  for (const { chunk, first, last } of ranges) {
+    const { xyz } = store.chunks[chunk];
+    for (let i = first; i < last && at < points.length; i++, at += 6) {
+      points.set(xyz.subarray(3 * i, 3 * i + 6), at);
+    }
+  }
+  return points;
+}

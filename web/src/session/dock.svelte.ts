@@ -1,0 +1,24 @@
+/** Which tab of the dock is open. */
+export const TABS = [
+  'variables',
+  'stepping',
+  'mdi',
+  'teach',
+  'offsets',
+  'tools',
+  'messages',
+  'pulses',
+  'speed',
+] as const;
+export type Tab = (typeof TABS)[number];
+
+class Dock {
+  tab = $state<Tab>('variables');
+
+  turn(by: 1 | -1): void {
+    const at = TABS.indexOf(this.tab);
+    this.tab = TABS[(at + by + TABS.length) % TABS.length];
+  }
+}
+
+export const dock = new Dock();

@@ -1,0 +1,113 @@
+/** What each key of the keymap does. */
+import { type CommandName, binding_of } from '../logic/keymap';
+import type { Colouring } from '../logic/colour_scale';
+import { toggled } from '../logic/breakpoints';
+import { condition } from './condition.svelte';
+import { dialogs } from './dialogs.svelte';
+import { dock } from './dock.svelte';
+import { documents } from './documents.svelte';
+import { editor_keys } from './editor_keys';
+import { jog } from './jog';
+import { notices } from './notices.svelte';
+import { panel } from './panel.svelte';
+import { picture_keys } from './picture_keys';
+import { preferences } from './preferences.svelte';
+import { slider } from './slider.svelte';
+import { teaching } from './teaching.svelte';
+import { t } from './words.svelte';
+
+const colourings = (): Colouring[] =>
+  panel.definition?.laser ? ['power', 'feed', 'speed'] : ['tool', 'feed', 'speed'];
+const SLIDER_STEP_S = 1;
+
+const feed = (by: number): unknown =>
+  panel.override('feed', Math.min(200, Math.max(0, panel.state.override.feed + by)));
+const look = (view: 'iso' | 'top' | 'front' | 'right') => () => {
+  picture_keys.picture?.look(view);
+  picture_keys.picture?.fit();
+};
+const slide = (by: number): void => slider.move_to((slider.time_s ?? panel.state.time_s) + by);
+
+async function take_back(forwards: boolean): Promise<void> {
+  const what = await (forwards ? panel.edits.redo() : panel.edits.undo()).catch(() => null);
+  if (what) notices.say(t(forwards ? 'notice.redone' : 'notice.undone', { what }));
+}
+
+const ACTIONS: Record<CommandName, () => unknown> = {
+  'cycle-start': panel.cycle_start,
+  'feed-hold': panel.feed_hold,
+  reset: panel.reset,
+  'feed-up': () => feed(10),
+  'feed-down': () => feed(-10),
+  'step-over': () => panel.step('over'),
+  'step-into': () => panel.step('into'),
+  'step-out': () => panel.step('out'),
+  'step-back': () => panel.step('back'),
+  'run-to-line': () => panel.act('run-to', { file: documents.current, line: documents.cursor }),
+  'start-at-line': () => panel.act('start-at', { line: documents.cursor }),
+  'toggle-breakpoint': () =>
+    panel.set_breakpoints(toggled(panel.breakpoints, documents.current, documents.cursor)),
+  'edit-condition': () => condition.edit(documents.current, documents.cursor),
+  'mode-edit': () => panel.set_mode('edit'),
+  'mode-mdi': () => panel.set_mode('mdi'),
+  'mode-auto': () => panel.set_mode('auto'),
+  'mode-jog': () => panel.set_mode('jog'),
+  'mode-ref': () => panel.set_mode('ref'),
+  'mode-teach': () => panel.set_mode('teach'),
+  'single-block': () => panel.toggle('single-block'),
+  'optional-stop': () => panel.toggle('optional-stop'),
+  'block-skip': () => panel.set_skip(panel.state.skip.length ? [] : [1]),
+  'dry-run': () => panel.toggle('dry-run'),
+  'machine-lock': () => panel.toggle('machine-lock'),
+  'jog-x-plus': () => jog.begin('X', 1),
+  'jog-x-minus': () => jog.begin('X', -1),
+  'jog-y-plus': () => jog.begin('Y', 1),
+  'jog-y-minus': () => jog.begin('Y', -1),
+  'jog-z-plus': () => jog.begin('Z', 1),
+  'jog-z-minus': () => jog.begin('Z', -1),
+  'capture-point': () => teaching.capture('point'),
+  'view-iso': look('iso'),
+  'view-top': look('top'),
+  'view-front': look('front'),
+  'view-right': look('right'),
+  fit: () => picture_keys.picture?.fit(),
+  colouring: () => {
+    const choices = colourings();
+    preferences.colouring = choices[(choices.indexOf(preferences.colouring) + 1) % choices.length];
+  },
+  'slider-back': () => slide(-SLIDER_STEP_S),
+  'slider-forward': () => slide(SLIDER_STEP_S),
+  'slider-now': () => slider.now(),
+  save: () => documents.save(),
+  library: () => dialogs.show('library'),
+  'load-text': () => documents.load_text(),
+  'undo-edit': () => take_back(false),
+  'redo-edit': () => take_back(true),
+  'focus-editor': () => editor_keys.editor?.focus(),
+  'focus-picture': () => picture_keys.picture?.canvas.focus(),
+  'next-tab': () => dock.turn(1),
+  'previous-tab': () => dock.turn(-1),
+  'take-operation': () => panel.take(),
+  help: () => dialogs.show('help'),
+};
+
+const is_text = (target: EventTarget | null): boolean =>
+  target instanceof HTMLElement &&
+  (target.isContentEditable || /^(INPUT|TEXTAREA|SELECT)$/.test(target.tagName));
+
+/** Jog keys are only taken where they jog: elsewhere arrows belong to whatever has the focus. */
+const may_jog = (): boolean => ['jog', 'teach'].includes(panel.state.mode) && panel.operates;
+
+export function key_down(event: KeyboardEvent): void {
+  if (event.defaultPrevented || dialogs.open) return;
+  const binding = binding_of(event, is_text(event.target));
+  if (!binding || (binding.held && !may_jog())) return;
+  event.preventDefault();
+  if (binding.held && event.repeat) return;
+  if (binding.command === 'save' || binding.command === 'load-text') editor_keys.editor?.flush();
+  void ACTIONS[binding.command]();
+}
+
+export function key_up(event: KeyboardEvent): void {
+  if (binding_of(event, false)?.held) jog.end();
+}

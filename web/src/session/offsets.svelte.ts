@@ -1,0 +1,63 @@
+/** Work offsets and the tool table; changes can be taken back. */
+import { type OffsetRow, type WorkOffset, by_system } from '../logic/offsets';
+import { panel } from './panel.svelte';
+
+export interface Tool {
+  number: number;
+  length_geometry: number;
+  length_wear: number;
+  radius_geometry: number;
+  radius_wear: number;
+}
+
+export type ToolValue = Exclude<keyof Tool, 'number'>;
+
+const MOST_OFTEN_MS = 400;
+
+class Offsets {
+  work = $state.raw<WorkOffset[]>([]);
+  tools = $state.raw<Tool[]>([]);
+  private timer: ReturnType<typeof setTimeout> | null = null;
+
+  refresh(): void {
+    if (this.timer !== null) return;
+    this.timer = setTimeout(() => {
+      this.timer = null;
+      void this.ask();
+    }, MOST_OFTEN_MS);
+  }
+
+  set(offset: string, axis: string, value: number, before: number): Promise<void> {
+    return this.change(`${offset} ${axis}`, { offset, axis }, value, before);
+  }
+
+  set_tool(number: number, key: ToolValue, value: number, before: number): Promise<void> {
+    return this.change(`T${number} ${key}`, { offset: `tool.${number}.${key}` }, value, before);
+  }
+
+  private async change(
+    what: string,
+    place: Record<string, unknown>,
+    value: number,
+    before: number,
+  ): Promise<void> {
+    const write = async (to: number) => {
+      const answer = await panel.act('set-offset', { ...place, value: to });
+      if (!answer) throw new Error('refused');
+      await this.ask();
+    };
+    await write(value).then(
+      () => panel.edits.record({ what, undo: () => write(before), redo: () => write(value) }),
+      () => null,
+    );
+  }
+
+  private async ask(): Promise<void> {
+    const work = await panel.ask('offsets').catch(() => null);
+    if (work) this.work = by_system(work.offsets as OffsetRow[]);
+    const tools = await panel.ask('tools').catch(() => null);
+    if (tools) this.tools = tools.tools as Tool[];
+  }
+}
+
+export const offsets = new Offsets();

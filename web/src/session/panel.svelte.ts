@@ -1,0 +1,191 @@
+/** The machine that this page watches: what it says, and every command to it. */
+import {
+  Connection,
+  type Answer,
+  type Command,
+  type LineState,
+  Refusal,
+  type Socket,
+} from '../logic/connection';
+import { decode_chunk } from '../logic/chunk';
+import { PathStore } from '../logic/path_store';
+import { patched } from '../logic/state_patch';
+import {
+  EMPTY_STATE,
+  type Breakpoint,
+  type MachineDefinition,
+  type MachineEntry,
+  type MachineState,
+  type Mode,
+  type PathEvent,
+  type StepHow,
+  type SwitchName,
+} from '../logic/protocol';
+import { UndoStack } from '../logic/undo';
+import { notices } from './notices.svelte';
+import { t } from './words.svelte';
+
+const FIRST_MACHINE_KEY = 'kerf.machine';
+
+class Panel {
+  line = $state.raw<{ state: LineState; retry_in_s: number; reason: string }>({
+    state: 'connecting',
+    retry_in_s: 0,
+    reason: '',
+  });
+  machines = $state.raw<MachineEntry[]>([]);
+  definitions = $state.raw<string[]>([]);
+  machine = $state('');
+  definition = $state.raw<MachineDefinition | null>(null);
+  state = $state.raw<MachineState>(EMPTY_STATE);
+  /** How the server calls this page. */
+  me = $state('');
+  /** Counts the connections: what was known of an earlier one must be asked again. */
+  epoch = $state(0);
+  breakpoints = $state.raw<Breakpoint[]>([]);
+  path = $state.raw<PathEvent | null>(null);
+  /** Changes with every chunk; the store itself is plain. */
+  path_version = $state(0);
+  readonly preview = new PathStore();
+  readonly edits = new UndoStack();
+
+  private readonly connection = new Connection(
+    () => new WebSocket(socket_address()) as Socket,
+    { after: (ms, action) => after(ms, action) },
+    {
+      line: (state, retry_in_s, reason) => this.on_line(state, retry_in_s, reason),
+      event: (event) => this.on_event(event),
+      chunk: (bytes) => this.on_chunk(bytes),
+    },
+    () => t('connection.refused'),
+  );
+
+  get operates(): boolean {
+    return this.me !== '' && this.state.operator === this.me;
+  }
+  get moves(): boolean {
+    return this.state.status === 'running';
+  }
+
+  start(): void {
+    this.connection.connect();
+  }
+
+  /** Sends a command; a refusal is rejected to the caller. */
+  ask(name: string, args: Command = {}): Promise<Answer> {
+    return this.connection.do(name, args);
+  }
+
+  /** Sends a command for the operator: a refusal becomes a notice. Null: refused. */
+  async act(name: string, args: Command = {}): Promise<Answer | null> {
+    try {
+      return await this.ask(name, args);
+    } catch (reason) {
+      if (reason instanceof Refusal) notices.say(reason.message, 'refused');
+      else throw reason;
+      return null;
+    }
+  }
+
+  async watch(machine: string): Promise<void> {
+    this.forget_machine();
+    const answer = await this.act('watch', { machine });
+    if (!answer) return;
+    this.machine = machine;
+    this.definition = answer.definition as MachineDefinition;
+    this.me = String(answer.client);
+    this.breakpoints = answer.breakpoints as Breakpoint[];
+    this.epoch++;
+    sessionStorage.setItem(FIRST_MACHINE_KEY, machine);
+    if (this.state.operator === null) await this.take_quietly();
+  }
+
+  async refresh_machines(): Promise<void> {
+    const answer = await this.act('machines');
+    if (!answer) return;
+    this.machines = answer.machines as MachineEntry[];
+    this.definitions = answer.definitions as string[];
+  }
+
+  take = (): Promise<unknown> => this.act('operate', { take: true });
+  release = (): Promise<unknown> => this.act('operate', { take: false });
+  hand_to = (client: string): Promise<unknown> =>
+    this.act('operate', { take: false, hand_to: client });
+
+  cycle_start = (): Promise<unknown> => this.act('cycle-start');
+  feed_hold = (): Promise<unknown> => this.act('feed-hold');
+  reset = (): Promise<unknown> => this.act('reset');
+  set_mode = (mode: Mode): Promise<unknown> => this.act('mode', { mode });
+  step = (how: StepHow): Promise<unknown> => this.act('step', { how });
+  toggle = (name: SwitchName): Promise<unknown> =>
+    this.act('switch', { switch: name, on: !this.state.switches[name] });
+  set_skip = (levels: number[]): Promise<unknown> => this.act('block-skip', { levels });
+  override = (which: 'feed' | 'rapid' | 'spindle', percent: number): Promise<unknown> =>
+    this.act('override', { [which]: percent });
+
+  async set_breakpoints(list: Breakpoint[]): Promise<void> {
+    const before = this.breakpoints;
+    this.breakpoints = list;
+    const answer = await this.act('breakpoints', { list });
+    this.breakpoints = answer ? (answer.list as Breakpoint[]) : before;
+  }
+
+  private forget_machine(): void {
+    this.state = EMPTY_STATE;
+    this.path = null;
+    this.preview.clear(-1);
+    this.edits.clear();
+    this.breakpoints = [];
+    this.path_version++;
+  }
+
+  /** Free control is taken without a word; that somebody else was quicker is no news. */
+  private async take_quietly(): Promise<void> {
+    await this.ask('operate', { take: true }).catch(() => null);
+  }
+
+  private on_line(state: LineState, retry_in_s: number, reason: string): void {
+    this.line = { state, retry_in_s, reason };
+    if (state === 'open') void this.begin();
+  }
+
+  private async begin(): Promise<void> {
+    await this.refresh_machines();
+    const wanted = this.machine || sessionStorage.getItem(FIRST_MACHINE_KEY) || '';
+    const known = this.machines.find((m) => m.name === wanted) ?? this.machines[0];
+    if (known) await this.watch(known.name);
+  }
+
+  private on_event(event: Record<string, unknown>): void {
+    if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
+    else if (event.event === 'state') this.state = patched(this.state, event);
+    else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
+    else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
+  }
+
+  private on_path(event: PathEvent): void {
+    if (event.run > this.preview.run) this.preview.clear(event.run);
+    this.path = event;
+    this.path_version++;
+  }
+
+  private on_chunk(bytes: ArrayBuffer): void {
+    const chunk = decode_chunk(bytes);
+    if (chunk.source === 'preview' && this.preview.add(chunk)) this.path_version++;
+  }
+}
+
+function socket_address(): string {
+  const address = new URL('ws', location.href);
+  address.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  address.search = location.search;
+  address.hash = '';
+  return address.href;
+}
+
+function after(milliseconds: number, action: () => void): () => void {
+  const timer = setTimeout(action, milliseconds);
+  return () => clearTimeout(timer);
+}
+
+export const panel = new Panel();

@@ -1,0 +1,69 @@
+/** What a person has set for himself, kept by his browser. */
+import { type Language, chosen_language } from '../logic/i18n';
+import type { Colouring, Scheme } from '../logic/colour_scale';
+
+export type Theme = 'system' | Scheme;
+
+interface Stored {
+  theme: Theme;
+  language: Language;
+  colouring: Colouring;
+  show_rapids: boolean;
+  show_travel: boolean;
+  show_stock: boolean;
+  follow: boolean;
+  editor_share: number;
+  dock_px: number;
+  jog_mm_min: number;
+  jog_step: number;
+  watches: string[];
+}
+
+const KEY = 'kerf.preferences';
+
+function defaults(): Stored {
+  return {
+    theme: 'system',
+    language: chosen_language(navigator.languages),
+    colouring: 'tool',
+    show_rapids: true,
+    show_travel: true,
+    show_stock: true,
+    follow: true,
+    editor_share: 0.34,
+    dock_px: 208,
+    jog_mm_min: 1000,
+    jog_step: 0,
+    watches: [],
+  };
+}
+
+function read(): Stored {
+  try {
+    const stored = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Stored>;
+    return { ...defaults(), ...stored };
+  } catch {
+    return defaults();
+  }
+}
+
+export const preferences = $state<Stored>(read());
+
+const asks_for_light = matchMedia('(prefers-color-scheme: light)');
+let system_scheme = $state<Scheme>(asks_for_light.matches ? 'light' : 'dark');
+asks_for_light.addEventListener('change', (e) => (system_scheme = e.matches ? 'light' : 'dark'));
+
+export const scheme = (): Scheme =>
+  preferences.theme === 'system' ? system_scheme : preferences.theme;
+
+/** Keeps what changes; called once by the page. */
+export function keep_preferences(): void {
+  $effect(() => {
+    const text = JSON.stringify(preferences);
+    try {
+      localStorage.setItem(KEY, text);
+    } catch {
+      // A browser that keeps nothing still runs the panel.
+    }
+  });
+}

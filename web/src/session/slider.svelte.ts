@@ -1,0 +1,107 @@
+/** The time slider: now, or an instant of the run, with position, modal codes and variables of that instant. */
+import { joints_of } from '../logic/kinematics';
+import type { Axes, Instant, MachineState, Variable } from '../logic/protocol';
+import { panel } from './panel.svelte';
+
+class Slider {
+  /** Seconds of the run; null: now. */
+  time_s = $state<number | null>(null);
+  instant = $state.raw<Instant | null>(null);
+  /** The server's sentence, when it has no such instant. */
+  refused = $state('');
+  private asking = false;
+  private wanted: number | null = null;
+
+  get is_back(): boolean {
+    return this.time_s !== null;
+  }
+  get end_s(): number {
+    void panel.path_version;
+    return Math.max(panel.preview.facts.end_s, panel.path?.time_s ?? 0);
+  }
+
+  move_to(time_s: number): void {
+    this.time_s = Math.min(Math.max(0, time_s), this.end_s);
+    this.wanted = this.time_s;
+    void this.ask();
+  }
+
+  now(): void {
+    this.time_s = null;
+    this.wanted = null;
+    this.instant = null;
+    this.refused = '';
+  }
+
+  /** The state to be shown: the live one, or that of the instant as far as it is known. */
+  get shown(): MachineState {
+    const live = panel.state;
+    if (this.time_s === null) return live;
+    return { ...live, ...this.of_path(this.time_s), ...this.of_server(live) };
+  }
+
+  get variables(): Variable[] | null {
+    return this.time_s === null ? null : (this.instant?.variables ?? []);
+  }
+
+  /** One question at a time, and the newest wish next: however fast the thumb moves. */
+  private async ask(): Promise<void> {
+    if (this.asking) return;
+    this.asking = true;
+    while (this.wanted !== null) {
+      const time_s = this.wanted;
+      this.wanted = null;
+      try {
+        const answer = await panel.ask('instant', { time_s });
+        if (this.time_s !== null) this.instant = answer as unknown as Instant;
+        this.refused = '';
+      } catch (reason) {
+        this.refused = reason instanceof Error ? reason.message : String(reason);
+      }
+    }
+    this.asking = false;
+  }
+
+  /** At once, from the path's vertices: where tip and joints are, and which line moves them. */
+  private of_path(time_s: number): Partial<MachineState> {
+    const { definition, preview } = panel;
+    const place = preview.place_at(time_s);
+    if (!place || !definition) return {};
+    const tip = preview.point_at(place);
+    const chunk = preview.chunks[place.chunk];
+    const end = Math.min(place.vertex + 1, chunk.vertices - 1);
+    const rotary = rotary_axes(preview.rotary_at(place));
+    const machine: Axes = { X: tip[0], Y: tip[1], Z: tip[2], ...rotary };
+    return {
+      position: { ...panel.state.position, machine },
+      joints: joints_of(definition.kinematics, tip, rotary, panel.state.joints),
+      line: chunk.line[end],
+      file: panel.path?.files[chunk.file[end]] ?? panel.state.file,
+      tool: chunk.tool[end],
+      power_percent: chunk.power_percent[end],
+      motion: chunk.motion[end],
+    };
+  }
+
+  private of_server(live: MachineState): Partial<MachineState> {
+    const instant = this.instant;
+    if (!instant || this.time_s === null || Math.abs(instant.time_s - this.time_s) > 0.02)
+      return {};
+    const { position, modal, file, line } = instant;
+    return {
+      position: { ...position, distance: position.distance ?? {} },
+      joints: instant.joints ?? live.joints,
+      modal,
+      file,
+      line,
+    };
+  }
+}
+
+function rotary_axes(values: [number, number] | null): Axes {
+  if (!values || !panel.definition) return {};
+  const names = panel.definition.axes.filter((axis) => axis.rotary).map((axis) => axis.name);
+  return Object.fromEntries(names.slice(0, 2).map((name, i) => [name, values[i]]));
+}
+
+export const slider = new Slider();

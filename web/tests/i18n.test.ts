@@ -1,0 +1,97 @@
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { BINDINGS, GROUPS } from '../src/logic/keymap';
+import { TABLES, chosen_language, text_of } from '../src/logic/i18n';
+import { ALARMS_ZH_HANT } from '../src/logic/i18n/alarms_zh_hant';
+import { alarm_words } from '../src/logic/i18n/alarms';
+import { MODES } from '../src/logic/protocol';
+
+const keys = Object.keys(TABLES.en).sort();
+const values_in = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(String).sort();
+
+describe.each(Object.entries(TABLES))('the table %s', (_, table) => {
+  it('has every text and no other', () => {
+    expect(Object.keys(table).sort()).toEqual(keys);
+  });
+  it('leaves no text empty and names the same values', () => {
+    for (const key of keys) {
+      const text = table[key as keyof typeof table];
+      expect(text.trim(), key).not.toBe('');
+      expect(values_in(text), key).toEqual(values_in(TABLES.en[key as keyof typeof TABLES.en]));
+    }
+  });
+});
+
+describe('the Chinese table', () => {
+  it('is Chinese but for names and units', () => {
+    const same = new Set(['mode.mdi', 'tab.mdi', 'speed.axis']);
+    for (const key of keys) {
+      const text = TABLES['zh-Hant'][key as keyof (typeof TABLES)['zh-Hant']];
+      if (!same.has(key)) expect(text, key).toMatch(/\p{Script=Han}/u);
+    }
+  });
+  it('is written in traditional characters', () => {
+    const simplified = /[国学习进设关开这为动态击显输务线错误选择复杂处记录轴执从应]/u;
+    const text = Object.values(TABLES['zh-Hant']).join('') + JSON.stringify(ALARMS_ZH_HANT);
+    expect(text.match(simplified)).toBeNull();
+  });
+});
+
+describe('texts', () => {
+  const sources = readdirSync(join(__dirname, '../src'), { recursive: true })
+    .map(String)
+    .filter((file) => /\.(svelte|ts)$/.test(file) && !file.includes('i18n'))
+    .map((file) => readFileSync(join(__dirname, '../src', file), 'utf8'))
+    .join('\n');
+
+  it('are all used somewhere', () => {
+    // A key may be put together: `mode.${mode}`.
+    const heads = [...sources.matchAll(/`([a-z]+\.(?:short-|step-)?)\$\{/g)].map(
+      (match) => match[1],
+    );
+    const unused = keys.filter(
+      (key) => !sources.includes(`'${key}'`) && !heads.some((head) => key.startsWith(head)),
+    );
+    expect(unused).toEqual([]);
+  });
+  it('exist for every key of the keyboard, group and mode', () => {
+    for (const { command } of BINDINGS) expect(keys).toContain(`command.${command}`);
+    for (const group of GROUPS) expect(keys).toContain(`keys.${group}`);
+    for (const mode of MODES) expect(keys).toContain(`mode.${mode}`);
+  });
+});
+
+describe('alarms', () => {
+  const codes = [
+    ...readFileSync(join(__dirname, '../../src/base/diagnostic_codes.def'), 'utf8').matchAll(
+      /^CODE\(\w+, "(\w+)"/gm,
+    ),
+  ].map((match) => match[1]);
+
+  it('are found in the table of the control', () => expect(codes.length).toBeGreaterThan(100));
+  it('each have Chinese words, and no other has', () => {
+    expect(Object.keys(ALARMS_ZH_HANT).sort()).toEqual([...new Set(codes)].sort());
+  });
+  it('keep what the machine says beside the translation', () => {
+    const alarm = { code: 'PS0112', message: 'ZERO DIVIDE', cause: 'A divisor is 0.', remedy: '' };
+    expect(alarm_words('en', alarm)).toEqual({
+      message: 'ZERO DIVIDE',
+      cause: 'A divisor is 0.',
+      remedy: '',
+    });
+    expect(alarm_words('zh-Hant', alarm).message).toContain('(ZERO DIVIDE)');
+    expect(alarm_words('zh-Hant', { ...alarm, code: 'MC3005' }).message).toBe('ZERO DIVIDE');
+  });
+});
+
+it('the browser chooses the language', () => {
+  expect(chosen_language(['zh-TW', 'en'])).toBe('zh-Hant');
+  expect(chosen_language(['fr', 'en-GB', 'zh'])).toBe('en');
+  expect(chosen_language(['de'])).toBe('en');
+});
+
+it('values stand where their names do', () => {
+  expect(text_of('en', 'top.line', { line: 7 })).toBe('line 7');
+  expect(text_of('en', 'top.line')).toBe('line {line}');
+});

@@ -1,0 +1,40 @@
+import { expect, it } from 'vitest';
+import { in_order, is_quiet } from '../src/logic/modal';
+import { by_system } from '../src/logic/offsets';
+import { scope_of } from '../src/logic/variables';
+
+it('modal codes have their place, whatever order they come in', () => {
+  expect(in_order(['F200', 'G54.1 P3', 'G41', 'G19', 'G81'])).toEqual([
+    'G81',
+    'G19',
+    'G41',
+    'G54.1 P3',
+    'F200',
+  ]);
+  expect([is_quiet('G40'), is_quiet('G41')]).toEqual([true, false]);
+});
+
+it('work offsets come together by their system', () => {
+  const rows = [
+    { offset: 'EXT', axis: 'X', value: 0 },
+    { offset: 'G54', axis: 'X', value: 1 },
+    { offset: 'G54', axis: 'Z', value: -2 },
+  ];
+  expect(by_system(rows)).toEqual([
+    { name: 'EXT', values: { X: 0 } },
+    { name: 'G54', values: { X: 1, Z: -2 } },
+  ]);
+});
+
+it('a variable belongs where the server says, or where its number lies', () => {
+  const variable = (name: string) => ({ name, value: 0, level: null, changed: false });
+  expect(['#1', '#33', '#100', '#499', '#500', 'COUNT'].map((n) => scope_of(variable(n)))).toEqual([
+    'local',
+    'local',
+    'common',
+    'common',
+    'permanent',
+    'program',
+  ]);
+  expect(scope_of({ ...variable('#1'), scope: 'program' })).toBe('program');
+});

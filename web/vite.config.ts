@@ -1,0 +1,40 @@
+import { svelte } from '@sveltejs/vite-plugin-svelte';
+import { defineConfig } from 'vitest/config';
+
+// `npm run dev` serves the page by itself and passes everything else to a panel server.
+const server = process.env.KERF_SERVER ?? 'http://127.0.0.1:8080';
+
+export default defineConfig({
+  plugins: [svelte()],
+  base: './',
+  build: {
+    target: 'es2022',
+    chunkSizeWarningLimit: 1200,
+    assetsInlineLimit: 0,
+    // One name for one content: the server may let browsers keep assets for good.
+    rollupOptions: {
+      output: {
+        manualChunks: {
+          three: ['three'],
+          editor: [
+            '@codemirror/state',
+            '@codemirror/view',
+            '@codemirror/language',
+            '@codemirror/lint',
+            '@codemirror/commands',
+            '@codemirror/search',
+          ],
+        },
+      },
+    },
+  },
+  server: {
+    proxy: {
+      '/ws': { target: server, ws: true },
+      '/library': server,
+      '/api': server,
+      '/health': server,
+    },
+  },
+  test: { include: ['tests/**/*.test.ts'], environment: 'node' },
+});

@@ -56,6 +56,8 @@ bool looks_like_basic(const FirstWord& first) {
 
 }  // namespace
 
+std::span<const Language> languages() { return kLanguages; }
+
 std::optional<Language> language_by_ending(const std::string& path) {
   const std::string ending = upper(std::filesystem::path(path).extension().string());
   for (const Language& language : kLanguages) {

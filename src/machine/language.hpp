@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,8 @@ struct Language {
   std::string_view machine;
 };
 
+/// All of them.
+[[nodiscard]] std::span<const Language> languages();
 /// By the ending of a file: `.bas`, `.tch`. Nothing: any language, G-code above all.
 [[nodiscard]] std::optional<Language> language_by_ending(const std::string& path);
 /// By the first line that only one language has.

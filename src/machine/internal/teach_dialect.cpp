@@ -5,25 +5,11 @@
 namespace kerf::machine {
 
 TeachDialect::TeachDialect(const Around& around)
-<<<<<<< HEAD
-    : library_(around.sources, around.pages),
-      control_(around.definition.axes, taught_for(around.definition), library_, around.surroundings,
-               around.sink) {}
-
-=======
     : Dialect(around.sources),
-      sources_(around.sources),
       library_(around.sources, around.pages),
       control_(around.definition.axes, taught_for(around.definition), library_, around.surroundings,
                around.sink) {}
 
-// "-" has no name of its own.
-void TeachDialect::load_file(base::FileId file) {
-  library_.load(file);
-  name_ = std::filesystem::path(sources_[file].name()).stem().string();
-}
-
->>>>>>> server
 std::optional<base::Diagnostic> TeachDialect::start() {
   if (!library_.loaded()) return base::make_error(base::Code::empty_program, {});
   control_.start(program_name());

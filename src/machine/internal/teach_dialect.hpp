@@ -11,10 +11,6 @@ class TeachDialect final : public Dialect {
  public:
   explicit TeachDialect(const Around& around);
 
-<<<<<<< HEAD
-  void load(base::FileId file) override { library_.load(file); }
-=======
->>>>>>> server
   void add_library_folder(const std::string& /*folder*/) override {}
   [[nodiscard]] std::string program_name() const override { return base::kUnnumberedProgram; }
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
@@ -32,11 +28,8 @@ class TeachDialect final : public Dialect {
   [[nodiscard]] const control::Control& control() const override { return control_; }
 
  private:
-<<<<<<< HEAD
-=======
-  void load_file(base::FileId file) override;
-  const base::SourceSet& sources_;
->>>>>>> server
+  void load_file(base::FileId file) override { library_.load(file); }
+
   teach::TeachLibrary library_;
   control::TeachControl control_;
 };

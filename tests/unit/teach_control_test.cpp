@@ -68,7 +68,7 @@ TEST(TeachControl, RunsAgainBehindItsEndAndBehindAnAlarm) {
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(wrong.machine.run_to_end(), Status::alarm);
     EXPECT_EQ(wrong.machine.alarm()->place.line, 3U);
-    EXPECT_EQ(wrong.machine.alarm()->program, "part.v2");
+    EXPECT_EQ(wrong.machine.alarm()->program, "O0000");
     EXPECT_EQ(wrong.done(), std::vector<std::string>{});
     wrong.machine.reset();
     EXPECT_FALSE(wrong.machine.alarm());

@@ -14,7 +14,8 @@ import tempfile
 import threading
 import time
 
-TIMEOUT_S = 25
+# Whoever has not ended by then hangs, however busy the machine is.
+TIMEOUT_S = 150
 
 # A sanitizer needs memory and time of its own: then nothing is said about the memory of Kerf, and
 # each limit of time is this many times as long.
@@ -172,7 +173,9 @@ def one_sentence(result, *parts):
 
 
 def in_time(result, most_s):
-    check(result.seconds < most_s * PATIENCE, f"it took {result.seconds:.1f} s")
+    """Of a machine that others keep busy, we have only a part."""
+    busy = max(1, os.getloadavg()[0] / os.cpu_count())
+    check(result.seconds < most_s * PATIENCE * busy, f"it took {result.seconds:.1f} s")
 
 
 def refused(result, wanted, *parts):

@@ -5,8 +5,11 @@
 namespace kerf::server {
 
 void Client::send(const Json& message) {
+  if (link_ != nullptr) send_text(message.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+void Client::send_text(std::string text) {
   if (link_ == nullptr) return;
-  std::string text = message.dump(-1, ' ', false, Json::error_handler_t::replace);
   queued_bytes_ += text.size();
   if (queued_bytes_ > limits::kQueueBytes) {
     link_->close(Link::Why::overflow,

@@ -49,6 +49,8 @@ class Client {
 
   /// An answer or an event.
   void send(const Json& message);
+  /// The same as JSON, for what many get.
+  void send_text(std::string text);
   void wake() {
     if (link_ != nullptr) link_->wake();
   }

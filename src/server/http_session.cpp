@@ -4,6 +4,7 @@
 #include <boost/beast/http/file_body.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
+#include <limits>
 
 #include "server/protocol_page.hpp"
 #include "server/upload.hpp"
@@ -51,7 +52,8 @@ std::string HttpSession::header(http::field name) const { return text_of(parser_
 void HttpSession::read() {
   parser_.emplace();
   parser_->header_limit(limits::kHeaderBytes);
-  parser_->body_limit(boost::none);  // an upload counts for itself; other bodies are not read
+  // An upload counts for itself; other bodies are not read.
+  parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
   stream_.expires_after(std::chrono::seconds(kIdle_s));
   http::async_read_header(
       stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {

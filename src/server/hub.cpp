@@ -303,10 +303,17 @@ void Hub::aside(const Request& request, std::function<Outcome<Json>()> action) {
 
 // What the machines tell
 
-// From any thread.
+// From any thread. A disk that is behind writes the newest memory of a machine once.
 void Hub::save_memory(const std::string& name, std::shared_ptr<const control::Memory> memory) {
-  disk_->post([this, name, memory = std::move(memory)] {
-    if (auto written = store_.write_memory(name, *memory); !written) tell(written.error().message);
+  {
+    const std::lock_guard lock(unsaved_guard_);
+    if (!unsaved_.insert_or_assign(name, std::move(memory)).second) return;
+  }
+  disk_->post([this, name] {
+    std::unique_lock lock(unsaved_guard_);
+    const auto newest = unsaved_.extract(name).mapped();
+    lock.unlock();
+    if (auto written = store_.write_memory(name, *newest); !written) tell(written.error().message);
   });
 }
 
@@ -337,7 +344,8 @@ Json Hub::machine_rows() const {
 
 void Hub::tell_machines() {
   const Json event = {{"event", "machines"}, {"machines", machine_rows()}};
-  for (const auto& [key, client] : clients_) client->send(event);
+  const std::string text = event.dump(-1, ' ', false, Json::error_handler_t::replace);
+  for (const auto& [key, client] : clients_) client->send_text(text);
 }
 
 // Machines come and go

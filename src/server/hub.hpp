@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,6 +135,8 @@ class Hub {
   std::map<Client*, std::shared_ptr<Client>> clients_;
   std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
   std::uint64_t next_client_ = 1;
+  std::mutex unsaved_guard_;
+  std::map<std::string, std::shared_ptr<const control::Memory>> unsaved_;  // waits for the disk
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;
   std::unique_ptr<Worker> aside_;

@@ -2,6 +2,7 @@
 
 #include "output/diagnostic_text.hpp"
 #include "server/client.hpp"
+#include "server/diagnostic_json.hpp"
 #include "server/state_json.hpp"
 
 namespace kerf::server {
@@ -25,6 +26,8 @@ const StateDocument& MachineRecord::state() {
   if (documented_ == touched_ || !snapshot) return document_;
   documented_ = touched_;
   Json json = state_json(*snapshot, definition);
+  // Before a program has run the machine names no file.
+  if (snapshot->file.empty() && program) json["file"] = file_label(program->name);
   const bool whole = path && path->done && path->error.is_null();
   json["total_s"] = whole ? Json(path->totals.time_s) : Json(nullptr);
   json["preview_run"] = preview_run;

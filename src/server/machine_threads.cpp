@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <exception>
 
 namespace kerf::server {
@@ -15,19 +16,21 @@ Runner::Clock::duration of_seconds(double seconds) {
   return duration_cast<Runner::Clock::duration>(duration<double>(seconds));
 }
 
-// Bit by bit: a vacant variable is NaN, which is unlike itself.
-bool same_bits(const std::array<double, gcode::kGlobals>& a,
-               const std::array<double, gcode::kGlobals>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
-    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-  });
+// Bit by bit: a vacant variable is NaN, which is unlike itself. #100 to #199 are lost at power-off.
+bool same_permanent_variables(const control::Memory& a, const control::Memory& b) {
+  return std::equal(a.commons.begin() + gcode::kVolatileCommons, a.commons.end(),
+                    b.commons.begin() + gcode::kVolatileCommons, [](double x, double y) {
+                      return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+                    });
 }
 
+// What is worth a write to the disk: of the hours that a machine runs, each minute.
 bool same(const control::Memory& a, const control::Memory& b) {
-  return same_bits(a.commons, b.commons) && a.external == b.external && a.work == b.work &&
+  constexpr double kMinute_h = 1.0 / 60;
+  return same_permanent_variables(a, b) && a.external == b.external && a.work == b.work &&
          a.extended == b.extended && a.tools == b.tools && a.parts == b.parts &&
-         a.parts_required == b.parts_required && a.running_hours == b.running_hours &&
-         a.names == b.names;
+         a.parts_required == b.parts_required && a.names == b.names &&
+         std::abs(a.running_hours - b.running_hours) < kMinute_h;
 }
 
 }  // namespace

@@ -156,6 +156,20 @@ class Client:
     def wait_for_status(self, *wanted, seconds=20):
         self.wait_for(lambda: self.state.get("status") in wanted, f"status {wanted}", seconds)
 
+    def settle(self, seconds=10):
+        """Waits until the machine does not run, and has not begun to for a moment."""
+        quiet_since = time.monotonic()
+        end = quiet_since + seconds * PATIENCE
+        while time.monotonic() - quiet_since < 0.25:
+            check(time.monotonic() < end, f"it does not come to rest: {self.state}")
+            try:
+                self.receive(0.05)
+            except TimeoutError:
+                pass
+            if self.state.get("status", "running") == "running":
+                quiet_since = time.monotonic()
+        return self.state
+
     def watch(self, machine, operate=True):
         self.name = self.do("watch", machine=machine)["client"]
         if operate:

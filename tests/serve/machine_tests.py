@@ -75,7 +75,8 @@ def _(place):
         nearest = min(rows, key=lambda row: abs(row[0] - at_s))
         way = 0.001 * 400  # of a period at the rapid rate
         check(math.dist(xyz, nearest[1:]) < way, f"at {at_s} s: {xyz}, kerf run says {nearest}")
-    check(max(v[4] for v in vertices if v[2] == 4) < 601, "no faster than programmed")
+    fastest = max(v[4] for v in vertices if v[2] == 4)
+    check(fastest < 600 * (1 + 0.001 / 0.089), f"no faster than programmed, but for a period in a chord: {fastest}")
 
 
 @test("a program runs, is held, goes on, and ends where it should")
@@ -110,14 +111,13 @@ def _(place):
     client.load(MACRO)
     for _ in range(12):
         client.do("step", how="into")
-        client.wait_for_status("step", "stopped")
-        if len(client.state["stack"]) == 2:
+        if len(client.settle()["stack"]) == 2:
             break
     equal(len(client.state["stack"]), 2, "calls")
     values = {v["name"]: v["value"] for v in client.do("variables")["variables"]}
     equal((values["#1"], values["#2"]), (7, 3), "arguments")
     client.do("step", how="out")
-    client.wait_for(lambda: len(client.state["stack"]) == 1 and client.state["status"] != "running", "the main program")
+    equal(len(client.settle()["stack"]), 1, "calls")
     values = {v["name"]: v["value"] for v in client.do("variables", names=["#102"])["variables"]}
     equal(values["#102"], 17, "#102")
 
@@ -128,15 +128,16 @@ def _(place):
     client.load(MACRO)
     client.do("breakpoints", list=[{"file": "test.nc", "line": 10}])
     client.do("cycle-start")
-    client.wait_for_status("step", "stopped")
+    equal(client.settle()["status"], "step", "status")
     equal(client.state["line"], 10, "line")
     equal(client.state["breakpoint"]["line"], 10, "breakpoint")
     client.do("reset")
+    client.settle()
     client.do("breakpoints", list=[{"variable": "#102"}])
     client.do("cycle-start")
-    client.wait_for_status("step", "stopped")
+    equal(client.settle()["status"], "step", "status")
     equal(client.state["breakpoint"]["variable"], "#102", "breakpoint")
-    says(client.refused("breakpoints", list=[{"file": "test.nc", "line": 3, "condition": "#1 +"}]), "condition")
+    says(client.refused("breakpoints", list=[{"file": "test.nc", "line": 3, "condition": "#1 +"}]), "breakpoint in line 3")
     says(client.refused("breakpoints", list=[{"file": "test.nc"}]), "line or a variable")
 
 
@@ -225,6 +226,7 @@ def _(place):
         says(taken[1 - winners[0]][1]["error"], "operated by " + names[winners[0]])
         says(clients[winners[0]].refused("cycle-start"), "")
         clients[winners[0]].do("reset")
+        clients[winners[0]].settle()
         for client in clients:
             client.close()
         watcher = server.client().watch("mill", operate=False)
@@ -281,7 +283,7 @@ def _(place):
     client.wait_for(lambda: None in client.answers, "an answer")
     says(client.answers.pop(None)["error"], "JSON")
     client.do("override", feed=50)
-    client.wait_for(lambda: client.state["override"]["feed"] == 50, "the dial")
+    client.wait_for(lambda: client.state.get("override", {}).get("feed") == 50, "the dial")
 
 
 @test("a text is checked without being loaded")

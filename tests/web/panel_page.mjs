@@ -1,6 +1,6 @@
 // The panel as a person has it: what can be seen, and what can be pressed. Everything goes through the page itself.
-import assert from "node:assert/strict";
-import { join } from "node:path";
+import assert from 'node:assert/strict';
+import { join } from 'node:path';
 
 const SLOW_MS = 40_000;
 
@@ -9,11 +9,11 @@ export class PanelPage {
     browser,
     base,
     {
-      machine = "mill",
+      machine = 'mill',
       width = 1440,
       height = 900,
-      scheme = "dark",
-      locale = "en-US",
+      scheme = 'dark',
+      locale = 'en-US',
       touch = false,
     } = {},
   ) {
@@ -22,14 +22,11 @@ export class PanelPage {
       colorScheme: scheme,
       locale,
       hasTouch: touch,
-      reducedMotion: "reduce",
+      reducedMotion: 'reduce',
     });
     context.setDefaultTimeout(SLOW_MS);
     const page = await context.newPage();
-    await page.addInitScript(
-      (name) => sessionStorage.setItem("kerf.machine", name),
-      machine,
-    );
+    await page.addInitScript((name) => sessionStorage.setItem('kerf.machine', name), machine);
     const panel = new PanelPage(context, page, base);
     await page.goto(base);
     await panel.is_connected();
@@ -41,14 +38,14 @@ export class PanelPage {
     this.page = page;
     this.base = base;
     this.errors = [];
-    page.on("pageerror", (error) =>
-      this.errors.push(`${error.message} ${error.stack?.split("\n")[1] ?? ""}`),
+    page.on('pageerror', (error) =>
+      this.errors.push(`${error.message} ${error.stack?.split('\n')[1] ?? ''}`),
     );
-    page.on("console", (message) => {
+    page.on('console', (message) => {
       const text = message.text();
       // What the browser itself says of a server that is away is no error of the page.
       if (
-        message.type() === "error" &&
+        message.type() === 'error' &&
         !/WebSocket|ERR_CONNECTION|Failed to load resource/.test(text)
       )
         this.errors.push(text);
@@ -56,73 +53,57 @@ export class PanelPage {
   }
 
   expect_no_errors() {
-    assert.deepEqual(this.errors, [], "the page has told errors");
+    assert.deepEqual(this.errors, [], 'the page has told errors');
   }
   close() {
     return this.context.close();
   }
   async keep_for_search(name, index, folder) {
-    const file = join(
-      folder,
-      `failed-${name.replace(/\W+/g, "-")}-${index}.png`,
-    );
-    await this.page
-      .screenshot({ path: file, timeout: 10_000 })
-      .catch(() => null);
-    console.log(`     ${file}; errors: ${this.errors.join(" | ") || "none"}`);
+    const file = join(folder, `failed-${name.replace(/\W+/g, '-')}-${index}.png`);
+    await this.page.screenshot({ path: file, timeout: 10_000 }).catch(() => null);
+    console.log(`     ${file}; errors: ${this.errors.join(' | ') || 'none'}`);
   }
 
   // Seeing
 
   async is_connected() {
-    await this.page.locator("header .badge").waitFor();
-    await this.page
-      .locator('.line[role="alert"]')
-      .waitFor({ state: "detached" });
-    await this.page.waitForFunction(
-      () => document.querySelectorAll("tbody .big").length > 0,
-    );
+    await this.page.locator('header .badge').waitFor();
+    await this.page.locator('.line[role="alert"]').waitFor({ state: 'detached' });
+    await this.page.waitForFunction(() => document.querySelectorAll('tbody .big').length > 0);
   }
   async has_program() {
     await this.page.waitForFunction(
-      () =>
-        (document.querySelector(".cm-content")?.textContent ?? "").length > 10,
+      () => (document.querySelector('.cm-content')?.textContent ?? '').length > 10,
     );
   }
   async has_path(at_least = 1) {
     await this.page.waitForFunction(
-      (n) => Number(document.querySelector("#picture")?.dataset.segments) >= n,
+      (n) => Number(document.querySelector('#picture')?.dataset.segments) >= n,
       at_least,
     );
   }
   status() {
-    return this.page.locator("header .status").innerText();
+    return this.page.locator('header .status').innerText();
   }
   async has_status(...words) {
     await this.page.waitForFunction(
       (wanted) =>
-        wanted.includes(
-          document.querySelector("header .status")?.textContent?.trim() ?? "",
-        ),
+        wanted.includes(document.querySelector('header .status')?.textContent?.trim() ?? ''),
       words,
     );
   }
   async position(axis) {
-    const row = this.page.locator("tbody tr", {
+    const row = this.page.locator('tbody tr', {
       has: this.page.locator(`th:text-is("${axis}")`),
     });
-    return Number(
-      (await row.locator(".big").innerText()).replace("\u2212", "-"),
-    );
+    return Number((await row.locator('.big').innerText()).replace('\u2212', '-'));
   }
   async position_is(axis, wanted, tolerance = 0.0015) {
     await this.page.waitForFunction(
       ([name, value, most]) => {
-        for (const row of document.querySelectorAll("aside tbody tr")) {
-          if (row.querySelector("th")?.textContent?.trim() !== name) continue;
-          const shown = Number(
-            row.querySelector(".big")?.textContent?.replace("\u2212", "-"),
-          );
+        for (const row of document.querySelectorAll('aside tbody tr')) {
+          if (row.querySelector('th')?.textContent?.trim() !== name) continue;
+          const shown = Number(row.querySelector('.big')?.textContent?.replace('\u2212', '-'));
           return Math.abs(shown - value) <= most;
         }
         return false;
@@ -133,15 +114,11 @@ export class PanelPage {
   /** The line with the mark of the executing block; 0: none is in sight. */
   executing_line() {
     return this.page.evaluate(() => {
-      const mark = document.querySelector(".cm-executing");
+      const mark = document.querySelector('.cm-executing');
       if (!mark) return 0;
       const top = mark.getBoundingClientRect().top;
-      const numbers = [
-        ...document.querySelectorAll(".cm-lineNumbers .cm-gutterElement"),
-      ];
-      const number = numbers.find(
-        (e) => Math.abs(e.getBoundingClientRect().top - top) < 5,
-      );
+      const numbers = [...document.querySelectorAll('.cm-lineNumbers .cm-gutterElement')];
+      const number = numbers.find((e) => Math.abs(e.getBoundingClientRect().top - top) < 5);
       return Number(number?.textContent ?? 0);
     });
   }
@@ -153,13 +130,11 @@ export class PanelPage {
       if (seen === line) return;
       await this.page.waitForTimeout(100);
     }
-    assert.equal(seen, line, "the line of the executing block");
+    assert.equal(seen, line, 'the line of the executing block');
   }
   async variable(name) {
-    const field = this.page
-      .locator("#dock-variables")
-      .getByRole("textbox", { name, exact: true });
-    return (await field.inputValue()).replace("\u2212", "-");
+    const field = this.page.locator('#dock-variables').getByRole('textbox', { name, exact: true });
+    return (await field.inputValue()).replace('\u2212', '-');
   }
   async variable_is(name, value) {
     const until = Date.now() + SLOW_MS;
@@ -172,43 +147,37 @@ export class PanelPage {
     assert.equal(seen, value, `the value of ${name}`);
   }
   async says(text) {
-    await this.page.locator(".notices p", { hasText: text }).first().waitFor();
+    await this.page.locator('.notices p', { hasText: text }).first().waitFor();
   }
 
   // Doing
 
   key(name) {
-    return this.page
-      .locator(".operator")
-      .getByRole("button", { name, exact: true });
+    return this.page.locator('.operator').getByRole('button', { name, exact: true });
   }
   async press(name) {
     await this.key(name).click();
   }
   async operates() {
-    await this.page.locator("header .badge.mine").waitFor();
+    await this.page.locator('header .badge.mine').waitFor();
   }
   tab(name) {
-    return this.page.locator(".dock").getByRole("tab", { name }).click();
+    return this.page.locator('.dock').getByRole('tab', { name }).click();
   }
   async open_library() {
     await this.page
-      .locator(".program .bar")
-      .getByRole("button", { name: "Open", exact: true })
+      .locator('.program .bar')
+      .getByRole('button', { name: 'Open', exact: true })
       .click();
-    await this.page.getByRole("dialog").waitFor();
+    await this.page.getByRole('dialog').waitFor();
   }
   async open_program(name) {
     await this.open_library();
-    await this.page
-      .getByRole("dialog")
-      .getByRole("button", { name, exact: true })
-      .click();
-    await this.page.getByRole("dialog").waitFor({ state: "detached" });
-    await this.page.locator(".file.current", { hasText: name }).waitFor();
+    await this.page.getByRole('dialog').getByRole('button', { name, exact: true }).click();
+    await this.page.getByRole('dialog').waitFor({ state: 'detached' });
+    await this.page.locator('.file.current', { hasText: name }).waitFor();
     await this.page.waitForFunction(
-      (n) =>
-        document.querySelector("header .program")?.textContent?.includes(n),
+      (n) => document.querySelector('header .program')?.textContent?.includes(n),
       name,
     );
   }
@@ -218,27 +187,27 @@ export class PanelPage {
     await this.open_program(name);
   }
   async upload(name, text) {
-    const answer = await fetch(
-      new URL(`library/${encodeURIComponent(name)}`, this.base),
-      { method: "PUT", body: text },
-    );
+    const answer = await fetch(new URL(`library/${encodeURIComponent(name)}`, this.base), {
+      method: 'PUT',
+      body: text,
+    });
     assert.ok(answer.ok, `${name} is uploaded: ${answer.status}`);
   }
   async toggle_breakpoint(line) {
     await this.go_to_line(line);
-    await this.page.keyboard.press("F9");
+    await this.page.keyboard.press('F9');
   }
   async go_to_line(line) {
-    await this.page.locator(".cm-content").click();
-    await this.page.keyboard.press("Control+Home");
-    for (let i = 1; i < line; i++) await this.page.keyboard.press("ArrowDown");
+    await this.page.locator('.cm-content').click();
+    await this.page.keyboard.press('Control+Home');
+    for (let i = 1; i < line; i++) await this.page.keyboard.press('ArrowDown');
   }
   /** A machine as a test wants to find it: operated, at rest, in AUTO. */
   async fresh() {
     await this.operates();
-    await this.press("Reset");
-    await this.has_status("IDLE");
-    await this.press("AUTO");
+    await this.press('Reset');
+    await this.has_status('IDLE');
+    await this.press('AUTO');
   }
   frames(count) {
     return this.page.evaluate(

@@ -42,11 +42,11 @@ M30
 /** As many short cuts as are asked for, along a spiral. */
 export function spiral(cuts) {
   const lines = [
-    "%",
-    "O0900 (A LONG SPIRAL)",
-    "G90 G94 G17 G21 G54",
-    "G00 X0. Y0. Z5.",
-    "G01 Z-1. F3000.",
+    '%',
+    'O0900 (A LONG SPIRAL)',
+    'G90 G94 G17 G21 G54',
+    'G00 X0. Y0. Z5.',
+    'G01 Z-1. F3000.',
   ];
   for (let i = 1; i <= cuts; i++) {
     const angle = i * 0.02;
@@ -55,6 +55,6 @@ export function spiral(cuts) {
       `X${(radius * Math.cos(angle)).toFixed(3)}Y${(radius * Math.sin(angle)).toFixed(3)}`,
     );
   }
-  lines.push("G00 Z5.", "M30", "%", "");
-  return lines.join("\n");
+  lines.push('G00 Z5.', 'M30', '%', '');
+  return lines.join('\n');
 }

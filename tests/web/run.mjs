@@ -4,19 +4,19 @@
 // started with an empty data folder and ended afterwards; some scenarios need that, because they end it themselves. Each
 // scenario has a page of its own; what one leaves behind in the server does not matter to the next. --shots takes the
 // pictures of docs/images. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
-import { mkdirSync } from "node:fs";
-import { parseArgs } from "node:util";
-import { chromium } from "playwright-core";
-import { PanelPage } from "./panel_page.mjs";
-import { Server } from "./server.mjs";
-import { accessibility } from "./scenarios/accessibility.mjs";
-import { debugging } from "./scenarios/debugging.mjs";
-import { editing } from "./scenarios/editing.mjs";
-import { faults } from "./scenarios/faults.mjs";
-import { manual } from "./scenarios/manual.mjs";
-import { million } from "./scenarios/million.mjs";
-import { operating } from "./scenarios/operating.mjs";
-import { pictures } from "./scenarios/pictures.mjs";
+import { mkdirSync } from 'node:fs';
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright-core';
+import { PanelPage } from './panel_page.mjs';
+import { Server } from './server.mjs';
+import { accessibility } from './scenarios/accessibility.mjs';
+import { debugging } from './scenarios/debugging.mjs';
+import { editing } from './scenarios/editing.mjs';
+import { faults } from './scenarios/faults.mjs';
+import { manual } from './scenarios/manual.mjs';
+import { million } from './scenarios/million.mjs';
+import { operating } from './scenarios/operating.mjs';
+import { pictures } from './scenarios/pictures.mjs';
 
 const ALL = [
   ...operating,
@@ -32,16 +32,16 @@ const LIMIT_MS = 120_000;
 
 const { values } = parseArgs({
   options: {
-    base: { type: "string" },
-    kerf: { type: "string" },
-    shots: { type: "string" },
-    only: { type: "string", multiple: true },
-    chromium: { type: "string", default: "/usr/bin/chromium" },
+    base: { type: 'string' },
+    kerf: { type: 'string' },
+    shots: { type: 'string' },
+    only: { type: 'string', multiple: true },
+    chromium: { type: 'string', default: '/usr/bin/chromium' },
   },
 });
 if (!values.base === !values.kerf) {
   console.error(
-    "usage: node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]",
+    'usage: node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]',
   );
   process.exit(2);
 }
@@ -52,10 +52,10 @@ const server = values.kerf ? await Server.start(values.kerf) : null;
 const browser = await chromium.launch({
   executablePath: values.chromium,
   args: [
-    "--no-sandbox",
-    "--enable-unsafe-swiftshader",
-    "--disable-gpu-rasterization",
-    "--disable-accelerated-2d-canvas",
+    '--no-sandbox',
+    '--enable-unsafe-swiftshader',
+    '--disable-gpu-rasterization',
+    '--disable-accelerated-2d-canvas',
   ],
 });
 
@@ -75,17 +75,13 @@ for (const scenario of wanted) {
 }
 await browser.close();
 await server?.end();
-console.log(
-  `${wanted.length - failed - left_out} hold, ${failed} do not, ${left_out} left out`,
-);
+console.log(`${wanted.length - failed - left_out} hold, ${failed} do not, ${left_out} left out`);
 process.exit(failed || wanted.length === 0 ? 1 : 0);
 
 function why_not(scenario) {
-  if (scenario.needs_server && !server)
-    return "it ends the server: --kerf is needed";
-  if (scenario.needs_shots && !values.shots)
-    return "it only takes pictures: --shots is needed";
-  return "";
+  if (scenario.needs_server && !server) return 'it ends the server: --kerf is needed';
+  if (scenario.needs_shots && !values.shots) return 'it only takes pictures: --shots is needed';
+  return '';
 }
 
 async function holds(scenario) {
@@ -97,11 +93,7 @@ async function holds(scenario) {
     base: server?.base ?? values.base,
     shots: values.shots,
     async open(options) {
-      const page = await PanelPage.open(
-        browser,
-        server?.base ?? values.base,
-        options,
-      );
+      const page = await PanelPage.open(browser, server?.base ?? values.base, options);
       opened.push(page);
       return page;
     },
@@ -110,18 +102,18 @@ async function holds(scenario) {
     const note = await within(LIMIT_MS, scenario.run(context));
     for (const page of opened) page.expect_no_errors();
     console.log(
-      `  ✓  ${scenario.name} (${((Date.now() - began) / 1000).toFixed(1)} s)${note ? `: ${note}` : ""}`,
+      `  ✓  ${scenario.name} (${((Date.now() - began) / 1000).toFixed(1)} s)${note ? `: ${note}` : ''}`,
     );
     return true;
   } catch (reason) {
     console.log(
       `  ✗  ${scenario.name}\n     ${String(reason.stack ?? reason)
-        .split("\n")
+        .split('\n')
         .slice(0, 24)
-        .join("\n     ")}`,
+        .join('\n     ')}`,
     );
     for (const [i, page] of opened.entries())
-      await page.keep_for_search(scenario.name, i, values.shots ?? "/tmp");
+      await page.keep_for_search(scenario.name, i, values.shots ?? '/tmp');
     return false;
   } finally {
     for (const page of opened) await page.close();

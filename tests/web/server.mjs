@@ -1,9 +1,9 @@
 // A `kerf serve` of its own for a run of the tests, with an empty data folder.
-import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
-import { createServer } from "node:net";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { spawn } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 
 const START_MS = 30_000;
 
@@ -11,7 +11,7 @@ export class Server {
   static async start(program) {
     const server = new Server(
       program,
-      mkdtempSync(join(tmpdir(), "kerf-panel-")),
+      mkdtempSync(join(tmpdir(), 'kerf-panel-')),
       await free_port(),
     );
     await server.begin();
@@ -26,23 +26,22 @@ export class Server {
   }
 
   async begin() {
-    const options = ["serve", "--port", String(this.port), "--data", this.data];
+    const options = ['serve', '--port', String(this.port), '--data', this.data];
     this.process = spawn(this.program, options, {
-      stdio: ["ignore", "ignore", "inherit"],
+      stdio: ['ignore', 'ignore', 'inherit'],
     });
     await this.answers();
   }
 
   /** As a power failure ends it. */
   async kill() {
-    const gone = new Promise((resolve) => this.process.once("exit", resolve));
-    this.process.kill("SIGKILL");
+    const gone = new Promise((resolve) => this.process.once('exit', resolve));
+    this.process.kill('SIGKILL');
     await gone;
   }
 
   async end() {
-    if (this.process.exitCode === null && this.process.signalCode === null)
-      await this.kill();
+    if (this.process.exitCode === null && this.process.signalCode === null) await this.kill();
     rmSync(this.data, { recursive: true, force: true });
   }
 
@@ -53,17 +52,15 @@ export class Server {
       if (answer?.ok) return;
       await new Promise((resolve) => setTimeout(resolve, 100));
     }
-    throw new Error(
-      `${this.program} serve does not answer on port ${this.port}`,
-    );
+    throw new Error(`${this.program} serve does not answer on port ${this.port}`);
   }
 }
 
 function free_port() {
   return new Promise((resolve, reject) => {
     const probe = createServer();
-    probe.on("error", reject);
-    probe.listen(0, "127.0.0.1", () => {
+    probe.on('error', reject);
+    probe.listen(0, '127.0.0.1', () => {
       const { port } = probe.address();
       probe.close(() => resolve(port));
     });

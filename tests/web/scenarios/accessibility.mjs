@@ -1,50 +1,47 @@
 // axe finds nothing serious, and everything can be reached and done with the keyboard.
-import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 
-const AXE = readFileSync(
-  createRequire(import.meta.url).resolve("axe-core/axe.min.js"),
-  "utf8",
-);
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const TABS = [
-  "Variables",
-  "Stepping",
-  "MDI",
-  "Teach",
-  "Offsets",
-  "Tools",
-  "Messages",
-  "Pulses",
-  "Speed",
+  'Variables',
+  'Stepping',
+  'MDI',
+  'Teach',
+  'Offsets',
+  'Tools',
+  'Messages',
+  'Pulses',
+  'Speed',
 ];
 
 async function findings(panel, where) {
   await panel.page.evaluate(AXE);
   const { violations } = await panel.page.evaluate(() =>
     window.axe.run({
-      runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "best-practice"],
+      runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'],
     }),
   );
   return violations
-    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
     .map(
       ({ id, nodes }) =>
         `${where}: ${id}: ${nodes
-          .map((n) => n.target.join(" "))
+          .map((n) => n.target.join(' '))
           .slice(0, 4)
-          .join(", ")}`,
+          .join(', ')}`,
     );
 }
 
 export const accessibility = [
-  ...["dark", "light"].map((scheme) => ({
+  ...['dark', 'light'].map((scheme) => ({
     name: `axe finds nothing serious (${scheme})`,
     async run({ open }) {
       const panel = await open({ scheme });
       await panel.has_program();
       await panel.operates();
-      await panel.press("JOG");
+      await panel.press('JOG');
       const found = [];
       for (const tab of TABS) {
         await panel.tab(tab);
@@ -52,35 +49,30 @@ export const accessibility = [
         found.push(...(await findings(panel, tab)));
       }
       for (const [name, key] of [
-        ["keyboard", "Shift+Slash"],
-        ["library", "Control+o"],
+        ['keyboard', 'Shift+Slash'],
+        ['library', 'Control+o'],
       ]) {
-        await panel.page.locator("h1").click();
+        await panel.page.locator('h1').click();
         await panel.page.keyboard.press(key);
-        await panel.page.getByRole("dialog").waitFor();
+        await panel.page.getByRole('dialog').waitFor();
         found.push(...(await findings(panel, name)));
-        await panel.page.keyboard.press("Escape");
-        await panel.page.getByRole("dialog").waitFor({ state: "detached" });
+        await panel.page.keyboard.press('Escape');
+        await panel.page.getByRole('dialog').waitFor({ state: 'detached' });
       }
-      await panel.press("AUTO");
-      assert.equal([...new Set(found)].join("\n"), "");
+      await panel.press('AUTO');
+      assert.equal([...new Set(found)].join('\n'), '');
     },
   })),
   {
-    name: "every control is reached by the Tab key",
+    name: 'every control is reached by the Tab key',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.press("JOG");
+      await panel.press('JOG');
       const wanted = await panel.page.evaluate(() => {
-        const is_one = (e) =>
-          e.matches('button, input, select, textarea, a[href], [tabindex="0"]');
-        const all = [...document.querySelectorAll("*")].filter(
-          (e) =>
-            is_one(e) &&
-            !e.disabled &&
-            e.tabIndex >= 0 &&
-            e.getClientRects().length,
+        const is_one = (e) => e.matches('button, input, select, textarea, a[href], [tabindex="0"]');
+        const all = [...document.querySelectorAll('*')].filter(
+          (e) => is_one(e) && !e.disabled && e.tabIndex >= 0 && e.getClientRects().length,
         );
         all.forEach((e, i) => (e.dataset.wanted = String(i)));
         return all.length;
@@ -89,50 +81,48 @@ export const accessibility = [
       await panel.page.evaluate(() => document.activeElement?.blur());
       const reached = new Set();
       for (let i = 0; i < wanted + 25; i++) {
-        await panel.page.keyboard.press("Tab");
+        await panel.page.keyboard.press('Tab');
         const at = await panel.page.evaluate(() => {
           const e = document.activeElement;
           // The editor keeps Tab for itself only while it is asked to; it is left by Escape, Tab.
-          return e?.closest("[data-wanted]")?.dataset.wanted ?? null;
+          return e?.closest('[data-wanted]')?.dataset.wanted ?? null;
         });
         if (at !== null) reached.add(at);
       }
       const missed = await panel.page.evaluate(
         (seen) =>
-          [...document.querySelectorAll("[data-wanted]")]
+          [...document.querySelectorAll('[data-wanted]')]
             .filter((e) => !seen.includes(e.dataset.wanted))
             .map((e) => e.outerHTML.slice(0, 90)),
         [...reached],
       );
       assert.deepEqual(missed, []);
-      await panel.press("AUTO");
+      await panel.press('AUTO');
     },
   },
   {
-    name: "the machine is operated with the keyboard alone",
+    name: 'the machine is operated with the keyboard alone',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
       const { keyboard } = panel.page;
-      await keyboard.press("Alt+4");
-      await panel.page.locator(".key.on", { hasText: "JOG" }).waitFor();
-      await panel.page.locator("h1").click();
-      const before = await panel.position("X");
-      await keyboard.down("ArrowRight");
+      await keyboard.press('Alt+4');
+      await panel.page.locator('.key.on', { hasText: 'JOG' }).waitFor();
+      await panel.page.locator('h1').click();
+      const before = await panel.position('X');
+      await keyboard.down('ArrowRight');
       await panel.page.waitForTimeout(600);
-      await keyboard.up("ArrowRight");
-      await panel.has_status("IDLE", "END", "STOPPED");
-      assert.ok((await panel.position("X")) > before);
-      await keyboard.press("Alt+3");
-      await panel.page.locator(".key.on", { hasText: "AUTO" }).waitFor();
-      await keyboard.press("Alt+s");
-      await panel.page
-        .locator(".key.on", { hasText: "Single block" })
-        .waitFor();
-      await keyboard.press("Alt+s");
-      await keyboard.press("?");
-      await panel.page.getByRole("dialog", { name: "Keyboard" }).waitFor();
-      await keyboard.press("Escape");
+      await keyboard.up('ArrowRight');
+      await panel.has_status('IDLE', 'END', 'STOPPED');
+      assert.ok((await panel.position('X')) > before);
+      await keyboard.press('Alt+3');
+      await panel.page.locator('.key.on', { hasText: 'AUTO' }).waitFor();
+      await keyboard.press('Alt+s');
+      await panel.page.locator('.key.on', { hasText: 'Single block' }).waitFor();
+      await keyboard.press('Alt+s');
+      await keyboard.press('?');
+      await panel.page.getByRole('dialog', { name: 'Keyboard' }).waitFor();
+      await keyboard.press('Escape');
     },
   },
 ];

@@ -1,161 +1,136 @@
 // By hand: MDI, jog, reference point, offsets, teaching, settings.
-import assert from "node:assert/strict";
+import assert from 'node:assert/strict';
 
 export const manual = [
   {
-    name: "blocks are executed in MDI",
+    name: 'blocks are executed in MDI',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.press("MDI");
-      const entry = panel.page.getByRole("textbox", {
-        name: "Blocks to execute",
+      await panel.press('MDI');
+      const entry = panel.page.getByRole('textbox', {
+        name: 'Blocks to execute',
       });
-      await entry.fill("G90 G53 G01 X-3.5 F2000");
-      await entry.press("Enter");
-      await panel.page.getByRole("radio", { name: "Machine" }).click();
-      await panel.position_is("X", -3.5);
-      await panel.press("AUTO");
+      await entry.fill('G90 G53 G01 X-3.5 F2000');
+      await entry.press('Enter');
+      await panel.page.getByRole('radio', { name: 'Machine' }).click();
+      await panel.position_is('X', -3.5);
+      await panel.press('AUTO');
     },
   },
   {
-    name: "an axis jogs while its key is held, and by a step",
+    name: 'an axis jogs while its key is held, and by a step',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.press("JOG");
-      const before = await panel.position("X");
-      const key = panel.page.getByRole("button", { name: "Jog X+" });
+      await panel.press('JOG');
+      const before = await panel.position('X');
+      const key = panel.page.getByRole('button', { name: 'Jog X+' });
       await key.hover();
       await panel.page.mouse.down();
       await panel.page.waitForTimeout(800);
       await panel.page.mouse.up();
-      await panel.has_status("IDLE", "END", "STOPPED");
-      const held = await panel.position("X");
+      await panel.has_status('IDLE', 'END', 'STOPPED');
+      const held = await panel.position('X');
       assert.ok(held > before + 0.5, `X has gone from ${before} to ${held}`);
-      await panel.page.getByLabel("Step, mm").selectOption({ label: "1" });
-      await panel.page.getByRole("button", { name: "Jog X−" }).click();
-      await panel.position_is("X", held - 1);
-      await panel.page
-        .getByLabel("Step, mm")
-        .selectOption({ label: "continuous" });
-      await panel.page
-        .getByRole("button", { name: "Reference", exact: true })
-        .click();
-      await panel.page.getByRole("radio", { name: "Machine" }).click();
-      await panel.position_is("X", 0);
-      await panel.press("AUTO");
+      await panel.page.getByLabel('Step, mm').selectOption({ label: '1' });
+      await panel.page.getByRole('button', { name: 'Jog X−' }).click();
+      await panel.position_is('X', held - 1);
+      await panel.page.getByLabel('Step, mm').selectOption({ label: 'continuous' });
+      await panel.press('REF');
+      await panel.page.getByRole('button', { name: 'Reference', exact: true }).click();
+      await panel.page.getByRole('radio', { name: 'Machine' }).click();
+      await panel.position_is('X', 0);
+      await panel.press('AUTO');
     },
   },
   {
-    name: "two points are taught and driven",
+    name: 'two points are taught and driven',
     async run({ open }) {
-      const panel = await open({ machine: "five-axis" });
+      const panel = await open({ machine: 'five-axis' });
       await panel.fresh();
-      await panel.press("TEACH");
-      await panel.tab("Teach");
-      await panel.page
-        .getByRole("button", { name: "New", exact: true })
-        .click();
-      await panel.page.getByLabel("Step, mm").selectOption({ label: "10" });
-      await panel.page
-        .getByRole("button", { name: "Point", exact: true })
-        .click();
-      await panel.page.locator(".cm-content", { hasText: "POINT" }).waitFor();
+      await panel.press('TEACH');
+      await panel.tab('Teach');
+      await panel.page.getByRole('button', { name: 'New', exact: true }).click();
+      await panel.page.getByLabel('Step, mm').selectOption({ label: '10' });
+      await panel.page.getByRole('button', { name: 'Point', exact: true }).click();
+      await panel.page.locator('.cm-content', { hasText: 'POINT' }).waitFor();
       const insert = panel.page
-        .getByRole("textbox", { name: "Another record" })
-        .or(panel.page.getByRole("combobox", { name: "Another record" }));
-      await insert.fill("FEED 1200");
-      await panel.page
-        .getByRole("button", { name: "Insert", exact: true })
-        .click();
-      const before = await panel.position("Y");
-      await panel.page.getByRole("button", { name: "Jog Y+" }).click();
-      await panel.position_is("Y", before + 10);
-      await panel.has_status("IDLE", "END", "STOPPED");
-      await panel.page
-        .getByRole("button", { name: "Line", exact: true })
-        .click();
-      await panel.page.locator(".cm-content", { hasText: "LINE" }).waitFor();
-      await insert.fill("END");
-      await panel.page
-        .getByRole("button", { name: "Insert", exact: true })
-        .click();
-      await panel.page
-        .getByRole("button", { name: "Load what was taught" })
-        .click();
+        .getByRole('textbox', { name: 'Another record' })
+        .or(panel.page.getByRole('combobox', { name: 'Another record' }));
+      await insert.fill('FEED 1200');
+      await panel.page.getByRole('button', { name: 'Insert', exact: true }).click();
+      const before = await panel.position('Y');
+      await panel.page.getByRole('button', { name: 'Jog Y+' }).click();
+      await panel.position_is('Y', before + 10);
+      await panel.has_status('IDLE', 'END', 'STOPPED');
+      await panel.page.getByRole('button', { name: 'Line', exact: true }).click();
+      await panel.page.locator('.cm-content', { hasText: 'LINE' }).waitFor();
+      await insert.fill('END');
+      await panel.page.getByRole('button', { name: 'Insert', exact: true }).click();
+      await panel.page.getByRole('button', { name: 'Load what was taught' }).click();
       await panel.has_path(1);
-      await panel.press("Cycle start");
-      await panel.has_status("END");
-      await panel.position_is("Y", before + 10);
+      await panel.press('Cycle start');
+      await panel.has_status('END');
+      await panel.position_is('Y', before + 10);
     },
   },
   {
-    name: "a work offset is changed and taken back",
+    name: 'a work offset is changed and taken back',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.tab("Offsets");
-      const cell = panel.page.getByRole("textbox", {
-        name: "G59 X",
+      await panel.tab('Offsets');
+      const cell = panel.page.getByRole('textbox', {
+        name: 'G59 X',
         exact: true,
       });
-      await cell.fill("12.25");
-      await cell.press("Enter");
+      await cell.fill('12.25');
+      await cell.press('Enter');
       await panel.page.waitForFunction(
-        () =>
-          document.querySelector('input[aria-label="G59 X"]')?.value ===
-          "12.250",
+        () => document.querySelector('input[aria-label="G59 X"]')?.value === '12.250',
       );
-      await panel.page.locator("h1").click();
-      await panel.page.keyboard.press("Control+z");
+      await panel.page.locator('h1').click();
+      await panel.page.keyboard.press('Control+z');
       await panel.page.waitForFunction(
-        () =>
-          document.querySelector('input[aria-label="G59 X"]')?.value ===
-          "0.000",
+        () => document.querySelector('input[aria-label="G59 X"]')?.value === '0.000',
       );
     },
   },
   {
-    name: "a tool gets its length",
+    name: 'a tool gets its length',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.tab("Tools");
-      const cell = panel.page
-        .getByRole("textbox", { name: /^T\d+ Length$/ })
-        .first();
+      await panel.tab('Tools');
+      const cell = panel.page.getByRole('textbox', { name: /^T\d+ Length$/ }).first();
       await cell.waitFor();
-      const name = await cell.getAttribute("aria-label");
-      await cell.fill("101.5");
-      await cell.press("Enter");
+      const name = await cell.getAttribute('aria-label');
+      await cell.fill('101.5');
+      await cell.press('Enter');
       await panel.page.waitForFunction(
-        (label) =>
-          document.querySelector(`input[aria-label="${label}"]`)?.value ===
-          "101.500",
+        (label) => document.querySelector(`input[aria-label="${label}"]`)?.value === '101.500',
         name,
       );
     },
   },
   {
-    name: "the machine file is read, and a wrong one refused in words",
+    name: 'the machine file is read, and a wrong one refused in words',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.page
-        .getByRole("button", { name: "Settings of the machine" })
-        .click();
-      const file = panel.page.getByRole("textbox", {
-        name: "Settings of the machine",
+      await panel.page.getByRole('button', { name: 'Settings of the machine' }).click();
+      const file = panel.page.getByRole('textbox', {
+        name: 'Settings of the machine',
       });
       await panel.page.waitForFunction(() =>
-        document.querySelector("dialog textarea")?.value.includes("[[axis]]"),
+        document.querySelector('dialog textarea')?.value.includes('[[axis]]'),
       );
       const text = await file.inputValue();
-      await file.fill(text.replace("velocity = 24000", "velocity = -1"));
-      await panel.page.getByRole("button", { name: "Take it" }).click();
-      await panel.page.locator("dialog .refused").waitFor();
-      await panel.page.keyboard.press("Escape");
+      await file.fill(text.replace('velocity = 24000', 'velocity = -1'));
+      await panel.page.getByRole('button', { name: 'Take it' }).click();
+      await panel.page.locator('dialog .refused').waitFor();
+      await panel.page.keyboard.press('Escape');
     },
   },
 ];

@@ -1,32 +1,29 @@
 // A program of a million motions: soon seen, and the page stays fluent.
-import assert from "node:assert/strict";
-import { spiral } from "../programs.mjs";
+import assert from 'node:assert/strict';
+import { spiral } from '../programs.mjs';
 
 const CUTS = 1_000_000;
 const MOST_MIB = 600;
 
 export const million = [
   {
-    name: "a million motions are seen at once and can be turned",
+    name: 'a million motions are seen at once and can be turned',
     async run({ open, browser }) {
       const panel = await open();
       await panel.fresh();
-      await panel.upload("million.nc", spiral(CUTS));
+      await panel.upload('million.nc', spiral(CUTS));
       await panel.open_library();
       const entry = panel.page
-        .getByRole("dialog")
-        .getByRole("button", { name: "million.nc", exact: true });
+        .getByRole('dialog')
+        .getByRole('button', { name: 'million.nc', exact: true });
       await entry.waitFor();
       await panel.page.evaluate(() => {
-        const picture = document.querySelector("#picture");
+        const picture = document.querySelector('#picture');
         window.first_picture = new Promise((resolve) => {
           const from = performance.now();
           const run_before = picture.dataset.run;
           const look = () => {
-            if (
-              picture.dataset.run !== run_before &&
-              Number(picture.dataset.segments) > 0
-            )
+            if (picture.dataset.run !== run_before && Number(picture.dataset.segments) > 0)
               resolve(performance.now() - from);
             else requestAnimationFrame(look);
           };
@@ -36,18 +33,12 @@ export const million = [
       await entry.click();
       const first_ms = await panel.page.evaluate(() => window.first_picture);
       await panel.has_path(CUTS);
-      const box = await panel.page.locator("#picture").boundingBox();
-      await panel.page.mouse.move(
-        box.x + box.width / 2,
-        box.y + box.height / 2,
-      );
+      const box = await panel.page.locator('#picture').boundingBox();
+      await panel.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
       await panel.page.mouse.down();
       const turning = panel.frames(40);
       for (let i = 0; i < 60; i++) {
-        await panel.page.mouse.move(
-          box.x + box.width / 2 + 3 * i,
-          box.y + box.height / 2 + i,
-        );
+        await panel.page.mouse.move(box.x + box.width / 2 + 3 * i, box.y + box.height / 2 + i);
       }
       const times = (await turning).sort((a, b) => a - b);
       await panel.page.mouse.up();
@@ -62,12 +53,10 @@ export const million = [
 /** The page's heap with all its array buffers. */
 async function memory_mib(_browser, panel) {
   const session = await panel.context.newCDPSession(panel.page);
-  await session.send("HeapProfiler.collectGarbage");
-  const heap = await session.send("Runtime.getHeapUsage");
+  await session.send('HeapProfiler.collectGarbage');
+  const heap = await session.send('Runtime.getHeapUsage');
   return (
-    (heap.usedSize +
-      (heap.embedderHeapUsedSize ?? 0) +
-      (heap.backingStorageSize ?? 0)) /
+    (heap.usedSize + (heap.embedderHeapUsedSize ?? 0) + (heap.backingStorageSize ?? 0)) /
     1024 /
     1024
   );

@@ -1,178 +1,143 @@
 // Opening, running, holding, looking back, two at one machine, languages.
-import assert from "node:assert/strict";
-import { LONG } from "../programs.mjs";
+import assert from 'node:assert/strict';
+import { LONG } from '../programs.mjs';
 
 export const SAMPLES = [
-  ["mill", "O0001"],
-  ["laser", "speed"],
-  ["laser-xtz", "lens"],
-  ["five-axis", "TEACH"],
-  ["arm", "FLOWER"],
+  ['mill', 'O0001'],
+  ['laser', 'speed'],
+  ['laser-xtz', 'lens'],
+  ['five-axis', 'TEACH'],
+  ['arm', 'FLOWER'],
 ];
 
 export const operating = [
   {
-    name: "the first start opens a sample on each kind of machine",
+    name: 'the first start opens a sample on each kind of machine',
     async run({ open }) {
       for (const [machine, word] of SAMPLES) {
         const panel = await open({ machine });
         await panel.has_program();
         await panel.has_path(10);
-        assert.match(
-          await panel.page.locator(".cm-content").innerText(),
-          new RegExp(word),
-        );
+        assert.match(await panel.page.locator('.cm-content').innerText(), new RegExp(word));
         await panel.close();
       }
     },
   },
   {
-    name: "a program runs, holds on its way and goes on",
+    name: 'a program runs, holds on its way and goes on',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.run_text("long.nc", LONG);
-      await panel.press("Cycle start");
-      await panel.has_status("RUNNING");
+      await panel.run_text('long.nc', LONG);
+      await panel.press('Cycle start');
+      await panel.has_status('RUNNING');
       await panel.page.waitForTimeout(1500);
-      await panel.press("Feed hold");
-      await panel.has_status("HOLD");
-      const held_at = await panel.position("X");
+      await panel.press('Feed hold');
+      await panel.has_status('HOLD');
+      const held_at = await panel.position('X');
       assert.ok(held_at > 0 && held_at < 150, `held at X ${held_at}`);
       await panel.page.waitForTimeout(700);
-      assert.equal(await panel.position("X"), held_at, "the axis stands");
-      await panel.press("Cycle start");
-      await panel.has_status("RUNNING");
+      assert.equal(await panel.position('X'), held_at, 'the axis stands');
+      await panel.press('Cycle start');
+      await panel.has_status('RUNNING');
       await panel.page.waitForTimeout(1500);
-      assert.ok((await panel.position("X")) > held_at, "the axis has gone on");
-      await panel.press("Reset");
-      await panel.has_status("IDLE");
+      assert.ok((await panel.position('X')) > held_at, 'the axis has gone on');
+      await panel.press('Reset');
+      await panel.has_status('IDLE');
     },
   },
   {
-    name: "overrides and switches take what is set",
+    name: 'overrides and switches take what is set',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      const feed = panel.page.getByRole("slider", { name: "Feed override" });
+      const feed = panel.page.getByRole('slider', { name: 'Feed override' });
       await feed.focus();
-      await panel.page.keyboard.press("ArrowRight");
+      await panel.page.keyboard.press('ArrowRight');
       await panel.page.waitForFunction(
-        () =>
-          document.querySelector('input[aria-label="Feed override"]')?.value ===
-          "110",
+        () => document.querySelector('input[aria-label="Feed override"]')?.value === '110',
       );
-      await panel.page
-        .getByRole("button", { name: "Feed override: back to 100 %" })
-        .click();
+      await panel.page.getByTitle('Feed override: back to 100 %').click();
       await panel.page.waitForFunction(
-        () =>
-          document.querySelector('input[aria-label="Feed override"]')?.value ===
-          "100",
+        () => document.querySelector('input[aria-label="Feed override"]')?.value === '100',
       );
       for (const name of [
-        "Single block",
-        "Optional stop",
-        "Dry run",
-        "Machine lock",
-        "Block skip",
+        'Single block',
+        'Optional stop',
+        'Dry run',
+        'Machine lock',
+        'Block skip',
       ]) {
         await panel.press(name);
-        await panel.page.locator(".key.on", { hasText: name }).waitFor();
+        await panel.page.locator('.key.on', { hasText: name }).waitFor();
         await panel.press(name);
-        await panel.page
-          .locator(".key.on", { hasText: name })
-          .waitFor({ state: "detached" });
+        await panel.page.locator('.key.on', { hasText: name }).waitFor({ state: 'detached' });
       }
     },
   },
   {
-    name: "the time slider goes to an instant and back to now",
+    name: 'the time slider goes to an instant and back to now',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.run_text("long.nc", LONG);
+      await panel.run_text('long.nc', LONG);
       await panel.has_path(4);
-      const now = await panel.position("X");
-      const slider = panel.page.getByRole("slider", {
-        name: "Time of the run",
+      const now = await panel.position('X');
+      const slider = panel.page.getByRole('slider', {
+        name: 'Time of the run',
       });
       // In the middle of the first cut X is about half way.
       await slider.evaluate((input) => {
-        input.value = "15";
-        input.dispatchEvent(new Event("input", { bubbles: true }));
+        input.value = '15';
+        input.dispatchEvent(new Event('input', { bubbles: true }));
       });
-      await panel.page.locator(".instant").waitFor();
+      await panel.page.locator('.instant').waitFor();
       await panel.executes_line(4);
-      await panel.page
-        .locator(".slider")
-        .getByRole("button", { name: "Now", exact: true })
-        .click();
-      await panel.page.locator(".instant").waitFor({ state: "detached" });
-      assert.equal(await panel.position("X"), now);
+      await panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true }).click();
+      await panel.page.locator('.instant').waitFor({ state: 'detached' });
+      assert.equal(await panel.position('X'), now);
     },
   },
   {
-    name: "two pages share a machine: one operates, control is handed over",
+    name: 'two pages share a machine: one operates, control is handed over',
     async run({ open }) {
       const first = await open();
       await first.operates();
       const second = await open();
-      await second.page
-        .locator("header .badge", { hasText: "operates" })
-        .waitFor();
-      assert.ok(
-        await second.key("Cycle start").isDisabled(),
-        "who watches has no cycle start",
-      );
-      await second.page.locator("header .badge").click();
-      await second.page
-        .getByRole("button", { name: "Become the operator" })
-        .click();
-      await second.says("operated by");
-      await first.page.locator("header .badge").click();
-      await first.page.getByRole("button", { name: /^Hand over to/ }).click();
+      await second.page.locator('header .badge', { hasText: 'operates' }).waitFor();
+      assert.ok(await second.key('Cycle start').isDisabled(), 'who watches has no cycle start');
+      await second.page.locator('header .badge').click();
+      await second.page.getByRole('button', { name: 'Become the operator' }).click();
+      await second.says('operated by');
+      await first.page.locator('header .badge').click();
+      await first.page.getByRole('button', { name: /^Hand over to/ }).click();
       await second.operates();
-      await second.press("JOG");
-      await first.page.locator(".key.on", { hasText: "JOG" }).waitFor();
-      await second.press("AUTO");
+      await second.press('JOG');
+      await first.page.locator('.key.on', { hasText: 'JOG' }).waitFor();
+      await second.press('AUTO');
       await second.close();
-      await first.page
-        .locator("header .badge", { hasText: "No operator" })
-        .waitFor();
+      await first.page.locator('header .badge', { hasText: 'No operator' }).waitFor();
     },
   },
   {
-    name: "the language is the browser’s and can be changed",
+    name: 'the language is the browser’s and can be changed',
     async run({ open }) {
-      const panel = await open({ locale: "zh-TW" });
-      await panel.page
-        .getByRole("button", { name: "循環啟動", exact: true })
-        .waitFor();
-      assert.equal(await panel.page.getAttribute("html", "lang"), "zh-Hant");
-      await panel.page
-        .getByRole("combobox", { name: "語言" })
-        .selectOption("en");
-      await panel.key("Cycle start").waitFor();
+      const panel = await open({ locale: 'zh-TW' });
+      await panel.page.getByRole('button', { name: '循環啟動', exact: true }).waitFor();
+      assert.equal(await panel.page.getAttribute('html', 'lang'), 'zh-Hant');
+      await panel.page.getByRole('combobox', { name: '語言' }).selectOption('en');
+      await panel.key('Cycle start').waitFor();
       await panel.page.reload();
-      await panel.key("Cycle start").waitFor();
+      await panel.key('Cycle start').waitFor();
     },
   },
   {
-    name: "light follows the room and can be changed",
+    name: 'light follows the room and can be changed',
     async run({ open }) {
-      const panel = await open({ scheme: "light" });
-      assert.equal(
-        await panel.page.getAttribute("html", "data-scheme"),
-        "light",
-      );
-      await panel.page
-        .getByRole("button", { name: "Dark", exact: true })
-        .click();
-      assert.equal(
-        await panel.page.getAttribute("html", "data-scheme"),
-        "dark",
-      );
+      const panel = await open({ scheme: 'light' });
+      assert.equal(await panel.page.getAttribute('html', 'data-scheme'), 'light');
+      await panel.page.getByRole('button', { name: 'Dark', exact: true }).click();
+      assert.equal(await panel.page.getAttribute('html', 'data-scheme'), 'dark');
     },
   },
 ];

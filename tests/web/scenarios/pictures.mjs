@@ -1,5 +1,5 @@
 // Pictures of the panel for the documents: each kind of machine, at work, on a desk and on a tablet.
-import { join } from "node:path";
+import { join } from 'node:path';
 
 const SIZES = [
   [1440, 900],
@@ -7,10 +7,10 @@ const SIZES = [
 ];
 /** Machine, seconds of work before the picture, tab, light. */
 const STATES = [
-  ["mill", 9, "Variables", "dark"],
-  ["laser", 3, "Pulses", "dark"],
-  ["five-axis", 8, "Speed", "light"],
-  ["arm", 14, "Stepping", "light"],
+  ['mill', 9, 'Variables', 'dark'],
+  ['laser', 3, 'Pulses', 'dark'],
+  ['five-axis', 8, 'Speed', 'light'],
+  ['arm', 14, 'Stepping', 'light'],
 ];
 
 export const pictures = STATES.flatMap(([machine, seconds, tab, scheme]) =>
@@ -23,13 +23,13 @@ export const pictures = STATES.flatMap(([machine, seconds, tab, scheme]) =>
       await panel.has_program();
       await panel.has_path(10);
       await panel.tab(tab);
-      await panel.press("Cycle start");
+      await panel.press('Cycle start');
       await panel.page.waitForTimeout(1000 * seconds);
       await panel.page.mouse.move(0, 0);
       await panel.page.screenshot({
         path: join(shots, `panel-${machine}-${width}x${height}.png`),
       });
-      await panel.press("Reset");
+      await panel.press('Reset');
     },
   })),
 );

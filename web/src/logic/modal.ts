@@ -19,7 +19,9 @@ const GROUPS: [name: string, codes: RegExp][] = [
 ];
 
 /** Codes that say that nothing special is on: drawn quietly. */
-const QUIET = new Set('G40 G49 G50 G50.1 G64 G67 G69 G80 G94 G97 G98 G15 G21 G17 G90'.split(' '));
+const QUIET = new Set(
+  'G40 G49 G50 G50.1 G64 G67 G69 G80 G94 G97 G98 G15 G21 G17 G90 G22 G40.1 G160 G13.1'.split(' '),
+);
 
 export const is_quiet = (code: string): boolean => QUIET.has(code);
 

@@ -167,17 +167,8 @@ export interface PathEvent {
   error: Alarm | null;
 }
 
-export interface Instant {
-  time_s: number;
-  position: { machine: Axes; work: Axes; distance?: Axes };
-  joints?: Axes;
-  file: string;
-  line: number;
-  modal: string[];
-  variables: Variable[];
-  tool?: number;
-  power_percent?: number | null;
-}
+/** The state at an instant of the run, with the variables of then. */
+export type Instant = MachineState & { variables: Variable[] };
 
 export interface ProgramEntry {
   name: string;

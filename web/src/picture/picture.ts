@@ -337,7 +337,8 @@ export class Picture {
     if (!this.store || this.path_is_empty()) return this.travel;
     const { cuts, bounds } = this.store.facts;
     const box = empty_box();
-    join(box, is_empty(cuts) ? bounds : cuts);
+    const is_arm = this.definition?.kinematics.kind === 'arm';
+    join(box, is_arm || is_empty(cuts) ? bounds : cuts);
     return with_linkage(box, this.definition, this.store);
   }
 
@@ -407,7 +408,7 @@ function radius_of(definition: MachineDefinition): number {
 
 function with_linkage(box: Box, definition: MachineDefinition | null, store: PathStore): Box {
   if (definition?.kinematics.kind === 'arm') {
-    join(box, { min: [-30, -30, -20], max: [30, 30, 60] });
+    join(box, { min: [-30, -30, -30], max: [30, 30, 60] });
   }
   if (definition?.kinematics.kind === 'head-ac') {
     for (const place of cut_places(store)) join(box, head_box(definition, store, place));

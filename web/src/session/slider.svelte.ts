@@ -3,6 +3,9 @@ import { joints_of } from '../logic/kinematics';
 import type { Axes, Instant, MachineState, Variable } from '../logic/protocol';
 import { panel } from './panel.svelte';
 
+/** The machine answers with the set-point at or before the time asked for. */
+const SAME_INSTANT_S = 0.05;
+
 class Slider {
   /** Seconds of the run; null: now. */
   time_s = $state<number | null>(null);
@@ -37,7 +40,7 @@ class Slider {
   get shown(): MachineState {
     const live = panel.state;
     if (this.time_s === null) return live;
-    return { ...live, ...this.of_path(this.time_s), ...this.of_server(live) };
+    return { ...live, ...this.of_path(this.time_s), ...this.of_server() };
   }
 
   get variables(): Variable[] | null {
@@ -71,9 +74,8 @@ class Slider {
     const chunk = preview.chunks[place.chunk];
     const end = Math.min(place.vertex + 1, chunk.vertices - 1);
     const rotary = rotary_axes(preview.rotary_at(place));
-    const machine: Axes = { X: tip[0], Y: tip[1], Z: tip[2], ...rotary };
     return {
-      position: { ...panel.state.position, machine },
+      position: this.instant?.position ?? panel.state.position,
       joints: joints_of(definition.kinematics, tip, rotary, panel.state.joints),
       line: chunk.line[end],
       file: panel.path?.files[chunk.file[end]] ?? panel.state.file,
@@ -83,18 +85,13 @@ class Slider {
     };
   }
 
-  private of_server(live: MachineState): Partial<MachineState> {
+  /** All that the machine says of the instant, but what belongs to now: operator and switches. */
+  private of_server(): Partial<MachineState> {
     const instant = this.instant;
-    if (!instant || this.time_s === null || Math.abs(instant.time_s - this.time_s) > 0.02)
-      return {};
-    const { position, modal, file, line } = instant;
-    return {
-      position: { ...position, distance: position.distance ?? {} },
-      joints: instant.joints ?? live.joints,
-      modal,
-      file,
-      line,
-    };
+    if (!instant || this.time_s === null) return {};
+    if (Math.abs(instant.time_s - this.time_s) > SAME_INSTANT_S) return {};
+    const { position, joints, modal, file, line, text, feed, spindle, tool, coolant } = instant;
+    return { position, joints, modal, file, line, text, feed, spindle, tool, coolant };
   }
 }
 

@@ -29,6 +29,7 @@ std::vector<OpenCall> ProgramControl::open_calls() {
 }
 
 void ProgramControl::set_single_block(bool on) {
+  if (on != single_block_) in_statement_ = false;
   single_block_ = on;
   learn_tracing();
 }
@@ -44,7 +45,6 @@ void ProgramControl::set_gate(BlockGate* gate) {
 }
 
 void ProgramControl::learn_tracing() {
-  in_statement_ = false;
   vm::Interpreter* const machine = interpreter();
   if (machine == nullptr) return;
   machine->set_tracing(observer_ || gate_ != nullptr || (single_block_ && single_block_traces()));

@@ -29,8 +29,10 @@ class LiveMachine::Impl {
   using Act = std::function<Outcome(LiveCore&)>;
   /// Does what the operator asks for, and remembers it.
   Outcome perform(const Act& act);
-  /// Likewise; the run begins with it.
+  /// Likewise; a run begins with it.
   Outcome begin(const Act& act);
+  /// Likewise, where cycle start would begin the program.
+  Outcome set_off(const Act& act) { return core->would_begin() ? begin(act) : perform(act); }
   [[nodiscard]] Outcome step_back();
   [[nodiscard]] base::Outcome<LiveCore*> core_at(double time_s);
 
@@ -57,10 +59,9 @@ LiveMachine::Impl::Impl(const MachineDefinition& definition, control::Memory mem
       capture(definition) {}
 
 LiveMachine::Outcome LiveMachine::Impl::perform(const Act& act) {
-  if (core->would_begin()) return begin(act);
   const std::uint64_t points = core->points();
   Outcome done = act(*core);
-  if (done) journal.entries.push_back({points, act});
+  if (done) journal.entries.push_back({points, act, {}});
   touch();
   return done;
 }
@@ -71,7 +72,9 @@ LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
   Outcome done = act(*core);
   if (done) {
     journal = {std::move(start), run, {}};
-    journal.entries.push_back({0, act});
+    journal.entries.push_back({0, act, {}});
+  } else if (core->points() == 0) {
+    journal = {core->run_start(), core->run(), {}};  // what was tried has begun anew
   }
   touch();
   return done;
@@ -166,7 +169,7 @@ LiveMachine::Outcome LiveMachine::set_mode(Mode mode) {
 }
 
 LiveMachine::Outcome LiveMachine::cycle_start() {
-  return impl_->perform([](LiveCore& core) { return core.cycle_start(); });
+  return impl_->set_off([](LiveCore& core) { return core.cycle_start(); });
 }
 
 LiveMachine::Outcome LiveMachine::feed_hold() {
@@ -174,10 +177,11 @@ LiveMachine::Outcome LiveMachine::feed_hold() {
 }
 
 void LiveMachine::reset() {
-  static_cast<void>(impl_->perform([](LiveCore& core) {
+  const auto act = [](LiveCore& core) {
     core.reset();
     return Outcome{};
-  }));
+  };
+  static_cast<void>(impl_->core->is_broken_off() ? impl_->begin(act) : impl_->perform(act));
 }
 
 LiveMachine::Outcome LiveMachine::set_switch(Switch which, bool on) {
@@ -225,13 +229,13 @@ LiveMachine::Outcome LiveMachine::enter(std::string line) {
 // Stepping
 
 LiveMachine::Outcome LiveMachine::step(Step how) {
-  return impl_->perform([how](LiveCore& core) { return core.step(how); });
+  return impl_->set_off([how](LiveCore& core) { return core.step(how); });
 }
 
 LiveMachine::Outcome LiveMachine::step_back() { return impl_->step_back(); }
 
 LiveMachine::Outcome LiveMachine::run_to(std::string file, std::uint32_t line) {
-  return impl_->perform(
+  return impl_->set_off(
       [file = std::move(file), line](LiveCore& core) { return core.run_to(file, line); });
 }
 

@@ -311,5 +311,53 @@ TEST(Panel, OffsetsAndToolsAreEntered) {
   EXPECT_EQ(bench.now().work.values[0], 0);
 }
 
+// A drive that cannot follow behind a place.
+class Weak : public machine::AxisPointSink {
+ public:
+  explicit Weak(Bench& bench) : bench_(bench) {}
+  void take(const machine::AxisPoint& point) override {
+    at = point.joints;
+    if (point.tip.tip.values[0] < 12 || raised) return;
+    raised = true;
+    bench_->raise(base::make_error(base::Code::step_rate, {}, "too fast"));
+  }
+  base::AxisVector at;
+  bool raised = false;
+
+ private:
+  Bench& bench_;
+};
+
+TEST(Panel, AnAlarmOfADriveStopsTheAxesThereAndResetGoesOnFromThere) {
+  Bench bench;
+  Weak drive(bench);
+  bench->add_point_sink(drive);
+  bench.load("O1\nG91G94G01X10.F600\nX10.\nX10.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  EXPECT_EQ(bench.now().alarm->code, "STEP_RATE");
+  EXPECT_FALSE(bench.now().alarm->remedy.empty());
+  EXPECT_EQ(bench.now().joints, drive.at);
+  const double stopped = drive.at.values[0];
+  EXPECT_NEAR(stopped, 12, 0.1);
+  bench->reset();
+  EXPECT_EQ(bench.status(), Status::idle);
+  EXPECT_EQ(bench.x(), stopped);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_NEAR(bench.x(), stopped + 30, 1e-9);
+}
+
+TEST(Panel, MessagesAreToldOnce) {
+  Bench bench;
+  bench.load("O1\n#3006=1(LOOK)\nM00\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.now().messages, std::vector<std::string>{"LOOK"});
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.now().messages, std::vector<std::string>{"LOOK"});
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "page_builder.hpp"
 
@@ -676,6 +678,68 @@ TEST(Interpreter, ABeginningMayGoElsewhere) {
   };
   machine.run(PageBuilder().block(0).block(1).block(2).end());
   EXPECT_EQ(machine.host.events, (Events{"begin 1", "begin 3", "block 2", "begin 4", "end"}));
+}
+
+TEST(Interpreter, AReadThatCannotBeToldYetIsAskedOnceMore) {
+  for (const bool tracing : {false, true}) {
+    Machine machine;
+    machine.interpreter.set_tracing(tracing);
+    machine.host.variables[7] = 42;
+    int asked = 0;
+    machine.host.on_read = [&](double) { return ++asked < 3 ? Verdict::again : Verdict::go_on; };
+    PageBuilder page;
+    page.load(1, 5).add({.op = Op::read_fixed, .a = 2, .n = 7}).block(1).end();
+    EXPECT_EQ(machine.run(std::move(page)), Stop::paused);
+    EXPECT_EQ(machine.interpreter.run(kPlenty), Stop::paused);
+    EXPECT_EQ(machine.interpreter.run(kPlenty), Stop::over);
+    EXPECT_EQ(asked, 3);
+    EXPECT_EQ(machine.local(2), 42);
+    const auto begins =
+        std::count(machine.host.events.begin(), machine.host.events.end(), "begin 2");
+    EXPECT_EQ(begins, tracing ? 1 : 0);
+  }
+}
+
+TEST(Interpreter, AWriteThatCannotBeDoneYetIsDoneOnceMore) {
+  Machine machine;
+  int asked = 0;
+  machine.host.on_write = [&](double) { return ++asked < 2 ? Verdict::again : Verdict::go_on; };
+  PageBuilder page;
+  page.load(1, 5).add({.op = Op::write_fixed, .a = 1, .n = 7}).block(1).end();
+  EXPECT_EQ(machine.run(std::move(page)), Stop::paused);
+  EXPECT_EQ(machine.interpreter.run(kPlenty), Stop::over);
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Interpreter, LocalsOfEveryLevelCanBeSeen) {
+  Machine machine;
+  PageBuilder called;
+  called.load(1, 8).block(2).end();
+  const CodeId other = machine.source.add(std::move(called));
+  machine.host.on_block = [&](std::uint32_t block) {
+    if (block == 2) return Verdict::pause;
+    machine.interpreter.call(other, Interpreter::Locals::fresh);
+    return Verdict::transferred;
+  };
+  EXPECT_EQ(machine.run(PageBuilder().load(1, 5).block(1).end()), Stop::paused);
+  ASSERT_EQ(machine.interpreter.depth(), 2U);
+  EXPECT_EQ(machine.interpreter.locals_of(0)[1], 5);
+  EXPECT_EQ(machine.interpreter.locals_of(1)[1], 8);
+}
+
+TEST(Interpreter, ABlockThatWasHeldBackIsNotAskedForAgainWhoeverTracesMeanwhile) {
+  Machine machine;
+  machine.interpreter.set_tracing(true);
+  bool holds = true;
+  machine.host.on_begin = [&](const BlockMark& mark) {
+    return mark.line == 2 && std::exchange(holds, false) ? Verdict::pause : Verdict::go_on;
+  };
+  EXPECT_EQ(machine.run(PageBuilder().block(1).block(2).jump(1)), Stop::paused);
+  machine.interpreter.set_tracing(false);
+  machine.interpreter.set_tracing(true);
+  holds = true;
+  EXPECT_EQ(machine.interpreter.run(kPlenty), Stop::paused);  // in the next pass
+  EXPECT_EQ(std::count(machine.host.events.begin(), machine.host.events.end(), "block 2"), 1);
 }
 
 }  // namespace

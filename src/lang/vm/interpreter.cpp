@@ -55,7 +55,9 @@ void Interpreter::start(CodeId main) {
 }
 
 Interpreter::Stop Interpreter::run(std::uint64_t instructions) {
-  return tracing_ || steps_end_ ? run_loop<true>(instructions) : run_loop<false>(instructions);
+  if (tracing_ || steps_end_) return run_loop<true>(instructions);
+  begun_.reset();
+  return run_loop<false>(instructions);
 }
 
 void Interpreter::call(CodeId code, Locals locals) {

@@ -78,10 +78,7 @@ class Interpreter {
   [[nodiscard]] std::uint32_t note() const { return note_; }
 
   void set_switches(std::uint32_t bits) { switches_ = bits; }
-  void set_tracing(bool on) {
-    tracing_ = on;
-    if (!on) begun_.reset();
-  }
+  void set_tracing(bool on) { tracing_ = on; }
 
  private:
   struct ActiveRegion {

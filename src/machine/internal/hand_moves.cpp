@@ -53,7 +53,7 @@ LiveCore::Outcome LiveCore::jog(const std::string& axis, double speed_per_min) {
   if (!(std::fabs(speed_per_min) > 0) || !std::isfinite(speed_per_min))
     return refused("a jog needs a speed");
   if (const auto why = keeps_from_hand()) return refused(*why);
-  return jog_to(*found, std::copysign(kFar, speed_per_min), std::fabs(speed_per_min), true);
+  return jog_to(*found, std::copysign(kFar, speed_per_min), std::fabs(speed_per_min));
 }
 
 LiveCore::Outcome LiveCore::jog_by(const std::string& axis, double distance, double speed_per_min) {
@@ -66,7 +66,7 @@ LiveCore::Outcome LiveCore::jog_by(const std::string& axis, double distance, dou
   if (speed_per_min < 0 || !std::isfinite(speed_per_min)) return refused("a jog needs a speed");
   if (const auto why = keeps_from_hand()) return refused(*why);
   const double own = definition_.axes[*found].rotary ? settings_.jog_deg_min : settings_.jog_mm_min;
-  return jog_to(*found, distance, speed_per_min > 0 ? speed_per_min : own, false);
+  return jog_to(*found, distance, speed_per_min > 0 ? speed_per_min : own);
 }
 
 // How far the axis can go until the end of its travel.
@@ -102,8 +102,7 @@ double LiveCore::reachable(const control::Motion& whole, base::Axis axis, double
   return good;
 }
 
-LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double speed_per_min,
-                                   bool to_the_end) {
+LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double speed_per_min) {
   const bool up = distance > 0;
   const control::AxisConfig& config = definition_.axes[axis];
   const double left = travel_left(axis, up);
@@ -132,8 +131,6 @@ LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double spee
     if (end) raise_panel(end->code, end->sentence);
     return {};
   }
-  static_cast<void>(to_the_end);
-  is_fresh_ = false;
   stopping_jog_ = false;
   activity_ = Activity::jog;
   ++run_;
@@ -175,7 +172,6 @@ LiveCore::Outcome LiveCore::home() {
     say("all axes are at their reference points");
     return {};
   }
-  is_fresh_ = false;
   activity_ = Activity::home;
   ++run_;
   return queue_moves(motions);

@@ -11,7 +11,6 @@ namespace kerf::machine {
 namespace {
 
 constexpr std::size_t kMostMessages = 50;
-constexpr double kForEver = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 // What a dial at 0 is until the first point of a motion that it holds.
 constexpr double kCreep = 1e-4;
@@ -104,9 +103,9 @@ void LiveCore::begin_anew() {
   lines_ = {};
   approach_.reset();
   activity_ = Activity::none;
-  is_fresh_ = true;
   is_entry_ = feed_hold_ = block_hold_ = dial_hold_ = resetting_ = was_stepping_ = false;
   deadline_s_ = 0;
+  said_ = 0;
   apply_panel();
   tell_sinks();
 }
@@ -208,19 +207,26 @@ void LiveCore::after_activity() {
 void LiveCore::finish_program() {
   feed_hold_ = block_hold_ = false;
   if (stepper_->hit() || machine_->halt() != control::Halt::gate) stepper_->forget_target();
-  for (const std::string& text : machine_->statistics().messages()) say(text);
+  const std::vector<std::string>& texts = machine_->statistics().messages();
+  for (; said_ < texts.size(); ++said_) say(texts[said_]);
   before_ = std::exchange(at_stop_, values());
   ++changes_;
 }
 
+// Behind a drive that could not follow, the plan goes on without the axes: it is made anew.
 void LiveCore::finish_reset() {
+  if (is_broken_off()) {
+    begin_anew();
+    static_cast<void>(open_program());
+    ++changes_;
+    return;
+  }
   machine_->drop_ahead();
   machine_->reset();
   machine_->abandon();
   activity_ = Activity::none;
   feed_hold_ = block_hold_ = dial_hold_ = resetting_ = stopping_jog_ = false;
   is_entry_ = false;
-  is_fresh_ = false;
   jog_end_.reset();
   approach_.reset();
   stepper_->start();
@@ -294,7 +300,6 @@ LiveCore::Outcome LiveCore::begin_program() {
   stepper_->start();
   before_ = at_stop_ = values();
   messages_.clear();
-  is_fresh_ = false;
   ++run_;
   return {};
 }
@@ -389,7 +394,6 @@ LiveCore::Outcome LiveCore::mdi(const std::string& text) {
   stepper_->start();
   before_ = at_stop_ = values();
   is_entry_ = true;
-  is_fresh_ = false;
   activity_ = Activity::program;
   deadline_s_ = time_s();
   ++run_;

@@ -59,6 +59,8 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] double time_s() const { return machine_->servo().last().time_s; }
   /// Something moves or executes, or is held on the way.
   [[nodiscard]] bool is_active() const { return machine_->is_active(); }
+  /// A drive has stopped the axes: reset makes the machine anew.
+  [[nodiscard]] bool is_broken_off() const { return machine_->servo().broken_off(); }
 
   // The panel, as in LiveMachine
   Outcome load(ProgramText program, std::string dialect);
@@ -132,7 +134,7 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] std::optional<std::string> keeps_from_start() const;
   [[nodiscard]] std::optional<std::string> keeps_from_hand() const;
   [[nodiscard]] std::optional<base::Axis> find_axis(const std::string& name) const;
-  Outcome jog_to(base::Axis axis, double distance, double speed_per_min, bool to_the_end);
+  Outcome jog_to(base::Axis axis, double distance, double speed_per_min);
   [[nodiscard]] double travel_left(base::Axis axis, bool up) const;
   [[nodiscard]] double reachable(const control::Motion& whole, base::Axis axis, double distance,
                                  std::optional<JogEnd>& end);
@@ -159,7 +161,6 @@ class LiveCore : private AxisPointSink {
   std::vector<AxisPointSink*> point_sinks_;
 
   Activity activity_ = Activity::none;
-  bool is_fresh_ = true;     // the program would begin on a machine that has done nothing
   bool is_entry_ = false;    // what runs, or has run, is an entry in MDI
   bool feed_hold_ = false;   // pressed
   bool block_hold_ = false;  // the feed holds behind the block: single block
@@ -175,6 +176,7 @@ class LiveCore : private AxisPointSink {
   std::uint64_t run_ = 0;
   std::uint64_t changes_ = 0;  // of variables, by the operator
   std::deque<std::string> messages_;
+  std::size_t said_ = 0;  // of the program's own
   std::string printed_;
   std::uint64_t printed_bytes_ = 0;
   std::deque<std::string> input_;

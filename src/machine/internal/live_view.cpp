@@ -147,10 +147,13 @@ LiveCore::Values LiveCore::values() {
   Dialect& language = machine_->language();
   const std::size_t levels = std::max<std::size_t>(machine_->control().open_calls().size(), 1);
   for (std::size_t level = 0; level < levels; ++level) {
+    bool any_local = false;
     for (const VariableRow& row : language.list_variables(level).rows) {
-      const std::size_t whose = row.scope == VariableScope::local ? level : 0;
-      all[{row.name, whose}] = row.value;
+      const bool local = row.scope == VariableScope::local;
+      any_local |= local;
+      all[{row.name, local ? level : 0}] = row.value;
     }
+    if (!any_local) break;  // every level shows the same
   }
   return all;
 }

@@ -7,7 +7,7 @@ namespace {
 
 // On Linux this is the priority of the calling thread alone.
 void give_way() {
-  constexpr int kNice = 10;
+  constexpr int kNice = 19;
   ::setpriority(PRIO_PROCESS, 0, kNice);
 }
 

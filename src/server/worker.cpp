@@ -5,9 +5,10 @@
 namespace kerf::server {
 namespace {
 
-// On Linux this is the priority of the calling thread alone.
+// On Linux this is the priority of the calling thread alone. Not the lowest: a thread that hardly
+// runs on a busy computer may hold a lock of the memory that the sockets' thread waits for.
 void give_way() {
-  constexpr int kNice = 10;
+  constexpr int kNice = 5;
   ::setpriority(PRIO_PROCESS, 0, kNice);
 }
 

@@ -29,11 +29,12 @@ export default defineConfig({
     },
   },
   server: {
+    // The server looks at Host and Origin: both stay those of this page.
     proxy: {
       '/ws': { target: server, ws: true },
-      '/library': server,
-      '/api': server,
-      '/health': server,
+      '/library': { target: server },
+      '/api': { target: server },
+      '/health': { target: server },
     },
   },
   test: { include: ['tests/**/*.test.ts'], environment: 'node' },

@@ -202,12 +202,16 @@ export class PanelPage {
     await this.page.keyboard.press('Control+Home');
     for (let i = 1; i < line; i++) await this.page.keyboard.press('ArrowDown');
   }
-  /** A machine as a test wants to find it: operated, at rest, in AUTO. */
+  /** A machine as a test wants to find it: operated, at rest, in AUTO, without breakpoints. */
   async fresh() {
     await this.operates();
     await this.press('Reset');
     await this.has_status('IDLE');
     await this.press('AUTO');
+    await this.tab('Stepping');
+    const left = this.page.locator('.dock').getByRole('button', { name: /^Remove: / });
+    while (await left.count()) await left.first().click();
+    await this.tab('Variables');
   }
   frames(count) {
     return this.page.evaluate(

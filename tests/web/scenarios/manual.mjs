@@ -103,9 +103,10 @@ export const manual = [
       const panel = await open();
       await panel.fresh();
       await panel.tab('Tools');
-      const cell = panel.page.getByRole('textbox', { name: /^T\d+ Length$/ }).first();
-      await cell.waitFor();
-      const name = await cell.getAttribute('aria-label');
+      const name = 'T7 Length';
+      const cell = panel.page.getByRole('textbox', { name, exact: true });
+      await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('7');
+      await panel.page.getByRole('button', { name: 'Add tool' }).click();
       await cell.fill('101.5');
       await cell.press('Enter');
       await panel.page.waitForFunction(

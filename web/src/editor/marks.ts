@@ -96,7 +96,7 @@ export function marks_extension(wishes: GutterWishes): Extension {
       class: 'cm-breakpoints',
       markers: (view) => dots(view.state.doc, view.state.field(marks)),
       lineMarkerChange: (update) => update.startState.field(marks) !== update.state.field(marks),
-      initialSpacer: () => new Dot('', false, true),
+      initialSpacer: () => new Dot('', false, false),
       domEventHandlers: {
         mousedown(view, block, event) {
           const line = view.state.doc.lineAt(block.from).number;

@@ -1,14 +1,12 @@
 /** Work offsets and the tool table; changes can be taken back. */
-import { type OffsetRow, type WorkOffset, by_system } from '../logic/offsets';
+import {
+  type OffsetRow,
+  type Tool,
+  type WorkOffset,
+  by_system,
+  with_added,
+} from '../logic/offsets';
 import { panel } from './panel.svelte';
-
-export interface Tool {
-  number: number;
-  length_geometry: number;
-  length_wear: number;
-  radius_geometry: number;
-  radius_wear: number;
-}
 
 export type ToolValue = Exclude<keyof Tool, 'number'>;
 
@@ -16,7 +14,9 @@ const MOST_OFTEN_MS = 400;
 
 class Offsets {
   work = $state.raw<WorkOffset[]>([]);
+  /** Those that the machine tells, and those that were added to be filled in. */
   tools = $state.raw<Tool[]>([]);
+  private added: number[] = [];
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   refresh(): void {
@@ -33,6 +33,12 @@ class Offsets {
 
   set_tool(number: number, key: ToolValue, value: number, before: number): Promise<void> {
     return this.change(`T${number} ${key}`, { offset: `tool.${number}.${key}` }, value, before);
+  }
+
+  /** A row for a tool of which nothing is known yet. */
+  add_tool(number: number): void {
+    this.added = [...this.added, number];
+    this.tools = with_added(this.tools, this.added);
   }
 
   private async change(
@@ -56,7 +62,7 @@ class Offsets {
     const work = await panel.ask('offsets').catch(() => null);
     if (work) this.work = by_system(work.offsets as OffsetRow[]);
     const tools = await panel.ask('tools').catch(() => null);
-    if (tools) this.tools = tools.tools as Tool[];
+    if (tools) this.tools = with_added(tools.tools as Tool[], this.added);
   }
 }
 

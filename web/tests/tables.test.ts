@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { in_order, is_quiet } from '../src/logic/modal';
-import { by_system } from '../src/logic/offsets';
+import { by_system, with_added } from '../src/logic/offsets';
 import { scope_of } from '../src/logic/variables';
 
 it('modal codes have their place, whatever order they come in', () => {
@@ -37,4 +37,18 @@ it('a variable belongs where the server says, or where its number lies', () => {
     'program',
   ]);
   expect(scope_of({ ...variable('#1'), scope: 'program' })).toBe('program');
+});
+
+it('a tool that was added has an empty row until the machine tells it', () => {
+  const five = {
+    number: 5,
+    length_geometry: 80,
+    length_wear: 0,
+    radius_geometry: 4,
+    radius_wear: 0,
+  };
+  const table = with_added([five], [7, 5, 2, 7]);
+  expect(table.map((tool) => tool.number)).toEqual([2, 5, 7]);
+  expect(table[1]).toBe(five);
+  expect(table[2].length_geometry).toBe(0);
 });

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { join } from 'node:path';
 
 const SLOW_MS = 40_000;
+const POLL_MS = 30;
 
 export class PanelPage {
   static async open(
@@ -66,18 +67,26 @@ export class PanelPage {
 
   // Seeing
 
+  /** Asks the page until the answer is true. Not Playwright's waitForFunction: the page's own security policy forbids it. */
+  async until(predicate, argument) {
+    const late = Date.now() + SLOW_MS;
+    while (!(await this.page.evaluate(predicate, argument))) {
+      assert.ok(Date.now() < late, `not true within ${SLOW_MS / 1000} s: ${predicate}`);
+      await this.page.waitForTimeout(POLL_MS);
+    }
+  }
   async is_connected() {
     await this.page.locator('header .badge').waitFor();
     await this.page.locator('.line[role="alert"]').waitFor({ state: 'detached' });
-    await this.page.waitForFunction(() => document.querySelectorAll('tbody .big').length > 0);
+    await this.until(() => document.querySelectorAll('tbody .big').length > 0);
   }
   async has_program() {
-    await this.page.waitForFunction(
+    await this.until(
       () => (document.querySelector('.cm-content')?.textContent ?? '').length > 10,
     );
   }
   async has_path(at_least = 1) {
-    await this.page.waitForFunction(
+    await this.until(
       (n) => Number(document.querySelector('#picture')?.dataset.segments) >= n,
       at_least,
     );
@@ -86,7 +95,7 @@ export class PanelPage {
     return this.page.locator('header .status').innerText();
   }
   async has_status(...words) {
-    await this.page.waitForFunction(
+    await this.until(
       (wanted) =>
         wanted.includes(document.querySelector('header .status')?.textContent?.trim() ?? ''),
       words,
@@ -99,7 +108,7 @@ export class PanelPage {
     return Number((await row.locator('.big').innerText()).replace('\u2212', '-'));
   }
   async position_is(axis, wanted, tolerance = 0.0015) {
-    await this.page.waitForFunction(
+    await this.until(
       ([name, value, most]) => {
         for (const row of document.querySelectorAll('aside tbody tr')) {
           if (row.querySelector('th')?.textContent?.trim() !== name) continue;
@@ -176,7 +185,7 @@ export class PanelPage {
     await this.page.getByRole('dialog').getByRole('button', { name, exact: true }).click();
     await this.page.getByRole('dialog').waitFor({ state: 'detached' });
     await this.page.locator('.file.current', { hasText: name }).waitFor();
-    await this.page.waitForFunction(
+    await this.until(
       (n) => document.querySelector('header .program')?.textContent?.includes(n),
       name,
     );

@@ -4,7 +4,9 @@ import { BINDINGS, GROUPS, binding_of, chord, keys_of, spoken } from '../src/log
 const press = (
   code: string,
   held: Partial<Record<'ctrlKey' | 'metaKey' | 'altKey' | 'shiftKey', boolean>> = {},
+  key = '',
 ) => ({
+  key,
   code,
   ctrlKey: false,
   metaKey: false,
@@ -29,6 +31,11 @@ describe('the keymap', () => {
     expect(binding_of(press('Digit3', { altKey: true }), true)?.command).toBe('mode-auto');
     expect(binding_of(press('Digit3'), false)?.command).toBe('view-right');
   });
+  it('knows the question mark wherever a keyboard has it', () => {
+    const german = press('Minus', { shiftKey: true }, '?');
+    expect(binding_of(german, false)?.command).toBe('help');
+    expect(binding_of(german, true)).toBeUndefined();
+  });
   it('leaves letters and arrows to text fields', () => {
     expect(binding_of(press('KeyF'), true)).toBeUndefined();
     expect(binding_of(press('ArrowLeft'), true)).toBeUndefined();
@@ -47,8 +54,12 @@ it('Command counts as Ctrl', () => {
 });
 
 it('keys are spoken as they are written on a keyboard', () => {
-  expect(
-    ['Ctrl+Shift+Backspace', 'Alt+Digit1', 'Shift+Slash', 'ArrowUp', 'Comma'].map(spoken),
-  ).toEqual(['Ctrl+Shift+⌫', 'Alt+1', '?', '↑', ',']);
+  expect(['Ctrl+Shift+Backspace', 'Alt+Digit1', '?', 'ArrowUp', 'Comma'].map(spoken)).toEqual([
+    'Ctrl+Shift+⌫',
+    'Alt+1',
+    '?',
+    '↑',
+    ',',
+  ]);
   expect(keys_of('step-into')).toEqual(['F11', 'Alt+F10']);
 });

@@ -39,8 +39,8 @@ export const accessibility = [
     name: `axe finds nothing serious (${scheme})`,
     async run({ open }) {
       const panel = await open({ scheme });
-      await panel.has_program();
-      await panel.operates();
+      await panel.fresh();
+      await panel.open_program('flanges.nc');
       await panel.press('JOG');
       const found = [];
       for (const tab of TABS) {
@@ -49,7 +49,7 @@ export const accessibility = [
         found.push(...(await findings(panel, tab)));
       }
       for (const [name, key] of [
-        ['keyboard', 'Shift+Slash'],
+        ['keyboard', '?'],
         ['library', 'Control+o'],
       ]) {
         await panel.page.locator('h1').click();
@@ -68,6 +68,7 @@ export const accessibility = [
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
+      await panel.open_program('flanges.nc');
       await panel.press('JOG');
       const wanted = await panel.page.evaluate(() => {
         const is_one = (e) => e.matches('button, input, select, textarea, a[href], [tabindex="0"]');

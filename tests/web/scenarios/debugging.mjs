@@ -28,7 +28,7 @@ export const debugging = [
       await panel.press('Out');
       await panel.executes_line(4);
       await panel.press('Back');
-      await panel.page.waitForFunction(() =>
+      await panel.until(() =>
         document.querySelector('header .status')?.textContent?.includes('STEP'),
       );
       await panel.press('Reset');

@@ -87,12 +87,12 @@ export const manual = [
       });
       await cell.fill('12.25');
       await cell.press('Enter');
-      await panel.page.waitForFunction(
+      await panel.until(
         () => document.querySelector('input[aria-label="G59 X"]')?.value === '12.250',
       );
       await panel.page.locator('h1').click();
       await panel.page.keyboard.press('Control+z');
-      await panel.page.waitForFunction(
+      await panel.until(
         () => document.querySelector('input[aria-label="G59 X"]')?.value === '0.000',
       );
     },
@@ -109,7 +109,7 @@ export const manual = [
       await panel.page.getByRole('button', { name: 'Add tool' }).click();
       await cell.fill('101.5');
       await cell.press('Enter');
-      await panel.page.waitForFunction(
+      await panel.until(
         (label) => document.querySelector(`input[aria-label="${label}"]`)?.value === '101.500',
         name,
       );
@@ -124,7 +124,7 @@ export const manual = [
       const file = panel.page.getByRole('textbox', {
         name: 'Settings of the machine',
       });
-      await panel.page.waitForFunction(() =>
+      await panel.until(() =>
         document.querySelector('dialog textarea')?.value.includes('[[axis]]'),
       );
       const text = await file.inputValue();

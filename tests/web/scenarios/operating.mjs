@@ -54,11 +54,11 @@ export const operating = [
       const feed = panel.page.getByRole('slider', { name: 'Feed override' });
       await feed.focus();
       await panel.page.keyboard.press('ArrowRight');
-      await panel.page.waitForFunction(
+      await panel.until(
         () => document.querySelector('input[aria-label="Feed override"]')?.value === '110',
       );
       await panel.page.getByTitle('Feed override: back to 100 %').click();
-      await panel.page.waitForFunction(
+      await panel.until(
         () => document.querySelector('input[aria-label="Feed override"]')?.value === '100',
       );
       for (const name of [

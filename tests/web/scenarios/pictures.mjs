@@ -5,22 +5,22 @@ const SIZES = [
   [1440, 900],
   [820, 1180],
 ];
-/** Machine, seconds of work before the picture, tab, light. */
+/** Machine, its sample, seconds of work before the picture, tab, light. */
 const STATES = [
-  ['mill', 9, 'Variables', 'dark'],
-  ['laser', 3, 'Pulses', 'dark'],
-  ['five-axis', 8, 'Speed', 'light'],
-  ['arm', 14, 'Stepping', 'light'],
+  ['mill', 'flanges.nc', 9, 'Variables', 'dark'],
+  ['laser', 'cardioid.bas', 3, 'Pulses', 'dark'],
+  ['five-axis', 'tube.tch', 8, 'Speed', 'light'],
+  ['arm', 'flower.nc', 14, 'Stepping', 'light'],
 ];
 
-export const pictures = STATES.flatMap(([machine, seconds, tab, scheme]) =>
+export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme]) =>
   SIZES.map(([width, height]) => ({
     name: `picture of ${machine} at ${width}×${height}`,
     needs_shots: true,
     async run({ open, shots }) {
       const panel = await open({ machine, width, height, scheme });
       await panel.fresh();
-      await panel.has_program();
+      await panel.open_program(sample);
       await panel.has_path(10);
       await panel.tab(tab);
       await panel.press('Cycle start');

@@ -67,7 +67,7 @@ export const BINDINGS = [
   { command: 'next-tab', group: 'panel', keys: ['Alt+ArrowRight'], in_text: true },
   { command: 'previous-tab', group: 'panel', keys: ['Alt+ArrowLeft'], in_text: true },
   { command: 'take-operation', group: 'panel', keys: ['Alt+KeyT'], in_text: true },
-  { command: 'help', group: 'panel', keys: ['Shift+Slash', 'F1'] },
+  { command: 'help', group: 'panel', keys: ['?', 'F1'] },
 ] as const satisfies readonly Binding[];
 
 export type CommandName = (typeof BINDINGS)[number]['command'];
@@ -84,6 +84,7 @@ export const GROUPS: readonly Group[] = [
 ];
 
 export interface KeyPress {
+  key: string;
   code: string;
   ctrlKey: boolean;
   metaKey: boolean;
@@ -91,8 +92,9 @@ export interface KeyPress {
   shiftKey: boolean;
 }
 
-/** `Ctrl+Shift+KeyZ`; Command on a Mac counts as Ctrl. */
+/** `Ctrl+Shift+KeyZ`, wherever that stands on a keyboard; Command on a Mac counts as Ctrl. `?` is the letter. */
 export function chord(press: KeyPress): string {
+  if (press.key === '?') return '?';
   const parts: string[] = [];
   if (press.ctrlKey || press.metaKey) parts.push('Ctrl');
   if (press.altKey) parts.push('Alt');
@@ -128,7 +130,6 @@ const NAMES: Record<string, string> = {
 
 /** How a key is written on a keyboard: `Ctrl+S`, `?`. */
 export function spoken(key: string): string {
-  if (key === 'Shift+Slash') return '?';
   return key
     .split('+')
     .map((part) => NAMES[part] ?? part.replace(/^(Key|Digit)/, ''))

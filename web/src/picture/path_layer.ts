@@ -51,10 +51,6 @@ export class PathLayer {
     for (const view of this.views) this.show(view, this.mesh(view, level));
   }
 
-  get segments_drawn(): number {
-    return this.views.reduce((sum, { drawn }) => sum + Number(drawn?.userData.segments ?? 0), 0);
-  }
-
   clear(): void {
     for (const view of this.views) {
       for (const mesh of new Set(view.levels.filter(Boolean))) dispose_path_mesh(mesh);

@@ -32,6 +32,7 @@ uniform float done;          // vertices of the path that are behind the tool; n
 uniform float chunk_start;
 uniform float show_rapids;
 uniform float width;
+uniform ivec2 part;         // segments x, x + y, x + 2y … of a mesh are drawn
 out vec3 colour;
 out vec2 dash;               // place along the segment in pixels, 1 when dashed
 
@@ -63,7 +64,7 @@ void main() {
   int looks = int(rates.z);
   int kind = looks & 7;
   bool is_rapid = kind == 0;
-  bool hidden = kind == 2 || (is_rapid && show_rapids < 0.5);
+  bool hidden = kind == 2 || (is_rapid && show_rapids < 0.5) || segment % part.y != part.x;
   vec4 a = projectionMatrix * modelViewMatrix * vec4(from.xyz, 1.0);
   vec4 b = projectionMatrix * modelViewMatrix * vec4(to.xyz, 1.0);
   vec2 pa = a.xy / a.w * viewport * 0.5;
@@ -117,6 +118,7 @@ export class PathMaterial extends RawShaderMaterial {
         chunk_start: { value: 0 },
         show_rapids: { value: 1 },
         width: { value: 1.8 },
+        part: { value: new Vector2(0, 1) },
       },
     });
     this.set_scheme('dark', '#101418');
@@ -131,6 +133,11 @@ export class PathMaterial extends RawShaderMaterial {
     this.uniforms.rapid.value = vector(rapid_colour(scheme));
     const colour = new Color().setStyle(ground, '');
     this.uniforms.ground.value = new Vector3(colour.r, colour.g, colour.b);
+  }
+
+  /** Of every `one_of` segments the one behind `part` others is drawn. */
+  set_part(part: number, one_of: number): void {
+    this.uniforms.part.value.set(part, one_of);
   }
 
   set_colouring(colouring: Colouring, low: number, high: number): void {

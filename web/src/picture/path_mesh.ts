@@ -46,7 +46,7 @@ export function path_mesh(
   const texture = texture_of(chunk, vertices);
   const mesh = new Mesh(geometry, material);
   mesh.matrixAutoUpdate = false;
-  mesh.userData = { texture, segments: vertices.length - 1 };
+  mesh.userData = { texture };
   mesh.onBeforeRender = () => {
     material.uniforms.path.value = texture;
     material.uniforms.chunk_start.value = start;

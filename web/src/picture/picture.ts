@@ -17,6 +17,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { type Box, diagonal, empty_box, grow, is_empty, join } from '../logic/box';
 import { Kind } from '../logic/chunk';
 import type { Colouring, Scheme } from '../logic/colour_scale';
+import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
 import { head_pose, joints_of } from '../logic/kinematics';
 import type { PathPlace, PathStore, Range } from '../logic/path_store';
 import { type Hit, pick } from '../logic/pick';
@@ -30,6 +31,7 @@ import {
   size_labels,
   stock_box,
 } from './furniture';
+import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
 import { PathLayer } from './path_layer';
@@ -38,7 +40,6 @@ import { PoseGlide } from './pose_glide';
 import { VIEWS, type ViewName } from './views';
 
 const CORNER_PX = 92;
-const REST_AFTER_MS = 160;
 const PICK_REACH_PX = 7;
 const SAMPLES = 64;
 
@@ -51,6 +52,7 @@ export interface Shown {
 export class Picture {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
+  private readonly path_scene = new Scene();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
   private readonly controls: OrbitControls;
   private readonly corner_scene = new Scene();
@@ -71,12 +73,12 @@ export class Picture {
   private height = 1;
   private half_height_mm = 100;
   private wanted = false;
-  private moved_at = 0;
+  private in_work = false;
+  private rest_timer = 0;
+  private readonly detail = new Detail();
   private closed = false;
   private fitted_run = -1;
   private is_turned_by_hand = false;
-  /** Duration of the last frame's drawing, for whoever measures. */
-  frame_ms = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -86,6 +88,7 @@ export class Picture {
       canvas,
       antialias: true,
       alpha: true,
+      preserveDrawingBuffer: true, // a picture at rest is drawn in slices
       powerPreference: 'high-performance',
     });
     this.renderer.setClearColor(0, 0);
@@ -94,15 +97,17 @@ export class Picture {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.touched());
+    this.controls.addEventListener('change', () => this.request());
     this.controls.addEventListener('start', () => (this.is_turned_by_hand = true));
     this.add_lights();
-    this.scene.add(this.path.group, this.highlight.group);
+    this.path_scene.add(this.path.group);
+    this.scene.add(this.highlight.group);
     this.look('iso');
   }
 
   dispose(): void {
     this.closed = true;
+    clearTimeout(this.rest_timer);
     this.path.clear();
     this.controls.dispose();
     this.renderer.dispose();
@@ -180,7 +185,8 @@ export class Picture {
     this.renderer.setSize(this.width, this.height, false);
     this.material.uniforms.viewport.value.set(this.width, this.height);
     this.frame_camera();
-    this.draw();
+    this.draw(performance.now(), this.detail.level);
+    this.request(); // with rest behind it
   }
 
   look(view: ViewName): void {
@@ -193,7 +199,7 @@ export class Picture {
     this.camera.up.set(0, 0, 1);
     if (view === 'top') this.camera.position.y -= 0.01;
     this.controls.update();
-    this.touched();
+    this.request();
   }
 
   /** The path, or the travel when there is none, in the middle and as large as it may be. */
@@ -209,7 +215,7 @@ export class Picture {
     this.half_height_mm = this.half_height_for(box);
     this.frame_camera();
     this.controls.update();
-    this.touched();
+    this.request();
   }
 
   turn(azimuth_rad: number, polar_rad: number): void {
@@ -226,7 +232,7 @@ export class Picture {
     this.is_turned_by_hand = true;
     this.camera.zoom *= factor;
     this.camera.updateProjectionMatrix();
-    this.touched();
+    this.request();
   }
 
   /** What lies under a place of the canvas, in CSS pixels. */
@@ -247,40 +253,72 @@ export class Picture {
     return pick(this.store, aim);
   }
 
-  /** Draws with the next frame. */
+  /** Draws with the next frame, and never before the last one is there. */
   request(): void {
     if (this.wanted || this.closed) return;
     this.wanted = true;
-    requestAnimationFrame(() => {
-      this.wanted = false;
-      if (!this.closed) this.draw();
+    if (!this.in_work) requestAnimationFrame(() => this.frame());
+  }
+
+  private frame(): void {
+    if (this.closed) return;
+    this.wanted = false;
+    clearTimeout(this.rest_timer);
+    const { level } = this.detail;
+    this.draw_and_wait(
+      (now) => this.draw(now, level),
+      (cost_ms) => {
+        this.detail.took(cost_ms);
+        if (this.next_frame() || level === FINE) return;
+        this.rest_timer = window.setTimeout(() => this.rest(level), REST_AFTER_MS);
+      },
+    );
+  }
+
+  /** Nothing has changed for a while: once more with all detail, in slices between which a hand may take over. */
+  private rest(last: Level): void {
+    if (this.closed || this.wanted) return;
+    const one_of = slices_at_rest(last);
+    const slice = (part: number) =>
+      this.draw_and_wait(
+        (now) => (part ? this.draw_path(part, one_of) : this.draw(now, { ...FINE, one_of })),
+        () => this.next_frame() || (part + 1 < one_of && !this.closed && slice(part + 1)),
+      );
+    slice(0);
+  }
+
+  private next_frame(): boolean {
+    if (this.wanted) requestAnimationFrame(() => this.frame());
+    return this.wanted;
+  }
+
+  private draw_and_wait(draw: (now: number) => void, drawn: (cost_ms: number) => void): void {
+    const begin = performance.now();
+    this.in_work = true;
+    draw(begin);
+    when_drawn(this.renderer.getContext() as WebGL2RenderingContext, () => {
+      this.in_work = false;
+      drawn(performance.now() - begin);
     });
   }
 
-  get segments_drawn(): number {
-    return this.path.segments_drawn;
-  }
-
-  private touched(): void {
-    this.moved_at = performance.now();
-    this.request();
-    setTimeout(() => this.request(), REST_AFTER_MS + 20);
-  }
-
-  private draw(): void {
-    const begin = performance.now();
-    const glides = this.pose_model(begin);
+  private draw(now: number, { slack_px, one_of }: Level): void {
+    const glides = this.pose_model(now);
     const pixel_mm = this.pixel_mm();
-    const rests = begin - this.moved_at > REST_AFTER_MS;
-    this.path.choose_detail(pixel_mm, rests ? 0.7 : 2);
+    this.path.choose_detail(pixel_mm, slack_px);
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
-    this.renderer.setViewport(0, 0, this.width, this.height);
     this.renderer.clear();
+    this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.camera);
     this.draw_corner();
-    this.frame_ms = performance.now() - begin;
     if (glides) this.request();
+  }
+
+  private draw_path(part: number, one_of: number): void {
+    this.material.set_part(part, one_of);
+    this.renderer.setViewport(0, 0, this.width, this.height);
+    this.renderer.render(this.path_scene, this.camera);
   }
 
   private pose_model(now: number): boolean {
@@ -293,8 +331,12 @@ export class Picture {
     this.corner_camera.quaternion.copy(this.camera.quaternion);
     this.corner_camera.position.set(0, 0, 0);
     this.renderer.setViewport(4, 4, CORNER_PX, CORNER_PX);
+    this.renderer.setScissor(4, 4, CORNER_PX, CORNER_PX);
+    this.renderer.setScissorTest(true);
     this.renderer.clearDepth();
     this.renderer.render(this.corner_scene, this.corner_camera);
+    this.renderer.setScissorTest(false);
+    this.renderer.setViewport(0, 0, this.width, this.height);
   }
 
   private pixel_mm(): number {

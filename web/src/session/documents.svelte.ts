@@ -177,7 +177,7 @@ class Documents {
 
   private async text_of(name: string): Promise<string | null> {
     const answer = await panel.ask('read', { name, machine: panel.machine }).catch(() => null);
-    return answer ? String(answer.text) : null;
+    return answer ? String(answer.text) : this.fetched(name); // too long for an answer
   }
 
   private mark_loaded(name: string): void {

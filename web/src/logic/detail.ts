@@ -1,0 +1,48 @@
+/**
+ * How much detail a frame may have. Frames of a picture that changes - it is turned, the machine runs, the path arrives - get as
+ * much as can be drawn fluently on this computer; once it rests, it is drawn with all of it.
+ */
+export interface Level {
+  /** Pixels that a drawn path may leave the true one. */
+  slack_px: number;
+  /** One of so many pieces of the path is drawn: where it is dense, pieces lie on each other anyway. */
+  one_of: number;
+}
+
+export const FINE: Level = { slack_px: 0.7, one_of: 1 };
+const LEVELS: Level[] = [
+  FINE,
+  { slack_px: 1.4, one_of: 1 },
+  { slack_px: 2.8, one_of: 1 },
+  { slack_px: 4, one_of: 2 },
+  { slack_px: 4, one_of: 4 },
+  { slack_px: 6, one_of: 8 },
+  { slack_px: 6, one_of: 16 },
+];
+/** A picture that was not drawn for so long rests. */
+export const REST_AFTER_MS = 180;
+const VERY_SLOW_MS = 150;
+const SLOW_MS = 45;
+const QUICK_MS = 18;
+
+export class Detail {
+  private index = 2;
+
+  /** For the next frame of a picture that changes. */
+  get level(): Level {
+    return LEVELS[this.index];
+  }
+
+  /** Such a frame took `cost_ms`. */
+  took(cost_ms: number): void {
+    if (cost_ms > SLOW_MS) this.move(cost_ms > VERY_SLOW_MS ? 2 : 1);
+    else if (cost_ms < QUICK_MS) this.move(-1);
+  }
+
+  private move(by: number): void {
+    this.index = Math.min(LEVELS.length - 1, Math.max(0, this.index + by));
+  }
+}
+
+/** In how many frames a picture at rest is drawn, so that each of them is done soon. */
+export const slices_at_rest = ({ one_of }: Level): number => one_of;

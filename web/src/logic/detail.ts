@@ -21,6 +21,8 @@ const LEVELS: Level[] = [
 ];
 /** A picture that was not drawn for so long rests. */
 export const REST_AFTER_MS = 180;
+/** Of so few nothing is left out: if frames are slow, they are not what it costs, and a gap would be seen. */
+const FEW_SEGMENTS = 30_000;
 const VERY_SLOW_MS = 150;
 const SLOW_MS = 45;
 const QUICK_MS = 18;
@@ -28,9 +30,9 @@ const QUICK_MS = 18;
 export class Detail {
   private index = 2;
 
-  /** For the next frame of a picture that changes. */
-  get level(): Level {
-    return LEVELS[this.index];
+  /** For the next frame of a picture that changes, with a path of so many segments. */
+  level(segments: number): Level {
+    return segments > FEW_SEGMENTS ? LEVELS[this.index] : FINE;
   }
 
   /** Such a frame took `cost_ms`. */

@@ -185,7 +185,7 @@ export class Picture {
     this.renderer.setSize(this.width, this.height, false);
     this.material.uniforms.viewport.value.set(this.width, this.height);
     this.frame_camera();
-    this.draw(performance.now(), this.detail.level);
+    this.draw(performance.now(), this.level());
     this.request(); // with rest behind it
   }
 
@@ -264,7 +264,7 @@ export class Picture {
     if (this.closed) return;
     this.wanted = false;
     clearTimeout(this.rest_timer);
-    const { level } = this.detail;
+    const level = this.level();
     this.draw_and_wait(
       (now) => this.draw(now, level),
       (cost_ms) => {
@@ -285,6 +285,10 @@ export class Picture {
         () => this.next_frame() || (part + 1 < one_of && !this.closed && slice(part + 1)),
       );
     slice(0);
+  }
+
+  private level(): Level {
+    return this.detail.level(this.store?.facts.segments ?? 0);
   }
 
   private next_frame(): boolean {

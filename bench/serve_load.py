@@ -67,16 +67,16 @@ def start(kerf, folder):
 
 
 def run_machines(port, count):
-    """Each as an operator does it; control is given free by the next `watch`."""
-    client = Client(port)
+    """Each as an operator does it, by a connection of its own: one may not send so many commands a second."""
     for i in range(count):
         name = f"m{i}"
+        client = Client(port)
         client.do("create", name=name, definition="mill3")
         client.do("watch", machine=name)
         client.do("operate", take=True)
         client.do("load", text=PROGRAM, name="load.nc")
         client.do("cycle-start")
-    client.socket.close()
+        client.socket.close()
 
 
 def watch(port, machine, until, gaps):

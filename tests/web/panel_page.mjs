@@ -190,6 +190,15 @@ export class PanelPage {
       name,
     );
   }
+  /** With the slider. */
+  async go_to_instant(time_s) {
+    const slider = this.page.getByRole('slider', { name: 'Time of the run' });
+    await slider.evaluate((input, value) => {
+      input.value = String(value);
+      input.dispatchEvent(new Event('input', { bubbles: true }));
+    }, time_s);
+    await this.page.locator('.instant').waitFor();
+  }
   /** Puts a text into the library as an upload does, and opens it. */
   async run_text(name, text) {
     await this.upload(name, text);

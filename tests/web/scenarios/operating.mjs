@@ -83,15 +83,8 @@ export const operating = [
       await panel.run_text('long.nc', LONG);
       await panel.has_path(4);
       const now = await panel.position('X');
-      const slider = panel.page.getByRole('slider', {
-        name: 'Time of the run',
-      });
       // In the middle of the first cut X is about half way.
-      await slider.evaluate((input) => {
-        input.value = '15';
-        input.dispatchEvent(new Event('input', { bubbles: true }));
-      });
-      await panel.page.locator('.instant').waitFor();
+      await panel.go_to_instant(15);
       await panel.executes_line(4);
       await panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true }).click();
       await panel.page.locator('.instant').waitFor({ state: 'detached' });

@@ -5,15 +5,15 @@ const SIZES = [
   [1440, 900],
   [820, 1180],
 ];
-/** Machine, its sample, seconds of work before the picture, tab, light. */
+/** Machine, its sample, seconds of work before the picture, tab, light, and the instant that the slider then shows. */
 const STATES = [
   ['mill', 'flanges.nc', 9, 'Variables', 'dark'],
   ['laser', 'cardioid.bas', 3, 'Pulses', 'dark'],
   ['five-axis', 'tube.tch', 8, 'Speed', 'light'],
-  ['arm', 'flower.nc', 14, 'Stepping', 'light'],
+  ['arm', 'flower.nc', 14, 'Stepping', 'light', 400],
 ];
 
-export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme]) =>
+export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme, instant_s]) =>
   SIZES.map(([width, height]) => ({
     name: `picture of ${machine} at ${width}×${height}`,
     needs_shots: true,
@@ -25,6 +25,7 @@ export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme])
       await panel.tab(tab);
       await panel.press('Cycle start');
       await panel.page.waitForTimeout(1000 * seconds);
+      if (instant_s) await panel.go_to_instant(instant_s);
       await panel.page.mouse.move(0, 0);
       await panel.page.screenshot({
         path: join(shots, `panel-${machine}-${width}x${height}.png`),

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "lang/teach/record_parser.hpp"
+#include "machine/internal/forecast.hpp"
 #include "machine/internal/journal.hpp"
 #include "machine/internal/live_core.hpp"
 #include "machine/internal/refused.hpp"
@@ -35,10 +36,14 @@ class LiveMachine::Impl {
   Outcome set_off(const Act& act) { return core->would_begin() ? begin(act) : perform(act); }
   [[nodiscard]] Outcome step_back();
   [[nodiscard]] base::Outcome<LiveCore*> core_at(double time_s);
+  [[nodiscard]] LiveCore* earlier(double time_s);
+  [[nodiscard]] LiveCore* later(double time_s);
 
   std::unique_ptr<LiveCore> core;
   Journal journal;
   std::unique_ptr<Replay> replay;
+  std::unique_ptr<Forecast> forecast;
+  LiveCore* looked_at = nullptr;  // the core of the last instant that was asked for; null: none
   machine::Capture capture;
   std::vector<control::MotionSink*> sinks;
   std::vector<AxisPointSink*> point_sinks;
@@ -47,7 +52,9 @@ class LiveMachine::Impl {
  private:
   void touch() {
     shown.reset();
+    looked_at = nullptr;
     replay.reset();
+    forecast.reset();
   }
 };
 
@@ -108,11 +115,23 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
 
 base::Outcome<LiveCore*> LiveMachine::Impl::core_at(double time_s) {
   if (!(time_s >= 0)) return refused("times of a run begin with 0 s");
-  if (time_s > core->time_s()) return refused("the run has not come to this time");
+  return looked_at = time_s > core->time_s() ? later(time_s) : earlier(time_s);
+}
+
+LiveCore* LiveMachine::Impl::earlier(double time_s) {
   if (replay && replay->time_s() > time_s) replay.reset();
   if (!replay) replay = std::make_unique<Replay>(journal);
   replay->go_to(time_s);
   return &replay->core();
+}
+
+// Of the run that is under way, or else of the next one.
+LiveCore* LiveMachine::Impl::later(double time_s) {
+  if (forecast && forecast->time_s() > time_s) forecast.reset();
+  if (!forecast)
+    forecast = std::make_unique<Forecast>(core->would_begin() ? core->run_start() : journal.start);
+  forecast->go_to(time_s);
+  return &forecast->core();
 }
 
 LiveMachine::LiveMachine(const MachineDefinition& definition, control::Memory memory,
@@ -288,7 +307,7 @@ base::Outcome<std::shared_ptr<const Snapshot>> LiveMachine::state_at(double time
 }
 
 VariableListing LiveMachine::variables_at_state(std::optional<std::size_t> level) {
-  return (impl_->replay ? impl_->replay->core() : *impl_->core).variables(level);
+  return (impl_->looked_at ? *impl_->looked_at : *impl_->core).variables(level);
 }
 
 // Teaching

@@ -135,8 +135,9 @@ class LiveMachine {
 
   // Time
 
-  /// The state at a time of this run, from 0 to the time of the last snapshot: the run is made
-  /// again to there. Slow where that is far; later times of the same run go on from there.
+  /// The state at a time of this run: up to the time of the last snapshot the run is made again to
+  /// there; behind that the loaded program is run as it would be without anybody at the panel, to
+  /// its end at most. Slow where that is far; later times go on from there.
   [[nodiscard]] base::Outcome<std::shared_ptr<const Snapshot>> state_at(double time_s);
   /// Variables at the time that state_at() was asked for last.
   [[nodiscard]] VariableListing variables_at_state(std::optional<std::size_t> level = {});

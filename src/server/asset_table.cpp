@@ -21,9 +21,9 @@ struct Line {
 std::optional<Line> parse_line(std::string_view text) {
   Line line;
   for (std::size_t i = 0; i < line.fields.size(); ++i) {
-    const std::size_t end = std::min(text.find('\t'), text.size());
-    line.fields[i] = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const auto* const tab = std::find(text.begin(), text.end(), '\t');
+    line.fields[i] = std::string_view(text.begin(), tab);
+    text = std::string_view(tab == text.end() ? tab : tab + 1, text.end());
   }
   const std::string_view bytes = line.fields[3];
   const auto read = std::from_chars(bytes.data(), bytes.data() + bytes.size(), line.bytes);
@@ -41,6 +41,7 @@ AssetTable::AssetTable(std::string_view pack) {
   std::string_view blobs = pack.substr(head + 2);
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
+    if (end == std::string_view::npos) return;
     const auto line = parse_line(lines.substr(0, end));
     lines.remove_prefix(end + 1);
     if (!line || line->bytes > blobs.size()) return;

@@ -200,7 +200,8 @@ std::vector<Command> make_table() {
       {"instant",
        Who::watcher,
        {number("time_s", 0, kMostTime_s)},
-       "Tells the state at that instant of this run, which is made once more up to there.",
+       "Tells the state at that instant of this run, which is made once more up to there; behind "
+       "now that of the program as it would run without anybody at the panel.",
        "the keys of `state` that the machine says, and `variables`"},
       {"speeds",
        Who::watcher,

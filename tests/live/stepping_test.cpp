@@ -268,8 +268,48 @@ TEST(AnInstant, IsTheStateThatTheRunHadThen) {
     EXPECT_EQ((*then)->line, seen[i].shown.line) << seen[i].time_s;
     EXPECT_EQ((*then)->modal, seen[i].shown.modal) << seen[i].time_s;
   }
-  EXPECT_FALSE(bench->state_at(1e6));
   EXPECT_FALSE(bench->state_at(-1));
+}
+
+TEST(AnInstant, ThatIsStillToComeIsThatOfTheProgramByItself) {
+  Bench bench;
+  bench.load("O1\n#100=1\nG91G01X10.F600\nM00\n#100=2\nX10.\nM00\n#100=3\nX10.\nM30\n");
+  EXPECT_DONE(bench->set_variable("#101", 7));
+  const auto x_at = [&](double time_s) {
+    const auto then = bench->state_at(time_s);
+    return then ? (*then)->machine.values[0] : -1;
+  };
+  const auto variable = [&](const std::string& name) {
+    for (const auto& row : bench->variables_at_state().rows)
+      if (row.name == name) return row.value;
+    return -1.0;
+  };
+  // Before the start, held in the first cut, with another feed: at 10 mm/s X is 10 mm further each
+  // second.
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_NEAR(x_at(1.5), 15, 0.6) << round;
+    EXPECT_EQ(variable("#100"), 2) << round;
+    EXPECT_NEAR(x_at(2.5), 25, 1) << round;
+    EXPECT_EQ(variable("#100"), 3) << round;
+    EXPECT_EQ(variable("#101"), 7) << round;
+    EXPECT_NEAR(x_at(1.2), 12, 0.6) << round;
+    EXPECT_EQ(x_at(1e6), 30) << round;
+    if (round == 0) {
+      EXPECT_DONE(bench->cycle_start());
+      bench->advance(0.3);
+      EXPECT_DONE(bench->feed_hold());
+      bench->advance(0.3);
+      EXPECT_EQ(bench.status(), Status::held);
+    } else {
+      EXPECT_DONE(bench->set_dials({50, 100, 100}));
+    }
+  }
+}
+
+TEST(AnInstant, OfAProgramThatOnlyStopsIsFound) {
+  Bench bench;
+  bench.load("O1\nN1M00\nGOTO1\n");
+  EXPECT_TRUE(bench->state_at(10));
 }
 
 TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {

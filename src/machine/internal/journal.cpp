@@ -10,6 +10,18 @@ constexpr int kMostIdleCalls = 200;
 
 }  // namespace
 
+// What an operator did at a number of points was done when all was ready behind the last of them.
+void make_points(LiveCore& core, double until_s, std::uint64_t most) {
+  int idle = 0;
+  while (core.is_active() && idle < kMostIdleCalls) {
+    const std::uint64_t before = core.points();
+    const std::uint64_t blocks = core.stepper().blocks();
+    core.advance_to(until_s, most);
+    if (core.is_active() && core.is_reached()) return;
+    idle = before == core.points() && blocks == core.stepper().blocks() ? idle + 1 : 0;
+  }
+}
+
 // The stop belongs where the last one before it was called off.
 void Journal::go_back(std::uint64_t block, std::size_t kept, std::uint64_t points) {
   entries.resize(kept);
@@ -39,23 +51,11 @@ bool Replay::is_at_last_block() {
   return last_block_ != 0 && core_->stepper().blocks() >= last_block_;
 }
 
-// What the operator did at a number of points was done when all was ready behind the last of them.
-void Replay::make_points(double until_s, std::uint64_t most) {
-  int idle = 0;
-  while (core_->is_active() && idle < kMostIdleCalls) {
-    const std::uint64_t before = core_->points();
-    const std::uint64_t blocks = core_->stepper().blocks();
-    core_->advance_to(until_s, most);
-    if (core_->is_active() && core_->is_reached()) return;
-    idle = before == core_->points() && blocks == core_->stepper().blocks() ? idle + 1 : 0;
-  }
-}
-
 void Replay::go_to(double time_s) {
   constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
   for (; done_ < journal_.entries.size(); ++done_) {
     const Journal::Entry& entry = journal_.entries[done_];
-    make_points(time_s, entry.points);
+    make_points(*core_, time_s, entry.points);
     if (core_->points() < entry.points || is_at_last_block()) break;
     if (entry.last_block) {
       stop_before(*entry.last_block);
@@ -63,7 +63,7 @@ void Replay::go_to(double time_s) {
       static_cast<void>(entry.act(*core_));
     }
   }
-  make_points(time_s, kAll);
+  make_points(*core_, time_s, kAll);
 }
 
 }  // namespace kerf::machine

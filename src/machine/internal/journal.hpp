@@ -26,6 +26,9 @@ struct Journal {
   void go_back(std::uint64_t block, std::size_t kept, std::uint64_t points);
 };
 
+/// Lets a core make points up to a time and a number of them, or until nothing moves or executes.
+void make_points(LiveCore& core, double until_s, std::uint64_t most);
+
 /// A run that is made again.
 class Replay {
  public:
@@ -43,7 +46,6 @@ class Replay {
   [[nodiscard]] std::unique_ptr<LiveCore> take() { return std::move(core_); }
 
  private:
-  void make_points(double until_s, std::uint64_t most);
   [[nodiscard]] bool is_at_last_block();
   void stop_before(std::uint64_t recorded);
 

@@ -85,6 +85,7 @@ export const operating = [
       const now = await panel.position('X');
       // In the middle of the first cut X is about half way.
       await panel.go_to_instant(15);
+      await panel.position_is('X', 75, 3);
       await panel.executes_line(4);
       await panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true }).click();
       await panel.page.locator('.instant').waitFor({ state: 'detached' });

@@ -53,6 +53,7 @@ const browser = await chromium.launch({
   executablePath: values.chromium,
   args: [
     '--no-sandbox',
+    '--disable-dev-shm-usage', // small in containers
     '--enable-unsafe-swiftshader',
     '--disable-gpu-rasterization',
     '--disable-accelerated-2d-canvas',

@@ -7,99 +7,24 @@ import {
   ConeGeometry,
   CylinderGeometry,
   Group,
-  Mesh,
-  MeshBasicMaterial,
-  MeshStandardMaterial,
+  type Mesh,
   TorusGeometry,
-  Vector3,
-  type BufferGeometry,
 } from 'three';
-import { arm_pose, head_pose, turning_pose, type Point } from '../logic/kinematics';
-import type { Axes, Kinematics, MachineDefinition } from '../logic/protocol';
+import { arm_pose, head_pose, turning_pose } from '../logic/kinematics';
+import type { Kinematics, MachineDefinition } from '../logic/protocol';
 import { type Palette, lines } from './furniture';
+import { NozzleModel } from './nozzle';
+import { OpticsModel } from './optics';
+import { Beam, type Model, type Pose, link, part, pillar, translated } from './parts';
 
-export interface Pose {
-  tip: Point;
-  joints: Axes;
-  tool: number;
-  beam: boolean;
-  /** 0 to 1. */
-  power: number;
-}
-
-export interface Model {
-  readonly group: Group;
-  set(pose: Pose): void;
-  /** Parts that keep their size in the picture whatever the scale, as a tool over a large table. */
-  scale(mm_per_pixel: number): void;
-}
+export type { Model, Pose } from './parts';
 
 export function model_of(definition: MachineDefinition, palette: Palette, reach_mm: number): Model {
   const { kinematics } = definition;
   if (kinematics.kind === 'arm') return new ArmModel(kinematics, palette);
   if (kinematics.kind === 'head-ac') return new HeadModel(kinematics, palette);
   if (kinematics.kind === 'x-theta-z') return new TurningModel(kinematics, palette, reach_mm);
-  return definition.laser ? new NozzleModel(palette) : new SpindleModel(palette);
-}
-
-function part(geometry: BufferGeometry, colour: string, opacity = 1): Mesh {
-  const material = new MeshStandardMaterial({
-    color: colour,
-    roughness: 0.55,
-    metalness: 0.25,
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity === 1,
-  });
-  return new Mesh(geometry, material);
-}
-
-/** A cylinder along Z from `bottom` up. */
-function pillar(
-  radius_low: number,
-  radius_high: number,
-  bottom: number,
-  height: number,
-): BufferGeometry {
-  return new CylinderGeometry(radius_high, radius_low, height, 28)
-    .rotateX(Math.PI / 2)
-    .translate(0, 0, bottom + height / 2);
-}
-
-/** A bar along X with round ends, lying on `z`. */
-function link(length: number, width: number, thick: number, z: number, colour: string): Group {
-  const group = new Group();
-  const bar = part(
-    new BoxGeometry(length, width, thick).translate(length / 2, 0, z + thick / 2),
-    colour,
-  );
-  const ends = [0, length].map((x) =>
-    part(
-      new CylinderGeometry(width / 2, width / 2, thick, 28)
-        .rotateX(Math.PI / 2)
-        .translate(x, 0, z + thick / 2),
-      colour,
-    ),
-  );
-  group.add(bar, ...ends);
-  return group;
-}
-
-/** The beam between head and work: seen while it is on, brighter with power. */
-class Beam {
-  readonly mesh: Mesh;
-  constructor(palette: Palette, length: number, radius: number) {
-    const geometry = new CylinderGeometry(radius, radius * 0.35, length, 12)
-      .rotateX(Math.PI / 2)
-      .translate(0, 0, length / 2);
-    this.mesh = new Mesh(
-      geometry,
-      new MeshBasicMaterial({ color: palette.beam, transparent: true, depthWrite: false }),
-    );
-  }
-  set(on: boolean, power: number): void {
-    (this.mesh.material as MeshBasicMaterial).opacity = on ? 0.35 + 0.6 * power : 0.1;
-  }
+  return definition.laser ? new OpticsModel(definition, palette) : new SpindleModel(palette);
 }
 
 /** A holder and a cutter over the tip: a mill. It keeps a readable size. */
@@ -119,31 +44,6 @@ class SpindleModel implements Model {
   }
   scale(mm_per_pixel: number): void {
     this.group.scale.setScalar(Math.min(4, Math.max(0.25, 2.1 * mm_per_pixel)));
-  }
-}
-
-/** A nozzle over the tip with its beam: a laser. */
-class NozzleModel implements Model {
-  readonly group = new Group();
-  private readonly beam: Beam;
-  constructor(palette: Palette) {
-    this.beam = new Beam(palette, 10, 0.9);
-    this.group.add(
-      this.beam.mesh,
-      part(
-        new ConeGeometry(5, 12, 28, 1, true).rotateX(-Math.PI / 2).translate(0, 0, 13),
-        palette.metal,
-      ),
-      part(pillar(5, 5, 19, 16), palette.metal_dark),
-      part(pillar(6.4, 6.4, 35, 4), palette.metal),
-    );
-  }
-  set(pose: Pose): void {
-    this.group.position.set(...pose.tip);
-    this.beam.set(pose.beam, pose.power);
-  }
-  scale(mm_per_pixel: number): void {
-    this.group.scale.setScalar(Math.min(4, Math.max(0.1, 2.1 * mm_per_pixel)));
   }
 }
 
@@ -313,9 +213,4 @@ class TurningModel implements Model {
   scale(mm_per_pixel: number): void {
     this.nozzle.scale(mm_per_pixel);
   }
-}
-
-function translated<T extends Group | Mesh>(object: T, x: number, y: number, z: number): T {
-  object.position.copy(new Vector3(x, y, z));
-  return object;
 }

@@ -1,0 +1,101 @@
+/** What the models of machines are made of. */
+import {
+  BoxGeometry,
+  CylinderGeometry,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  MeshStandardMaterial,
+  Vector3,
+  type BufferGeometry,
+} from 'three';
+import type { Point } from '../logic/kinematics';
+import type { Axes } from '../logic/protocol';
+import type { Palette } from './furniture';
+
+export interface Pose {
+  tip: Point;
+  joints: Axes;
+  tool: number;
+  beam: boolean;
+  /** 0 to 1. */
+  power: number;
+}
+
+export interface Model {
+  readonly group: Group;
+  set(pose: Pose): void;
+  /** Parts that keep their size in the picture whatever the scale, as a tool over a large table. */
+  scale(mm_per_pixel: number): void;
+}
+
+export function part(geometry: BufferGeometry, colour: string, opacity = 1): Mesh {
+  const material = new MeshStandardMaterial({
+    color: colour,
+    roughness: 0.55,
+    metalness: 0.25,
+    transparent: opacity < 1,
+    opacity,
+    depthWrite: opacity === 1,
+  });
+  return new Mesh(geometry, material);
+}
+
+/** A cylinder along Z from `bottom` up. */
+export function pillar(
+  radius_low: number,
+  radius_high: number,
+  bottom: number,
+  height: number,
+): BufferGeometry {
+  return new CylinderGeometry(radius_high, radius_low, height, 28)
+    .rotateX(Math.PI / 2)
+    .translate(0, 0, bottom + height / 2);
+}
+
+/** A bar along X with round ends, lying on `z`. */
+export function link(
+  length: number,
+  width: number,
+  thick: number,
+  z: number,
+  colour: string,
+): Group {
+  const group = new Group();
+  const bar = part(
+    new BoxGeometry(length, width, thick).translate(length / 2, 0, z + thick / 2),
+    colour,
+  );
+  const ends = [0, length].map((x) =>
+    part(
+      new CylinderGeometry(width / 2, width / 2, thick, 28)
+        .rotateX(Math.PI / 2)
+        .translate(x, 0, z + thick / 2),
+      colour,
+    ),
+  );
+  group.add(bar, ...ends);
+  return group;
+}
+
+/** The beam between head and work: seen while it is on, brighter with power. */
+export class Beam {
+  readonly mesh: Mesh;
+  constructor(palette: Palette, length: number, radius: number) {
+    const geometry = new CylinderGeometry(radius, radius * 0.35, length, 12)
+      .rotateX(Math.PI / 2)
+      .translate(0, 0, length / 2);
+    this.mesh = new Mesh(
+      geometry,
+      new MeshBasicMaterial({ color: palette.beam, transparent: true, depthWrite: false }),
+    );
+  }
+  set(on: boolean, power: number): void {
+    (this.mesh.material as MeshBasicMaterial).opacity = on ? 0.35 + 0.6 * power : 0.1;
+  }
+}
+
+export function translated<T extends Group | Mesh>(object: T, x: number, y: number, z: number): T {
+  object.position.copy(new Vector3(x, y, z));
+  return object;
+}

@@ -11,6 +11,13 @@ namespace kerf::base {
 /// Longest block, and longest line, in bytes. A longer one raises BLOCK_TOO_LONG.
 inline constexpr std::size_t kLongestBlock = 1 << 20;
 
+/// The text without U+FEFF in UTF-8, which some editors put in front of a file: it means nothing in
+/// any language. For the first line of a file.
+[[nodiscard]] inline std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 /// Hands out the lines of a stretch of a file one after the other. Holds some of its text at a
 /// time, and keeps what it has when the next stretch goes on where the last one stopped.
 class TextWindow {

@@ -92,7 +92,7 @@ Outcome<void> Outputs::open_post() {
 
 Outcome<void> Outputs::open_pattern() {
   if (options_.pattern.empty()) return {};
-  auto motors = output::PatternMachine::of(machine_.definition());
+  auto motors = machine::PatternMachine::of(machine_.definition());
   if (!motors) return usage("--pattern " + options_.pattern + ": " + motors.error().message);
   motors_ = std::move(*motors);
   return files_.open(options_.pattern, kDrives, [&](OutputFile& file) {

@@ -62,7 +62,7 @@ class Outputs {
   std::vector<std::unique_ptr<control::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<machine::AxisPointSink>> point_sinks_;
   std::unique_ptr<drive::PulseSink> pulses_;
-  std::optional<output::PatternMachine> motors_;
+  std::optional<machine::PatternMachine> motors_;
   std::unique_ptr<drive::PatternWriter> pattern_;
   std::unique_ptr<output::PatternPlot> pattern_plot_;
   output::PatternMaker* pattern_maker_ = nullptr;

@@ -1,4 +1,4 @@
-#include "output/pattern_replay.hpp"
+#include "machine/pattern_replay.hpp"
 
 #include <array>
 #include <cstdio>
@@ -44,7 +44,7 @@ Outcome<machine::MachineDefinition> machine_of(const PatternOptions& options) {
 class Replay {
  public:
   Replay(const PatternOptions& options, const base::SourceSet& sources,
-         const output::PatternMachine& machine)
+         const machine::PatternMachine& machine)
       : options_(options),
         sources_(sources),
         definition_(machine.definition()),
@@ -71,7 +71,7 @@ class Replay {
   const base::SourceSet& sources_;
   const machine::MachineDefinition& definition_;
   drive::PatternFormat format_;
-  output::PatternReplay replay_;
+  machine::PatternReplay replay_;
   output::ReplaySummary summary_;
   OutputFiles files_;
   std::unique_ptr<drive::PatternWriter> writer_;
@@ -214,7 +214,7 @@ ExitStatus Replay::run() {
 ExitStatus replay(const PatternOptions& options, const base::SourceSet& sources) {
   const auto definition = machine_of(options);
   if (!definition) return fail(definition.error());
-  const auto machine = output::PatternMachine::of(*definition);
+  const auto machine = machine::PatternMachine::of(*definition);
   if (!machine) return fail(machine.error());
   Replay replay(options, sources, *machine);
   if (auto opened = replay.open(); !opened) return fail(opened.error());

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "base/text_window.hpp"
+
 namespace kerf::machine {
 namespace {
 
@@ -33,8 +35,7 @@ struct FirstWord {
 
 FirstWord first_word(std::string_view line) {
   FirstWord first;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (line.starts_with(kByteOrderMark)) line.remove_prefix(kByteOrderMark.size());
+  line = base::without_byte_order_mark(line);
   std::size_t at = line.find_first_not_of(" \t\r");
   if (at == std::string_view::npos) return first;
   const auto in_word = [&] {

@@ -41,7 +41,7 @@ constexpr bool is_cut = std::is_same_v<T, control::Line> || std::is_same_v<T, co
 
 }  // namespace
 
-PatternMaker::PatternMaker(machine::VirtualMachine& machine, const PatternMachine& motors,
+PatternMaker::PatternMaker(machine::VirtualMachine& machine, const machine::PatternMachine& motors,
                            drive::PatternWriter& writer)
     : machine_(machine),
       motors_(motors),

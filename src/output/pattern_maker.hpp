@@ -7,11 +7,11 @@
 #include "control/motion.hpp"
 #include "drive/arm_drive.hpp"
 #include "drive/pattern/writer.hpp"
+#include "machine/pattern_machine.hpp"
 #include "machine/virtual_machine.hpp"
 #include "motion/move_curves.hpp"
 #include "output/internal/pattern/cut_sampler.hpp"
 #include "output/internal/pattern/path_gauge.hpp"
-#include "output/pattern_machine.hpp"
 #include "output/pattern_report.hpp"
 
 namespace kerf::output {
@@ -41,7 +41,7 @@ class PatternWatcher {
 class PatternMaker : public control::MotionSink {
  public:
   /// All must outlive the maker. The motors stand where the machine is at power-on.
-  PatternMaker(machine::VirtualMachine& machine, const PatternMachine& motors,
+  PatternMaker(machine::VirtualMachine& machine, const machine::PatternMachine& motors,
                drive::PatternWriter& writer);
 
   void watch(PatternWatcher& watcher) { watcher_ = &watcher; }
@@ -79,7 +79,7 @@ class PatternMaker : public control::MotionSink {
   [[nodiscard]] const drive::ArmCounts& counts() const { return drive_.counters(); }
 
   machine::VirtualMachine& machine_;
-  const PatternMachine& motors_;
+  const machine::PatternMachine& motors_;
   drive::PatternWriter& writer_;
   PatternWatcher* watcher_ = nullptr;
   motion::MoveCurves curves_;

@@ -4,13 +4,13 @@
 
 namespace kerf::output {
 
-ReplayPlot::ReplayPlot(PatternReplay& replay, control::MotionSink& into)
+ReplayPlot::ReplayPlot(machine::PatternReplay& replay, control::MotionSink& into)
     : replay_(replay), into_(into) {
   replay.add_sink(static_cast<control::MotionSink&>(*this));
 }
 
 void ReplayPlot::follow(const control::Motion& motion) {
-  const PatternMachine& machine = replay_.machine();
+  const machine::PatternMachine& machine = replay_.machine();
   std::array<double, drive::kArmAxes> counts{};
   control::Motion piece = motion;
   for (int n = 1; n < kPieces; ++n) {

@@ -21,7 +21,7 @@ std::string alarm_json(const std::optional<base::Diagnostic>& alarm, const std::
   return object.done();
 }
 
-std::string pattern_json(const PatternReplay::Totals& totals) {
+std::string pattern_json(const machine::PatternReplay::Totals& totals) {
   const std::uint64_t records = totals.fast + totals.triplets;
   JsonObject object;
   object.number("records", static_cast<double>(records))
@@ -32,7 +32,7 @@ std::string pattern_json(const PatternReplay::Totals& totals) {
   return object.done();
 }
 
-std::string extents_json(const PatternReplay& replay) {
+std::string extents_json(const machine::PatternReplay& replay) {
   const machine::RunStatistics& run = replay.statistics();
   const auto& axes = replay.machine().definition().axes.axes;
   JsonObject object;
@@ -44,7 +44,7 @@ std::string extents_json(const PatternReplay& replay) {
   return object.done();
 }
 
-std::string position_json(const PatternReplay& replay) {
+std::string position_json(const machine::PatternReplay& replay) {
   const base::AxisVector tip = replay.machine().tip_at(replay.counters());
   const auto& axes = replay.machine().definition().axes.axes;
   JsonObject object;
@@ -55,7 +55,7 @@ std::string position_json(const PatternReplay& replay) {
 
 }  // namespace
 
-std::string replay_json(const PatternReplay& replay, const ReplaySummary& summary) {
+std::string replay_json(const machine::PatternReplay& replay, const ReplaySummary& summary) {
   const machine::RunStatistics& run = replay.statistics();
   JsonObject object;
   object.text("file", summary.file).text("machine", replay.machine().definition().name);
@@ -71,9 +71,9 @@ std::string replay_json(const PatternReplay& replay, const ReplaySummary& summar
   return object.done() + "\n";
 }
 
-std::string replay_text(const PatternReplay& replay, const ReplaySummary& summary) {
+std::string replay_text(const machine::PatternReplay& replay, const ReplaySummary& summary) {
   const machine::RunStatistics& run = replay.statistics();
-  const PatternReplay::Totals& totals = replay.totals();
+  const machine::PatternReplay::Totals& totals = replay.totals();
   const auto& axes = replay.machine().definition().axes.axes;
   std::string text =
       fmt::format("{} on {} (pattern): {}\n", printable(file_title(summary.file)),

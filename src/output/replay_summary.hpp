@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/diagnostic.hpp"
-#include "output/pattern_replay.hpp"
+#include "machine/pattern_replay.hpp"
 
 namespace kerf::output {
 
@@ -15,9 +15,11 @@ struct ReplaySummary {
 };
 
 /// The summary of a replay as one JSON object on one line (docs/pattern.md).
-[[nodiscard]] std::string replay_json(const PatternReplay& replay, const ReplaySummary& summary);
+[[nodiscard]] std::string replay_json(const machine::PatternReplay& replay,
+                                      const ReplaySummary& summary);
 
 /// The same for people: a few lines of text.
-[[nodiscard]] std::string replay_text(const PatternReplay& replay, const ReplaySummary& summary);
+[[nodiscard]] std::string replay_text(const machine::PatternReplay& replay,
+                                      const ReplaySummary& summary);
 
 }  // namespace kerf::output

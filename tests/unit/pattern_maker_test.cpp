@@ -15,8 +15,8 @@
 #include "drive/return_to_start.hpp"
 #include "drive_recorder.hpp"
 #include "geometry/angle.hpp"
+#include "machine/pattern_replay.hpp"
 #include "machine/virtual_machine.hpp"
-#include "output/pattern_replay.hpp"
 #include "seeded_random.hpp"
 
 namespace kerf::output {
@@ -28,6 +28,8 @@ using drive::ArmCounts;
 using drive::FastRecord;
 using drive::PatternRecord;
 using drive::Triplet;
+using machine::PatternMachine;
+using machine::PatternReplay;
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 machine::MachineDefinition machine_with(const std::string& name, const Settings& settings = {}) {

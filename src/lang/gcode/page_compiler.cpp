@@ -80,6 +80,8 @@ void PageCompiler::compile(const base::SourceFile& file, base::FileId id, const 
     if (full || !window_.next(line)) break;
     const auto offset = static_cast<std::uint32_t>(line.offset - start.offset);
     const auto compile_block = [&](std::string_view block) {
+      if (line.offset == 0 && block.data() == line.text.data())
+        block = base::without_byte_order_mark(block);
       const auto within = static_cast<std::uint32_t>(block.data() - line.text.data());
       parser.compile({block, line.text.data(), line_number, offset + within, offset});
     };

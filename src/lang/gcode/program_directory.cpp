@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "base/program_name.hpp"
+#include "base/text_window.hpp"
 #include "lang/gcode/lexer.hpp"
 
 namespace kerf::gcode {
@@ -99,7 +100,12 @@ ProgramDirectory Scanner::run() {
   for (std::uint64_t at = 0;;) {
     const std::size_t count = file_.read(at, chunk);
     if (count == 0) break;
-    scan({chunk.data(), count});
+    std::string_view text(chunk.data(), count);
+    if (at == 0) {
+      text = base::without_byte_order_mark(text);
+      offset_ = count - text.size();
+    }
+    scan(text);
     at += count;
     if (tape_end_) break;
   }

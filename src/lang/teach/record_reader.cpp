@@ -3,16 +3,6 @@
 #include "lang/vm/code_page.hpp"
 
 namespace kerf::teach {
-namespace {
-
-// What some editors put before the first line of a text.
-std::string_view without_byte_order_mark(std::string_view first_line) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  if (first_line.starts_with(kMark)) first_line.remove_prefix(kMark.size());
-  return first_line;
-}
-
-}  // namespace
 
 void RecordReader::stand_at(const base::SourceFile& file, base::FileId id,
                             const Position& position) {
@@ -27,7 +17,7 @@ bool RecordReader::next(Line& line) {
   line.text = text.text;
   line.offset = text.offset;
   line.number = position_.line;
-  line.words = Words(line.offset == 0 ? without_byte_order_mark(text.text) : text.text);
+  line.words = Words(line.offset == 0 ? base::without_byte_order_mark(text.text) : text.text);
   line.record.reset();
   line.mistake.reset();
   if (text.too_long) {

@@ -18,7 +18,7 @@ constexpr double kLeastTurn_deg = 1;
 
 }  // namespace
 
-CutSampler::CutSampler(const PatternMachine& machine)
+CutSampler::CutSampler(const machine::PatternMachine& machine)
     : machine_(machine),
       linear_(motion::linear_axes(machine.definition().axes)),
       most_turn_rad_(geometry::radians(

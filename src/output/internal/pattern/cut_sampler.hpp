@@ -1,9 +1,9 @@
 #pragma once
 
 #include "kinematics/fault.hpp"
+#include "machine/pattern_machine.hpp"
 #include "motion/axis_norms.hpp"
 #include "motion/curve.hpp"
-#include "output/pattern_machine.hpp"
 
 namespace kerf::output {
 
@@ -26,7 +26,7 @@ class CutSampler {
   static constexpr double kShortest_mm = 1e-6;
 
   /// The machine must outlive the sampler.
-  explicit CutSampler(const PatternMachine& machine);
+  explicit CutSampler(const machine::PatternMachine& machine);
 
   /// The step from `s` < length, where the joints stand at `joints`. Faults: those of the linkage.
   [[nodiscard]] kinematics::Result<CutSample> next(const motion::Curve& curve, double s,
@@ -39,7 +39,7 @@ class CutSampler {
                               const base::AxisVector& joints) const;
   [[nodiscard]] double curvature(const motion::Curve& curve, double s, double end) const;
 
-  const PatternMachine& machine_;
+  const machine::PatternMachine& machine_;
   motion::LinearAxes linear_;
   double most_turn_rad_;
   double step_mm_ = 0.1;  // that the last place took

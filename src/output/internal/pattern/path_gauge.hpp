@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "drive/pulse_sink.hpp"
+#include "machine/pattern_machine.hpp"
 #include "motion/curve.hpp"
-#include "output/pattern_machine.hpp"
 
 namespace kerf::output {
 
@@ -21,7 +21,7 @@ class PathGauge : public drive::PulseSink {
   };
 
   /// The machine must outlive the gauge; the motors stand at `counts`.
-  PathGauge(const PatternMachine& machine, const drive::ArmCounts& counts)
+  PathGauge(const machine::PatternMachine& machine, const drive::ArmCounts& counts)
       : machine_(machine), counts_(counts) {}
 
   /// From now on pulses belong to this curve near `s`; null: nothing is measured. The curve must
@@ -43,7 +43,7 @@ class PathGauge : public drive::PulseSink {
  private:
   void measure();
 
-  const PatternMachine& machine_;
+  const machine::PatternMachine& machine_;
   drive::ArmCounts counts_;
   const motion::Curve* curve_ = nullptr;
   double s_ = 0;        // of the nearest place

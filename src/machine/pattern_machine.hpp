@@ -8,7 +8,7 @@
 #include "kinematics/kinematics.hpp"
 #include "machine/machine_definition.hpp"
 
-namespace kerf::output {
+namespace kerf::machine {
 
 /// A machine as a pattern sees it: four motors that count pulses, and where the tool is then. The
 /// motors are the driven axes in the order of the machine file: the arm's T1 T2 T3 Z, or X Y, a
@@ -17,9 +17,9 @@ class PatternMachine {
  public:
   /// Failure (usage): no controller of patterns drives a machine of these axes. The definition must
   /// outlive the result.
-  [[nodiscard]] static base::Outcome<PatternMachine> of(const machine::MachineDefinition& machine);
+  [[nodiscard]] static base::Outcome<PatternMachine> of(const MachineDefinition& machine);
 
-  [[nodiscard]] const machine::MachineDefinition& definition() const { return *definition_; }
+  [[nodiscard]] const MachineDefinition& definition() const { return *definition_; }
   [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
 
   /// Where the joints stand after counts, which may have a fraction of a pulse.
@@ -53,10 +53,10 @@ class PatternMachine {
  private:
   PatternMachine() = default;
 
-  const machine::MachineDefinition* definition_ = nullptr;
+  const MachineDefinition* definition_ = nullptr;
   std::shared_ptr<const kinematics::Kinematics> kinematics_;  // shared: the value copies
   std::array<double, drive::kArmAxes> steps_per_unit_{};
   base::Axis x_{}, y_{}, z_{}, c_{};
 };
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

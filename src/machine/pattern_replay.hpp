@@ -7,11 +7,11 @@
 #include "drive/arm_drive.hpp"
 #include "drive/pattern/record.hpp"
 #include "machine/axis_point.hpp"
+#include "machine/internal/pulse_lines.hpp"
+#include "machine/pattern_machine.hpp"
 #include "machine/run_statistics.hpp"
-#include "output/internal/pattern/pulse_lines.hpp"
-#include "output/pattern_machine.hpp"
 
-namespace kerf::output {
+namespace kerf::machine {
 
 /// Runs the records of a pattern on the motors of a machine that stands where every counter is 0.
 ///
@@ -28,7 +28,7 @@ class PatternReplay {
 
   void add_sink(drive::PulseSink& sink) { pulses_.sinks.push_back(&sink); }
   void add_sink(control::MotionSink& sink) { motions_.push_back(&sink); }
-  void add_sink(machine::AxisPointSink& sink) {
+  void add_sink(AxisPointSink& sink) {
     if (points_.empty()) add_sink(static_cast<drive::PulseSink&>(lines_));
     points_.push_back(&sink);
   }
@@ -48,7 +48,7 @@ class PatternReplay {
   [[nodiscard]] const Totals& totals() const { return totals_; }
   [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
   [[nodiscard]] double time_s() const;
-  [[nodiscard]] const machine::RunStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
   /// A sentence about the first joint that has stood beyond its travel, with its record; empty when
   /// none has.
   [[nodiscard]] const std::string& beyond_travel() const { return beyond_travel_; }
@@ -72,9 +72,9 @@ class PatternReplay {
   Fan pulses_;
   drive::ArmDrive drive_;
   PulseLines lines_;
-  machine::RunStatistics statistics_;
+  RunStatistics statistics_;
   std::vector<control::MotionSink*> motions_;
-  std::vector<machine::AxisPointSink*> points_;
+  std::vector<AxisPointSink*> points_;
   base::AxisVector tip_;
   std::uint64_t period_ = 0;  // of the servo, made so far
   Totals totals_;
@@ -82,4 +82,4 @@ class PatternReplay {
   std::uint64_t beyond_travel_record_ = 0;
 };
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

@@ -1,8 +1,8 @@
-#include "output/internal/pattern/pulse_lines.hpp"
+#include "machine/internal/pulse_lines.hpp"
 
 #include <algorithm>
 
-namespace kerf::output {
+namespace kerf::machine {
 
 using drive::ArmAxis;
 
@@ -51,4 +51,4 @@ double PulseLines::at(Line& line, double time_ns) {
   return a.count + (b.count - a.count) * (time_ns - a.time_ns) / (b.time_ns - a.time_ns);
 }
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

@@ -6,7 +6,7 @@
 #include "drive/arm_axis.hpp"
 #include "drive/pulse_sink.hpp"
 
-namespace kerf::output {
+namespace kerf::machine {
 
 /// The lines in time that the pulses of one record follow: pulse k is where the line passes k -
 /// 1/2, and it begins and ends at whole counts. Keeps the pulses of that record, at most 65535 of
@@ -45,4 +45,4 @@ class PulseLines : public drive::PulseSink {
   double begin_ns_ = 0;
 };
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

@@ -1,10 +1,10 @@
-#include "output/pattern_replay.hpp"
+#include "machine/pattern_replay.hpp"
 
 #include <cmath>
 
 #include "base/decimal.hpp"
 
-namespace kerf::output {
+namespace kerf::machine {
 namespace {
 
 using base::AxisVector;
@@ -104,7 +104,7 @@ void PatternReplay::look_at_travel(const AxisVector& joints) {
 // The set-points of (begin, end].
 void PatternReplay::sample(double begin_s, double end_s) {
   const double period_s = machine_.definition().interpolator.period_s;
-  machine::AxisPoint point;
+  AxisPoint point;
   point.tip.mark.line = static_cast<std::uint32_t>(totals_.fast + totals_.triplets);
   for (;;) {
     const double time_s = base::tidy(static_cast<double>(period_ + 1) * period_s);
@@ -114,7 +114,7 @@ void PatternReplay::sample(double begin_s, double end_s) {
     point.tip.time_s = time_s;
     point.joints = tidied(machine_.joints_at(lines_.at(time_s * kNanoseconds)));
     point.tip.tip = tidied(machine_.kinematics().forward(point.joints));
-    for (machine::AxisPointSink* const sink : points_) sink->take(point);
+    for (AxisPointSink* const sink : points_) sink->take(point);
   }
 }
 
@@ -127,4 +127,4 @@ void PatternReplay::finish() {
     sample(time_s(), static_cast<double>(period_ + 1) * period_s * (1 + 1e-12));
 }
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

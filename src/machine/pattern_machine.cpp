@@ -1,4 +1,4 @@
-#include "output/pattern_machine.hpp"
+#include "machine/pattern_machine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/decimal.hpp"
 #include "drive/timer_split.hpp"
 
-namespace kerf::output {
+namespace kerf::machine {
 namespace {
 
 using base::Axis;
@@ -16,7 +16,7 @@ using base::AxisVector;
 constexpr double kSecondsPerMinute = 60;
 
 // Whether the driven axes are two that move the wheel over the work, the wheel and the lift.
-bool has_four_motors(const machine::MachineDefinition& machine) {
+bool has_four_motors(const MachineDefinition& machine) {
   if (machine.driven.size() != drive::kArmAxes) return false;
   if (machine.kinematics.kind == kinematics::Kind::arm) return true;
   if (machine.linkage != "cartesian-step") return false;
@@ -27,7 +27,7 @@ bool has_four_motors(const machine::MachineDefinition& machine) {
 
 }  // namespace
 
-base::Outcome<PatternMachine> PatternMachine::of(const machine::MachineDefinition& machine) {
+base::Outcome<PatternMachine> PatternMachine::of(const MachineDefinition& machine) {
   if (!has_four_motors(machine)) {
     return tl::unexpected(base::Failure{
         base::Failure::Kind::usage,
@@ -93,4 +93,4 @@ double PatternMachine::half_pulse_mm(const AxisVector& joints) const {
   return sum;
 }
 
-}  // namespace kerf::output
+}  // namespace kerf::machine

@@ -1,0 +1,3 @@
+﻿G00 X5. (expect moves: rapid X5)
+M30
+(finally machine X5)

@@ -174,6 +174,7 @@ class Client:
         self.name = self.do("watch", machine=machine)["client"]
         if operate:
             self.do("operate", take=True)
+        self.wait_for(lambda: self.state, "the first state")
         return self
 
     def load(self, text, name="test.nc"):

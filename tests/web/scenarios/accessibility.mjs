@@ -14,6 +14,7 @@ const TABS = [
   'Messages',
   'Pulses',
   'Speed',
+  'Training',
 ];
 
 async function findings(panel, where) {

@@ -59,9 +59,17 @@ void assess(Hub& hub, const Request& request) {
   const std::string name = request.arguments().text("exercise");
   const Exercise* const exercise = training::find_exercise(name);
   if (exercise == nullptr) return request.reply.no("there is no exercise " + name);
-  hub.aside(request, [exercise, body = request.body]() -> Outcome<Json> {
-    return assessment_json(*exercise, Arguments(*body).text("text"));
-  });
+  if (!request.client->assessed.expired())
+    return request.reply.no("assess: your last program is still being assessed");
+  auto under_way = std::make_shared<const bool>(true);
+  request.client->assessed = under_way;
+  hub.aside(
+      request,
+      [exercise, body = request.body, under_way = std::move(under_way)]() mutable -> Outcome<Json> {
+        auto outcome = assessment_json(*exercise, Arguments(*body).text("text"));
+        under_way.reset();  // before the answer: the next question may come at once
+        return outcome;
+      });
 }
 
 }  // namespace

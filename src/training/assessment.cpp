@@ -21,15 +21,15 @@ using Kind = Criterion::Kind;
 using Status = VirtualMachine::Status;
 
 // A program of an exercise is done in a part of these.
-constexpr machine::Budget kBudget{.seconds = 10, .motions = 200'000, .steps = 5'000'000};
+constexpr machine::Budget kBudget{.seconds = 5, .motions = 200'000, .steps = 5'000'000};
 // Who cuts many times as much as the solution does not come nearer to it.
 constexpr double kMostTimesCut = 20;
-constexpr double kMostCutAnyway_mm = 2000;
+constexpr double kMostFedAnyway_mm = 2000;
 constexpr double kMostSolutionCut_mm = 20'000;
 // Of power in percent, and of rotary axes in degrees.
 constexpr double kSamePower = 0.5;
 constexpr double kSameSlant_deg = 1;
-constexpr double kSpeckLevel_mm = 1e-6;
+constexpr double kLeast_mm = 1e-6;
 
 constexpr int kPointsOfEnd = 15;
 constexpr int kPointsOfOnly = 20;
@@ -42,7 +42,7 @@ constexpr double kWorthless = 2;
 // What a run did.
 struct Run {
   Status status{};
-  bool cut_too_much = false;
+  bool fed_too_far = false;
   std::string code;  // of its alarm
   std::string message;
   std::string file;  // where the alarm, or the limit, is
@@ -51,6 +51,7 @@ struct Run {
   std::vector<Cut> cuts;
   std::vector<Stroke> strokes;
   double cut_mm = 0;
+  double fed_mm = 0;
 };
 
 CutRecorder::Process process_of(const Exercise& exercise) {
@@ -90,13 +91,14 @@ Run run_of(const Exercise& exercise, const machine::MachineDefinition& definitio
   machine.load(base::SourceFile::from_text(exercise.file, program));
   Run run;
   run.status = machine.run_to_end(kBudget);
-  run.cut_too_much = recorder.is_full();
+  run.fed_too_far = recorder.is_full();
   keep_diagnostic(run, run.status == Status::alarm ? machine.alarm() : machine.notice());
   if (run.line > 0) run.file = exercise.file;
   run.time_s = machine.time_s();
   run.cuts = recorder.cuts();
   run.strokes = recorder.strokes();
   run.cut_mm = recorder.length();
+  run.fed_mm = recorder.fed();
   return run;
 }
 
@@ -184,17 +186,16 @@ class Comparison {
   }
 
   [[nodiscard]] bool has_ended() const {
-    return (run_.status == Status::end || run_.status == Status::stopped) && !run_.cut_too_much;
+    return (run_.status == Status::end || run_.status == Status::stopped) && !run_.fed_too_far;
   }
 
   [[nodiscard]] Criterion ends() const {
     Criterion criterion = make(Kind::ends, kPointsOfEnd, Finding::well, 1);
     if (has_ended()) return criterion;
     criterion.quality = 0;
-    if (run_.cut_too_much) {
-      criterion.finding = Finding::too_much_cut;
-      criterion.values = {{"mm", run_.cut_mm}};
-      if (!run_.cuts.empty()) put_at(criterion, run_.cuts.back().line);
+    if (run_.fed_too_far) {
+      criterion.finding = Finding::too_long;
+      criterion.values = {{"mm", run_.fed_mm}};
       return criterion;
     }
     criterion.finding = run_.status == Status::alarm ? Finding::alarm : Finding::no_end;
@@ -292,7 +293,7 @@ class Comparison {
     for (const Stroke& stroke : run_.strokes) {
       const double low = std::min(stroke.from.z, stroke.to.z);
       const double across = std::hypot(stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y);
-      if (across > kSpeckLevel_mm && low < clearance - kSpeckLevel_mm) {
+      if (across > kLeast_mm && low < clearance - kLeast_mm) {
         criterion.finding = Finding::low_rapid;
         criterion.values = {{"z", low}, {"clearance", clearance}};
       } else if (const auto at = into_the_work(stroke)) {
@@ -308,17 +309,13 @@ class Comparison {
     return criterion;
   }
 
-  // Where a stroke meets what has not been cut before it.
+  // Where a stroke meets what has not been cut before it. It is upright, or it would be too low:
+  // where its lower end is free, all of it is.
   [[nodiscard]] std::optional<Vec3> into_the_work(const Stroke& stroke) const {
-    if (std::min(stroke.from.z, stroke.to.z) > -exercise_.tolerance_mm) return std::nullopt;
-    const Vec3 way = stroke.to - stroke.from;
-    const double pieces = std::max(1.0, std::ceil(length(way) / kPiece_mm));
-    for (double i = 0; i <= pieces; ++i) {
-      const Vec3 at = stroke.from + (i / pieces) * way;
-      const auto was_before = [&](std::size_t number) { return number < stroke.cuts_before; };
-      if (at.z < -exercise_.tolerance_mm && !made_.takes_away(at, was_before)) return at;
-    }
-    return std::nullopt;
+    const Vec3 low = stroke.to.z < stroke.from.z ? stroke.to : stroke.from;
+    if (low.z > -exercise_.tolerance_mm) return std::nullopt;
+    const auto was_before = [&](std::size_t number) { return number < stroke.cuts_before; };
+    return made_.takes_away(low, was_before) ? std::nullopt : std::optional(low);
   }
 
   [[nodiscard]] Criterion time() const {
@@ -367,7 +364,7 @@ base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& pr
         base::Failure{base::Failure::Kind::input,
                       "the solution of " + exercise.name + " is no solution: " + solution.message});
   }
-  const double most_mm = kMostTimesCut * solution.cut_mm + kMostCutAnyway_mm;
+  const double most_mm = kMostTimesCut * solution.cut_mm + kMostFedAnyway_mm;
   const Run run = run_of(exercise, *definition, program, most_mm);
   return Comparison(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
 }

@@ -23,7 +23,7 @@ constexpr std::array<Text, 16> kFindings = {{
     {"well", ""},
     {"alarm", "The alarm {code} ends the program: {message}."},
     {"no-end", "The program does not end: {message}."},
-    {"too-much-cut", "The program goes on cutting: it was broken off behind {mm} mm."},
+    {"too-long", "The program goes on and on: it was broken off behind {mm} mm at feed."},
     {"nothing-cut", "Nothing is cut."},
     {"missing", "{mm} mm are not cut ({percent} %), first at X{x} Y{y} Z{z}."},
     {"other-tool", "Tool {got} cuts at X{x} Y{y} Z{z}; it is to be tool {wanted}."},

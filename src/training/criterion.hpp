@@ -23,7 +23,7 @@ struct Criterion {
     well,
     alarm,           ///< `code`, `message`
     no_end,          ///< a limit was reached: `message`
-    too_much_cut,    ///< mm; the run was broken off
+    too_long,        ///< mm at feed: the run was broken off
     nothing_cut,     ///< no cut at all
     missing,         ///< mm, percent: is not cut, first at x y z
     other_tool,      ///< wanted, got: at x y z

@@ -29,6 +29,8 @@ class CutRecorder : public control::MotionSink {
   [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
   /// Of all cuts, mm.
   [[nodiscard]] double length() const { return length_mm_; }
+  /// Of all moves at feed, in the air as well.
+  [[nodiscard]] double fed() const { return fed_mm_; }
   [[nodiscard]] bool is_full() const { return fed_mm_ > most_mm_; }
 
  private:

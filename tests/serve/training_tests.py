@@ -67,3 +67,13 @@ def _(place):
 @test("an exercise that there is not is refused")
 def _(place):
     says(place.serve().client().refused("assess", exercise="9_none", text="M30\n"), "no exercise 9_none")
+
+
+@test("one program of a client is assessed at a time")
+def _(place):
+    client = place.serve().client()
+    endless = "O1\nN1 #1=0\nGOTO1\nM30\n"
+    first = client.post("assess", exercise="1_rounded_plate", text=endless)
+    says(client.refused("assess", exercise="1_rounded_plate", text=endless), "still being assessed")
+    check(client.answer(first)["ok"], "the first one is answered")
+    client.do("assess", exercise="1_rounded_plate", text="M30\n")

@@ -203,7 +203,7 @@ TEST(Assess, AProgramThatDoesNotEndSaysSo) {
   const Assessment moving = judged(square(), "O1\nG90 G54\nN1 G00 X1. Z5.\nX2.\nGOTO1\nM30\n");
   EXPECT_EQ(criterion(moving, Kind::ends).finding, Finding::no_end);
   const Assessment cutting = judged(square(), kHead + "G01 Z-1. F600.\nN1 X20.\nX0.\nGOTO1\nM30\n");
-  EXPECT_EQ(criterion(cutting, Kind::ends).finding, Finding::too_much_cut);
+  EXPECT_EQ(criterion(cutting, Kind::ends).finding, Finding::too_long);
   EXPECT_LT(cutting.score(), 50);
 }
 

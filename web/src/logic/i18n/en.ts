@@ -97,8 +97,8 @@ export const en = {
   'finding.other-tool': 'Tool {got} cuts at X{x} Y{y} Z{z}; it is to be tool {wanted}.',
   'finding.plunge': 'A rapid goes down into the work at X{x} Y{y} Z{z}.',
   'finding.spindle-stands': 'The tool cuts at X{x} Y{y} Z{z} while the spindle stands.',
+  'finding.too-long': 'The program goes on and on: it was broken off behind {mm} mm at feed.',
   'finding.too-many-lines': 'It has {got} lines of code; {most} are enough.',
-  'finding.too-much-cut': 'The program goes on cutting: it was broken off behind {mm} mm.',
   'finding.too-slow': 'It takes {got_s} s; {most_s} s are enough.',
   'finding.wrong-cut':
     '{mm} mm are cut that are not asked for, first at X{x} Y{y} Z{z}, {off_mm} mm off.',

@@ -29,14 +29,15 @@ describe('the machine of an exercise', () => {
     machine('other', 'mill3', null),
   ];
   it('is the one on the screen where it fits', () => {
-    expect(fitting_machine(machines, 'mill3', 'other')).toBe('other');
-    expect(fitting_machine(machines, 'mill3', 'busy')).toBe('busy');
+    expect(fitting_machine(machines, 'mill3', 'other', 'c1')).toBe('other');
+    expect(fitting_machine(machines, 'mill3', 'busy', 'c7')).toBe('busy');
   });
-  it('is one that nobody operates otherwise', () => {
-    expect(fitting_machine(machines, 'mill3', 'laser')).toBe('mill');
+  it('is one that nobody else operates otherwise', () => {
+    expect(fitting_machine(machines, 'mill3', 'laser', 'c1')).toBe('mill');
+    expect(fitting_machine(machines, 'mill3', 'busy', 'c1')).toBe('mill');
   });
   it('is to be made where none fits', () => {
-    expect(fitting_machine(machines, 'laser5', 'mill')).toBeNull();
+    expect(fitting_machine(machines, 'laser5', 'mill', 'c1')).toBeNull();
     expect(free_name(machines, 'laser5')).toBe('training-laser5');
     const more = [
       machine('training-laser5', 'laser5', 'c1'),

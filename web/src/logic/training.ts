@@ -35,16 +35,17 @@ export interface Assessment {
   criteria: Criterion[];
 }
 
-/** The machine to exercise on: the one on the screen, or else one that nobody has. Null: none fits. */
+/** The machine to exercise on: the one on the screen, or else one that nobody else has. Null: none fits. */
 export function fitting_machine(
   machines: readonly MachineEntry[],
   definition: string,
   current: string,
+  me: string,
 ): string | null {
-  const fit = machines.filter((machine) => machine.definition === definition);
-  const found =
-    fit.find((machine) => machine.name === current) ??
-    fit.find((machine) => machine.operator === null);
+  const fit = machines.filter(
+    ({ definition: kind, operator }) => kind === definition && (operator ?? me) === me,
+  );
+  const found = fit.find((machine) => machine.name === current) ?? fit[0];
   return found?.name ?? null;
 }
 

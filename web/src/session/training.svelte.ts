@@ -76,8 +76,11 @@ class Training {
 
   private async come_to_machine(definition: string): Promise<boolean> {
     await panel.refresh_machines();
-    const fitting = fitting_machine(panel.machines, definition, panel.machine);
-    if (fitting === panel.machine) return true;
+    const fitting = fitting_machine(panel.machines, definition, panel.machine, panel.me);
+    if (fitting === panel.machine) {
+      if (!panel.operates) await panel.take();
+      return true;
+    }
     const name = fitting ?? free_name(panel.machines, definition);
     if (fitting === null && !(await panel.act('create', { name, definition }))) return false;
     slider.now();

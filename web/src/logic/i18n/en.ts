@@ -357,6 +357,7 @@ export const en = {
   'training.on-machine': 'Machine {machine}, program {file}',
   'training.points': '{points} of {most}',
   'training.result': 'Result',
+  'training.share-hint': 'The points of the last rows count as far as the work is done.',
   'training.start-over': 'Start over',
   'training.zero-set': 'G54 {axes} is set to the work of the exercise.',
   'variables.add': 'Set a variable',

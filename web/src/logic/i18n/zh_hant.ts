@@ -353,6 +353,7 @@ export const zh_hant: Record<TextKey, string> = {
   'training.on-machine': '機台 {machine}，程式 {file}',
   'training.points': '{points} 分（滿分 {most}）',
   'training.result': '結果',
+  'training.share-hint': '後面各項的分數依加工完成的比例計算。',
   'training.start-over': '重新開始',
   'training.zero-set': 'G54 {axes} 已設為練習的工件原點。',
   'variables.add': '設定變數',

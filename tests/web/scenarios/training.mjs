@@ -11,26 +11,16 @@ G03 X8. Y0. R8.
 `;
 
 const result = (panel) => panel.page.locator('#dock-training [aria-live]');
-const button = (panel, name) =>
-  panel.page.locator('#dock-training').getByRole('button', { name, exact: true });
-
-async function begin(panel, exercise) {
-  await panel.tab('Training');
-  await panel.page.locator('#dock-training').getByRole('button', { name: exercise }).click();
-  await button(panel, 'Begin').click();
-  await button(panel, 'Check').waitFor();
-}
-
 export const training = [
   {
     name: 'an exercise is begun, checked, mended and done',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await begin(panel, 'A plate with rounded corners');
+      await panel.begin_exercise('A plate with rounded corners');
       await panel.page.locator('.file.current', { hasText: 'rounded-plate.nc' }).waitFor();
       await panel.says('G54 Z is set');
-      await button(panel, 'Check').click();
+      await panel.training_button('Check').click();
       await result(panel).getByText('are not cut').waitFor();
       const first = Number(await result(panel).locator('.score b').innerText());
       assert.ok(first < 60, `${first} points for the start`);
@@ -41,7 +31,7 @@ export const training = [
       await panel.page.keyboard.press('Shift+End');
       await panel.page.keyboard.insertText(REST.trimEnd());
       await result(panel).getByText('The text has changed since.').waitFor();
-      await button(panel, 'Check').click();
+      await panel.training_button('Check').click();
       await result(panel).locator('.score b', { hasText: /^100$/ }).waitFor();
       assert.equal(await result(panel).locator('.criterion:not(.met)').count(), 0);
       const best = panel.page.locator('#dock-training .best').first();
@@ -58,8 +48,8 @@ export const training = [
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await begin(panel, 'Find the mistakes');
-      await button(panel, 'Check').focus();
+      await panel.begin_exercise('Find the mistakes');
+      await panel.training_button('Check').focus();
       await panel.page.keyboard.press('Enter');
       await result(panel).getByText('The alarm PS0020 ends the program').waitFor();
       await result(panel).getByRole('button', { name: 'line 10' }).focus();
@@ -74,10 +64,10 @@ export const training = [
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await begin(panel, 'Squares in squares');
+      await panel.begin_exercise('Squares in squares');
       await panel.page.locator('header .chosen b', { hasText: /^laser$/ }).waitFor();
       await panel.page.locator('.file.current', { hasText: 'nested-squares.bas' }).waitFor();
-      await button(panel, 'Check').click();
+      await panel.training_button('Check').click();
       await result(panel).locator('.score').waitFor();
     },
   },

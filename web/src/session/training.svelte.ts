@@ -50,7 +50,7 @@ class Training {
 
   /** The text that the exercise begins with; what the library has stays until it is saved. */
   start_over(): void {
-    if (!this.exercise || !this.is_open) return;
+    if (!this.exercise || !this.is_open || this.is_busy) return;
     documents.replace(this.exercise.start);
   }
 

@@ -37,8 +37,8 @@ class Reader {
     e.solution = text(file_["program"]["solution"], "program.solution");
     e.tolerance_mm = at_least("tolerance_mm", 0.001);
     e.time_factor = at_least("time_factor", 1);
-    e.clearance_z_mm = file_["clearance_z_mm"].value<double>();
-    e.most_lines = file_["most_lines"].value<int>();
+    e.clearance_z_mm = if_there<double>("clearance_z_mm");
+    e.most_lines = if_there<int>("most_lines");
     read_zero(e.zero_mm);
     if (!wrong_.empty()) return tl::unexpected(base::Failure{base::Failure::Kind::input, wrong_});
     return e;
@@ -69,12 +69,23 @@ class Reader {
     return number;
   }
 
+  template <typename Number>
+  std::optional<Number> if_there(const std::string& key) {
+    const auto number = file_[key].value<Number>();
+    if (file_.contains(key) && !number) complain(file_[key].node(), key + " must be a number");
+    return number;
+  }
+
   void read_zero(std::array<double, 3>& zero) {
     if (!file_.contains("zero_mm")) return;
     const toml::array* const list = file_["zero_mm"].as_array();
     if (list == nullptr || list->size() != zero.size())
       return complain(file_["zero_mm"].node(), "zero_mm must be three numbers");
-    for (std::size_t i = 0; i < zero.size(); ++i) zero[i] = (*list)[i].value_or(0.0);
+    for (std::size_t i = 0; i < zero.size(); ++i) {
+      const auto number = (*list)[i].value<double>();
+      if (!number) complain(&(*list)[i], "zero_mm must be three numbers");
+      zero[i] = number.value_or(0);
+    }
   }
 
   const toml::table& file_;

@@ -91,6 +91,12 @@ TEST(Exercises, AMistakeInAFileIsToldWithItsLine) {
   const auto wrong = Exercise::parse("file = \"a.nc\"\nmachin = \"mill3\"\n", "a");
   ASSERT_FALSE(wrong);
   EXPECT_EQ(wrong.error().message, "a.toml:2: an exercise has no key machin");
+  const std::string right = std::string(exercise_files().front().toml);
+  for (const char* line : {"most_lines = \"ten\"\n", "most_lines = 1.5\n"}) {
+    const auto refused = Exercise::parse(line + right, "a");
+    ASSERT_FALSE(refused) << line;
+    EXPECT_EQ(refused.error().message, "a.toml:1: most_lines must be a number");
+  }
 }
 
 TEST(Assess, TheSolutionIsWorthAHundred) {

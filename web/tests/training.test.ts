@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { TABLES, text_of } from '../src/logic/i18n';
@@ -97,6 +97,20 @@ describe('what was found', () => {
       expect(source).toContain(`"${texts[`fulfilled.${kind}`]}"`);
     }
   });
+});
+
+it('the exercises are written in traditional characters, too', () => {
+  const folder = join(__dirname, '../../exercises');
+  const files = readdirSync(folder).filter((file) => file.endsWith('.toml'));
+  expect(files.length).toBeGreaterThan(4);
+  for (const file of files) {
+    const text = readFileSync(join(folder, file), 'utf8');
+    expect(text.match(/zh-Hant = .*\n?.*\p{Script=Han}/gu), file).toHaveLength(2);
+    expect(
+      text.match(/[国学习进设关开这为动态击显输务线错误选择复杂处记录轴执从应]/u),
+      file,
+    ).toBeNull();
+  }
 });
 
 it('the best score stays', () => {

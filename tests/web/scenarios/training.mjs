@@ -60,7 +60,7 @@ export const training = [
     },
   },
   {
-    name: 'an exercise for another machine goes to one, and makes it where there is none',
+    name: 'an exercise for another kind of machine goes to one',
     async run({ open }) {
       const panel = await open();
       await panel.fresh();

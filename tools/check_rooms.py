@@ -26,6 +26,7 @@ ORDER = [
     "stock",
     "features",
     "machine",
+    "training",
     "output",
     "server",
     "cli",

@@ -68,6 +68,8 @@ class Client {
 
   [[nodiscard]] bool admit_command() { return rate_.admit(RateLimit::Clock::now()); }
   int refused_in_a_row = 0;
+  /// Alive while a program of his is assessed: one at a time.
+  std::weak_ptr<const void> assessed;
 
  private:
   [[nodiscard]] std::optional<Outgoing> next_state();

@@ -222,6 +222,18 @@ std::vector<Command> make_table() {
         name_of("machine", "otherwise the one that is watched, or mill3", Need::optional)},
        "Tells what is wrong with a text.",
        "`diagnostics`: list of `{severity, code, message, line, column, length, cause, remedy}`"},
+      {"exercises",
+       Who::anyone,
+       {},
+       "Lists the exercises of the training mode.",
+       "`exercises`: list of `{name, title, task, machine, file, start, zero_mm}`; `title` and "
+       "`task` have `en` and `zh-Hant`, `zero_mm` is where G54 lies on the machine"},
+      {"assess",
+       Who::anyone,
+       {name_of("exercise"), program_text},
+       "Runs a text as the program of an exercise on a machine of its own and judges it.",
+       "`score`: 0 to 100, `criteria`: list of `{kind, points, most, met, finding, sentence, "
+       "values, code, message, file, line}`"},
       {"settings", Who::watcher, {}, "Tells the machine file.", "`toml`"},
       {"set-settings",
        Who::op,

@@ -3,8 +3,9 @@
 namespace kerf::server {
 
 Handler find_handler(std::string_view command) {
-  for (const Handlers* const table : {&hub_handlers(), &panel_handlers(), &memory_handlers(),
-                                      &view_handlers(), &library_handlers()}) {
+  for (const Handlers* const table :
+       {&hub_handlers(), &panel_handlers(), &memory_handlers(), &view_handlers(),
+        &library_handlers(), &training_handlers()}) {
     if (const auto found = table->find(command); found != table->end()) return found->second;
   }
   return nullptr;

@@ -21,6 +21,7 @@ import access_tests  # noqa: F401
 import fault_tests  # noqa: F401
 import library_tests  # noqa: F401
 import machine_tests  # noqa: F401
+import training_tests  # noqa: F401
 
 
 def run(sentence, function, kerf, root):

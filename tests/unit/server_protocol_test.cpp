@@ -20,7 +20,7 @@ std::string objection(const char* command, const char* json) {
 TEST(Protocol, EveryCommandOfTheTableIsServedAndNoOther) {
   std::size_t served = 0;
   for (const Handlers* const table : {&hub_handlers(), &panel_handlers(), &memory_handlers(),
-                                      &view_handlers(), &library_handlers()})
+                                      &view_handlers(), &library_handlers(), &training_handlers()})
     served += table->size();
   EXPECT_EQ(served, commands().size());
   std::set<std::string_view> names;

@@ -173,6 +173,17 @@ export class PanelPage {
   tab(name) {
     return this.page.locator('.dock').getByRole('tab', { name }).click();
   }
+  training_button(name) {
+    return this.page.locator('#dock-training').getByRole('button', { name, exact: true });
+  }
+  async begin_exercise(title) {
+    await this.tab('Training');
+    await this.page.locator('#dock-training').getByRole('button', { name: title }).click();
+    const check = this.training_button('Check').and(this.page.locator('[aria-disabled="false"]'));
+    await this.training_button('Begin').or(check).first().waitFor();
+    if (!(await check.count())) await this.training_button('Begin').click();
+    await check.waitFor();
+  }
   async open_library() {
     await this.page
       .locator('.program .bar')

@@ -17,12 +17,14 @@ import { manual } from './scenarios/manual.mjs';
 import { million } from './scenarios/million.mjs';
 import { operating } from './scenarios/operating.mjs';
 import { pictures } from './scenarios/pictures.mjs';
+import { training } from './scenarios/training.mjs';
 
 const ALL = [
   ...operating,
   ...debugging,
   ...editing,
   ...manual,
+  ...training,
   ...accessibility,
   ...faults,
   ...million,

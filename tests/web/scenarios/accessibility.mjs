@@ -14,6 +14,7 @@ const TABS = [
   'Messages',
   'Pulses',
   'Speed',
+  'Training',
 ];
 
 async function findings(panel, where) {
@@ -40,6 +41,10 @@ export const accessibility = [
     async run({ open }) {
       const panel = await open({ scheme });
       await panel.fresh();
+      // A second program, and a result in the tab of training.
+      await panel.begin_exercise('Find the mistakes');
+      await panel.training_button('Check').click();
+      await panel.page.locator('#dock-training .score').waitFor();
       await panel.open_program('flanges.nc');
       await panel.press('JOG');
       const found = [];

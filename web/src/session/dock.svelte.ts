@@ -9,6 +9,7 @@ export const TABS = [
   'messages',
   'pulses',
   'speed',
+  'training',
 ] as const;
 export type Tab = (typeof TABS)[number];
 

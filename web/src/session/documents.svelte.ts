@@ -157,6 +157,12 @@ class Documents {
     this.go_to(line);
   }
 
+  /** Another text for the program on the screen; nothing is saved. */
+  replace(text: string): void {
+    this.edited(text);
+    this.revision++;
+  }
+
   renamed(from: string, to: string): void {
     this.open = this.open.map((d) => (d.name === from ? { ...d, name: to } : d));
     if (this.current === from) this.current = to;

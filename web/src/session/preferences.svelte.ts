@@ -17,6 +17,8 @@ interface Stored {
   jog_mm_min: number;
   jog_step: number;
   watches: string[];
+  /** The best of each exercise. */
+  scores: Record<string, number>;
 }
 
 const KEY = 'kerf.preferences';
@@ -35,6 +37,7 @@ function defaults(): Stored {
     jog_mm_min: 1000,
     jog_step: 0,
     watches: [],
+    scores: {},
   };
 }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "machine/machine_definition.hpp"
+#include "motion/move_curves.hpp"
+#include "training/cut.hpp"
+
+namespace kerf::training {
+
+/// Cuts are kept in pieces of at most this length.
+inline constexpr double kPiece_mm = 0.2;
+
+/// Keeps where a run cuts and where it goes at rapid, in work coordinates.
+class CutRecorder : public control::MotionSink {
+ public:
+  /// What cuts: a beam where it is on; a mill at feed wherever it is in the work, whose top is Z0.
+  enum class Process : std::uint8_t { beam, milling };
+
+  /// `zero` is where the work's zero lies on the machine. Behind `most_mm` of moves at feed nothing
+  /// is kept any more, and `full` is called once. The machine must outlive the recorder.
+  CutRecorder(const machine::MachineDefinition& machine, Process process, geometry::Vec3 zero,
+              double most_mm, std::function<void()> full);
+
+  void take(const control::Motion& motion) override;
+
+  [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
+  [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
+  /// Of all cuts, mm.
+  [[nodiscard]] double length() const { return length_mm_; }
+  /// Of all moves at feed, in the air as well.
+  [[nodiscard]] double fed() const { return fed_mm_; }
+  [[nodiscard]] bool is_full() const { return fed_mm_ > most_mm_; }
+
+ private:
+  void move(const control::Motion& motion);
+  void feed_along(const motion::Curve& curve, const base::AxisVector& from,
+                  const control::Motion& motion);
+  [[nodiscard]] bool cuts(geometry::Vec3 from, geometry::Vec3 to) const;
+  [[nodiscard]] geometry::Vec3 in_work(const base::AxisVector& at) const;
+
+  Process process_;
+  geometry::Vec3 zero_;
+  double most_mm_;
+  std::function<void()> full_;
+  motion::MoveCurves curves_;
+  std::array<std::size_t, 3> linear_{};
+  std::vector<std::size_t> rotary_;
+  base::AxisVector at_;
+  CutWith with_;
+  std::vector<Cut> cuts_;
+  std::vector<Stroke> strokes_;
+  double length_mm_ = 0;
+  double fed_mm_ = 0;
+};
+
+}  // namespace kerf::training

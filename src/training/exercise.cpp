@@ -1,0 +1,130 @@
+#include "training/exercise.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace kerf::training {
+namespace {
+
+constexpr std::array<std::string_view, 10> kKeys = {
+    "file",       "machine",     "tolerance_mm", "zero_mm", "clearance_z_mm",
+    "most_lines", "time_factor", "title",        "task",    "program"};
+
+// A line break behind the last word is none of the text's.
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+// Reads what it is asked for; the first thing that is wrong is kept.
+class Reader {
+ public:
+  Reader(const toml::table& file, const std::string& name) : file_(file), name_(name) {}
+
+  [[nodiscard]] base::Outcome<Exercise> read() {
+    Exercise e;
+    for (const auto& [key, node] : file_) {
+      if (std::find(kKeys.begin(), kKeys.end(), key.str()) == kKeys.end())
+        complain(&node, "an exercise has no key " + std::string(key.str()));
+    }
+    e.name = name_;
+    e.title = words("title");
+    e.task = words("task");
+    e.machine = text(file_["machine"], "machine");
+    e.file = text(file_["file"], "file");
+    e.start = text(file_["program"]["start"], "program.start");
+    e.solution = text(file_["program"]["solution"], "program.solution");
+    e.tolerance_mm = at_least("tolerance_mm", 0.001);
+    e.time_factor = at_least("time_factor", 1);
+    e.clearance_z_mm = if_there<double>("clearance_z_mm");
+    e.most_lines = if_there<int>("most_lines");
+    read_zero(e.zero_mm);
+    if (!wrong_.empty()) return tl::unexpected(base::Failure{base::Failure::Kind::input, wrong_});
+    return e;
+  }
+
+ private:
+  void complain(const toml::node* node, const std::string& what) {
+    if (!wrong_.empty()) return;
+    const auto line = node != nullptr ? node->source().begin.line : 0;
+    wrong_ = name_ + ".toml:" + std::to_string(line) + ": " + what;
+  }
+
+  template <typename View>
+  std::string text(const View& view, const std::string& key) {
+    const auto found = view.template value<std::string>();
+    if (!found || found->empty()) complain(view.node(), key + " must be a text");
+    return found.value_or("");
+  }
+
+  Words words(const std::string& key) {
+    return {trimmed(text(file_[key]["en"], key + ".en")),
+            trimmed(text(file_[key]["zh-Hant"], key + ".zh-Hant"))};
+  }
+
+  double at_least(const std::string& key, double low) {
+    const double number = file_[key].value<double>().value_or(0);
+    if (!(number >= low)) complain(file_[key].node(), key + " must be a number, large enough");
+    return number;
+  }
+
+  template <typename Number>
+  std::optional<Number> if_there(const std::string& key) {
+    const auto number = file_[key].value<Number>();
+    if (file_.contains(key) && !number) complain(file_[key].node(), key + " must be a number");
+    return number;
+  }
+
+  void read_zero(std::array<double, 3>& zero) {
+    if (!file_.contains("zero_mm")) return;
+    const toml::array* const list = file_["zero_mm"].as_array();
+    if (list == nullptr || list->size() != zero.size())
+      return complain(file_["zero_mm"].node(), "zero_mm must be three numbers");
+    for (std::size_t i = 0; i < zero.size(); ++i) {
+      const auto number = (*list)[i].value<double>();
+      if (!number) complain(&(*list)[i], "zero_mm must be three numbers");
+      zero[i] = number.value_or(0);
+    }
+  }
+
+  const toml::table& file_;
+  const std::string& name_;
+  std::string wrong_;
+};
+
+std::vector<Exercise> read_all() {
+  std::vector<Exercise> list;
+  for (const ExerciseFile& file : exercise_files()) {
+    // Those that come with Kerf are right: a test reads each of them.
+    if (auto exercise = Exercise::parse(file.toml, std::string(file.name)))
+      list.push_back(std::move(*exercise));
+  }
+  return list;
+}
+
+}  // namespace
+
+base::Outcome<Exercise> Exercise::parse(std::string_view text, const std::string& name) {
+  try {
+    const toml::table file = toml::parse(text);
+    return Reader(file, name).read();
+  } catch (const toml::parse_error& error) {
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::input, name + ".toml:" + std::to_string(error.source().begin.line) +
+                                        ": " + std::string(error.description())});
+  }
+}
+
+const std::vector<Exercise>& exercises() {
+  static const std::vector<Exercise> all = read_all();
+  return all;
+}
+
+const Exercise* find_exercise(std::string_view name) {
+  const auto found = std::find_if(exercises().begin(), exercises().end(),
+                                  [&](const Exercise& e) { return e.name == name; });
+  return found == exercises().end() ? nullptr : &*found;
+}
+
+}  // namespace kerf::training

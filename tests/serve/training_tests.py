@@ -1,0 +1,79 @@
+"""The training mode: exercises, and what a program is worth."""
+
+import time
+
+from harness import *  # noqa: F403
+
+
+def exercise(client, name):
+    return next(e for e in client.do("exercises")["exercises"] if e["name"] == name)
+
+
+def found(answer, kind):
+    return next(c for c in answer["criteria"] if c["kind"] == kind)
+
+
+@test("exercises are told in two languages, with their start and without their solution")
+def _(place):
+    client = place.serve().client()
+    listed = client.do("exercises")["exercises"]
+    check(len(listed) >= 5, f"{len(listed)} exercises")
+    definitions = client.do("machines")["definitions"]
+    for each in listed:
+        check(each["title"]["en"] and each["title"]["zh-Hant"] and each["task"]["zh-Hant"], each)
+        check(each["machine"] in definitions, each["machine"])
+        check("solution" not in each, "the solution is told")
+        equal(len(each["zero_mm"]), 3, "zero")
+
+
+@test("the start of an exercise is not enough, and what is missing is told with its place")
+def _(place):
+    client = place.serve().client()
+    plate = exercise(client, "1_rounded_plate")
+    answer = client.do("assess", exercise="1_rounded_plate", text=plate["start"])
+    equal(answer["score"], sum(c["points"] for c in answer["criteria"]), "sum")
+    equal(sum(c["most"] for c in answer["criteria"]), 100, "sum of the greatest")
+    check(answer["score"] < 60, answer["score"])
+    missing = found(answer, "all")
+    equal((missing["met"], missing["finding"]), (False, "missing"), "finding")
+    says(missing["sentence"], "not cut", "X52", "Y0")
+    # The solution by hand: the rest of the contour behind the first side.
+    rest = "G03 X60. Y8. R8.\nG01 Y32.\nG03 X52. Y40. R8.\nG01 X8.\nG03 X0. Y32. R8.\nG01 Y8.\nG03 X8. Y0. R8.\n"
+    text = plate["start"].replace("(HERE THE OTHER SIDES AND THE CORNERS)\n", rest)
+    equal(client.do("assess", exercise="1_rounded_plate", text=text)["score"], 100, "score")
+
+
+@test("an alarm is told with its code, message and line")
+def _(place):
+    client = place.serve().client()
+    slot = exercise(client, "4_mend_the_slot")
+    ends = found(client.do("assess", exercise="4_mend_the_slot", text=slot["start"]), "ends")
+    equal((ends["finding"], ends["code"], ends["file"]), ("alarm", "PS0020", "mend-the-slot.nc"), "alarm")
+    check(slot["start"].splitlines()[ends["line"] - 1].startswith("G03"), ends)
+
+
+@test("while a program without an end is assessed, the server answers others")
+def _(place):
+    server = place.serve()
+    client, other = server.client(), server.client()
+    number = client.post("assess", exercise="1_rounded_plate", text="O1\nN1 #1=0\nGOTO1\nM30\n")
+    begin = time.monotonic()
+    other.do("programs")
+    check(time.monotonic() - begin < 2 * PATIENCE, "it waited")
+    ends = found(client.answer(number), "ends")
+    equal(ends["finding"], "no-end", "finding")
+
+
+@test("an exercise that there is not is refused")
+def _(place):
+    says(place.serve().client().refused("assess", exercise="9_none", text="M30\n"), "no exercise 9_none")
+
+
+@test("one program of a client is assessed at a time")
+def _(place):
+    client = place.serve().client()
+    endless = "O1\nN1 #1=0\nGOTO1\nM30\n"
+    first = client.post("assess", exercise="1_rounded_plate", text=endless)
+    says(client.refused("assess", exercise="1_rounded_plate", text=endless), "still being assessed")
+    check(client.answer(first)["ok"], "the first one is answered")
+    client.do("assess", exercise="1_rounded_plate", text="M30\n")

@@ -68,10 +68,10 @@ export class PanelPage {
   // Seeing
 
   /** Asks the page until the answer is true. Not Playwright's waitForFunction: the page's own security policy forbids it. */
-  async until(predicate, argument) {
-    const late = Date.now() + SLOW_MS;
+  async until(predicate, argument, limit_ms = SLOW_MS) {
+    const late = Date.now() + limit_ms;
     while (!(await this.page.evaluate(predicate, argument))) {
-      assert.ok(Date.now() < late, `not true within ${SLOW_MS / 1000} s: ${predicate}`);
+      assert.ok(Date.now() < late, `not true within ${limit_ms / 1000} s: ${predicate}`);
       await this.page.waitForTimeout(POLL_MS);
     }
   }
@@ -85,10 +85,11 @@ export class PanelPage {
       () => (document.querySelector('.cm-content')?.textContent ?? '').length > 10,
     );
   }
-  async has_path(at_least = 1) {
+  async has_path(at_least = 1, limit_ms = SLOW_MS) {
     await this.until(
       (n) => Number(document.querySelector('#picture')?.dataset.segments) >= n,
       at_least,
+      limit_ms,
     );
   }
   status() {

@@ -30,7 +30,7 @@ const ALL = [
   ...million,
   ...pictures,
 ];
-const LIMIT_MS = 120_000;
+const LIMIT_MS = 240_000;
 
 const { values } = parseArgs({
   options: {

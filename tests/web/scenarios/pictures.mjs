@@ -1,5 +1,6 @@
-// Pictures of the panel for the documents: each kind of machine, at work, on a desk and on a tablet.
+// Pictures of the panel for the documents: each kind of machine at work, and what else a panel shows, on a desk and on a tablet.
 import { join } from 'node:path';
+import { WRONG } from '../programs.mjs';
 
 const SIZES = [
   [1440, 900],
@@ -13,7 +14,7 @@ const STATES = [
   ['arm', 'flower.nc', 14, 'Stepping', 'light', 400],
 ];
 
-export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme, instant_s]) =>
+const at_work = STATES.flatMap(([machine, sample, seconds, tab, scheme, instant_s]) =>
   SIZES.map(([width, height]) => ({
     name: `picture of ${machine} at ${width}×${height}`,
     needs_shots: true,
@@ -34,3 +35,59 @@ export const pictures = STATES.flatMap(([machine, sample, seconds, tab, scheme, 
     },
   })),
 );
+
+/** What else is to be seen: each brings the mill into a state. */
+const MOMENTS = {
+  async held(panel) {
+    await panel.open_program('flanges.nc');
+    await panel.press('Cycle start');
+    await panel.page.waitForTimeout(4000);
+    await panel.press('Feed hold');
+    await panel.has_status('HOLD');
+  },
+  async step(panel) {
+    await panel.open_program('flanges.nc');
+    for (let i = 0; i < 12; i++) {
+      await panel.press('Into');
+      await panel.has_status('STEP');
+    }
+    await panel.tab('Stepping');
+  },
+  async alarm(panel) {
+    await panel.run_text('wrong.nc', WRONG);
+    await panel.press('Cycle start');
+    await panel.has_status('ALARM');
+  },
+  async jog(panel) {
+    await panel.press('JOG');
+    await panel.tab('Offsets');
+  },
+  async training(panel) {
+    await panel.tab('Training');
+    const begin = panel.page.getByRole('button', { name: 'Begin', exact: true });
+    const check = panel.page.getByRole('button', { name: 'Check', exact: true });
+    await begin.or(check).first().waitFor();
+    if (await begin.count()) await begin.click();
+    await check.click();
+    await panel.page.locator('.dock', { hasText: 'of 100 points' }).waitFor();
+  },
+};
+
+const moments = Object.entries(MOMENTS).flatMap(([moment, bring]) =>
+  SIZES.map(([width, height]) => ({
+    name: `picture of ${moment} at ${width}×${height}`,
+    needs_shots: true,
+    async run({ open, shots }) {
+      const panel = await open({ width, height });
+      await panel.fresh();
+      await bring(panel);
+      await panel.page.waitForTimeout(1000);
+      await panel.page.mouse.move(0, 0);
+      await panel.page.screenshot({ path: join(shots, `panel-${moment}-${width}x${height}.png`) });
+      await panel.press('Reset');
+      await panel.press('AUTO');
+    },
+  })),
+);
+
+export const pictures = [...at_work, ...moments];

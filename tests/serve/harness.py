@@ -18,6 +18,8 @@ from pathlib import Path
 from websocket import Closed, WebSocket
 
 PATIENCE = 1  # a sanitizer's build takes longer for everything
+# A sanitizer keeps what was freed for a while: bounds of memory are wider by this many MiB.
+QUARANTINE_MIB = 0
 TESTS = []
 
 

@@ -81,9 +81,7 @@ export class PanelPage {
     await this.until(() => document.querySelectorAll('tbody .big').length > 0);
   }
   async has_program() {
-    await this.until(
-      () => (document.querySelector('.cm-content')?.textContent ?? '').length > 10,
-    );
+    await this.until(() => (document.querySelector('.cm-content')?.textContent ?? '').length > 10);
   }
   async has_path(at_least = 1, limit_ms = SLOW_MS) {
     await this.until(

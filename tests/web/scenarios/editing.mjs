@@ -32,9 +32,7 @@ export const editing = [
       await panel.run_text('long.nc', LONG);
       await panel.has_path(4);
       await panel.go_to_line(5);
-      await panel.until(
-        () => Number(document.querySelector('#picture')?.dataset.chosen) === 1,
-      );
+      await panel.until(() => Number(document.querySelector('#picture')?.dataset.chosen) === 1);
       const { x, y } = await spot_on_path(panel);
       const told = await panel.page.locator('.hover b').innerText();
       await panel.page.mouse.click(x, y);

@@ -264,6 +264,18 @@ TEST(Panel, MdiExecutesBlocksAndRemembersModesUntilReset) {
   EXPECT_EQ(bench.settle(), Status::alarm);
 }
 
+TEST(Panel, MdiOfBasicIsNotTheProgramThatIsLoaded) {
+  Bench bench("laser3");
+  bench.load("speed(40)\nmove(5, 5)\nline(500, 5)\nend\n", "wrong.bas", "laser-basic");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  bench->reset();
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_DONE(bench->mdi("speed(40); move(12.5, -7.5)"));
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.x(), 12.5);
+}
+
 TEST(Panel, MdiIsRefusedWhileAProgramIsInterrupted) {
   Bench bench;
   bench.load("O1\nM00\nM30\n");

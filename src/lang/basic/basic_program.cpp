@@ -29,6 +29,7 @@ void BasicProgram::load(base::FileId file) {
   file_ = file;
   scan_ = scan(sources_[file], file, settings_.lines_per_page);
   compiled_.assign(scan_.pages.size(), false);
+  pages_ = vm::PageStore<BasicPage>(settings_);  // not the code of the file before
   early_ = {};
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,8 +89,12 @@ class Dialect {
   /// Failure (usage): why not.
   [[nodiscard]] virtual base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                             std::size_t level) = 0;
-  /// All of a level, `changed` left out.
-  [[nodiscard]] virtual VariableListing list_variables(std::size_t level) = 0;
+  /// The values of all variables that can be listed, of every level.
+  virtual void read_variables(std::vector<double>& values) = 0;
+  /// The variables of a level at the moment whose values were read; `changed` and `levels` left
+  /// out.
+  [[nodiscard]] virtual VariableListing list_variables(std::span<const double> values,
+                                                       std::size_t level) = 0;
 
   /// Before the start local variables are those of the main program. Failure (usage).
   [[nodiscard]] virtual base::Outcome<void> set_variable(const std::string& name, double value) = 0;

@@ -298,6 +298,12 @@ LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::str
 const control::Memory& LiveMachine::memory() const { return impl_->core->machine().memory(); }
 const MachineDefinition& LiveMachine::definition() const { return impl_->core->definition(); }
 
+MachineDefinition LiveMachine::definition_of_run() const {
+  const LiveCore& core = *impl_->core;
+  const bool under_way = core.is_active() || core.machine().is_in_program();
+  return (under_way ? impl_->journal.start : core.run_start()).definition;
+}
+
 // Time
 
 base::Outcome<std::shared_ptr<const Snapshot>> LiveMachine::state_at(double time_s) {

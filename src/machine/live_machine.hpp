@@ -132,6 +132,9 @@ class LiveMachine {
   Outcome set_offset(const std::string& offset, std::string_view axis, double value);
   [[nodiscard]] const control::Memory& memory() const;
   [[nodiscard]] const MachineDefinition& definition() const;
+  /// The same with its start where the axes stood when the program under way began, otherwise where
+  /// they stand: a machine made from it goes the same way.
+  [[nodiscard]] MachineDefinition definition_of_run() const;
 
   // Time
 

@@ -38,8 +38,8 @@ struct AlarmText {
 /// What a panel shows of its machine at one moment. A value: it does not change, and outlives the
 /// machine.
 ///
-/// While axes move, block and modal codes are those of the motion that is being made, however far
-/// the control has looked ahead; at rest they are those of the control.
+/// While axes move, block, modal codes, calls and variables are those of the motion that is being
+/// made, however far the control has looked ahead; at rest they are those of the control.
 struct Snapshot {
   Status status = Status::idle;
   PanelSettings panel;
@@ -71,7 +71,7 @@ struct Snapshot {
 
   std::optional<AlarmText> alarm;
   std::vector<std::string> messages;     ///< of the program and of the panel, the newest last
-  std::vector<CallLevel> stack;          ///< main first; while axes move only the program under way
+  std::vector<CallLevel> stack;          ///< main first
   std::uint64_t variables_revision = 0;  ///< another number: some variable may have another value
   std::string printed;                   ///< the end of what the program has printed
   std::uint64_t printed_bytes = 0;       ///< all that it has printed

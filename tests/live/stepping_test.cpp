@@ -241,6 +241,66 @@ TEST(StepBack, KeepsWhatTheOperatorDidBefore) {
   EXPECT_EQ(bench.value("#102"), 7);
 }
 
+// The control has read far ahead of the first move while it is made.
+constexpr const char* kMacroOnTheWay =
+    "O1\n#100=1\nG65P2A10.\n#100=2\nG65P2A20.\n#100=3\nM30\n"
+    "O2\n#33=#1*2\nG91G01X10.F600\n#33=-1\nM99\n";
+
+TEST(OnTheWay, VariablesAndCallsAreThoseOfTheMotion) {
+  Bench bench;
+  bench.load(kMacroOnTheWay);
+  EXPECT_DONE(bench->cycle_start());
+  std::vector<std::uint64_t> revisions;
+  for (const double a : {10.0, 20.0}) {
+    for (int i = 0; i < 8; ++i) {
+      bench->advance(0.1);
+      EXPECT_EQ(bench.status(), Status::running);
+      EXPECT_EQ(bench.value("#1"), a);
+      EXPECT_EQ(bench.value("#33"), 2 * a);
+      EXPECT_EQ(bench.value("#100"), a / 10);
+      EXPECT_TRUE(vm::is_null(bench.value("#1", 0)));
+      ASSERT_EQ(bench.now().stack.size(), 2U);
+      EXPECT_EQ(bench.now().stack[0].line, a / 10 * 2 + 1);
+      EXPECT_EQ(bench.now().stack[1].program, "O0002");
+      EXPECT_EQ(bench.now().stack[1].line, 10U);
+    }
+    revisions.push_back(bench.now().variables_revision);
+    bench->advance(0.2);
+  }
+  EXPECT_NE(revisions[0], revisions[1]);
+  EXPECT_EQ(bench.settle(), Status::end);
+  EXPECT_EQ(bench.value("#100"), 3);
+}
+
+TEST(OnTheWay, VariablesOfBasicAreThoseOfTheMotion) {
+  Bench bench("laser3");
+  bench.load("speed(10)\nfor i=1 to 3\nline(10*i,0)\nnext\nend\n", "a.bas", "laser-basic");
+  EXPECT_DONE(bench->cycle_start());
+  for (const double i : {1.0, 2.0, 3.0}) {
+    bench->advance(0.5);
+    EXPECT_EQ(bench.value("I"), i);
+    bench->advance(0.5);
+  }
+}
+
+TEST(AnInstant, HasTheVariablesOfItsMotion) {
+  Bench bench;
+  bench.load(kMacroOnTheWay);
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+  const auto variable = [&](const std::string& name) {
+    for (const auto& row : bench->variables_at_state().rows)
+      if (row.name == name) return row.value;
+    return -1.0;
+  };
+  for (const auto& [time_s, a] : {std::pair{0.5, 10.0}, {1.5, 20.0}, {0.7, 10.0}}) {
+    ASSERT_TRUE(bench->state_at(time_s));
+    EXPECT_EQ(variable("#1"), a) << time_s;
+    EXPECT_EQ(variable("#33"), 2 * a) << time_s;
+    EXPECT_EQ(variable("#100"), a / 10) << time_s;
+  }
+}
+
 TEST(AnInstant, IsTheStateThatTheRunHadThen) {
   Bench bench;
   bench.load("O1\n#100=1\nG91G01X10.F600\n#100=2\n#1=#3001\nG00Y5.\nG04X1.\nX5.\nM30\n");

@@ -99,20 +99,34 @@ base::Outcome<void> BasicDialect::set_variable_at(const std::string& name, doubl
   return set_variable(name, value);
 }
 
-VariableListing BasicDialect::list_variables(std::size_t /*level*/) {
+void BasicDialect::read_variables(std::vector<double>& values) {
+  values.clear();
+  for (std::uint32_t number = 0; number < program_.variables().size(); ++number)
+    values.push_back(control_.variable(number));
+}
+
+VariableListing BasicDialect::list_variables(std::span<const double> values,
+                                             std::size_t /*level*/) {
   VariableListing listing;
   listing.scopes = {VariableScope::program};
-  listing.levels = control_.levels();
-  for (const Variable& variable : variables())
+  for (const Variable& variable : with_values(values))
     listing.rows.push_back({variable.name, "", variable.value, VariableScope::program, 0, false});
   return listing;
 }
 
 std::vector<Variable> BasicDialect::variables() {
+  std::vector<double> values;
+  read_variables(values);
+  return with_values(values);
+}
+
+// Those that are not vacant, in the order of their names.
+std::vector<Variable> BasicDialect::with_values(std::span<const double> values) const {
   std::vector<Variable> list;
-  for (std::uint32_t number = 0; number < program_.variables().size(); ++number) {
-    const double value = control_.variable(number);
-    if (!vm::is_null(value)) list.push_back({program_.variables()[number], value});
+  const std::size_t known = std::min(values.size(), program_.variables().size());
+  for (std::size_t number = 0; number < known; ++number) {
+    if (!vm::is_null(values[number]))
+      list.push_back({program_.variables()[number], values[number]});
   }
   std::sort(list.begin(), list.end(),
             [](const Variable& a, const Variable& b) { return a.name < b.name; });

@@ -23,7 +23,9 @@ class BasicDialect final : public Dialect {
   [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
-  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
+  void read_variables(std::vector<double>& values) override;
+  [[nodiscard]] VariableListing list_variables(std::span<const double> values,
+                                               std::size_t level) override;
   void reset() override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
@@ -33,6 +35,7 @@ class BasicDialect final : public Dialect {
 
  private:
   void load_file(base::FileId file) override { program_.load(file); }
+  [[nodiscard]] std::vector<Variable> with_values(std::span<const double> values) const;
   basic::BasicProgram program_;
   control::LaserControl control_;
   std::map<std::uint32_t, double> first_values_;  // from outside, before the start

@@ -1,13 +1,23 @@
 #include "machine/internal/block_trail.hpp"
 
+#include <algorithm>
+
 namespace kerf::machine {
 namespace {
+
+bool same_calls(const std::vector<control::OpenCall>& a, const std::vector<control::OpenCall>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.place.line == other.place.line && one.place.file == other.place.file &&
+           one.program == other.program;
+  });
+}
 
 bool same(const BlockState& a, const BlockState& b) {
   return a.modal == b.modal && a.origin == b.origin && a.tool_length == b.tool_length &&
          a.spindle.turning == b.spindle.turning && a.spindle.speed == b.spindle.speed &&
          a.spindle.mode == b.spindle.mode && a.coolant == b.coolant && a.tool == b.tool &&
-         a.power.on == b.power.on && a.power.percent == b.power.percent;
+         a.power.on == b.power.on && a.power.percent == b.power.percent &&
+         a.variables == b.variables && same_calls(a.calls, b.calls);
 }
 
 }  // namespace
@@ -16,6 +26,17 @@ void BlockTrail::refresh() {
   now_.modal = control_.modal();
   now_.origin = control_.work_origin();
   now_.tool_length = control_.tool_length();
+}
+
+// What the program is in the middle of: its calls and variables.
+void BlockTrail::refresh_program() {
+  now_.calls = control_.open_calls();
+  if (!now_.calls.empty()) now_.calls.back().place = {};
+  language_.read_variables(values_);
+  auto image = VariableImage::of(values_, now_.variables);
+  if (image == now_.variables) return;
+  now_.variables = std::move(image);
+  ++now_.variables_revision;
 }
 
 void BlockTrail::take(const control::Motion& motion) {
@@ -28,6 +49,7 @@ void BlockTrail::take(const control::Motion& motion) {
   if (const auto* const change = std::get_if<control::ToolChange>(&motion.action))
     now_.tool = change->tool;
   refresh();
+  refresh_program();
   if (same(entries_.empty() ? last_ : entries_.back().state, now_)) return;
   if (entries_.size() < kMost) {
     entries_.push_back({motions_, now_});

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <vector>
 
-#include "control/control.hpp"
 #include "control/motion.hpp"
+#include "machine/dialect.hpp"
+#include "machine/internal/variable_image.hpp"
 
 namespace kerf::machine {
 
@@ -17,6 +20,10 @@ struct BlockState {
   control::Coolant::State coolant = control::Coolant::State::off;
   control::Power power{0, false};
   std::uint32_t tool = 0;  ///< in the spindle
+  /// Main first; the place of the innermost left out, each motion has its own.
+  std::vector<control::OpenCall> calls;
+  std::shared_ptr<const VariableImage> variables;  ///< null: none were read
+  std::uint64_t variables_revision = 0;            ///< counts the images
 };
 
 /// Remembers what the control showed when it handed out each motion, until that motion is made: the
@@ -28,8 +35,8 @@ class BlockTrail : public control::MotionSink {
  public:
   static constexpr std::size_t kMost = 4096;
 
-  /// The control must outlive this.
-  explicit BlockTrail(control::Control& control) : control_(control) {}
+  /// The language and its control must outlive this.
+  explicit BlockTrail(Dialect& language) : language_(language), control_(language.control()) {}
 
   void take(const control::Motion& motion) override;
   /// What was shown with motion number `motion`, counted from 1; forgets what was before it.
@@ -45,9 +52,12 @@ class BlockTrail : public control::MotionSink {
     BlockState state;
   };
   void refresh();
+  void refresh_program();
 
+  Dialect& language_;
   control::Control& control_;
-  BlockState now_;  // functions as handed out
+  std::vector<double> values_;  // of variables, read last
+  BlockState now_;              // functions as handed out
   std::deque<Entry> entries_;
   BlockState last_;  // of the entry that was forgotten last
   std::uint64_t motions_ = 0;

@@ -25,7 +25,9 @@ class GcodeDialect final : public Dialect {
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
   [[nodiscard]] bool is_local(const std::string& name) const override;
-  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
+  void read_variables(std::vector<double>& values) override;
+  [[nodiscard]] VariableListing list_variables(std::span<const double> values,
+                                               std::size_t level) override;
   [[nodiscard]] base::AxisVector shift() const override {
     return controller_.coordinates().shift();
   }

@@ -64,10 +64,20 @@ base::Outcome<void> GcodeDialect::set_variable_at(const std::string& name, doubl
   return {};
 }
 
-VariableListing GcodeDialect::list_variables(std::size_t level) {
+// Commons, then the local variables of each level.
+void GcodeDialect::read_variables(std::vector<double>& values) {
+  values.assign(memory_.commons.begin(), memory_.commons.end());
+  if (controller_.levels() == 0)
+    values.insert(values.end(), first_locals_.begin(), first_locals_.end());
+  for (std::size_t level = 0; level < controller_.levels(); ++level) {
+    const std::span<const double> locals = controller_.locals_of(level);
+    values.insert(values.end(), locals.begin(), locals.begin() + gcode::kLocals);
+  }
+}
+
+VariableListing GcodeDialect::list_variables(std::span<const double> values, std::size_t level) {
   VariableListing listing;
   listing.scopes = {VariableScope::local, VariableScope::common, VariableScope::permanent};
-  listing.levels = controller_.levels();
   std::map<std::uint32_t, std::string> labels;
   for (const auto& [label, number] : memory_.names) labels.emplace(number, label);
   const auto put = [&](std::uint32_t number, double value, VariableScope scope) {
@@ -76,13 +86,16 @@ VariableListing GcodeDialect::list_variables(std::size_t level) {
                             label == labels.end() ? "" : label->second, value, scope, level,
                             false});
   };
+  const std::span<const double> commons = values.first(memory_.commons.size());
+  const std::size_t locals = commons.size() + level * gcode::kLocals;
+  const bool open = values.size() >= locals + gcode::kLocals;
   for (std::uint32_t number = 1; number < gcode::kLocals; ++number)
-    put(number, *variable("#" + std::to_string(number), level), VariableScope::local);
-  for (std::size_t i = 0; i < memory_.commons.size(); ++i) {
+    put(number, open ? values[locals + number] : vm::kNull, VariableScope::local);
+  for (std::size_t i = 0; i < commons.size(); ++i) {
     const bool is_volatile = i < gcode::kVolatileCommons;
     const auto number = static_cast<std::uint32_t>(is_volatile ? 100 + i : 400 + i);
-    if (vm::is_null(memory_.commons[i]) && !labels.contains(number)) continue;
-    put(number, memory_.commons[i], is_volatile ? VariableScope::common : VariableScope::permanent);
+    if (vm::is_null(commons[i]) && !labels.contains(number)) continue;
+    put(number, commons[i], is_volatile ? VariableScope::common : VariableScope::permanent);
   }
   return listing;
 }

@@ -76,7 +76,7 @@ void LiveCore::begin_anew() {
   auto fresh = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
                                                 VirtualMachine::Settings{{}, dialect_});
   fresh->language().set_shift(start.shift);
-  auto trail = std::make_unique<BlockTrail>(fresh->control());
+  auto trail = std::make_unique<BlockTrail>(fresh->language());
   fresh->pace();
   for (const std::string& folder : settings_.library_folders) fresh->add_library_folder(folder);
   fresh->add_sink(*trail);

@@ -147,6 +147,7 @@ class LiveCore : private AxisPointSink {
   void show_alarm(Snapshot& shown) const;
   void show_stack(Snapshot& shown);
   [[nodiscard]] Values values();
+  [[nodiscard]] const BlockState* block_made();
   void say(std::string message);
 
   MachineDefinition definition_;

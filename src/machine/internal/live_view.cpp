@@ -72,10 +72,17 @@ void LiveCore::show_place(Snapshot& shown) {
   }
 }
 
+// What the control showed with the motion that is being made; null: none is.
+const BlockState* LiveCore::block_made() {
+  const motion::Mark& mark = machine_->servo().last().mark;
+  return is_active() && mark.motion != 0 ? &trail_->at(mark.motion) : nullptr;
+}
+
 void LiveCore::show_functions(Snapshot& shown) {
   const motion::Mark& mark = machine_->servo().last().mark;
-  const bool moving = is_active() && mark.motion != 0;
-  const BlockState& state = moving ? trail_->at(mark.motion) : trail_->newest();
+  const BlockState* const made = block_made();
+  const bool moving = made != nullptr;
+  const BlockState& state = moving ? *made : trail_->newest();
   shown.modal = machine_->control().modal_text(state.modal);
   shown.spindle = state.spindle.turning;
   if (state.spindle.turning != control::Spindle::Turning::stopped)
@@ -90,8 +97,9 @@ void LiveCore::show_functions(Snapshot& shown) {
 
 void LiveCore::show_positions(Snapshot& shown) {
   const motion::Setpoint& at = machine_->servo().last();
-  const bool moving = is_active() && at.mark.motion != 0;
-  const BlockState& state = moving ? trail_->at(at.mark.motion) : trail_->newest();
+  const BlockState* const made = block_made();
+  const bool moving = made != nullptr;
+  const BlockState& state = moving ? *made : trail_->newest();
   shown.machine = at.tip + state.tool_length;
   shown.work = at.tip - state.origin;
   if (moving && at.mark.kind != motion::MoveKind::dwell)
@@ -108,15 +116,16 @@ void LiveCore::show_alarm(Snapshot& shown) const {
 }
 
 void LiveCore::show_stack(Snapshot& shown) {
-  if (is_active()) {
-    if (activity_ == Activity::program)
-      shown.stack.push_back({shown.program, shown.file, shown.line, 0});
+  if (is_active() ? activity_ != Activity::program
+                  : !machine_->is_in_program() && !machine_->alarm())
     return;
-  }
-  if (!machine_->is_in_program() && !machine_->alarm()) return;
-  for (const control::OpenCall& call : machine_->control().open_calls())
+  const BlockState* const made = block_made();
+  for (const control::OpenCall& call : made ? made->calls : machine_->control().open_calls())
     shown.stack.push_back(
         {call.program, file_of(*machine_, call.place.file), call.place.line, shown.stack.size()});
+  if (made == nullptr || shown.stack.empty()) return;
+  shown.stack.back().file = shown.file;
+  shown.stack.back().line = shown.line;
 }
 
 Snapshot LiveCore::snapshot() {
@@ -133,7 +142,11 @@ Snapshot LiveCore::snapshot() {
   show_alarm(shown);
   show_stack(shown);
   shown.messages.assign(messages_.begin(), messages_.end());
-  shown.variables_revision = machine_->control().blocks() + (changes_ << 40U);
+  // Even numbers while the axes rest, odd ones on the way.
+  const BlockState* const made = block_made();
+  const std::uint64_t revision =
+      made ? 2 * made->variables_revision + 1 : 2 * machine_->control().blocks();
+  shown.variables_revision = revision + (changes_ << 40U);
   shown.printed =
       printed_.size() > kShownPrint ? printed_.substr(printed_.size() - kShownPrint) : printed_;
   shown.printed_bytes = printed_bytes_;
@@ -146,9 +159,11 @@ LiveCore::Values LiveCore::values() {
   Values all;
   Dialect& language = machine_->language();
   const std::size_t levels = std::max<std::size_t>(machine_->control().open_calls().size(), 1);
+  std::vector<double> numbers;
+  language.read_variables(numbers);
   for (std::size_t level = 0; level < levels; ++level) {
     bool any_local = false;
-    for (const VariableRow& row : language.list_variables(level).rows) {
+    for (const VariableRow& row : language.list_variables(numbers, level).rows) {
       const bool local = row.scope == VariableScope::local;
       any_local |= local;
       all[{row.name, local ? level : 0}] = row.value;
@@ -177,9 +192,17 @@ VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
 }
 
 VariableListing LiveCore::variables(std::optional<std::size_t> level) {
-  const std::size_t levels = machine_->control().open_calls().size();
+  const BlockState* const made = block_made();
+  std::vector<double> numbers;
+  if (made && made->variables) {
+    numbers = made->variables->values();
+  } else {
+    machine_->language().read_variables(numbers);
+  }
+  const std::size_t levels = made ? made->calls.size() : machine_->control().open_calls().size();
   const std::size_t innermost = levels == 0 ? 0 : levels - 1;
-  VariableListing listing = machine_->language().list_variables(level.value_or(innermost));
+  VariableListing listing = machine_->language().list_variables(numbers, level.value_or(innermost));
+  listing.levels = levels;
   for (VariableRow& row : listing.rows) {
     const bool local = row.scope == VariableScope::local;
     const auto found = before_.find({row.name, local ? row.level : 0});

@@ -44,10 +44,11 @@ base::Outcome<void> TeachDialect::set_variable_at(const std::string& name, doubl
   return set_variable(name, value);
 }
 
-VariableListing TeachDialect::list_variables(std::size_t /*level*/) {
-  VariableListing listing;
-  listing.levels = control_.levels();
-  return listing;
+void TeachDialect::read_variables(std::vector<double>& values) { values.clear(); }
+
+VariableListing TeachDialect::list_variables(std::span<const double> /*values*/,
+                                             std::size_t /*level*/) {
+  return {};
 }
 
 base::Outcome<void> TeachDialect::set_variable(const std::string& /*name*/, double /*value*/) {

@@ -20,7 +20,9 @@ class TeachDialect final : public Dialect {
   [[nodiscard]] std::optional<double> variable(const std::string& name, std::size_t level) override;
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
-  [[nodiscard]] VariableListing list_variables(std::size_t level) override;
+  void read_variables(std::vector<double>& values) override;
+  [[nodiscard]] VariableListing list_variables(std::span<const double> values,
+                                               std::size_t level) override;
   [[nodiscard]] std::vector<base::Diagnostic> check() override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override { return {}; }

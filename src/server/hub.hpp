@@ -3,16 +3,18 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "server/client.hpp"
+#include "server/folder_lock.hpp"
 #include "server/library.hpp"
 #include "server/machine_record.hpp"
 #include "server/machine_store.hpp"
 #include "server/machine_threads.hpp"
+#include "server/memory_saver.hpp"
+#include "server/request.hpp"
 #include "server/thread_check.hpp"
 #include "server/worker.hpp"
 
@@ -20,31 +22,6 @@ namespace kerf::server {
 
 /// Hands something to the thread of the sockets. From any thread.
 using ToSockets = std::function<void(std::function<void()>)>;
-
-/// Where the answer to a command goes. Copies answer the same command; the first answer counts.
-class Reply {
- public:
-  Reply(std::weak_ptr<Client> client, Json id) : client_(std::move(client)), id_(std::move(id)) {}
-
-  /// `{"id":…,"ok":true}` with these keys.
-  void yes(Json keys = Json::object()) const;
-  void no(const std::string& sentence) const;
-  void with(const base::Outcome<Json>& outcome) const;
-
- private:
-  std::weak_ptr<Client> client_;
-  Json id_;
-};
-
-/// A command that has passed the table: its arguments are right, and who sent it may.
-struct Request {
-  std::shared_ptr<Client> client;
-  MachineRecord* machine = nullptr;  ///< that the client watches; null: none
-  std::shared_ptr<const Json> body;
-  Reply reply;
-
-  [[nodiscard]] Arguments arguments() const { return Arguments(*body); }
-};
 
 /// The machines of a server and those who are connected: who watches what, who operates what, and
 /// which command goes where. Belongs to the thread of the sockets and never waits: what computes or
@@ -103,10 +80,11 @@ class Hub {
 
  private:
   Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> library, MachineStore store,
-      int lock);
+      FolderLock lock);
 
-  void save_memory(const std::string& name, std::shared_ptr<const control::Memory> memory);
-  void start_preview(MachineRecord& machine, const control::Memory& memory);
+  /// From where `definition` says that the axes stand.
+  void start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
+                     const control::Memory& memory);
   void load_into(MachineRecord& machine);
   void put_definition(const std::string& name, const std::string& toml,
                       const machine::MachineDefinition& definition, control::Memory memory,
@@ -121,24 +99,24 @@ class Hub {
   void tell_machines();
   void tell(const std::string& sentence) const;
   void loaded(const std::string& machine, const LoadedProgram& program,
-              const control::Memory& memory, const Reply& reply);
+              const machine::MachineDefinition& definition, const control::Memory& memory,
+              const Reply& reply);
   [[nodiscard]] base::Outcome<machine::ProgramText> text_of(const LoadedProgram& program) const;
   [[nodiscard]] std::shared_ptr<Runner> make_runner(const StoredMachine& stored) const;
 
   ThreadCheck thread_{"that of the sockets"};
   Settings settings_;
   ToSockets to_sockets_;
-  int lock_;
+  FolderLock lock_;
   std::unique_ptr<Library> library_;
   MachineStore store_;
   std::map<std::string, std::unique_ptr<MachineRecord>> machines_;
   std::map<Client*, std::shared_ptr<Client>> clients_;
   std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
   std::uint64_t next_client_ = 1;
-  std::mutex unsaved_guard_;
-  std::map<std::string, std::shared_ptr<const control::Memory>> unsaved_;  // waits for the disk
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;
+  MemorySaver saver_;
   std::unique_ptr<Worker> aside_;
   std::unique_ptr<Worker> previews_;
   std::unique_ptr<MachineThreads> threads_;

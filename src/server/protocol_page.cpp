@@ -48,7 +48,7 @@ constexpr std::string_view kRest = R"md(
 "override":{"feed","rapid","spindle"},"switches":{},"skip":[],"alarm":null|{"code","message","program","file","line","column",
 "length","cause","remedy"},"messages":[],"stack":[{"program","file","line","level"}],"variables_revision","printed",
 "waits_for_input","breakpoint":null|{…},"preview_run","operator":null|"client-1","clients":["client-1",…],"fault":null|"sentence"}`.
-`total_s` is how long the program takes, as soon as its preview has come to the end.
+`total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
 
 `path`: `{"event":"path","machine","run","done","motions","vertices","time_s","bounds":null|{"min":[x,y,z],"max":[x,y,z]},
 "files":["O1.nc",…],"error":null|{…}}`, when the preview of a program begins, whenever it has gone further, and when it ends.

@@ -1,0 +1,124 @@
+// What a machine of a hub has loaded, and the preview of it.
+#include "machine/language.hpp"
+#include "server/guarded.hpp"
+#include "server/hub.hpp"
+#include "server/program_name.hpp"
+#include "server/shown_dialect.hpp"
+
+namespace kerf::server {
+
+using base::Outcome;
+
+Outcome<machine::ProgramText> Hub::text_of(const LoadedProgram& program) const {
+  if (program.text) return machine::ProgramText::of(program.name, *program.text);
+  auto path = library_->path_of(program.name);
+  if (!path) return tl::unexpected(path.error());
+  return machine::ProgramText::at_path(*path);
+}
+
+void Hub::load(const Request& request) {
+  const Arguments arguments = request.arguments();
+  const bool from_library = arguments.has("program");
+  if (from_library == arguments.has("text"))
+    return request.reply.no("load: either `program` or `text` is needed");
+  LoadedProgram program;
+  program.name = arguments.text(from_library ? "program" : "name");
+  if (!from_library) program.text = arguments.text("text");
+  program.dialect = arguments.text("dialect");
+  if (auto checked = check_program_name(program.name); !checked)
+    return request.reply.no(checked.error().message);
+  const auto text = text_of(program);
+  if (!text) return request.reply.no(text.error().message);
+  if (const auto file = text->open(); file && program.dialect.empty())
+    program.dialect = dialect_shown_by(**file);
+  MachineRecord& machine = *request.machine;
+  machine.thread->post(
+      machine.runner, Pace::slow,
+      [this, text = *text, program, name = machine.name, reply = request.reply](Runner& runner) {
+        const auto outcome = guarded([&]() -> Outcome<Json> {
+          auto done = runner.machine().load(text, program.dialect);
+          if (!done) return tl::unexpected(done.error());
+          return Json::object();
+        });
+        if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
+        to_sockets_([this, name, program, reply,
+                     definition = runner.machine().definition_of_run(),
+                     memory = runner.machine().memory()] {
+          loaded(name, program, definition, memory, reply);
+        });
+      });
+}
+
+void Hub::loaded(const std::string& name, const LoadedProgram& program,
+                 const machine::MachineDefinition& definition, const control::Memory& memory,
+                 const Reply& reply) {
+  MachineRecord* const machine = find(name);
+  if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
+  machine->program = program;
+  start_preview(*machine, definition, memory);
+  disk_->post([this, name, program, reply] {
+    const auto written = store_.write_program(name, program);
+    const Outcome<Json> told =
+        written ? Outcome<Json>(Json{{"program", program.name}}) : tl::unexpected(written.error());
+    to_sockets_([reply, told] { reply.with(told); });
+  });
+}
+
+void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
+                        const control::Memory& memory) {
+  thread_.here();
+  machine.cancel_preview();
+  machine.preview.reset();
+  if (!machine.program) return;
+  const auto text = text_of(*machine.program);
+  auto chunks = ChunkStore::create(settings_.data, chunk_budget_);
+  if (!text || !chunks) return;
+  PreviewOrder order{definition, memory, *text, machine.program->dialect, library_->folder()};
+  order.run = ++machine.preview_run;
+  if (machine.snapshot) {
+    order.skip_levels = machine.snapshot->panel.skip_levels;
+    order.optional_stop = machine.snapshot->panel[machine::Switch::optional_stop];
+  }
+  const auto preview = std::make_shared<Preview>(std::move(order), std::move(*chunks));
+  machine.preview = preview;
+  machine.path = PreviewState{machine.preview_run, false, {}, {}, nullptr};
+  for (Client* const watcher : machine.watchers) {
+    watcher->send(machine.path_event());
+    watcher->begin_chunks(preview->chunks());
+  }
+  machine.touch();
+  previews_->post([this, preview, name = machine.name] {
+    const auto tell_state = [&](const PreviewState& state) {
+      to_sockets_([this, name, preview, state] { previewed(name, preview, state); });
+    };
+    try {
+      preview->run(tell_state);
+    } catch (const std::exception& fault) {
+      tell(name + ": the preview: fault of Kerf itself: " + fault.what());
+    }
+  });
+}
+
+void Hub::renew_preview(MachineRecord& machine) {
+  machine.thread->post(machine.runner, Pace::quick, [this, name = machine.name](Runner& runner) {
+    to_sockets_([this, name, definition = runner.machine().definition_of_run(),
+                 memory = runner.machine().memory()] {
+      if (MachineRecord* const found = find(name)) start_preview(*found, definition, memory);
+    });
+  });
+}
+
+void Hub::previewed(const std::string& name, const std::shared_ptr<Preview>& preview,
+                    const PreviewState& state) {
+  thread_.here();
+  MachineRecord* const machine = find(name);
+  if (machine == nullptr || machine->preview != preview) return;  // of a program before this one
+  machine->path = state;
+  for (Client* const watcher : machine->watchers) {
+    watcher->send(machine->path_event());
+    watcher->wake();
+  }
+  if (state.done) machine->touch();
+}
+
+}  // namespace kerf::server

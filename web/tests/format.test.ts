@@ -52,12 +52,14 @@ describe('durations', () => {
 
 describe('variables', () => {
   it('are written so that they read back, vacant ones empty', () => {
-    expect([3, -9.7, 0.1 + 0.2, 1 / 3, 1e12].map(variable)).toEqual([
+    expect([3, -9.7, 0.1 + 0.2, 1 / 3, 1e12, -0.00006368615, 0].map(variable)).toEqual([
       '3',
       '\u22129.7',
       '0.3',
       '0.333333333',
       '1.000000e+12',
+      '\u22126.368615e-5',
+      '0',
     ]);
     expect(variable(null)).toBe('');
   });

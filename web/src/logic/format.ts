@@ -56,8 +56,9 @@ export function bytes(value: number): string {
 /** The value of a variable: what reads back, at most nine digits; vacant has its own word. */
 export function variable(value: number | null): string {
   if (value === null) return '';
-  const text =
-    Math.abs(value) >= 1e10 ? value.toExponential(6) : String(Number(value.toPrecision(9)));
+  const size = Math.abs(value);
+  const is_long = size >= 1e10 || (size > 0 && size < 1e-4);
+  const text = is_long ? value.toExponential(6) : String(Number(value.toPrecision(9)));
   return text.replace('-', MINUS);
 }
 

@@ -184,6 +184,9 @@ export interface Revision {
   kept: boolean;
 }
 
+/** The file of a state while an entry in MDI executes: it is in no library. */
+export const MDI_ENTRY = 'MDI';
+
 /** A state before the first one has come: nothing is known, nothing moves. */
 export const EMPTY_STATE: MachineState = {
   status: 'idle',

@@ -7,14 +7,18 @@ import { panel } from './panel.svelte';
 const SAME_INSTANT_S = 0.05;
 
 class Slider {
-  /** Seconds of the run; null: now. */
-  time_s = $state<number | null>(null);
+  /** Seconds of the path of that number: another program begins at now. */
+  private place = $state.raw<{ time_s: number; path: number } | null>(null);
   instant = $state.raw<Instant | null>(null);
   /** The server's sentence, when it has no such instant. */
   refused = $state('');
   private asking = false;
   private wanted: number | null = null;
 
+  /** Seconds of the run; null: now. */
+  get time_s(): number | null {
+    return this.place && this.place.path === panel.path?.run ? this.place.time_s : null;
+  }
   get is_back(): boolean {
     return this.time_s !== null;
   }
@@ -24,13 +28,15 @@ class Slider {
   }
 
   move_to(time_s: number): void {
-    this.time_s = Math.min(Math.max(0, time_s), this.end_s);
-    this.wanted = this.time_s;
+    if (!panel.path) return;
+    const within = Math.min(Math.max(0, time_s), this.end_s);
+    this.place = { time_s: within, path: panel.path.run };
+    this.wanted = within;
     void this.ask();
   }
 
   now(): void {
-    this.time_s = null;
+    this.place = null;
     this.wanted = null;
     this.instant = null;
     this.refused = '';

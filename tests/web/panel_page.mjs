@@ -166,6 +166,17 @@ export class PanelPage {
   async press(name) {
     await this.key(name).click();
   }
+  /** Steps with Into until the line is next. */
+  async step_into(line) {
+    for (let steps = 0; steps < 12 && (await this.executing_line()) !== line; steps++) {
+      const before = await this.executing_line();
+      await this.press('Into');
+      const late = Date.now() + SLOW_MS;
+      while ((await this.executing_line()) === before && Date.now() < late)
+        await this.page.waitForTimeout(POLL_MS);
+    }
+    await this.executes_line(line);
+  }
   async operates() {
     await this.page.locator('header .badge.mine').waitFor();
   }
@@ -199,6 +210,37 @@ export class PanelPage {
       (n) => document.querySelector('header .program')?.textContent?.includes(n),
       name,
     );
+  }
+  /** In the tab of the variables, which lists it from then on. */
+  async set_variable(name, value) {
+    const add = this.page.getByRole('textbox', { name: 'Set a variable' });
+    await add.fill(name);
+    await add.press('Enter');
+    const field = this.page.locator('#dock-variables').getByRole('textbox', { name, exact: true });
+    await field.fill(value);
+    await field.press('Enter');
+  }
+  /** A new taught program: where the machine stands, and a line to ten millimetres beside it. */
+  async teach_two_points(axis) {
+    const button = (name) => this.page.getByRole('button', { name, exact: true });
+    const record = this.page
+      .getByRole('textbox', { name: 'Another record' })
+      .or(this.page.getByRole('combobox', { name: 'Another record' }));
+    await button('New').click();
+    await this.page.getByLabel('Step, mm').selectOption({ label: '10' });
+    await button('Point').click();
+    await this.page.locator('.cm-content', { hasText: 'POINT' }).waitFor();
+    await record.fill('FEED 1200');
+    await button('Insert').click();
+    const before = await this.position(axis);
+    await this.page.getByRole('button', { name: `Jog ${axis}+` }).click();
+    await this.position_is(axis, before + 10);
+    await this.has_status('IDLE', 'END', 'STOPPED');
+    await button('Line').click();
+    await this.page.locator('.cm-content', { hasText: 'LINE' }).waitFor();
+    await record.fill('END');
+    await button('Insert').click();
+    await this.page.locator('.cm-content', { hasText: 'END' }).waitFor();
   }
   /** With the slider. */
   async go_to_instant(time_s) {

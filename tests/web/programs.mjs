@@ -39,6 +39,49 @@ M30
 %
 `;
 
+/** Two frames by a macro, behind blocks that bring the machine to where they are cut. Line 10 is the first of the macro. */
+export function frames(begin) {
+  const [first, second = 'G04 P0'] = begin.split('\n');
+  return `%
+O0400 (TWO FRAMES, EACH BY A MACRO)
+${first}
+${second}
+G65 P9400 A40. B20.
+G65 P9400 A20. B10.
+#500=#500+1
+M30
+O9400 (A FRAME OF A BY B)
+#33=#1
+#32=#2
+G91 G01 X#33 F1200
+Y#32
+X-#33
+Y-#32
+G90
+M99
+%
+`;
+}
+
+/** The same in laser BASIC. Line 10 is the first of the subprogram behind its LOCAL. */
+export const FRAMES_BASIC = `' Two frames, each by the subprogram frame
+speed(40); power(60)
+size=40
+gosub frame
+size=20
+gosub frame
+end
+frame:
+ local half   ' of the size, around the origin
+ half=size/2
+ move(-half, -half)
+ line(half, -half)
+ line(half, half)
+ line(-half, half)
+ line(-half, -half)
+return
+`;
+
 /** As many short cuts as are asked for, along a spiral. */
 export function spiral(cuts) {
   const lines = [

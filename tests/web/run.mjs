@@ -17,6 +17,7 @@ import { manual } from './scenarios/manual.mjs';
 import { million } from './scenarios/million.mjs';
 import { operating } from './scenarios/operating.mjs';
 import { pictures } from './scenarios/pictures.mjs';
+import { states } from './scenarios/states.mjs';
 import { training } from './scenarios/training.mjs';
 
 const ALL = [
@@ -28,6 +29,7 @@ const ALL = [
   ...accessibility,
   ...faults,
   ...million,
+  ...states,
   ...pictures,
 ];
 const LIMIT_MS = 240_000;

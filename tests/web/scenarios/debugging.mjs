@@ -10,12 +10,7 @@ export const debugging = [
       await panel.fresh();
       await panel.run_text('macro.nc', MACRO);
       await panel.tab('Variables');
-      for (const line of [3, 9]) {
-        await panel.press('Into');
-        for (let i = 0; i < 3 && (await until_line(panel, line)) !== line; i++)
-          await panel.press('Into');
-        await panel.executes_line(line);
-      }
+      await panel.step_into(9);
       await panel.variable_is('#1', '5');
       await panel.variable_is('#2', '2');
       await panel.press('Over');
@@ -40,15 +35,9 @@ export const debugging = [
       const panel = await open();
       await panel.fresh();
       await panel.tab('Variables');
-      const add = panel.page.getByRole('textbox', { name: 'Set a variable' });
-      await add.fill('#510');
-      await add.press('Enter');
+      await panel.set_variable('#510', '0');
       await panel.variable_is('#510', '0');
-      const field = panel.page
-        .locator('#dock-variables')
-        .getByRole('textbox', { name: '#510', exact: true });
-      await field.fill('12.5');
-      await field.press('Enter');
+      await panel.set_variable('#510', '12.5');
       await panel.variable_is('#510', '12.5');
       await panel.page.locator('h1').click();
       await panel.page.keyboard.press('Control+z');
@@ -141,12 +130,3 @@ export const debugging = [
     },
   },
 ];
-
-/** Which line the mark comes to, giving it a moment. */
-async function until_line(panel, line) {
-  for (let i = 0; i < 12; i++) {
-    if ((await panel.executing_line()) === line) return line;
-    await panel.page.waitForTimeout(100);
-  }
-  return panel.executing_line();
-}

@@ -51,23 +51,8 @@ export const manual = [
       await panel.fresh();
       await panel.press('TEACH');
       await panel.tab('Teach');
-      await panel.page.getByRole('button', { name: 'New', exact: true }).click();
-      await panel.page.getByLabel('Step, mm').selectOption({ label: '10' });
-      await panel.page.getByRole('button', { name: 'Point', exact: true }).click();
-      await panel.page.locator('.cm-content', { hasText: 'POINT' }).waitFor();
-      const insert = panel.page
-        .getByRole('textbox', { name: 'Another record' })
-        .or(panel.page.getByRole('combobox', { name: 'Another record' }));
-      await insert.fill('FEED 1200');
-      await panel.page.getByRole('button', { name: 'Insert', exact: true }).click();
       const before = await panel.position('Y');
-      await panel.page.getByRole('button', { name: 'Jog Y+' }).click();
-      await panel.position_is('Y', before + 10);
-      await panel.has_status('IDLE', 'END', 'STOPPED');
-      await panel.page.getByRole('button', { name: 'Line', exact: true }).click();
-      await panel.page.locator('.cm-content', { hasText: 'LINE' }).waitFor();
-      await insert.fill('END');
-      await panel.page.getByRole('button', { name: 'Insert', exact: true }).click();
+      await panel.teach_two_points('Y');
       await panel.page.getByRole('button', { name: 'Load what was taught' }).click();
       await panel.has_path(1);
       await panel.press('Cycle start');

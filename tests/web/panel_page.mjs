@@ -166,13 +166,22 @@ export class PanelPage {
   async press(name) {
     await this.key(name).click();
   }
+  /** The line that the machine tells, in sight or not; 0: none. */
+  async told_line() {
+    const told = (await this.page.locator('header .program').textContent()) ?? '';
+    return Number(/line (\d+)/.exec(told)?.[1] ?? 0);
+  }
   /** Steps with Into until the line is next. */
   async step_into(line) {
-    for (let steps = 0; steps < 12 && (await this.executing_line()) !== line; steps++) {
-      const before = await this.executing_line();
+    for (let steps = 0; steps < 12; steps++) {
+      const before = await this.told_line();
+      if (before === line) break;
       await this.press('Into');
       const late = Date.now() + SLOW_MS;
-      while ((await this.executing_line()) === before && Date.now() < late)
+      while (
+        ((await this.told_line()) === before || (await this.status()) !== 'STEP') &&
+        Date.now() < late
+      )
         await this.page.waitForTimeout(POLL_MS);
     }
     await this.executes_line(line);

@@ -15,6 +15,7 @@ export const manual = [
       await entry.press('Enter');
       await panel.page.getByRole('radio', { name: 'Machine' }).click();
       await panel.position_is('X', -3.5);
+      assert.equal(await panel.page.locator('.notices p').count(), 0, 'an entry is no file');
       await panel.press('AUTO');
     },
   },

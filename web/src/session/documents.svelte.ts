@@ -1,5 +1,5 @@
 /** The program texts that are open: the one to be edited, and those that the machine runs besides. */
-import type { Diagnostic, ProgramEntry } from '../logic/protocol';
+import { MDI_ENTRY, type Diagnostic, type ProgramEntry } from '../logic/protocol';
 import { notices } from './notices.svelte';
 import { panel } from './panel.svelte';
 import { t } from './words.svelte';
@@ -182,6 +182,7 @@ class Documents {
   }
 
   private async text_of(name: string): Promise<string | null> {
+    if (name === MDI_ENTRY) return null;
     const answer = await panel.ask('read', { name, machine: panel.machine }).catch(() => null);
     return answer ? String(answer.text) : this.fetched(name); // too long for an answer
   }

@@ -41,8 +41,7 @@ void Hub::load(const Request& request) {
           return Json::object();
         });
         if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
-        to_sockets_([this, name, program, reply,
-                     definition = runner.machine().definition_of_run(),
+        to_sockets_([this, name, program, reply, definition = runner.machine().definition_of_run(),
                      memory = runner.machine().memory()] {
           loaded(name, program, definition, memory, reply);
         });

@@ -115,7 +115,8 @@ const STATES = {
     await panel.has_status('ALARM');
     assert.match(await panel.page.locator('section.alarm').innerText(), new RegExp(wrong.code));
   },
-  async mdi(panel, { mdi }) {
+  async mdi(panel, { mdi, sample }) {
+    await panel.open_program(sample);
     await panel.press('MDI');
     await panel.tab('MDI');
     const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
@@ -123,7 +124,8 @@ const STATES = {
     await entry.press('Enter');
     await panel.position_is(mdi.axis, mdi.value);
   },
-  async jog(panel, { jog }) {
+  async jog(panel, { jog, sample }) {
+    await panel.open_program(sample);
     await panel.press('JOG');
     await panel.tab('Offsets');
     await panel.page.getByLabel('Step, mm').selectOption({ label: '10' });
@@ -144,7 +146,8 @@ const STATES = {
     await panel.has_status('END');
     await panel.position_is(jog, before + 10);
   },
-  async language(panel) {
+  async language(panel, { sample }) {
+    await panel.open_program(sample);
     await panel.page.getByRole('combobox', { name: 'Language' }).selectOption('zh-Hant');
     await panel.key('循環啟動').waitFor();
   },

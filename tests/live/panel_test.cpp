@@ -85,6 +85,22 @@ TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
   EXPECT_EQ(bench.x(), 200);
 }
 
+TEST(Panel, TheBeamIsOffWhileTheFeedIsHeld) {
+  Bench bench("laser3");
+  bench.load("speed(10); power(50)\nline(40,0)\nend\n", "a.bas", "laser-basic");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_TRUE(bench.now().beam);
+  EXPECT_DONE(bench->feed_hold());
+  bench->advance(1);
+  EXPECT_EQ(bench.status(), Status::held);
+  EXPECT_FALSE(bench.now().beam);
+  EXPECT_EQ(bench.now().power_percent, 50);
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_TRUE(bench.now().beam);
+}
+
 TEST(Panel, ADwellIsHeldAndTheRestOfItFollows) {
   Bench bench;
   bench.load("O1\nG04X10.\nG91G00X1.\nM30\n");

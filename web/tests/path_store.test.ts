@@ -87,7 +87,9 @@ describe('a motion under way', () => {
       store,
       straight(0, 6, (i) => ({ motion: i <= 2 ? 1 : 2 })),
     );
-    expect(store.place_of_motion(2, [4.5, 0.2, 0])).toEqual({ chunk: 0, vertex: 4, fraction: 0.5 });
+    const place = store.place_of_motion(2, [4.5, 0.2, 0]);
+    expect(place).toEqual({ chunk: 0, vertex: 4, fraction: 0.5 });
+    expect(store.seconds_at(place!)).toBeCloseTo((store.time_of(0, 4) + store.time_of(0, 5)) / 2);
   });
   it('that draws nothing stands where the one before it ended', () => {
     const store = new PathStore();

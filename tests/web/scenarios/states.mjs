@@ -115,8 +115,8 @@ const STATES = {
     await panel.has_status('ALARM');
     assert.match(await panel.page.locator('section.alarm').innerText(), new RegExp(wrong.code));
   },
-  async mdi(panel, { mdi, sample }) {
-    await panel.open_program(sample);
+  async mdi(panel, { mdi, file, text }) {
+    await panel.run_text(file, text);
     await panel.press('MDI');
     await panel.tab('MDI');
     const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
@@ -126,6 +126,7 @@ const STATES = {
   },
   async jog(panel, { jog, sample }) {
     await panel.open_program(sample);
+    await panel.has_path(10);
     await panel.press('JOG');
     await panel.tab('Offsets');
     await panel.page.getByLabel('Step, mm').selectOption({ label: '10' });

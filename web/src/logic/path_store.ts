@@ -121,6 +121,13 @@ export class PathStore {
     return [along(0), along(1)];
   }
 
+  seconds_at(place: PathPlace): number {
+    const { time_s, vertices } = this.chunks[place.chunk];
+    const end = Math.min(place.vertex + 1, vertices - 1);
+    const span = time_s[end] - time_s[place.vertex];
+    return this.time_of(place.chunk, place.vertex) + place.fraction * span;
+  }
+
   /** All runs of segments that a line of a file made. */
   ranges_of(file: number, line: number): Range[] {
     const ranges: Range[] = [];

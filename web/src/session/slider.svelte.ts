@@ -2,6 +2,7 @@
 import { joints_of } from '../logic/kinematics';
 import type { Axes, Instant, MachineState, Variable } from '../logic/protocol';
 import { panel } from './panel.svelte';
+import { progress } from './progress.svelte';
 
 /** The machine answers with the set-point at or before the time asked for. */
 const SAME_INSTANT_S = 0.05;
@@ -24,7 +25,9 @@ class Slider {
   }
   get end_s(): number {
     void panel.path_version;
-    return Math.max(panel.preview.facts.end_s, panel.path?.time_s ?? 0);
+    const { done_s, left_s } = progress.now;
+    const program_s = Math.max(panel.preview.facts.end_s, panel.path?.time_s ?? 0);
+    return done_s > 0 ? done_s + (left_s ?? program_s) : program_s;
   }
 
   move_to(time_s: number): void {
@@ -74,7 +77,7 @@ class Slider {
   /** At once, from the path's vertices: where tip and joints are, and which line moves them. */
   private of_path(time_s: number): Partial<MachineState> {
     const { definition, preview } = panel;
-    const place = preview.place_at(time_s);
+    const place = preview.place_at(progress.path_seconds(time_s));
     if (!place || !definition) return {};
     const tip = preview.point_at(place);
     const chunk = preview.chunks[place.chunk];

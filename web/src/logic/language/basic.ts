@@ -30,6 +30,7 @@ const label = /\s*(\d+(?=\s)|[a-z_][a-z_0-9]*\s*:)/iy;
 
 export const basic: Lexer = {
   name: 'laser-basic',
+  example: 'speed(20); move(10, 10)',
   line_comment: "'",
   next(line, start) {
     if (start === 0) {

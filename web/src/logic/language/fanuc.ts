@@ -33,6 +33,7 @@ function skip_or_divide(line: string, start: number): TokenKind {
 
 export const fanuc: Lexer = {
   name: 'fanuc-mill',
+  example: 'G91 G01 X10. F500',
   next(line, start, in_comment) {
     if (in_comment || line[start] === '(') return comment(line, start);
     if (line[start] === '/') {

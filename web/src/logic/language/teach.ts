@@ -15,6 +15,7 @@ const rules: Rule[] = [
 
 export const teach: Lexer = {
   name: 'teach',
+  example: 'POINT 300 0 50 0 0',
   line_comment: ';',
   next: (line, start) => first_match(rules, line, start),
 };

@@ -28,6 +28,8 @@ export interface Token {
 
 export interface Lexer {
   name: string;
+  /** What a line of it looks like. */
+  example: string;
   /** The token at `start` of `line`; blanks are tokens of kind plain. */
   next(line: string, start: number, in_comment: boolean): Token;
   line_comment?: string;

@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest';
+import { EMPTY_STATE, MDI_ENTRY, type MachineState } from '../src/logic/protocol';
+import { progress_of } from '../src/logic/run_progress';
+
+const state = (changes: Partial<MachineState>): MachineState => ({
+  ...EMPTY_STATE,
+  mode: 'auto',
+  status: 'running',
+  time_s: 12,
+  motion: 3,
+  ...changes,
+});
+
+describe('the progress of a run', () => {
+  it('is by the place on the path, so a hold takes nothing from what is left', () => {
+    const held = progress_of(state({ status: 'held' }), 5, 20, 8);
+    expect(held).toEqual({ done_s: 12, left_s: 15, share: 0.25, motion: 3, motions: 8 });
+  });
+  it('knows nothing of what is left while the path is still counted', () => {
+    expect(progress_of(state({}), 5, null, 8).left_s).toBeNull();
+  });
+  it('is whole at the end, whatever ends without a path', () => {
+    const ended = progress_of(state({ status: 'end' }), 19, 20, 8);
+    expect(ended).toEqual({ done_s: 12, left_s: 0, share: 1, motion: 8, motions: 8 });
+  });
+  it('is none while axes are moved by hand, by an entry, or before the start', () => {
+    for (const changes of [{ mode: 'jog' }, { file: MDI_ENTRY }, { status: 'idle' }] as const)
+      expect(progress_of(state(changes), 5, 20, 8)).toEqual({
+        done_s: 0,
+        left_s: 20,
+        share: 0,
+        motion: 0,
+        motions: 8,
+      });
+  });
+});

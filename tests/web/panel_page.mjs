@@ -221,10 +221,13 @@ export class PanelPage {
     );
   }
   /** In the tab of the variables, which lists it from then on. */
-  async set_variable(name, value) {
+  async add_variable(name) {
     const add = this.page.getByRole('textbox', { name: 'Set a variable' });
     await add.fill(name);
     await add.press('Enter');
+  }
+  async set_variable(name, value) {
+    await this.add_variable(name);
     const field = this.page.locator('#dock-variables').getByRole('textbox', { name, exact: true });
     await field.fill(value);
     await field.press('Enter');

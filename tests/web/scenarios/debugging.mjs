@@ -39,6 +39,9 @@ export const debugging = [
       await panel.variable_is('#510', '0');
       await panel.set_variable('#510', '12.5');
       await panel.variable_is('#510', '12.5');
+      await panel.add_variable('#510');
+      await panel.page.waitForTimeout(500);
+      await panel.variable_is('#510', '12.5');
       await panel.page.locator('h1').click();
       await panel.page.keyboard.press('Control+z');
       await panel.variable_is('#510', '0');

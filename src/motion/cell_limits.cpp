@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "motion/chord.hpp"
+#include "motion/ramp_limits.hpp"
 
 namespace kerf::motion {
 namespace {
@@ -14,13 +15,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Of the chord, at the border between two bends that the tip leaves with some acceleration.
 constexpr double kALittleLess = 0.95;
 
-// Shares of the axes' limits that the shape of the path may use at full speed, and of the jerk for
-// 3 q'' v a.
+// Shares of the axes' limits that the shape of the path may use at full speed.
 struct Shares {
-  double acceleration, jerk, mixed_jerk;
+  double acceleration, jerk;
 };
-constexpr Shares kPath{0.85, 0.4, 0.4};
-constexpr Shares kCorner{0.98, 0.94, 0.04};
+constexpr Shares kPath{0.9, 0.7};
+constexpr Shares kCorner{0.98, 0.98};
 
 constexpr Shares shares(CellLimits::Use use) {
   return use == CellLimits::Use::corner ? kCorner : kPath;
@@ -104,9 +104,20 @@ double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {
   return speed;
 }
 
+double CellLimits::share_of_shape(const CellBounds& bounds, double speed) const {
+  double most = 0;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double bend = bounds.driven.second.values[m] * speed * speed;
+    const double bend_rate = bounds.driven.third.values[m] * speed * speed * speed;
+    most =
+        std::max({most, bend / limits_.acceleration.values[m], bend_rate / limits_.jerk.values[m]});
+  }
+  return most;
+}
+
 PathLimits CellLimits::of(const CellBounds& bounds, double feed, Use use) const {
   const double speed = std::min(feed, highest_speed(bounds, use));
-  return jerk_limited_ ? with_jerk(bounds.driven, speed, use) : without_jerk(bounds.driven, speed);
+  return jerk_limited_ ? with_jerk(bounds.driven, speed) : without_jerk(bounds.driven, speed);
 }
 
 // The least of (A - q'' v²) / q' over the axes, each of them linear in v², is at least the line
@@ -131,24 +142,9 @@ double CellLimits::acceleration_at(const CurveBounds& bounds, double speed) cons
   return least;
 }
 
-PathLimits CellLimits::with_jerk(const CurveBounds& bounds, double speed, Use use) const {
-  PathLimits limits;
-  limits.velocity = speed;
-  limits.acceleration = acceleration_at(bounds, speed);
-  for (std::size_t m = 0; m < axes_; ++m) {
-    const double mixed = 3 * bounds.second.values[m] * speed;
-    if (mixed > 0) {
-      limits.acceleration =
-          std::min(limits.acceleration, shares(use).mixed_jerk * limits_.jerk.values[m] / mixed);
-    }
-  }
-  for (std::size_t m = 0; m < axes_; ++m) {
-    const double first = bounds.first.values[m];
-    const double shape = speed * (3 * bounds.second.values[m] * limits.acceleration +
-                                  bounds.third.values[m] * speed * speed);
-    if (first > 0) limits.jerk = std::min(limits.jerk, (limits_.jerk.values[m] - shape) / first);
-  }
-  return limits;
+PathLimits CellLimits::with_jerk(const CurveBounds& bounds, double speed) const {
+  const RampLimits ramp = ramp_limits(bounds, limits_, axes_, speed);
+  return {speed, ramp.acceleration, ramp.jerk};
 }
 
 }  // namespace kerf::motion

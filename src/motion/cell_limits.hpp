@@ -53,6 +53,9 @@ class CellLimits {
   /// The highest speed at any feed; infinite where nothing limits it.
   [[nodiscard]] double highest_speed(const CellBounds& bounds, Use use) const;
 
+  /// How much of an axis's acceleration or jerk the shape of the path takes at `speed`, at most.
+  [[nodiscard]] double share_of_shape(const CellBounds& bounds, double speed) const;
+
   /// What the driven axes can give the tip along a path on which their derivatives are these; 0
   /// where none of them moves.
   [[nodiscard]] double acceleration_along(const base::AxisVector& first) const;
@@ -67,7 +70,7 @@ class CellLimits {
 
  private:
   [[nodiscard]] PathLimits without_jerk(const CurveBounds& bounds, double speed) const;
-  [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed, Use use) const;
+  [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
   [[nodiscard]] double most_speed_up(const CellBounds& bounds) const;

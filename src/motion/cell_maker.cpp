@@ -10,8 +10,8 @@ namespace {
 
 // Most cells of one piece whose driven axes are the program's.
 constexpr std::size_t kMostParts = 24;
-// Such a piece whose shape takes less than this share of the acceleration is one cell; of others a
-// ramp to full speed passes over about so many.
+// Such a piece whose shape takes less than this share of an acceleration or jerk is one cell; of
+// others a ramp to full speed passes over about so many.
 constexpr double kLittle = 0.1;
 constexpr double kPartsOfRamp = 6;
 // Share of the speed that a cell may cost where it could be driven faster.
@@ -87,8 +87,8 @@ void CellMaker::split_inside(const PathPiece& piece, double begin, double end,
                              Ring<Cell>& cells) {
   add(piece, begin, end, bounds, overrides, cells);
   const PathLimits& limits = cells.back().limits;
-  const double taken = limits.fall * limits.velocity * limits.velocity;
-  if (piece.use == CellLimits::Use::corner || taken < kLittle * limits.acceleration) return;
+  const double taken = limits_.share_of_shape(bounds, limits.velocity);
+  if (piece.use == CellLimits::Use::corner || taken < kLittle) return;
   const double ramp = limits.velocity * limits.velocity / (2 * limits.acceleration);
   const double length = end - begin;
   const double wanted = std::ceil(length / ramp * kPartsOfRamp);

@@ -133,7 +133,9 @@ bool Interpolator::level_off(const Motion& from, Leveling& leveling) const {
       if (n >= cells_.end() || cells_[n].dwell_s > 0) return false;
       const PathLimits& limits = cells_[n].limits;
       constexpr double kSame = 1 - 1e-9;
-      if (limits.velocity < std::max(from.speed, speed) * kSame) return false;
+      // What RampLimits hold at the acceleration of now.
+      const double most = std::max(speed, from.speed + a * a / (2 * limits.jerk));
+      if (limits.velocity < most * kSame) return false;
       if (limits.acceleration < std::fabs(a) * kSame) return false;
       least = std::min(least, limits.jerk);
       if (section.tail < cells_[n].length()) break;

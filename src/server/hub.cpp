@@ -141,13 +141,19 @@ void Hub::on_machine_durably(const Request& request, MachineAction action) {
                     name = machine.name](Runner& runner) {
     auto outcome = guarded([&] { return action(runner); });
     if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
-    disk_->post([this, reply, outcome, name, memory = runner.machine().memory()] {
-      const auto written = store_.write_memory(name, memory);
-      const Outcome<Json> told = written ? outcome : tl::unexpected(written.error());
-      to_sockets_([reply, told] { reply.with(told); });
+    write(reply, *outcome, [name, memory = runner.machine().memory()](const MachineStore& store) {
+      return store.write_memory(name, memory);
     });
   };
   machine.thread->post(machine.runner, Pace::quick, job);
+}
+
+void Hub::write(const Reply& reply, Json answer, Writing action) {
+  disk_->post([this, reply, answer = std::move(answer), action = std::move(action)] {
+    const auto written = action(store_);
+    const Outcome<Json> told = written ? Outcome<Json>(answer) : tl::unexpected(written.error());
+    to_sockets_([reply, told] { reply.with(told); });
+  });
 }
 
 void Hub::on_disk(const Request& request, std::function<Outcome<Json>(Library&)> action) {

@@ -82,6 +82,9 @@ class Hub {
   Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> library, MachineStore store,
       FolderLock lock);
 
+  using Writing = std::function<base::Outcome<void>(const MachineStore&)>;
+  /// The reply is `answer` once that is on the disk, or why it is not. From any thread.
+  void write(const Reply& reply, Json answer, Writing action);
   /// From where `definition` says that the axes stand.
   void start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
                      const control::Memory& memory);

@@ -101,12 +101,8 @@ void Hub::create(const Request& request) {
   auto machine = new_machine(name, request.arguments().text("definition"));
   if (!machine) return request.reply.no(machine.error().message);
   start(*machine);
-  disk_->post([this, machine = *machine, reply = request.reply] {
-    const auto added = store_.add(machine);
-    const Outcome<Json> told =
-        added ? Outcome<Json>(Json::object()) : tl::unexpected(added.error());
-    to_sockets_([reply, told] { reply.with(told); });
-  });
+  write(request.reply, Json::object(),
+        [machine = *machine](const MachineStore& store) { return store.add(machine); });
   tell_machines();
 }
 
@@ -121,12 +117,8 @@ void Hub::remove(const Request& request) {
   if (request.client->watched() == machine) leave_machine(*request.client);
   machine->thread->remove(machine->runner);
   machines_.erase(name);
-  disk_->post([this, name, reply = request.reply] {
-    const auto removed = store_.remove(name);
-    const Outcome<Json> told =
-        removed ? Outcome<Json>(Json::object()) : tl::unexpected(removed.error());
-    to_sockets_([reply, told] { reply.with(told); });
-  });
+  write(request.reply, Json::object(),
+        [name](const MachineStore& store) { return store.remove(name); });
   tell_machines();
 }
 
@@ -171,11 +163,8 @@ void Hub::put_definition(const std::string& name, const std::string& toml,
                       {"definition", definition_json(definition)},
                       {"settings", toml}};
   for (Client* const watcher : machine->watchers) watcher->send(event);
-  disk_->post([this, stored, reply] {
-    const auto written = store_.write_definition(stored.name, stored.kind, stored.toml);
-    const Outcome<Json> told =
-        written ? Outcome<Json>(Json::object()) : tl::unexpected(written.error());
-    to_sockets_([reply, told] { reply.with(told); });
+  write(reply, Json::object(), [stored](const MachineStore& store) {
+    return store.write_definition(stored.name, stored.kind, stored.toml);
   });
 }
 

@@ -55,12 +55,8 @@ void Hub::loaded(const std::string& name, const LoadedProgram& program,
   if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
   machine->program = program;
   start_preview(*machine, definition, memory);
-  disk_->post([this, name, program, reply] {
-    const auto written = store_.write_program(name, program);
-    const Outcome<Json> told =
-        written ? Outcome<Json>(Json{{"program", program.name}}) : tl::unexpected(written.error());
-    to_sockets_([reply, told] { reply.with(told); });
-  });
+  write(reply, Json{{"program", program.name}},
+        [name, program](const MachineStore& store) { return store.write_program(name, program); });
 }
 
 void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,

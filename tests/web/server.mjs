@@ -30,6 +30,7 @@ export class Server {
     this.process = spawn(this.program, options, {
       stdio: ['ignore', 'ignore', 'inherit'],
     });
+    process.once('exit', () => this.process.kill('SIGKILL')); // also where the tests cannot begin
     await this.answers();
   }
 

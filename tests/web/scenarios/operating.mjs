@@ -93,6 +93,24 @@ export const operating = [
     },
   },
   {
+    name: 'the call stack of an instant is that of the block that moved the axes then',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text(
+        'calls.nc',
+        '%\nO0400\nG90 G54 G94 F600\nG00 X0.\nM98 P0401\nM30\nO0401\nG01 X50.\nM99\n%\n',
+      );
+      await panel.has_path(1);
+      await panel.tab('Stepping');
+      const rows = panel.page.locator('#dock-stepping li .row');
+      assert.equal(await rows.count(), 0);
+      await panel.go_to_instant(4);
+      await rows.first().getByText('O0401').waitFor();
+      assert.equal(await rows.count(), 2);
+    },
+  },
+  {
     name: 'two pages share a machine: one operates, control is handed over',
     async run({ open }) {
       const first = await open();

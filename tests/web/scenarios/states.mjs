@@ -179,10 +179,16 @@ async function leave(panel) {
   await panel.fresh();
 }
 
+async function take(panel, path) {
+  await panel.page.waitForTimeout(700); // what glides has come to rest
+  await panel.page.mouse.move(0, 0);
+  await panel.page.screenshot({ path });
+}
+
 export const states = MACHINES.flatMap((kind) =>
   SIZES.map(([width, height]) => ({
     name: `states of the ${kind.machine} at ${width}×${height}`,
-    needs_shots: true,
+    needs_shots: kind.machine !== 'laser' || width !== 820, // one of them without pictures, too
     async run({ open, shots }) {
       const { machine, scheme } = kind;
       const panel = await open({ machine, width, height, scheme });
@@ -191,11 +197,7 @@ export const states = MACHINES.flatMap((kind) =>
         await reach(panel, kind, open).catch((reason) => {
           throw new Error(`${state}: ${reason.stack}`);
         });
-        await panel.page.waitForTimeout(700); // what glides has come to rest
-        await panel.page.mouse.move(0, 0);
-        await panel.page.screenshot({
-          path: join(shots, `${machine}-${state}-${width}x${height}.png`),
-        });
+        if (shots) await take(panel, join(shots, `${machine}-${state}-${width}x${height}.png`));
         await leave(panel);
       }
     },

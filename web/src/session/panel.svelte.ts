@@ -8,10 +8,12 @@ import {
   type Socket,
 } from '../logic/connection';
 import { decode_chunk } from '../logic/chunk';
+import { tip_of, type Point } from '../logic/kinematics';
 import { PathStore } from '../logic/path_store';
 import { patched } from '../logic/state_patch';
 import {
   EMPTY_STATE,
+  type Axes,
   type Breakpoint,
   type MachineDefinition,
   type MachineEntry,
@@ -48,6 +50,11 @@ class Panel {
   path_version = $state(0);
   readonly preview = new PathStore();
   readonly edits = new UndoStack();
+
+  /** Where the tip is on the path, by the joints: the machine's position has the tool length in it, the path has not. */
+  tip_at(joints: Axes): Point {
+    return this.definition ? tip_of(this.definition.kinematics, joints) : [0, 0, 0];
+  }
 
   private readonly connection = new Connection(
     () => new WebSocket(socket_address()) as Socket,

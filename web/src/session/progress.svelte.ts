@@ -1,16 +1,15 @@
 /** Where the run of the machine is on the path of its preview. */
-import { tip_of } from '../logic/kinematics';
 import type { PathPlace } from '../logic/path_store';
 import { is_in_run, progress_of, type Progress } from '../logic/run_progress';
 import { panel } from './panel.svelte';
 
 class RunProgress {
-  /** Null: no program runs, or its path has not come so far. By the joints: the machine's position has the tool length in it. */
+  /** Null: no program runs, or its path has not come so far. */
   place = $derived.by((): PathPlace | null => {
     void panel.path_version;
     const { state, definition, preview } = panel;
     if (!definition || !is_in_run(state)) return null;
-    return preview.place_of_motion(state.motion, tip_of(definition.kinematics, state.joints));
+    return preview.place_of_motion(state.motion, panel.tip_at(state.joints));
   });
   /** Seconds of the program by itself up to there. */
   path_s = $derived(this.place ? panel.preview.seconds_at(this.place) : null);

@@ -99,8 +99,9 @@ class Slider {
     const instant = this.instant;
     if (!instant || this.time_s === null) return {};
     if (Math.abs(instant.time_s - this.time_s) > SAME_INSTANT_S) return {};
-    const { position, joints, modal, file, line, text, feed, spindle, tool, coolant } = instant;
-    return { position, joints, modal, file, line, text, feed, spindle, tool, coolant };
+    const { position, joints, modal, file, line, text, stack } = instant;
+    const { feed, spindle, tool, coolant } = instant;
+    return { position, joints, modal, file, line, text, stack, feed, spindle, tool, coolant };
   }
 }
 

@@ -3,7 +3,8 @@
 // Drives the page of the panel as a person does, in a real browser, against a real `kerf serve`. With --kerf a server is
 // started with an empty data folder and ended afterwards; some scenarios need that, because they end it themselves. Each
 // scenario has a page of its own; what one leaves behind in the server does not matter to the next. --shots takes the
-// pictures of docs/images/panel, and makes them small where pngquant is installed. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
+// pictures of docs/images/panel, and makes them small where pngquant is installed; Chinese needs a font, such as
+// fonts-noto-cjk. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';

@@ -17,11 +17,24 @@ export const editing = [
       await panel.page.keyboard.type('5.5');
       const mark = panel.page.locator('.cm-lintRange-error').first();
       await mark.waitFor();
-      await panel.page.locator('.program footer .bad', { hasText: '1 errors' }).waitFor();
+      await panel.page.locator('.program footer .bad', { hasText: 'Errors: 1' }).waitFor();
       await mark.hover();
       await panel.page.locator('.cm-alarm-card', { hasText: 'PS0007' }).waitFor();
       await panel.page.keyboard.press('Control+z');
       await panel.page.locator('.program footer .good').waitFor();
+    },
+  },
+  {
+    name: 'the line of the cursor is one of the program that is shown',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('long.nc', LONG);
+      await panel.go_to_line(5);
+      const foot = panel.page.locator('.program footer');
+      await foot.filter({ hasText: /line 5$/ }).waitFor();
+      await panel.run_text('short.nc', '%\nM30\n%\n');
+      await foot.filter({ hasText: /line 1$/ }).waitFor();
     },
   },
   {

@@ -60,6 +60,7 @@ export class ProgramEditor {
     this.flush();
     this.line = 0;
     this.view.setState(EditorState.create({ doc: text, extensions: this.extensions(text, lexer) }));
+    this.wishes.cursor(1);
   }
 
   get text(): string {

@@ -15,6 +15,8 @@ class Variables {
   watched = $state.raw<Variable[]>([]);
   scopes = $state.raw<Scope[]>([]);
   levels = $state(1);
+  /** A name as the program's language writes it. */
+  example = $derived(this.scopes.includes('program') ? 'X' : '#500');
   private timer: ReturnType<typeof setTimeout> | null = null;
   private asked_at = 0;
 

@@ -29,9 +29,6 @@ double room_of(const Curve& curve) {
   return curve.is_line() || curve.is_arc() ? curve.length() : kMany * curve.length();
 }
 
-// A rounding may take this much longer than a stop: whoever asks for one wants the axes to go on.
-constexpr double kPreference = 1.1;
-
 // The reach, at most `most`, with which the corner takes the least time, which has one valley. Much
 // shorter ones are hardly faster than a stop.
 double best_reach(const CornerTime& time, double most) {
@@ -126,7 +123,7 @@ Corner CornerRounder::best_of(const Curve& in, const Curve& out, const CornerTim
                               double reach, double tolerance) const {
   constexpr int kMostTries = 30;
   constexpr double kShrink = 0.75;
-  const double most_s = std::isfinite(tolerance) ? kPreference * time.stopped_s() : kInfinite;
+  const double most_s = std::isfinite(tolerance) ? time.stopped_s() : kInfinite;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
     const auto rounding = round(in, out, reach, tolerance);
     if (!rounding || !follower_.can_follow(rounding->curve)) continue;

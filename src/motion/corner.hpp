@@ -22,7 +22,7 @@ struct Corner {
   enum class Kind : std::uint8_t {
     none,     ///< the axes go on as they are
     rounded,  ///< by `rounding`
-    sharp     ///< the axes come to rest: it cannot be rounded, or a stop takes clearly less time
+    sharp     ///< the axes come to rest: it cannot be rounded, or a stop takes less time
   };
   Kind kind = Kind::none;
   Rounding rounding;

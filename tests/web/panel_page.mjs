@@ -233,6 +233,12 @@ export class PanelPage {
     await field.press('Enter');
   }
   /** A new taught program: where the machine stands, and a line to ten millimetres beside it. */
+  /** And waits until it is: the path on the screen may still be that of the program before. */
+  async load_taught() {
+    await this.page.getByRole('button', { name: 'Load what was taught' }).click();
+    await this.page.getByText('taught.tch is loaded.').first().waitFor();
+    await this.has_path(1);
+  }
   async teach_two_points(axis) {
     const button = (name) => this.page.getByRole('button', { name, exact: true });
     const record = this.page

@@ -1,10 +1,10 @@
-// node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--chromium PATH]
+// node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--part 1/2] [--chromium PATH]
 //
 // Drives the page of the panel as a person does, in a real browser, against a real `kerf serve`. With --kerf a server is
 // started with an empty data folder and ended afterwards; some scenarios need that, because they end it themselves. Each
-// scenario has a page of its own; what one leaves behind in the server does not matter to the next. --shots takes the
-// pictures of docs/images/panel, and makes them small where pngquant is installed; Chinese needs a font, such as
-// fonts-noto-cjk. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
+// scenario has a page of its own; what one leaves behind in the server does not matter to the next. --part runs every
+// second of them, from the first or from the second on. --shots takes the pictures of docs/images/panel, and makes them
+// small where pngquant is installed; Chinese needs a font, such as fonts-noto-cjk. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -44,12 +44,14 @@ const { values } = parseArgs({
     kerf: { type: 'string' },
     shots: { type: 'string' },
     only: { type: 'string', multiple: true },
+    part: { type: 'string', default: '1/1' },
     chromium: { type: 'string', default: '/usr/bin/chromium' },
   },
 });
-if (!values.base === !values.kerf) {
+const [part, parts] = values.part.split('/').map(Number);
+if (!values.base === !values.kerf || !(part >= 1 && part <= parts)) {
   console.error(
-    'usage: node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]',
+    'usage: node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--part 1/2]',
   );
   process.exit(2);
 }
@@ -70,7 +72,7 @@ const browser = await chromium.launch({
 
 const wanted = ALL.filter(
   ({ name }) => !values.only || values.only.some((word) => name.includes(word)),
-);
+).filter((_, i) => i % parts === part - 1);
 let failed = 0;
 let left_out = 0;
 for (const scenario of wanted) {

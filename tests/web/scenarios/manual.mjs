@@ -54,8 +54,7 @@ export const manual = [
       await panel.tab('Teach');
       const before = await panel.position('Y');
       await panel.teach_two_points('Y');
-      await panel.page.getByRole('button', { name: 'Load what was taught' }).click();
-      await panel.has_path(1);
+      await panel.load_taught();
       await panel.press('Cycle start');
       await panel.has_status('END');
       await panel.position_is('Y', before + 10);

@@ -141,8 +141,7 @@ const STATES = {
     await panel.page.getByLabel('Step, mm').selectOption({ label: '10' });
     const before = await panel.position(jog);
     await panel.teach_two_points(jog);
-    await panel.page.getByRole('button', { name: 'Load what was taught' }).click();
-    await panel.has_path(1);
+    await panel.load_taught();
     await panel.press('Cycle start');
     await panel.has_status('END');
     await panel.position_is(jog, before + 10);
@@ -188,7 +187,7 @@ async function take(panel, path) {
 export const states = MACHINES.flatMap((kind) =>
   SIZES.map(([width, height]) => ({
     name: `states of the ${kind.machine} at ${width}×${height}`,
-    needs_shots: kind.machine !== 'laser' || width !== 820, // one of them without pictures, too
+    needs_shots: kind.machine !== 'five-axis' || width !== 820, // one of them without pictures, too
     async run({ open, shots }) {
       const { machine, scheme } = kind;
       const panel = await open({ machine, width, height, scheme });

@@ -119,6 +119,16 @@ export class PanelPage {
       [axis, wanted, tolerance],
     );
   }
+  /** While it moves towards plus: until it is farther than that. */
+  async passes(axis, place) {
+    const late = Date.now() + SLOW_MS;
+    let seen = await this.position(axis);
+    while (!(seen > place) && Date.now() < late) {
+      await this.page.waitForTimeout(POLL_MS);
+      seen = await this.position(axis);
+    }
+    assert.ok(seen > place, `${axis} is at ${seen}, not beyond ${place}`);
+  }
   /** The line with the mark of the executing block; 0: none is in sight. */
   executing_line() {
     return this.page.evaluate(() => {
@@ -232,13 +242,13 @@ export class PanelPage {
     await field.fill(value);
     await field.press('Enter');
   }
-  /** A new taught program: where the machine stands, and a line to ten millimetres beside it. */
   /** And waits until it is: the path on the screen may still be that of the program before. */
   async load_taught() {
     await this.page.getByRole('button', { name: 'Load what was taught' }).click();
     await this.page.getByText('taught.tch is loaded.').first().waitFor();
     await this.has_path(1);
   }
+  /** A new taught program: where the machine stands, and a line to ten millimetres beside it. */
   async teach_two_points(axis) {
     const button = (name) => this.page.getByRole('button', { name, exact: true });
     const record = this.page

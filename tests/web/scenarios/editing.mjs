@@ -97,7 +97,8 @@ export const editing = [
       await dialog.getByRole('button', { name: 'Revisions: final.nc' }).click();
       await dialog.locator('.revisions .button').last().click();
       await panel.page.locator('.file.current', { hasText: 'final.nc' }).waitFor();
-      assert.doesNotMatch(await panel.page.locator('.cm-content').innerText(), /CHANGED/);
+      const text = panel.page.locator('.cm-content', { hasText: 'UP AND DOWN' });
+      await text.filter({ hasNotText: 'CHANGED' }).waitFor();
       panel.page.once('dialog', (question) => question.accept());
       await panel.open_library();
       await dialog.getByRole('button', { name: 'Delete: final.nc' }).click();

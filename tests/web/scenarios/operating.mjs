@@ -18,7 +18,7 @@ export const operating = [
         const panel = await open({ machine });
         await panel.has_program();
         await panel.has_path(10);
-        assert.match(await panel.page.locator('.cm-content').innerText(), new RegExp(word));
+        await panel.page.locator('.cm-content', { hasText: word }).waitFor();
         await panel.close();
       }
     },
@@ -31,7 +31,7 @@ export const operating = [
       await panel.run_text('long.nc', LONG);
       await panel.press('Cycle start');
       await panel.has_status('RUNNING');
-      await panel.page.waitForTimeout(1500);
+      await panel.passes('X', 0);
       await panel.press('Feed hold');
       await panel.has_status('HOLD');
       const held_at = await panel.position('X');
@@ -40,8 +40,7 @@ export const operating = [
       assert.equal(await panel.position('X'), held_at, 'the axis stands');
       await panel.press('Cycle start');
       await panel.has_status('RUNNING');
-      await panel.page.waitForTimeout(1500);
-      assert.ok((await panel.position('X')) > held_at, 'the axis has gone on');
+      await panel.passes('X', held_at);
       await panel.press('Reset');
       await panel.has_status('IDLE');
     },
@@ -89,7 +88,7 @@ export const operating = [
       await panel.executes_line(4);
       await panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true }).click();
       await panel.page.locator('.instant').waitFor({ state: 'detached' });
-      assert.equal(await panel.position('X'), now);
+      await panel.position_is('X', now);
     },
   },
   {

@@ -3,41 +3,50 @@
 export interface Edit {
   /** What the operator changed, for the message: `#500`, `G54 X`. */
   what: string;
-  undo(): Promise<unknown>;
   redo(): Promise<unknown>;
+  undo(): Promise<unknown>;
 }
 
 const DEPTH = 200;
 
+/**
+ * Each change waits for the one before it: keys are faster than a machine answers, and what was asked first must be the
+ * first to be done. A change that the machine refuses leaves the stack as it was.
+ */
 export class UndoStack {
   private done: Edit[] = [];
   private undone: Edit[] = [];
+  private last: Promise<unknown> = Promise.resolve();
 
-  record(edit: Edit): void {
-    this.done.push(edit);
-    if (this.done.length > DEPTH) this.done.shift();
-    this.undone = [];
+  /** Does the edit, which can be taken back from then on. Rejected: the machine refused. */
+  perform(edit: Edit): Promise<void> {
+    return this.in_turn(async () => {
+      const { done } = this;
+      await edit.redo();
+      done.push(edit);
+      if (done.length > DEPTH) done.shift();
+      this.undone = [];
+    });
   }
 
-  get can_undo(): boolean {
-    return this.done.length > 0;
-  }
-  get can_redo(): boolean {
-    return this.undone.length > 0;
+  /** Takes the last edit back. Null: there is none. */
+  undo(): Promise<string | null> {
+    return this.in_turn(() => move(this.done, this.undone, (edit) => edit.undo()));
   }
 
-  /** Takes the last edit back; when the machine refuses, it stays on the stack. Null: there is none. */
-  async undo(): Promise<string | null> {
-    return move(this.done, this.undone, (edit) => edit.undo());
-  }
-
-  async redo(): Promise<string | null> {
-    return move(this.undone, this.done, (edit) => edit.redo());
+  redo(): Promise<string | null> {
+    return this.in_turn(() => move(this.undone, this.done, (edit) => edit.redo()));
   }
 
   clear(): void {
     this.done = [];
     this.undone = [];
+  }
+
+  private in_turn<T>(act: () => Promise<T>): Promise<T> {
+    const now = this.last.then(act);
+    this.last = now.catch(() => null);
+    return now;
   }
 }
 

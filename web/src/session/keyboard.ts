@@ -6,15 +6,14 @@ import { condition } from './condition.svelte';
 import { dialogs } from './dialogs.svelte';
 import { dock } from './dock.svelte';
 import { documents } from './documents.svelte';
+import { do_again, take_back } from './edits';
 import { editor_keys } from './editor_keys';
 import { jog } from './jog';
-import { notices } from './notices.svelte';
 import { panel } from './panel.svelte';
 import { picture_keys } from './picture_keys';
 import { preferences } from './preferences.svelte';
 import { slider } from './slider.svelte';
 import { teaching } from './teaching.svelte';
-import { t } from './words.svelte';
 
 const colourings = (): Colouring[] =>
   panel.definition?.laser ? ['power', 'feed', 'speed'] : ['tool', 'feed', 'speed'];
@@ -27,11 +26,6 @@ const look = (view: 'iso' | 'top' | 'front' | 'right') => () => {
   picture_keys.picture?.fit();
 };
 const slide = (by: number): void => slider.move_to((slider.time_s ?? panel.state.time_s) + by);
-
-async function take_back(forwards: boolean): Promise<void> {
-  const what = await (forwards ? panel.edits.redo() : panel.edits.undo()).catch(() => null);
-  if (what) notices.say(t(forwards ? 'notice.redone' : 'notice.undone', { what }));
-}
 
 const ACTIONS: Record<CommandName, () => unknown> = {
   'cycle-start': panel.cycle_start,
@@ -81,8 +75,8 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   save: () => documents.save(),
   library: () => dialogs.show('library'),
   'load-text': () => documents.load_text(),
-  'undo-edit': () => take_back(false),
-  'redo-edit': () => take_back(true),
+  'undo-edit': take_back,
+  'redo-edit': do_again,
   'focus-editor': () => editor_keys.editor?.focus(),
   'focus-picture': () => picture_keys.picture?.canvas.focus(),
   'next-tab': () => dock.turn(1),

@@ -52,10 +52,9 @@ class Offsets {
       if (!answer) throw new Error('refused');
       await this.ask();
     };
-    await write(value).then(
-      () => panel.edits.record({ what, undo: () => write(before), redo: () => write(value) }),
-      () => null,
-    );
+    await panel.edits
+      .perform({ what, undo: () => write(before), redo: () => write(value) })
+      .catch(() => null);
   }
 
   private async ask(): Promise<void> {

@@ -38,10 +38,9 @@ class Variables {
       if (!(await panel.act('set-variable', args))) throw new Error('refused');
       this.refresh();
     };
-    await write(value).then(
-      () => panel.edits.record({ what: name, undo: () => write(before), redo: () => write(value) }),
-      () => null,
-    );
+    await panel.edits
+      .perform({ what: name, undo: () => write(before), redo: () => write(value) })
+      .catch(() => null);
   }
 
   private async ask(): Promise<void> {

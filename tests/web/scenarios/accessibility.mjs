@@ -17,12 +17,13 @@ const TABS = [
   'Training',
 ];
 
-async function findings(panel, where) {
-  await panel.page.evaluate(AXE);
-  const { violations } = await panel.page.evaluate(() =>
-    window.axe.run({
-      runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'],
-    }),
+async function findings(panel, where, part = 'html') {
+  const { violations } = await panel.page.evaluate(
+    (within) =>
+      window.axe.run(within, {
+        runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'],
+      }),
+    part,
   );
   return violations
     .filter(({ impact }) => impact === 'serious' || impact === 'critical')
@@ -47,11 +48,12 @@ export const accessibility = [
       await panel.page.locator('#dock-training .score').waitFor();
       await panel.open_program('flanges.nc');
       await panel.press('JOG');
-      const found = [];
+      await panel.page.evaluate(AXE);
+      const found = await findings(panel, 'page');
       for (const tab of TABS) {
         await panel.tab(tab);
         await panel.page.waitForTimeout(300);
-        found.push(...(await findings(panel, tab)));
+        found.push(...(await findings(panel, tab, '.dock')));
       }
       for (const [name, key] of [
         ['keyboard', '?'],

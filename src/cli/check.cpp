@@ -35,7 +35,8 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
   add(machine.alarm());
   add(machine.notice());
   for (const Diagnostic& warning : machine.control().warnings()) add(warning);
-  if (machine.dotted_cut()) add(output::at_line(*machine.dotted_cut(), machine.sources()));
+  for (const Diagnostic& warning : machine.beam_warnings())
+    add(output::at_line(warning, machine.sources()));
   return found;
 }
 

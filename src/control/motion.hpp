@@ -115,6 +115,11 @@ struct Coolant {
 struct Power {
   double percent = 0;
   bool on = true;  ///< else the power is set, and the beam stays off until the next Power
+  /// `percent` is that of the programmed feed, and where the tip is slower or faster the beam has
+  /// so much less or more of it, at most 100.
+  bool follows_speed = false;
+
+  bool operator==(const Power&) const = default;
 
   [[nodiscard]] double beam_percent() const { return on ? percent : 0; }
 };

@@ -9,6 +9,9 @@ namespace kerf::machine {
 struct AxisPoint {
   motion::Setpoint tip;
   base::AxisVector joints;
+  /// Of the laser in the period that ends here, percent of full: where it follows the speed, that
+  /// of the tip in the period, to 0.01 (docs/drives.md, Power that follows the speed).
+  float power_percent = 0;
 };
 
 /// Receives the set-points of a run in the order of their times: one for every period of the servo,

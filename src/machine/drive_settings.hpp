@@ -19,7 +19,7 @@ struct LaserSettings {
   double spot_mm = 0.1;            ///< diameter of the spot on the work, > 0
   double burn_j_mm = 0;  ///< places with more energy burn, J/mm; 0: more than twice the median
   drive::PwmTimer timer;
-  double post_full_power = 1000;  ///< S of full power in G-code, > 0
+  double s_of_full_power = 1000;  ///< S of full power in G-code, read and written, > 0
   Beam post_beam = Beam::constant;
 
   [[nodiscard]] bool fitted() const { return max_power_w > 0; }

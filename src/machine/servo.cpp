@@ -1,5 +1,6 @@
 #include "machine/servo.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "machine/internal/joint_linkage.hpp"
@@ -134,7 +135,7 @@ void Servo::drop_waiting() {
 void Servo::lock(bool on) {
   if (on == locked()) return;
   if (on) {
-    locked_ = AxisPoint{last_, joints_};
+    locked_ = AxisPoint{last_, joints_, 0};
   } else {
     locked_.reset();
   }
@@ -175,7 +176,7 @@ void Servo::start(const base::AxisVector& tip) {
   started_ = true;
   last_ = {source_->time_s(), tip, {}};
   joints_ = linkage_ ? linkage_->joints(last_.tip, joints_) : last_.tip;
-  for (AxisPointSink* const sink : sinks_) sink->start({last_, joints_});
+  for (AxisPointSink* const sink : sinks_) sink->start({last_, joints_, 0});
 }
 
 void Servo::hand_out(const motion::Setpoint& point) {
@@ -183,9 +184,20 @@ void Servo::hand_out(const motion::Setpoint& point) {
   joints_ = linkage_ ? linkage_->joints(point.tip, joints_) : point.tip;
   before_ = last_;
   last_ = point;
-  AxisPoint seen{point, joints_};
-  if (locked_) seen = {{point.time_s, locked_->tip.tip, point.mark}, locked_->joints};
+  AxisPoint seen{point, joints_, power_percent()};
+  if (locked_) seen = {{point.time_s, locked_->tip.tip, point.mark}, locked_->joints, 0};
   for (AxisPointSink* const sink : sinks_) sink->take(seen);
+}
+
+// What rounding leaves of a constant speed is no change of the power. A dwell has no feed.
+float Servo::power_percent() const {
+  constexpr double kSteps = 100;  // of a percent
+  const motion::Mark& mark = last_.mark;
+  if (!mark.power_follows_speed) return mark.power_percent;
+  if (mark.kind == motion::MoveKind::dwell) return 0;
+  const double part = mark.speed > 0 ? speed() / static_cast<double>(mark.speed) : 1;
+  const double percent = std::min(100.0, static_cast<double>(mark.power_percent) * part);
+  return static_cast<float>(std::round(percent * kSteps) / kSteps);
 }
 
 }  // namespace kerf::machine

@@ -70,7 +70,7 @@ class Servo : public control::MotionSink {
   [[nodiscard]] bool locked() const { return locked_.has_value(); }
   /// Where the axes stand: the tip and the driven ones.
   [[nodiscard]] AxisPoint stands_at() const {
-    return locked_ ? *locked_ : AxisPoint{last_, joints_};
+    return locked_ ? *locked_ : AxisPoint{last_, joints_, 0};
   }
   [[nodiscard]] const base::AxisVector& joints() const { return joints_; }
   /// Of the tip over the last period, mm/s; degrees/s where only rotary axes turned.
@@ -99,6 +99,7 @@ class Servo : public control::MotionSink {
   void make_points();
   void start(const base::AxisVector& tip);
   void hand_out(const motion::Setpoint& point);
+  [[nodiscard]] float power_percent() const;
 
   std::unique_ptr<const kinematics::Kinematics> kinematics_;
   std::unique_ptr<const motion::Linkage> linkage_;  // null: the driven axes are the program's

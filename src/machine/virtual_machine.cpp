@@ -22,6 +22,7 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
     : definition_(definition),
       memory_(std::move(memory)),
       statistics_(definition_.axes),
+      spindle_beam_(definition_.drive.laser),
       dotted_cut_(definition_.drive.laser),
       servo_(definition_),
       dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect) {
@@ -108,9 +109,13 @@ bool VirtualMachine::ready() const {
   return !motions_spent_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
 }
 
+void VirtualMachine::take(const control::Motion& motion) {
+  for (const control::Motion& each : spindle_beam_.translated(motion)) make(each);
+}
+
 // Beyond the budget nothing is handed out any more. What moves nothing may still follow its last
 // motion: above all the end of the program.
-void VirtualMachine::take(const control::Motion& motion) {
+void VirtualMachine::make(const control::Motion& motion) {
   if (diverted_ != nullptr) {
     diverted_->take(motion);
     return;
@@ -121,6 +126,14 @@ void VirtualMachine::take(const control::Motion& motion) {
   dotted_cut_.take(motion);
   servo_.take(alter_ ? alter_(motion) : motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
+}
+
+std::vector<base::Diagnostic> VirtualMachine::beam_warnings() const {
+  std::vector<base::Diagnostic> list;
+  for (const auto& warning : {spindle_beam_.warning(), dotted_cut_.warning()}) {
+    if (warning) list.push_back(*warning);
+  }
+  return list;
 }
 
 bool VirtualMachine::start_program() {
@@ -212,6 +225,7 @@ VirtualMachine::Status VirtualMachine::run_to_end(const Budget& budget) { return
 
 void VirtualMachine::reset() {
   dialect_->reset();
+  spindle_beam_.reset();
   alarm_.reset();
   drive_alarm_.reset();
   servo_.resume();

@@ -18,6 +18,7 @@
 #include "machine/run_statistics.hpp"
 #include "machine/servo.hpp"
 #include "machine/signals.hpp"
+#include "machine/spindle_beam.hpp"
 
 namespace kerf::machine {
 
@@ -167,10 +168,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] control::Halt halt() const { return dialect_->control().halt(); }
   [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
-  /// The first cut of a laser whose pulses do not join.
-  [[nodiscard]] const std::optional<base::Diagnostic>& dotted_cut() const {
-    return dotted_cut_.warning();
-  }
+  /// What is probably a mistake with a laser: the first cut whose pulses do not join, the first S
+  /// above full power.
+  [[nodiscard]] std::vector<base::Diagnostic> beam_warnings() const;
   /// Why and where a budget ended the run.
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
@@ -209,6 +209,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
   // control::MotionSink
   void take(const control::Motion& motion) override;
+  void make(const control::Motion& motion);
   bool ready() const override;
   [[nodiscard]] bool all_motions_made() const;
 
@@ -228,6 +229,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   base::SourceSet sources_;
   Signals signals_;
   RunStatistics statistics_;
+  SpindleBeam spindle_beam_;
   DottedCut dotted_cut_;
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's

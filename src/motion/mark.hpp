@@ -15,9 +15,10 @@ struct Mark {
   std::uint32_t line = 0;  ///< in its file, from 1
   base::FileId file = base::kNoFile;
   MoveKind kind = MoveKind::cut;
-  float power_percent = 0;  ///< of the laser, while it lasts
-  float speed = 0;          ///< programmed, mm/s; degrees/s of rotary moves; 0: none
-  std::uint32_t tool = 0;   ///< in the spindle
+  float power_percent = 0;           ///< of the laser, while it lasts
+  bool power_follows_speed = false;  ///< the percent are those of `speed`
+  float speed = 0;                   ///< programmed, mm/s; degrees/s of rotary moves; 0: none
+  std::uint32_t tool = 0;            ///< in the spindle
   /// Number of the motion among all that were taken, from 1; 0: none.
   std::uint64_t motion = 0;
 };

@@ -57,7 +57,8 @@ Mark PathBuilder::mark_of(const Motion& motion, MoveKind kind, double speed) con
           motion.line,
           motion.file,
           kind,
-          static_cast<float>(power_percent_),
+          static_cast<float>(power_.beam_percent()),
+          power_.follows_speed,
           std::isfinite(speed) ? static_cast<float>(speed) : 0,
           tool_,
           motions_};
@@ -82,7 +83,7 @@ void PathBuilder::take(const Motion& motion) {
   } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
     add_dwell(motion, dwell->seconds);
   } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
-    power_percent_ = power->beam_percent();
+    power_ = *power;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
     stop();
     speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;

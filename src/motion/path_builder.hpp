@@ -46,7 +46,6 @@ class PathBuilder {
   /// What the operator makes of spindle speeds, > 0; feeds per revolution follow from the next
   /// motion on.
   void set_spindle_override(double factor) { spindle_override_ = factor; }
-  void set_power(double percent) { power_percent_ = percent; }
 
  private:
   /// A curve whose end is still open.
@@ -99,7 +98,7 @@ class PathBuilder {
   base::AxisVector at_;
   double speed_rpm_ = 0;
   double spindle_override_ = 1;
-  double power_percent_ = 0;
+  control::Power power_;
   std::uint32_t tool_ = 0;
   std::uint64_t motions_ = 0;  // taken
 };

@@ -12,8 +12,8 @@ void LaserPulses::start(const machine::AxisPoint& at) { last_ = at.tip; }
 
 void LaserPulses::take(const machine::AxisPoint& point) {
   const motion::Mark& mark = point.tip.mark;
-  if (mark.power_percent != power_percent_) change(base::decimal_of(mark.power_percent), mark);
-  power_percent_ = mark.power_percent;
+  if (point.power_percent != power_percent_) change(base::decimal_of(point.power_percent), mark);
+  power_percent_ = point.power_percent;
   last_ = point.tip;
 }
 

@@ -165,6 +165,7 @@ void MotionJson::write(const Motion& motion) {
       begin("power", motion);
       append_member(line_, ",\"percent\":", action.percent);
       if (!action.on) line_ += ",\"beam\":false";
+      if (action.follows_speed) line_ += ",\"follows_speed\":true";
     } else if constexpr (std::is_same_v<Action, Probe>) {
       begin("probe", motion);
       target(action.to);

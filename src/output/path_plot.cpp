@@ -39,7 +39,9 @@ PathPlot::~PathPlot() = default;
 
 void PathPlot::take(const control::Motion& motion) { recorder_->take(motion); }
 void PathPlot::start(const machine::AxisPoint& at) { cuts_->start(at.tip); }
-void PathPlot::take(const machine::AxisPoint& point) { cuts_->take(point.tip); }
+void PathPlot::take(const machine::AxisPoint& point) {
+  cuts_->take(point.tip, point.power_percent);
+}
 
 std::string PathPlot::remark() const {
   if (energy_ == nullptr || !(energy_->most() > 0)) return {};

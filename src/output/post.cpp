@@ -35,8 +35,9 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-std::string beam_word(const machine::LaserSettings& laser) {
-  return laser.post_beam == machine::LaserSettings::Beam::constant ? "M3" : "M4";
+std::string beam_word(const machine::LaserSettings& laser, const Power& power) {
+  const bool dynamic = laser.post_beam == machine::LaserSettings::Beam::dynamic;
+  return dynamic || power.follows_speed ? "M4" : "M3";
 }
 
 }  // namespace
@@ -45,8 +46,7 @@ Post::Post(const AxisSetup& axes, base::OutputFile& file, const machine::LaserSe
     : axes_(axes), file_(file), at_(axes.start), laser_(laser) {
   file_.write("(KERF: TOOL CENTRE PATH IN MACHINE COORDINATES)\n");
   if (laser_.fitted())
-    file_.write("(LASER: " + beam_word(laser_) + " ON, M5 OFF, FULL POWER IS S" +
-                base::number_text(laser_.post_full_power) + ")\n");
+    file_.write("(LASER: FULL POWER IS S" + base::number_text(laser_.s_of_full_power) + ")\n");
   file_.write("G21 G90 G94 G17\n");
 }
 
@@ -284,9 +284,9 @@ void Post::act(const Power& power) {
     beam_on_ = percent > 0;
     return;
   }
-  const double s = rounded(power.percent / 100 * laser_.post_full_power);
+  const double s = rounded(power.percent / 100 * laser_.s_of_full_power);
   if (percent > 0) {
-    line_ = beam_word(laser_);
+    line_ = beam_word(laser_, power);
   } else if (beam_on_) {
     block("M5");
   }

@@ -19,8 +19,9 @@ namespace kerf::output {
 /// else moves are arcs as well; others are chords that leave them by at most kChordTolerance_mm,
 /// rounding of the coordinates apart. Whole circles more are full circles before their arc.
 ///
-/// The beam of a laser is its M3 or M4 with S, and M5; S is percent of full power times
-/// LaserSettings::post_full_power. What plain G-code cannot say - M codes of the machine, messages,
+/// The beam of a laser is its M3 or M4 with S, and M5 - M4 where the power follows the speed, or
+/// LaserSettings::post_beam says so; S is percent of full power times
+/// LaserSettings::s_of_full_power. What plain G-code cannot say - M codes of the machine, messages,
 /// that a move probes or cuts a thread, power on a machine without a laser - is a comment with its
 /// source line.
 class Post : public control::MotionSink {

@@ -50,9 +50,8 @@ void SetPointCsv::take(const machine::AxisPoint& point) {
     append(tip_cells_[i]);
   }
   if (laser_) {
-    if (point.tip.mark.power_percent != power_percent_)
-      power_.set(base::decimal_of(point.tip.mark.power_percent));
-    power_percent_ = point.tip.mark.power_percent;
+    if (point.power_percent != power_percent_) power_.set(base::decimal_of(point.power_percent));
+    power_percent_ = point.power_percent;
     append(power_);
   }
   for (std::size_t i = 0; i < joints_; ++i) append_joint(i, point.joints.values[i]);

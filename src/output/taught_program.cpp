@@ -240,6 +240,7 @@ void TaughtProgram::act(const Dwell& dwell) { write(teach::Dwell{dwell.seconds})
 
 void TaughtProgram::act(const Power& power) {
   const double percent = power.beam_percent();
+  if (percent > 0 && power.follows_speed) comment(" power follows the speed");
   write(percent > 0 ? teach::Laser{true, percent} : teach::Laser{false, std::nullopt});
 }
 

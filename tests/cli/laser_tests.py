@@ -1,5 +1,5 @@
-"""--pwm: the laser's pulses and the registers of their timer. No G-code switches the beam: its power
-is tried with laser BASIC, and with motions made by hand in tests/unit/laser_pulses_test.cpp."""
+"""The laser: its pulses and the registers of their timer, and what spindle codes do to its beam.
+With motions made by hand: tests/unit/laser_pulses_test.cpp, spindle_beam_test.cpp."""
 
 import csv
 import io
@@ -126,3 +126,110 @@ def dotted(box):
     contains(first[1], "line(50,1)", "the source line")
     full = box.write("full.bas", "speed(100)\npower(100)\nline(50,1)\nend\n")
     check("DOTTED" not in box.kerf("run", full, *coarse).err, "full power has no pulses")
+
+
+# Constant power, power that follows the speed round a corner, a dwell, and a way back with no beam.
+SPINDLE = """O1
+G21 G90 G00 X5.
+M03 S500
+G01 X20. F1800
+X30. S250
+G00 X40.
+M05
+G01 X50.
+M04 S800
+X60.
+Y10.
+G04 P100
+X50. F900
+M30
+"""
+
+
+def spindle(box, *words, machine="laser3", text=SPINDLE):
+    box.write("part.nc", text)
+    result = box.kerf("run", "part.nc", "--machine", machine, "--motion", "m.jsonl", "--points", "p.csv", *words)
+    status(result, 0)
+    return result
+
+
+def rows(box, name):
+    return list(csv.DictReader(io.StringIO(box.read(name).decode())))
+
+
+@test("on a machine with a laser S is its power: M03 and M04 have the beam on in cuts, M05 off")
+def spindle_is_beam(box):
+    for machine in ("laser3", "laser5", "laser-xtz"):
+        spindle(box, machine=machine)
+        told = [(m["line"], m["percent"], m.get("follows_speed", False))
+                for m in box.motions("m.jsonl") if m["kind"] == "power"]
+        equal(told, [(4, 50, False), (5, 25, False), (6, 0, False), (10, 80, True), (14, 0, False)],
+              f"power on {machine}")
+        equal([m for m in box.motions("m.jsonl") if m["kind"] == "spindle"], [], "spindle")
+        constant = {"2": 0, "4": 50, "5": 25, "6": 0, "8": 0}
+        for row in rows(box, "p.csv"):
+            if row["line"] in constant:
+                equal(float(row["power"]), constant[row["line"]], f"power at {row['t']} s")
+    spindle(box, machine="mill3")
+    equal([m["kind"] for m in box.motions("m.jsonl") if m["kind"] in ("power", "spindle")], ["spindle"] * 4,
+          "on a mill")
+
+
+@test("the power of M04 is in proportion to the speed of the tip, and the beam off while it dwells")
+def power_follows_speed(box):
+    spindle(box, "--pwm", "w.csv")
+    feeds = {"10": 30, "11": 30, "13": 15}
+    before, slow, dwells = None, 0, 0
+    for row in rows(box, "p.csv"):
+        if row["line"] in feeds:
+            way = sum((float(row[axis]) - float(before[axis])) ** 2 for axis in "XYZ") ** 0.5
+            wanted = min(100, 80 * way / (float(row["t"]) - float(before["t"])) / feeds[row["line"]])
+            near(float(row["power"]), wanted, 0.0051, f"power at {row['t']} s")
+            slow += float(row["power"]) < 79
+        if row["line"] == "12":
+            equal(row["power"], "0", f"power of the dwell at {row['t']} s")
+            dwells += 1
+        before = row
+    check(slow > 20 and dwells > 90, f"{slow} slow periods, {dwells} of the dwell")
+    for change, row in zip(rows(box, "w.csv"), range(99)):
+        near(float(change["TCMPB"]), 12500 * float(change["duty"]), 0.5001, f"row {row} of the pulses")
+    box.write("even.nc", "O1\nG21 G90 M04 S500\nG01 X20. F1800\nY20.\nX0.\nM30\n")
+    even = box.kerf("run", "even.nc", "--machine", "laser3", "--plot", "e.svg", "--plot-energy")
+    contains(even.err, "median 1 J/mm, most 1 J/mm", "the energy of an even cut")
+    box.write("burnt.nc", "O1\nG21 G90 M03 S500\nG01 X20. F1800\nY20.\nX0.\nM30\n")
+    burnt = box.kerf("run", "burnt.nc", "--machine", "laser3", "--plot", "e.svg", "--plot-energy")
+    check("most 1 J/mm" not in burnt.err, f"constant power burns where it is slow: {burnt.err}")
+
+
+@test("S above full power is full power and a warning with its line; the machine file says what full is")
+def over_full(box):
+    text = "O1\nG21 G90\nM03 S300\nG01 X20. F600\nM30\n"
+    spindle(box, text=text)
+    check("OVER_FULL" not in spindle(box, text=text).err, "300 of 1000")
+    result = spindle(box, *keys(s_of_full_power=255), text=text)
+    contains(result.err, "part.nc:3:1: warning: OVER_FULL_POWER", "the warning")
+    contains(result.err, "S300, full power is S255", "the warning")
+    equal(rows(box, "p.csv")[5]["power"], "100", "the power")
+    checked = box.kerf("check", "part.nc", "--machine", "laser3")
+    check("OVER_FULL" not in checked.text + checked.err, "check")
+    spindle(box, *keys(s_of_full_power=600), text=text)
+    equal(rows(box, "p.csv")[5]["power"], "50", "the power")
+
+
+@test("the beam is off at program stops, in probing moves and when an alarm ends the run")
+def off_at_rest(box):
+    spindle(box, text="O1\nG21 G90\nM03 S300\nG01 X20. F600\nM00\nX30.\nG31 X40.\nX50.\nM30\n")
+    told = [(m["line"], m["percent"]) for m in box.motions("m.jsonl") if m["kind"] == "power"]
+    equal(told, [(4, 30), (5, 0), (6, 30), (7, 0), (8, 30), (9, 0)], "the beam")
+    box.write("part.nc", "O1\nG21 G90\nM03 S300\nG01 X20. F600\n#1=1/0\nM30\n")
+    alarm(box.kerf("run", "part.nc", "--machine", "laser3", "--pwm", "w.csv"), "PS0112", 5)
+    equal(rows(box, "w.csv")[-1]["duty"], "0", "the last duty")
+
+
+@test("a posted program has the power of the program in M3, M4 and S")
+def posted_spindle(box):
+    spindle(box, "--post", "out.nc")
+    lines = box.read("out.nc").decode().splitlines()
+    equal(lines[1], "(LASER: FULL POWER IS S1000)", "the head")
+    equal([line for line in lines if line[0] in "MS"],
+          ["M3 S500", "M3 S250", "M5", "M4 S800", "M5", "M30"], "beam")

@@ -228,10 +228,10 @@ def only_comments(box):
 @test("the scale of S and the word of the beam are keys of the machine")
 def laser_keys(box):
     box.write("part.bas", "power(50)\nline(9,0)\nend\n")
-    words = ["--machine-set", "drive.post_full_power=255", "--machine-set", "drive.post_beam=M4"]
+    words = ["--machine-set", "drive.s_of_full_power=255", "--machine-set", "drive.post_beam=M4"]
     status(box.kerf("run", "part.bas", "--post", "post.nc", *words), 0)
     lines = box.read("post.nc").decode().splitlines()
-    equal(lines[1], "(LASER: M4 ON, M5 OFF, FULL POWER IS S255)", "the head")
+    equal(lines[1], "(LASER: FULL POWER IS S255)", "the head")
     equal([line for line in lines[3:] if line[0] in "SM"], ["S127.5", "M4 S127.5", "M5", "M30"],
           "the beam")
     status(box.kerf("run", "part.bas", "--post", "post.nc", "--machine", "mill3"), 0)

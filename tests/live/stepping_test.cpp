@@ -400,6 +400,27 @@ TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {
   }
 }
 
+TEST(StartAt, BringsTheAxesThereWithTheBeamOff) {
+  for (const auto& [text, line] :
+       {std::pair{"O1\nG90M03S500\nG01X10.F600\nX20.\nX30.\nX40.\nM30\n", 6U},
+        std::pair{"power(50)\nspeed(10)\nline(10,0)\nline(20,0)\nline(30,0)\nline(40,0)\nend\n",
+                  6U}}) {
+    const bool basic = text[0] == 'p';
+    Bench bench("laser3");
+    bench.load(text, basic ? "part.bas" : "part.nc", basic ? "laser-basic" : "fanuc-mill");
+    EXPECT_DONE(bench->start_at(line));
+    Points points;
+    bench->add_point_sink(points);
+    EXPECT_DONE(bench->cycle_start());
+    EXPECT_EQ(bench.settle(), Status::end);
+    ASSERT_FALSE(points.all.empty());
+    for (const auto& point : points.all) {
+      const bool there = point.tip.tip.values[0] > 30;
+      EXPECT_EQ(point.power_percent, there ? 50 : 0) << text << point.tip.tip.values[0];
+    }
+  }
+}
+
 TEST(StartAt, TellsOfAnAlarmOnTheWay) {
   Bench bench;
   bench.load("O1\nG01X1.\nG00X5.\nM30\n");

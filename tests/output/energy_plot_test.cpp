@@ -26,7 +26,8 @@ motion::Mark mark(float percent, std::uint32_t line = 1) {
 
 double run(EnergyOfCut& energy, double way_mm, int periods, const motion::Mark& mark) {
   double last = 0;
-  for (int i = 0; i < periods; ++i) last = energy.take({way_mm, kPeriod_s, mark});
+  for (int i = 0; i < periods; ++i)
+    last = energy.take({way_mm, kPeriod_s, mark, mark.power_percent});
   return last;
 }
 
@@ -51,7 +52,7 @@ TEST(EnergyOfCut, FromRestIsThatOfTheTimeOfOneSpot) {
   double before = 0;
   for (int i = 1; i <= 30; ++i) {
     const double way = kAcceleration * std::pow(i * kPeriod_s, 2) / 2;
-    static_cast<void>(energy.take({way - before, kPeriod_s, mark(80)}));
+    static_cast<void>(energy.take({way - before, kPeriod_s, mark(80), 80}));
     before = way;
   }
   const double wanted = 0.8 * kPower_w * std::sqrt(2 * kSpot_mm / kAcceleration) / kSpot_mm;

@@ -82,7 +82,7 @@ struct Drawing {
 
   auto machine() {
     return Machine([this](const motion::Setpoint& point) {
-      speeds.take(point);
+      speeds.take(point, 0);
       if (point.mark.kind == motion::MoveKind::cut)
         motions.take(motion(control::Line{point.tip, {}}));
     });
@@ -217,7 +217,7 @@ TEST(SpeedPlot, WhatGoesOnElsewhereIsNotJoined) {
 TEST(SpeedPlot, DiametersAreSpeedsOfTheRadius) {
   CutRecorder lathe(axes("XZ"), 0.5, std::make_unique<SpeedOfCut>());
   lathe.start({});
-  lathe.take({1, at(20, 0), {}});  // 10 mm in a second
+  lathe.take({1, at(20, 0), {}}, 0);  // 10 mm in a second
   EXPECT_NEAR(lathe.measure().scale().top(), 600, 1e-9);
 }
 

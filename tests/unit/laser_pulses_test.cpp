@@ -1,4 +1,4 @@
-// Power along set-points, which no language of ours commands yet: motions go to the servo by hand.
+// Power along set-points: motions go to the servo by hand.
 #include "output/laser_pulses.hpp"
 
 #include <gtest/gtest.h>

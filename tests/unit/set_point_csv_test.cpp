@@ -1,4 +1,4 @@
-// What no program of ours makes yet: laser power and an arm under way.
+// Points made by hand: laser power and an arm under way.
 #include "output/set_point_csv.hpp"
 
 #include <gtest/gtest.h>
@@ -21,11 +21,11 @@ machine::AxisPoint point(double time_s, const base::AxisVector& tip, const base:
                          std::uint32_t line, float power_percent = 0) {
   machine::AxisPoint made{{time_s, tip, {}}, joints};
   made.tip.mark.line = line;
-  made.tip.mark.power_percent = power_percent;
+  made.power_percent = power_percent;
   return made;
 }
 
-TEST(SetPointCsv, PowerIsThePercentThatWasCommanded) {
+TEST(SetPointCsv, PowerIsThatOfThePeriod) {
   const base::AxisVector at{{1, 2, 3}};
   EXPECT_EQ(csv_of("laser3", {point(0.001, at, at, 7), point(0.002, at, at, 8, 33.3F),
                               point(0.003, at, at, 8, 33.3F), point(0.004, at, at, 9)}),

@@ -16,8 +16,7 @@ bool same(const BlockState& a, const BlockState& b) {
   return a.modal == b.modal && a.origin == b.origin && a.tool_length == b.tool_length &&
          a.spindle.turning == b.spindle.turning && a.spindle.speed == b.spindle.speed &&
          a.spindle.mode == b.spindle.mode && a.coolant == b.coolant && a.tool == b.tool &&
-         a.power.on == b.power.on && a.power.percent == b.power.percent &&
-         a.variables == b.variables && same_calls(a.calls, b.calls);
+         a.power == b.power && a.variables == b.variables && same_calls(a.calls, b.calls);
 }
 
 }  // namespace

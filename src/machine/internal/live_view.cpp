@@ -90,9 +90,10 @@ void LiveCore::show_functions(Snapshot& shown) {
   shown.coolant = state.coolant;
   shown.tool = state.tool;
   shown.power_percent = state.power.percent;
-  // Held on its way it would burn a hole.
-  const bool held = moving && machine_->servo().source().held();
-  shown.beam = !held && (moving ? mark.power_percent > 0 : state.power.beam_percent() > 0);
+  // Where the axes rest on their way it would burn a hole.
+  const bool rests = machine_->servo().source().held() || machine_->servo().at_rest();
+  const bool dwells = mark.kind == motion::MoveKind::dwell && mark.power_follows_speed;
+  shown.beam = moving && !rests && !dwells && mark.power_percent > 0;
   shown.feed_programmed_mm_min = moving ? 60.0 * static_cast<double>(mark.speed) : 0;
   shown.feed_actual_mm_min = moving ? 60 * machine_->servo().speed() : 0;
 }

@@ -12,6 +12,7 @@ struct CutPeriod {
   double way_mm = 0;
   double time_s = 0;
   motion::Mark mark;
+  float power_percent = 0;  ///< of a laser in this period
 };
 
 /// What the colours of cuts say. Takes the periods of a run in order.

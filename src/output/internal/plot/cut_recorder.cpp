@@ -22,9 +22,10 @@ void CutRecorder::start(const motion::Setpoint& at) {
   time_s_ = at.time_s;
 }
 
-void CutRecorder::take(const motion::Setpoint& point) {
+void CutRecorder::take(const motion::Setpoint& point, float power_percent) {
   const Point3 to = space_.point_of(point.tip, last_.to);
-  const double value = measure_->take({distance(last_.to, to), point.time_s - time_s_, point.mark});
+  const double value =
+      measure_->take({distance(last_.to, to), point.time_s - time_s_, point.mark, power_percent});
   close(value);
   last_ = {to, value, measure_->is_drawn(point.mark)};
   time_s_ = point.time_s;

@@ -20,8 +20,8 @@ class CutRecorder {
 
   /// The tool stands there; what comes begins there.
   void start(const motion::Setpoint& at);
-  /// Precondition: start() was called.
-  void take(const motion::Setpoint& point);
+  /// With the power of a laser in the period that ends there. Precondition: start() was called.
+  void take(const motion::Setpoint& point, float power_percent);
 
   /// What was kept so far; the tool is at rest behind it.
   [[nodiscard]] Path path() const;

@@ -33,7 +33,7 @@ double EnergyOfCut::take(const CutPeriod& period) {
     sum_ = {};
     return 0;
   }
-  const double power_w = laser_.max_power_w * static_cast<double>(period.mark.power_percent) / 100;
+  const double power_w = laser_.max_power_w * static_cast<double>(period.power_percent) / 100;
   const Piece piece{period.way_mm, power_w * period.time_s};
   lengthen(piece);
   book(piece);

@@ -208,6 +208,10 @@ export const ALARMS_ZH_HANT: Record<string, [message: string, cause_and_remedy: 
     '切線成虛線',
     '在此進給下，雷射脈波間距大於光點寬度而不相連。請降低進給，或提高 drive.pwm_frequency_hz。',
   ],
+  OVER_FULL_POWER: [
+    'S 超過全功率',
+    '雷射機上 S 為光束功率，指令超過全功率時光束以全功率輸出。請降低 S，或將 drive.s_of_full_power 設為程式所稱的全功率。',
+  ],
   PATTERN_TRUNCATED: [
     '圖樣中斷',
     '圖樣由三位元組的紀錄組成，最後一筆不完整。檔案被截斷，或不是圖樣。',

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "base/diagnostic.hpp"
+#include "control/motion.hpp"
+#include "machine/drive_settings.hpp"
+
+namespace kerf::machine {
+
+/// What a program's spindle means on a machine that has a laser instead (docs/drives.md, M03, M04
+/// and S): M03 is the beam with constant power, M04 with power that follows the speed, M05 no
+/// beam. S is the power, of LaserSettings::s_of_full_power; more than that is full power and a
+/// warning.
+///
+/// The beam is on from the first cut behind M03 or M04; in rapids, probing moves, stops and behind
+/// the end it is off. A dwell has what the move before it had.
+class SpindleBeam {
+ public:
+  explicit SpindleBeam(const LaserSettings& laser) : laser_(laser) {}
+
+  /// What the machine does for a motion of the control, in order; valid until the next call. Of the
+  /// spindle that is nothing, or a Power where the beam changes. On a machine without a laser it is
+  /// the motion.
+  [[nodiscard]] std::span<const control::Motion> translated(const control::Motion& motion);
+  /// The spindle stands.
+  void reset();
+  /// OVER_FULL_POWER at the line of the motion, which is all that its place says.
+  [[nodiscard]] const std::optional<base::Diagnostic>& warning() const { return warning_; }
+
+ private:
+  void turn(const control::Motion& motion, const control::Spindle& spindle);
+  void light(const control::Motion& motion, bool on);
+  [[nodiscard]] double percent_of(const control::Motion& motion, double s);
+  void put(const control::Motion& motion, const control::Motion::Action& action);
+
+  LaserSettings laser_;
+  control::Power power_;  // while it turns
+  bool turns_ = false;
+  bool lit_ = false;
+  std::array<control::Motion, 2> motions_;
+  std::size_t count_ = 0;
+  std::optional<base::Diagnostic> warning_;
+};
+
+}  // namespace kerf::machine

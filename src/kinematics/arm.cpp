@@ -96,7 +96,8 @@ AxisVector Arm::forward(const AxisVector& joints) const {
 
 Branch Arm::branch_at(const AxisVector& joints) const {
   const double sine = geometry::sine_cosine_deg(pose_at(joints).elbow_deg).sine;
-  return sine >= 0 ? Branch::plus : Branch::minus;
+  const bool minus = sine < 0 || (sine == 0 && links_.elbow_minus);
+  return minus ? Branch::minus : Branch::plus;
 }
 
 std::optional<Fault> Arm::out_of_reach(const AxisVector& tip, double radius_mm) const {

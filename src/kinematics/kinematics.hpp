@@ -15,7 +15,8 @@
 namespace kerf::kinematics {
 
 /// The two positions of a linkage that hold the same tip: the sine of the joint that makes the
-/// difference (elbow of an arm, tilt A of a head) is >= 0, or negative.
+/// difference (elbow of an arm, tilt A of a head) is >= 0, or negative. Where it is 0 an arm's
+/// settings say which it is.
 enum class Branch : std::uint8_t { plus, minus };
 
 /// Where the joints stand when the tool is at the tip, and back (docs/kinematics.md).

@@ -27,6 +27,9 @@ struct ArmLinks {
   double upper_arm_mm = 132;
   double forearm_mm = 132;
   bool forearm_absolute = false;  ///< T1 counts from +X (driven by a parallel linkage), not from T2
+  /// The side of the elbow, T1 negative, to which a stretched or folded arm bends: so does the run
+  /// that begins there.
+  bool elbow_minus = false;
 };
 
 /// Everything that makes a linkage. Only the part of its kind is read.

@@ -153,6 +153,7 @@ Json kinematics_json(const MachineDefinition& definition) {
       json["upper_arm"] = settings.arm.upper_arm_mm;
       json["forearm"] = settings.arm.forearm_mm;
       json["forearm_absolute"] = settings.arm.forearm_absolute;
+      json["elbow"] = settings.arm.elbow_minus ? "minus" : "plus";
       break;
   }
   return json;

@@ -195,6 +195,17 @@ def out_of_reach(box):
         equal(summary["position"]["machine"]["X"], 200, f"position with {bad}")
 
 
+@test("an arm bends to the side of the elbow that its machine file names, and the tip is the same")
+def elbow(box):
+    program = HEAD + "G01X120.Y-80.F60\nX200.Y40.\nM30\n"
+    for side, wanted in (("plus", [(22755, -18115), (15766, -5621)]), ("minus", [(-22755, 4639), (-15766, 10145)])):
+        rows = points(box, program, "--machine", "arm4", "--machine-set", f"kinematics.elbow={side}",
+                      "--machine-set", "interpolator.tolerance=0")
+        ends = [[row for row in rows if row["line"] == line][-1] for line in (3, 4)]
+        equal([(row["X"], row["Y"]) for row in ends], [(120, -80), (200, 40)], f"the tip with {side}")
+        equal([(round(200 * row["j1"]), round(200 * row["j2"])) for row in ends], wanted, f"steps with {side}")
+
+
 @test("--points writes what was made up to an alarm, and a budget of time ends a long dwell")
 def partial_points(box):
     rows = points(box, HEAD + "G00X10.\n#1=1/0\nM30\n", wanted=1)

@@ -103,6 +103,20 @@ TEST(KinematicsArm, AbsoluteForearmCountsFromX) {
   EXPECT_EQ(arm->branch_at(joints), Branch::minus);
 }
 
+TEST(KinematicsArm, TheStretchedArmBendsToTheSideOfItsElbow) {
+  auto settings = test::arm_settings();
+  for (const bool minus : {false, true}) {
+    settings.arm.elbow_minus = minus;
+    const auto arm = test::make(settings);
+    const double sign = minus ? -1 : 1;
+    const AxisVector joints = *arm->inverse({{200, 50}}, {});
+    EXPECT_NEAR(joints.values[0], sign * 77.315506, 1e-6);
+    EXPECT_EQ(arm->branch_at(joints), minus ? Branch::minus : Branch::plus);
+    // Once bent it stays.
+    EXPECT_NEAR(arm->inverse({{132, 132}}, {{-sign, 0}})->values[0], -sign * 90, 1e-9);
+  }
+}
+
 TEST(KinematicsArm, BeyondTheLinksIsOutOfReach) {
   const auto arm = test::make(test::arm_settings());
   EXPECT_TRUE(arm->inverse({{264 + 0.9e-9, 0}}, {}));

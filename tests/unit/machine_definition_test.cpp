@@ -100,6 +100,8 @@ const std::vector<KeyCase>& key_cases() {
        "-1", "a positive number"},
       {"arm", "kinematics.forearm_absolute", "true", 1,
        [](M m) { return enumerated(m.kinematics.arm.forearm_absolute); }, "1", "true or false"},
+      {"arm", "kinematics.elbow", "minus", 1,
+       [](M m) { return enumerated(m.kinematics.arm.elbow_minus); }, "left", "plus or minus"},
 
       {"arm", "tip.velocity", "100", 100, [](M m) { return m.tip.velocity_per_min; }, "0",
        "a positive number"},

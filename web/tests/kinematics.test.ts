@@ -62,6 +62,12 @@ describe('the arm', () => {
       near([found.T1, found.T2, found.T3, found.Z], [joints.T1, joints.T2, joints.T3, joints.Z]);
     }
   });
+  it('bends from stretched to the side that the machine file names', () => {
+    const t1 = (elbow: string): number | undefined =>
+      joints_of({ ...ARM, elbow }, [132, 132, 0], { C: 0 }, { T1: 0, T2: 0, T3: 0, Z: 0 }).T1;
+    expect(t1('plus')).toBeCloseTo(90, 9);
+    expect(t1('minus')).toBeCloseTo(-90, 9);
+  });
   it('stays where it was when the tip is out of reach', () => {
     const before = { T1: 1, T2: 2, T3: 3, Z: 4 };
     expect(joints_of(ARM, [300, 0, 0], { C: 0 }, before)).toBe(before);

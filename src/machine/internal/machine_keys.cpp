@@ -38,6 +38,7 @@ constexpr std::array kBeams = {LaserSettings::Beam::constant, LaserSettings::Bea
 
 constexpr std::array<string_view, 2> kByteOrders = {"big", "little"};
 constexpr std::array kPatternOrders = {ByteOrder::big, ByteOrder::little};
+constexpr std::array<string_view, 2> kElbows = {"plus", "minus"};
 constexpr std::array<string_view, 2> kHeadings = {"tangent", "program"};
 constexpr std::array kWheelHeadings = {PatternSettings::Heading::tangent,
                                        PatternSettings::Heading::program};
@@ -85,6 +86,8 @@ constexpr MachineKey kMachineKeys[] = {
      [](Machine& m, double v) { m.kinematics.arm.forearm_mm = v; }, is_arm},
     {"kinematics", "forearm_absolute", flag(),
      [](Machine& m, double v) { m.kinematics.arm.forearm_absolute = v != 0; }, is_arm},
+    {"kinematics", "elbow", one_of(kElbows),
+     [](Machine& m, double v) { m.kinematics.arm.elbow_minus = v != 0; }, is_arm},
 
     {"interpolator", "period_ms", numbers(0.01, 1000),
      [](Machine& m, double v) { m.interpolator.period_s = v / 1000; }},

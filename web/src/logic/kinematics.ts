@@ -133,7 +133,9 @@ function arm_joints(k: Kinematics, tip: Point, rotary: Axes, before: Axes): Axes
   const elbow_before = k.forearm_absolute
     ? axis(before, 'T1') - axis(before, 'T2')
     : axis(before, 'T1');
-  const side = Math.sin(rad(elbow_before)) < 0 ? -1 : 1;
+  const sine = Math.sin(rad(elbow_before));
+  const is_minus = Math.abs(sine) < 1e-12 ? k.elbow === 'minus' : sine < 0;
+  const side = is_minus ? -1 : 1;
   const sum = upper + fore;
   const difference = upper - fore;
   const opening = Math.sqrt(Math.max(0, (sum - r) * (sum + r)));

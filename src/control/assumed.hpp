@@ -23,6 +23,7 @@ struct Assumed {
   static constexpr std::uint32_t taught_radii = 50;
   static constexpr std::uint32_t rapid_with_beam = 51;
   static constexpr std::uint32_t no_laser = 52;
+  static constexpr std::uint32_t unread_text = 53;  ///< to 55: where
   static constexpr std::uint32_t no_speed = 60;
   static constexpr std::uint32_t g_code = 100;
 };

@@ -30,6 +30,11 @@ class ProgramControl : public Control, protected Whereabouts {
   /// Registers of the program's local variables at a level, 0: main. Precondition: it is open.
   [[nodiscard]] std::span<double> locals_of(std::size_t level);
 
+  /// Notes what was found in the program's text, outside of what the control sees of it.
+  void assume(std::uint32_t key, std::uint32_t line, const std::string& what) {
+    if (assumptions_.is_new(key)) assumptions_.add(line, what);
+  }
+
  protected:
   ProgramControl() : alarms_(*this) {}
 

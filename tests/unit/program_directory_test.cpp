@@ -80,6 +80,29 @@ TEST(ProgramDirectory, NothingBeforeTheFirstOrBehindTheSecondPercentSignCounts) 
   expect_programs("JUNK\n%\nO1\nM30\n%\nO2\nX1\n", {{"1", 4, "M30"}});
 }
 
+TEST(ProgramDirectory, WhatDoesNotCountIsTold) {
+  using Where = UnreadText::Where;
+  using Unread = std::vector<std::pair<Where, std::uint32_t>>;
+  const auto unread = [](const std::string& text) {
+    const auto file = base::SourceFile::from_text("unread.nc", text);
+    Unread found;
+    for (const UnreadText& each : read_directory(*file, base::FileId{0}).unread)
+      found.emplace_back(each.where, each.line);
+    return found;
+  };
+  EXPECT_EQ(unread("JUNK\n%\nO1\nM30\n%\nO2\nX1\n"),
+            (Unread{{Where::before_percent, 2}, {Where::behind_tape, 5}}));
+  EXPECT_EQ(unread("\n%LEADER G00 X1\nO1\nM30\n%X1"),
+            (Unread{{Where::behind_percent, 2}, {Where::behind_tape, 5}}));
+  EXPECT_EQ(unread("M4\nG1 X1 (30%)\n; 30% OF IT\nX2\nM2\n"),
+            (Unread{{Where::before_percent, 3}, {Where::behind_percent, 3}}));
+  for (const char* const all_is_read :
+       {"%\nO1\nM30\n%\n \n%\n\n", "%O0003( BACKUP)\nM30\n%", "%(TITLE)\nM30\n%\n",
+        "G00X1.\nM30\n%\n", "%\n%\nO1\nM30", "(30%)\n%\nO1\nM30\n%"}) {
+    EXPECT_EQ(unread(all_is_read), Unread{}) << all_is_read;
+  }
+}
+
 TEST(ProgramDirectory, TheLeaderBehindThePercentSignIsPassedOver) {
   expect_programs("JUNK\n%LEADER\nO1\nM30\n%\nX1", {{"1", 4, "M30"}});
 }

@@ -20,6 +20,7 @@ void CodeLibrary::add_library_file(base::FileId file, std::uint32_t number_from_
 
 void CodeLibrary::add_programs(base::FileId file, std::uint32_t number_from_name) {
   ProgramDirectory directory = read_directory(sources_[file], file);
+  if (programs_.empty()) unread_ = directory.unread;
   for (ProgramEntry& entry : directory.programs) {
     if (entry.number == 0 && entry.name.empty()) entry.number = number_from_name;
     const auto code = static_cast<vm::CodeId>(programs_.size());

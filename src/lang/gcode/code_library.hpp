@@ -33,6 +33,8 @@ class CodeLibrary : public vm::CodeSource {
 
   /// What is wrong with the program numbers of the files.
   [[nodiscard]] const std::vector<base::Diagnostic>& findings() const { return findings_; }
+  /// Text of the first file that is no part of its programs.
+  [[nodiscard]] const std::vector<UnreadText>& unread() const { return unread_; }
 
   [[nodiscard]] std::size_t program_count() const { return programs_.size(); }
   [[nodiscard]] const ProgramEntry& entry(vm::CodeId code) const;
@@ -83,6 +85,7 @@ class CodeLibrary : public vm::CodeSource {
   std::unordered_map<std::uint32_t, vm::CodeId> by_number_;  // the first of each
   std::unordered_map<std::string, vm::CodeId> by_name_;
   std::vector<base::Diagnostic> findings_;
+  std::vector<UnreadText> unread_;
 };
 
 }  // namespace kerf::gcode

@@ -62,7 +62,8 @@ class Scanner {
   [[nodiscard]] static std::size_t plain_stretch(std::string_view text);
   void skip_plain(std::string_view text);
   [[nodiscard]] std::size_t line_start_of_last_line(std::string_view text);
-  [[nodiscard]] bool only_blanks_behind() const;
+  [[nodiscard]] bool only_blanks_behind(std::string_view or_these = {}) const;
+  void leave_unread(UnreadText::Where where);
   [[nodiscard]] bool in_brackets(std::uint64_t at) const;
 
   enum class Reading : std::uint8_t { text, comment, folder, number, name };
@@ -263,6 +264,7 @@ void Scanner::character(char c) {
   } else {
     before_ = folded;
     content_ |= !leader_;
+    if (leader_) leave_unread(UnreadText::Where::behind_percent);
   }
 }
 
@@ -271,6 +273,7 @@ void Scanner::character(char c) {
 void Scanner::percent() {
   const bool begins = !percent_seen_ && !number_seen_ && !only_blanks_behind();
   percent_seen_ = true;
+  if (begins && content_) leave_unread(UnreadText::Where::before_percent);
   if (begins || !content_) {
     open_ = true;
     content_ = false;
@@ -283,15 +286,25 @@ void Scanner::percent() {
   }
   end_program(offset_);
   tape_end_ = true;
+  if (!only_blanks_behind("%")) leave_unread(UnreadText::Where::behind_tape);
+}
+
+// Once for each '%'.
+void Scanner::leave_unread(UnreadText::Where where) {
+  const bool is_told = !result_.unread.empty() && result_.unread.back().where == where;
+  if (!is_told) result_.unread.push_back({where, line_});
 }
 
 // A file without a leading '%' may still have the closing one.
-bool Scanner::only_blanks_behind() const {
+bool Scanner::only_blanks_behind(std::string_view or_these) const {
+  const auto passes = [&](char c) {
+    return is_blank(c) || or_these.find(c) != std::string_view::npos;
+  };
   std::array<char, 4096> chunk;
   for (std::uint64_t at = offset_ + 1;;) {
     const std::size_t count = file_.read(at, chunk);
     if (count == 0) return true;
-    if (!std::all_of(chunk.begin(), chunk.begin() + count, is_blank)) return false;
+    if (!std::all_of(chunk.begin(), chunk.begin() + count, passes)) return false;
     at += count;
   }
 }

@@ -23,11 +23,19 @@ struct ProgramEntry {
 /// "O0001", or the name of a program that has one; "O0000" without either.
 [[nodiscard]] std::string name_of(const ProgramEntry& entry);
 
+/// Text that is no part of any program, because of the '%' in `line` (LEX-1).
+struct UnreadText {
+  enum class Where : std::uint8_t { before_percent, behind_percent, behind_tape };
+  Where where{};
+  std::uint32_t line = 0;
+};
+
 /// The programs of a file in the order of the text, and what is wrong with their numbers
 /// (docs/dialect.md §1.1).
 struct ProgramDirectory {
   std::vector<ProgramEntry> programs;
   std::vector<base::Diagnostic> findings;  ///< PS0073, PS0074
+  std::vector<UnreadText> unread;          ///< blanks, comments and further '%' do not count
 };
 
 /// Reads the file once from beginning to end. A file without O words is one program, if it holds

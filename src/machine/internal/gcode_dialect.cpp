@@ -5,6 +5,7 @@
 
 #include "base/decimal.hpp"
 #include "base/program_name.hpp"
+#include "control/assumed.hpp"
 #include "lang/vm/value.hpp"
 
 namespace kerf::machine {
@@ -60,6 +61,7 @@ std::optional<base::Diagnostic> GcodeDialect::start() {
     return base::make_error(base::Code::empty_program,
                             {.file = main_file(), .line = 1, .column = 1});
   controller_.start(vm::CodeId{0});
+  tell_unread_text();
   const std::span<double> locals = controller_.running_locals();
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (!vm::is_null(first_locals_[i])) locals[i] = first_locals_[i];
@@ -67,6 +69,17 @@ std::optional<base::Diagnostic> GcodeDialect::start() {
   first_locals_.fill(vm::kNull);
   started_ = true;
   return std::nullopt;
+}
+
+void GcodeDialect::tell_unread_text() {
+  constexpr std::array<const char*, 3> kWords = {
+      "what stands before this %, which begins the tape, is not read",
+      "what stands behind this % in its line is not read",
+      "what stands behind this %, which ends the tape, is not read"};
+  for (const gcode::UnreadText& text : library_.unread()) {
+    const auto where = static_cast<std::uint32_t>(text.where);
+    controller_.assume(control::Assumed::unread_text + where, text.line, kWords[where]);
+  }
 }
 
 std::optional<base::Diagnostic> GcodeDialect::start_entry(base::FileId file) {

@@ -45,6 +45,7 @@ class GcodeDialect final : public Dialect {
 
  private:
   void load_file(base::FileId file) override;
+  void tell_unread_text();
   control::Memory& memory_;
   base::SourceSet& sources_;
   Signals& signals_;

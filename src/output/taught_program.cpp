@@ -238,8 +238,10 @@ void TaughtProgram::act(const control::SpaceArc& arc) {
 
 void TaughtProgram::act(const Dwell& dwell) { write(teach::Dwell{dwell.seconds}); }
 
+// The way to where a path begins is no cut: its point comes before the beam.
 void TaughtProgram::act(const Power& power) {
   const double percent = power.beam_percent();
+  if (percent > 0) begin_path();
   if (percent > 0 && power.follows_speed) comment(" power follows the speed");
   write(percent > 0 ? teach::Laser{true, percent} : teach::Laser{false, std::nullopt});
 }

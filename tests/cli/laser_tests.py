@@ -233,3 +233,12 @@ def posted_spindle(box):
     equal(lines[1], "(LASER: FULL POWER IS S1000)", "the head")
     equal([line for line in lines if line[0] in "MS"],
           ["M3 S500", "M3 S250", "M5", "M4 S800", "M5", "M30"], "beam")
+
+
+@test("taught points of a program have the beam on where its path begins, not on the way there")
+def taught_spindle(box):
+    spindle(box, "--teach", "out.tch", text="O1\nG21 G90 M03 S500\nG01 X20. F600\nM04\nX30.\nM30\n", machine="laser5")
+    lines = [line for line in box.read("out.tch").decode().splitlines() if not line.startswith(("TEACH", "UNITS"))]
+    equal(lines, ["; tool centre path in machine coordinates", "PERIOD 8", "RADII 150 80", "POINT 0 0 0 0 0",
+                  "LASER ON 50", "FEED 600", "LINE 20 0 0 0 0", "; power follows the speed", "LASER ON 50",
+                  "LINE 30 0 0 0 0", "LASER OFF", "END"], "taught points")

@@ -44,7 +44,8 @@ bool VirtualMachine::set_off_entry(std::unique_ptr<base::SourceFile> file) {
 
 std::optional<control::Refusal> VirtualMachine::command(const control::Motion& motion) {
   if (auto refused = refusal(servo_.commanded(), motion, Intent::make)) return refused;
-  take(motion);
+  if (made_beam_.beam_percent() > 0) switch_beam({}, motion);
+  make(motion);
   is_active_ = is_by_hand_ = true;
   return std::nullopt;
 }

@@ -109,8 +109,20 @@ bool VirtualMachine::ready() const {
   return !motions_spent_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
 }
 
+// Where the axes were moved by hand the program finds its beam as it left it.
 void VirtualMachine::take(const control::Motion& motion) {
-  for (const control::Motion& each : spindle_beam_.translated(motion)) make(each);
+  for (const control::Motion& each : spindle_beam_.translated(motion)) {
+    if (const auto* const power = std::get_if<control::Power>(&each.action)) beam_ = *power;
+    if (control::target_of(each) != nullptr) switch_beam(beam_, each);
+    make(each);
+  }
+}
+
+void VirtualMachine::switch_beam(const control::Power& power, const control::Motion& move) {
+  if (power == made_beam_) return;
+  control::Motion motion = move;
+  motion.action = power;
+  make(motion);
 }
 
 // Beyond the budget nothing is handed out any more. What moves nothing may still follow its last
@@ -122,6 +134,7 @@ void VirtualMachine::make(const control::Motion& motion) {
   }
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_) return;
+  if (const auto* const power = std::get_if<control::Power>(&motion.action)) made_beam_ = *power;
   statistics_.take(motion);
   dotted_cut_.take(motion);
   servo_.take(alter_ ? alter_(motion) : motion);
@@ -226,6 +239,7 @@ VirtualMachine::Status VirtualMachine::run_to_end(const Budget& budget) { return
 void VirtualMachine::reset() {
   dialect_->reset();
   spindle_beam_.reset();
+  beam_ = {};
   alarm_.reset();
   drive_alarm_.reset();
   servo_.resume();

@@ -115,8 +115,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool set_off();
   /// Begins an entry in MDI. False: an alarm.
   bool set_off_entry(std::unique_ptr<base::SourceFile> file);
-  /// A move that the operator commands, from where the axes rest; finish_moves() behind the last
-  /// one. Otherwise why the joints cannot follow it; then nothing has changed.
+  /// A move that the operator commands, from where the axes rest, without the beam of a laser;
+  /// finish_moves() behind the last one. Otherwise why the joints cannot follow it; then nothing
+  /// has changed.
   [[nodiscard]] std::optional<control::Refusal> command(const control::Motion& motion);
   void finish_moves();
   /// Makes set-points up to a time of the run, in all at most `most_points`, and executes blocks as
@@ -210,6 +211,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   // control::MotionSink
   void take(const control::Motion& motion) override;
   void make(const control::Motion& motion);
+  void switch_beam(const control::Power& power, const control::Motion& move);
   bool ready() const override;
   [[nodiscard]] bool all_motions_made() const;
 
@@ -230,6 +232,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Signals signals_;
   RunStatistics statistics_;
   SpindleBeam spindle_beam_;
+  control::Power beam_;       // as the program has it
+  control::Power made_beam_;  // as the machine has it
   DottedCut dotted_cut_;
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's

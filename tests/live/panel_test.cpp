@@ -101,6 +101,56 @@ TEST(Panel, TheBeamIsOffWhileTheFeedIsHeld) {
   EXPECT_TRUE(bench.now().beam);
 }
 
+// By hand the axes move without the beam, whatever an entry or a broken-off program has left.
+TEST(Panel, TheBeamIsOffWhileAnAxisIsJogged) {
+  for (const char* const left :
+       {"M03 S500\nG91 G01 X10. F600", "M03 S500\nG91 G01 X10. F600\nX[1/0]"}) {
+    Bench bench("laser3");
+    EXPECT_DONE(bench->set_mode(Mode::mdi));
+    EXPECT_DONE(bench->mdi(left));
+    bench->advance(0.5);
+    EXPECT_TRUE(bench.now().beam);
+    bench.settle();
+    EXPECT_FALSE(bench.now().beam);
+    bench->reset();
+    EXPECT_DONE(bench->set_mode(Mode::jog));
+    Points points;
+    bench->add_point_sink(points);
+    EXPECT_DONE(bench->jog_by("X", 2, 600));
+    bench->advance(0.1);
+    EXPECT_FALSE(bench.now().beam) << left;
+    bench.settle();
+    ASSERT_FALSE(points.all.empty());
+    for (const auto& point : points.all) EXPECT_EQ(point.power_percent, 0) << left;
+  }
+}
+
+TEST(Panel, AProgramGoesOnWithItsBeamBehindAJog) {
+  Bench bench("laser3");
+  bench.load("speed(10); power(50)\nline(10,0)\nline(20,0)\nline(30,0)\nend\n", "a.bas",
+             "laser-basic");
+  bench->set_switch(Switch::single_block, true);
+  for (int statement = 0; statement < 3; ++statement) {
+    EXPECT_DONE(bench->cycle_start());
+    bench.settle();
+  }
+  EXPECT_EQ(bench.x(), 10);
+  EXPECT_DONE(bench->set_mode(Mode::jog));
+  EXPECT_DONE(bench->jog_by("X", 2, 600));
+  bench.settle();
+  EXPECT_EQ(bench.x(), 12);
+  EXPECT_DONE(bench->set_mode(Mode::automatic));
+  bench->set_switch(Switch::single_block, false);
+  Points points;
+  bench->add_point_sink(points);
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(0.5);
+  EXPECT_TRUE(bench.now().beam);
+  EXPECT_EQ(bench.settle(), Status::end);
+  ASSERT_FALSE(points.all.empty());
+  for (const auto& point : points.all) EXPECT_EQ(point.power_percent, 50) << point.tip.time_s;
+}
+
 TEST(Panel, ADwellIsHeldAndTheRestOfItFollows) {
   Bench bench;
   bench.load("O1\nG04X10.\nG91G00X1.\nM30\n");

@@ -15,14 +15,12 @@ struct LiveCore::Approach : control::MotionSink {
     if (std::holds_alternative<control::ToolChange>(motion.action)) keep(tool);
     if (std::holds_alternative<control::Spindle>(motion.action)) keep(spindle);
     if (std::holds_alternative<control::Coolant>(motion.action)) keep(coolant);
-    if (std::holds_alternative<control::Power>(motion.action)) keep(power);
     if (const base::AxisVector* const target = control::target_of(motion)) to = *target;
   }
 
   std::optional<control::Motion> tool;
   std::optional<control::Motion> spindle;
   std::optional<control::Motion> coolant;
-  std::optional<control::Motion> power;
   base::AxisVector to;
 };
 

@@ -49,15 +49,12 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
   return {};
 }
 
-// The tool's axis goes last, or first where it goes away from the work. The beam is off on the way,
-// and as the program has it when the axes are there.
+// The tool's axis goes last, or first where it goes away from the work.
 LiveCore::Outcome LiveCore::begin_approach() {
   std::vector<control::Motion> motions;
-  for (const auto* const function :
-       {&approach_->tool, &approach_->spindle, &approach_->coolant, &approach_->power}) {
+  for (const auto* const function : {&approach_->tool, &approach_->spindle, &approach_->coolant}) {
     if (*function) motions.push_back(**function);
   }
-  if (approach_->power) std::get<control::Power>(motions.back().action).on = false;
   const base::AxisVector from = machine_->servo().commanded();
   base::AxisVector corner = approach_->to;
   if (const auto z = definition_.axes.find('Z'); z && approach_->to[*z] < from[*z]) {
@@ -77,7 +74,6 @@ LiveCore::Outcome LiveCore::begin_approach() {
     move.action = control::Rapid{to, true};
     motions.push_back(move);
   }
-  if (approach_->power) motions.push_back(*approach_->power);
   if (motions.empty()) {
     approach_.reset();
     go_on();

@@ -201,6 +201,22 @@ def power_follows_speed(box):
     check("most 1 J/mm" not in burnt.err, f"constant power burns where it is slow: {burnt.err}")
 
 
+@test("S alone changes the power without stopping the axes, as does S in a block that moves")
+def power_in_passing(box):
+    head = "O1\nG21 G90 M03 S500\nG01 X20. F1800\n"
+    spindle(box, text=head + "X40.\nM30\n")
+    seconds = rows(box, "p.csv")[-1]["t"]
+    for change in ("S250\nX40.\n", "X40. S250\n"):
+        spindle(box, text=head + change + "M30\n")
+        made = [(float(row["t"]), float(row["X"]), row["power"]) for row in rows(box, "p.csv")]
+        equal(rows(box, "p.csv")[-1]["t"], seconds, "time with the change")
+        for (t0, x0, _), (t1, x1, power) in zip(made, made[1:]):
+            if 5 < x0 and x1 < 35:
+                near((x1 - x0) / (t1 - t0), 30, 1e-3, f"speed at X{x1}")
+            if not 19.9 < x1 < 20.1:
+                equal(power, "50" if x1 < 20 else "25", f"power at X{x1}")
+
+
 @test("S above full power is full power and a warning with its line; the machine file says what full is")
 def over_full(box):
     text = "O1\nG21 G90\nM03 S300\nG01 X20. F600\nM30\n"

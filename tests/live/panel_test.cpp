@@ -1,4 +1,5 @@
 // The keys and switches of the panel, and the words with which they are refused.
+#include <algorithm>
 #include <cmath>
 
 #include "bench.hpp"
@@ -122,6 +123,38 @@ TEST(Panel, TheBeamIsOffWhileAnAxisIsJogged) {
     bench.settle();
     ASSERT_FALSE(points.all.empty());
     for (const auto& point : points.all) EXPECT_EQ(point.power_percent, 0) << left;
+  }
+}
+
+TEST(Panel, TheBeamIsOffOnTheWayToTheReferencePoint) {
+  Bench bench("laser3");
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_DONE(bench->mdi("M03 S500\nG91 G01 X10. F600"));
+  bench.settle();
+  EXPECT_EQ(bench.x(), 10);
+  EXPECT_DONE(bench->set_mode(Mode::reference));
+  Points points;
+  bench->add_point_sink(points);
+  EXPECT_DONE(bench->home());
+  bench.settle();
+  EXPECT_EQ(bench.x(), 0);
+  ASSERT_FALSE(points.all.empty());
+  for (const auto& point : points.all) EXPECT_EQ(point.power_percent, 0);
+}
+
+TEST(Panel, ThePowerOfM04FollowsTheFeedDialUpToFullPower) {
+  for (const auto& [dial, power] : {std::pair{50, 40.0F}, {100, 80.0F}, {150, 100.0F}}) {
+    Bench bench("laser3");
+    bench.load("O1\nM04S800\nG01X60.F600\nM30\n");
+    EXPECT_DONE(bench->set_dials({dial, 100, 100}));
+    Points points;
+    bench->add_point_sink(points);
+    EXPECT_DONE(bench->cycle_start());
+    EXPECT_EQ(bench.settle(), Status::end);
+    float most = 0;
+    for (const auto& point : points.all) most = std::max(most, point.power_percent);
+    EXPECT_EQ(most, power) << dial;
+    EXPECT_EQ(points.all[points.all.size() / 2].power_percent, power) << dial;
   }
 }
 

@@ -30,6 +30,10 @@ Vec2 flat(const Vec3& point) { return {point.x, point.y}; }
 
 bool same(const Vec3& a, const Vec3& b) { return length(a - b) <= kSamePoint_mm; }
 
+// All points of a smaller circle are the same.
+bool is_radius(double radius) { return radius > kSamePoint_mm; }
+constexpr const char* kNoRadius = "the radius is above 0.000001 mm";
+
 }  // namespace
 
 LaserMoves::LaserMoves(const AxisSetup& axes, Alarms& alarms, Assumptions& assumptions,
@@ -107,7 +111,7 @@ bool LaserMoves::line(std::span<const double> xy_or_xyz) {
 
 bool LaserMoves::circle(std::span<const double> a) {
   const double radius = a.back();
-  if (!(radius > 0)) return raise(Code::basic_arc, "the radius of a circle is above 0");
+  if (!is_radius(radius)) return raise(Code::basic_arc, kNoRadius);
   const double z = a.size() == 4 ? a[2] : position_.z;
   const Vec3 right{a[0] + radius, a[1], z};
   const Vec3 start = same(right, position_) ? position_ : right;
@@ -144,26 +148,29 @@ bool LaserMoves::arc_through(std::span<const double> a) {
   return cut(position_, motion(arc), to, circle->length());
 }
 
+// What it sweeps says how many circles it makes: of its ends, rounded, one would not know.
 bool LaserMoves::arc_by_angles(std::span<const double> a) {
   const Vec2 centre{a[0], a[1]};
   const double radius = a[2];
   const double sweep = a[4] - a[3];
-  if (!(radius > 0)) return raise(Code::basic_arc, "the radius of an arc is above 0");
-  const double whole = std::floor(std::fabs(sweep) / kFullCircle_deg);
+  if (!is_radius(radius)) return raise(Code::basic_arc, kNoRadius);
   if (sweep == 0) return raise(Code::basic_arc, "it sweeps 0 degrees");
-  if (whole > kMostTurns) return raise(Code::basic_domain, "an arc makes at most 60000 turns");
+  const double circles = std::fabs(sweep) / kFullCircle_deg;
+  if (circles > kMostTurns) return raise(Code::basic_domain, "an arc makes at most 60000 turns");
   const auto at = [&](double angle_deg) {
     const geometry::SineCosine turn = geometry::sine_cosine_deg(angle_deg);
     return Vec3{centre.u + radius * turn.cosine, centre.v + radius * turn.sine, position_.z};
   };
-  const bool closed = std::fabs(sweep) == whole * kFullCircle_deg;
   const Vec3 first = at(a[3]);
+  const Vec3 last = at(a[4]);
   const Vec3 start = same(first, position_) ? position_ : first;
-  const FlatArc arc{.to = closed ? start : at(a[4]),
-                    .centre = centre,
-                    .clockwise = sweep < 0,
-                    .turns = static_cast<std::uint16_t>(closed ? whole - 1 : whole),
-                    .length = radius * geometry::radians(std::fabs(sweep))};
+  const bool closed = same(first, last);
+  FlatArc arc{.to = closed ? start : last, .centre = centre, .clockwise = sweep < 0};
+  arc.length = radius * geometry::radians(std::fabs(sweep));
+  if (closed && circles < 0.5)
+    return cut(start, motion(Line{machine_point(last), feed()}), last, arc.length);
+  const double turns = closed ? std::round(circles) - 1 : std::floor(circles);
+  arc.turns = static_cast<std::uint16_t>(turns);
   return cut(start, flat_motion(arc), arc.to, arc.length);
 }
 

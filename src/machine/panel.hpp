@@ -30,7 +30,7 @@ inline constexpr std::size_t kSwitches = 4;
 struct OverrideDials {
   int feed = 100;     ///< 0 to 200
   int rapid = 100;    ///< 0 to 100
-  int spindle = 100;  ///< 50 to 120
+  int spindle = 100;  ///< 50 to 120; a laser's: of its power, up to full power
   friend bool operator==(const OverrideDials&, const OverrideDials&) = default;
 };
 

@@ -193,10 +193,13 @@ void Servo::hand_out(const motion::Setpoint& point) {
 float Servo::power_percent() const {
   constexpr double kSteps = 100;  // of a percent
   const motion::Mark& mark = last_.mark;
-  if (!mark.power_follows_speed) return mark.power_percent;
-  if (mark.kind == motion::MoveKind::dwell) return 0;
-  const double part = mark.speed > 0 ? speed() / static_cast<double>(mark.speed) : 1;
-  const double percent = std::min(100.0, static_cast<double>(mark.power_percent) * part);
+  if (!mark.power_follows_speed && power_override_ == 1) return mark.power_percent;
+  double factor = power_override_;
+  if (mark.power_follows_speed) {
+    if (mark.kind == motion::MoveKind::dwell) return 0;
+    if (mark.speed > 0) factor *= speed() / static_cast<double>(mark.speed);
+  }
+  const double percent = std::min(100.0, static_cast<double>(mark.power_percent) * factor);
   return static_cast<float>(std::round(percent * kSteps) / kSteps);
 }
 

@@ -67,6 +67,8 @@ class Servo : public control::MotionSink {
   void drop_waiting();
   /// The sinks see the axes stand still; time and tip go on as the control has them.
   void lock(bool on);
+  /// The dial of a laser's power: a factor of what the program asks for; full power is the end.
+  void set_power_override(double factor) { power_override_ = factor; }
   [[nodiscard]] bool locked() const { return locked_.has_value(); }
   /// Where the axes stand: the tip and the driven ones.
   [[nodiscard]] AxisPoint stands_at() const {
@@ -112,6 +114,7 @@ class Servo : public control::MotionSink {
   motion::Setpoint before_;  // the point before that
   std::vector<bool> is_rotary_;
   std::uint64_t points_ = 0;
+  double power_override_ = 1;
   bool started_ = false;  // the sinks know where the axes stood at first
   bool broken_off_ = false;
 

@@ -66,7 +66,7 @@ struct Snapshot {
   control::Spindle::Turning spindle = control::Spindle::Turning::stopped;
   control::Coolant::State coolant = control::Coolant::State::off;
   std::uint32_t tool = 0;
-  double power_percent = 0;
+  double power_percent = 0;  ///< the dial included
   bool beam = false;  ///< off while the axes rest on their way
 
   std::optional<AlarmText> alarm;

@@ -134,7 +134,8 @@ std::vector<Command> make_table() {
        {number("feed", 0, 200, "percent", Need::optional),
         number("rapid", 0, 100, "percent", Need::optional),
         number("spindle", 50, 120, "percent", Need::optional)},
-       "Sets overrides; those that are not named stay."},
+       "Sets overrides; those that are not named stay. That of the spindle is a laser's override "
+       "of power."},
       {"jog",
        Who::op,
        {name_of("axis"),

@@ -2,6 +2,7 @@
 limits."""
 
 import json
+import math
 
 from harness import MEASURES_MEMORY, alarm, check, contains, equal, in_time, near, refused, status, test
 
@@ -236,3 +237,44 @@ def same_motions(box):
     run(box, SQUARE, "--motion", "a.jsonl")
     run(box, SQUARE.upper().replace("\n", "\r\n"), "--motion", "b.jsonl")
     equal(box.read("a.jsonl"), box.read("b.jsonl"), "motions")
+
+
+# What a sum of tenths rounds to decides neither whether an arc is a circle nor how many.
+ARC_SWEEPS = [
+    ("arc(38.82,8.67,1.63,433.7,793.7)", 1.63, 360),
+    ("arc(38.82,8.67,1.63,-286.3+720,-286.3+720+360)", 1.63, 360),
+    ("arc(-37.04,23.52,2.53,329.9+90,329.9+90+720)", 2.53, 720),
+    ("arc(5,5,4,152.2,512.2)", 4, 360),
+    ("arc(5,5,4,152.2,512.2-720)", 4, -360),
+    ("for i=1 to 3600; a=a+0.1\nnext\narc(0,0,5,0,a)", 5, 360),
+    ("arc(0,0,5,0,360.0000000001)", 5, 360),
+    ("arc(0,0,5,0,359.9999999999)", 5, 360),
+    ("arc(0,0,5,0,0.1+0.2-0.3)", 5, 0),
+    ("arc(0,0,5,0,1e-9)", 5, 0),
+    ("arc(0,0,5,0,-1e-9)", 5, 0),
+    ("move(5,5e-7)\narc(0,0,5,0,1e-6)", 5, 0),
+    ("move(5,-5e-7)\narc(0,0,5,0,-1e-6)", 5, 0),
+    ("move(5,-5e-7)\narc(0,0,5,0,1e-6)", 5, 0),
+    ("arc(0,0,5,0,0.0001)", 5, 0.0001),
+    ("arc(0,0,1.1e-6,0,90)", 1.1e-6, 90),
+]
+
+
+@test("an arc by angles is as long as its sweep says, however its ends are rounded")
+def arc_sweeps(box):
+    for text, radius, sweep in ARC_SWEEPS:
+        length = radius * math.radians(abs(sweep))
+        made = summary(box, "power(50)\n" + text + "\nprint moved\n", "--motion", "m.jsonl")
+        near(made["cut_mm"], length, 2e-6, text)
+        turns = [motion["turns"] for motion in box.motions("m.jsonl") if "turns" in motion]
+        equal(turns[1:], [], f"arcs of {text}")
+        if abs(sweep) >= 360:
+            equal(turns, [abs(sweep) // 360 - 1], f"turns of {text}")
+
+
+@test("a circle whose points are all the same is none")
+def no_circle(box):
+    for text in ("circle(0,0,1e-7)", "circle(0,0,0.000001)", "arc(0,0,1e-7,0,90)"):
+        result = run(box, f"power(50)\n{text}\n", wanted=1)
+        alarm(result, "LB0024", 2)
+        contains(result.err, "the radius is above 0.000001 mm", "the sentence")

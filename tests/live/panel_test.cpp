@@ -1,6 +1,7 @@
 // The keys and switches of the panel, and the words with which they are refused.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "bench.hpp"
 
@@ -86,6 +87,44 @@ TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
   EXPECT_EQ(bench.x(), 200);
 }
 
+// What an operator does who has not seen that the file is empty.
+TEST(Panel, AFileWithoutBlocksIsAnAlarmWhateverIsPressed) {
+  using Act = std::function<void(Bench&)>;
+  const std::vector<Act> acts = {
+      [](Bench& bench) { static_cast<void>(bench->cycle_start()); },
+      [](Bench& bench) { static_cast<void>(bench->step(machine::Step::over)); },
+      [](Bench& bench) { static_cast<void>(bench->step(machine::Step::into)); },
+      [](Bench& bench) { static_cast<void>(bench->step(machine::Step::out)); },
+      [](Bench& bench) { static_cast<void>(bench->step_back()); },
+      [](Bench& bench) { static_cast<void>(bench->run_to("part.nc", 1)); },
+      [](Bench& bench) { static_cast<void>(bench->start_at(1)); },
+      [](Bench& bench) { static_cast<void>(bench->state_at(1)); }};
+  for (const char* const text : {"", "\n", "%\n%\n", "(hi)\n", "' hi\n", "\1\2"}) {
+    for (const char* const dialect : {"fanuc-mill", "laser-basic", "teach"}) {
+      for (const Act& act : acts) {
+        Bench bench("laser5");
+        bench.load(text, "part.nc", dialect);
+        act(bench);
+        EXPECT_NE(bench.settle(), Status::running);
+        bench->reset();
+        bench.load("O1\nG91G01X10.F600\nM30\n", "part.nc", "fanuc-mill");
+        EXPECT_DONE(bench->cycle_start());
+        EXPECT_EQ(bench.settle(), Status::end);
+      }
+    }
+  }
+}
+
+TEST(Panel, AnEmptyFileSaysSoAtCycleStart) {
+  Bench bench;
+  bench.load("(hi)\n");
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  ASSERT_TRUE(bench.now().alarm);
+  EXPECT_EQ(bench.now().alarm->code, "EMPTY_PROGRAM");
+  EXPECT_EQ(bench.now().program, "");
+}
+
 TEST(Panel, TheBeamIsOffWhileTheFeedIsHeld) {
   Bench bench("laser3");
   bench.load("speed(10); power(50)\nline(40,0)\nend\n", "a.bas", "laser-basic");
@@ -155,6 +194,28 @@ TEST(Panel, ThePowerOfM04FollowsTheFeedDialUpToFullPower) {
     for (const auto& point : points.all) most = std::max(most, point.power_percent);
     EXPECT_EQ(most, power) << dial;
     EXPECT_EQ(points.all[points.all.size() / 2].power_percent, power) << dial;
+  }
+}
+
+TEST(Panel, TheSpindleDialOfALaserIsThatOfItsPower) {
+  const std::string constant = "O1\nM03S600\nG01X60.F600\nM30\n";
+  const std::string follows = "O1\nM04S600\nG01X60.F600\nM30\n";
+  const std::string full = "O1\nM03S900\nG01X60.F600\nM30\n";
+  for (const auto& [text, dial, power] : {std::tuple{constant, 50, 30.0F},
+                                          {follows, 50, 30.0F},
+                                          {constant, 120, 72.0F},
+                                          {follows, 120, 72.0F},
+                                          {full, 120, 100.0F}}) {
+    Bench bench("laser3");
+    bench.load(text);
+    EXPECT_DONE(bench->set_dials({100, 100, dial}));
+    Points points;
+    bench->add_point_sink(points);
+    EXPECT_DONE(bench->cycle_start());
+    bench->advance(3);
+    EXPECT_EQ(bench.now().power_percent, power) << text << dial;
+    EXPECT_EQ(bench.settle(), Status::end);
+    EXPECT_EQ(points.all[points.all.size() / 2].power_percent, power) << text << dial;
   }
 }
 

@@ -69,11 +69,11 @@ LiveCore::Outcome LiveCore::jog_by(const std::string& axis, double distance, dou
   return jog_to(*found, distance, speed_per_min > 0 ? speed_per_min : own);
 }
 
-// How far the axis can go until the end of its travel.
+// How far the axis can go until the end of its travel. By hand that is an end in any case, as it is
+// for a machine with limit switches: stroke_check is about programs.
 double LiveCore::travel_left(base::Axis axis, bool up) const {
   const control::AxisConfig& config = definition_.axes[axis];
-  const bool has_end = definition_.parameters.stroke_check && config.travel_min < config.travel_max;
-  if (!has_end) return kFar;
+  if (!(config.travel_min < config.travel_max)) return kFar;
   const double at = machine_->servo().commanded()[axis] + machine_->control().tool_length()[axis];
   return std::max(0.0, up ? config.travel_max - at : at - config.travel_min);
 }

@@ -133,6 +133,7 @@ void LiveCore::apply_dials() {
   motion::SetpointSource& source = machine_->servo().source();
   source.set_overrides({share(panel_.dials.feed), share(panel_.dials.rapid)});
   source.set_spindle_override(panel_.dials.spindle / 100.0);
+  machine_->servo().set_power_override(panel_.dials.spindle / 100.0);
 }
 
 // Dry run: cuts at the jog speed.

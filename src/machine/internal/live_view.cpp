@@ -89,7 +89,7 @@ void LiveCore::show_functions(Snapshot& shown) {
     shown.spindle_rpm = state.spindle.speed * panel_.dials.spindle / 100;
   shown.coolant = state.coolant;
   shown.tool = state.tool;
-  shown.power_percent = state.power.percent;
+  shown.power_percent = std::min(100.0, state.power.percent * panel_.dials.spindle / 100);
   // Where the axes rest on their way it would burn a hole.
   const bool rests = machine_->servo().source().held() || machine_->servo().at_rest();
   const bool dwells = mark.kind == motion::MoveKind::dwell && mark.power_follows_speed;

@@ -35,6 +35,7 @@ export const ICONS = {
     '<path d="M2 7.500h17M15.500 4 19 7.500 15.500 11M2 16.500h17M15.500 13l3.500 3.500-3.500 3.500"/>',
   spindle:
     '<path d="M9 2.500h6v6H9zM12 8.500v5"/><path d="M5 13c-3 5 4 8 8 8s8-2 8-5-4-4-7-4"/><path d="m16.500 9-3 3 3 3"/>',
+  power: '<path d="M9 2.500h6v4.500l-3 3-3-3zM12 10v10M6 20h12M7 14.500l2 2M17 14.500l-2 2"/>',
   // Stepping
   'step-over':
     '<path d="M3 13C3 4.500 19 4.500 19 12M15.500 9.500l3.500 3 2.800-3.500"/><circle cx="11" cy="18" r="2.200" fill="currentColor" stroke="none"/>',

@@ -210,6 +210,7 @@ export const en = {
   'operator.switches': 'Switches',
   'override.feed': 'Feed override',
   'override.normal': '{name}: back to 100 %',
+  'override.power': 'Power override',
   'override.rapid': 'Rapid override',
   'override.spindle': 'Spindle override',
   'picture.arriving': 'The path arrives: {motions} motions',

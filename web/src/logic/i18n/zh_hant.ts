@@ -209,6 +209,7 @@ export const zh_hant: Record<TextKey, string> = {
   'operator.switches': '開關',
   'override.feed': '進給倍率',
   'override.normal': '{name}：回到 100 %',
+  'override.power': '雷射功率倍率',
   'override.rapid': '快速倍率',
   'override.spindle': '主軸倍率',
   'picture.arriving': '路徑接收中：{motions} 個動作',

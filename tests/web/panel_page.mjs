@@ -168,6 +168,15 @@ export class PanelPage {
     await this.page.locator('.notices p', { hasText: text }).first().waitFor();
   }
 
+  async says_nothing(text) {
+    assert.equal(await this.page.locator('.notices p', { hasText: text }).count(), 0, text);
+  }
+  /** Of a program of the library. */
+  async library_bytes(name) {
+    const answer = await fetch(new URL(`library/${encodeURIComponent(name)}`, this.base));
+    return Buffer.from(await answer.arrayBuffer());
+  }
+
   // Doing
 
   key(name) {

@@ -57,6 +57,7 @@ beforeEach(() => {
       chunk: (bytes) => heard.push(`chunk ${bytes.byteLength}`),
     },
     () => 'down',
+    () => 'too long',
   );
   connection.connect();
   last().onopen?.();
@@ -122,5 +123,14 @@ describe('a connection', () => {
     const before = heard.length;
     old.onclose?.({ code: 1006, reason: '' });
     expect(heard.length).toBe(before);
+  });
+
+  it('refuses what is longer than the server takes, and the line stays', async () => {
+    const refused = connection.do('write', { text: 'x'.repeat(1_048_576) });
+    await expect(refused).rejects.toThrow('too long');
+    expect(last().sent).toEqual([]);
+    const answered = connection.do('programs');
+    last().says({ id: last().sent[0].id, ok: true });
+    expect((await answered).ok).toBe(true);
   });
 });

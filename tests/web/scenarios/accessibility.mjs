@@ -71,6 +71,25 @@ export const accessibility = [
     },
   })),
   {
+    name: 'on a tablet a notice hides no button, and file and zero keys are in sight',
+    async run({ open }) {
+      const panel = await open({ machine: 'five-axis', width: 820, height: 1180 });
+      await panel.has_program();
+      await panel.operates();
+      const box = (locator) => locator.boundingBox();
+      await panel.tab('Offsets');
+      const dock = await box(panel.page.locator('.dock'));
+      const zero = await box(panel.page.getByRole('button', { name: /^C0, G54:/ }));
+      assert.ok(zero.x + zero.width <= dock.x + dock.width, 'C0 is in sight');
+      await panel.page.locator('.program').getByRole('button', { name: 'Load' }).click();
+      await panel.says('is loaded.');
+      const notice = await box(panel.page.locator('.notices p').first());
+      const tools = await box(panel.page.getByRole('toolbar', { name: 'Views' }));
+      assert.ok(notice.y >= tools.y + tools.height, 'the views are beside the notice');
+      await panel.page.locator('header .file').waitFor();
+    },
+  },
+  {
     name: 'every control is reached by the Tab key',
     async run({ open }) {
       const panel = await open();

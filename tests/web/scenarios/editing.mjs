@@ -5,6 +5,15 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { LONG } from '../programs.mjs';
 
+/** More than a mebibyte, which is as long as a message may be; nearly all of it comments, so that its path is there at once. */
+const LARGE = `%
+O0900
+G90 G54 G01 X10. F6000.
+${`(${'LONG COMMENT '.repeat(9)})\n`.repeat(10_000)}X0.
+M30
+%
+`;
+
 export const editing = [
   {
     name: 'an error is underlined while it is typed, and hovering tells the alarm',
@@ -22,6 +31,106 @@ export const editing = [
       await panel.page.locator('.cm-alarm-card', { hasText: 'PS0007' }).waitFor();
       await panel.page.keyboard.press('Control+z');
       await panel.page.locator('.program footer .good').waitFor();
+    },
+  },
+  {
+    name: 'an error at the end of a line underlines its last word',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('end.nc', '%\nO0901\n(程式) G01 X[1+\nM30\n%\n');
+      await panel.page.locator('.cm-lintRange-error', { hasText: /^X\[1\+$/ }).waitFor();
+    },
+  },
+  {
+    name: 'what only running finds is underlined until the text is edited',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('unknown.nc', '%\nO0902\nG54\nG999\nM30\n%\n');
+      const mark = panel.page.locator('.cm-lintRange-error', { hasText: 'G999' });
+      await mark.waitFor();
+      await panel.page.locator('.program footer .bad', { hasText: 'Errors: 1' }).waitFor();
+      await mark.hover();
+      await panel.page.locator('.cm-alarm-card', { hasText: 'PS0010' }).waitFor();
+      await panel.go_to_line(3);
+      await panel.page.keyboard.type('(A)');
+      await panel.page.locator('.program footer .good').waitFor();
+      await mark.waitFor({ state: 'detached' });
+      await panel.page.keyboard.press('Control+z');
+      await mark.waitFor();
+    },
+  },
+  {
+    name: 'a program longer than a message is edited, saved and loaded',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('large.nc', LARGE);
+      await panel.has_path(1);
+      let lost_lines = 0;
+      panel.page.on('websocket', () => lost_lines++);
+      const footer = panel.page.locator('.program footer');
+      await footer.filter({ hasText: 'Not checked' }).waitFor();
+      assert.equal(await footer.locator('.good').count(), 0);
+
+      await type_at_end_of_line(panel, 2, ' (SAVED)');
+      await panel.page.keyboard.press('Control+s');
+      await panel.says('large.nc is saved.');
+      await panel.page.locator('.ahead').waitFor({ state: 'detached' }); // loaded as well
+      const saved = LARGE.replace('O0900', 'O0900 (SAVED)');
+      assert.equal((await panel.library_bytes('large.nc')).toString(), saved);
+
+      await type_at_end_of_line(panel, 2, ' (LOADED)');
+      await panel.page.locator('.ahead').waitFor();
+      await panel.page.keyboard.press('F5');
+      await panel.says('large.nc is too long for one message: it is saved, and loaded');
+      await panel.page.locator('.ahead').waitFor({ state: 'detached' });
+      const loaded = saved.replace('(SAVED)', '(SAVED) (LOADED)');
+      assert.equal((await panel.library_bytes('large.nc')).toString(), loaded);
+      await panel.says_nothing('The line to the server is down');
+      assert.equal(lost_lines, 0, 'the line to the server stays');
+    },
+  },
+  {
+    name: 'a program in Big5 is read as such, uploaded as it is and saved in UTF-8',
+    async run({ open }) {
+      const file = join(mkdtempSync(join(tmpdir(), 'kerf-upload-')), 'big5.nc');
+      const bytes = Buffer.from('250a4f303930330a28a4a4a4e5290a4d33300a250a', 'hex');
+      writeFileSync(file, bytes);
+      const panel = await open();
+      await panel.fresh();
+      await panel.open_library();
+      await panel.page.locator('input[type="file"]').setInputFiles(file);
+      await panel.says('big5.nc is in the library.');
+      assert.deepEqual(await panel.library_bytes('big5.nc'), bytes);
+      await panel.page.keyboard.press('Escape');
+      await panel.open_program('big5.nc');
+      await panel.says('big5.nc is not UTF-8: it is read as Big5. Saving writes UTF-8.');
+      await panel.page.locator('.cm-content', { hasText: '(中文)' }).waitFor();
+      await panel.page.reload();
+      await panel.is_connected();
+      await panel.page.locator('.cm-content', { hasText: '(中文)' }).waitFor();
+      await type_at_end_of_line(panel, 2, ' (B)');
+      await panel.page.keyboard.press('Control+s');
+      await panel.says('big5.nc is saved.');
+      const saved = (await panel.library_bytes('big5.nc')).toString();
+      assert.equal(saved, '%\nO0903 (B)\n(中文)\nM30\n%\n');
+    },
+  },
+  {
+    name: 'a program with lone CRs has the lines of the control and keeps them',
+    async run({ open }) {
+      const text = '\ufeff%\rO0904\rG90 G54 G00 X0.\rG01 X5. F600.\rM30\r%\r';
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('returns.nc', text);
+      assert.equal(await panel.page.locator('.cm-line').count(), 7);
+      await type_at_end_of_line(panel, 2, ' (A)');
+      await panel.page.keyboard.press('Control+s');
+      await panel.says('returns.nc is saved.');
+      const saved = (await panel.library_bytes('returns.nc')).toString();
+      assert.equal(saved, text.replace('O0904', 'O0904 (A)'));
     },
   },
   {
@@ -123,6 +232,13 @@ export const editing = [
     },
   },
 ];
+
+async function type_at_end_of_line(panel, line, text) {
+  await panel.go_to_line(line);
+  await panel.page.keyboard.press('End');
+  await panel.page.keyboard.type(text);
+  await panel.page.locator('.file.current .dirty').waitFor();
+}
 
 /** A place of the picture where the pointer is on the path: looked for from the middle outwards. */
 async function spot_on_path(panel) {

@@ -92,6 +92,34 @@ export const operating = [
     },
   },
   {
+    name: 'what the operator starts brings the displays back to now',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('long.nc', LONG);
+      await panel.has_path(4);
+      const instant = panel.page.locator('.instant');
+      const now = panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true });
+      const button = (name) => panel.page.getByRole('button', { name, exact: true });
+      const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
+      for (const [mode, start] of [
+        ['AUTO', () => panel.press('Over')],
+        ['AUTO', () => panel.press('Cycle start')],
+        ['JOG', () => button('Jog X+').click()],
+        ['REF', () => button('Reference').click()],
+        ['MDI', () => entry.fill('G91 G00 X1.').then(() => entry.press('Enter'))],
+      ]) {
+        await panel.press(mode);
+        await panel.go_to_instant(2);
+        await start();
+        await instant.waitFor({ state: 'detached' });
+        assert.equal(await now.getAttribute('aria-pressed'), 'true');
+        await panel.press('Reset');
+        await panel.has_status('IDLE');
+      }
+    },
+  },
+  {
     name: 'the call stack of an instant is that of the block that moved the axes then',
     async run({ open }) {
       const panel = await open();

@@ -1,14 +1,17 @@
 /** Errors while typing: the machine's own check, with alarm text, cause and remedy on hover. */
 import { linter, lintGutter, type Diagnostic as Mark } from '@codemirror/lint';
-import type { Extension, Text } from '@codemirror/state';
+import { type Extension, StateEffect, type Text } from '@codemirror/state';
+import type { EditorView } from '@codemirror/view';
+import { mark_range } from '../logic/mark_range';
+import { MOST_TEXT_BYTES } from '../logic/message_size';
 import type { Diagnostic } from '../logic/protocol';
 
-/** Longer texts are checked when they are loaded, not at every key. */
-export const MOST_CHECKED_CHARACTERS = 2_000_000;
 const DELAY_MS = 350;
+const other_errors = StateEffect.define();
 
 export interface Checker {
-  check(text: string): Promise<Diagnostic[]>;
+  /** All that is wrong with the text; null: it is longer than what the server checks. */
+  check(text: string | null): Promise<Diagnostic[]>;
   /** Message, cause and remedy in the language of the page. */
   words(diagnostic: Diagnostic): { message: string; cause: string; remedy: string };
   remedy_caption(): string;
@@ -18,23 +21,32 @@ export function checking(checker: Checker): Extension {
   const source = linter(
     async (view) => {
       const { doc } = view.state;
-      if (doc.length === 0 || doc.length > MOST_CHECKED_CHARACTERS) return [];
-      const found = await checker.check(view.state.sliceDoc());
+      const found = await checker.check(
+        doc.length <= MOST_TEXT_BYTES ? view.state.sliceDoc() : null,
+      );
       return found.map((diagnostic) => mark(doc, diagnostic, checker));
     },
-    { delay: DELAY_MS },
+    {
+      delay: DELAY_MS,
+      needsRefresh: ({ transactions }) =>
+        transactions.some(({ effects }) => effects.some((effect) => effect.is(other_errors))),
+    },
   );
   return [source, lintGutter()];
 }
 
+/** Something else than an edit has changed what is wrong with the text. */
+export function check_again(view: EditorView): void {
+  view.dispatch({ effects: other_errors.of(null) });
+}
+
 function mark(doc: Text, diagnostic: Diagnostic, checker: Checker): Mark {
   const line = doc.line(Math.min(Math.max(1, diagnostic.line), doc.lines));
-  const from = Math.min(line.from + Math.max(0, diagnostic.column - 1), line.to);
-  const to = Math.min(from + Math.max(1, diagnostic.length), line.to);
+  const [from, to] = mark_range(line.text, diagnostic.column, diagnostic.length);
   return {
-    from: Math.min(from, to),
-    to: Math.max(from, to),
-    severity: diagnostic.severity,
+    from: line.from + from,
+    to: line.from + to,
+    severity: diagnostic.severity === 'note' ? 'info' : diagnostic.severity,
     message: `${diagnostic.code} ${diagnostic.message}`,
     renderMessage: () => card(diagnostic, checker),
   };

@@ -6,7 +6,7 @@ import {
   search,
   searchKeymap,
 } from '@codemirror/search';
-import { Compartment, EditorState, type Extension } from '@codemirror/state';
+import { Compartment, EditorState, type Extension, Text } from '@codemirror/state';
 import {
   EditorView,
   drawSelection,
@@ -17,7 +17,8 @@ import {
   type ViewUpdate,
 } from '@codemirror/view';
 import type { Lexer } from '../logic/language/token';
-import { type Checker, checking } from './checking';
+import { line_ends_of, lines_of } from '../logic/line_ends';
+import { type Checker, check_again, checking } from './checking';
 import { language_of } from './languages';
 import { type GutterWishes, type Marks, marks_extension, show_marks } from './marks';
 import { theme } from './theme';
@@ -39,6 +40,7 @@ export class ProgramEditor {
   private readonly read_only = new Compartment();
   private pending: ReturnType<typeof setTimeout> | null = null;
   private line = 0;
+  private line_end = '\n';
   private is_read_only = false;
 
   constructor(
@@ -59,12 +61,21 @@ export class ProgramEditor {
   show(text: string, lexer: Lexer): void {
     this.flush();
     this.line = 0;
-    this.view.setState(EditorState.create({ doc: text, extensions: this.extensions(text, lexer) }));
+    this.line_end = line_ends_of(text).end;
+    const doc = Text.of(lines_of(text));
+    this.view.setState(EditorState.create({ doc, extensions: this.extensions(lexer) }));
     this.wishes.cursor(1);
   }
 
+  /** Not by CodeMirror's lineSeparator: what is pasted then has to have the same line ends. */
   get text(): string {
-    return this.view.state.sliceDoc();
+    const { doc } = this.view.state;
+    return doc.sliceString(0, doc.length, this.line_end);
+  }
+
+  /** What is wrong with the text has changed without an edit. */
+  check_again(): void {
+    check_again(this.view);
   }
 
   mark(marks: Marks): void {
@@ -116,7 +127,7 @@ export class ProgramEditor {
     this.wishes.edited(this.text);
   }
 
-  private extensions(text: string, lexer: Lexer): Extension {
+  private extensions(lexer: Lexer): Extension {
     return [
       lineNumbers(),
       marks_extension(this.wishes),
@@ -131,7 +142,6 @@ export class ProgramEditor {
       checking(this.checker),
       theme,
       this.read_only.of(EditorState.readOnly.of(this.is_read_only)),
-      EditorState.lineSeparator.of(text.includes('\r\n') ? '\r\n' : '\n'),
       EditorView.contentAttributes.of({
         'aria-label': this.label(),
         spellcheck: 'false',

@@ -3,6 +3,7 @@
  * the server was away. What is behind a broken line is refused, never sent twice: a cycle start that nobody answered must
  * not happen a minute later.
  */
+import { message_fits } from './message_size';
 
 export type Answer = Record<string, unknown> & { ok: true };
 export type Command = Record<string, unknown>;
@@ -56,6 +57,7 @@ export class Connection {
     private readonly clock: Clock,
     private readonly listener: Listener,
     private readonly lost_line: () => string = () => 'The line to the server is down.',
+    private readonly too_long: () => string = () => 'This is too long for one message.',
   ) {}
 
   connect(): void {
@@ -82,7 +84,10 @@ export class Connection {
   do(name: string, args: Command = {}): Promise<Answer> {
     if (!this.open || !this.socket) return Promise.reject(new Refusal(this.lost_line()));
     const id = this.next_id++;
-    this.socket.send(JSON.stringify({ id, do: name, ...args }));
+    const frame = JSON.stringify({ id, do: name, ...args });
+    // The server would close the line, and all that is under way with it.
+    if (!message_fits(frame)) return Promise.reject(new Refusal(this.too_long()));
+    this.socket.send(frame);
     return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
   }
 

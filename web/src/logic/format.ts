@@ -33,7 +33,7 @@ export function thousands(text: string): string {
 /** h:mm:ss, or m:ss.s below an hour. */
 export function duration(seconds: number | null | undefined): string {
   if (seconds === null || seconds === undefined || !Number.isFinite(seconds)) return NOTHING;
-  const tenths = Math.max(0, Math.floor(seconds * 10 + 1e-6));
+  const tenths = Math.max(0, Math.round(seconds * 10));
   const h = Math.floor(tenths / 36000);
   const m = Math.floor(tenths / 600) % 60;
   const s = Math.floor(tenths / 10) % 60;

@@ -55,6 +55,8 @@ export interface Alarm {
   file: string;
   line: number;
   column: number;
+  length?: number;
+  severity?: Diagnostic['severity'];
   cause: string;
   remedy: string;
 }
@@ -134,7 +136,7 @@ export interface BreakpointHit extends Breakpoint {
 }
 
 export interface Diagnostic {
-  severity: 'error' | 'warning' | 'info';
+  severity: 'error' | 'warning' | 'note';
   code: string;
   message: string;
   line: number;
@@ -183,6 +185,17 @@ export interface Revision {
   /** Its text is still there. */
   kept: boolean;
 }
+
+/** Commands that make the program go on or an axis move: whoever gives one wants to see what happens now. */
+export const MOVING_COMMANDS: ReadonlySet<string> = new Set([
+  'cycle-start',
+  'home',
+  'jog',
+  'mdi',
+  'run-to',
+  'start-at',
+  'step',
+]);
 
 /** The file of a state while an entry in MDI executes: it is in no library. */
 export const MDI_ENTRY = 'MDI';

@@ -18,10 +18,12 @@ import { type Box, diagonal, empty_box, grow, is_empty, join } from '../logic/bo
 import { Kind } from '../logic/chunk';
 import type { Colouring, Scheme } from '../logic/colour_scale';
 import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
-import { head_pose, joints_of } from '../logic/kinematics';
+import { fit_box, is_path } from '../logic/fit_box';
+import { head_pose, joints_of, type Point } from '../logic/kinematics';
 import type { PathPlace, PathStore, Range } from '../logic/path_store';
 import { type Hit, pick } from '../logic/pick';
 import type { MachineDefinition } from '../logic/protocol';
+import { ViewKeeper } from '../logic/view_keeper';
 import {
   type Palette,
   axes_corner,
@@ -42,6 +44,8 @@ import { VIEWS, type ViewName } from './views';
 const CORNER_PX = 92;
 const PICK_REACH_PX = 7;
 const SAMPLES = 64;
+/** Of the diagonal of what is seen, unless all of it is asked for. */
+const LEAST_CUTS = 0.4;
 
 export interface Shown {
   rapids: boolean;
@@ -77,8 +81,8 @@ export class Picture {
   private rest_timer = 0;
   private readonly detail = new Detail();
   private closed = false;
-  private fitted_run = -1;
-  private is_turned_by_hand = false;
+  private readonly view = new ViewKeeper();
+  private tip: Point | null = null;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -98,7 +102,7 @@ export class Picture {
     this.controls.enableDamping = false;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.request());
-    this.controls.addEventListener('start', () => (this.is_turned_by_hand = true));
+    this.controls.addEventListener('start', () => this.view.hand());
     this.add_lights();
     this.path_scene.add(this.path.group);
     this.scene.add(this.highlight.group);
@@ -127,7 +131,8 @@ export class Picture {
   set_machine(definition: MachineDefinition): void {
     this.definition = definition;
     this.travel = travel_of(definition);
-    this.fitted_run = -1;
+    this.view.forget();
+    this.tip = null;
     this.glide.forget();
     this.build_model();
     this.build_furniture();
@@ -135,17 +140,13 @@ export class Picture {
   }
 
   /** Takes over what has arrived of the path; until a hand turns the picture, all of it is kept in sight. */
-  set_path(store: PathStore): void {
+  set_path(store: PathStore, program: string, done: boolean): void {
     this.store = store;
     this.path.take(store);
     this.build_furniture();
-    if (store.run !== this.fitted_run && !this.path_is_empty()) {
-      this.fitted_run = store.run;
-      this.is_turned_by_hand = false;
-      this.build_model();
-    }
-    if (!this.is_turned_by_hand && !this.path_is_empty()) {
-      this.fit();
+    if (done || !this.path_is_empty()) {
+      if (this.view.arrives(store.run, program)) this.build_model();
+      if (this.view.goes_with_path) this.fit();
     }
     this.request();
   }
@@ -169,6 +170,7 @@ export class Picture {
   }
 
   set_pose(pose: Pose, at_once: boolean): void {
+    this.tip = pose.tip;
     this.glide.aim(pose, at_once || this.calm(), performance.now());
     this.request();
   }
@@ -202,24 +204,18 @@ export class Picture {
     this.request();
   }
 
-  /** The path, or the travel when there is none, in the middle and as large as it may be. */
+  /** The path, or the travel when there is none, in the middle and as large as it may be, with what is not far off. */
   fit(): void {
-    const box = this.subject();
-    if (is_empty(box)) return;
-    const centre = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
-    const way = this.camera.position.clone().sub(this.controls.target);
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).add(way);
-    this.camera.zoom = 1;
-    this.camera.updateMatrixWorld();
-    this.half_height_mm = this.half_height_for(box);
-    this.frame_camera();
-    this.controls.update();
-    this.request();
+    this.fit_to(this.subject(LEAST_CUTS));
+  }
+
+  /** With the last rapid and the tool. */
+  fit_all(): void {
+    this.fit_to(this.subject(0));
   }
 
   turn(azimuth_rad: number, polar_rad: number): void {
-    this.is_turned_by_hand = true;
+    this.view.hand();
     const way = this.camera.position.clone().sub(this.controls.target);
     const side = new Vector3().crossVectors(this.camera.up, way).normalize();
     way.applyQuaternion(new Quaternion().setFromAxisAngle(side, polar_rad));
@@ -229,7 +225,7 @@ export class Picture {
   }
 
   zoom(factor: number): void {
-    this.is_turned_by_hand = true;
+    this.view.hand();
     this.camera.zoom *= factor;
     this.camera.updateProjectionMatrix();
     this.request();
@@ -343,6 +339,20 @@ export class Picture {
     this.renderer.setViewport(0, 0, this.width, this.height);
   }
 
+  private fit_to(box: Box): void {
+    if (is_empty(box)) return;
+    const centre = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
+    const way = this.camera.position.clone().sub(this.controls.target);
+    this.controls.target.copy(centre);
+    this.camera.position.copy(centre).add(way);
+    this.camera.zoom = 1;
+    this.camera.updateMatrixWorld();
+    this.half_height_mm = this.half_height_for(box);
+    this.frame_camera();
+    this.controls.update();
+    this.request();
+  }
+
   private pixel_mm(): number {
     return (2 * this.half_height_mm) / this.camera.zoom / this.height;
   }
@@ -375,23 +385,24 @@ export class Picture {
   }
 
   private path_is_empty(): boolean {
-    return !this.store || is_empty(this.store.facts.bounds);
+    return !this.store || !is_path(this.store.facts.bounds);
   }
 
-  /** What the picture is about: the cuts, with the machine's parts around them on a linkage. */
-  private subject(): Box {
+  /** What the picture is about: the path, with the machine's parts around it on a linkage. */
+  private subject(least_cuts: number): Box {
     if (!this.store || this.path_is_empty()) return this.travel;
     const { cuts, bounds } = this.store.facts;
-    const box = empty_box();
-    const is_arm = this.definition?.kinematics.kind === 'arm';
-    join(box, is_arm || is_empty(cuts) ? bounds : cuts);
+    // An arm reaches from its base to the tool wherever that is.
+    if (this.definition?.kinematics.kind === 'arm') least_cuts = 0;
+    const { rapids } = this.shown;
+    const box = fit_box(cuts, bounds, { rapids, tip: this.tip, least_cuts });
     return with_linkage(box, this.definition, this.store);
   }
 
   private build_model(): void {
     if (!this.definition || !this.palette) return;
     if (this.model) dispose(this.model.group);
-    const reach = Math.max(10, diagonal(this.subject()) / 2);
+    const reach = Math.max(10, diagonal(this.subject(1)) / 2);
     this.model = model_of(this.definition, this.palette, Math.min(reach, 120));
     this.scene.add(this.model.group);
     const pose = this.glide.at(performance.now());

@@ -64,7 +64,7 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'view-top': look('top'),
   'view-front': look('front'),
   'view-right': look('right'),
-  fit: () => picture_keys.picture?.fit(),
+  fit: () => picture_keys.picture?.fit_all(),
   colouring: () => {
     const choices = colourings();
     preferences.colouring = choices[(choices.indexOf(preferences.colouring) + 1) % choices.length];

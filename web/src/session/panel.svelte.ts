@@ -13,6 +13,7 @@ import { PathStore } from '../logic/path_store';
 import { patched } from '../logic/state_patch';
 import {
   EMPTY_STATE,
+  MOVING_COMMANDS,
   type Axes,
   type Breakpoint,
   type MachineDefinition,
@@ -44,6 +45,8 @@ class Panel {
   me = $state('');
   /** Counts the connections: what was known of an earlier one must be asked again. */
   epoch = $state(0);
+  /** Counts the commands of this page that make something move. */
+  begun = $state(0);
   breakpoints = $state.raw<Breakpoint[]>([]);
   path = $state.raw<PathEvent | null>(null);
   /** Changes with every chunk; the store itself is plain. */
@@ -65,6 +68,7 @@ class Panel {
       chunk: (bytes) => this.on_chunk(bytes),
     },
     () => t('connection.refused'),
+    () => t('connection.too-long'),
   );
 
   get operates(): boolean {
@@ -80,6 +84,7 @@ class Panel {
 
   /** Sends a command; a refusal is rejected to the caller. */
   ask(name: string, args: Command = {}): Promise<Answer> {
+    if (MOVING_COMMANDS.has(name)) this.begun++;
     return this.connection.do(name, args);
   }
 

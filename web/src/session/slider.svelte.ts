@@ -8,8 +8,8 @@ import { progress } from './progress.svelte';
 const SAME_INSTANT_S = 0.05;
 
 class Slider {
-  /** Seconds of the path of that number: another program begins at now. */
-  private place = $state.raw<{ time_s: number; path: number } | null>(null);
+  /** Seconds of the path of that number: another program begins at now, and so does whatever the operator starts. */
+  private place = $state.raw<{ time_s: number; path: number; begun: number } | null>(null);
   instant = $state.raw<Instant | null>(null);
   /** The server's sentence, when it has no such instant. */
   refused = $state('');
@@ -18,7 +18,9 @@ class Slider {
 
   /** Seconds of the run; null: now. */
   get time_s(): number | null {
-    return this.place && this.place.path === panel.path?.run ? this.place.time_s : null;
+    const { place } = this;
+    const holds = place?.path === panel.path?.run && place?.begun === panel.begun;
+    return place && holds ? place.time_s : null;
   }
   get is_back(): boolean {
     return this.time_s !== null;
@@ -33,7 +35,7 @@ class Slider {
   move_to(time_s: number): void {
     if (!panel.path) return;
     const within = Math.min(Math.max(0, time_s), this.end_s);
-    this.place = { time_s: within, path: panel.path.run };
+    this.place = { time_s: within, path: panel.path.run, begun: panel.begun };
     this.wanted = within;
     void this.ask();
   }

@@ -75,6 +75,8 @@ export const en = {
   'connection.not-admitted': 'The server does not admit this page.',
   'connection.refused': 'The line to the server is down: nothing was sent.',
   'connection.retry': 'It is tried again by itself. The machine goes on without this page.',
+  'connection.too-long':
+    'This is too long for one message to the server (1 MiB): nothing was sent.',
   'coolant.flood': 'flood',
   'coolant.mist': 'mist',
   'coolant.off': 'coolant off',
@@ -180,10 +182,17 @@ export const en = {
   'mode.mdi': 'MDI',
   'mode.ref': 'REF',
   'mode.teach': 'TEACH',
+  'notice.damaged':
+    '{name}: characters that show as \ufffd are not UTF-8. Saving this text writes them as \ufffd, too.',
   'notice.deleted': '{name} is deleted.',
   'notice.loaded': '{name} is loaded.',
+  'notice.mixed-ends':
+    '{name} has line ends of several kinds. When it is edited and saved, each is {end}.',
+  'notice.read-as': '{name} is not UTF-8: it is read as {encoding}. Saving writes UTF-8.',
   'notice.redone': '{what} is changed again.',
   'notice.saved': '{name} is saved.',
+  'notice.saved-and-loaded':
+    '{name} is too long for one message: it is saved, and loaded from the library.',
   'notice.undone': '{what} is as it was before.',
   'notice.uploaded': '{name} is in the library.',
   'notices.title': 'Notices',
@@ -243,6 +252,9 @@ export const en = {
   'program.load': 'Load',
   'program.no-errors': 'No errors',
   'program.none': 'No program is open.',
+  'program.not-checked': 'Not checked',
+  'program.not-checked-why':
+    'The text is too long to be checked while it is edited (1 MB), or the server does not answer.',
   'program.run-to': 'Run to the line of the cursor',
   'program.save': 'Save',
   'program.start-at': 'Start at the line of the cursor, modal state rebuilt',

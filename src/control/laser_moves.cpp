@@ -186,6 +186,10 @@ bool LaserMoves::arc_by_radius(std::span<const double> a) {
   const auto centre =
       geometry::centre_from_radius(from, flat(to), a[2], clockwise, kRadiusRounding_mm / 2);
   if (!centre) return raise(Code::basic_arc, "the radius is less than half the way");
+  // So flat that no point of it is another one than that of its chord.
+  const double chord = length(to - position_);
+  if (a[2] > 0 && chord * chord / (8 * a[2]) < kSamePoint_mm)
+    return cut(position_, motion(Line{machine_point(to), feed()}), to, chord);
   FlatArc arc{.to = to, .centre = *centre, .clockwise = clockwise};
   arc.length = geometry::arc_length(from, flat(to), *centre, clockwise, 0, 0);
   return cut(position_, flat_motion(arc), to, arc.length);

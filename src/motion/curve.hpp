@@ -55,6 +55,9 @@ class Curve {
   [[nodiscard]] const base::AxisVector& end() const { return end_; }
   [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
   [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
+  /// Largest of the numbers whose sum a point is, as far as the end does not show it: of an arc its
+  /// radius, whose last digits are what a flat one of huge radius shows.
+  [[nodiscard]] double magnitude() const { return length_ + radius_; }
   /// The angle of an arc times its first radius: its length, if the radius stays. length() of
   /// everything else.
   [[nodiscard]] double length_at_first_radius() const;

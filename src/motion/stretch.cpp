@@ -93,7 +93,7 @@ bool Stretch::agrees_within(const AxisVector& hidden) const {
 // Of the joints and of the tip, which the joints show enlarged near a singular place.
 AxisVector Stretch::rounding() const {
   constexpr double kLastDigits = 16 * std::numeric_limits<double>::epsilon();
-  const double rounding = kLastDigits * (curve_.length() + largest(curve_.end()));
+  const double rounding = kLastDigits * (curve_.magnitude() + largest(curve_.end()));
   AxisVector result;
   for (std::size_t m = 0; m < linkage_.size(); ++m)
     result.values[m] = kLastDigits * std::fabs(samples_[1].joints.values[m]);

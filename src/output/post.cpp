@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -23,6 +24,14 @@ constexpr double kMostRadius_mm = 99999;  // controls keep I, J, K to so many di
 constexpr std::size_t kLongestComment = 60;
 
 double rounded(double value) { return std::round(value * kStep) / kStep + 0.0; }
+
+// Without an exponent, which G-code does not know.
+std::string digits(double value) {
+  std::array<char, 400> text{};  // more than the longest double has
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
 
 // As a comment may hold it: the capitals, digits and marks that every controller reads.
 std::string plain(std::string_view text) {
@@ -64,7 +73,13 @@ void Post::block(const std::string& text) {
 void Post::word(char letter, double value) {
   if (!line_.empty()) line_ += ' ';
   line_ += letter;
-  base::append_number(line_, value);
+  line_ += digits(value);
+}
+
+// A control that counts X10 in thousandths takes X10. as 10 mm.
+void Post::coordinate(char letter, double value) {
+  word(letter, value);
+  if (line_.find('.', line_.rfind(letter)) == std::string::npos) line_ += '.';
 }
 
 void Post::end_block() {
@@ -85,7 +100,7 @@ void Post::move(const char* code, const base::AxisVector& to) {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const double value = rounded(to.values[i]);
     const bool unknown = !moved_ && axes_.start.values[i] != 0;
-    if (unknown || value != rounded(at_.values[i])) word(axes_.axes[i].letter, value);
+    if (unknown || value != rounded(at_.values[i])) coordinate(axes_.axes[i].letter, value);
   }
   at_ = to;
   moved_ = true;
@@ -135,6 +150,7 @@ void Post::act(const Spindle& spindle) {
                      spindle.turning == Spindle::Turning::counterclockwise;
   const bool css = turns && spindle.mode == Spindle::Mode::constant_surface_speed;
   speed_rpm_ = css ? spindle.max_rpm : spindle.speed;
+  turning_.clear();
   if (!turns) {
     block("M5");
     if (spindle.turning == Spindle::Turning::oriented) comment("M19");
@@ -148,8 +164,9 @@ void Post::act(const Spindle& spindle) {
   if (css != css_) line_ = css ? "G96" : "G97";
   css_ = css;
   if (!line_.empty()) line_ += ' ';
-  line_ += spindle.turning == Spindle::Turning::clockwise ? "M3" : "M4";
-  word('S', rounded(spindle.speed));
+  turning_ = spindle.turning == Spindle::Turning::clockwise ? "M3 S" : "M4 S";
+  turning_ += digits(rounded(spindle.speed));
+  line_ += turning_;
   end_block();
 }
 
@@ -180,11 +197,11 @@ void Post::sweep(const Arc& arc, const PlaneAxes& plane, double per_minute) {
   modal_.clear();
   move(arc.direction == Direction::clockwise ? "G2" : "G3", arc.to);
   if (stays) {
-    word(axes_[plane.first].letter, rounded(arc.to[plane.first]));
-    word(axes_[plane.second].letter, rounded(arc.to[plane.second]));
+    coordinate(axes_[plane.first].letter, rounded(arc.to[plane.first]));
+    coordinate(axes_[plane.second].letter, rounded(arc.to[plane.second]));
   }
-  word(plane.first_offset, rounded(arc.center[0] - rounded(from.u)));
-  word(plane.second_offset, rounded(arc.center[1] - rounded(from.v)));
+  coordinate(plane.first_offset, rounded(arc.center[0] - rounded(from.u)));
+  coordinate(plane.second_offset, rounded(arc.center[1] - rounded(from.v)));
   feed(per_minute);
   end_block();
 }
@@ -198,6 +215,7 @@ void Post::act(const Arc& arc) {
   const bool clockwise = arc.direction == Direction::clockwise;
   const double length = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
   const double per_minute = rounded(feed_per_minute(arc.feed, length, speed_rpm_));
+  if (const auto rise = flat_rise(arc, *plane)) return flat_arc(arc, *plane, *rise);
   const bool closed = rounded(from.u) == rounded(to.u) && rounded(from.v) == rounded(to.v);
   const bool short_way = geometry::sweep_rad(from, to, centre, clockwise) < std::numbers::pi;
   full_circles(arc, *plane, per_minute);
@@ -207,6 +225,32 @@ void Post::act(const Arc& arc) {
   } else {
     sweep(arc, *plane, per_minute);
   }
+}
+
+// How high an arc rises above its chord, where its centre is too far away to be written.
+std::optional<double> Post::flat_rise(const Arc& arc, const PlaneAxes& plane) const {
+  const geometry::Vec2 from = plane.project(at_);
+  const geometry::Vec2 to = plane.project(arc.to);
+  const geometry::Vec2 centre{arc.center[0], arc.center[1]};
+  const double radius = length(centre - from);
+  const double half = length(to - from) / 2;
+  if (radius <= kMostRadius_mm || half == 0 || arc.turns > 0) return std::nullopt;
+  const bool clockwise = arc.direction == Direction::clockwise;
+  if (geometry::sweep_rad(from, to, centre, clockwise) >= std::numbers::pi) return std::nullopt;
+  return half * half / (radius + std::sqrt((radius - half) * (radius + half)));
+}
+
+// Chords, of the arc through the point half way.
+void Post::flat_arc(const Arc& arc, const PlaneAxes& plane, double rise) {
+  if (rise < kChordTolerance_mm) return straight(arc.to, arc.feed);
+  const geometry::Vec2 way = plane.project(arc.to) - plane.project(at_);
+  const double side = (arc.direction == Direction::clockwise ? -rise : rise) / length(way);
+  SpaceArc flat{.to = arc.to, .via = at_, .feed = arc.feed};
+  for (std::size_t i = 0; i < axes_.count(); ++i)
+    flat.via.values[i] += (arc.to.values[i] - at_.values[i]) / 2;
+  flat.via[plane.first] += side * way.v;
+  flat.via[plane.second] -= side * way.u;
+  act(flat);
 }
 
 // Within half a digit of the output the arc lies in the plane, and nothing else moves.
@@ -263,9 +307,18 @@ void Post::act(const Thread& thread) {
   straight(thread.to, {thread.lead, FeedMode::per_revolution});
 }
 
-void Post::act(const Dwell& dwell) { block("G4 P" + base::number_text(rounded(dwell.seconds))); }
+// Its point says that P counts seconds: where it counts milliseconds, it may have none.
+void Post::act(const Dwell& dwell) {
+  line_ = "G4";
+  coordinate('P', rounded(dwell.seconds));
+  end_block();
+}
 
-void Post::act(const ToolChange& change) { block("T" + std::to_string(change.tool) + " M6"); }
+// M6 stops the spindle on many a control, and the program goes on with it.
+void Post::act(const ToolChange& change) {
+  block("T" + std::to_string(change.tool) + " M6");
+  block(turning_);
+}
 
 void Post::act(const Coolant& coolant) {
   switch (coolant.state) {
@@ -285,25 +338,34 @@ void Post::act(const Power& power) {
     return;
   }
   const double s = rounded(power.percent / 100 * laser_.s_of_full_power);
-  if (percent > 0) {
-    line_ = beam_word(laser_, power);
-  } else if (beam_on_) {
-    block("M5");
-  }
+  if (percent == 0 && beam_on_) block("M5");
   beam_on_ = percent > 0;
+  if (beam_on_) line_ = beam_word(laser_, power);
   if (beam_on_ || (!power.on && s != s_)) word('S', s_ = s);
+  turning_ = beam_on_ ? line_ : std::string();
   end_block();
 }
 
 void Post::act(const AuxiliaryCode& code) { comment("M" + std::to_string(code.code)); }
-void Post::act(const Stop& /*stop*/) { block("M0"); }
+void Post::act(const Stop& stop) { block(stop.optional ? "M1" : "M0"); }
 void Post::act(const Message& message) { comment("MESSAGE " + std::string(message.text.view())); }
 
 void Post::act(const End& /*end*/) { finish(); }
 
 void Post::take(const Motion& motion) {
   source_line_ = motion.line;
+  tell_override(motion);
   std::visit([this](const auto& action) { act(action); }, motion.action);
+}
+
+// Of tapping, which goes with the spindle, and of #3004.
+void Post::tell_override(const Motion& motion) {
+  if (target_of(motion) == nullptr) return;
+  const bool fixed = motion.fixed_override && !std::holds_alternative<Rapid>(motion.action) &&
+                     !std::holds_alternative<Thread>(motion.action) &&
+                     !std::holds_alternative<Probe>(motion.action);
+  if (fixed && !fixed_) comment("FEED WITHOUT OVERRIDE");
+  fixed_ = fixed;
 }
 
 void Post::finish() {

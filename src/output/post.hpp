@@ -15,9 +15,10 @@ namespace kerf::output {
 
 /// Writes the executed path as plain G-code for controllers without macros: no variables, no
 /// cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
-/// G94), arcs with I, J, K, dwell in seconds. Arcs in space that lie in XY, ZX or YZ while nothing
-/// else moves are arcs as well; others are chords that leave them by at most kChordTolerance_mm,
-/// rounding of the coordinates apart. Whole circles more are full circles before their arc.
+/// G94), arcs with I, J, K, coordinates with a point, dwell in seconds. Arcs in space that lie in
+/// XY, ZX or YZ while nothing else moves are arcs as well; others are chords that leave them by at
+/// most kChordTolerance_mm, rounding of the coordinates apart. Whole circles more are full circles
+/// before their arc.
 ///
 /// The beam of a laser is its M3 or M4 with S, and M5 - M4 where the power follows the speed, or
 /// LaserSettings::post_beam says so; S is percent of full power times
@@ -58,6 +59,10 @@ class Post : public control::MotionSink {
   void block(const std::string& text);
   void move(const char* code, const base::AxisVector& to);
   void feed(double per_minute);
+  void tell_override(const control::Motion& motion);
+  [[nodiscard]] std::optional<double> flat_rise(const control::Arc& arc,
+                                                const control::PlaneAxes& plane) const;
+  void flat_arc(const control::Arc& arc, const control::PlaneAxes& plane, double rise);
   void line(const base::AxisVector& to, double per_minute);
   void straight(const base::AxisVector& to, const control::Feed& rate);
   void full_circles(const control::Arc& arc, const control::PlaneAxes& plane, double per_minute);
@@ -68,6 +73,7 @@ class Post : public control::MotionSink {
   void select_plane(control::Plane plane);
   [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;
   void word(char letter, double value);
+  void coordinate(char letter, double value);
   void end_block();
 
   const control::AxisSetup& axes_;
@@ -79,7 +85,9 @@ class Post : public control::MotionSink {
   control::Plane plane_ = control::Plane::xy;
   double feed_ = -1;
   double speed_rpm_ = 0;
-  bool css_ = false;  // G96 is on
+  std::string turning_;  // the block that switched spindle or beam on; empty: off
+  bool fixed_ = false;   // the last move had a feed without override
+  bool css_ = false;     // G96 is on
   machine::LaserSettings laser_;
   double s_ = -1;  // of the laser
   bool beam_on_ = false;

@@ -2,7 +2,7 @@
 
 import re
 
-from harness import check, equal, near, status, test
+from harness import alarm, check, equal, near, status, test
 
 TOLERANCE = 1e-3
 HEAD = "O1; G21G90G17G94; "
@@ -72,7 +72,7 @@ PROGRAMS = {
 
 
 def again(post):
-    """What the control reads in place of the posted program: its P of G4 counts seconds."""
+    """What the control reads in place of the posted program, whose P of G4 counts seconds."""
     return re.sub(r"^G4 P(\S+)$", lambda m: f"G4 X{float(m[1]):f}", post, flags=re.MULTILINE)
 
 
@@ -120,7 +120,7 @@ def post_and_run(box, program, *words):
     box.write("part.nc", program)
     status(box.kerf("run", "part.nc", "--post", "post.nc", "--motion", "first.json", *words), 0)
     box.write("again.nc", again(box.read("post.nc").decode()))
-    result = box.kerf("run", "again.nc", "--decimal-point", "calculator", "--motion", "again.json",
+    result = box.kerf("run", "again.nc", "--motion", "again.json",
                       *[word for word in words if word.startswith(("--machine", "mill"))])
     check(result.status == 0, f"the posted program ends with {result.status}: {result.err[:300]}")
     return box.motions("first.json"), box.motions("again.json")
@@ -154,6 +154,53 @@ def plain(box):
         check(not re.search(r"[#\[\]]|GOTO|WHILE|M98|G65", text), f"macros in {name}")
         check(text.count("M30") == 1 and text.rstrip().endswith("M30"), f"the end of {name}")
         check(max(map(len, text.splitlines())) < 80, f"a long line in {name}")
+
+
+@test("a posted program can be misread by no control: a point in coordinates, P of a dwell refused where it is ms")
+def points_of_numbers(box):
+    for name, program in PROGRAMS.items():
+        box.write("part.nc", program)
+        status(box.kerf("run", "part.nc", "--post", "post.nc"), 0)
+        code = "\n".join(line for line in box.read("post.nc").decode().splitlines() if line[0] != "(")
+        bare = re.findall(r"[XYZIJKP]-?\d+(?![\d.])", code)
+        equal(bare, [], f"numbers without a point in {name}")
+        check(not re.search(r"\de", code), f"an exponent in {name}")
+    alarm(box.kerf("run", box.write("dwell.nc", "O1\nG4 P2.\nM30\n")), "PS0007", 2)
+
+
+@test("behind a tool change the posted program switches spindle and beam on again")
+def tool_change(box):
+    program = HEAD + "T1M6; M3S1000; G1X10.F100; T2M6; X20.; M5; T3M6; M30;"
+    for machine in ("mill3", "laser3"):
+        box.write("part.nc", program)
+        status(box.kerf("run", "part.nc", "--post", "post.nc", "--machine", machine), 0)
+        lines = [line for line in box.read("post.nc").decode().splitlines() if line[0] in "MT"]
+        equal(lines, ["T1 M6", "M3 S1000", "T2 M6", "M3 S1000", "M5", "T3 M6", "M30"], f"on {machine}")
+
+
+@test("an arc whose centre is too far away to be written is posted as chords, or as the line that it is")
+def far_centre(box):
+    for radius, way, direction in ((120000, 60, 1), (120000, 60, -1), (5e6, 300, 1), (1e9, 300, -1), (1e12, 0.002, 1)):
+        box.write("part.bas", f"power(50)\nmove(10,0)\narc({10 + way},0,{radius},{direction})\n")
+        status(box.kerf("run", "part.bas", "--post", "post.nc"), 0)
+        code = box.read("post.nc").decode()
+        check(not re.search(r"e\+|\bG[23]\b", code), f"R{radius}: {code}")
+        ends = [(10 + way, 0) if "Y" not in line else tuple(map(float, re.findall(r"[XY](\S+)", line)))
+                for line in code.splitlines() if line.startswith(("G1 ", "X"))]
+        near(ends[-1][0], 10 + way, 1e-4, f"R{radius}: the end")
+        for x, y in ends:
+            u = x - 10 - way / 2
+            wanted = -direction * ((way / 2) ** 2 - u ** 2) / (2 * radius)
+            near(y, wanted, 1e-4, f"R{radius}: Y at X{x}")
+        rise = way * way / (8 * radius)
+        check((len(ends) > 1) == (rise > 0.001), f"R{radius}: {len(ends)} chords for a rise of {rise}")
+
+
+@test("what is tapped without override is told in a comment of the posted program")
+def tapping_comment(box):
+    box.write("part.nc", HEAD + "S500M03; G00Z50.; G84X10.Z-5.R2.F100; X20.; G80; G1X0F100; M30;")
+    status(box.kerf("run", "part.nc", "--post", "post.nc"), 0)
+    equal(box.read("post.nc").decode().count("FEED WITHOUT OVERRIDE"), 2, "comments")
 
 
 @test("the posted program of a four-axis part turns the same way")

@@ -115,9 +115,11 @@ Token Lexer::number(Token token) {
     for (; is_digit(peek().value); advance()) token.text += peek().value;
   };
   digits();
+  bool bare_point = false;
   if (peek().value == '.') {
     token.text += '.';
     advance();
+    bare_point = !is_digit(peek().value);
     digits();
   }
   if (capital(peek().value) == 'E') {
@@ -140,7 +142,7 @@ Token Lexer::number(Token token) {
     glued = true;
   const char* const last = token.text.data() + token.text.size();
   const auto [stop, error] = std::from_chars(token.text.data(), last, token.number);
-  if (glued || error != std::errc() || stop != last)
+  if (bare_point || glued || error != std::errc() || stop != last)
     return wrong(std::move(token), base::Code::basic_number);
   return done(std::move(token));
 }

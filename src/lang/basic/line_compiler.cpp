@@ -95,12 +95,8 @@ void LineCompiler::statement(TokenStream& tokens, Within within) {
 }
 
 void LineCompiler::expect_end(const TokenStream& tokens) {
-  const Token& next = tokens.peek();
-  if (tokens.at_end() || next.is(Delimiter::semicolon) || next.is(Word::else_)) return;
-  if (next.is(Delimiter::close))
-    tokens.fail(Code::basic_brackets, "nothing is open that this one closes");
-  tokens.fail(next.type == TokenType::wrong ? next.mistake : Code::basic_syntax,
-              "the statement should end here");
+  if (!tokens.at_end_of_statement())
+    tokens.unexpected(Code::basic_syntax, "the statement should end here");
 }
 
 template <typename Part>
@@ -161,13 +157,14 @@ void LineCompiler::command(TokenStream& tokens, const Token& first) {
     case Word::next: return next(tokens, first);
     case Word::go_to: return jump(tokens, Op::jump_to_label, first);
     case Word::gosub: return jump(tokens, Op::call_label, first);
-    case Word::return_: return return_from_call(first);
+    case Word::return_: return return_from_call(tokens, first);
     case Word::local: return local(tokens, first);
-    case Word::end: return host_statement(first, StatementKind::end, 0, 0);
+    case Word::end: expect_end(tokens); return host_statement(first, StatementKind::end, 0, 0);
     case Word::home:
       if (tokens.take(Delimiter::open) && !tokens.take(Delimiter::close))
         throw SyntaxError{Code::basic_argument_count, first.begin, first.end,
                           "HOME takes no argument"};
+      expect_end(tokens);
       return host_statement(first, StatementKind::home, 0, 0);
     default: break;
   }
@@ -187,6 +184,7 @@ void LineCompiler::assignment(TokenStream& tokens, const Token& name) {
   tokens.take();
   Expression expression(tokens, emitter_);
   const Operand value = expression.parse();
+  expect_end(tokens);
   emitter_.stand_at(name.begin, tokens.behind());
   expression.store(expression.number_of(name), value);
 }
@@ -211,7 +209,7 @@ void LineCompiler::print(TokenStream& tokens, const Token& first) {
       separated = true;
       continue;
     }
-    if (!separated) tokens.fail(Code::basic_syntax, "',' or ';' is expected here");
+    if (!separated) tokens.unexpected(Code::basic_syntax, "',' or ';' is expected here");
     print_item(tokens);
     separated = false;
     if (emitter_.mark() >= kNear + kPrintRegisters) flush_print(first, true);
@@ -247,6 +245,7 @@ void LineCompiler::input(TokenStream& tokens, const Token& first) {
   }
   if (tokens.peek().type != TokenType::variable) tokens.fail(Code::basic_variable);
   const Token name = tokens.take();
+  expect_end(tokens);
   const auto item = static_cast<std::uint32_t>(page_.items.size());
   page_.items.push_back({PrintItem::Kind::text, 0, text(prompt)});
   host_statement(first, StatementKind::prompt, item, 1);
@@ -263,11 +262,8 @@ void LineCompiler::if_statement(TokenStream& tokens) {
   if (ifs_ == kMostIfs) tokens.fail(Code::basic_syntax, "there are too many IFs on this line");
   Expression expression(tokens, emitter_);
   const Operand condition = expression.parse();
-  if (!tokens.peek().is(Word::then) && !tokens.peek().is(Word::go_to)) {
-    if (tokens.peek().is(Delimiter::close))
-      tokens.fail(Code::basic_brackets, "nothing is open that this one closes");
-    tokens.fail(Code::basic_then);
-  }
+  if (!tokens.peek().is(Word::then) && !tokens.peek().is(Word::go_to))
+    tokens.unexpected(Code::basic_then);
   const std::uint32_t when_false = expression.branch(condition, false);
   unread_ifs_ = 0;
   Emitter::Known known = emitter_.known();
@@ -307,7 +303,7 @@ void LineCompiler::for_statement(TokenStream& tokens, const Token& first) {
   if (!tokens.take(Delimiter::assign)) tokens.fail(Code::basic_equals);
   Expression expression(tokens, emitter_);
   const std::uint8_t from = expression.parse_into_next();
-  if (!tokens.take(Word::to)) tokens.fail(Code::basic_to);
+  if (!tokens.take(Word::to)) tokens.unexpected(Code::basic_to);
   expression.parse_into_next();
   Token step = first;
   if (tokens.take(Word::step)) {
@@ -317,6 +313,7 @@ void LineCompiler::for_statement(TokenStream& tokens, const Token& first) {
     const std::uint8_t one = emitter_.allocate();
     emitter_.emit({Op::load_constant, one, 0, 0, emitter_.constant(1)});
   }
+  expect_end(tokens);
   const std::uint32_t variable = expression.number_of(name);
   // LB0022 stands at the step, LB0010 at it too where one is written.
   emitter_.stand_at(step.begin, step.end);
@@ -335,9 +332,12 @@ void LineCompiler::next(TokenStream& tokens, const Token& first) {
     const Token name = tokens.take();
     slot = Emitter::slot_of(Expression(tokens, emitter_).number_of(name));
   }
+  const std::uint32_t behind = emitter_.scan().label_behind(number);
+  if (!tokens.at_end_of_statement()) page_.labels.push_back({behind, emitter_.here()});
+  expect_end(tokens);
   emitter_.stand_at(first.begin, first.end);
   emitter_.emit({Op::repeat_loop, 0, 0, 0, slot});
-  page_.labels.push_back({emitter_.scan().label_behind(number), emitter_.here()});
+  page_.labels.push_back({behind, emitter_.here()});
   emitter_.know_little();
   begin_stretch();
 }
@@ -348,9 +348,7 @@ void LineCompiler::jump(TokenStream& tokens, Op op, const Token& first) {
   if (type != TokenType::number && type != TokenType::variable)
     tokens.fail(Code::basic_syntax, "a label is expected here");
   const Token target = tokens.take();
-  const bool over =
-      tokens.at_end() || tokens.peek().is(Delimiter::semicolon) || tokens.peek().is(Word::else_);
-  if (!over) tokens.fail(Code::basic_syntax, "the statement should end here");
+  expect_end(tokens);
   jump_to(target, op, first);
 }
 
@@ -367,7 +365,8 @@ void LineCompiler::jump_to(const Token& target, Op op, const Token& first) {
   begin_stretch();
 }
 
-void LineCompiler::return_from_call(const Token& first) {
+void LineCompiler::return_from_call(const TokenStream& tokens, const Token& first) {
+  expect_end(tokens);
   emitter_.stand_at(first.begin, first.end);
   emitter_.emit({Op::leave_call, 0, 0, 0, 0});
   begin_stretch();
@@ -375,13 +374,16 @@ void LineCompiler::return_from_call(const Token& first) {
 
 // "LOCAL" VARIABLE { "," VARIABLE }
 void LineCompiler::local(TokenStream& tokens, const Token& first) {
-  emitter_.stand_at(first.begin, first.end);
+  std::vector<std::uint32_t> variables;
   do {
     if (tokens.peek().type != TokenType::variable) tokens.fail(Code::basic_variable);
     const Token name = tokens.take();
-    const std::uint32_t variable = Expression(tokens, emitter_).number_of(name);
-    emitter_.emit({Op::save_variable, 0, 0, 0, Emitter::slot_of(variable)});
+    variables.push_back(Expression(tokens, emitter_).number_of(name));
   } while (tokens.take(Delimiter::comma));
+  expect_end(tokens);
+  emitter_.stand_at(first.begin, first.end);
+  for (const std::uint32_t variable : variables)
+    emitter_.emit({Op::save_variable, 0, 0, 0, Emitter::slot_of(variable)});
 }
 
 // ( "SPEED" | "POWER" | "MOVE" | "LINE" | "ARC" | "CIRCLE" ) "(" expr { "," expr } ")"
@@ -404,6 +406,7 @@ void LineCompiler::machine_statement(TokenStream& tokens, const Token& first) {
   if (count < statement.least || count > statement.most)
     throw SyntaxError{Code::basic_argument_count, first.begin, first.end,
                       first.text + " takes " + range_text(statement)};
+  expect_end(tokens);
   host_statement(first, statement.kind, begin, static_cast<std::uint32_t>(count));
 }
 

@@ -62,7 +62,7 @@ class LineCompiler {
   void next(TokenStream& tokens, const Token& first);
   void jump(TokenStream& tokens, vm::Op op, const Token& first);
   void jump_to(const Token& target, vm::Op op, const Token& first);
-  void return_from_call(const Token& first);
+  void return_from_call(const TokenStream& tokens, const Token& first);
   void local(TokenStream& tokens, const Token& first);
   void machine_statement(TokenStream& tokens, const Token& first);
   void host_statement(const Token& first, StatementKind kind, std::uint32_t begin,

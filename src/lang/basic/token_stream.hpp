@@ -24,6 +24,9 @@ class TokenStream {
 
   [[nodiscard]] const Token& peek() const { return next_; }
   [[nodiscard]] bool at_end() const { return next_.type == TokenType::finished; }
+  [[nodiscard]] bool at_end_of_statement() const {
+    return at_end() || next_.is(Delimiter::semicolon) || next_.is(Word::else_);
+  }
   Token take() {
     Token taken = std::move(next_);
     next_ = lexer_.next();
@@ -38,6 +41,12 @@ class TokenStream {
 
   [[noreturn]] void fail(base::Code code, std::string detail = {}) const {
     throw SyntaxError{code, next_.begin, next_.end, std::move(detail)};
+  }
+  /// Something stands here that cannot: `code` says so, unless it is a mistake of its own.
+  [[noreturn]] void unexpected(base::Code code, std::string detail = {}) const {
+    if (next_.is(Delimiter::close))
+      fail(base::Code::basic_brackets, "nothing is open that this one closes");
+    fail(next_.type == TokenType::wrong ? next_.mistake : code, std::move(detail));
   }
 
  private:

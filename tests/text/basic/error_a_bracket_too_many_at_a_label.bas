@@ -1,0 +1,2 @@
+goto a) ' (expect alarm LB0002 column 7)
+a: end

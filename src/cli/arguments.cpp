@@ -224,7 +224,9 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
                               "changes a key of the machine: drive.split=integer; may be repeated"))
       ->type_name("KEY=VALUE");
   replay->add_flag("--return-to-start", o.return_to_start,
-                   "goes on with the records that bring every counter to 0");
+                   "goes on with the records that bring every counter to 0, also behind an alarm");
+  replay->option_defaults()->group("Limits");
+  add_budget(*replay, o.max_seconds, o.max_motions);
   replay->option_defaults()->group("Outputs (- is standard output)");
   const auto file = [&](const char* name, std::string& path, const char* what) {
     replay->add_option(name, path, what)->type_name("FILE");
@@ -236,7 +238,7 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
   file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
   file("--plot", o.plot, "picture of the path: .svg or .png");
   replay->add_flag("--keep-partial", o.keep_partial,
-                   "writes --output and --pulses also when the pattern is wrong somewhere");
+                   "writes --output and --pulses also when the replay does not reach its end");
 }
 
 void add_pattern(CLI::App& app, PatternOptions& o) {

@@ -35,7 +35,7 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
   add(machine.alarm());
   add(machine.notice());
   for (const Diagnostic& warning : machine.control().warnings()) add(warning);
-  for (const Diagnostic& warning : machine.beam_warnings())
+  for (const Diagnostic& warning : machine.warnings())
     add(output::at_line(warning, machine.sources()));
   return found;
 }

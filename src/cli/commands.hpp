@@ -81,6 +81,8 @@ struct PatternOptions {
   std::string machine = "arm4";
   std::vector<std::string> machine_keys{};  ///< "KEY=VALUE"
   bool return_to_start = false;
+  double max_seconds = 60;
+  std::uint64_t max_motions = 50'000'000;
   bool keep_partial = false;
   std::string summary;
   std::string motion;

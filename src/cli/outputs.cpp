@@ -100,12 +100,12 @@ Outcome<void> Outputs::open_pattern() {
     pattern_ = std::make_unique<drive::PatternWriter>(settings.byte_order, file);
     auto maker = std::make_unique<output::PatternMaker>(machine_, *motors_, *pattern_);
     pattern_maker_ = maker.get();
-    files_.when_over([this, &settings](OutputFile&) {
+    files_.when_over([this](OutputFile&) {
       pattern_maker_->finish();
       pattern_report_ = pattern_maker_->report();
-      remarks_ += output::pattern_text(*pattern_report_, settings);
+      remarks_ += output::pattern_text(*pattern_report_, machine_.definition());
     });
-    add(std::unique_ptr<control::MotionSink>(std::move(maker)));
+    motion_sinks_.push_back(std::move(maker));  // the machine's judge, no sink of it
   });
 }
 

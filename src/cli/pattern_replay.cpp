@@ -1,6 +1,7 @@
 #include "machine/pattern_replay.hpp"
 
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -49,7 +50,9 @@ class Replay {
         sources_(sources),
         definition_(machine.definition()),
         format_(format_of(options, definition_.pattern.byte_order)),
-        replay_(machine) {}
+        replay_(machine) {
+    replay_.break_off_when([this] { return time_is_over(); });
+  }
 
   Outcome<void> open();
   ExitStatus run();
@@ -62,10 +65,13 @@ class Replay {
   Outcome<void> open_plot();
   Outcome<void> open_summary();
   base::Result<void> play();
+  [[nodiscard]] bool time_is_over() const;
+  [[nodiscard]] bool spent(std::uint64_t offset);
+  [[nodiscard]] ExitStatus status() const;
   base::Result<void> take(const drive::PatternRecord& record, std::uint64_t offset);
   base::Result<void> return_to_start(std::uint64_t offset);
   Outcome<void> commit();
-  void warn() const;
+  void tell() const;
 
   const PatternOptions& options_;
   const base::SourceSet& sources_;
@@ -73,6 +79,8 @@ class Replay {
   drive::PatternFormat format_;
   machine::PatternReplay replay_;
   output::ReplaySummary summary_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::optional<base::Diagnostic> notice_;  // why a budget ended the replay
   OutputFiles files_;
   std::unique_ptr<drive::PatternWriter> writer_;
   std::unique_ptr<output::MotionJson> motion_;
@@ -159,37 +167,81 @@ base::Result<void> Replay::return_to_start(std::uint64_t offset) {
   for (drive::FastMove move : drive::return_to_start(counters, safe_z)) {
     if (move.axis == drive::ArmAxis::z) move.count *= up;
     drive::each_record(move, [&](const drive::FastRecord& record) {
-      if (made) made = take(record, offset);
+      if (made && !spent(offset)) made = take(record, offset);
     });
   }
   return made;
 }
 
+bool Replay::time_is_over() const {
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+  return options_.max_seconds > 0 && elapsed.count() > options_.max_seconds;
+}
+
+// Whether a budget allows no record at this byte.
+bool Replay::spent(std::uint64_t offset) {
+  constexpr std::uint64_t kBetweenLooks = 16;  // at the clock, records
+  const machine::PatternReplay::Totals& totals = replay_.totals();
+  if (notice_) return true;
+  const bool enough =
+      options_.max_motions > 0 && replay_.statistics().motions() >= options_.max_motions;
+  const bool looks = (totals.fast + totals.triplets) % kBetweenLooks == 0;
+  const bool late = replay_.broken_off() || (looks && time_is_over());
+  if (!enough && !late) return false;
+  notice_ = base::make_error(
+      base::Code::budget_spent, {.file = kPatternFile},
+      enough ? "the motions allowed are made"
+             : base::number_text(options_.max_seconds) + " s of computing are over");
+  notice_->severity = base::Severity::warning;
+  notice_->offset = offset;
+  summary_.budget_spent = true;
+  return true;
+}
+
+// Back to the start also from where an alarm has stopped it.
 base::Result<void> Replay::play() {
   drive::PatternReader reader(sources_[kPatternFile], kPatternFile, format_);
+  base::Result<void> made;
+  std::uint64_t offset = 0;
   for (;;) {
     auto record = reader.next();
-    if (!record) return base::unexpected(std::move(record.error()));
-    if (!*record) break;
-    if (auto made = take(**record, reader.offset()); !made) return made;
+    offset = reader.offset();
+    if (!record) made = base::unexpected(std::move(record.error()));
+    if (!record || !*record || spent(offset)) break;
+    made = take(**record, offset);
+    if (!made) break;
   }
-  return options_.return_to_start ? return_to_start(sources_[kPatternFile].size())
-                                  : base::Result<void>{};
+  if (!options_.return_to_start) return made;
+  if (notice_) {
+    notice_->message += "; it does not return to the start";
+    return made;
+  }
+  auto returned = return_to_start(offset);
+  return made ? returned : made;
 }
 
 Outcome<void> Replay::commit() {
-  return files_.commit(summary_.alarm && !options_.keep_partial ? OutputFiles::Which::records_only
-                                                                : OutputFiles::Which::all);
+  const bool at_end = !summary_.alarm && !notice_;
+  return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
+                                                       : OutputFiles::Which::records_only);
 }
 
-void Replay::warn() const {
-  if (replay_.beyond_travel().empty()) return;
-  base::Diagnostic warning = base::make_error(
-      base::Code::joint_limit, {.file = kPatternFile},
-      "record " + std::to_string(replay_.beyond_travel_record()) + ": " + replay_.beyond_travel());
-  warning.severity = base::Severity::warning;
-  warning.offset = (replay_.beyond_travel_record() - 1) * drive::kRecordBytes;
-  report(warning, sources_, options_.diagnostics);
+ExitStatus Replay::status() const {
+  if (summary_.alarm) return ExitStatus::findings;
+  return notice_ ? ExitStatus::budget : ExitStatus::well;
+}
+
+void Replay::tell() const {
+  if (summary_.alarm) report(*summary_.alarm, sources_, options_.diagnostics);
+  for (const auto& [sentence, record] : replay_.beyond_travel()) {
+    base::Diagnostic warning =
+        base::make_error(base::Code::joint_limit, {.file = kPatternFile},
+                         "record " + std::to_string(record) + ": " + sentence);
+    warning.severity = base::Severity::warning;
+    warning.offset = (record - 1) * drive::kRecordBytes;
+    report(warning, sources_, options_.diagnostics);
+  }
+  if (notice_) report(*notice_, sources_, options_.diagnostics);
 }
 
 ExitStatus Replay::run() {
@@ -198,15 +250,14 @@ ExitStatus Replay::run() {
   summary_.file = options_.file;
   if (!played) summary_.alarm = std::move(played.error());
   if (auto committed = commit(); !committed) return fail(committed.error());
-  if (summary_.alarm) report(*summary_.alarm, sources_, options_.diagnostics);
-  warn();
+  tell();
   if (options_.diagnostics == DiagnosticFormat::text) {
     std::string text = output::replay_text(replay_, summary_);
     for (const std::string& path : files_.written())
       text += "  wrote " + output::printable(path) + "\n";
     std::fwrite(text.data(), 1, text.size(), stderr);
   }
-  return summary_.alarm ? ExitStatus::findings : ExitStatus::well;
+  return status();
 }
 
 }  // namespace

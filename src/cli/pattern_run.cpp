@@ -16,7 +16,6 @@ struct Given {
 
 // What is for programs only: a pattern has no variables, words, tools or stops, and it ends.
 const char* option_without_meaning(const RunOptions& o) {
-  const RunOptions usual;
   const std::array all = {Given{"--library", !o.libraries.empty()},
                           Given{"--set", !o.variables.empty()},
                           Given{"--param", !o.parameters.empty()},
@@ -27,8 +26,6 @@ const char* option_without_meaning(const RunOptions& o) {
                           Given{"--state", !o.state.empty()},
                           Given{"--block-skip", !o.block_skip.empty()},
                           Given{"--optional-stop", o.optional_stop},
-                          Given{"--max-seconds", o.max_seconds != usual.max_seconds},
-                          Given{"--max-motions", o.max_motions != usual.max_motions},
                           Given{"--pwm", !o.pwm.empty()},
                           Given{"--rows", !o.rows.empty()},
                           Given{"--pattern-plot", !o.pattern_plot.empty()},
@@ -55,6 +52,8 @@ ExitStatus run_pattern(const RunOptions& options) {
   replay.diagnostics = options.diagnostics;
   if (!options.machine.empty()) replay.machine = options.machine;
   replay.machine_keys = options.machine_keys;
+  replay.max_seconds = options.max_seconds;
+  replay.max_motions = options.max_motions;
   replay.keep_partial = options.keep_partial;
   replay.summary = options.summary;
   replay.motion = options.motion;

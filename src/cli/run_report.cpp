@@ -15,7 +15,7 @@ void report_diagnostics(machine::VirtualMachine& machine, DiagnosticFormat forma
     std::fwrite(text.data(), 1, text.size(), stderr);
   };
   for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
-  for (const base::Diagnostic& warning : machine.beam_warnings())
+  for (const base::Diagnostic& warning : machine.warnings())
     tell(output::at_line(warning, machine.sources()));
   if (machine.alarm()) tell(*machine.alarm());
   if (machine.notice()) tell(*machine.notice());

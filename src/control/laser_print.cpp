@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lang/vm/value.hpp"
 
 namespace kerf::control {
@@ -31,9 +33,11 @@ std::string_view LaserPrint::text_of(const basic::BasicPage& page,
   return text_;
 }
 
+// Columns are characters of UTF-8.
 void LaserPrint::add(std::string_view text) {
   text_ += text;
-  column_ += text.size();
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  column_ += static_cast<std::size_t>(std::count_if(text.begin(), text.end(), begins));
 }
 
 void LaserPrint::add_number(double value) { add(fmt::format("{:.10g}", value + 0.0)); }

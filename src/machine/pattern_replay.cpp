@@ -11,6 +11,8 @@ using base::AxisVector;
 
 constexpr double kNanoseconds = 1e9;
 constexpr double kSecondsPerMinute = 60;
+// Set-points between two questions whether to break off: some milliseconds.
+constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 
 AxisVector tidied(AxisVector v) {
   for (double& value : v.values) value = base::tidy(value);
@@ -88,16 +90,17 @@ void PatternReplay::arrive(bool fast, std::int64_t begin_ticks) {
 }
 
 void PatternReplay::look_at_travel(const AxisVector& joints) {
-  if (!beyond_travel_.empty()) return;
   const auto& driven = machine_.definition().driven;
   for (std::size_t i = 0; i < driven.size(); ++i) {
     const double at = joints.values[i];
-    if (at >= driven[i].travel_low && at <= driven[i].travel_high) continue;
-    beyond_travel_ = driven[i].name + " goes to " + base::number_text(base::tidy(at)) +
-                     ", beyond its travel of " + base::number_text(driven[i].travel_low) + " to " +
-                     base::number_text(driven[i].travel_high);
-    beyond_travel_record_ = totals_.fast + totals_.triplets;
-    return;
+    const bool beyond = at < driven[i].travel_low || at > driven[i].travel_high;
+    if (!beyond || is_beyond_[i]) continue;
+    is_beyond_[i] = true;
+    beyond_travel_.push_back({driven[i].name + " goes to " + base::number_text(base::tidy(at)) +
+                                  ", beyond its travel of " +
+                                  base::number_text(driven[i].travel_low) + " to " +
+                                  base::number_text(driven[i].travel_high),
+                              totals_.fast + totals_.triplets});
   }
 }
 
@@ -108,8 +111,9 @@ void PatternReplay::sample(double begin_s, double end_s) {
   point.tip.mark.line = static_cast<std::uint32_t>(totals_.fast + totals_.triplets);
   for (;;) {
     const double time_s = base::tidy(static_cast<double>(period_ + 1) * period_s);
-    if (time_s > end_s) return;
+    if (time_s > end_s || broken_off_) return;
     ++period_;
+    broken_off_ = period_ % kBetweenQuestions == 0 && broken_off_when_ && broken_off_when_();
     if (time_s <= begin_s) continue;
     point.tip.time_s = time_s;
     point.joints = tidied(machine_.joints_at(lines_.at(time_s * kNanoseconds)));

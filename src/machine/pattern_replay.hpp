@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "control/motion.hpp"
@@ -33,6 +36,11 @@ class PatternReplay {
     points_.push_back(&sink);
   }
 
+  /// Asked every few milliseconds of computing while set-points are made; true: none is made any
+  /// more, and no record should follow.
+  void break_off_when(std::function<bool()> question) { broken_off_when_ = std::move(question); }
+  [[nodiscard]] bool broken_off() const { return broken_off_; }
+
   /// Makes the next record. Error TIMER_OVERFLOW: nothing of it has moved.
   [[nodiscard]] base::Result<void> take(const drive::PatternRecord& record);
   /// The end: the last set-points.
@@ -49,10 +57,13 @@ class PatternReplay {
   [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
   [[nodiscard]] double time_s() const;
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
-  /// A sentence about the first joint that has stood beyond its travel, with its record; empty when
-  /// none has.
-  [[nodiscard]] const std::string& beyond_travel() const { return beyond_travel_; }
-  [[nodiscard]] std::uint64_t beyond_travel_record() const { return beyond_travel_record_; }
+  /// A joint that has stood beyond its travel behind a record, from 1.
+  struct BeyondTravel {
+    std::string sentence;
+    std::uint64_t record = 0;
+  };
+  /// The first such place of each joint, in the order of the records.
+  [[nodiscard]] const std::vector<BeyondTravel>& beyond_travel() const { return beyond_travel_; }
 
  private:
   struct Fan : drive::PulseSink {
@@ -78,8 +89,10 @@ class PatternReplay {
   base::AxisVector tip_;
   std::uint64_t period_ = 0;  // of the servo, made so far
   Totals totals_;
-  std::string beyond_travel_;
-  std::uint64_t beyond_travel_record_ = 0;
+  std::vector<BeyondTravel> beyond_travel_;
+  std::array<bool, drive::kArmAxes> is_beyond_{};  // joints that are in beyond_travel_
+  std::function<bool()> broken_off_when_;
+  bool broken_off_ = false;
 };
 
 }  // namespace kerf::machine

@@ -36,6 +36,7 @@ class Reach::Follower {
   bool follow(const Curve& curve, bool first, bool last);
   [[nodiscard]] std::optional<Fault> fault() const;
   [[nodiscard]] const AxisVector& joints() const { return joints_; }
+  [[nodiscard]] const std::optional<Caution>& caution() const { return caution_; }
 
  private:
   // More halvings than lengths of doubles have.
@@ -53,6 +54,7 @@ class Reach::Follower {
   std::optional<Fault> fault_;
   AxisVector beyond_;  // the joints that are farthest beyond their limits
   double most_beyond_ = kOnLimit;
+  std::optional<Caution> caution_;
 };
 
 // Whether there are joints for each sample.
@@ -109,6 +111,10 @@ void Reach::Follower::blame(const Curve& curve, double begin, const Stretch& str
 
 void Reach::Follower::pass(const Stretch& stretch) {
   for (const JointSample& sample : stretch.samples()) {
+    if (!caution_) {
+      if (auto sentence = kinematics_.caution(sample.joints))
+        caution_ = {*std::move(sentence), sample.tip};
+    }
     if (const double most = excess(sample.joints); most > most_beyond_) {
       most_beyond_ = most;
       beyond_ = sample.joints;
@@ -164,6 +170,7 @@ std::optional<Fault> Reach::objection(const AxisVector& from, const control::Mot
   }
   if (auto fault = follower.fault()) return fault;
   end = follower.joints();
+  caution_ = follower.caution();
   return {};
 }
 

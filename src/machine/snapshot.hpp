@@ -67,7 +67,7 @@ struct Snapshot {
   control::Coolant::State coolant = control::Coolant::State::off;
   std::uint32_t tool = 0;
   double power_percent = 0;  ///< the dial included
-  bool beam = false;  ///< off while the axes rest on their way
+  bool beam = false;         ///< off while the axes rest on their way
 
   std::optional<AlarmText> alarm;
   std::vector<std::string> messages;     ///< of the program and of the panel, the newest last

@@ -1,9 +1,12 @@
 #include "machine/virtual_machine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "base/program_name.hpp"
 #include "kinematics/fault.hpp"
 #include "machine/internal/reach.hpp"
 
@@ -43,11 +46,17 @@ void VirtualMachine::raise(const base::Diagnostic& alarm) {
   servo_.break_off();
 }
 
-// Behind the budget, and where the axes stopped on their own, the control is some moves ahead of
-// the machine.
+void VirtualMachine::refuse(const base::Diagnostic& alarm) {
+  refused_ = true;
+  servo_.finish();
+  if (!drive_alarm_ && !servo_.broken_off()) drive_alarm_ = alarm;
+}
+
+// Behind the budget or a refused motion, and where the axes stopped on their own, the control is
+// some moves ahead of the machine.
 base::AxisVector VirtualMachine::position() const {
   if (servo_.broken_off()) return servo_.last().tip + dialect_->control().tool_length();
-  if (!motions_spent_) return dialect_->control().machine_position();
+  if (!motions_spent_ && !refused_) return dialect_->control().machine_position();
   return statistics_.at() + dialect_->control().tool_length();
 }
 
@@ -75,8 +84,26 @@ std::optional<control::Refusal> VirtualMachine::refusal(const base::AxisVector& 
   base::AxisVector end;
   if (auto fault = reach_->objection(from, move, end))
     return control::Refusal{kinematics::code_of(fault->kind), std::move(fault->message)};
-  if (intent == Intent::make) reach_->set_joints(end);
+  if (intent == Intent::make) {
+    reach_->set_joints(end);
+    look_for_caution(move);
+  }
   return std::nullopt;
+}
+
+// Of the move that was followed last.
+void VirtualMachine::look_for_caution(const control::Motion& move) {
+  const bool cuts = std::holds_alternative<control::Line>(move.action) ||
+                    std::holds_alternative<control::Arc>(move.action) ||
+                    std::holds_alternative<control::SpaceArc>(move.action);
+  if (near_singular_ || !cuts || !reach_->caution()) return;
+  const auto& [sentence, tip] = *reach_->caution();
+  near_singular_ = base::make_error(
+      base::Code::singular, {.file = move.file, .line = move.line, .column = 1},
+      fmt::format("near X{:.6g} Y{:.6g} {}", base::tidy(tip[*definition_.axes.find('X')]),
+                  base::tidy(tip[*definition_.axes.find('Y')]), sentence));
+  near_singular_->program = base::program_name(static_cast<std::uint32_t>(move.program));
+  near_singular_->severity = base::Severity::warning;
 }
 
 // Contacts are used up in order: the next one waits until a probing move passes it.
@@ -106,7 +133,7 @@ bool VirtualMachine::all_motions_made() const {
 bool VirtualMachine::ready() const {
   if (diverted_ != nullptr) return true;
   if (is_paced_) return servo_.has_room() && !servo_.broken_off();
-  return !motions_spent_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
+  return !motions_spent_ && !refused_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
 }
 
 // Where the axes were moved by hand the program finds its beam as it left it.
@@ -133,7 +160,9 @@ void VirtualMachine::make(const control::Motion& motion) {
     return;
   }
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
-  if (motions_spent_) return;
+  if (motions_spent_ || refused_) return;
+  if (judge_ != nullptr) judge_->take(motion);
+  if (refused_) return;
   if (const auto* const power = std::get_if<control::Power>(&motion.action)) made_beam_ = *power;
   statistics_.take(motion);
   dotted_cut_.take(motion);
@@ -141,9 +170,9 @@ void VirtualMachine::make(const control::Motion& motion) {
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
 }
 
-std::vector<base::Diagnostic> VirtualMachine::beam_warnings() const {
+std::vector<base::Diagnostic> VirtualMachine::warnings() const {
   std::vector<base::Diagnostic> list;
-  for (const auto& warning : {spindle_beam_.warning(), dotted_cut_.warning()}) {
+  for (const auto& warning : {spindle_beam_.warning(), dotted_cut_.warning(), near_singular_}) {
     if (warning) list.push_back(*warning);
   }
   return list;
@@ -158,7 +187,7 @@ bool VirtualMachine::start_program() {
 VirtualMachine::Status VirtualMachine::finish(Status status) {
   if (status == Status::alarm && !alarm_) alarm_ = control().alarm();
   servo_.finish();
-  return status_ = servo_.broken_off() ? broken_off(status) : status;
+  return status_ = servo_.broken_off() || refused_ ? broken_off(status) : status;
 }
 
 // What the drives could not do comes before all that the control has met since.
@@ -208,7 +237,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     const Halt halt = control().run(slice);
     steps += slice;
     if (progress_) progress_();
-    if (halt == Halt::none && servo_.broken_off()) return finish(Status::budget);
+    if (halt == Halt::none && (servo_.broken_off() || refused_)) return finish(Status::budget);
     if (motions_spent_) return spent("the motions allowed are made");
     switch (halt) {
       case Halt::end: return finish(Status::end);
@@ -242,6 +271,8 @@ void VirtualMachine::reset() {
   beam_ = {};
   alarm_.reset();
   drive_alarm_.reset();
+  near_singular_.reset();
+  refused_ = false;
   servo_.resume();
   notice_.reset();
   status_ = Status::idle;

@@ -78,6 +78,11 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// way is the last one, and the run ends in this alarm. The control, which is ahead of the axes,
   /// may have gone on by some blocks. Of several alarms the first one counts.
   void raise(const base::Diagnostic& alarm);
+  /// Gets every motion before the machine makes it, and may refuse() it.
+  void set_judge(control::MotionSink& judge) { judge_ = &judge; }
+  /// From within the judge: the motion is not made, nor any behind it. What was handed out before
+  /// is made to its end, and the run ends in this alarm; that of a drive on the way comes first.
+  void refuse(const base::Diagnostic& alarm);
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }
@@ -169,9 +174,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] Status status() const { return status_; }
   [[nodiscard]] control::Halt halt() const { return dialect_->control().halt(); }
   [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const { return alarm_; }
-  /// What is probably a mistake with a laser: the first cut whose pulses do not join, the first S
-  /// above full power.
-  [[nodiscard]] std::vector<base::Diagnostic> beam_warnings() const;
+  /// What is made and is probably a mistake: of a laser the first cut whose pulses do not join and
+  /// the first S above full power, of a linkage the first cut near a singular position.
+  [[nodiscard]] std::vector<base::Diagnostic> warnings() const;
   /// Why and where a budget ended the run.
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
@@ -211,6 +216,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   // control::MotionSink
   void take(const control::Motion& motion) override;
   void make(const control::Motion& motion);
+  void look_for_caution(const control::Motion& move);
   void switch_beam(const control::Power& power, const control::Motion& move);
   bool ready() const override;
   [[nodiscard]] bool all_motions_made() const;
@@ -237,6 +243,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   DottedCut dotted_cut_;
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
+  std::optional<base::Diagnostic> near_singular_;
+  control::MotionSink* judge_ = nullptr;
   std::vector<control::MotionSink*> sinks_;
   std::function<void(std::string_view)> print_output_;
   std::function<std::optional<std::string>()> input_;
@@ -252,6 +260,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::uint64_t most_motions_ = 0;
   std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
   bool motions_spent_ = false;   // one more than most_motions_ was asked for
+  bool refused_ = false;         // by the judge
 
   // Paced.
   bool is_paced_ = false;

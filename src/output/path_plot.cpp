@@ -38,6 +38,7 @@ PathPlot::PathPlot(const control::AxisSetup& axes, std::string title,
 PathPlot::~PathPlot() = default;
 
 void PathPlot::take(const control::Motion& motion) { recorder_->take(motion); }
+void PathPlot::travel_through(const base::AxisVector& place) { recorder_->travel_through(place); }
 void PathPlot::start(const machine::AxisPoint& at) { cuts_->start(at.tip); }
 void PathPlot::take(const machine::AxisPoint& point) {
   cuts_->take(point.tip, point.power_percent);

@@ -51,6 +51,8 @@ class PathPlot : public control::MotionSink, public machine::AxisPointSink {
   PathPlot& operator=(const PathPlot&) = delete;
 
   void take(const control::Motion& motion) override;
+  /// A place on the way of a rapid that is about to be taken and is no straight line.
+  void travel_through(const base::AxisVector& place);
   /// Precondition: not coloured by tools.
   void start(const machine::AxisPoint& at) override;
   void take(const machine::AxisPoint& point) override;

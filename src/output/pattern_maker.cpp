@@ -53,6 +53,7 @@ PatternMaker::PatternMaker(machine::VirtualMachine& machine, const machine::Patt
       tip_(machine.definition().axes.start),
       joints_(machine.definition().start) {
   drive_.set_counters(motors.counts_at(joints_));
+  machine_.set_judge(*this);
 }
 
 void PatternMaker::take(const control::Motion& motion) {
@@ -71,6 +72,8 @@ void PatternMaker::take(const control::Motion& motion) {
         } else if constexpr (std::is_same_v<T, control::Thread>) {
           raise(base::make_error(base::Code::pattern_motion, {},
                                  "a thread: the arm has no spindle to follow"));
+        } else if constexpr (std::is_same_v<T, control::Dwell>) {
+          ++report_.dwells;
         }
       },
       motion.action);
@@ -97,6 +100,19 @@ std::int64_t PatternMaker::higher(std::int64_t a, std::int64_t b) const {
   return motors_.step(ArmAxis::z) > 0 ? std::max(a, b) : std::min(a, b);
 }
 
+bool PatternMaker::is_above(std::int64_t a, std::int64_t b) const {
+  return a != b && higher(a, b) == a;
+}
+
+// Where the wheel is clear of the work: the height of travel. A cut that is as high shows that the
+// work is up there; then it is as far above the cut as that height is from 0.
+std::int64_t PatternMaker::clear_z() const {
+  const double travel_z_mm = machine_.definition().pattern.travel_z_mm;
+  const std::int64_t now = counts()[ArmAxis::z];
+  const std::int64_t travel = z_pulses(travel_z_mm);
+  return on_work_ && !is_above(travel, now) ? now + z_pulses(std::fabs(travel_z_mm)) : travel;
+}
+
 // Lift up, upper arm, forearm; the wheel turns and comes down when it is known where it will cut.
 void PatternMaker::travel(const control::Motion& motion) {
   const AxisVector& to = *control::target_of(motion);
@@ -114,6 +130,7 @@ void PatternMaker::travel(const control::Motion& motion) {
   if (const auto fault = motors_.kinematics().beyond_limits(joints)) return raise(*fault);
   const drive::ArmCounts there = motors_.counts_at(joints);
   lift_for_travel(z);
+  if (failed_) return;
   fast(ArmAxis::theta2, there[ArmAxis::theta2]);
   fast(ArmAxis::theta1, there[ArmAxis::theta1]);
   joints_ = joints;
@@ -123,20 +140,50 @@ void PatternMaker::travel(const control::Motion& motion) {
 // To the height of travel, or where the program has been or goes above it.
 void PatternMaker::lift_for_travel(std::int64_t programmed_z) {
   if (due_ == Due::cut) lower();
-  std::int64_t up = higher(z_pulses(machine_.definition().pattern.travel_z_mm), programmed_z);
+  std::int64_t up = higher(clear_z(), programmed_z);
   if (due_ == Due::travel) up = higher(up, z_due_);
-  fast(ArmAxis::z, higher(up, counts()[ArmAxis::z]));
+  lift_to(up);
 }
 
-// A cut of the lift alone is made before the lift goes anywhere else.
+// Up, away from the work. The program has not asked for this height: it may be one that the lift
+// does not reach.
+void PatternMaker::lift_to(std::int64_t z) {
+  const std::int64_t now = counts()[ArmAxis::z];
+  if (on_work_ && !is_above(z, now)) {
+    return raise(base::make_error(
+        base::Code::pattern_motion, {},
+        "pattern.travel_z of 0 says no height above this cut at which the wheel is clear",
+        "set pattern.travel_z above the work"));
+  }
+  const std::int64_t up = higher(z, now);
+  const base::Axis lift = drive::axis_of(ArmAxis::z);
+  const double up_mm = base::tidy(static_cast<double>(up) * motors_.step(ArmAxis::z));
+  const machine::DrivenAxis& axis = machine_.definition().driven[index(lift)];
+  if (up != now && up_mm > axis.travel_high) {
+    return raise(base::make_error(
+        base::Code::joint_limit, {},
+        fmt::format("{} would be lifted to {} to be clear of the work, beyond its travel to {}",
+                    axis.name, base::number_text(up_mm), base::number_text(axis.travel_high)),
+        "set the work lower, or pattern.travel_z"));
+  }
+  fast(ArmAxis::z, up);
+  on_work_ = false;
+}
+
+// A cut of the lift alone is made before the lift goes anywhere else, but not before one that goes
+// on down: in the work the wheel could not turn to where the path goes on.
 void PatternMaker::lift_due(std::int64_t z, Due why) {
-  if (due_ == Due::cut) lower();
+  const bool plunges = due_ == Due::cut && is_above(counts()[ArmAxis::z], z_due_);
+  const bool goes_on_down = plunges && why == Due::cut && is_above(z_due_, z);
+  if (due_ == Due::cut && !goes_on_down) lower();
   z_due_ = z;
   due_ = why;
 }
 
 void PatternMaker::lower() {
-  if (due_ != Due::nothing) fast(ArmAxis::z, z_due_);
+  if (due_ == Due::nothing) return;
+  on_work_ = due_ == Due::cut && is_above(counts()[ArmAxis::z], z_due_);
+  fast(ArmAxis::z, z_due_);
   due_ = Due::nothing;
 }
 
@@ -195,14 +242,14 @@ double PatternMaker::heading_error_deg(const base::PathJet& at) const {
 void PatternMaker::begin_cut(double error_deg) {
   const std::int64_t turned =
       counts()[ArmAxis::theta3] + base::round_away(error_deg / motors_.step(ArmAxis::theta3));
-  const bool jumps = std::fabs(error_deg) > machine_.definition().pattern.tangent_jump_deg;
-  const std::int64_t now = counts()[ArmAxis::z];
+  const bool jumps = turned != counts()[ArmAxis::theta3] &&
+                     std::fabs(error_deg) > machine_.definition().pattern.tangent_jump_deg;
   if (due_ == Due::nothing && !jumps) return;
   if (due_ == Due::nothing) {
-    lift_due(now, Due::travel);
+    lift_due(counts()[ArmAxis::z], Due::travel);
     ++report_.lifts;
   }
-  if (jumps) fast(ArmAxis::z, higher(now, z_pulses(machine_.definition().pattern.travel_z_mm)));
+  if (jumps) lift_to(clear_z());
   fast(ArmAxis::theta3, turned);
   lower();
 }
@@ -210,6 +257,8 @@ void PatternMaker::begin_cut(double error_deg) {
 void PatternMaker::cut_along(const Curve& curve) {
   const base::PathJet start = curve.jet(0);
   begin_cut(heading_error_deg(start));
+  if (failed_) return;
+  on_work_ = true;
   if (watcher_ != nullptr) {
     watcher_->set_down(start.value[motors_.x()], start.value[motors_.y()],
                        motors_.tip_at(counts())[motors_.c()]);
@@ -297,7 +346,7 @@ void PatternMaker::write(const drive::PatternRecord& record) {
 
 void PatternMaker::raise(base::Diagnostic alarm) {
   failed_ = true;
-  machine_.raise(at_mark(std::move(alarm), mark_of(*motion_), machine_.sources()));
+  machine_.refuse(at_mark(std::move(alarm), mark_of(*motion_), machine_.sources()));
 }
 
 void PatternMaker::raise(const kinematics::Fault& fault) {

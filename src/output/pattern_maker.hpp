@@ -36,11 +36,12 @@ class PatternWatcher {
 
 /// Turns the motions of a program into the pattern that cuts them (docs/pattern.md, "Programs").
 ///
-/// Cuts become triplets, everything else fast records. What the records cannot hold raises the
-/// machine's alarm at its source line; nothing of that motion is written.
+/// Cuts become triplets, everything else fast records. It is the judge of its machine: what the
+/// records cannot hold is refused with an alarm at its source line.
 class PatternMaker : public control::MotionSink {
  public:
-  /// All must outlive the maker. The motors stand where the machine is at power-on.
+  /// All must outlive the maker, which becomes the machine's judge. The motors stand where the
+  /// machine is at power-on.
   PatternMaker(machine::VirtualMachine& machine, const machine::PatternMachine& motors,
                drive::PatternWriter& writer);
 
@@ -61,6 +62,7 @@ class PatternMaker : public control::MotionSink {
   void turn_on_the_spot(const base::AxisVector& to);
   bool refused(const motion::Curve& curve);
   void lift_for_travel(std::int64_t programmed_z);
+  void lift_to(std::int64_t z);
   void lift_due(std::int64_t z, Due why);
   void lower();
   void begin_cut(double error_deg);
@@ -68,6 +70,8 @@ class PatternMaker : public control::MotionSink {
   [[nodiscard]] double heading_error_deg(const base::PathJet& at) const;
   [[nodiscard]] std::int64_t z_pulses(double z_mm) const;
   [[nodiscard]] std::int64_t higher(std::int64_t a, std::int64_t b) const;
+  [[nodiscard]] bool is_above(std::int64_t a, std::int64_t b) const;
+  [[nodiscard]] std::int64_t clear_z() const;
   void note(const CutSample& sample, const motion::Curve& curve, bool split);
   void tell_watcher(const motion::Curve& curve, double s, const PathGauge::Worst& worst);
 
@@ -91,6 +95,7 @@ class PatternMaker : public control::MotionSink {
   base::AxisVector joints_;  // of the path, not rounded; the wheel's is that of the counters
   Due due_ = Due::nothing;   // why the lift has still to go to z_due_
   std::int64_t z_due_ = 0;
+  bool on_work_ = false;  // the lift stands where the wheel has cut
   bool failed_ = false;
   PatternReport report_;
 };

@@ -17,6 +17,17 @@ std::string place_json(const PatternReport::Deviation& at) {
   return object.done();
 }
 
+// Of a length, mm, such that it does not look like the limit that it is beyond.
+std::string shown_beside(double mm, double limit_mm) {
+  constexpr int kUsual = 4;  // decimals
+  constexpr int kMost = 9;
+  for (int decimals = kUsual;; ++decimals) {
+    std::string text = fmt::format("{:.{}f}", mm, decimals);
+    const bool differs = text != fmt::format("{:.{}f}", limit_mm, decimals);
+    if (mm <= limit_mm || differs || decimals == kMost) return text;
+  }
+}
+
 }  // namespace
 
 std::string counters_json(const drive::ArmCounts& counters) {
@@ -35,6 +46,7 @@ std::string pattern_json(const PatternReport& report, const machine::PatternSett
       .number("bytes", static_cast<double>(records * drive::kRecordBytes))
       .number("splits", static_cast<double>(report.splits))
       .number("lifts", static_cast<double>(report.lifts))
+      .number("dwells", static_cast<double>(report.dwells))
       .number("time_s", base::tidy(report.time_s))
       .number("tolerance_mm", settings.tolerance_mm);
   object.number("bound_mm", base::tidy(report.bound.mm))
@@ -47,25 +59,31 @@ std::string pattern_json(const PatternReport& report, const machine::PatternSett
   return object.done();
 }
 
-std::string pattern_text(const PatternReport& report, const machine::PatternSettings& settings) {
+std::string pattern_text(const PatternReport& report, const machine::MachineDefinition& machine) {
+  const double tolerance_mm = machine.pattern.tolerance_mm;
   std::string text = fmt::format(
       "  pattern: {} fast records, {} triplets, {:.1f} s; {} corners turned in the air\n",
       report.fast, report.triplets, report.time_s, report.lifts);
+  if (report.dwells > 0) {
+    text += fmt::format("  {} of the program left out: a pattern says no times\n",
+                        report.dwells == 1 ? "a dwell" : fmt::format("{} dwells", report.dwells));
+  }
   if (report.bound.line == 0) return text;
+  const double bound_mm = base::tidy(report.bound.mm);  // what rounding adds breaks no promise
   const auto place = [](const PatternReport::Deviation& at) {
-    return fmt::format("line {}, X{:.2f} Y{:.2f}", at.line, at.x, at.y);
+    if (at.line == 0) return std::string();
+    return fmt::format(" (line {}, X{:.2f} Y{:.2f})", at.line, at.x, at.y);
   };
-  text +=
-      fmt::format("  the wheel leaves the path by at most {:.4f} mm ({}), {:.4f} of it pulses\n",
-                  report.bound.mm, place(report.bound), report.bound_pulses_mm);
-  text +=
-      fmt::format("  measured after every pulse: {:.4f} mm ({}); heading off by {:.3f} degrees\n",
-                  report.measured.mm, place(report.measured), report.heading_deg);
-  if (report.bound.mm > settings.tolerance_mm) {
+  text += fmt::format("  the wheel leaves the path by at most {} mm{}, {:.4f} of it pulses\n",
+                      shown_beside(bound_mm, tolerance_mm), place(report.bound),
+                      report.bound_pulses_mm);
+  text += fmt::format("  measured after every pulse: {:.4f} mm{}; heading off by {:.3f} degrees\n",
+                      report.measured.mm, place(report.measured), report.heading_deg);
+  if (bound_mm > tolerance_mm) {
     text += fmt::format(
-        "  the tolerance of {} mm cannot be promised there: finer steps of the arms would be "
+        "  the tolerance of {} mm cannot be promised there: finer steps of {} and {} would be "
         "needed\n",
-        base::number_text(settings.tolerance_mm));
+        base::number_text(tolerance_mm), machine.driven[0].name, machine.driven[1].name);
   }
   return text;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "drive/arm_axis.hpp"
-#include "machine/pattern_settings.hpp"
+#include "machine/machine_definition.hpp"
 
 namespace kerf::output {
 
@@ -21,6 +21,7 @@ struct PatternReport {
   std::uint64_t triplets = 0;
   std::uint64_t splits = 0;    ///< steps beyond the limit of a triplet, made by several
   std::uint64_t lifts = 0;     ///< corners that were turned in the air
+  std::uint64_t dwells = 0;    ///< of the program, left out: a record says no time
   Deviation bound;             ///< that no cut exceeds
   double bound_pulses_mm = 0;  ///< the part of it that whole pulses cost
   Deviation measured;          ///< after every pulse
@@ -31,7 +32,7 @@ struct PatternReport {
 
 /// What a report says, for people: some lines of text, each indented.
 [[nodiscard]] std::string pattern_text(const PatternReport& report,
-                                       const machine::PatternSettings& settings);
+                                       const machine::MachineDefinition& machine);
 
 /// The same as one JSON object: "pattern" of a summary (docs/pattern.md).
 [[nodiscard]] std::string pattern_json(const PatternReport& report,

@@ -4,30 +4,28 @@
 
 namespace kerf::output {
 
-ReplayPlot::ReplayPlot(machine::PatternReplay& replay, control::MotionSink& into)
+ReplayPlot::ReplayPlot(machine::PatternReplay& replay, PathPlot& into)
     : replay_(replay), into_(into) {
   replay.add_sink(static_cast<control::MotionSink&>(*this));
 }
 
-void ReplayPlot::follow(const control::Motion& motion) {
+void ReplayPlot::follow() {
   const machine::PatternMachine& machine = replay_.machine();
   std::array<double, drive::kArmAxes> counts{};
-  control::Motion piece = motion;
   for (int n = 1; n < kPieces; ++n) {
     for (std::size_t i = 0; i < counts.size(); ++i) {
       const auto from = static_cast<double>(at_.values[i]);
       const auto to = static_cast<double>(replay_.counters().values[i]);
       counts[i] = from + (to - from) * n / kPieces;
     }
-    piece.action = control::Rapid{machine.kinematics().forward(machine.joints_at(counts)), true};
-    into_.take(piece);
+    into_.travel_through(machine.kinematics().forward(machine.joints_at(counts)));
   }
 }
 
 void ReplayPlot::take(const control::Motion& motion) {
   const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
   if (rapid != nullptr) {
-    follow(motion);
+    follow();
     control::Motion last = motion;
     last.action = control::Rapid{rapid->to, true};
     into_.take(last);

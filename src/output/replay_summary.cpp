@@ -21,6 +21,11 @@ std::string alarm_json(const std::optional<base::Diagnostic>& alarm, const std::
   return object.done();
 }
 
+const char* status_of(const ReplaySummary& summary) {
+  if (summary.alarm) return "alarm";
+  return summary.budget_spent ? "budget" : "end";
+}
+
 std::string pattern_json(const machine::PatternReplay::Totals& totals) {
   const std::uint64_t records = totals.fast + totals.triplets;
   JsonObject object;
@@ -59,7 +64,7 @@ std::string replay_json(const machine::PatternReplay& replay, const ReplaySummar
   const machine::RunStatistics& run = replay.statistics();
   JsonObject object;
   object.text("file", summary.file).text("machine", replay.machine().definition().name);
-  object.text("dialect", "pattern").text("status", summary.alarm ? "alarm" : "end");
+  object.text("dialect", "pattern").text("status", status_of(summary));
   object.raw("alarm", alarm_json(summary.alarm, summary.file));
   object.number("motions", static_cast<double>(run.motions()))
       .number("time_s", base::tidy(replay.time_s()))
@@ -75,9 +80,8 @@ std::string replay_text(const machine::PatternReplay& replay, const ReplaySummar
   const machine::RunStatistics& run = replay.statistics();
   const machine::PatternReplay::Totals& totals = replay.totals();
   const auto& axes = replay.machine().definition().axes.axes;
-  std::string text =
-      fmt::format("{} on {} (pattern): {}\n", printable(file_title(summary.file)),
-                  replay.machine().definition().name, summary.alarm ? "alarm" : "end");
+  std::string text = fmt::format("{} on {} (pattern): {}\n", printable(file_title(summary.file)),
+                                 replay.machine().definition().name, status_of(summary));
   text += fmt::format("  {} records: {} fast, {} triplets; {} pulses, {:.1f} s\n",
                       totals.fast + totals.triplets, totals.fast, totals.triplets, totals.pulses,
                       replay.time_s());

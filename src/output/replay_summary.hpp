@@ -12,6 +12,7 @@ namespace kerf::output {
 struct ReplaySummary {
   std::string file;
   std::optional<base::Diagnostic> alarm;  ///< with the offset of its record
+  bool budget_spent = false;              ///< it ended before the pattern did
 };
 
 /// The summary of a replay as one JSON object on one line (docs/pattern.md).

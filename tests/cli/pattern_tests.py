@@ -282,7 +282,7 @@ def run_as_a_dialect(box):
 @test("kerf run --dialect pattern refuses what is for programs only")
 def run_as_a_dialect_refuses(box):
     box.write("a.pat", WORKED)
-    for words in (["--set", "#1=2"], ["--post", "a.nc"], ["--max-motions", "5"], ["--optional-stop"],
+    for words in (["--set", "#1=2"], ["--post", "a.nc"], ["--optional-stop"],
                   ["--plot", "a.svg", "--plot-speed"], ["--coverage", "-"]):
         option = "--plot-speed" if "--plot-speed" in words else words[0]
         refused(box.kerf("run", "a.pat", "--dialect", "pattern", *words), 2,
@@ -377,6 +377,90 @@ def beyond_travel(box):
     contains(result.err, "T1 goes to 200", "standard error")
 
 
+@test("each joint that goes beyond its travel is told of, where it does so first")
+def beyond_travels(box):
+    listed_as(box, "F T1 40000\nF T1 1\nF Z 30000\nF Z 1\n")
+    result = box.kerf("pattern", "replay", "a.pat")
+    status(result, 0)
+    equal([line.split(": ")[0] for line in result.err.splitlines() if "LIMIT" in line],
+          ["a.pat:byte 0", "a.pat:byte 6"], "warnings")
+    contains(result.err, "record 3: Z goes to 300, beyond its travel of -50 to 100", "standard error")
+
+
+def listed_as(box, text, more=b""):
+    """Writes a.pat: the records of a listing, and bytes behind them."""
+    result = box.kerf("pattern", "encode", "-", "--output", "-", stdin=text)
+    status(result, 0)
+    box.write("a.pat", result.out + more)
+
+
+@test("a replay ends when its computing time is used up")
+def replay_seconds(box):
+    listed_as(box, "F T1 2147483647\nF T1 -2147483647\n")
+    commands = (["pattern", "replay", "a.pat"], ["run", "a.pat"], ["pattern", "replay", "a.pat", "--points", "p.csv"])
+    for command in commands:
+        result = box.kerf(*command, "--max-seconds", "0.2", "--summary", "s.json")
+        status(result, 5)
+        contains(result.err, ": warning: BUDGET execution budget used up: 0.2 s of computing are over",
+                 "standard error")
+        summary = box.json("s.json")
+        equal((summary["status"], summary["alarm"]), ("budget", None), "the summary")
+        count = summary["pattern"]["records"]
+        check(0 < count < 65000, f"{count} records were run")
+        equal(summary["counters"]["T1"], 65535 * count, "T1")
+
+
+@test("a replay ends in front of the record for which its motions do not suffice")
+def replay_motions(box):
+    box.write("a.pat", WORKED)
+    outputs = ["--summary", "s.json", "--motion", "m.jsonl", "--points", "p.csv"]
+    for command, bytes_to in ((["pattern", "replay"], "--output"), (["run"], "--pattern")):
+        words = [*command, "a.pat", *outputs, bytes_to, "b.pat", "--max-motions"]
+        result = box.kerf(*words, "2")
+        status(result, 5)
+        contains(result.err, "a.pat:byte 6: warning: BUDGET ", "standard error")
+        equal([m["line"] for m in box.motions("m.jsonl")], [1, 2], "motions")
+        summary = box.json("s.json")
+        equal((summary["status"], summary["motions"], summary["pattern"]["records"]), ("budget", 2, 2), "summary")
+        near(rows_of(box.read("p.csv").decode())[-1]["t"], summary["time_s"], 0.001, "time of the last row")
+        check("b.pat" not in box.files(), "what drives a machine was written")
+        status(box.kerf(*words, "2", "--keep-partial"), 5)
+        equal(box.read("b.pat"), WORKED[:6], "what was run")
+        status(box.kerf(*words, "4"), 0)
+        os.remove(box.path("b.pat"))
+    result = box.kerf("pattern", "replay", "a.pat", "--max-motions", "2", "--return-to-start", "--diagnostics", "json")
+    status(result, 5)
+    told = json.loads(result.err)
+    equal((told["code"], told["offset"]), ("BUDGET", 6), "as JSON")
+    contains(told["message"], "it does not return to the start", "as JSON")
+
+
+@test("--return-to-start returns behind an alarm as well")
+def return_behind_alarm(box):
+    back = ["F Z 220", "F T3 -5", "F T1 -12", "F T2 -3993", "F Z -200"]
+    wrong = {"a record that breaks off": (b"\x40", [], "PATTERN_TRUNCATED"),
+             "a timer": (bytes.fromhex("401E21"), ["--machine-set", "drive.split=integer"], "TIMER_OVERFLOW")}
+    for name, (more, words, code) in wrong.items():
+        listed_as(box, "F T2 4000\nS 5 12 -7\nF Z -20\n", more)
+        words += ["--return-to-start", "--summary", "s.json", "--output", "b.pat"]
+        result = box.kerf("pattern", "replay", "a.pat", *words)
+        status(result, 1)
+        contains(result.err, f"a.pat:byte 9: error: {code} ", name)
+        equal(box.json("s.json")["counters"], dict.fromkeys(AXES, 0), f"counters, {name}")
+        check("b.pat" not in box.files(), "what drives a machine was written")
+        status(box.kerf("pattern", "replay", "a.pat", *words, "--keep-partial"), 1)
+        equal(decoded(box, "b.pat").splitlines()[3:], back, f"what was added, {name}")
+        os.remove(box.path("b.pat"))
+
+
+@test("the picture of a replay counts its motions")
+def counted_in_picture(box):
+    box.write("a.pat", WORKED)
+    status(box.kerf("pattern", "replay", "a.pat", "--plot", "a.svg", "--summary", "s.json"), 0)
+    equal(box.json("s.json")["motions"], 4, "motions")
+    contains(box.read("a.svg").decode(), " 4 moves<", "the picture")
+
+
 @test("a replay is drawn, and its pulses are a value change dump")
 def replayed_pictures(box):
     box.write("a.pat", WORKED)
@@ -460,6 +544,101 @@ def ramp(box):
     alarm(box.kerf("run", "part.nc", "--machine", "arm4", "--pattern", "a.pat", "--keep-partial"),
           "PATTERN_MOTION", 4)
     equal([record[0] for record in fields(box, "a.pat")][:2], ["F", "F"], "what was made before")
+
+
+BEFORE_REFUSED = "G00X150.Y0Z2.\nG01Z-.1F60.\n"
+REFUSED = {
+    "a cut that changes its depth": "G01X160.Z-.2",
+    "a helix": "G03X160.Y10.Z-.3R10.",
+    "a probing move": "G31X160.",
+}
+
+
+def refused_motion(block):
+    def run(box):
+        box.write("part.nc", HEAD + BEFORE_REFUSED + block + "\nX170.\nM30\n")
+        box.write("before.nc", HEAD + BEFORE_REFUSED + "M30\n")
+        outputs = ["--machine", "arm4", "--summary", "s.json", "--motion", "m.jsonl", "--points", "p.csv"]
+        status(box.kerf("run", "before.nc", *outputs), 0)
+        before, motions, points = box.json("s.json"), box.motions("m.jsonl"), box.read("p.csv")
+        for asked in (outputs, outputs[:4]):
+            alarm(box.kerf("run", "part.nc", *asked, "--pattern", "a.pat"), "PATTERN_MOTION", 5)
+            summary = box.json("s.json")
+            for key in ("motions", "time_s", "rapid_mm", "cut_mm", "extents", "position"):
+                equal(summary[key], before[key], key)
+            equal((summary["status"], summary["alarm"]["line"]), ("alarm", 5), "the alarm")
+        equal(box.motions("m.jsonl"), [m for m in motions if m["kind"] != "end"], "motions")
+        equal(box.read("p.csv"), points, "set-points")
+    return run
+
+
+for name, block in REFUSED.items():
+    test(f"records of a run end before what a pattern cannot hold: {name}")(refused_motion(block))
+
+
+@test("corners above the height of travel are turned in the air")
+def high_corners(box):
+    box.write("part.nc", HEAD + "G00Z2.\nX100.Y50.\nG01Z-.1F60.\nX120.\nY70.\nG00Z5.\nM30\n")
+    box.write("z20.toml", "[work.G54]\nZ=20\n")
+    result = box.kerf("run", "part.nc", "--machine", "arm4", "--offsets", "z20.toml", "--pattern", "a.pat")
+    status(result, 0)
+    contains(result.err, "1 corners turned in the air", "the summary")
+    turns = fast_around_turns(box, "a.pat")
+    equal(turns[1:], [(["Z", "200"], ["Z", "-200"])], "moves of the lift around the corner")
+
+
+def fast_around_turns(box, name):
+    """Fast records in front of each one of T3 and behind it."""
+    fast = [record[1:] for record in fields(box, name) if record[0] == "F"]
+    return [(fast[n - 1], fast[n + 1]) for n, record in enumerate(fast) if record[0] == "T3"]
+
+
+@test("the wheel comes down once where a program plunges in steps, and dwells are told of")
+def plunge_in_steps(box):
+    box.write("part.nc", HEAD + "G00X100.Y0Z2.\nG01Z-.1F60.\nG04P500\nZ-.2\nY10.\nG00Z2.\nM30\n")
+    result = box.kerf("run", "part.nc", "--machine", "arm4", "--pattern", "a.pat", "--summary", "s.json")
+    status(result, 0)
+    contains(result.err, "  a dwell of the program left out", "the summary")
+    told = box.json("s.json")["pattern"]
+    equal((told["lifts"], told["dwells"]), (0, 1), "lifts and dwells")
+    equal([record[1:] for record in fields(box, "a.pat") if record[0] == "F"][3:],
+          [["T3", "30"], ["Z", "-220"], ["Z", "220"]], "fast records behind the travel")
+
+
+@test("a promise that cannot be kept by a hair shows the difference and names the motors")
+def bound_by_a_hair(box):
+    box.write("part.nc", HEAD + "G00Z5.\nX100.Y50.\nG01Z-.1F60.\nX110.Y53.\nG00Z5.\nM30\n")
+    result = box.kerf("run", "part.nc", "--machine", "cartesian-step", "--pattern", "a.pat",
+                      "--machine-set", "pattern.tolerance=0.01999")
+    status(result, 0)
+    contains(result.err, "by at most 0.02000 mm", "the summary")
+    contains(result.err, "the tolerance of 0.01999 mm cannot", "the summary")
+    contains(result.err, "finer steps of X and Y would be needed", "the summary")
+
+
+@test("a promise that is kept but for rounding is kept")
+def bound_but_for_rounding(box):
+    box.write("part.nc", HEAD + "G00Z5.\nX100.3Y50.7\nG01Z-.1F60.\nX110.3\nG00Z5.\nM30\n")
+    result = box.kerf("run", "part.nc", "--machine", "cartesian-step", "--pattern", "a.pat")
+    status(result, 0)
+    contains(result.err, "measured after every pulse: 0.0000 mm; heading", "the summary")
+    box.write("part.nc", HEAD + "G00Z5.\nX33.33Y50.7\nG01Z-.1F60.\nX190.\nY70.\nX10.Y3.\nG00Z5.\nM30\n")
+    result = box.kerf("run", "part.nc", "--machine", "cartesian-step", "--pattern", "a.pat")
+    contains(result.err, "by at most 0.0200 mm", "the summary")
+    check("cannot be promised" not in result.err, result.err)
+
+
+@test("a cut near a singular position of the arm is a warning, once")
+def near_singular(box):
+    box.write("part.nc", HEAD + "G00X263.9Y0Z2.\nG01Z-.1F60.\nG01X263.98Y1.\nY3.\nG00Z2.\nM30\n")
+    for command in (["run", "part.nc", "--machine", "arm4"], ["check", "part.nc", "--machine", "arm4"]):
+        result = box.kerf(*command)
+        text = result.err if command[0] == "run" else result.text
+        equal(text.count("SINGULAR"), 1, "warnings")
+        contains(text, "part.nc:5:1: warning: SINGULAR ", command[0])
+        contains(text, "the arm is stretched out (elbow at 2.", command[0])
+    box.write("part.nc", HEAD + "G00X263.99Y0Z2.\nX200.\nG01Z-.1F60.\nY3.\nG00Z2.\nM30\n")
+    check("SINGULAR" not in box.kerf("run", "part.nc", "--machine", "arm4").err, "a warning of a rapid")
 
 
 @test("the byte order of a machine holds for what it writes and what it runs")

@@ -65,7 +65,6 @@ Made made_of(const std::string& program, const machine::MachineDefinition& defin
   auto file = base::OutputFile::create(path);
   drive::PatternWriter writer(drive::ByteOrder::big, **file);
   PatternMaker maker(machine, *motors, writer);
-  machine.add_sink(maker);
   const auto status = machine.run_to_end();
   maker.finish();
   EXPECT_TRUE((*file)->commit());
@@ -281,6 +280,66 @@ TEST(PatternMaker, TheWheelTurnsInTheAirBeforeACutAndAtSharpCorners) {
   EXPECT_EQ(made.report.lifts, 1U);
 }
 
+TEST(PatternMaker, ACornerOfACutAsHighAsTheTravelIsTurnedAboveIt) {
+  const char* const corner = "X120.\nY70.\n";
+  for (const char* const z : {"2.", "19.9"}) {
+    const std::string program = "G00Z30.\nX100.Y50.\nG01Z" + std::string(z) + "F60.\n" + corner;
+    const Made made = made_of(program, "cartesian-step");
+    EXPECT_TRUE(listed(made.records).ends_with("S F3:200 F2:-120 F3:-200 S ")) << z;
+    EXPECT_EQ(made.report.lifts, 1U);
+  }
+  // Below it the height of travel is what is clear, however near.
+  const Made low =
+      made_of(std::string("G00Z30.\nX100.Y50.\nG01Z1.9F60.\n") + corner, "cartesian-step");
+  EXPECT_TRUE(listed(low.records).ends_with("S F3:10 F2:-120 F3:-10 S "));
+}
+
+TEST(PatternMaker, ARapidFromACutAsHighAsTheTravelIsMadeAboveIt) {
+  const std::string cut = "G00Z30.\nX100.Y50.\nG01Z19.9F60.\nX120.\n";
+  const Made along = made_of(cut + "G00X150.\n", "cartesian-step");
+  EXPECT_TRUE(listed(along.records).ends_with("S F3:200 F0:3000 F3:-200 "));
+  const Made above = made_of(cut + "G01Z25.\nG00X150.\n", "cartesian-step");
+  EXPECT_TRUE(listed(above.records).ends_with("S F3:510 F0:3000 "));
+}
+
+TEST(PatternMaker, ALiftThatTheMachineCannotMakeIsAnAlarmOfItsLine) {
+  const std::string program = "G00Z30.\nX150.Y50.\nG01Z19.9F60.\nX170.\nY70.\nM30\n";
+  auto low = machine_with("arm4");
+  low.driven[3].travel_high = 21.8;
+  const Made beyond = made_of("G00Z20.\nX150.Y50.\nG01Z19.9F60.\nX170.\nY70.\n", low);
+  ASSERT_TRUE(beyond.alarm);
+  EXPECT_EQ(beyond.alarm->code, base::Code::joint_limit);
+  EXPECT_EQ(beyond.alarm->place.line, 7U);
+  const Made none = made_of(program, machine_with("arm4", {{"pattern.travel_z", "0"}}));
+  ASSERT_TRUE(none.alarm);
+  EXPECT_EQ(none.alarm->code, base::Code::pattern_motion);
+  EXPECT_EQ(none.alarm->place.line, 7U);
+}
+
+TEST(PatternMaker, APlungeInStepsWaitsForTheHeading) {
+  for (const char* const between : {"", "G04P500\n", "Z-.15\nG04P500\n"}) {
+    const Made made =
+        made_of("G00Z2.\nX100.Y50.\nG01Z-.1F60.\n" + std::string(between) + "Z-.2\nY60.\n",
+                "cartesian-step");
+    EXPECT_EQ(listed(made.records), "F3:200 F1:5000 F0:10000 F2:-120 F3:-220 S ") << between;
+    EXPECT_EQ(made.report.lifts, 0U);
+    EXPECT_EQ(made.report.dwells, *between == '\0' ? 0U : 1U);
+  }
+}
+
+// Also where the wheel stands in the work: it is lifted, turned, and comes down to the new depth.
+TEST(PatternMaker, APlungeInACornerIsMadeBehindTheTurn) {
+  const Made made =
+      made_of("G00Z2.\nX100.Y50.\nG01Z-.1F60.\nX110.\nZ-.2\nZ-.3\nY60.\n", "cartesian-step");
+  EXPECT_TRUE(listed(made.records).ends_with("S F3:210 F2:-120 F3:-230 S "));
+}
+
+TEST(PatternMaker, WhereTheWheelHasNotToTurnItIsNotLifted) {
+  const Made made = made_of("G00Z2.\nX100.Y50.\nG01Z-.1F60.\nX110.\nX120.Y50.01\nX130.\n",
+                            machine_with("cartesian-step", {{"pattern.tangent_jump_deg", "0"}}));
+  EXPECT_EQ(made.report.lifts, 0U);
+}
+
 TEST(PatternMaker, ACutOfTheLiftAloneIsAFastRecord) {
   const Made made =
       made_of("G00Z5.\nX100.Y50.\nG01Z-1.F60.\nG01Z2.\nG01Z-2.\nG00Z5.\n", "cartesian-step");
@@ -393,6 +452,20 @@ TEST(PatternReplay, ReturnsToStartFromAnywhere) {
     drive::each_record(move, [&](const FastRecord& record) { ASSERT_TRUE(replay.take(record)); });
   }
   EXPECT_EQ(replay.counters(), ArmCounts{});
+}
+
+TEST(PatternReplay, TellsTheFirstPlaceBeyondTheTravelOfEachJoint) {
+  const auto definition = machine_with("arm4");
+  const auto motors = *PatternMachine::of(definition);
+  PatternReplay replay(motors);
+  ASSERT_TRUE(replay.take(FastRecord{ArmAxis::theta1, {40000, false}}));
+  ASSERT_TRUE(replay.take(FastRecord{ArmAxis::theta1, {100, false}}));
+  ASSERT_TRUE(replay.take(FastRecord{ArmAxis::z, {20000, false}}));
+  ASSERT_EQ(replay.beyond_travel().size(), 2U);
+  EXPECT_EQ(replay.beyond_travel()[0].record, 1U);
+  EXPECT_TRUE(replay.beyond_travel()[0].sentence.starts_with("T1 goes to 200"));
+  EXPECT_EQ(replay.beyond_travel()[1].record, 3U);
+  EXPECT_TRUE(replay.beyond_travel()[1].sentence.starts_with("Z goes to 200"));
 }
 
 struct Points : machine::AxisPointSink {

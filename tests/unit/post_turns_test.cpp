@@ -24,31 +24,31 @@ std::string posted(const Arc& arc) {
   post.finish();
   EXPECT_TRUE((*file)->commit());
   const std::string text = folder.read("out");
-  const std::string head = "G0 X10\n";
+  const std::string head = "G0 X10.\n";
   const std::size_t begin = text.find(head) + head.size();
   return text.substr(begin, text.find("M30") - begin);
 }
 
 TEST(TurnsInPlainGCode, AreFullCirclesBeforeTheRest) {
   EXPECT_EQ(posted({.to = {{0, 10, 0}}, .feed = {300}, .turns = 2}),
-            "G3 X10 Y0 I-10 J0 F300\nG3 X10 Y0 I-10 J0\nG3 X0 Y10 I-10 J0\n");
+            "G3 X10. Y0. I-10. J0. F300\nG3 X10. Y0. I-10. J0.\nG3 X0. Y10. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfAWholeCircleAreOneMoreCircle) {
   EXPECT_EQ(
       posted({.to = {{10, 0, 0}}, .feed = {300}, .turns = 1, .direction = Direction::clockwise}),
-      "G2 X10 Y0 I-10 J0 F300\nG2 X10 Y0 I-10 J0\n");
+      "G2 X10. Y0. I-10. J0. F300\nG2 X10. Y0. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfAHelixRiseByTheirShareOfTheWay) {
   EXPECT_EQ(posted({.to = {{0, 10, 9}}, .feed = {300}, .turns = 2}),
-            "G3 Z4 I-10 J0 F300\nG3 Z8 I-10 J0\nG3 X0 Y10 Z9 I-10 J0\n");
+            "G3 Z4. I-10. J0. F300\nG3 Z8. I-10. J0.\nG3 X0. Y10. Z9. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfInverseTimeHaveTheFeedOfTheWholeWay) {
   const control::Feed half_a_minute{2, control::FeedMode::inverse_time};
   EXPECT_EQ(posted({.to = {{10, 0, 0}}, .feed = half_a_minute, .turns = 1}),
-            "G3 X10 Y0 I-10 J0 F251.3274\nG3 X10 Y0 I-10 J0\n");
+            "G3 X10. Y0. I-10. J0. F251.3274\nG3 X10. Y0. I-10. J0.\n");
 }
 
 }  // namespace

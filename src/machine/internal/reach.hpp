@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
@@ -44,6 +45,14 @@ class Reach {
                                                            const control::Motion& move,
                                                            base::AxisVector& end);
 
+  /// Where the last move that could be followed comes near to a singular position, at the first of
+  /// the places looked at: what Kinematics::caution() says there.
+  struct Caution {
+    std::string sentence;
+    base::AxisVector tip;
+  };
+  [[nodiscard]] const std::optional<Caution>& caution() const { return caution_; }
+
   [[nodiscard]] const base::AxisVector& joints() const { return joints_; }
   void set_joints(const base::AxisVector& joints) { joints_ = joints; }
 
@@ -54,6 +63,7 @@ class Reach {
   JointLinkage linkage_;
   motion::MoveCurves curves_;
   base::AxisVector joints_;
+  std::optional<Caution> caution_;
 };
 
 }  // namespace kerf::machine

@@ -56,9 +56,15 @@ void PathRecorder::take(const control::Motion& motion) {
       motion.action);
 }
 
+void PathRecorder::travel_through(const base::AxisVector& place) { go(place, Trace::travel); }
+
 void PathRecorder::straight(const base::AxisVector& target, Trace trace) {
-  const Point3 to = point_of(target);
   ++moves_;
+  go(target, trace);
+}
+
+void PathRecorder::go(const base::AxisVector& target, Trace trace) {
+  const Point3 to = point_of(target);
   if (to == position_) return;
   const Pen pen = pen_for(trace);
   if (has_y()) holes_.move(position_, to, pen);

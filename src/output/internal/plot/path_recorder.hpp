@@ -29,6 +29,8 @@ class PathRecorder {
   PathRecorder(const control::AxisSetup& axes, double x_scale);
 
   void take(const control::Motion& motion);
+  /// A place on the way of the next move, a rapid.
+  void travel_through(const base::AxisVector& place);
 
   [[nodiscard]] const PathStore& store() const { return store_; }
   [[nodiscard]] const HoleFinder& hole_finder() const { return holes_; }
@@ -47,6 +49,7 @@ class PathRecorder {
 
  private:
   void straight(const base::AxisVector& to, Trace trace);
+  void go(const base::AxisVector& to, Trace trace);
   void arc(const control::Arc& arc);
   void space_arc(const control::SpaceArc& arc);
   void chord(const Point3& to);

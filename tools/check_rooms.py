@@ -2,7 +2,8 @@
 """Holds the #include lines of src/ against the order of the rooms.
 
 A room may include itself and the rooms above it in ORDER, never a room beside it (SIDE_BY_SIDE), only
-rooms that its own kerf_room(… LINKS …) names, and nothing of another room's internal/ folder.
+rooms that its own kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The
+elementary functions of the C library stay out of all rooms: math has them, with the same bits everywhere.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -13,6 +14,7 @@ from pathlib import Path
 from typing import Iterator, NamedTuple, Optional
 
 ORDER = [
+    "math",
     "base",
     "geometry",
     "lang/vm",
@@ -34,6 +36,12 @@ ORDER = [
 SIDE_BY_SIDE = [{"lang/gcode", "lang/basic", "lang/teach"}]
 
 SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
+# Each library rounds them in its own way, and one may choose by the processor. What is exact everywhere, as sqrt, is not here.
+ELEMENTARY = (
+    r"(a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log(?:2|10|1p|b)?|pow|hypot|cbrt|[tl]gamma|erfc?|lerp)[fl]?\b"
+)
+FROM_LIBRARY = re.compile(r"(?:\bstd|(?<![\w:>]))::" + ELEMENTARY)
+UNQUALIFIED = re.compile(r"(?:(\w+) )?(?<![\w:.>&*])" + ELEMENTARY + r"\(")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 KERF_ROOM = re.compile(r"\bkerf_room\s*\(\s*(\w+)([^)]*)\)")
 
@@ -131,6 +139,19 @@ def check_include(room: str, include: Include, links: dict[str, Links]) -> Optio
     return None
 
 
+def elementary_calls(file: Path) -> Iterator[str]:
+    """Lines that call such a function of the C library; unqualified ones where nothing of math is meant."""
+    text = file.read_text(encoding="utf-8")
+    for number, line in enumerate(text.splitlines(), start=1):
+        code = line.split("//", 1)[0]
+        calls = [call[0] for call in FROM_LIBRARY.finditer(code)]
+        for call in UNQUALIFIED.finditer(code):
+            is_declared = call[1] not in (None, "return") or f"using math::{call[2]};" in text
+            calls += [] if is_declared else [call[0]]
+        for call in calls:
+            yield f"{file}:{number}: {call} differs by library and processor; math/math.hpp has it"
+
+
 def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
     room = room_of(file.relative_to(src).as_posix())
     if room is None:
@@ -140,6 +161,8 @@ def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
         finding = check_include(room, include, links)
         if finding:
             yield f"{file}:{include.line}: {finding}"
+    if room != "math":
+        yield from elementary_calls(file)
 
 
 def check(root: Path) -> tuple[int, list[str]]:

@@ -1,6 +1,7 @@
 #include "control/canned_cycle.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"

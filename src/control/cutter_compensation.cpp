@@ -6,6 +6,7 @@
 
 #include "base/decimal.hpp"
 #include "geometry/arc.hpp"
+#include "math/math.hpp"
 
 namespace kerf::control {
 namespace {
@@ -35,7 +36,7 @@ bool near(Vec2 a, Vec2 b) { return geometry::length(a - b) <= kSmall_mm; }
 
 // Signed angle from a to b, both seen from the centre.
 double angle_between(Vec2 a, Vec2 b) {
-  return std::atan2(geometry::cross(a, b), geometry::dot(a, b));
+  return math::atan2(geometry::cross(a, b), geometry::dot(a, b));
 }
 
 }  // namespace

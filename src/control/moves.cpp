@@ -1,6 +1,7 @@
 #include "control/moves.hpp"
 
 #include <bit>
+#include <cmath>
 #include <numbers>
 
 #include "base/decimal.hpp"

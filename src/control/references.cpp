@@ -1,5 +1,7 @@
 #include "control/references.hpp"
 
+#include <cmath>
+
 #include "base/decimal.hpp"
 
 namespace kerf::control {

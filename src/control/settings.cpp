@@ -1,5 +1,7 @@
 #include "control/settings.hpp"
 
+#include <cmath>
+
 #include "base/decimal.hpp"
 #include "control/assumed.hpp"
 

@@ -1,7 +1,10 @@
 #include "geometry/arc.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+
+#include "math/math.hpp"
 
 namespace kerf::geometry {
 
@@ -22,7 +25,7 @@ double sweep_rad(Vec2 from, Vec2 to, Vec2 centre, bool clockwise) {
   if (from == to) return kFull;
   const Vec2 a = from - centre;
   const Vec2 b = to - centre;
-  double angle = std::atan2(cross(a, b), dot(a, b));
+  double angle = math::atan2(cross(a, b), dot(a, b));
   if (clockwise) angle = -angle;
   return angle <= 0 ? angle + kFull : angle;
 }
@@ -31,13 +34,13 @@ double arc_length(Vec2 from, Vec2 to, Vec2 centre, bool clockwise, unsigned extr
                   double rise) {
   const double sweep = sweep_rad(from, to, centre, clockwise) + 2 * std::numbers::pi * extra_turns;
   const double mean_radius = (length(from - centre) + length(to - centre)) / 2;
-  return std::hypot(sweep * mean_radius, rise);
+  return math::hypot(sweep * mean_radius, rise);
 }
 
 // deviation = R (1 - cos (angle / 2)) = 2 R sin² (angle / 4)
 double chord_angle_rad(double radius, double deviation) {
   if (radius <= deviation) return std::numbers::pi;
-  return 4 * std::asin(std::sqrt(deviation / (2 * radius)));
+  return 4 * math::asin(std::sqrt(deviation / (2 * radius)));
 }
 
 }  // namespace kerf::geometry

@@ -1,7 +1,10 @@
 #include "geometry/corner.hpp"
 
+#include <cmath>
+
 #include "geometry/arc.hpp"
 #include "geometry/intersect.hpp"
+#include "math/math.hpp"
 
 namespace kerf::geometry {
 namespace {
@@ -50,10 +53,11 @@ std::optional<Vec2> point_at(const Piece& piece, Vec2 at, double distance, doubl
   } else {
     const double radius = length(at - piece.centre);
     if (distance > 2 * radius) return std::nullopt;
-    const double angle = 2 * std::asin(distance / (2 * radius)) * sign * (piece.clockwise ? -1 : 1);
+    const double angle =
+        2 * math::asin(distance / (2 * radius)) * sign * (piece.clockwise ? -1 : 1);
     const Vec2 arm = at - piece.centre;
-    point = piece.centre + Vec2{arm.u * std::cos(angle) - arm.v * std::sin(angle),
-                                arm.u * std::sin(angle) + arm.v * std::cos(angle)};
+    const auto [sine, cosine] = math::sine_cosine(angle);
+    point = piece.centre + Vec2{arm.u * cosine - arm.v * sine, arm.u * sine + arm.v * cosine};
   }
   if (!lies_on(piece, point)) return std::nullopt;
   return point;

@@ -1,6 +1,7 @@
 #include "geometry/intersect.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kerf::geometry {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::geometry {
 namespace {
 
@@ -23,12 +25,12 @@ Jet rate_of(const Jet& a) { return {a.first, a.second, a.third, 0}; }
 
 Jet sqrt(const Jet& a) { return root(a, std::sqrt(a.value)); }
 
-Jet hypot(const Jet& x, const Jet& y) { return root(x * x + y * y, std::hypot(x.value, y.value)); }
+Jet hypot(const Jet& x, const Jet& y) { return root(x * x + y * y, math::hypot(x.value, y.value)); }
 
 // The angle changes by (x y' - y x') / (x² + y²).
 Jet atan2(const Jet& y, const Jet& x) {
   const Jet rate = (x * rate_of(y) - y * rate_of(x)) / (x * x + y * y);
-  return {std::atan2(y.value, x.value), rate.value, rate.first, rate.second};
+  return {math::atan2(y.value, x.value), rate.value, rate.first, rate.second};
 }
 
 SineCosineJet sine_cosine_deg(const Jet& angle_deg) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/tolerance.hpp"
+#include "math/math.hpp"
 
 namespace kerf::geometry {
 namespace {
@@ -49,7 +50,7 @@ Vec3 to_centre(const Corner& corner, Vec3 w) {
 
 // Angle at the centre over the side from `a` to `b`: twice the angle at the third corner.
 double central_angle(Vec3 a, Vec3 b, Vec3 third, double twice_area) {
-  return 2 * std::atan2(twice_area, dot(a - third, b - third));
+  return 2 * math::atan2(twice_area, dot(a - third, b - third));
 }
 
 }  // namespace
@@ -87,16 +88,17 @@ SpaceArc::SpaceArc(Vec3 p1, Vec3 p2, Vec3 p3) : begin_(p1), end_(p3) {
 Vec3 SpaceArc::at(double angle_rad) const {
   if (angle_rad <= 0) return begin_;
   if (angle_rad >= sweep_rad_) return end_;
-  const double half = std::sin(angle_rad / 2);
-  return begin_ + (-2 * radius_ * half * half) * e1_ + (radius_ * std::sin(angle_rad)) * e2_;
+  const double half = math::sin(angle_rad / 2);
+  return begin_ + (-2 * radius_ * half * half) * e1_ + (radius_ * math::sin(angle_rad)) * e2_;
 }
 
 Vec3 SpaceArc::tangent(double angle_rad) const {
-  return -std::sin(angle_rad) * e1_ + std::cos(angle_rad) * e2_;
+  const auto [sine, cosine] = math::sine_cosine(angle_rad);
+  return -sine * e1_ + cosine * e2_;
 }
 
 double SpaceArc::farthest_rad(Vec3 direction) const {
-  const double angle = std::atan2(dot(direction, e2_), dot(direction, e1_));
+  const double angle = math::atan2(dot(direction, e2_), dot(direction, e1_));
   const double turned = angle < 0 ? angle + kFullTurn_rad : angle;
   return turned < kFullTurn_rad ? turned : 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include "math/math.hpp"
 
 namespace kerf::geometry {
 
@@ -21,7 +21,7 @@ constexpr double dot(Vec2 a, Vec2 b) { return a.u * b.u + a.v * b.v; }
 constexpr double cross(Vec2 a, Vec2 b) { return a.u * b.v - a.v * b.u; }
 /// `a` turned by +90 degrees.
 constexpr Vec2 left_of(Vec2 a) { return {-a.v, a.u}; }
-inline double length(Vec2 a) { return std::hypot(a.u, a.v); }
+inline double length(Vec2 a) { return math::hypot(a.u, a.v); }
 /// `a` divided by its length, which must not be 0.
 inline Vec2 unit(Vec2 a) { return (1.0 / length(a)) * a; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include "math/math.hpp"
 
 namespace kerf::geometry {
 
@@ -20,7 +20,7 @@ constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z;
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline double length(Vec3 a) { return std::hypot(a.x, a.y, a.z); }
+inline double length(Vec3 a) { return math::hypot(a.x, a.y, a.z); }
 /// `a` divided by its length, which must not be 0.
 inline Vec3 unit(Vec3 a) { return (1.0 / length(a)) * a; }
 

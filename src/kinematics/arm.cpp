@@ -10,6 +10,7 @@
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
 #include "kinematics/internal/shown.hpp"
+#include "math/math.hpp"
 
 namespace kerf::kinematics {
 namespace {
@@ -58,7 +59,7 @@ template <typename Number>
 Angles<Number> angles_at(const ArmLinks& links, const Polar<Number>& at, const Number& heading_deg,
                          double sign) {
   using geometry::degrees;
-  using std::atan2;
+  using math::atan2;
   using std::sqrt;
   const double s = links.upper_arm_mm + links.forearm_mm;
   const double d = links.upper_arm_mm - links.forearm_mm;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/angle.hpp"
+#include "math/math.hpp"
 
 namespace kerf::kinematics {
 namespace {
@@ -22,12 +23,12 @@ double turned_deg(HeadAngles from, HeadAngles to) {
   return std::fabs(to.a_deg - from.a_deg) + std::fabs(to.c_deg - from.c_deg);
 }
 
-double angle_rad(Vec3 a, Vec3 b) { return std::atan2(length(cross(a, b)), dot(a, b)); }
+double angle_rad(Vec3 a, Vec3 b) { return math::atan2(length(cross(a, b)), dot(a, b)); }
 
 // The unit vector at a share of the great circle between two of them, `angle` > 0 apart.
 Vec3 on_great_circle(Vec3 from, Vec3 to, double angle, double share) {
-  return (1 / std::sin(angle)) *
-         (std::sin((1 - share) * angle) * from + std::sin(share * angle) * to);
+  return (1 / math::sin(angle)) *
+         (math::sin((1 - share) * angle) * from + math::sin(share * angle) * to);
 }
 
 }  // namespace
@@ -44,13 +45,13 @@ Result<std::array<HeadAngles, 2>> orientations(Vec3 normal, HeadAngles previous)
     return base::unexpected(
         Fault{Fault::Kind::singular, "the surface normal has no length, so the beam no direction"});
   }
-  const double level = std::hypot(normal.x, normal.y);
+  const double level = math::hypot(normal.x, normal.y);
   if (level < kVerticalSine * size) {
     const double a_deg = normal.z > 0 ? 0 : 180;
     return std::array{HeadAngles{a_deg, previous.c_deg}, HeadAngles{0 - a_deg, previous.c_deg}};
   }
-  const double a_deg = degrees(std::atan2(level, normal.z));
-  const double c_deg = degrees(std::atan2(normal.x, -normal.y));
+  const double a_deg = degrees(math::atan2(level, normal.z));
+  const double c_deg = degrees(math::atan2(normal.x, -normal.y));
   return std::array{HeadAngles{a_deg, nearest_turn(c_deg, previous.c_deg)},
                     HeadAngles{-a_deg, nearest_turn(c_deg + 180, previous.c_deg)}};
 }

@@ -8,6 +8,7 @@
 #include "kinematics/deviation.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
+#include "math/math.hpp"
 
 namespace kerf::kinematics {
 namespace {
@@ -48,7 +49,7 @@ Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) con
   PathJet result = tip;
   result.value = joints;
   if (stands(tip, kX) && stands(tip, kY)) return result;  // also on the axis
-  if (std::hypot(tip.value[kX], tip.value[kY]) < kNoRadius_mm) {
+  if (math::hypot(tip.value[kX], tip.value[kY]) < kNoRadius_mm) {
     return base::unexpected(
         Fault{Fault::Kind::singular,
               "the tip is on the axis of the work, where no angle of it is determined"});

@@ -6,6 +6,7 @@
 
 #include "base/decimal.hpp"
 #include "drive/timer_split.hpp"
+#include "math/math.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -75,9 +76,9 @@ std::int64_t PatternMachine::half_period_ticks(const drive::ArmCounts& from,
   to[drive::ArmAxis::theta1] += triplet.theta1;
   to[drive::ArmAxis::theta2] += triplet.theta2;
   const AxisVector way = tip_at(to) - tip_at(from);
-  return drive::speed_true_half_period(std::hypot(way[x_], way[y_]), speed_mm_s, arm.clock.tick_s(),
-                                       std::max(std::abs(triplet.theta1), std::abs(triplet.theta2)),
-                                       arm.half_period_ticks);
+  return drive::speed_true_half_period(
+      math::hypot(way[x_], way[y_]), speed_mm_s, arm.clock.tick_s(),
+      std::max(std::abs(triplet.theta1), std::abs(triplet.theta2)), arm.half_period_ticks);
 }
 
 double PatternMachine::half_pulse_mm(const AxisVector& joints) const {
@@ -88,7 +89,7 @@ double PatternMachine::half_pulse_mm(const AxisVector& joints) const {
     low[drive::axis_of(arm)] -= step(arm) / 2;
     high[drive::axis_of(arm)] += step(arm) / 2;
     const AxisVector way = kinematics_->forward(high) - kinematics_->forward(low);
-    sum += std::hypot(way[x_], way[y_]) / 2;
+    sum += math::hypot(way[x_], way[y_]) / 2;
   }
   return sum;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "math/math.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -81,7 +82,7 @@ void PatternReplay::arrive(bool fast, std::int64_t begin_ticks) {
   if (fast) {
     motion.action = control::Rapid{to, false};
   } else {
-    const double mm = std::hypot(way[machine_.x()], way[machine_.y()]);
+    const double mm = math::hypot(way[machine_.x()], way[machine_.y()]);
     const double minutes = seconds(drive_.now_ticks() - begin_ticks) / kSecondsPerMinute;
     const double length = mm > 0 ? mm : std::fabs(way[machine_.c()]);
     motion.action = control::Line{to, {length / minutes, control::FeedMode::per_minute}};

@@ -5,6 +5,7 @@
 
 #include "control/plane_axes.hpp"
 #include "geometry/arc.hpp"
+#include "math/math.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -88,10 +89,10 @@ void RunStatistics::arc(const control::Arc& arc, std::uint32_t line) {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const base::Axis axis{static_cast<std::uint8_t>(i)};
     if (linear_[i] && !plane->contains(axis))
-      rise = std::hypot(rise, arc.to.values[i] - at_.values[i]);
+      rise = math::hypot(rise, arc.to.values[i] - at_.values[i]);
   }
   const double flat = geometry::arc_length(from, to, centre, clockwise, arc.turns, 0);
-  const double whole = std::hypot(flat, rise);
+  const double whole = math::hypot(flat, rise);
   cut(whole, flat, arc.feed, line);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "math/math.hpp"
 #include "motion/chord.hpp"
 #include "motion/ramp_limits.hpp"
 
@@ -99,7 +100,7 @@ double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {
       speed = std::min(speed, std::sqrt(share / second));
     }
     if (third > 0 && std::isfinite(limits_.jerk.values[m]))
-      speed = std::min(speed, std::cbrt(shares(use).jerk * limits_.jerk.values[m] / third));
+      speed = std::min(speed, math::cbrt(shares(use).jerk * limits_.jerk.values[m] / third));
   }
   return speed;
 }

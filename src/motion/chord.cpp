@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/arc.hpp"
+#include "math/math.hpp"
 
 namespace kerf::motion {
 namespace {
@@ -20,7 +21,7 @@ double chord_deviation_mm(double radius_mm, double chord_mm) {
 }
 
 double step_deviation_mm(double radius_mm, double step_mm) {
-  const double s = std::sin(step_mm / (4 * radius_mm));
+  const double s = math::sin(step_mm / (4 * radius_mm));
   return 2 * radius_mm * s * s;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/math.hpp"
+
 namespace kerf::motion {
 namespace {
 
@@ -45,13 +47,13 @@ void differentiate(std::array<double, kMostCoefficients>& c, std::size_t& count)
 
 /// Largest |a cos φ + b sin φ| for φ in [from, to].
 double largest_swing(double a, double b, double from, double to) {
-  const double amplitude = std::hypot(a, b);
+  const double amplitude = math::hypot(a, b);
   if (to - from >= std::numbers::pi) return amplitude;
-  const double peak = std::atan2(b, a);
+  const double peak = math::atan2(b, a);
   const double first = std::ceil((from - peak) / std::numbers::pi);
   if (peak + first * std::numbers::pi <= to) return amplitude;
-  return std::max(std::fabs(a * std::cos(from) + b * std::sin(from)),
-                  std::fabs(a * std::cos(to) + b * std::sin(to)));
+  return std::max(std::fabs(a * math::cos(from) + b * math::sin(from)),
+                  std::fabs(a * math::cos(to) + b * math::sin(to)));
 }
 
 }  // namespace
@@ -149,8 +151,9 @@ AxisVector Curve::point(double s) const {
     case Kind::arc: {
       const double angle = angle_rad_ + rate_ * s;
       const double radius = radius_ + radius_slope_ * s;
-      const double u = radius * std::cos(angle);
-      const double v = radius * std::sin(angle);
+      const math::SineCosine turned = math::sine_cosine(angle);
+      const double u = radius * turned.cosine;
+      const double v = radius * turned.sine;
       for (std::size_t m = 0; m < axes_; ++m) {
         p.values[m] =
             c_[0].values[m] + s * c_[1].values[m] + u * c_[2].values[m] + v * c_[3].values[m];
@@ -198,8 +201,7 @@ PathJet Curve::polynomial_jet(double s) const {
 
 PathJet Curve::arc_jet(double s) const {
   const double angle = angle_rad_ + rate_ * s;
-  const double cosine = std::cos(angle);
-  const double sine = std::sin(angle);
+  const auto [sine, cosine] = math::sine_cosine(angle);
   const double r = radius_ + radius_slope_ * s;
   const double w = rate_;
   PathJet jet;
@@ -231,7 +233,7 @@ double Curve::curvature_bound(double from, double to, const CurveBounds& bounds,
                               const LinearAxes& linear) const {
   if (kind_ == Kind::line) return 0;
   if (kind_ == Kind::arc)
-    return std::fabs(rate_) * std::hypot(2 * radius_slope_, rate_ * largest_radius(from, to));
+    return std::fabs(rate_) * math::hypot(2 * radius_slope_, rate_ * largest_radius(from, to));
   return AxisNorms{linear, axes_}.mm(bounds.second);
 }
 

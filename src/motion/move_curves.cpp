@@ -8,6 +8,7 @@
 #include "control/plane_axes.hpp"
 #include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
+#include "math/math.hpp"
 
 namespace kerf::motion {
 
@@ -80,7 +81,7 @@ void MoveCurves::add_arc(const control::Arc& arc) {
   shape.e2[plane->second] = 1;
   shape.radius = start_radius;
   shape.radius_slope = (end_radius - start_radius) / length;
-  shape.angle_rad = std::atan2(from.v - centre.v, from.u - centre.u);
+  shape.angle_rad = math::atan2(from.v - centre.v, from.u - centre.u);
   shape.rate = (clockwise ? -sweep : sweep) / length;
   add(Curve::arc(shape, arc.to, length, axes_.count()));
 }

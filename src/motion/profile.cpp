@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::motion {
 namespace {
 
@@ -37,7 +39,7 @@ RampShape shape_of(double from, double to, const PathLimits& limits) {
 double change_without_hold(double from, double length, const PathLimits& limits) {
   const double p = 2 * from / 3;
   const double q = length * std::sqrt(limits.jerk) / 2;
-  const double w = std::cbrt(q + std::sqrt(q * q + p * p * p));
+  const double w = math::cbrt(q + std::sqrt(q * q + p * p * p));
   if (w == 0) return 0;
   // p/w is exact where w - p/w would cancel: s = w - p/w = 2q / (w² + p + (p/w)²).
   const double s = 2 * q / (w * w + p + (p / w) * (p / w));

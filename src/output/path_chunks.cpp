@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "math/math.hpp"
+
 namespace kerf::output {
 namespace {
 
@@ -99,7 +101,7 @@ PathChunks::PathChunks(const machine::MachineDefinition& machine, Source source,
 // Turning counts as well: a move of rotary axes alone has a way.
 double PathChunks::distance(const AxisVector& from, const AxisVector& to) const {
   const AxisVector way = to - from;
-  return std::hypot(norms_.mm(way), norms_.degrees(way));
+  return math::hypot(norms_.mm(way), norms_.degrees(way));
 }
 
 // The motions

@@ -8,6 +8,7 @@
 
 #include "base/decimal.hpp"
 #include "geometry/angle.hpp"
+#include "math/math.hpp"
 #include "output/drive_alarm.hpp"
 
 namespace kerf::output {
@@ -229,7 +230,7 @@ double PatternMaker::heading_error_deg(const base::PathJet& at) const {
   const bool tangent =
       machine_.definition().pattern.heading == machine::PatternSettings::Heading::tangent;
   const double wanted =
-      tangent ? geometry::degrees(std::atan2(at.first[motors_.y()], at.first[motors_.x()]))
+      tangent ? geometry::degrees(math::atan2(at.first[motors_.y()], at.first[motors_.x()]))
               : at.value[motors_.c()];
   AxisVector joints = joints_;
   const base::Axis wheel = drive::axis_of(ArmAxis::theta3);

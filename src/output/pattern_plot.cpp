@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/angle.hpp"
+#include "math/math.hpp"
 #include "output/internal/plot/display_list.hpp"
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/png_writer.hpp"
@@ -44,7 +45,7 @@ constexpr Color kWorst = plot::kToolColors[6];
 
 // A round number not above `value` > 0: 1, 2 or 5 times a power of ten.
 double round_below(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
+  const double power = math::pow(10, std::floor(math::log10(value)));
   const double digits = value / power;
   return power * (digits >= 5 ? 5 : digits >= 2 ? 2 : 1);
 }
@@ -143,7 +144,7 @@ void Sheet::paths(const View& view, double factor) {
     const PatternPlot::Knot& knot = knots_[i];
     const Point on_path = map(view, knot.x, knot.y);
     const Point off = map(view, knot.x + factor * knot.off_x, knot.y + factor * knot.off_y);
-    const bool jump = std::hypot(on_path.x - last.x, on_path.y - last.y) > 0.5;
+    const bool jump = math::hypot(on_path.x - last.x, on_path.y - last.y) > 0.5;
     if (knot.down && i > 0 && jump) travel.segment(last, on_path);
     knot.down ? path.move_to(on_path) : path.line_to(on_path);
     knot.down ? wheel.move_to(off) : wheel.line_to(off);
@@ -160,7 +161,7 @@ void Sheet::headings(const View& view) {
   Point last{};
   for (const PatternPlot::Knot& knot : knots_) {
     const Point at = map(view, knot.x, knot.y);
-    way += std::hypot(at.x - last.x, at.y - last.y);
+    way += math::hypot(at.x - last.x, at.y - last.y);
     last = at;
     if (!knot.down && way < kTickApart_px) continue;
     way = 0;

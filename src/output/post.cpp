@@ -12,6 +12,7 @@
 #include "control/plane_axes.hpp"
 #include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
+#include "math/math.hpp"
 #include "output/internal/feed_per_minute.hpp"
 
 namespace kerf::output {
@@ -140,7 +141,7 @@ void Post::line(const base::AxisVector& to, double per_minute) {
 void Post::straight(const base::AxisVector& to, const Feed& rate) {
   double squares = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i)
-    squares += std::pow(to.values[i] - at_.values[i], 2);
+    squares += math::pow(to.values[i] - at_.values[i], 2);
   line(to, rounded(feed_per_minute(rate, std::sqrt(squares), speed_rpm_)));
 }
 

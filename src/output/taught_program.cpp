@@ -11,6 +11,7 @@
 #include "lang/teach/record_writer.hpp"
 #include "lang/teach/sequence.hpp"
 #include "machine/taught_for.hpp"
+#include "math/math.hpp"
 #include "output/drive_alarm.hpp"
 #include "output/internal/feed_per_minute.hpp"
 
@@ -34,7 +35,7 @@ double off_circle(const geometry::SpaceArc& circle, Vec3 point) {
   const Vec3 arm = point - circle.centre();
   const double along_normal = dot(arm, circle.e3());
   const double radial = length(arm - along_normal * circle.e3()) - circle.radius();
-  return std::hypot(along_normal, radial);
+  return math::hypot(along_normal, radial);
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ struct TaughtProgram::RoundWay {
         end_radius(length(axes.project(arc.to) - centre)) {
     const bool clockwise = arc.direction == Direction::clockwise;
     const Vec2 first = plane.project(from);
-    start_rad = std::atan2(first.v - centre.v, first.u - centre.u);
+    start_rad = math::atan2(first.v - centre.v, first.u - centre.u);
     sweep_rad = geometry::sweep_rad(first, plane.project(to), centre, clockwise) +
                 kFullTurn_rad * arc.turns;
     sign = clockwise ? -1 : 1;
@@ -65,8 +66,8 @@ struct TaughtProgram::RoundWay {
       point.values[i] = base::tidy(from.values[i] + share * (to.values[i] - from.values[i]));
     const double angle = start_rad + sign * share * sweep_rad;
     const double r = radius + share * (end_radius - radius);
-    plane.place(point, {base::tidy(centre.u + r * std::cos(angle)),
-                        base::tidy(centre.v + r * std::sin(angle))});
+    plane.place(point, {base::tidy(centre.u + r * math::cos(angle)),
+                        base::tidy(centre.v + r * math::sin(angle))});
     return point;
   }
 
@@ -123,7 +124,7 @@ double TaughtProgram::length_to(const AxisVector& to) const {
   const teach::Pose a = pose(at_);
   const teach::Pose b = pose(to);
   const double linear = length(b.focus() - a.focus());
-  return linear > 0 ? linear : std::hypot(b.a_deg - a.a_deg, b.c_deg - a.c_deg);
+  return linear > 0 ? linear : math::hypot(b.a_deg - a.a_deg, b.c_deg - a.c_deg);
 }
 
 // False: the machine's alarm has been raised.
@@ -215,7 +216,7 @@ void TaughtProgram::act(const Arc& arc) {
   const double rise = plane->normal ? arc.to[*plane->normal] - at_[*plane->normal] : 0;
   const double mean_radius = (way.radius + way.end_radius) / 2;
   begin_path();
-  if (feed(arc.feed, std::hypot(way.sweep_rad * mean_radius, rise))) {
+  if (feed(arc.feed, math::hypot(way.sweep_rad * mean_radius, rise))) {
     const double halves = std::ceil(way.sweep_rad / std::numbers::pi - 1e-9);
     const bool whole = way.sweep_rad < kFullTurn_rad && arcs(way, 1);
     if (!whole && !circles(way) && !arcs(way, std::max(2.0, halves))) chords(way);

@@ -7,6 +7,7 @@
 
 #include "machine/language.hpp"
 #include "machine/virtual_machine.hpp"
+#include "math/math.hpp"
 #include "training/code_lines.hpp"
 #include "training/cut_grid.hpp"
 #include "training/cut_recorder.hpp"
@@ -292,7 +293,7 @@ class Comparison {
     const double clearance = *exercise_.clearance_z_mm;
     for (const Stroke& stroke : run_.strokes) {
       const double low = std::min(stroke.from.z, stroke.to.z);
-      const double across = std::hypot(stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y);
+      const double across = math::hypot(stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y);
       if (across > kLeast_mm && low < clearance - kLeast_mm) {
         criterion.finding = Finding::low_rapid;
         criterion.values = {{"z", low}, {"clearance", clearance}};

@@ -1,5 +1,6 @@
 // A program that runs by simulated time does what it does in a batch run: the same set-points, byte
 // by byte, the same variables, the same place and time, however time is cut.
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

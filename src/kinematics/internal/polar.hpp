@@ -1,9 +1,8 @@
 #pragma once
 
-#include <cmath>
-
 #include "geometry/angle.hpp"
 #include "geometry/jet.hpp"
+#include "math/math.hpp"
 
 namespace kerf::kinematics {
 
@@ -19,8 +18,8 @@ struct Polar {
 template <typename Number>
 Polar<Number> polar(const Number& x, const Number& y) {
   using geometry::degrees;
-  using std::atan2;
-  using std::hypot;
+  using math::atan2;
+  using math::hypot;
   return {hypot(x, y), degrees(atan2(y, x))};
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::basic {
 namespace {
 
@@ -17,16 +19,16 @@ double fail(BuiltinContext& context, Fault fault) {
 }
 
 double call_asin(const double* a, BuiltinContext& c) {
-  return std::fabs(a[0]) <= 1 ? std::asin(a[0]) : fail(c, Fault::domain);
+  return std::fabs(a[0]) <= 1 ? math::asin(a[0]) : fail(c, Fault::domain);
 }
 double call_acos(const double* a, BuiltinContext& c) {
-  return std::fabs(a[0]) <= 1 ? std::acos(a[0]) : fail(c, Fault::domain);
+  return std::fabs(a[0]) <= 1 ? math::acos(a[0]) : fail(c, Fault::domain);
 }
 double call_sqr(const double* a, BuiltinContext& c) {
   return a[0] >= 0 ? std::sqrt(a[0]) : fail(c, Fault::domain);
 }
 double call_log(const double* a, BuiltinContext& c) {
-  return a[0] > 0 ? std::log(a[0]) : fail(c, Fault::domain);
+  return a[0] > 0 ? math::log(a[0]) : fail(c, Fault::domain);
 }
 
 double call_sgn(const double* a, BuiltinContext&) { return (a[0] > 0) - (a[0] < 0); }
@@ -42,29 +44,29 @@ double call_remainder(const double* a, BuiltinContext& c) {
 
 double call_power(const double* a, BuiltinContext& c) {
   if (a[0] == 0 && a[1] < 0) return fail(c, Fault::zero_divide);
-  const double result = std::pow(a[0], a[1]);
+  const double result = math::pow(a[0], a[1]);
   return std::isnan(result) ? fail(c, Fault::domain) : result;
 }
 
 double call_distance(const double* a, BuiltinContext&) {
-  return std::hypot(a[0] - a[3], a[1] - a[4], a[2] - a[5]);
+  return math::hypot(a[0] - a[3], a[1] - a[4], a[2] - a[5]);
 }
 
 // In the order of Function.
 constexpr std::array kTable = {
-    Builtin{[](const double* a, BuiltinContext&) { return std::sin(a[0]); }, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return std::cos(a[0]); }, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return std::tan(a[0]); }, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return std::atan(a[0]); }, 1},
+    Builtin{[](const double* a, BuiltinContext&) { return math::sin(a[0]); }, 1},
+    Builtin{[](const double* a, BuiltinContext&) { return math::cos(a[0]); }, 1},
+    Builtin{[](const double* a, BuiltinContext&) { return math::tan(a[0]); }, 1},
+    Builtin{[](const double* a, BuiltinContext&) { return math::atan(a[0]); }, 1},
     Builtin{call_asin, 1},
     Builtin{call_acos, 1},
     Builtin{call_sqr, 1},
     Builtin{[](const double* a, BuiltinContext&) { return std::fabs(a[0]); }, 1},
     Builtin{[](const double* a, BuiltinContext&) { return std::floor(a[0]); }, 1},
     Builtin{call_sgn, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return std::exp(a[0]); }, 1},
+    Builtin{[](const double* a, BuiltinContext&) { return math::exp(a[0]); }, 1},
     Builtin{call_log, 1},
-    Builtin{[](const double* a, BuiltinContext&) { return std::atan2(a[0], a[1]); }, 2},
+    Builtin{[](const double* a, BuiltinContext&) { return math::atan2(a[0], a[1]); }, 2},
     Builtin{[](const double* a, BuiltinContext&) { return std::min(a[0], a[1]); }, 2},
     Builtin{[](const double* a, BuiltinContext&) { return std::max(a[0], a[1]); }, 2},
     Builtin{call_mod, 2},

@@ -6,6 +6,7 @@
 #include "lang/gcode/math_rules.hpp"
 #include "lang/gcode/page.hpp"
 #include "lang/vm/value.hpp"
+#include "math/math.hpp"
 
 namespace kerf::gcode {
 namespace {
@@ -48,12 +49,12 @@ double sin_of_rest(double rest_deg) {
   if (rest_deg == 30) return 0.5;
   if (rest_deg == -30) return -0.5;
   if (std::fabs(rest_deg) == 45) return std::copysign(std::numbers::sqrt2 / 2, rest_deg);
-  return std::sin(rest_deg * kDegree);
+  return math::sin(rest_deg * kDegree);
 }
 
 double cos_of_rest(double rest_deg) {
   if (std::fabs(rest_deg) == 45) return std::numbers::sqrt2 / 2;
-  return std::cos(rest_deg * kDegree);
+  return math::cos(rest_deg * kDegree);
 }
 
 double sine(double angle_deg) {
@@ -92,22 +93,22 @@ double degrees(double angle_rad) {
 
 double call_asin(const double* a, BuiltinContext& c) {
   if (std::fabs(number(a)) > 1) return fail(c, Fault::domain);
-  const double angle = degrees(std::asin(number(a)));
+  const double angle = degrees(math::asin(number(a)));
   return angle < 0 && !rules(c).signed_angles ? angle + 360 : angle;
 }
 
 double call_acos(const double* a, BuiltinContext& c) {
   if (std::fabs(number(a)) > 1) return fail(c, Fault::domain);
-  return degrees(std::acos(number(a)));
+  return degrees(math::acos(number(a)));
 }
 
-double call_atan(const double* a, BuiltinContext&) { return degrees(std::atan(number(a))); }
+double call_atan(const double* a, BuiltinContext&) { return degrees(math::atan(number(a))); }
 
 double call_atan2(const double* a, BuiltinContext& c) {
   const double y = number(a);
   const double x = number(a, 1);
   if (y == 0 && x == 0) return 0;
-  const double angle = degrees(std::atan2(y + 0.0, x));
+  const double angle = degrees(math::atan2(y + 0.0, x));
   return angle < 0 && !rules(c).signed_angles ? angle + 360 : angle;
 }
 
@@ -131,16 +132,16 @@ double call_round_to(const double* a, BuiltinContext&) {
 }
 
 double call_ln(const double* a, BuiltinContext& c) {
-  return number(a) <= 0 ? fail(c, Fault::domain) : std::log(number(a));
+  return number(a) <= 0 ? fail(c, Fault::domain) : math::log(number(a));
 }
 
 double call_exp(const double* a, BuiltinContext& c) {
-  const double value = std::exp(number(a));
+  const double value = math::exp(number(a));
   return vm::is_number(value) ? value : fail(c, Fault::domain);
 }
 
 double call_pow(const double* a, BuiltinContext& c) {
-  const double value = std::pow(number(a), number(a, 1));
+  const double value = math::pow(number(a), number(a, 1));
   return vm::is_number(value) ? value : fail(c, Fault::domain);
 }
 

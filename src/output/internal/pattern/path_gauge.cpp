@@ -1,8 +1,9 @@
 #include "output/internal/pattern/path_gauge.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "math/math.hpp"
 
 namespace kerf::output {
 
@@ -41,7 +42,7 @@ void PathGauge::measure() {
     s_ = std::clamp(s_ - slope / bend, 0.0, curve_->length());
   }
   const AxisVector near = curve_->at(s_);
-  const double mm = std::hypot(near[x] - tip[x], near[y] - tip[y]);
+  const double mm = math::hypot(near[x] - tip[x], near[y] - tip[y]);
   moved_ = false;
   if (begins_) places_.clear();
   begins_ = false;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::output::plot {
 namespace {
 
@@ -40,8 +42,8 @@ ArcPath::ArcPath(const Point3& from, const control::Arc& arc, const Point3& to,
   normal_ = axes.normal;
   const double u0 = from[first_] - center[0], v0 = from[second_] - center[1];
   const double u1 = to[first_] - center[0], v1 = to[second_] - center[1];
-  angle_rad_ = std::atan2(v0, u0);
-  sweep_rad_ = sweep_between(angle_rad_, std::atan2(v1, u1), arc.direction);
+  angle_rad_ = math::atan2(v0, u0);
+  sweep_rad_ = sweep_between(angle_rad_, math::atan2(v1, u1), arc.direction);
   const double extra = kTurn * std::min<int>(arc.turns, kMaxTurns);
   sweep_rad_ += sweep_rad_ > 0 ? extra : -extra;
   radius_ = std::sqrt(u0 * u0 + v0 * v0);
@@ -54,8 +56,9 @@ Point3 ArcPath::at(double t) const {
   const double angle = angle_rad_ + sweep_rad_ * t;
   const double radius = radius_ + radius_growth_ * t;
   Point3 point;
-  point[first_] = center_[0] + radius * std::cos(angle);
-  point[second_] = center_[1] + radius * std::sin(angle);
+  const auto [sine, cosine] = math::sine_cosine(angle);
+  point[first_] = center_[0] + radius * cosine;
+  point[second_] = center_[1] + radius * sine;
   point[normal_] = from_[normal_] + (to_[normal_] - from_[normal_]) * t;
   return point;
 }
@@ -63,7 +66,7 @@ Point3 ArcPath::at(double t) const {
 Point3 ArcPath::derivative(double t) const {
   const double angle = angle_rad_ + sweep_rad_ * t;
   const double around = (radius_ + radius_growth_ * t) * sweep_rad_;
-  const double cosine = std::cos(angle), sine = std::sin(angle);
+  const auto [sine, cosine] = math::sine_cosine(angle);
   Point3 slope;
   slope[first_] = radius_growth_ * cosine - around * sine;
   slope[second_] = radius_growth_ * sine + around * cosine;
@@ -96,7 +99,7 @@ Bezier ArcPath::span(std::size_t number) const {
   const double t1 = static_cast<double>(number + 1) / count;
   const double angle = std::abs(sweep_rad_) / count;
   // Handles of the usual circle approximation, scaled from the derivative by the parameter.
-  const double reach = 4.0 / 3.0 * std::tan(angle / 4) / angle * (t1 - t0);
+  const double reach = 4.0 / 3.0 * math::tan(angle / 4) / angle * (t1 - t0);
   Bezier curve{at(t0), at(t1), at(t1)};
   const Point3 leave = derivative(t0), arrive = derivative(t1);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 #include "output/internal/plot/cut_recorder.hpp"
 
-#include <cmath>
+#include "math/math.hpp"
 
 namespace kerf::output::plot {
 namespace {
@@ -9,7 +9,7 @@ constexpr Pen kCut{Trace::cut, 0};
 
 double distance(const Point3& a, const Point3& b) {
   const Point3 way = b - a;
-  return std::hypot(way[kX], way[kY], way[kZ]);
+  return math::hypot(way[kX], way[kY], way[kZ]);
 }
 
 }  // namespace

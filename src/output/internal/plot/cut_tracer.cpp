@@ -1,9 +1,9 @@
 #include "output/internal/plot/cut_tracer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "math/math.hpp"
 #include "output/internal/plot/sleeve.hpp"
 
 namespace kerf::output::plot {
@@ -13,7 +13,7 @@ constexpr double kFlat = 0.06;      // pixels: corners off a straight line by le
 constexpr double kSameInk = 0.25;   // pixels: lines whose ends are that close coincide
 constexpr double kShortest = 0.75;  // pixels: shorter runs are left to those beside them
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point a, Point b) { return math::hypot(a.x - b.x, a.y - b.y); }
 Point between(Point a, Point b, double t) { return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; }
 Knot on_paper(Point p) { return {p.x, p.y, 0, 0}; }
 Point point_of(const Knot& knot) { return {knot[kX], knot[kY]}; }

@@ -1,8 +1,8 @@
 #include "output/internal/plot/energy_of_cut.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "math/math.hpp"
 #include "output/internal/plot/text.hpp"
 
 namespace kerf::output::plot {
@@ -14,7 +14,7 @@ constexpr double kLowestOctave = -20, kHighestOctave = 20;  // of J/mm
 constexpr auto kBins = static_cast<std::size_t>((kHighestOctave - kLowestOctave) * kBinsPerOctave);
 
 std::size_t bin_of(double energy_j_mm) {
-  const double octave = std::clamp(std::log2(energy_j_mm), kLowestOctave, kHighestOctave);
+  const double octave = std::clamp(math::log2(energy_j_mm), kLowestOctave, kHighestOctave);
   const double bin = (octave - kLowestOctave) * kBinsPerOctave;
   return std::min(static_cast<std::size_t>(bin), kBins - 1);
 }

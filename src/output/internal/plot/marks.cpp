@@ -1,8 +1,8 @@
 #include "output/internal/plot/marks.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "math/math.hpp"
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/segment_set.hpp"
 #include "output/internal/plot/text.hpp"
@@ -63,7 +63,7 @@ double smallest_distance(std::vector<HoleMark> marks, double at_most) {
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Point a = marks[i].at;
     for (std::size_t j = i + 1; j < marks.size() && marks[j].at.x - a.x < best; ++j) {
-      best = std::min(best, std::hypot(marks[j].at.x - a.x, marks[j].at.y - a.y));
+      best = std::min(best, math::hypot(marks[j].at.x - a.x, marks[j].at.y - a.y));
     }
   }
   return best;

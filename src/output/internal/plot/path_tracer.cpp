@@ -1,6 +1,6 @@
 #include "output/internal/plot/path_tracer.hpp"
 
-#include <cmath>
+#include "math/math.hpp"
 
 namespace kerf::output::plot {
 namespace {
@@ -12,7 +12,7 @@ constexpr double kNoStep = 0.05;   // pixels: corners closer to each other are d
 constexpr std::uint32_t kCurve = 0x10000;
 constexpr std::uint32_t kTravelLine = 0x20000;
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point a, Point b) { return math::hypot(a.x - b.x, a.y - b.y); }
 Point3 on_paper(Point p) { return {p.x, p.y, 0}; }
 
 }  // namespace

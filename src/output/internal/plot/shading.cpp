@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::output::plot {
 namespace {
 
@@ -63,8 +65,8 @@ std::size_t Shading::layer(const Point3& from, const Point3& to, double progress
 std::size_t Shading::shade(const Point3& from, const Point3& to) const {
   constexpr double kLightX = 0.93, kLightY = -0.37;  // what rises this way is lit
   const Point3 step = to - from;
-  const double level = std::hypot(step[kX], step[kY]);
-  const double length = std::hypot(level, step[kZ]);
+  const double level = math::hypot(step[kX], step[kY]);
+  const double length = math::hypot(level, step[kZ]);
   const double along_light = step[kX] * kLightX + step[kY] * kLightY;
   const double lit = level > 0 ? step[kZ] * along_light / (level * length) : 0;
   const double above = (from[kZ] + to[kZ]) / 2 - mean_height_;

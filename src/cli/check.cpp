@@ -23,15 +23,18 @@ bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
   return a.place.file == b.place.file && a.place.line == b.place.line && a.number == b.number;
 }
 
-// What shows without running, reached or not, then what the run itself raises.
+// What shows without running, reached or not, then what the run itself raises, also behind the
+// first alarm, at which a control would stop.
 std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget& budget) {
   std::vector<Diagnostic> found = machine.check();
+  machine.search_alarms();
   machine.run_to_end(budget);
   const auto add = [&](const std::optional<Diagnostic>& told) {
     if (!told) return;
     const auto same = [&](const Diagnostic& d) { return same_mistake(d, *told); };
     if (std::none_of(found.begin(), found.end(), same)) found.push_back(*told);
   };
+  for (const Diagnostic& alarm : machine.alarm_search()->findings()) add(alarm);
   add(machine.alarm());
   add(machine.notice());
   for (const Diagnostic& warning : machine.control().warnings()) add(warning);

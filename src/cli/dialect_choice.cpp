@@ -1,8 +1,6 @@
 #include "cli/dialect_choice.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <string_view>
 #include <vector>
 
@@ -17,17 +15,10 @@ using base::Outcome;
 
 // Where nothing else is asked for.
 constexpr machine::Language kMill{"fanuc-mill", "", "mill3"};
-constexpr std::string_view kPatternEnding = ".pat";
 
 bool is_available(std::string_view dialect) {
   const std::vector<std::string_view> all = machine::available_dialects();
   return std::find(all.begin(), all.end(), dialect) != all.end();
-}
-
-bool ends_as_pattern(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == kPatternEnding;
 }
 
 // Of a dialect that is not available.
@@ -55,7 +46,7 @@ std::string machine_of(const std::string& dialect) {
 
 bool is_pattern(const std::string& dialect, const std::string& path) {
   if (!dialect.empty()) return dialect == kPatternDialect;
-  return ends_as_pattern(path);
+  return machine::ends_as_pattern(path);
 }
 
 std::string dialect_list() {
@@ -86,7 +77,7 @@ Outcome<DialectChoice> choose_dialect(const std::string& machine, const std::str
         machine.empty() ? "machine " + chosen + " because of --dialect " + dialect : "";
     return available({dialect, chosen, why}, Failure::Kind::usage, "--dialect " + dialect);
   }
-  if (ends_as_pattern(program.name()))
+  if (machine::ends_as_pattern(program.name()))
     return available({kPatternDialect, "", ""}, Failure::Kind::input, program.name());
   const auto ending = machine::language_by_ending(program.name());
   const auto language = ending ? ending : machine::language_by_text(program);

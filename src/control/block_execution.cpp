@@ -46,6 +46,7 @@ bool takes_over(GCode code) {
 void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& statement) {
   state_.line = statement.line;
   state_.before = state_.modal;
+  block_memory_.keep(state_);
   state_.path.begin_block({ProgramNumber{calls_.running_number()}, statement.line, page.file});
   in_block_ = true;
   block_number_ = statement.number;

@@ -126,6 +126,14 @@ class Control {
   /// The signal of a macro interrupt.
   virtual void interrupt() = 0;
 
+  /// For a search for mistakes, never for a machine: from now on pass_alarm() may be asked. Slows
+  /// down. Precondition: nothing has run.
+  virtual void allow_passing() = 0;
+  /// Behind an alarm: leaves out the block that raised it and stands behind it, with modes and
+  /// position as they were before it; cutter compensation is over. False: nothing that could be
+  /// run follows, as behind #3000, or where the program runs out. Precondition: allow_passing().
+  [[nodiscard]] virtual bool pass_alarm() = 0;
+
  protected:
   /// Cheap where the same was said before.
   void warn(base::Code code, const base::Place& place, const std::string& detail,

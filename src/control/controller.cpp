@@ -175,6 +175,15 @@ void Controller::settle_alarm() {
   buffer_.release();
 }
 
+// A macro statement changes nothing before its alarm: what was kept is of a block before it.
+void Controller::undo_block() {
+  mid_block_ = false;
+  if (in_block_) block_memory_.restore(state_);
+  in_block_ = false;
+  BlockMemory::settle(state_);
+  if (!state_.modal.in_cycle()) cycle_.cancel();
+}
+
 std::optional<double> Controller::peek(double number) {
   if (alarms_.alarm()) return std::nullopt;
   double value = vm::kNull;

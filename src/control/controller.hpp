@@ -7,6 +7,7 @@
 
 #include "control/auxiliary.hpp"
 #include "control/block_buffer.hpp"
+#include "control/block_memory.hpp"
 #include "control/canned_cycle.hpp"
 #include "control/program_calls.hpp"
 #include "control/program_control.hpp"
@@ -70,6 +71,10 @@ class Controller : public ProgramControl, public vm::Host {
   void set_block_skip(std::uint32_t levels) override { interpreter_.set_switches(levels); }
   /// Answered at the next block when M96 has allowed it.
   void interrupt() override { interrupt_pending_ = true; }
+  void allow_passing() override {
+    ProgramControl::allow_passing();
+    block_memory_.switch_on();
+  }
 
   /// Writes a variable from outside, before the start: `#number`. Failure: why not.
   [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
@@ -90,6 +95,7 @@ class Controller : public ProgramControl, public vm::Host {
   std::string name_of_level(std::size_t level) const override { return calls_.name_at(level); }
   // Behind every NC block; behind macro statements only with parameter SBM.
   bool single_block_traces() const override { return parameters_.stop_at_macro; }
+  void undo_block() override;
 
   // Whereabouts
   // Before the start no program runs that a wrong variable could be told of.
@@ -170,6 +176,7 @@ class Controller : public ProgramControl, public vm::Host {
   ProgramCalls calls_;
   SystemVariables variables_;
 
+  BlockMemory block_memory_;
   Words words_;
   const gcode::Word* corner_ = nullptr;    // the block's ",C" or ",R"
   const gcode::Word* called_m_ = nullptr;  // the block's M code that calls a subprogram

@@ -11,7 +11,7 @@ using base::AxisVector;
 }  // namespace
 
 AxisVector Coordinates::tidied(AxisVector point) const {
-  for (std::size_t i = 0; i < axes_.count(); ++i) point.values[i] = base::tidy(point.values[i]);
+  for (std::size_t i = 0; i < axes_->count(); ++i) point.values[i] = base::tidy(point.values[i]);
   return point;
 }
 
@@ -35,9 +35,9 @@ void Coordinates::arrive_at(const AxisVector& path) {
 
 void Coordinates::refresh_origin() {
   const AxisVector& offset =
-      work_.extended != 0 ? memory_.extended[work_.extended - 1] : memory_.work[work_.index];
+      work_.extended != 0 ? memory_->extended[work_.extended - 1] : memory_->work[work_.index];
   const AxisVector before = origin_;
-  origin_ = tidied(memory_.external + offset + local_ + shift_);
+  origin_ = tidied(memory_->external + offset + local_ + shift_);
   if (before != origin_) program_ = program_of(image_of(program_) + before - origin_);
   plain_ = transform_.identity() && origin_ == AxisVector{};
 }

@@ -25,7 +25,7 @@ class Coordinates {
  public:
   /// At power-on G54 is in force with the offset that the memory has kept.
   Coordinates(const AxisSetup& axes, const Memory& memory)
-      : axes_(axes), memory_(memory), program_(axes.start), path_(axes.start) {
+      : axes_(&axes), memory_(&memory), program_(axes.start), path_(axes.start) {
     refresh_origin();
   }
 
@@ -71,8 +71,8 @@ class Coordinates {
   [[nodiscard]] base::AxisVector program_of(const base::AxisVector& image) const;
   [[nodiscard]] base::AxisVector tidied(base::AxisVector point) const;
 
-  const AxisSetup& axes_;
-  const Memory& memory_;
+  const AxisSetup* axes_;
+  const Memory* memory_;
   base::AxisVector program_;
   base::AxisVector path_;
   base::AxisVector length_;

@@ -104,7 +104,7 @@ Halt LaserControl::run(std::uint64_t instructions) {
   interpreter_->run(instructions);
   if (alarms_.alarm()) {
     halt_ = Halt::alarm;
-    moves_.beam_off();
+    if (!may_pass_) moves_.beam_off();
   }
   return halt_;
 }

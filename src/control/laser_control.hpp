@@ -70,6 +70,7 @@ class LaserControl final : public ProgramControl, private vm::Host {
   std::string name_of_level(std::size_t /*level*/) const override { return kName; }
   // Behind every statement.
   bool single_block_traces() const override { return true; }
+  void undo_block() override { outlet_.reset(); }
 
   // Whereabouts
   [[nodiscard]] std::string program_name() const override { return kName; }

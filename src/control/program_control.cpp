@@ -44,6 +44,18 @@ void ProgramControl::set_gate(BlockGate* gate) {
   learn_tracing();
 }
 
+// What a program raises itself is meant to end it.
+bool ProgramControl::pass_alarm() {
+  const auto& alarm = alarms_.alarm();
+  if (!alarm || levels() == 0 || alarm->code == base::Code::user_alarm ||
+      !interpreter()->leave_block())
+    return false;
+  alarms_.clear();
+  halt_ = Halt::none;
+  undo_block();
+  return true;
+}
+
 void ProgramControl::learn_tracing() {
   vm::Interpreter* const machine = interpreter();
   if (machine == nullptr) return;

@@ -24,6 +24,8 @@ class ProgramControl : public Control, protected Whereabouts {
   void set_single_block(bool on) override;
   void observe_blocks(BlockObserver observer) override;
   void set_gate(BlockGate* gate) override;
+  void allow_passing() override { may_pass_ = true; }
+  [[nodiscard]] bool pass_alarm() override;
 
   /// Open programs and subroutines; 0 before the start.
   [[nodiscard]] std::size_t levels();
@@ -44,6 +46,8 @@ class ProgramControl : public Control, protected Whereabouts {
   [[nodiscard]] virtual std::string name_of_level(std::size_t level) const = 0;
   /// Whether single block stops where a block begins, and not where one ends.
   [[nodiscard]] virtual bool single_block_traces() const = 0;
+  /// What the block has changed that raised an alarm and is left out.
+  virtual void undo_block() = 0;
 
   // Whereabouts
   base::Place place() override;
@@ -63,6 +67,7 @@ class ProgramControl : public Control, protected Whereabouts {
   std::uint64_t blocks_ = 0;
   bool single_block_ = false;
   bool in_statement_ = false;  // a statement has begun that single block stops behind
+  bool may_pass_ = false;      // allow_passing()
 
  private:
   BlockObserver observer_;

@@ -53,6 +53,7 @@ class TeachControl final : public ProgramControl, private vm::Host {
   vm::Interpreter* interpreter() override { return &interpreter_; }
   std::string name_of_level(std::size_t /*level*/) const override { return name_; }
   bool single_block_traces() const override { return false; }
+  void undo_block() override { outlet_.reset(); }
 
   // Whereabouts
   [[nodiscard]] std::string program_name() const override { return name_; }

@@ -63,6 +63,8 @@ class Dialect {
   [[nodiscard]] virtual std::string program_name() const = 0;
   /// Stands at the head of the loaded program. Otherwise the alarm that it raises at once.
   [[nodiscard]] virtual std::optional<base::Diagnostic> start() = 0;
+  /// The same in spite of mistakes in the structure of the file, if there is a head to stand at.
+  [[nodiscard]] virtual std::optional<base::Diagnostic> start_all_the_same() { return start(); }
   /// The reset button.
   virtual void reset() { control().reset(); }
   /// Mistakes that show without running the program.

@@ -67,6 +67,10 @@ std::optional<Language> language_by_ending(const std::string& path) {
   return std::nullopt;
 }
 
+bool ends_as_pattern(const std::string& path) {
+  return upper(std::filesystem::path(path).extension().string()) == ".PAT";
+}
+
 std::optional<Language> language_by_text(const base::SourceFile& program) {
   std::string text(std::min<std::uint64_t>(kLook, program.size()), '\0');
   text.resize(program.read(0, text));

@@ -22,6 +22,8 @@ struct Language {
 [[nodiscard]] std::optional<Language> language_by_ending(const std::string& path);
 /// By the first line that only one language has.
 [[nodiscard]] std::optional<Language> language_by_text(const base::SourceFile& program);
+/// Whether a file is pattern bytes by its ending: a replay runs them, no program.
+[[nodiscard]] bool ends_as_pattern(const std::string& path);
 /// Of a dialect; nothing: it is one of G-code.
 [[nodiscard]] std::optional<Language> language_of(std::string_view dialect);
 

@@ -168,6 +168,7 @@ void VirtualMachine::make(const control::Motion& motion) {
   dotted_cut_.take(motion);
   servo_.take(alter_ ? alter_(motion) : motion);
   for (control::MotionSink* const sink : sinks_) sink->take(motion);
+  ++handed_out_;
 }
 
 std::vector<base::Diagnostic> VirtualMachine::warnings() const {
@@ -181,10 +182,52 @@ std::vector<base::Diagnostic> VirtualMachine::warnings() const {
 bool VirtualMachine::start_program() {
   alarm_ = dialect_->start();
   if (alarm_ && alarm_->program.empty()) alarm_->program = program_name();
-  return !alarm_;
+  if (!alarm_ || !search_) return !alarm_;
+  note_alarm(*alarm_);
+  return !dialect_->start_all_the_same();
+}
+
+// Behind its alarms
+
+void VirtualMachine::search_alarms() {
+  search_.emplace();
+  control().allow_passing();
+}
+
+// The axes come to rest, as they would where the control stops.
+void VirtualMachine::note_alarm(const base::Diagnostic& alarm) {
+  if (!search_->any()) {
+    servo_.finish();
+    search_->stopped_at({handed_out_, servo_.time_s()});
+    alarm_ = alarm;
+    search_steps_ = 0;
+  }
+  search_->add(alarm);
+}
+
+bool VirtualMachine::passes_alarm() {
+  if (!search_ || servo_.broken_off()) return false;
+  if (const auto& alarm = control().alarm()) note_alarm(*alarm);
+  return !search_->is_cut_short() && control().pass_alarm();
+}
+
+// A halt has its reason, of which there are not so many; without one all steps were made.
+bool VirtualMachine::search_is_over(std::uint64_t steps) {
+  if (!search_ || !search_->any()) return false;
+  search_steps_ += steps;
+  if (search_steps_ < AlarmSearch::kMostSteps) return false;
+  search_->cut_short();
+  return true;
+}
+
+VirtualMachine::Status VirtualMachine::end_search() {
+  if (search_->is_cut_short()) note_spent("there is more behind its alarms, not looked at");
+  servo_.finish();
+  return status_ = servo_.broken_off() ? broken_off(Status::alarm) : Status::alarm;
 }
 
 VirtualMachine::Status VirtualMachine::finish(Status status) {
+  if (search_ && search_->any()) return end_search();
   if (status == Status::alarm && !alarm_) alarm_ = control().alarm();
   servo_.finish();
   return status_ = servo_.broken_off() || refused_ ? broken_off(status) : status;
@@ -237,11 +280,14 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     const Halt halt = control().run(slice);
     steps += slice;
     if (progress_) progress_();
+    if (halt == Halt::none && search_is_over(slice)) return finish(Status::alarm);
     if (halt == Halt::none && (servo_.broken_off() || refused_)) return finish(Status::budget);
     if (motions_spent_) return spent("the motions allowed are made");
     switch (halt) {
       case Halt::end: return finish(Status::end);
-      case Halt::alarm: return finish(Status::alarm);
+      case Halt::alarm:
+        if (!passes_alarm()) return finish(Status::alarm);
+        break;
       case Halt::optional_stop: return finish(Status::stopped);
       case Halt::single_block:
       case Halt::program_stop:

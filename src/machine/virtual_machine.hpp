@@ -12,6 +12,7 @@
 #include "base/source_file.hpp"
 #include "control/control.hpp"
 #include "control/memory.hpp"
+#include "machine/alarm_search.hpp"
 #include "machine/dialect.hpp"
 #include "machine/dotted_cut.hpp"
 #include "machine/machine_definition.hpp"
@@ -69,6 +70,12 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// cycle start.
   void load(std::unique_ptr<base::SourceFile> file);
   void add_library_folder(const std::string& folder) { dialect_->add_library_folder(folder); }
+  /// For a check or a preview, never for a run that counts: run_to_end() goes on behind an alarm,
+  /// without the block that raised it, as long as AlarmSearch allows. Status and alarm() are those
+  /// of the first one. Precondition: nothing has run.
+  void search_alarms();
+  /// What was found so; null without search_alarms().
+  [[nodiscard]] const AlarmSearch* alarm_search() const { return search_ ? &*search_ : nullptr; }
   /// Called every few milliseconds of computing while the machine runs.
   void observe_progress(std::function<void()> observer) { progress_ = std::move(observer); }
   void add_sink(control::MotionSink& sink) { sinks_.push_back(&sink); }
@@ -228,6 +235,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
   Status spent(const std::string& what);
+  bool passes_alarm();
+  void note_alarm(const base::Diagnostic& alarm);
+  [[nodiscard]] bool search_is_over(std::uint64_t steps);
+  Status end_search();
   void note_spent(const std::string& what);
   Status broken_off(Status status);
   void watch_clock(std::chrono::steady_clock::time_point begin, double seconds);
@@ -258,9 +269,12 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Status status_ = Status::idle;
   double most_seconds_ = 0;
   std::uint64_t most_motions_ = 0;
-  std::uint64_t slice_end_ = 0;  // number of motions at which the clock is looked at
-  bool motions_spent_ = false;   // one more than most_motions_ was asked for
-  bool refused_ = false;         // by the judge
+  std::uint64_t slice_end_ = 0;   // number of motions at which the clock is looked at
+  bool motions_spent_ = false;    // one more than most_motions_ was asked for
+  bool refused_ = false;          // by the judge
+  std::uint64_t handed_out_ = 0;  // motions, moves or not
+  std::optional<AlarmSearch> search_;
+  std::uint64_t search_steps_ = 0;
 
   // Paced.
   bool is_paced_ = false;

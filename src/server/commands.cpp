@@ -77,7 +77,9 @@ std::vector<Command> make_table() {
        Who::anyone,
        {},
        "Lists the machines of this server.",
-       "`machines`: list of `{name, title, definition, status, operator, clients}`; `definitions`: "
+       "`machines`: list of `{name, title, definition, status, operator, clients, suits}`, "
+       "`suits`: the "
+       "kinds of `recognise` that it makes; `definitions`: "
        "names and titles of the built-in machines"},
       {"create",
        Who::anyone,
@@ -268,6 +270,12 @@ std::vector<Command> make_table() {
         name_of("machine", "if it has loaded a program of this name, that one", Need::optional)},
        "Reads a program of at most 4 MiB.",
        "`text`"},
+      {"recognise",
+       Who::anyone,
+       {name_of("name")},
+       "Tells for which kind of machine a program of the library looks to be written.",
+       "`kind`: any, mill, lathe, laser, laser-basic, teach or pattern; `line`, `word`: where that "
+       "shows; `usual`: the built-in machine for it, or empty"},
       {"write",
        Who::anyone,
        {name_of("name"), program_text},

@@ -1,5 +1,7 @@
 #include <ctime>
 
+#include "machine/program_look.hpp"
+#include "output/diagnostic_text.hpp"
 #include "server/diagnostic_json.hpp"
 #include "server/handlers.hpp"
 
@@ -53,6 +55,21 @@ void read(Hub& hub, const Request& request) {
   });
 }
 
+void recognise(Hub& hub, const Request& request) {
+  hub.on_disk(request,
+              [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+                const auto path = library.path_of(name);
+                if (!path) return tl::unexpected(path.error());
+                const auto file = base::SourceFile::open(*path);
+                if (!file) return tl::unexpected(file.error());
+                const machine::ProgramLook look = machine::look_of(**file);
+                return Json{{"kind", machine::name_of(look.kind)},
+                            {"line", look.line},
+                            {"word", output::printable(look.word)},
+                            {"usual", machine::usual_machine(look.kind)}};
+              });
+}
+
 void write(Hub& hub, const Request& request) {
   hub.on_disk(request, [body = request.body](Library& library) -> Outcome<Json> {
     const Arguments arguments(*body);
@@ -94,7 +111,7 @@ void revisions(Hub& hub, const Request& request) {
 
 const Handlers& library_handlers() {
   static const Handlers handlers = {
-      {"programs", programs}, {"read", read},     {"write", write},
+      {"programs", programs}, {"read", read},     {"recognise", recognise}, {"write", write},
       {"rename", rename},     {"delete", remove}, {"revisions", revisions},
   };
   return handlers;

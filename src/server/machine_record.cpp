@@ -1,11 +1,25 @@
 #include "server/machine_record.hpp"
 
+#include "machine/program_look.hpp"
 #include "output/diagnostic_text.hpp"
 #include "server/client.hpp"
 #include "server/diagnostic_json.hpp"
 #include "server/state_json.hpp"
 
 namespace kerf::server {
+namespace {
+
+Json suited_kinds(const machine::MachineDefinition& definition) {
+  using machine::ProgramKind;
+  Json kinds = Json::array();
+  for (const ProgramKind kind :
+       {ProgramKind::mill, ProgramKind::laser, ProgramKind::laser_basic, ProgramKind::teach}) {
+    if (machine::suits(definition, kind)) kinds.push_back(machine::name_of(kind));
+  }
+  return kinds;
+}
+
+}  // namespace
 
 MachineRecord::MachineRecord(const StoredMachine& stored, std::shared_ptr<Runner> runner_in,
                              MachineThread& thread_in)
@@ -49,6 +63,9 @@ Json MachineRecord::path_event() const {
       totals.vertices > 0 ? Json{{"min", totals.low}, {"max", totals.high}} : Json(nullptr);
   json["files"] = path->files;
   json["error"] = path->error;
+  json["findings"] = path->findings;
+  json["stop"] = path->stop;
+  json["cut_short"] = path->is_cut_short;
   return json;
 }
 
@@ -58,7 +75,8 @@ Json MachineRecord::row() const {
           {"definition", kind},
           {"status", snapshot ? Json(machine::name_of(snapshot->status)) : Json("idle")},
           {"operator", op != nullptr ? Json(op->name()) : Json(nullptr)},
-          {"clients", watchers.size()}};
+          {"clients", watchers.size()},
+          {"suits", suited_kinds(definition)}};
 }
 
 }  // namespace kerf::server

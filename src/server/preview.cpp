@@ -48,6 +48,7 @@ class Preview::Run {
     machine_.load(std::move(*file));
     machine_.set_block_skip(preview_.order_.skip_levels);
     machine_.set_optional_stop(preview_.order_.optional_stop);
+    machine_.search_alarms();
     machine_.add_sink(chunks_);
     machine_.add_point_sink(chunks_);
     machine_.observe_progress([this] { look_at_clock(); });
@@ -98,7 +99,20 @@ class Preview::Run {
     return state;
   }
 
-  void finish(Json error) { observer_(state(true, std::move(error))); }
+  void finish(Json error) {
+    PreviewState last = state(true, std::move(error));
+    const machine::AlarmSearch* const search = machine_.alarm_search();
+    if (disk_error_.empty() && search != nullptr) add_findings(*search, last);
+    observer_(last);
+  }
+
+  void add_findings(const machine::AlarmSearch& search, PreviewState& state) const {
+    for (const base::Diagnostic& each : search.findings())
+      state.findings.push_back(diagnostic_json(each, machine_.sources()));
+    if (const auto& stop = search.stop())
+      state.stop = {{"motion", stop->motion}, {"time_s", stop->time_s}};
+    state.is_cut_short = search.is_cut_short();
+  }
 
   Preview& preview_;
   const Observer& observer_;

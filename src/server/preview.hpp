@@ -37,9 +37,13 @@ struct PreviewState {
   output::PathTotals totals;
   std::vector<std::string> files;  ///< by the file numbers of the chunks
   Json error;                      ///< a diagnostic, or null
+  Json findings = Json::array();   ///< diagnostics: `error`, if it is an alarm, and those behind it
+  Json stop = nullptr;             ///< `{motion, time_s}` where the control stops, or null
+  bool is_cut_short = false;       ///< behind the stop not everything was looked at
 };
 
-/// A run of a program in the background, as fast as it goes, whose path becomes chunks.
+/// A run of a program in the background, as fast as it goes, whose path becomes chunks. It goes on
+/// behind alarms (machine::AlarmSearch): what comes behind the first one no machine would make.
 ///
 /// run() belongs to a thread of its own and may take long. The first chunk comes after at most
 /// kFirst_s of computing, the others every kNext_s. Whoever wants no more of it calls cancel().

@@ -51,7 +51,10 @@ constexpr std::string_view kRest = R"md(
 `total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
 
 `path`: `{"event":"path","machine","run","done","motions","vertices","time_s","bounds":null|{"min":[x,y,z],"max":[x,y,z]},
-"files":["O1.nc",…],"error":null|{…}}`, when the preview of a program begins, whenever it has gone further, and when it ends.
+"files":["O1.nc",…],"error":null|{…},"findings":[{…},…],"stop":null|{"motion","time_s"},"cut_short"}`, when the preview of a
+program begins, whenever it has gone further, and when it ends. The preview goes on behind alarms, without their blocks:
+`findings` are all of them, each code once a line, the first one being `error`; `stop` is the last motion that a machine
+would make and the time when it rests behind that. `cut_short`: of what comes behind the stop, not everything was looked at.
 
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 

@@ -52,6 +52,19 @@ def alarms_of_the_run(box):
           [(5, "PS0112"), (7, "PS0004")], "findings")
 
 
+@test("check goes on behind alarms of the run, which run itself never does")
+def behind_alarms(box):
+    box.write("many.nc", "O0000\nG04 P1.0\nG01 X10. F100\nM98 P7777\nG02 X20. Y5. R1.\n#1=1/0\nG01 X30.\nM30\n")
+    told = [(item["line"], item["code"]) for item in findings(box, "many.nc")]
+    equal(told, [(1, "PS0074"), (2, "PS0007"), (4, "PS0076"), (5, "PS0020"), (6, "PS0112")], "findings")
+    box.write("one.nc", "O1\nG01 X10. F100\nG04 P1.0\nG01 X20.\nM30\n")
+    result = box.kerf("run", "one.nc", "--summary", "one.json", "--motion", "one.jsonl")
+    status(result, 1)
+    summary = box.json("one.json")
+    equal((summary["status"], summary["alarm"]["line"], summary["motions"]), ("alarm", 3, 1), "run")
+    check(all(motion["line"] < 4 for motion in box.motions("one.jsonl")), "no motion behind the alarm")
+
+
 @test("check is silent and ends with 0 when nothing is wrong")
 def nothing_wrong(box):
     box.write("good.nc", GOOD)

@@ -155,6 +155,46 @@ def _(place):
     client.wait_for(lambda: client.state["alarm"] is None, "no alarm")
 
 
+@test("the preview goes on behind alarms, the machine stops at the first")
+def _(place):
+    client = place.serve().client().watch("mill")
+    event = client.load("O0000\nG01 X10. F6000\nG04 P1.0\nG01 X20.\nG04 P2.0\nM30\n")
+    equal([(each["line"], each["code"]) for each in event["findings"]],
+          [(1, "PS0074"), (3, "PS0007"), (5, "PS0007")], "findings")
+    equal((event["error"]["line"], event["stop"], event["cut_short"]), (1, {"motion": 0, "time_s": 0}, False), "stop")
+    event = client.load("G01 X10. F6000\nG04 P1.0\nG01 X20.\nG04 P2.0\nM30\n")
+    equal((event["error"]["line"], event["stop"]["motion"], event["motions"]), (2, 1, 3), "stop in the middle")
+    check(0 < event["stop"]["time_s"] < event["time_s"], f"time of the stop: {event}")
+    equal(client.state["total_s"], None, "how long it takes")
+    client.do("cycle-start")
+    client.wait_for_status("alarm")
+    equal(client.state["alarm"]["line"], 2, "line of the machine's alarm")
+    equal(client.state["position"]["machine"]["X"], 10, "where the machine stands")
+    client.do("reset")
+    event = client.load("G01 X10. F6000\nM30\n")
+    equal((event["findings"], event["stop"]), ([], None), "nothing wrong")
+
+
+@test("a program tells for which machine it looks to be written, and machines which ones they suit")
+def _(place):
+    client = place.serve().client()
+    for name, text, wanted in [
+        ("turn.nc", "T101\nG00 Z0 X-25.5\nG97 M03 S500\nM30\n", ("lathe", 1, "T101", "")),
+        ("mill.nc", "T1 M06\nG00 X0 Y0\nM30\n", ("mill", 1, "M06", "mill3")),
+        ("a.bas", "move(1,2)\n", ("laser-basic", 0, "", "laser3")),
+        ("plain.nc", "G01 X1. F100\nM30\n", ("any", 0, "", "mill3")),
+    ]:
+        client.do("write", name=name, text=text)
+        look = client.do("recognise", name=name)
+        equal((look["kind"], look["line"], look["word"], look["usual"]), wanted, name)
+    says(client.refused("recognise", name="none.nc"), "none.nc")
+    suits = {row["name"]: row["suits"] for row in client.do("machines")["machines"]}
+    equal(suits["mill"], ["mill"], "mill")
+    check("laser-basic" in suits["laser"] and "mill" not in suits["laser"], f"laser: {suits}")
+    equal(suits["five-axis"], ["laser", "laser-basic", "teach"], "five-axis")
+    equal(suits["arm"], [], "arm")
+
+
 @test("MDI executes, jog moves until it is let go, teaching captures")
 def _(place):
     server = place.serve()

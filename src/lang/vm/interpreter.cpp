@@ -87,6 +87,24 @@ void Interpreter::jump(Address target) {
   frames_.back().at = target;
 }
 
+// What stands behind the last block of a page leads to the next page, or is the end.
+bool Interpreter::leave_block() {
+  if (steps_spent_) return false;
+  Frame& frame = frames_.back();
+  const bool stands_behind = frame.code == running_.code &&
+                             frame.at == Address{running_.at.page, running_.at.instruction + 1};
+  if (!stands_behind) return true;
+  const CodePage& page = source_.page(frame.code, running_.at.page);
+  const auto last = static_cast<std::uint32_t>(page.instructions.size() - 1);
+  if (running_.at.instruction >= last) return false;
+  const auto next = std::upper_bound(
+      page.marks.begin(), page.marks.end(), running_.at.instruction,
+      [](std::uint32_t at, const BlockMark& mark) { return at < mark.instruction; });
+  jump({page.number, next == page.marks.end() ? last : next->instruction});
+  begun_.reset();
+  return true;
+}
+
 std::span<double> Interpreter::locals() {
   return std::span(registers_).subspan(frames_.back().base, settings_.locals);
 }

@@ -53,6 +53,9 @@ class Interpreter {
   /// Goes to the head of the running frame's code again; its registers stay.
   void restart();
   void jump(Address target);
+  /// Behind a run that was over: goes to the block behind the one that executed, unless that has
+  /// gone elsewhere itself. False: nothing follows it.
+  [[nodiscard]] bool leave_block();
   /// Goes to a label of the running frame's code, searched from the executing block. False:
   /// missing.
   [[nodiscard]] bool jump_to_label(std::uint32_t label);

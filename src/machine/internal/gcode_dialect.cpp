@@ -57,6 +57,10 @@ std::string GcodeDialect::program_name() const {
 // Alarms in the structure of the file (PS0073, PS0074) come before its first block.
 std::optional<base::Diagnostic> GcodeDialect::start() {
   if (!library_.findings().empty()) return library_.findings().front();
+  return start_all_the_same();
+}
+
+std::optional<base::Diagnostic> GcodeDialect::start_all_the_same() {
   if (library_.program_count() == 0)
     return base::make_error(base::Code::empty_program,
                             {.file = main_file(), .line = 1, .column = 1});

@@ -18,6 +18,7 @@ class GcodeDialect final : public Dialect {
   void add_library_folder(const std::string& folder) override { shelf_.add_folder(folder); }
   [[nodiscard]] std::string program_name() const override;
   [[nodiscard]] std::optional<base::Diagnostic> start() override;
+  [[nodiscard]] std::optional<base::Diagnostic> start_all_the_same() override;
   [[nodiscard]] std::optional<base::Diagnostic> start_entry(base::FileId file) override;
   [[nodiscard]] base::Outcome<Condition> compile_condition(const std::string& text) override;
   [[nodiscard]] std::optional<bool> holds(Condition& condition) override;

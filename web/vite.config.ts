@@ -1,11 +1,12 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig } from 'vitest/config';
+import { manual } from './scripts/manual.mjs';
 
 // `npm run dev` serves the page by itself and passes everything else to a panel server.
 const server = process.env.KERF_SERVER ?? 'http://127.0.0.1:8080';
 
 export default defineConfig({
-  plugins: [svelte()],
+  plugins: [svelte(), manual()],
   base: './',
   build: {
     target: 'es2022',

@@ -16,6 +16,8 @@ export class PanelPage {
       scheme = 'dark',
       locale = 'en-US',
       touch = false,
+      /** Nothing of the panel is known to this browser yet. */
+      newcomer = false,
     } = {},
   ) {
     const context = await browser.newContext({
@@ -27,7 +29,11 @@ export class PanelPage {
     });
     context.setDefaultTimeout(SLOW_MS);
     const page = await context.newPage();
-    await page.addInitScript((name) => sessionStorage.setItem('kerf.machine', name), machine);
+    if (!newcomer)
+      await page.addInitScript((name) => {
+        sessionStorage.setItem('kerf.machine', name);
+        localStorage.setItem('kerf.start-card', 'away');
+      }, machine);
     const panel = new PanelPage(context, page, base);
     await page.goto(base);
     await panel.is_connected();

@@ -18,6 +18,7 @@ import { editing } from './scenarios/editing.mjs';
 import { faults } from './scenarios/faults.mjs';
 import { manual } from './scenarios/manual.mjs';
 import { million } from './scenarios/million.mjs';
+import { newcomer } from './scenarios/newcomer.mjs';
 import { operating } from './scenarios/operating.mjs';
 import { pictures } from './scenarios/pictures.mjs';
 import { states } from './scenarios/states.mjs';
@@ -29,6 +30,7 @@ const ALL = [
   ...editing,
   ...manual,
   ...training,
+  ...newcomer,
   ...accessibility,
   ...faults,
   ...million,

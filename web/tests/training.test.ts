@@ -19,6 +19,7 @@ const machine = (name: string, definition: string, operator: string | null): Mac
   status: 'idle',
   operator,
   clients: 0,
+  suits: [],
 });
 
 describe('the machine of an exercise', () => {

@@ -3,8 +3,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+export const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const TABS = [
+  'Problems',
   'Variables',
   'Stepping',
   'MDI',
@@ -17,7 +18,7 @@ const TABS = [
   'Training',
 ];
 
-async function findings(panel, where, part = 'html') {
+export async function findings(panel, where, part = 'html') {
   const { violations } = await panel.page.evaluate(
     (within) =>
       window.axe.run(within, {

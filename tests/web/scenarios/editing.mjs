@@ -173,10 +173,6 @@ export const editing = [
       await panel.open_library();
       await panel.page.locator('input[type="file"]').setInputFiles(file);
       await panel.says('uploaded.nc is in the library.');
-      await panel.page
-        .getByRole('dialog')
-        .getByRole('button', { name: 'uploaded.nc', exact: true })
-        .click();
       await panel.page.locator('header .program', { hasText: 'uploaded.nc' }).waitFor();
       await panel.page.reload();
       await panel.is_connected();

@@ -1,7 +1,7 @@
 /** Errors while typing: the machine's own check, with alarm text, cause and remedy on hover. */
 import { linter, lintGutter, type Diagnostic as Mark } from '@codemirror/lint';
 import { type Extension, StateEffect, type Text } from '@codemirror/state';
-import type { EditorView } from '@codemirror/view';
+import { type EditorView, tooltips } from '@codemirror/view';
 import { mark_range } from '../logic/mark_range';
 import { MOST_TEXT_BYTES } from '../logic/message_size';
 import type { Diagnostic } from '../logic/protocol';
@@ -15,6 +15,9 @@ export interface Checker {
   /** Message, cause and remedy in the language of the page. */
   words(diagnostic: Diagnostic): { message: string; cause: string; remedy: string };
   remedy_caption(): string;
+  manual_caption(): string;
+  /** Where the manual explains it. */
+  open_manual(diagnostic: Diagnostic): void;
 }
 
 export function checking(checker: Checker): Extension {
@@ -32,7 +35,13 @@ export function checking(checker: Checker): Extension {
         transactions.some(({ effects }) => effects.some((effect) => effect.is(other_errors))),
     },
   );
-  return [source, lintGutter()];
+  return [source, lintGutter(), tooltips({ tooltipSpace: below_the_bars })];
+}
+
+/** A card stands in the text, below its line: the buttons above it and below it stay free. */
+function below_the_bars(view: EditorView) {
+  const { top, bottom } = view.scrollDOM.getBoundingClientRect();
+  return { top, bottom, left: 0, right: innerWidth };
 }
 
 /** Something else than an edit has changed what is wrong with the text. */
@@ -56,7 +65,12 @@ function card(diagnostic: Diagnostic, checker: Checker): HTMLElement {
   const words = checker.words(diagnostic);
   const element = document.createElement('div');
   element.className = 'cm-alarm-card';
-  add(element, 'b', diagnostic.code);
+  const head = add(element, 'b', diagnostic.code);
+  const book = document.createElement('button');
+  book.type = 'button';
+  book.textContent = checker.manual_caption();
+  book.onclick = () => checker.open_manual(diagnostic);
+  head.append(' ', book);
   add(element, 'p', words.message).className = 'message';
   if (words.cause) add(element, 'p', words.cause);
   if (words.remedy) add(element, 'p', `${checker.remedy_caption()} ${words.remedy}`);

@@ -48,6 +48,15 @@ export const theme = EditorView.theme({
   '.cm-alarm-card': { fontFamily: 'var(--sans)', fontSize: '12.5px', lineHeight: '1.4' },
   '.cm-alarm-card b': { color: 'var(--alarm)', fontSize: '14px' },
   '.cm-diagnostic-warning .cm-alarm-card b': { color: 'var(--hold)' },
+  '.cm-alarm-card button': {
+    float: 'right',
+    padding: '0 6px',
+    border: '0',
+    background: 'none',
+    color: 'var(--accent)',
+    fontSize: '12px',
+    textDecoration: 'underline',
+  },
   '.cm-alarm-card .message': { fontWeight: '600' },
   '.cm-alarm-card p': { margin: '3px 0 0' },
   '.cm-lintRange-error': {

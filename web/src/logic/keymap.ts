@@ -60,6 +60,13 @@ export const BINDINGS = [
   { command: 'save', group: 'program', keys: ['Ctrl+KeyS'], in_text: true },
   { command: 'library', group: 'program', keys: ['Ctrl+KeyO'], in_text: true },
   { command: 'load-text', group: 'program', keys: ['F5'], in_text: true },
+  { command: 'next-problem', group: 'program', keys: ['Alt+F8'], in_text: true },
+  {
+    command: 'previous-problem',
+    group: 'program',
+    keys: ['Shift+F8', 'Alt+Shift+F8'],
+    in_text: true,
+  },
   { command: 'undo-edit', group: 'program', keys: ['Ctrl+KeyZ'] },
   { command: 'redo-edit', group: 'program', keys: ['Ctrl+Shift+KeyZ', 'Ctrl+KeyY'] },
   { command: 'focus-editor', group: 'panel', keys: ['Alt+KeyE'], in_text: true },
@@ -67,7 +74,8 @@ export const BINDINGS = [
   { command: 'next-tab', group: 'panel', keys: ['Alt+ArrowRight'], in_text: true },
   { command: 'previous-tab', group: 'panel', keys: ['Alt+ArrowLeft'], in_text: true },
   { command: 'take-operation', group: 'panel', keys: ['Alt+KeyT'], in_text: true },
-  { command: 'help', group: 'panel', keys: ['?', 'F1'] },
+  { command: 'manual', group: 'panel', keys: ['F1'], in_text: true },
+  { command: 'help', group: 'panel', keys: ['?'] },
 ] as const satisfies readonly Binding[];
 
 export type CommandName = (typeof BINDINGS)[number]['command'];

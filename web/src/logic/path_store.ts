@@ -104,6 +104,14 @@ export class PathStore {
     return best;
   }
 
+  /** The last vertex that a motion and those before it have made; null: there is no path. */
+  end_of_motion(motion: number): PathPlace | null {
+    const index = this.chunk_of_motion(motion);
+    if (index < 0) return null;
+    const vertex = Math.max(0, last_not_above(this.chunks[index].motion, motion));
+    return { chunk: index, vertex, fraction: 0 };
+  }
+
   point_at(place: PathPlace): [number, number, number] {
     const { xyz, vertices } = this.chunks[place.chunk];
     const a = 3 * place.vertex;

@@ -47,6 +47,20 @@ export interface MachineEntry {
   status: Status;
   operator: string | null;
   clients: number;
+  /** The kinds of programs that it makes, as `recognise` tells them. */
+  suits: ProgramKind[];
+}
+
+/** For which kind of machine a program looks to be written. */
+export type ProgramKind = 'any' | 'mill' | 'lathe' | 'laser' | 'laser-basic' | 'teach' | 'pattern';
+
+/** What a program looks like: `word` in `line` shows it. */
+export interface ProgramLook {
+  kind: ProgramKind;
+  line: number;
+  word: string;
+  /** The built-in machine for it; empty: there is none. */
+  usual: string;
 }
 
 export interface Alarm {
@@ -167,6 +181,12 @@ export interface PathEvent {
   bounds: { min: number[]; max: number[] } | null;
   files: string[];
   error: Alarm | null;
+  /** All that the run has met, also behind `error`, at which a machine stops. */
+  findings: Alarm[];
+  /** The last motion that a machine would make, and when it rests behind that; null: it does not stop. */
+  stop: { motion: number; time_s: number } | null;
+  /** Behind the stop not everything was looked at. */
+  cut_short: boolean;
 }
 
 /** The state at an instant of the run, with the variables of then. */

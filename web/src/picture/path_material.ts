@@ -1,7 +1,7 @@
 /**
  * How a segment of the path is drawn: as a ribbon of some pixels, four vertices that fetch their segment from a texture
  * (path_mesh.ts). Colour comes from the tool or from a scale; what is done is wide and full, what is still to come thin and
- * faint; rapids are thin and dashed.
+ * faint; rapids are thin and dashed; what no machine makes, behind the place where the control stops, is dotted and grey.
  */
 import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector2, Vector3 } from 'three';
 import {
@@ -29,12 +29,13 @@ uniform vec3 tools[${TOOL_COLOURS}];
 uniform vec3 stops[5];
 uniform vec3 rapid, ground;
 uniform float done;          // vertices of the path that are behind the tool; negative: all count as done
+uniform float stop;          // vertices up to where the control stops; negative: it does not
 uniform float chunk_start;
 uniform float show_rapids;
 uniform float width;
 uniform ivec2 part;         // segments x, x + y, x + 2y … of a mesh are drawn
 out vec3 colour;
-out vec2 dash;               // place along the segment in pixels, 1 when dashed
+out vec2 dash;               // place along the segment in pixels; 1: dashed, 2: dotted
 
 vec3 on_scale(float share) {
   float place = clamp(share, 0.0, 1.0) * 4.0;
@@ -73,6 +74,8 @@ void main() {
   float length_px = length(way);
   vec2 along = length_px > 1e-4 ? way / length_px : vec2(1.0, 0.0);
   bool behind = done < 0.0 || chunk_start + to.w <= done;
+  bool beyond = stop >= 0.0 && chunk_start + to.w > stop;
+  behind = behind && !beyond;
   float wide = is_rapid ? 1.1 : behind ? width : width * 0.62;
   vec2 side = vec2(-along.y, along.x) * side_of * wide * 0.5;
   // Half a pixel over both ends closes the joints of a polyline.
@@ -82,8 +85,9 @@ void main() {
   at.z += is_rapid ? 1e-5 : behind ? -2e-5 : 0.0;
   gl_Position = hidden ? vec4(2.0, 2.0, 2.0, 1.0) : at;
   vec3 full = is_rapid ? rapid : cut_colour(rates.xy, looks);
-  colour = behind ? full : mix(full, ground, is_rapid ? 0.5 : 0.42);
-  dash = vec2(end_of * length_px, is_rapid ? 1.0 : 0.0);
+  float faint = is_rapid ? 0.5 : 0.42;
+  colour = behind ? full : mix(beyond ? rapid : full, ground, faint);
+  dash = vec2(end_of * length_px, beyond ? 2.0 : is_rapid ? 1.0 : 0.0);
 }`;
 
 const fragment = /* glsl */ `
@@ -92,7 +96,7 @@ in vec3 colour;
 in vec2 dash;
 out vec4 pixel;
 void main() {
-  if (dash.y > 0.5 && mod(dash.x, 9.0) > 5.0) discard;
+  if (dash.y > 1.5 ? mod(dash.x, 5.0) > 2.0 : dash.y > 0.5 && mod(dash.x, 9.0) > 5.0) discard;
   pixel = vec4(colour, 1.0);
 }`;
 
@@ -115,6 +119,7 @@ export class PathMaterial extends RawShaderMaterial {
         rapid: { value: new Vector3() },
         ground: { value: new Vector3() },
         done: { value: -1 },
+        stop: { value: -1 },
         chunk_start: { value: 0 },
         show_rapids: { value: 1 },
         width: { value: 1.8 },

@@ -169,6 +169,14 @@ export class Picture {
     this.request();
   }
 
+  /** The last motion before the control stops; null: it does not. What comes behind it no machine makes. */
+  set_stop(motion: number | null): void {
+    const place = motion === null ? null : (this.store?.end_of_motion(motion) ?? null);
+    this.material.uniforms.stop.value =
+      place && this.store ? vertices_before(this.store, place) : -1;
+    this.request();
+  }
+
   set_pose(pose: Pose, at_once: boolean): void {
     this.tip = pose.tip;
     this.glide.aim(pose, at_once || this.calm(), performance.now());

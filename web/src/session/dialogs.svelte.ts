@@ -1,5 +1,5 @@
 /** Which dialog is open; at most one. */
-export type DialogName = 'library' | 'settings' | 'help' | 'new-machine' | 'condition';
+export type DialogName = 'library' | 'settings' | 'help' | 'new-machine' | 'condition' | 'manual';
 
 class Dialogs {
   open = $state<DialogName | null>(null);

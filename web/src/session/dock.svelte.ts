@@ -1,5 +1,6 @@
 /** Which tab of the dock is open. */
 export const TABS = [
+  'problems',
   'variables',
   'stepping',
   'mdi',

@@ -167,11 +167,16 @@ class Documents {
     if (await this.write(name, text)) await this.open_and_load(name);
   }
 
-  async upload(files: Iterable<File>): Promise<void> {
+  /** Into the library. The names of those that it has taken. */
+  async upload(files: Iterable<File>): Promise<string[]> {
+    const kept: string[] = [];
     for (const file of files) {
-      if (await put_file(file.name, file)) notices.say(t('notice.uploaded', { name: file.name }));
+      if (!(await put_file(file.name, file))) continue;
+      kept.push(file.name);
+      notices.say(t('notice.uploaded', { name: file.name }));
     }
     await this.refresh();
+    return kept;
   }
 
   /** The text of the machine, as teaching writes it. */

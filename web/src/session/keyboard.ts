@@ -9,9 +9,20 @@ import { documents } from './documents.svelte';
 import { do_again, take_back } from './edits';
 import { editor_keys } from './editor_keys';
 import { jog } from './jog';
+import { manual } from './manual.svelte';
+import {
+  cycle_start,
+  hold_or_next_problem,
+  reset,
+  set_mode,
+  set_skip,
+  step,
+  toggle,
+} from './operator';
 import { panel } from './panel.svelte';
 import { picture_keys } from './picture_keys';
 import { preferences } from './preferences.svelte';
+import { problems } from './problems.svelte';
 import { slider } from './slider.svelte';
 import { teaching } from './teaching.svelte';
 
@@ -28,31 +39,31 @@ const look = (view: 'iso' | 'top' | 'front' | 'right') => () => {
 const slide = (by: number): void => slider.move_to((slider.time_s ?? panel.state.time_s) + by);
 
 const ACTIONS: Record<CommandName, () => unknown> = {
-  'cycle-start': panel.cycle_start,
-  'feed-hold': panel.feed_hold,
-  reset: panel.reset,
+  'cycle-start': cycle_start,
+  'feed-hold': hold_or_next_problem,
+  reset,
   'feed-up': () => feed(10),
   'feed-down': () => feed(-10),
-  'step-over': () => panel.step('over'),
-  'step-into': () => panel.step('into'),
-  'step-out': () => panel.step('out'),
-  'step-back': () => panel.step('back'),
+  'step-over': () => step('over'),
+  'step-into': () => step('into'),
+  'step-out': () => step('out'),
+  'step-back': () => step('back'),
   'run-to-line': () => panel.act('run-to', { file: documents.current, line: documents.cursor }),
   'start-at-line': () => panel.act('start-at', { line: documents.cursor }),
   'toggle-breakpoint': () =>
     panel.set_breakpoints(toggled(panel.breakpoints, documents.current, documents.cursor)),
   'edit-condition': () => condition.edit(documents.current, documents.cursor),
-  'mode-edit': () => panel.set_mode('edit'),
-  'mode-mdi': () => panel.set_mode('mdi'),
-  'mode-auto': () => panel.set_mode('auto'),
-  'mode-jog': () => panel.set_mode('jog'),
-  'mode-ref': () => panel.set_mode('ref'),
-  'mode-teach': () => panel.set_mode('teach'),
-  'single-block': () => panel.toggle('single-block'),
-  'optional-stop': () => panel.toggle('optional-stop'),
-  'block-skip': () => panel.set_skip(panel.state.skip.length ? [] : [1]),
-  'dry-run': () => panel.toggle('dry-run'),
-  'machine-lock': () => panel.toggle('machine-lock'),
+  'mode-edit': () => set_mode('edit'),
+  'mode-mdi': () => set_mode('mdi'),
+  'mode-auto': () => set_mode('auto'),
+  'mode-jog': () => set_mode('jog'),
+  'mode-ref': () => set_mode('ref'),
+  'mode-teach': () => set_mode('teach'),
+  'single-block': () => toggle('single-block'),
+  'optional-stop': () => toggle('optional-stop'),
+  'block-skip': () => set_skip(panel.state.skip.length ? [] : [1]),
+  'dry-run': () => toggle('dry-run'),
+  'machine-lock': () => toggle('machine-lock'),
   'jog-x-plus': () => jog.begin('X', 1),
   'jog-x-minus': () => jog.begin('X', -1),
   'jog-y-plus': () => jog.begin('Y', 1),
@@ -82,6 +93,9 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'next-tab': () => dock.turn(1),
   'previous-tab': () => dock.turn(-1),
   'take-operation': () => panel.take(),
+  'next-problem': () => problems.beside(1),
+  'previous-problem': () => problems.beside(-1),
+  manual: () => manual.help(),
   help: () => dialogs.show('help'),
 };
 

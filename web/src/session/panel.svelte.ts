@@ -8,6 +8,7 @@ import {
   type Socket,
 } from '../logic/connection';
 import { decode_chunk } from '../logic/chunk';
+import { first_machine } from '../logic/first_machine';
 import { tip_of, type Point } from '../logic/kinematics';
 import { PathStore } from '../logic/path_store';
 import { patched } from '../logic/state_patch';
@@ -29,6 +30,8 @@ import { notices } from './notices.svelte';
 import { t } from './words.svelte';
 
 const FIRST_MACHINE_KEY = 'kerf.machine';
+/** Of this browser, beside that of this tab. */
+const LAST_MACHINE_KEY = 'kerf.last-machine';
 
 class Panel {
   line = $state.raw<{ state: LineState; retry_in_s: number; reason: string }>({
@@ -108,7 +111,7 @@ class Panel {
     this.me = String(answer.client);
     this.breakpoints = answer.breakpoints as Breakpoint[];
     this.epoch++;
-    sessionStorage.setItem(FIRST_MACHINE_KEY, machine);
+    keep_machine(machine);
     if (this.state.operator === null) await this.take_quietly();
   }
 
@@ -163,8 +166,7 @@ class Panel {
 
   private async begin(): Promise<void> {
     await this.refresh_machines();
-    const wanted = this.machine || sessionStorage.getItem(FIRST_MACHINE_KEY) || '';
-    const known = this.machines.find((m) => m.name === wanted) ?? this.machines[0];
+    const known = first_machine(this.machines, [this.machine, ...kept_machines()]);
     if (known) await this.watch(known.name);
   }
 
@@ -184,6 +186,24 @@ class Panel {
   private on_chunk(bytes: ArrayBuffer): void {
     const chunk = decode_chunk(bytes);
     if (chunk.source === 'preview' && this.preview.add(chunk)) this.path_version++;
+  }
+}
+
+/** That of this tab, then that of this browser. */
+function kept_machines(): (string | null)[] {
+  try {
+    return [sessionStorage.getItem(FIRST_MACHINE_KEY), localStorage.getItem(LAST_MACHINE_KEY)];
+  } catch {
+    return [];
+  }
+}
+
+function keep_machine(name: string): void {
+  try {
+    sessionStorage.setItem(FIRST_MACHINE_KEY, name);
+    localStorage.setItem(LAST_MACHINE_KEY, name);
+  } catch {
+    // A browser that keeps nothing begins with the mill each time.
   }
 }
 

@@ -13,7 +13,13 @@ class RunProgress {
   });
   /** Seconds of the program by itself up to there. */
   path_s = $derived(this.place ? panel.preview.seconds_at(this.place) : null);
-  total_s = $derived(panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null));
+  /** When the machine stops on its way; null: it does not. */
+  stop_s = $derived(panel.path?.stop?.time_s ?? null);
+  total_s = $derived(
+    this.stop_s === null
+      ? (panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null))
+      : null,
+  );
   now = $derived.by((): Progress =>
     progress_of(panel.state, this.path_s, this.total_s, panel.path?.motions ?? 0),
   );

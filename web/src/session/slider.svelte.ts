@@ -28,7 +28,10 @@ class Slider {
   get end_s(): number {
     void panel.path_version;
     const { done_s, left_s } = progress.now;
-    const program_s = Math.max(panel.preview.facts.end_s, panel.path?.time_s ?? 0);
+    const program_s =
+      progress.stop_s ?? Math.max(panel.preview.facts.end_s, panel.path?.time_s ?? 0);
+    // Behind the stop no machine comes: there is nothing to go to.
+    if (progress.stop_s !== null) return Math.max(program_s, done_s);
     return done_s > 0 ? done_s + (left_s ?? program_s) : program_s;
   }
 

@@ -1,11 +1,17 @@
 /** The page's texts: one table a language, the same keys in each (a test holds that). */
-import { en } from './en';
+import { en as en_panel } from './en';
+import { en_guide } from './en_guide';
 import { zh_hant } from './zh_hant';
+import { zh_hant_guide } from './zh_hant_guide';
 
+const en = { ...en_panel, ...en_guide };
 export type TextKey = keyof typeof en;
 export type Language = 'en' | 'zh-Hant';
 
-export const TABLES: Record<Language, Record<TextKey, string>> = { en, 'zh-Hant': zh_hant };
+export const TABLES: Record<Language, Record<TextKey, string>> = {
+  en,
+  'zh-Hant': { ...zh_hant, ...zh_hant_guide },
+};
 
 /** How each language calls itself. */
 export const LANGUAGE_NAMES: Record<Language, string> = { en: 'English', 'zh-Hant': '繁體中文' };

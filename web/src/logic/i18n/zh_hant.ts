@@ -1,7 +1,7 @@
 /** 繁體中文: Traditional Chinese, in the words of Taiwan's machine shops. */
-import type { TextKey } from './index';
+import type { en } from './en';
 
-export const zh_hant: Record<TextKey, string> = {
+export const zh_hant: Record<keyof typeof en, string> = {
   'alarm.remedy': '處置：',
   'alarm.title': '警報',
   'block.title': '執行單節',

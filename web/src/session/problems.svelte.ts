@@ -1,0 +1,37 @@
+/** What is wrong with the programs of this page, and the way from one mistake to the next. */
+import { count_errors, problem_beside, problems_of, type Problem } from '../logic/problems';
+import { documents } from './documents.svelte';
+import { dock } from './dock.svelte';
+import { panel } from './panel.svelte';
+
+class Problems {
+  list = $derived.by((): Problem[] =>
+    problems_of({
+      checked: { file: documents.current, found: documents.checked },
+      path: panel.path,
+      alarm: panel.state.alarm,
+      edited: new Set(
+        documents.open
+          .filter(({ loaded, text }) => loaded !== null && loaded !== text)
+          .map(({ name }) => name),
+      ),
+    }),
+  );
+  errors = $derived(count_errors(this.list));
+
+  async go_to({ file, line }: Problem): Promise<void> {
+    if (line <= 0) return;
+    if (file !== documents.current) await documents.follow(file);
+    documents.go_to(line);
+  }
+
+  /** To the next mistake (1) or the one before (-1), as the cursor stands. */
+  beside(way: 1 | -1): void {
+    const found = problem_beside(this.list, documents.current, documents.cursor, way);
+    if (!found) return;
+    dock.tab = 'problems';
+    void this.go_to(found);
+  }
+}
+
+export const problems = new Problems();

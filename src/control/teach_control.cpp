@@ -54,9 +54,9 @@ Verdict TeachControl::begin_block(const vm::CodePage& page, const vm::BlockMark&
 
 void TeachControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
 
-// The compiler ends every program with END or a failure, and makes no code that reads, writes or
-// calculates.
-Verdict TeachControl::end_of_code() { return Verdict::stop; }
+// The compiler ends every program with END or a failure, behind which only a search comes here; it
+// makes no code that reads, writes or calculates.
+Verdict TeachControl::end_of_code() { return halt_with(Halt::end, Verdict::stop); }
 Verdict TeachControl::read(double /*number*/, double& /*value*/) { return Verdict::stop; }
 Verdict TeachControl::write(double /*number*/, double /*value*/) { return Verdict::stop; }
 void TeachControl::fault(vm::Fault /*fault*/) {}

@@ -178,6 +178,12 @@ TEST_F(Search, MovesThatTheJointsCannotFollowAreLeftOut) {
   EXPECT_EQ(machine_->alarm_search()->findings().size(), 2U);
 }
 
+TEST_F(Search, TaughtPointsGoOnUntilTheirTextEnds) {
+  run("TEACH 1\nPOINT 1 2\nBAD\nPOINT P1 10 0 0 0 0\n", "laser5", "teach");
+  EXPECT_EQ(status_, Status::alarm);
+  EXPECT_GE(machine_->alarm_search()->findings().size(), 3U);
+}
+
 TEST_F(Search, LaserBasicGoesOnWithItsPower) {
   run("power(50)\nspeed(10)\nline(10,0)\nx=1/0\nline(20,0)\ny=2/x*(1/0)\nline(30,0)\nend\n",
       "laser3", "laser-basic");

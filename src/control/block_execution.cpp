@@ -278,7 +278,10 @@ Verdict Controller::finish_block() {
   buffer_.release();
   in_block_ = false;
   if (halt == Halt::end) {
-    if (codes_.rewind) state_.memory.parts += 1;
+    if (codes_.rewind) {
+      state_.memory.parts += 1;
+      ++state_.memory.revision;
+    }
     return stopped(halt);
   }
   if (!set_interrupt() || !finish_calls()) return Verdict::stop;

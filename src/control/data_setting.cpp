@@ -63,6 +63,7 @@ bool Settings::set_work_offset(const Words& words) {
     target[axis] =
         state_.modal.incremental() ? base::tidy(target[axis] + values[axis]) : values[axis];
   }
+  ++state_.memory.revision;
   state_.coordinates.offsets_changed();
   return true;
 }
@@ -90,6 +91,7 @@ bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
     return state_.alarms.raise(Code::offset_too_large, words['R']);
   }
   part = value;
+  ++state_.memory.revision;
   return true;
 }
 

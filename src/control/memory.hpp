@@ -37,6 +37,9 @@ struct Memory {
   double parts_required = 0;      ///< #3902
   double running_hours = 0;       ///< #3002
   std::map<std::string, std::uint32_t> names;  ///< of SETVN
+  /// Whoever changes anything but the commons counts it here, so that whoever keeps images of the
+  /// memory need not compare all of it.
+  std::uint64_t revision = 0;
 
   explicit Memory(int n_offsets);
 

@@ -249,6 +249,7 @@ bool SystemVariables::write_system(std::uint32_t number, double value, Event& ev
     const double length = from_unit(amount, true);
     if (std::fabs(length) > kMostToolOffset_mm) return state_.alarms.raise(Code::offset_too_large);
     *offset = length;
+    ++state_.memory.revision;
     return true;
   }
   bool exists = false;
@@ -256,6 +257,7 @@ bool SystemVariables::write_system(std::uint32_t number, double value, Event& ev
     const double length = from_unit(amount, true);
     if (std::fabs(length) > kMostWorkOffset_mm) return state_.alarms.raise(Code::offset_too_large);
     *offset = length;
+    ++state_.memory.revision;
     state_.coordinates.offsets_changed();
     return true;
   }
@@ -294,6 +296,7 @@ bool SystemVariables::write_clock(std::uint32_t number, double value, Event& eve
     case 3001: clock_start_s_ = state_.surroundings.seconds() - amount / 1000; return true;
     case 3002:
       state_.memory.running_hours = amount;
+      ++state_.memory.revision;
       hours_start_s_ = state_.surroundings.seconds();
       return true;
     case 3003:
@@ -312,6 +315,7 @@ bool SystemVariables::write_clock(std::uint32_t number, double value, Event& eve
       if (amount < 0)
         return state_.alarms.raise(Code::argument_range, "a part count is not negative");
       (number == 3901 ? state_.memory.parts : state_.memory.parts_required) = amount;
+      ++state_.memory.revision;
       return true;
     default: {
       double ignored = 0;

@@ -35,7 +35,10 @@ class SystemVariables {
   /// False: an alarm was raised (PS0115, PS0116, PS0032 …). `event` tells what else must happen.
   [[nodiscard]] bool write(double number, double value, Event& event);
   /// SETVN. False: PS1098 family.
-  void name(const std::string& name, std::uint32_t number) { state_.memory.names[name] = number; }
+  void name(const std::string& name, std::uint32_t number) {
+    state_.memory.names[name] = number;
+    ++state_.memory.revision;
+  }
 
  private:
   bool read_system(std::uint32_t number, double& value);

@@ -93,6 +93,10 @@ class Dialect {
                                                             std::size_t level) = 0;
   /// The values of all variables that can be listed, of every level.
   virtual void read_variables(std::vector<double>& values) = 0;
+  /// What the memory holds of these variables becomes what was read of them.
+  virtual void put_back(std::span<const double> /*values*/, control::Memory& /*memory*/) const {}
+  /// Whether list_variables() has a variable of this name unless it is vacant.
+  [[nodiscard]] virtual bool is_listed(const std::string& /*name*/) const { return false; }
   /// The variables of a level at the moment whose values were read; `changed` and `levels` left
   /// out.
   [[nodiscard]] virtual VariableListing list_variables(std::span<const double> values,

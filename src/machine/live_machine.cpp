@@ -295,7 +295,15 @@ LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::str
   });
 }
 
-const control::Memory& LiveMachine::memory() const { return impl_->core->machine().memory(); }
+control::Memory LiveMachine::memory() const { return impl_->core->memory(); }
+
+void LiveMachine::set_memory(control::Memory memory) {
+  static_cast<void>(impl_->perform([memory = std::move(memory)](LiveCore& core) {
+    core.set_memory(memory);
+    return Outcome{};
+  }));
+}
+
 const MachineDefinition& LiveMachine::definition() const { return impl_->core->definition(); }
 
 MachineDefinition LiveMachine::definition_of_run() const {

@@ -130,7 +130,11 @@ class LiveMachine {
   /// While nothing moves. `offset`: "G54" … "G59", "EXT", "G54.1 P3" with an axis, or
   /// "tool.5.length_geometry" (length_wear, radius_geometry, radius_wear) without one; mm.
   Outcome set_offset(const std::string& offset, std::string_view axis, double value);
-  [[nodiscard]] const control::Memory& memory() const;
+  /// That of the block that is being made; what is read ahead of it does not count. It is what a
+  /// reset goes back to, and what is to be on the disk when the power fails.
+  [[nodiscard]] control::Memory memory() const;
+  /// Takes entries back. Precondition: nothing moves, and it is a memory of this machine.
+  void set_memory(control::Memory memory);
   [[nodiscard]] const MachineDefinition& definition() const;
   /// The same with its start where the axes stood when the program under way began, otherwise where
   /// they stand: a machine made from it goes the same way.

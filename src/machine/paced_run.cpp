@@ -76,6 +76,7 @@ bool VirtualMachine::advance(double until_s, std::uint64_t most_points) {
       if (slices++ == kMostSlices) return false;
       if (rests && waits_for_input_ && !input_ready_()) return false;
       waits_for_input_ = false;
+      if (rests && at_rest_) at_rest_();
       execute_ahead();
     } else {
       servo_.finish();

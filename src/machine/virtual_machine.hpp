@@ -151,6 +151,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const Servo& servo() const { return servo_; }
   [[nodiscard]] Dialect& language() { return *dialect_; }
   [[nodiscard]] const Dialect& language() const { return *dialect_; }
+  /// Called before the control executes blocks while all that it has commanded is made.
+  void observe_rest(std::function<void()> observer) { at_rest_ = std::move(observer); }
   /// What is done with motions on their way to the servo; the sinks get them as they were.
   void alter_motions(std::function<control::Motion(const control::Motion&)> change) {
     alter_ = std::move(change);
@@ -284,6 +286,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool is_by_hand_ = false;  // what moves was commanded by the operator
   bool waits_for_input_ = false;
   std::function<bool()> input_ready_;
+  std::function<void()> at_rest_;
   std::function<control::Motion(const control::Motion&)> alter_;
   control::MotionSink* diverted_ = nullptr;
 };

@@ -16,7 +16,8 @@ bool same(const BlockState& a, const BlockState& b) {
   return a.modal == b.modal && a.origin == b.origin && a.tool_length == b.tool_length &&
          a.spindle.turning == b.spindle.turning && a.spindle.speed == b.spindle.speed &&
          a.spindle.mode == b.spindle.mode && a.coolant == b.coolant && a.tool == b.tool &&
-         a.power == b.power && a.variables == b.variables && same_calls(a.calls, b.calls);
+         a.power == b.power && a.variables == b.variables && a.tables == b.tables &&
+         same_calls(a.calls, b.calls);
 }
 
 }  // namespace
@@ -32,10 +33,19 @@ void BlockTrail::refresh_program() {
   now_.calls = control_.open_calls();
   if (!now_.calls.empty()) now_.calls.back().place = {};
   language_.read_variables(values_);
-  auto image = VariableImage::of(values_, now_.variables);
-  if (image == now_.variables) return;
-  now_.variables = std::move(image);
+  auto variables = VariableImage::of(values_, now_.variables);
+  auto tables = TableImage::of(memory_, now_.tables);
+  if (variables == now_.variables && tables == now_.tables) return;
+  now_.variables = std::move(variables);
+  now_.tables = std::move(tables);
   ++now_.variables_revision;
+}
+
+void BlockTrail::settle() {
+  refresh();
+  refresh_program();
+  entries_.clear();
+  last_ = now_;
 }
 
 void BlockTrail::take(const control::Motion& motion) {
@@ -53,7 +63,7 @@ void BlockTrail::take(const control::Motion& motion) {
   if (entries_.size() < kMost) {
     entries_.push_back({motions_, now_});
   } else {
-    entries_.back().state = now_;
+    entries_.back() = {motions_, now_};
   }
 }
 

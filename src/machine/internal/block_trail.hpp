@@ -5,9 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "control/memory.hpp"
 #include "control/motion.hpp"
 #include "machine/dialect.hpp"
+#include "machine/internal/table_image.hpp"
 #include "machine/internal/variable_image.hpp"
+#include "motion/path.hpp"
 
 namespace kerf::machine {
 
@@ -22,23 +25,28 @@ struct BlockState {
   std::uint32_t tool = 0;  ///< in the spindle
   /// Main first; the place of the innermost left out, each motion has its own.
   std::vector<control::OpenCall> calls;
-  std::shared_ptr<const VariableImage> variables;  ///< null: none were read
-  std::uint64_t variables_revision = 0;            ///< counts the images
+  std::shared_ptr<const VariableImage> variables;
+  std::shared_ptr<const TableImage> tables;  ///< the rest of the memory
+  std::uint64_t variables_revision = 0;      ///< counts the images of either
 };
 
 /// Remembers what the control showed when it handed out each motion, until that motion is made: the
 /// control is ahead of the axes, and a panel shows the block that the axes are in.
 ///
 /// It keeps one entry for motions in a row that show the same. Bounded: where more than kMost
-/// changes are ahead of the axes, the newest ones count as one.
+/// changes are ahead of the axes, which takes motions that move nothing, the newest ones count as
+/// one that shows with the last of them.
 class BlockTrail : public control::MotionSink {
  public:
-  static constexpr std::size_t kMost = 4096;
+  static constexpr std::size_t kMost = motion::Path::kMarks + 1024;
 
-  /// The language and its control must outlive this.
-  explicit BlockTrail(Dialect& language) : language_(language), control_(language.control()) {}
+  /// They must outlive this.
+  BlockTrail(Dialect& language, const control::Memory& memory)
+      : language_(language), control_(language.control()), memory_(memory) {}
 
   void take(const control::Motion& motion) override;
+  /// Everything is made: what the control has done since the last motion is made, too.
+  void settle();
   /// What was shown with motion number `motion`, counted from 1; forgets what was before it.
   [[nodiscard]] const BlockState& at(std::uint64_t motion);
   /// Of the control as it stands now.
@@ -56,6 +64,7 @@ class BlockTrail : public control::MotionSink {
 
   Dialect& language_;
   control::Control& control_;
+  const control::Memory& memory_;
   std::vector<double> values_;  // of variables, read last
   BlockState now_;              // functions as handed out
   std::deque<Entry> entries_;

@@ -27,6 +27,8 @@ class GcodeDialect final : public Dialect {
                                                     std::size_t level) override;
   [[nodiscard]] bool is_local(const std::string& name) const override;
   void read_variables(std::vector<double>& values) override;
+  void put_back(std::span<const double> values, control::Memory& memory) const override;
+  [[nodiscard]] bool is_listed(const std::string& name) const override;
   [[nodiscard]] VariableListing list_variables(std::span<const double> values,
                                                std::size_t level) override;
   [[nodiscard]] base::AxisVector shift() const override {

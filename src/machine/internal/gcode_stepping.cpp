@@ -1,4 +1,5 @@
 // What a stepper asks of a FANUC program: conditions, and variables by level.
+#include <algorithm>
 #include <cmath>
 
 #include "base/decimal.hpp"
@@ -73,6 +74,15 @@ void GcodeDialect::read_variables(std::vector<double>& values) {
     const std::span<const double> locals = controller_.locals_of(level);
     values.insert(values.end(), locals.begin(), locals.begin() + gcode::kLocals);
   }
+}
+
+void GcodeDialect::put_back(std::span<const double> values, control::Memory& memory) const {
+  std::copy_n(values.begin(), memory.commons.size(), memory.commons.begin());
+}
+
+bool GcodeDialect::is_listed(const std::string& name) const {
+  const auto number = number_of_variable(name);
+  return number && (is_common(*number) || *number < gcode::kLocals);
 }
 
 VariableListing GcodeDialect::list_variables(std::span<const double> values, std::size_t level) {

@@ -31,6 +31,7 @@ std::optional<std::string> LiveCore::keeps_from_hand() const {
 }
 
 LiveCore::Outcome LiveCore::queue_moves(const std::vector<control::Motion>& motions) {
+  trail_->settle();
   bool any = false;
   for (const control::Motion& motion : motions) {
     if (const auto refusal = machine_->command(motion)) {

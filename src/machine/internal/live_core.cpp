@@ -76,13 +76,14 @@ void LiveCore::begin_anew() {
   auto fresh = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
                                                 VirtualMachine::Settings{{}, dialect_});
   fresh->language().set_shift(start.shift);
-  auto trail = std::make_unique<BlockTrail>(fresh->language());
+  auto trail = std::make_unique<BlockTrail>(fresh->language(), fresh->memory());
   fresh->pace();
   for (const std::string& folder : settings_.library_folders) fresh->add_library_folder(folder);
   fresh->add_sink(*trail);
   fresh->add_point_sink(*this);
   for (control::MotionSink* const sink : sinks_) fresh->add_sink(*sink);
   for (AxisPointSink* const sink : point_sinks_) fresh->add_point_sink(*sink);
+  fresh->observe_rest([this] { trail_->settle(); });
   fresh->alter_motions([this](const control::Motion& motion) { return altered(motion); });
   fresh->set_print_output([this](std::string_view text) {
     printed_bytes_ += text.size();
@@ -185,6 +186,7 @@ void LiveCore::advance_to(double until_s, std::uint64_t most_points) {
 }
 
 void LiveCore::after_activity() {
+  if (resetting_ || (is_broken_off() && !machine_->servo().at_rest())) forget_ahead();
   if (resetting_) return finish_reset();
   switch (std::exchange(activity_, Activity::none)) {
     case Activity::none: break;
@@ -241,6 +243,7 @@ void LiveCore::reset() {
   input_.clear();
   resetting_ = true;
   if (is_active()) {
+    if (machine_->servo().at_rest()) trail_->settle();
     machine_->servo().source().reset();
   } else {
     finish_reset();
@@ -326,6 +329,7 @@ LiveCore::Outcome LiveCore::set_off(bool may_step) {
 void LiveCore::go_on() {
   activity_ = Activity::program;
   deadline_s_ = time_s();
+  trail_->settle();
   stepper_->go_on();
   if (!machine_->set_off()) {
     activity_ = Activity::none;
@@ -397,6 +401,7 @@ LiveCore::Outcome LiveCore::mdi(const std::string& text) {
   is_entry_ = true;
   activity_ = Activity::program;
   deadline_s_ = time_s();
+  trail_->settle();
   ++run_;
   if (!machine_->set_off_entry(base::SourceFile::from_text("MDI", text))) {
     activity_ = Activity::none;

@@ -86,8 +86,12 @@ class LiveCore : private AxisPointSink {
   Outcome set_variable(const std::string& name, std::optional<double> value,
                        std::optional<std::size_t> level);
   Outcome set_offset(const std::string& offset, const std::string& axis, double value);
+  /// Precondition: nothing moves.
+  void set_memory(control::Memory memory);
 
   // To see
+  /// That of the block that is made: what a reset or a loss of power keeps.
+  [[nodiscard]] control::Memory memory();
   [[nodiscard]] Status status() const;
   [[nodiscard]] Snapshot snapshot();
   [[nodiscard]] VariableListing variables(std::optional<std::size_t> level);
@@ -148,6 +152,13 @@ class LiveCore : private AxisPointSink {
   void show_stack(Snapshot& shown);
   [[nodiscard]] Values values();
   [[nodiscard]] const BlockState* block_made();
+  [[nodiscard]] const BlockState* image_made();
+  void put_back(const BlockState& made, control::Memory& memory) const;
+  void forget_ahead();
+  [[nodiscard]] VariableListing at_block_made(const std::function<VariableListing()>& list);
+  [[nodiscard]] VariableListing list_variables(std::optional<std::size_t> level);
+  [[nodiscard]] VariableListing list_named(const std::vector<std::string>& names,
+                                           std::optional<std::size_t> level);
   void say(std::string message);
 
   MachineDefinition definition_;

@@ -146,7 +146,7 @@ Snapshot LiveCore::snapshot() {
   show_stack(shown);
   shown.messages.assign(messages_.begin(), messages_.end());
   // Even numbers while the axes rest, odd ones on the way.
-  const BlockState* const made = block_made();
+  const BlockState* const made = image_made();
   const std::uint64_t revision =
       made ? 2 * made->variables_revision + 1 : 2 * machine_->control().blocks();
   shown.variables_revision = revision + (changes_ << 40U);
@@ -178,7 +178,16 @@ LiveCore::Values LiveCore::values() {
 
 VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
                                           std::optional<std::size_t> level) {
-  const VariableListing all = variables(level);
+  return at_block_made([&] { return list_named(names, level); });
+}
+
+VariableListing LiveCore::variables(std::optional<std::size_t> level) {
+  return at_block_made([&] { return list_variables(level); });
+}
+
+VariableListing LiveCore::list_named(const std::vector<std::string>& names,
+                                     std::optional<std::size_t> level) {
+  const VariableListing all = list_variables(level);
   VariableListing listing{{}, all.scopes, all.levels};
   const std::size_t levels = all.levels;
   const std::size_t wanted = level.value_or(levels == 0 ? 0 : levels - 1);
@@ -187,6 +196,8 @@ VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
                                      [&](const VariableRow& row) { return row.name == name; });
     if (listed != all.rows.end()) {
       listing.rows.push_back(*listed);
+    } else if (image_made() != nullptr && machine_->language().is_listed(name)) {
+      listing.rows.push_back({name, "", vm::kNull, VariableScope::program, wanted, false});
     } else if (const auto value = machine_->language().variable(name, wanted)) {
       listing.rows.push_back({name, "", *value, VariableScope::program, wanted, false});
     }
@@ -194,10 +205,10 @@ VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
   return listing;
 }
 
-VariableListing LiveCore::variables(std::optional<std::size_t> level) {
-  const BlockState* const made = block_made();
+VariableListing LiveCore::list_variables(std::optional<std::size_t> level) {
+  const BlockState* const made = image_made();
   std::vector<double> numbers;
-  if (made && made->variables) {
+  if (made) {
     numbers = made->variables->values();
   } else {
     machine_->language().read_variables(numbers);

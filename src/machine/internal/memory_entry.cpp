@@ -76,6 +76,7 @@ LiveCore::Outcome LiveCore::set_offset(const std::string& offset, const std::str
     if (!found) return refused("the machine has no axis '" + axis + "'");
     (*work)[*found] = value;
   }
+  ++machine_->memory().revision;
   machine_->language().offsets_changed();
   ++changes_;
   return {};

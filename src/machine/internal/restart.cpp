@@ -17,6 +17,7 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
   if (const auto why = keeps_from_start()) return refused(*why);
   if (is_active()) return refused("the machine is running");
   if (auto begun = begin_program(); !begun) return begun;
+  control::Memory before = machine_->memory();
   const std::string where = "line " + std::to_string(line);
   auto approach = std::make_unique<Approach>();
   approach->to = machine_->servo().commanded();
@@ -38,6 +39,7 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
   stepper_->search_line(0);
   machine_->divert_motions(nullptr);
   if (!found) {
+    set_memory(std::move(before));
     begin_anew();
     if (auto opened = open_program(); !opened) return opened;
     return refused(why);

@@ -16,6 +16,8 @@ class VariableImage {
       std::span<const double> values, const std::shared_ptr<const VariableImage>& before);
 
   [[nodiscard]] std::vector<double> values() const;
+  /// Bit by bit: a vacant variable is no number.
+  [[nodiscard]] bool shows(std::span<const double> values) const;
 
  private:
   static constexpr std::size_t kChunk = 64;

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <random>
 
 namespace kerf::base {
 namespace {
@@ -44,22 +45,32 @@ void forget(const std::string& name) {
   }
 }
 
+// A name that nobody has: ".NAME.XXXXXX".
 std::string temporary_beside(const std::string& path) {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   const std::filesystem::path target(path);
   std::string name(".");
   name += target.filename().string();
-  name += ".XXXXXX";
+  name += '.';
+  std::random_device random;
+  for (int i = 0; i < 6; ++i) name += kLetters[random() % kLetters.size()];
   return (target.parent_path() / name).string();
+}
+
+// With the access that the account gives to its new files.
+int create_temporary(const std::string& path, std::string& temporary) {
+  for (int tries = 0; tries < 100; ++tries) {
+    temporary = temporary_beside(path);
+    const int descriptor =
+        ::open(temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+  return -1;
 }
 
 tl::unexpected<Failure> output_failure(const std::string& path, int error) {
   return tl::unexpected(Failure{Failure::Kind::output, path + ": " + std::strerror(error)});
-}
-
-mode_t usual_mode() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return static_cast<mode_t>(0666 & ~mask);
 }
 
 bool is_renamable(const std::string& path) {
@@ -67,14 +78,9 @@ bool is_renamable(const std::string& path) {
   return ::stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode) || S_ISDIR(status.st_mode);
 }
 
-bool sync_folder_of(const std::string& path) {
+std::string folder_of(const std::string& path) {
   std::string folder = std::filesystem::path(path).parent_path().string();
-  if (folder.empty()) folder = ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool good = ::fsync(descriptor) == 0;
-  ::close(descriptor);
-  return good;
+  return folder.empty() ? "." : folder;
 }
 
 }  // namespace
@@ -102,10 +108,9 @@ Outcome<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path)
   struct stat status {};
   if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
     return output_failure(path, EISDIR);
-  std::string temporary = temporary_beside(path);
-  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  std::string temporary;
+  const int descriptor = create_temporary(path, temporary);
   if (descriptor < 0) return output_failure(path, errno);
-  ::fchmod(descriptor, usual_mode());
   return std::unique_ptr<OutputFile>(new OutputFile(path, std::move(temporary), descriptor));
 }
 
@@ -125,10 +130,17 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
-Outcome<void> OutputFile::commit(Durability durability) {
+Outcome<void> OutputFile::prepare(Durability durability) {
   flush();
   const bool durable = durability == Durability::survives_power_loss;
   if (error_ == 0 && durable && !temporary_.empty() && ::fsync(descriptor_) != 0) error_ = errno;
+  if (error_ != 0) return output_failure(path_, error_);
+  return {};
+}
+
+Outcome<void> OutputFile::commit(Durability durability) {
+  static_cast<void>(prepare(durability));
+  const bool durable = durability == Durability::survives_power_loss;
   if (::close(descriptor_) != 0 && error_ == 0) error_ = errno;
   descriptor_ = -1;
   if (error_ != 0) return output_failure(path_, error_);
@@ -136,7 +148,16 @@ Outcome<void> OutputFile::commit(Durability durability) {
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return output_failure(path_, errno);
   forget(temporary_);
   temporary_.clear();
-  if (durable && !sync_folder_of(path_)) return output_failure(path_, errno);
+  if (durable) return sync_folder(folder_of(path_));
+  return {};
+}
+
+Outcome<void> sync_folder(const std::string& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return output_failure(folder, errno);
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (error != 0) return output_failure(folder, error);
   return {};
 }
 

@@ -29,6 +29,14 @@ class OutputFile {
 
   enum class Durability : std::uint8_t { ordinary, survives_power_loss };
 
+  /// Everything that was written is on the disk, still under written_to(). What fails then is only
+  /// the name.
+  [[nodiscard]] Outcome<void> prepare(Durability durability);
+  /// Where the bytes are until commit().
+  [[nodiscard]] const std::string& written_to() const {
+    return temporary_.empty() ? path_ : temporary_;
+  }
+
   /// Gives the file its name. Failure: what was written did not reach the disk; then no file is
   /// left.
   [[nodiscard]] Outcome<void> commit(Durability durability = Durability::ordinary);
@@ -44,6 +52,9 @@ class OutputFile {
   int error_ = 0;
   std::string buffer_;
 };
+
+/// The names of a folder's files are on the disk when this returns. Failure (output).
+[[nodiscard]] Outcome<void> sync_folder(const std::string& folder);
 
 /// Removes the temporary files of every OutputFile that is not committed yet. Async-signal-safe:
 /// for the handler of Ctrl-C.

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -49,6 +51,9 @@ ExitStatus serve(const ServeOptions& options) {
                  "says where programs and machines are kept"});
   const unsigned threads =
       options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  // A limit of the size of files is a disk that takes no more, and nothing to die of.
+  std::signal(SIGXFSZ, SIG_IGN);
+  ::umask(0077);  // what the server writes is for its account alone
   auto server = server::Server::open({{options.host, options.port, options.token}, data, threads});
   if (!server) return fail(server.error());
   tell(**server, data);

@@ -177,6 +177,11 @@ LiveMachine::Outcome LiveMachine::load(ProgramText program, std::string dialect)
   });
 }
 
+LiveMachine::Outcome LiveMachine::can_load(const ProgramText& program,
+                                           const std::string& dialect) const {
+  return impl_->core->can_load(program, dialect);
+}
+
 const std::optional<ProgramText>& LiveMachine::program() const { return impl_->core->program(); }
 const std::string& LiveMachine::dialect() const { return impl_->core->dialect(); }
 std::vector<base::Diagnostic> LiveMachine::check() { return impl_->core->machine().check(); }

@@ -73,6 +73,8 @@ class LiveMachine {
   /// Loads a program; mode edit, auto, or any other while nothing runs. The program's language is
   /// `dialect`, one of available_dialects(); empty: that of the settings.
   Outcome load(ProgramText program, std::string dialect = {});
+  /// What load() would say; it changes nothing.
+  [[nodiscard]] Outcome can_load(const ProgramText& program, const std::string& dialect) const;
   [[nodiscard]] const std::optional<ProgramText>& program() const;
   [[nodiscard]] const std::string& dialect() const;
   /// Mistakes of the loaded program that show without running it.

@@ -13,7 +13,8 @@ Statement::~Statement() { sqlite3_finalize(statement_); }
 
 void Statement::check(int result) const {
   if (result == SQLITE_OK || result == SQLITE_ROW || result == SQLITE_DONE) return;
-  throw DatabaseError{sqlite3_errmsg(database_)};
+  throw DatabaseError{std::string(sqlite3_db_filename(database_, "main")) + ": " +
+                      sqlite3_errmsg(database_)};
 }
 
 Statement& Statement::bind(std::int64_t value) {
@@ -68,8 +69,24 @@ Database::Database(const std::string& path) {
   }
   constexpr int kPatience_ms = 2000;
   sqlite3_busy_timeout(database_, kPatience_ms);
-  run("PRAGMA journal_mode = WAL");
-  run("PRAGMA synchronous = FULL");
+  try {
+    run("PRAGMA journal_mode = WAL");
+    run("PRAGMA synchronous = FULL");
+  } catch (const DatabaseError&) {
+    sqlite3_close(database_);
+    throw;
+  }
+}
+
+std::int64_t Database::format() {
+  Statement statement(database_, "PRAGMA user_version");
+  statement.step();
+  return statement.integer(0);
+}
+
+// A pragma takes no values of its own.
+void Database::set_format(std::int64_t format) {
+  run("PRAGMA user_version = " + std::to_string(format));
 }
 
 Database::~Database() { sqlite3_close(database_); }

@@ -57,6 +57,9 @@ class Database {
 
   /// Without values and without a result.
   void run(std::string_view sql) { Statement(database_, sql).step(); }
+  /// Number of the format that its tables have; 0: nobody has said.
+  [[nodiscard]] std::int64_t format();
+  void set_format(std::int64_t format);
   [[nodiscard]] sqlite3* get() { return database_; }
 
  private:

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <utility>
 
 namespace kerf::server {
@@ -19,9 +18,6 @@ tl::unexpected<base::Failure> failure(const std::string& message) {
 }  // namespace
 
 base::Outcome<FolderLock> FolderLock::take(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return failure(folder + ": " + error.message());
   const std::string path = folder + "/lock";
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (descriptor < 0) return failure(path + ": " + std::strerror(errno));

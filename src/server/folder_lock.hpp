@@ -10,8 +10,7 @@ namespace kerf::server {
 /// other. The file `lock` stays behind; what counts is the lock on it, which ends with the process.
 class FolderLock {
  public:
-  /// Makes the folder if it is not there. Failure (output): it cannot be written, or another server
-  /// has it.
+  /// Of a folder that is there. Failure (output): it cannot be written, or another server has it.
   [[nodiscard]] static base::Outcome<FolderLock> take(const std::string& folder);
 
   ~FolderLock();

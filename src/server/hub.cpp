@@ -1,10 +1,13 @@
 #include "server/hub.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "output/diagnostic_text.hpp"
 #include "server/guarded.hpp"
 #include "server/handlers.hpp"
+#include "server/private_files.hpp"
 
 namespace kerf::server {
 
@@ -20,14 +23,24 @@ Hub::Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> libra
       library_(std::move(library)),
       store_(std::move(store)),
       disk_(std::make_unique<Worker>()),
-      saver_(store_, *disk_, [this](const std::string& sentence) { tell(sentence); }),
+      machine_disk_(std::make_unique<Worker>()),
+      keeper_(
+          *machine_disk_,
+          [this](const std::string& machine, const control::Memory& memory) {
+            return store_.write_memory(machine, memory);
+          },
+          [this](const std::string& machine, const std::string& trouble) {
+            to_sockets_([this, machine, trouble] { unsaved(machine, trouble); });
+          }),
       aside_(std::make_unique<Worker>(2, Worker::Priority::background)),
       previews_(std::make_unique<Worker>(2, Worker::Priority::background)) {
   threads_ = std::make_unique<MachineThreads>(
       settings_.threads, [this](std::vector<Publication> publications) {
         for (const Publication& each : publications) {
-          if (each.memory) saver_.save(each.machine, each.memory);
+          if (each.memory) keeper_.offer(each.machine, each.memory);
         }
+        std::erase_if(publications, [](const Publication& each) { return each.memory != nullptr; });
+        if (publications.empty()) return;
         to_sockets_([this, publications = std::move(publications)] { published(publications); });
       });
 }
@@ -38,26 +51,48 @@ Hub::~Hub() {
   threads_.reset();
   previews_.reset();
   aside_.reset();
-  for (const auto& [name, machine] : machines_) {
-    if (auto memory = machine->runner->memory_not_told()) saver_.save(name, std::move(memory));
-  }
+  machine_disk_.reset();
+  save_at_the_end();
   disk_.reset();
 }
 
+// A disk that is full for a moment has some time.
+void Hub::save_at_the_end() {
+  constexpr int kTries = 5;
+  constexpr auto kPause = std::chrono::milliseconds(200);
+  for (int tries = 1; tries <= kTries; ++tries) {
+    bool all = true;
+    for (const auto& [name, machine] : machines_) {
+      const auto written = keeper_.write(name, machine->runner->last_memory());
+      all &= written.has_value();
+      if (!written && tries == kTries)
+        tell("the memory of " + name + " has changes that are lost: " + written.error().message);
+    }
+    if (all) return;
+    std::this_thread::sleep_for(kPause);
+  }
+}
+
 Outcome<std::unique_ptr<Hub>> Hub::open(const Settings& settings, ToSockets to_sockets) {
+  const auto was_open = make_private_folder(settings.data);
+  if (!was_open) return tl::unexpected(was_open.error());
   auto lock = FolderLock::take(settings.data);
   if (!lock) return tl::unexpected(lock.error());
+  remove_unfinished(settings.data);
   auto library = Library::open(settings.data + "/library", settings.data + "/revisions.sqlite");
   if (!library) return tl::unexpected(library.error());
   auto store = MachineStore::open(settings.data + "/machines");
   if (!store) return tl::unexpected(store.error());
   std::unique_ptr<Hub> hub(new Hub(settings, std::move(to_sockets), std::move(*library),
                                    std::move(*store), std::move(*lock)));
+  if (*was_open)
+    hub->tell(settings.data + ": other accounts could open this folder; it is closed to them now");
   std::vector<std::string> troubles;
   const std::vector<StoredMachine> stored = hub->store_.read_all(troubles);
   for (const std::string& trouble : troubles) hub->tell(trouble);
   for (const StoredMachine& machine : stored) hub->start(machine);
-  if (stored.empty() && troubles.empty()) hub->make_first_machines();
+  if (!stored.empty() || !troubles.empty()) return hub;
+  if (auto made = hub->make_first_machines(); !made) return tl::unexpected(made.error());
   return hub;
 }
 
@@ -135,24 +170,39 @@ void Hub::on_machine(const Request& request, Pace pace, MachineAction action) {
                        });
 }
 
-void Hub::on_machine_durably(const Request& request, MachineAction action) {
+void Hub::on_machine_durably(const Request& request, Entry entry) {
   MachineRecord& machine = *request.machine;
-  const auto job = [this, reply = request.reply, action = std::move(action),
-                    name = machine.name](Runner& runner) {
-    auto outcome = guarded([&] { return action(runner); });
+  const auto job = [this, reply = request.reply, entry = std::move(entry), name = machine.name,
+                    thread = machine.thread, held = machine.runner](Runner& runner) {
+    const control::Memory before = runner.machine().memory();
+    const auto outcome = guarded([&] { return entry.act(runner); });
+    const control::Memory after = runner.machine().memory();
+    if (!outcome && !keeps_the_same(before, after)) runner.machine().set_memory(before);
     if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
-    write(reply, *outcome, [name, memory = runner.machine().memory()](const MachineStore& store) {
-      return store.write_memory(name, memory);
-    });
+    const auto keep = [this, reply, entry, name, before, after, outcome](Runner& at_disk) {
+      const auto written = keeper_.write(name, after);
+      if (!written) {
+        at_disk.machine().set_memory(before);
+        if (entry.undo) entry.undo(at_disk.machine());
+        return to_sockets_([reply, why = written.error()] { reply.no(why.message); });
+      }
+      to_sockets_([reply, outcome, done = entry.done] {
+        if (done) done();
+        reply.with(outcome);
+      });
+    };
+    keeper_.is_on_disk(name, after) ? keep(runner) : thread->lend(held, *machine_disk_, keep);
   };
   machine.thread->post(machine.runner, Pace::quick, job);
 }
 
-void Hub::write(const Reply& reply, Json answer, Writing action) {
-  disk_->post([this, reply, answer = std::move(answer), action = std::move(action)] {
-    const auto written = action(store_);
-    const Outcome<Json> told = written ? Outcome<Json>(answer) : tl::unexpected(written.error());
-    to_sockets_([reply, told] { reply.with(told); });
+void Hub::write(const Reply& reply, Writing action, std::function<void(Outcome<void>)> done) {
+  machine_disk_->post([this, reply, action = std::move(action), done = std::move(done)] {
+    const auto written = guarded([&] { return action(store_); });
+    to_sockets_([reply, written, done] {
+      done(written);
+      if (!written) reply.no(written.error().message);
+    });
   });
 }
 
@@ -184,6 +234,17 @@ void Hub::published(const std::vector<Publication>& publications) {
     }
     if (publication.snapshot || !publication.fault.empty()) machine->touch();
   }
+}
+
+// Everybody who watches it sees it while it lasts.
+void Hub::unsaved(const std::string& name, const std::string& trouble) {
+  thread_.here();
+  MachineRecord* const machine = find(name);
+  if (machine == nullptr) return;
+  tell("the memory of " + name +
+       (trouble.empty() ? " is on the disk again" : " cannot be written: " + trouble));
+  machine->unsaved = trouble;
+  machine->touch();
 }
 
 MachineRecord* Hub::find(const std::string& name) {

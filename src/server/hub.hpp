@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,7 @@
 #include "server/machine_record.hpp"
 #include "server/machine_store.hpp"
 #include "server/machine_threads.hpp"
-#include "server/memory_saver.hpp"
+#include "server/memory_keeper.hpp"
 #include "server/request.hpp"
 #include "server/thread_check.hpp"
 #include "server/worker.hpp"
@@ -54,8 +55,17 @@ class Hub {
   using MachineAction = std::function<base::Outcome<Json>(Runner&)>;
   /// On the thread of the request's machine; the answer is what comes back.
   void on_machine(const Request& request, Pace pace, MachineAction action);
-  /// The same, answered when the memory is on the disk.
-  void on_machine_durably(const Request& request, MachineAction action);
+  /// What the operator enters into the memory.
+  struct Entry {
+    MachineAction act;
+    /// Of what `act` has changed besides the memory. May be empty.
+    std::function<void(machine::LiveMachine&)> undo{};
+    /// When it is on the disk. May be empty.
+    std::function<void()> done{};
+  };
+  /// The same, answered when the memory is on the disk; until then the machine stands still. If it
+  /// does not come there, or the action fails, the memory is as it was.
+  void on_machine_durably(const Request& request, Entry entry);
   /// Where files are read and written; the answer is what comes back.
   void on_disk(const Request& request, std::function<base::Outcome<Json>(Library&)> action);
   /// For work that may take long and touches nothing of the hub.
@@ -75,6 +85,7 @@ class Hub {
   void renew_preview(MachineRecord& machine);
 
   [[nodiscard]] Library& library() { return *library_; }
+  /// Where the library is read and written.
   [[nodiscard]] Worker& disk() { return *disk_; }
   [[nodiscard]] std::size_t connections() const { return clients_.size(); }
 
@@ -83,16 +94,19 @@ class Hub {
       FolderLock lock);
 
   using Writing = std::function<base::Outcome<void>(const MachineStore&)>;
-  /// The reply is `answer` once that is on the disk, or why it is not. From any thread.
-  void write(const Reply& reply, Json answer, Writing action);
+  /// Where machines are kept; then `done` on the thread of the sockets, or the reply is why not.
+  void write(const Reply& reply, Writing action, std::function<void(base::Outcome<void>)> done);
   /// From where `definition` says that the axes stand.
   void start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
                      const control::Memory& memory);
   void load_into(MachineRecord& machine);
-  void put_definition(const std::string& name, const std::string& toml,
-                      const machine::MachineDefinition& definition, control::Memory memory,
-                      const Reply& reply);
-  void make_first_machines();
+  [[nodiscard]] base::Outcome<void> keep_definition(const StoredMachine& stored, Runner& runner);
+  void put_definition(const StoredMachine& stored, const Reply& reply);
+  [[nodiscard]] base::Outcome<void> make_first_machines();
+  [[nodiscard]] base::Outcome<std::vector<StoredMachine>> add_first_machines();
+  void take_out(const std::string& name);
+  void unsaved(const std::string& machine, const std::string& trouble);
+  void save_at_the_end();
   void start(const StoredMachine& stored);
   void published(const std::vector<Publication>& publications);
   void previewed(const std::string& machine, const std::shared_ptr<Preview>& preview,
@@ -101,6 +115,8 @@ class Hub {
   void set_operator(MachineRecord& machine, Client* client);
   void tell_machines();
   void tell(const std::string& sentence) const;
+  void keep_and_load(MachineRecord& machine, const machine::ProgramText& text,
+                     const LoadedProgram& program, const Reply& reply);
   void loaded(const std::string& machine, const LoadedProgram& program,
               const machine::MachineDefinition& definition, const control::Memory& memory,
               const Reply& reply);
@@ -116,10 +132,12 @@ class Hub {
   std::map<std::string, std::unique_ptr<MachineRecord>> machines_;
   std::map<Client*, std::shared_ptr<Client>> clients_;
   std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
+  std::set<std::string> under_way_;  // machines that are being made or removed
   std::uint64_t next_client_ = 1;
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;
-  MemorySaver saver_;
+  std::unique_ptr<Worker> machine_disk_;  // nobody waits for the library there
+  MemoryKeeper keeper_;
   std::unique_ptr<Worker> aside_;
   std::unique_ptr<Worker> previews_;
   std::unique_ptr<MachineThreads> threads_;

@@ -3,6 +3,7 @@
 
 #include "machine/language.hpp"
 #include "output/diagnostic_text.hpp"
+#include "server/guarded.hpp"
 #include "server/hub.hpp"
 #include "server/program_name.hpp"
 #include "server/samples.hpp"
@@ -39,25 +40,35 @@ Outcome<StoredMachine> new_machine(const std::string& name, const std::string& k
 
 }  // namespace
 
-void Hub::make_first_machines() {
+// All of them or none: where one is there, the next start makes no others.
+Outcome<void> Hub::make_first_machines() {
+  auto added = add_first_machines();
+  if (!added) return tl::unexpected(added.error());
+  for (const StoredMachine& machine : *added) start(machine);
+  return {};
+}
+
+Outcome<std::vector<StoredMachine>> Hub::add_first_machines() {
   for (const Sample& sample : samples()) {
     const std::string name(sample.file);
     if (library_->path_of(name)) continue;
     if (auto written = library_->write(name, std::string(sample.text)); !written)
-      tell(written.error().message);
+      return tl::unexpected(written.error());
   }
+  std::vector<StoredMachine> added;
   for (const FirstMachine& first : first_machines()) {
     auto machine = new_machine(std::string(first.name), std::string(first.kind));
-    if (!machine) {
-      tell(machine.error().message);
-      continue;
-    }
+    if (!machine) return tl::unexpected(machine.error());
     machine->program = LoadedProgram{std::string(first.program)};
     if (const auto language = machine::language_by_ending(machine->program->name))
       machine->program->dialect = std::string(language->dialect);
-    if (auto added = store_.add(*machine); !added) tell(added.error().message);
-    start(*machine);
+    if (auto done = store_.add(*machine); !done) {
+      for (const StoredMachine& each : added) static_cast<void>(store_.remove(each.name));
+      return tl::unexpected(done.error());
+    }
+    added.push_back(std::move(*machine));
   }
+  return added;
 }
 
 std::shared_ptr<Runner> Hub::make_runner(const StoredMachine& stored) const {
@@ -66,7 +77,9 @@ std::shared_ptr<Runner> Hub::make_runner(const StoredMachine& stored) const {
   return std::make_shared<Runner>(stored.name, stored.definition, stored.memory, settings);
 }
 
+// Precondition: it is on the disk.
 void Hub::start(const StoredMachine& stored) {
+  keeper_.know(stored.name, stored.memory);
   const auto runner = make_runner(stored);
   MachineThread& thread = threads_->choose();
   auto record = std::make_unique<MachineRecord>(stored, runner, thread);
@@ -94,16 +107,24 @@ void Hub::create(const Request& request) {
   const std::string name = request.arguments().text("name");
   if (auto checked = check_machine_name(name); !checked)
     return request.reply.no(checked.error().message);
-  if (find(name) != nullptr) return request.reply.no("there is a machine " + name + " already");
-  if (machines_.size() >= limits::kMachines)
+  if (find(name) != nullptr || under_way_.contains(name))
+    return request.reply.no("there is a machine " + name + " already");
+  if (machines_.size() + under_way_.size() >= limits::kMachines)
     return request.reply.no("this server has " + std::to_string(limits::kMachines) +
                             " machines, and takes no more");
   auto machine = new_machine(name, request.arguments().text("definition"));
   if (!machine) return request.reply.no(machine.error().message);
-  start(*machine);
-  write(request.reply, Json::object(),
-        [machine = *machine](const MachineStore& store) { return store.add(machine); });
-  tell_machines();
+  under_way_.insert(name);
+  const auto done = [this, name, machine = *machine, reply = request.reply](Outcome<void> added) {
+    under_way_.erase(name);
+    if (!added) return;
+    start(machine);
+    reply.yes();
+    tell_machines();
+  };
+  write(
+      request.reply, [machine = *machine](const MachineStore& store) { return store.add(machine); },
+      done);
 }
 
 void Hub::remove(const Request& request) {
@@ -114,58 +135,82 @@ void Hub::remove(const Request& request) {
     if (watcher != request.client.get())
       return request.reply.no(name + " cannot be removed while " + watcher->name() + " watches it");
   }
+  if (!under_way_.insert(name).second) return request.reply.no(name + " is being removed");
   if (request.client->watched() == machine) leave_machine(*request.client);
+  write(
+      request.reply, [name](const MachineStore& store) { return store.remove(name); },
+      [this, name, reply = request.reply](Outcome<void> removed) {
+        under_way_.erase(name);
+        if (!removed) return;
+        take_out(name);
+        reply.yes();
+        tell_machines();
+      });
+}
+
+void Hub::take_out(const std::string& name) {
+  MachineRecord* const machine = find(name);
+  keeper_.forget(name);
   machine->thread->remove(machine->runner);
   machines_.erase(name);
-  write(request.reply, Json::object(),
-        [name](const MachineStore& store) { return store.remove(name); });
-  tell_machines();
 }
 
 // The machine file
 
 void Hub::replace_definition(const Request& request) {
   MachineRecord& machine = *request.machine;
-  const std::string toml = request.arguments().text("toml");
-  auto definition = machine::MachineDefinition::parse(toml, machine.name + ".toml");
+  StoredMachine stored{machine.name, machine.kind, request.arguments().text("toml"), {}};
+  auto definition = machine::MachineDefinition::parse(stored.toml, machine.name + ".toml");
   if (!definition) return request.reply.no(definition.error().message);
-  machine.thread->post(
-      machine.runner, Pace::quick,
-      [this, reply = request.reply, name = machine.name, toml,
-       definition = std::move(*definition)](Runner& runner) {
-        const machine::Status status = runner.machine().snapshot()->status;
-        const bool busy = status == machine::Status::running || status == machine::Status::held;
-        to_sockets_([this, reply, name, toml, definition, busy,
-                     memory = runner.machine().memory()]() mutable {
-          if (busy) return reply.no("the machine file can be changed only while nothing moves");
-          put_definition(name, toml, definition, std::move(memory), reply);
-        });
-      });
+  stored.definition = std::move(*definition);
+  const auto replace = [this, stored, reply = request.reply](Runner& runner) {
+    const auto kept = guarded([&] { return keep_definition(stored, runner); });
+    to_sockets_([this, stored, reply, kept, memory = runner.machine().memory()]() mutable {
+      if (!kept) return reply.no(kept.error().message);
+      stored.memory = std::move(memory);
+      put_definition(stored, reply);
+    });
+  };
+  machine.thread->post(machine.runner, Pace::quick,
+                       [this, replace, reply = request.reply, thread = machine.thread,
+                        held = machine.runner](Runner& runner) {
+                         const machine::Status status = runner.machine().snapshot()->status;
+                         if (status != machine::Status::running && status != machine::Status::held)
+                           return thread->lend(held, *machine_disk_, replace);
+                         to_sockets_([reply] {
+                           reply.no("the machine file can be changed only while nothing moves");
+                         });
+                       });
 }
 
-// The machine is made anew with the memory that it had.
-void Hub::put_definition(const std::string& name, const std::string& toml,
-                         const machine::MachineDefinition& definition, control::Memory memory,
-                         const Reply& reply) {
-  MachineRecord* const machine = find(name);
-  if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
-  memory.tools.resize(control::Memory(definition.parameters.n_offsets).tools.size());
-  StoredMachine stored{name, machine->kind, toml, definition, std::move(memory), machine->program};
-  machine->thread->remove(machine->runner);
-  machine->runner = make_runner(stored);
-  machine->definition = definition;
-  machine->toml = toml;
-  machine->thread->add(machine->runner);
-  load_into(*machine);
+// The machine is made anew with the memory that it had. One of fewer tools goes to the disk first:
+// what is there fits the machine file at every moment.
+Outcome<void> Hub::keep_definition(const StoredMachine& stored, Runner& runner) {
+  control::Memory memory = runner.machine().memory();
+  const std::size_t tools = control::Memory(stored.definition.parameters.n_offsets).tools.size();
+  const bool fewer = tools < memory.tools.size();
+  memory.tools.resize(tools);
+  if (fewer) {
+    if (auto written = keeper_.write(stored.name, memory); !written) return written;
+  }
+  if (auto written = store_.write_definition(stored.name, stored.kind, stored.toml); !written)
+    return written;
+  runner.replace_definition(stored.definition, std::move(memory));
+  return {};
+}
+
+void Hub::put_definition(const StoredMachine& stored, const Reply& reply) {
+  MachineRecord* const machine = find(stored.name);
+  if (machine == nullptr) return reply.no("the machine " + stored.name + " has been removed");
+  machine->definition = stored.definition;
+  machine->toml = stored.toml;
   start_preview(*machine, stored.definition, stored.memory);
   const Json event = {{"event", "definition"},
-                      {"machine", name},
-                      {"definition", definition_json(definition)},
-                      {"settings", toml}};
+                      {"machine", stored.name},
+                      {"definition", definition_json(stored.definition)},
+                      {"settings", stored.toml}};
   for (Client* const watcher : machine->watchers) watcher->send(event);
-  write(reply, Json::object(), [stored](const MachineStore& store) {
-    return store.write_definition(stored.name, stored.kind, stored.toml);
-  });
+  reply.yes();
 }
 
 }  // namespace kerf::server

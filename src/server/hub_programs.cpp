@@ -31,21 +31,34 @@ void Hub::load(const Request& request) {
   if (!text) return request.reply.no(text.error().message);
   if (const auto file = text->open(); file && program.dialect.empty())
     program.dialect = dialect_shown_by(**file);
-  MachineRecord& machine = *request.machine;
-  machine.thread->post(
-      machine.runner, Pace::slow,
-      [this, text = *text, program, name = machine.name, reply = request.reply](Runner& runner) {
-        const auto outcome = guarded([&]() -> Outcome<Json> {
-          auto done = runner.machine().load(text, program.dialect);
-          if (!done) return tl::unexpected(done.error());
-          return Json::object();
-        });
-        if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
-        to_sockets_([this, name, program, reply, definition = runner.machine().definition_of_run(),
-                     memory = runner.machine().memory()] {
-          loaded(name, program, definition, memory, reply);
-        });
-      });
+  keep_and_load(*request.machine, *text, program, request.reply);
+}
+
+// What can be refused is asked first, then the disk, then the machine has it.
+void Hub::keep_and_load(MachineRecord& machine, const machine::ProgramText& text,
+                        const LoadedProgram& program, const Reply& reply) {
+  const auto load = [this, text, program, name = machine.name, reply](Runner& runner) {
+    const auto done = guarded([&] { return runner.machine().load(text, program.dialect); });
+    to_sockets_([this, name, program, reply, done,
+                 definition = runner.machine().definition_of_run(),
+                 memory = runner.machine().memory()] {
+      done ? loaded(name, program, definition, memory, reply) : reply.no(done.error().message);
+    });
+  };
+  const auto keep = [this, load, program, name = machine.name, reply, thread = machine.thread,
+                     held = machine.runner](Runner& /*runner*/) {
+    const auto written = guarded([&] { return store_.write_program(name, program); });
+    if (written) return thread->lend(held, load);
+    to_sockets_([reply, written] { reply.no(written.error().message); });
+  };
+  machine.thread->post(machine.runner, Pace::slow,
+                       [this, keep, text, program, reply, thread = machine.thread,
+                        held = machine.runner](Runner& runner) {
+                         const auto possible = guarded(
+                             [&] { return runner.machine().can_load(text, program.dialect); });
+                         if (possible) return thread->lend(held, *machine_disk_, keep);
+                         to_sockets_([reply, possible] { reply.no(possible.error().message); });
+                       });
 }
 
 void Hub::loaded(const std::string& name, const LoadedProgram& program,
@@ -55,8 +68,7 @@ void Hub::loaded(const std::string& name, const LoadedProgram& program,
   if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
   machine->program = program;
   start_preview(*machine, definition, memory);
-  write(reply, Json{{"program", program.name}},
-        [name, program](const MachineStore& store) { return store.write_program(name, program); });
+  reply.yes(Json{{"program", program.name}});
 }
 
 void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,

@@ -10,6 +10,7 @@ void Hub::watch(const Request& request) {
   const std::string name = request.arguments().text("machine");
   MachineRecord* const machine = find(name);
   if (machine == nullptr) return request.reply.no("there is no machine " + name);
+  if (under_way_.contains(name)) return request.reply.no(name + " is being removed");
   Client& client = *request.client;
   if (client.watched() != machine) leave_machine(client);
   std::erase(machine->watchers, &client);

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "server/private_files.hpp"
 #include "server/program_name.hpp"
 
 namespace kerf::server {
@@ -65,23 +66,6 @@ Outcome<std::string> read_whole(const std::string& path, std::uint64_t most) {
   return text;
 }
 
-bool sync_folder(const std::string& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool good = ::fsync(descriptor) == 0;
-  ::close(descriptor);
-  return good;
-}
-
-// An upload that a crash has left; no program has such a name.
-void remove_leftovers(const std::string& folder) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with('.') && entry.is_regular_file(error)) fs::remove(entry.path(), error);
-  }
-}
-
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
@@ -98,7 +82,7 @@ Outcome<std::unique_ptr<Library>> Library::open(const std::string& folder,
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return disk(folder + ": " + error.message());
-  remove_leftovers(folder);
+  remove_unfinished(folder);
   try {
     return std::unique_ptr<Library>(new Library(folder, std::make_unique<Revisions>(database)));
   } catch (const DatabaseError& failed) {
@@ -156,7 +140,9 @@ Outcome<std::string> Library::read_revision(const std::string& name, std::int64_
 Outcome<std::vector<Revision>> Library::revisions(const std::string& name) {
   if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
   return guarded([&]() -> Outcome<std::vector<Revision>> {
+    Transaction looking = revisions_->begin();
     take_over(name);
+    looking.commit();
     auto found = revisions_->of(name);
     if (found.empty()) return usage("there is no program " + name + " in the library");
     return found;
@@ -193,11 +179,13 @@ void Library::take_over(const std::string& name) {
   revisions_->add(name, *text, text->size(), look.modified_ms);
 }
 
-Revision Library::note(const std::string& name) {
-  const Look look = look_at(join(name));
+// The bytes of `path` are a revision of the program from now on.
+Outcome<Revision> Library::note(const std::string& name, const std::string& path) {
+  const Look look = look_at(path);
   if (look.bytes > Revisions::kMostText) return revisions_->add(name, {}, look.bytes, now_ms());
-  const auto text = read_whole(join(name), Revisions::kMostText);
-  return revisions_->add(name, text ? *text : std::string(), look.bytes, now_ms());
+  const auto text = read_whole(path, Revisions::kMostText);
+  if (!text) return tl::unexpected(text.error());
+  return revisions_->add(name, *text, look.bytes, now_ms());
 }
 
 Outcome<Revision> Library::write(const std::string& name, const std::string& text) {
@@ -212,15 +200,23 @@ Outcome<std::unique_ptr<base::OutputFile>> Library::begin_upload(const std::stri
   return base::OutputFile::create(join(name));
 }
 
-// The file gets its name first: a crash in between leaves a program without a revision, which the
-// next look at it takes over.
+// Whatever can fail comes before the file gets its name. A crash in between leaves a revision that
+// the file has never been; the next look at it takes the file over as the newest one.
 Outcome<Revision> Library::finish_upload(const std::string& name, base::OutputFile& upload) {
   return guarded([&]() -> Outcome<Revision> {
     if (auto room = check_room_for(name); !room) return tl::unexpected(room.error());
+    constexpr auto kDurable = base::OutputFile::Durability::survives_power_loss;
+    if (auto ready = upload.prepare(kDurable); !ready) return tl::unexpected(ready.error());
+    Transaction saving = revisions_->begin();
     take_over(name);
-    if (auto done = upload.commit(base::OutputFile::Durability::survives_power_loss); !done)
+    auto made = note(name, upload.written_to());
+    if (!made) return made;
+    saving.commit();
+    if (auto done = upload.commit(kDurable); !done) {
+      revisions_->take_back(name, made->number);
       return tl::unexpected(done.error());
-    return note(name);
+    }
+    return made;
   });
 }
 
@@ -229,16 +225,22 @@ Outcome<void> Library::rename(const std::string& from, const std::string& to) {
   if (!path) return tl::unexpected(path.error());
   if (auto checked = check_program_name(to); !checked) return checked;
   return guarded([&]() -> Outcome<void> {
+    Transaction renaming = revisions_->begin();
     take_over(from);
     // Unlike rename(), link() does not replace what is there already.
     if (::link(path->c_str(), join(to).c_str()) != 0) {
       if (errno == EEXIST) return usage("there is a program " + to + " already");
       return disk(to + ": " + std::strerror(errno));
     }
-    if (::unlink(path->c_str()) != 0 || !sync_folder(folder_))
-      return disk(from + ": " + std::strerror(errno));
-    revisions_->rename(from, to);
-    return {};
+    try {
+      revisions_->rename(from, to);
+      renaming.commit();
+    } catch (const DatabaseError&) {
+      ::unlink(join(to).c_str());
+      throw;
+    }
+    if (::unlink(path->c_str()) != 0) return disk(from + ": " + std::strerror(errno));
+    return base::sync_folder(folder_);
   });
 }
 
@@ -246,10 +248,11 @@ Outcome<void> Library::remove(const std::string& name) {
   auto path = path_of(name);
   if (!path) return tl::unexpected(path.error());
   return guarded([&]() -> Outcome<void> {
+    Transaction removing = revisions_->begin();
     take_over(name);
-    if (::unlink(path->c_str()) != 0 || !sync_folder(folder_))
-      return disk(name + ": " + std::strerror(errno));
-    return {};
+    removing.commit();
+    if (::unlink(path->c_str()) != 0) return disk(name + ": " + std::strerror(errno));
+    return base::sync_folder(folder_);
   });
 }
 

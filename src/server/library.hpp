@@ -22,7 +22,8 @@ struct ProgramInfo {
 ///
 /// Never outside of the folder: names are names of files (check_program_name()), and what is no
 /// regular file, a symbolic link above all, is not touched. A file that something else has changed
-/// is taken over as a revision before it is replaced. What a call reports as done is on the disk.
+/// is taken over as a revision before it is replaced. What a call reports as done is on the disk,
+/// what it refuses has changed nothing.
 /// Failures: (usage) the name, or there is no such program; (output) the disk.
 class Library {
  public:
@@ -64,7 +65,7 @@ class Library {
   [[nodiscard]] std::string join(const std::string& name) const { return folder_ + "/" + name; }
   [[nodiscard]] base::Outcome<void> check_room_for(const std::string& name) const;
   void take_over(const std::string& name);
-  [[nodiscard]] Revision note(const std::string& name);
+  [[nodiscard]] base::Outcome<Revision> note(const std::string& name, const std::string& path);
 
   std::string folder_;
   std::unique_ptr<Revisions> revisions_;

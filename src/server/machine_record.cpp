@@ -49,6 +49,7 @@ const StateDocument& MachineRecord::state() {
   json["clients"] = Json::array();
   for (const Client* const watcher : watchers) json["clients"].push_back(watcher->name());
   json["fault"] = fault.empty() ? Json(nullptr) : Json(fault);
+  json["unsaved"] = unsaved.empty() ? Json(nullptr) : Json(unsaved);
   document_.update(json);
   return document_;
 }

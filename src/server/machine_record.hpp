@@ -33,6 +33,7 @@ class MachineRecord {
 
   std::shared_ptr<const machine::Snapshot> snapshot;  ///< null: none has come yet
   std::string fault;                                  ///< the machine runs no more
+  std::string unsaved;                                ///< why its memory is not on the disk
   Client* op = nullptr;                               ///< who operates it
   std::vector<Client*> watchers;
   std::optional<LoadedProgram> program;

@@ -8,6 +8,7 @@
 #include "base/source_file.hpp"
 #include "machine/state_file.hpp"
 #include "server/argument.hpp"
+#include "server/private_files.hpp"
 #include "server/program_name.hpp"
 
 namespace kerf::server {
@@ -23,6 +24,8 @@ constexpr const char* kProgram = "program.json";
 constexpr std::uint64_t kMostFileBytes = 4U << 20U;
 // The first line of a machine file says what it was made from.
 constexpr std::string_view kKindLine = "# kind: ";
+// What the names of folders begin with that are no machine, or none any more.
+constexpr std::string_view kIncomplete = ".incomplete-";
 
 tl::unexpected<Failure> failure(Failure::Kind kind, const std::string& message) {
   return tl::unexpected(Failure{kind, message});
@@ -61,12 +64,29 @@ std::optional<LoadedProgram> program_of(const std::string& text) {
   return program;
 }
 
+// Machines that were not complete yet, or were being removed, have names that no machine has; an
+// empty folder is none either.
+void sweep(const std::string& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.is_symlink(error) || !entry.is_directory(error)) continue;
+    if (entry.path().filename().string().starts_with(kIncomplete)) {
+      fs::remove_all(entry.path(), error);
+    } else if (fs::is_empty(entry.path(), error)) {
+      fs::remove(entry.path(), error);
+    } else {
+      remove_unfinished(entry.path().string());
+    }
+  }
+}
+
 }  // namespace
 
 Outcome<MachineStore> MachineStore::open(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return failure(Failure::Kind::output, folder + ": " + error.message());
+  sweep(folder);
   return MachineStore(folder);
 }
 
@@ -110,24 +130,48 @@ std::vector<StoredMachine> MachineStore::read_all(std::vector<std::string>& trou
   return machines;
 }
 
+// A folder of another name becomes that of the machine when it is complete.
 Outcome<void> MachineStore::add(const StoredMachine& machine) const {
   std::error_code error;
-  fs::create_directories(folder_ + "/" + machine.name, error);
-  if (error) return failure(Failure::Kind::output, machine.name + ": " + error.message());
-  if (auto done = write_memory(machine.name, machine.memory); !done) return done;
-  if (machine.program) {
-    if (auto done = write_program(machine.name, *machine.program); !done) return done;
-  }
-  // Last: without it there is no machine.
-  return write_definition(machine.name, machine.kind, machine.toml);
+  const std::string whole = folder_ + "/" + machine.name;
+  if (fs::exists(whole, error) && !fs::is_empty(whole, error))
+    return failure(
+        Failure::Kind::output,
+        whole + ": there is a machine that could not be read; mend or remove its folder");
+  const std::string name = std::string(kIncomplete) + machine.name;
+  const std::string folder = folder_ + "/" + name;
+  fs::remove_all(folder, error);
+  if (!fs::create_directory(folder, error))
+    return failure(Failure::Kind::output, whole + ": " + error.message());
+  Outcome<void> done = write_all(name, machine);
+  if (done) done = take_name(folder, whole);
+  if (!done) fs::remove_all(folder, error);
+  return done;
 }
 
+Outcome<void> MachineStore::write_all(const std::string& name, const StoredMachine& machine) const {
+  if (auto done = write_memory(name, machine.memory); !done) return done;
+  if (machine.program) {
+    if (auto done = write_program(name, *machine.program); !done) return done;
+  }
+  return write_definition(name, machine.kind, machine.toml);
+}
+
+// What is left of the folder when the server is killed, or the disk fails, is swept at a start.
 Outcome<void> MachineStore::remove(const std::string& name) const {
   std::error_code error;
-  fs::remove(file(name, kDefinition), error);
-  fs::remove_all(folder_ + "/" + name, error);
-  if (error) return failure(Failure::Kind::output, name + ": " + error.message());
+  const std::string folder = folder_ + "/" + std::string(kIncomplete) + name;
+  fs::remove_all(folder, error);
+  if (auto done = take_name(folder_ + "/" + name, folder); !done) return done;
+  fs::remove_all(folder, error);
   return {};
+}
+
+Outcome<void> MachineStore::take_name(const std::string& from, const std::string& to) const {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (!error) return base::sync_folder(folder_);
+  return failure(Failure::Kind::output, to + ": " + error.message());
 }
 
 Outcome<void> MachineStore::write_memory(const std::string& name,

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <exception>
 
 namespace kerf::server {
@@ -16,37 +14,30 @@ Runner::Clock::duration of_seconds(double seconds) {
   return duration_cast<Runner::Clock::duration>(duration<double>(seconds));
 }
 
-// Bit by bit: a vacant variable is NaN, which is unlike itself. #100 to #199 are lost at power-off.
-bool same_permanent_variables(const control::Memory& a, const control::Memory& b) {
-  return std::equal(a.commons.begin() + gcode::kVolatileCommons, a.commons.end(),
-                    b.commons.begin() + gcode::kVolatileCommons, [](double x, double y) {
-                      return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
-                    });
-}
-
-// What is worth a write to the disk: of the hours that a machine runs, each minute.
-bool same(const control::Memory& a, const control::Memory& b) {
-  constexpr double kMinute_h = 1.0 / 60;
-  return same_permanent_variables(a, b) && a.external == b.external && a.work == b.work &&
-         a.extended == b.extended && a.tools == b.tools && a.parts == b.parts &&
-         a.parts_required == b.parts_required && a.names == b.names &&
-         std::abs(a.running_hours - b.running_hours) < kMinute_h;
-}
-
 }  // namespace
 
 Runner::Runner(std::string name, const machine::MachineDefinition& definition,
                control::Memory memory, const machine::LiveMachine::Settings& settings)
-    : name_(std::move(name)),
-      pulses_(definition),
-      machine_(definition, std::move(memory), settings),
-      memory_seen_(machine_.memory()) {
-  machine_.add_point_sink(pulses_);
+    : name_(std::move(name)), settings_(settings) {
+  set_up(definition, std::move(memory));
 }
 
-std::shared_ptr<const control::Memory> Runner::memory_not_told() const {
-  if (same(machine_.memory(), memory_seen_)) return nullptr;
-  return std::make_shared<control::Memory>(machine_.memory());
+void Runner::set_up(const machine::MachineDefinition& definition, control::Memory memory) {
+  machine_.reset();
+  pulses_.emplace(definition);
+  machine_.emplace(definition, std::move(memory), settings_);
+  machine_->add_point_sink(*pulses_);
+}
+
+void Runner::replace_definition(const machine::MachineDefinition& definition,
+                                control::Memory memory) {
+  thread_.here();
+  const auto program = machine_->program();
+  const std::string dialect = machine_->dialect();
+  const auto breakpoints = machine_->breakpoints();
+  set_up(definition, std::move(memory));
+  if (program) static_cast<void>(machine_->load(*program, dialect));
+  static_cast<void>(machine_->set_breakpoints(breakpoints));
 }
 
 MachineThread::MachineThread(Worker& helpers, Publish publish)
@@ -69,7 +60,6 @@ void MachineThread::add(std::shared_ptr<Runner> runner) {
 
 void MachineThread::remove(const std::shared_ptr<Runner>& runner) {
   const std::lock_guard lock(guard_);
-  runner->removed_ = true;
   std::erase(runners_, runner);
   count_ = runners_.size();
 }
@@ -103,12 +93,12 @@ void MachineThread::work() {
 std::optional<MachineThread::Order> MachineThread::next_order(Clock::time_point until) {
   std::unique_lock lock(guard_);
   for (;;) {
-    const auto here = [](const Order& order) { return !order.runner->away_; };
+    const auto here = [](const Order& order) { return order.runner->away_ == 0; };
     const auto found = std::find_if(orders_.begin(), orders_.end(), here);
     if (found != orders_.end() && Clock::now() < until + of_seconds(kTick_s)) {
       Order order = std::move(*found);
       orders_.erase(found);
-      order.runner->away_ = order.pace == Pace::slow;
+      if (order.pace == Pace::slow) count_lent(*order.runner);
       return order;
     }
     if (over_ || Clock::now() >= until) return std::nullopt;
@@ -117,30 +107,52 @@ std::optional<MachineThread::Order> MachineThread::next_order(Clock::time_point 
 }
 
 void MachineThread::execute(Order order) {
-  if (order.pace == Pace::slow) return lend(std::move(order));
+  if (order.pace == Pace::slow) return do_elsewhere(std::move(order), helpers_);
   Runner& runner = *order.runner;
   runner.thread_.bind();
   const auto now = Clock::now();
   advance(runner, now);
   do_job(order);
+  if (is_away(runner)) return;
+  runner.thread_.bind();  // the job may have lent it, and it is back
   std::vector<Publication> made;
   if (now - runner.published_at_ >= of_seconds(kTick_s)) publish(runner, now, made);
   if (!made.empty()) publish_(std::move(made));
 }
 
-void MachineThread::lend(Order order) {
+void MachineThread::lend(const std::shared_ptr<Runner>& runner, Worker& to, MachineJob job) {
   {
     const std::lock_guard lock(guard_);
-    ++lent_;
+    count_lent(*runner);
   }
-  helpers_.post([this, order = std::move(order)] {
+  do_elsewhere({runner, Pace::slow, std::move(job)}, to);
+}
+
+void MachineThread::lend(const std::shared_ptr<Runner>& runner, MachineJob job) {
+  lend(runner, helpers_, std::move(job));
+}
+
+// Under the lock.
+void MachineThread::count_lent(Runner& runner) {
+  ++runner.away_;
+  ++lent_;
+}
+
+bool MachineThread::is_away(const Runner& runner) {
+  const std::lock_guard lock(guard_);
+  return runner.away_ != 0;
+}
+
+void MachineThread::do_elsewhere(Order order, Worker& where) {
+  where.post([this, order = std::move(order)] {
     order.runner->thread_.bind();
-    do_job(order);
     order.runner->advanced_to_ = Clock::now();
+    do_job(order);
     {
       const std::lock_guard lock(guard_);
-      order.runner->away_ = false;
+      --order.runner->away_;
       --lent_;
+      if (order.runner->away_ == 0) order.runner->advanced_to_ = Clock::now();
       wake_.notify_all();  // under the lock: whoever waits for the last one may go at once
     }
   });
@@ -150,7 +162,7 @@ std::vector<std::shared_ptr<Runner>> MachineThread::present() {
   const std::lock_guard lock(guard_);
   std::vector<std::shared_ptr<Runner>> here;
   std::copy_if(runners_.begin(), runners_.end(), std::back_inserter(here),
-               [](const auto& runner) { return !runner->away_; });
+               [](const auto& runner) { return runner->away_ == 0; });
   return here;
 }
 
@@ -204,10 +216,12 @@ void MachineThread::look_at_memory(Runner& runner, Clock::time_point now,
                                    std::vector<Publication>& into) {
   if (now - runner.memory_seen_at_ < of_seconds(kMemory_s)) return;
   runner.memory_seen_at_ = now;
-  const control::Memory& memory = runner.machine().memory();
-  if (same(memory, runner.memory_seen_)) return;
-  runner.memory_seen_ = memory;
-  into.push_back({runner.name(), nullptr, std::make_shared<control::Memory>(memory), {}});
+  if (runner.broken_) return;
+  const auto snapshot = runner.machine().snapshot();
+  if (!runner.memory_seen_ || snapshot != runner.seen_with_)
+    runner.memory_seen_ = std::make_shared<control::Memory>(runner.machine().memory());
+  runner.seen_with_ = snapshot;
+  into.push_back({runner.name(), nullptr, runner.memory_seen_, {}});
 }
 
 MachineThreads::MachineThreads(unsigned threads, const Publish& publish) {

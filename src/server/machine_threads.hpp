@@ -32,39 +32,44 @@ class Runner {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] machine::LiveMachine& machine() {
     thread_.here();
-    return machine_;
+    return *machine_;
   }
   [[nodiscard]] PulseWindow& pulses() {
     thread_.here();
-    return pulses_;
+    return *pulses_;
   }
-  /// The memory, if it has changed since it was told last. Precondition: no thread runs it any
-  /// more.
-  [[nodiscard]] std::shared_ptr<const control::Memory> memory_not_told() const;
+  /// The machine is made anew of another machine file, with the program and breakpoints that it
+  /// has. Precondition: nothing moves; the memory has as many tools as the machine file says.
+  void replace_definition(const machine::MachineDefinition& definition, control::Memory memory);
+  /// Precondition: no thread runs it any more.
+  [[nodiscard]] control::Memory last_memory() const { return machine_->memory(); }
 
  private:
   friend class MachineThread;
 
+  void set_up(const machine::MachineDefinition& definition, control::Memory memory);
+
   std::string name_;
+  machine::LiveMachine::Settings settings_;
   ThreadCheck thread_{"that of the machine"};
-  PulseWindow pulses_;  // before the machine, which hands its points to it
-  machine::LiveMachine machine_;
+  std::optional<PulseWindow> pulses_;  // before the machine, which hands its points to it
+  std::optional<machine::LiveMachine> machine_;
   Clock::time_point advanced_to_ = Clock::now();
   Clock::time_point published_at_{};
   Clock::time_point memory_seen_at_ = Clock::now();
   std::shared_ptr<const machine::Snapshot> published_;
-  control::Memory memory_seen_;
-  bool broken_ = false;  // a fault of Kerf: it runs no more
+  std::shared_ptr<const control::Memory> memory_seen_;
+  std::shared_ptr<const machine::Snapshot> seen_with_;  // while it is this one, so is the memory
+  bool broken_ = false;                                 // a fault of Kerf: it runs no more
   // Under the lock of its thread:
-  bool away_ = false;  // a slow job has it
-  bool removed_ = false;
+  int away_ = 0;  // jobs elsewhere that have it
 };
 
 /// What a machine thread tells of one machine.
 struct Publication {
   std::string machine;
   std::shared_ptr<const machine::Snapshot> snapshot;  ///< null: none
-  std::shared_ptr<const control::Memory> memory;      ///< when it has changed
+  std::shared_ptr<const control::Memory> memory;      ///< what is to be on the disk; null: not now
   std::string fault;                                  ///< the machine runs no more
 };
 
@@ -81,7 +86,7 @@ class MachineThread {
  public:
   static constexpr double kTick_s = 0.05;
   static constexpr double kMostLate_s = 0.25;
-  static constexpr double kMemory_s = 1;  ///< so often it looks for changes of the memory
+  static constexpr double kMemory_s = 1;  ///< so often it tells the memory
 
   MachineThread(Worker& helpers, Publish publish);
   ~MachineThread();
@@ -94,6 +99,12 @@ class MachineThread {
   void post(const std::shared_ptr<Runner>& runner, Pace pace, MachineJob job);
   [[nodiscard]] std::size_t count() const { return count_; }
 
+  /// From a job of the machine, as the last thing that it does: another one follows elsewhere. No
+  /// order comes in between, and the machine's time stands still until it is done.
+  void lend(const std::shared_ptr<Runner>& runner, Worker& to, MachineJob job);
+  /// To where slow jobs are done.
+  void lend(const std::shared_ptr<Runner>& runner, MachineJob job);
+
  private:
   using Clock = Runner::Clock;
   struct Order {
@@ -105,7 +116,9 @@ class MachineThread {
   void work();
   [[nodiscard]] std::optional<Order> next_order(Clock::time_point until);
   void execute(Order order);
-  void lend(Order order);
+  void do_elsewhere(Order order, Worker& where);
+  void count_lent(Runner& runner);
+  [[nodiscard]] bool is_away(const Runner& runner);
   void do_job(const Order& order);
   void give_up(Runner& runner, const std::string& fault);
   void tick();

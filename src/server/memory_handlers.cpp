@@ -23,16 +23,28 @@ void variables(Hub& hub, const Request& request) {
   });
 }
 
+std::optional<double> not_vacant(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
 void set_variable(Hub& hub, const Request& request) {
-  hub.on_machine_durably(request, [body = request.body](Runner& runner) -> Outcome<Json> {
+  const auto before = std::make_shared<double>(std::nan(""));
+  const auto act = [body = request.body, before](Runner& runner) -> Outcome<Json> {
     const Arguments arguments(*body);
-    const double value = arguments.nullable("value");
-    auto set = runner.machine().set_variable(
-        arguments.text("name"), std::isnan(value) ? std::nullopt : std::optional<double>(value),
-        level_of(arguments));
+    const std::string name = arguments.text("name");
+    const auto old = runner.machine().variables_named({name}, level_of(arguments));
+    if (!old.rows.empty()) *before = old.rows[0].value;
+    auto set = runner.machine().set_variable(name, not_vacant(arguments.nullable("value")),
+                                             level_of(arguments));
     if (!set) return tl::unexpected(set.error());
     return Json::object();
-  });
+  };
+  const auto undo = [body = request.body, before](machine::LiveMachine& machine) {
+    const Arguments arguments(*body);
+    static_cast<void>(
+        machine.set_variable(arguments.text("name"), not_vacant(*before), level_of(arguments)));
+  };
+  hub.on_machine_durably(request, {act, undo, {}});
 }
 
 // Rows of one work coordinate system, an axis each.
@@ -66,28 +78,25 @@ void offsets(Hub& hub, const Request& request) {
 
 // The path of the preview is another one now.
 void renew_preview(Hub& hub, const std::string& name) {
-  hub.to_sockets([&hub, name] {
-    if (MachineRecord* const machine = hub.find(name)) hub.renew_preview(*machine);
-  });
+  if (MachineRecord* const machine = hub.find(name)) hub.renew_preview(*machine);
 }
 
 void set_offset(Hub& hub, const Request& request) {
+  const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    auto set = runner.machine().set_offset(arguments.text("offset"), arguments.text("axis"),
+                                           arguments.number("value"));
+    if (!set) return tl::unexpected(set.error());
+    return Json::object();
+  };
   hub.on_machine_durably(
-      request,
-      [&hub, body = request.body, name = request.machine->name](Runner& runner) -> Outcome<Json> {
-        const Arguments arguments(*body);
-        auto set = runner.machine().set_offset(arguments.text("offset"), arguments.text("axis"),
-                                               arguments.number("value"));
-        if (!set) return tl::unexpected(set.error());
-        renew_preview(hub, name);
-        return Json::object();
-      });
+      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
 }
 
 void tools(Hub& hub, const Request& request) {
   hub.on_machine(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
     Json rows = Json::array();
-    const auto& table = runner.machine().memory().tools;
+    const auto table = runner.machine().memory().tools;
     for (std::size_t i = 1; i < table.size(); ++i) {
       if (table[i] == control::ToolOffset{}) continue;
       rows.push_back({{"number", i},
@@ -101,20 +110,19 @@ void tools(Hub& hub, const Request& request) {
 }
 
 void set_tool(Hub& hub, const Request& request) {
+  const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    const std::string tool = "tool." + std::to_string(arguments.integer("number")) + ".";
+    for (const char* const part :
+         {"length_geometry", "length_wear", "radius_geometry", "radius_wear"}) {
+      if (!arguments.has(part)) continue;
+      auto set = runner.machine().set_offset(tool + part, "", arguments.number(part));
+      if (!set) return tl::unexpected(set.error());
+    }
+    return Json::object();
+  };
   hub.on_machine_durably(
-      request,
-      [&hub, body = request.body, name = request.machine->name](Runner& runner) -> Outcome<Json> {
-        const Arguments arguments(*body);
-        const std::string tool = "tool." + std::to_string(arguments.integer("number")) + ".";
-        for (const char* const part :
-             {"length_geometry", "length_wear", "radius_geometry", "radius_wear"}) {
-          if (!arguments.has(part)) continue;
-          auto set = runner.machine().set_offset(tool + part, "", arguments.number(part));
-          if (!set) return tl::unexpected(set.error());
-        }
-        renew_preview(hub, name);
-        return Json::object();
-      });
+      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
 }
 
 void settings(Hub& /*hub*/, const Request& request) {

@@ -2,16 +2,36 @@
 
 namespace kerf::server {
 
+// A file of format 0 was made before formats were counted, and is of the first one.
 Revisions::Revisions(const std::string& path) : database_(path) {
+  const std::int64_t format = database_.format();
+  if (format < 0 || format > kFormat)
+    throw DatabaseError{path + ": it has format " + std::to_string(format) +
+                        ", and this Kerf knows " + std::to_string(kFormat) + " as the newest"};
+  if (format == 0) make_tables();
+  if (!has_tables()) throw DatabaseError{path + ": its table `revisions` is not one of Kerf's"};
+}
+
+bool Revisions::has_tables() {
+  Statement info(database_.get(), "PRAGMA table_info(revisions)");
+  std::string columns;
+  while (info.step()) columns += info.text(1) + " ";
+  return columns == "program number time_ms bytes kept text ";
+}
+
+void Revisions::make_tables() {
+  Transaction transaction(database_);
   database_.run(
       "CREATE TABLE IF NOT EXISTS revisions (program TEXT NOT NULL, number INTEGER NOT NULL, "
       "time_ms INTEGER NOT NULL, bytes INTEGER NOT NULL, kept INTEGER NOT NULL, text BLOB, "
       "PRIMARY KEY (program, number))");
+  if (!has_tables()) return;
+  database_.set_format(kFormat);
+  transaction.commit();
 }
 
 Revision Revisions::add(const std::string& program, std::string_view text, std::uint64_t bytes,
                         std::int64_t time_ms) {
-  Transaction transaction(database_);
   const auto before = newest(program);
   const Revision made{before ? before->number + 1 : 1, time_ms, bytes, bytes <= kMostText};
   Statement insert(database_.get(), "INSERT INTO revisions VALUES (?, ?, ?, ?, ?, ?)");
@@ -20,8 +40,14 @@ Revision Revisions::add(const std::string& program, std::string_view text, std::
   made.kept ? insert.bind_blob(text) : insert.bind_null();
   insert.step();
   prune(program);
-  transaction.commit();
   return made;
+}
+
+void Revisions::take_back(const std::string& program, std::int64_t number) {
+  Statement(database_.get(), "DELETE FROM revisions WHERE program = ? AND number = ?")
+      .bind(program)
+      .bind(number)
+      .step();
 }
 
 void Revisions::prune(const std::string& program) {
@@ -80,7 +106,6 @@ std::optional<Revision> Revisions::newest(const std::string& program) {
 }
 
 void Revisions::rename(const std::string& from, const std::string& to) {
-  Transaction transaction(database_);
   const auto last = newest(to);
   Statement(database_.get(),
             "UPDATE revisions SET program = ?, number = number + ? WHERE program = ?")
@@ -88,7 +113,6 @@ void Revisions::rename(const std::string& from, const std::string& to) {
       .bind(last ? last->number : 0)
       .bind(from)
       .step();
-  transaction.commit();
 }
 
 }  // namespace kerf::server

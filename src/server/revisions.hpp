@@ -29,18 +29,31 @@ class Revisions {
   static constexpr std::int64_t kMostOfProgram = 200;
   static constexpr std::int64_t kMostBytes = std::int64_t{1} << 30U;
 
+  /// Of the tables, as PRAGMA user_version has it. A Kerf that knows a later one brings a file of
+  /// an earlier one to it, in one transaction; one that does not know it refuses the file.
+  static constexpr std::int64_t kFormat = 1;
+
   explicit Revisions(const std::string& path);
+
+  /// What is changed between here and commit() is changed together.
+  [[nodiscard]] Transaction begin() { return Transaction(database_); }
+
+  // Within a transaction:
 
   Revision add(const std::string& program, std::string_view text, std::uint64_t bytes,
                std::int64_t time_ms);
+  /// Behind those that `to` has already.
+  void rename(const std::string& from, const std::string& to);
+  void take_back(const std::string& program, std::int64_t number);
+
   [[nodiscard]] std::vector<Revision> of(const std::string& program);
   /// Nothing: there is no such revision, or its text was not kept.
   [[nodiscard]] std::optional<std::string> text(const std::string& program, std::int64_t number);
   [[nodiscard]] std::optional<Revision> newest(const std::string& program);
-  /// Behind those that `to` has already.
-  void rename(const std::string& from, const std::string& to);
 
  private:
+  [[nodiscard]] bool has_tables();
+  void make_tables();
   void prune(const std::string& program);
 
   Database database_;

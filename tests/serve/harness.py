@@ -20,6 +20,7 @@ from websocket import Closed, WebSocket
 PATIENCE = 1  # a sanitizer's build takes longer for everything
 # A sanitizer keeps what was freed for a while: bounds of memory are wider by this many MiB.
 QUARANTINE_MIB = 0
+KILLS = 0  # of the test that kills servers; 0: as many as it has usually
 TESTS = []
 
 
@@ -59,6 +60,7 @@ class Server:
             stdout=subprocess.PIPE,
             stderr=self.log,
             text=True,
+            restore_signals=False,  # SIGXFSZ stays ignored: a limit of the size of files is a full disk
         )
         line = self.process.stdout.readline()
         match = re.search(r"http://([\d.]+):(\d+)/", line)

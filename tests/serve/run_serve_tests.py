@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Tests of `kerf serve`: the real server, driven through its sockets.
 
-usage: run_serve_tests.py --kerf PATH [--only TEXT] [--sanitized] [--list]
+usage: run_serve_tests.py --kerf PATH [--only TEXT] [--sanitized] [--kills N] [--list]
 
 Prints a line for each test that fails, then `N passed, M failed`. Exit status: 0 all passed, 1 otherwise.
 """
@@ -21,6 +21,7 @@ import access_tests  # noqa: F401
 import fault_tests  # noqa: F401
 import library_tests  # noqa: F401
 import machine_tests  # noqa: F401
+import memory_tests  # noqa: F401
 import training_tests  # noqa: F401
 
 
@@ -44,10 +45,12 @@ def main():
     parser.add_argument("--kerf", required=True)
     parser.add_argument("--only", default="")
     parser.add_argument("--sanitized", action="store_true")
+    parser.add_argument("--kills", type=int, default=0)
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     harness.PATIENCE = 10 if options.sanitized else 1
     harness.QUARANTINE_MIB = 512 if options.sanitized else 0
+    harness.KILLS = options.kills
     chosen = [t for t in harness.TESTS if options.only in t[0]]
     if options.list:
         print("\n".join(sentence for sentence, _ in chosen))

@@ -1,5 +1,5 @@
 // A `kerf serve` of its own for a run of the tests, with an empty data folder.
-import { spawn } from 'node:child_process';
+import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -39,6 +39,12 @@ export class Server {
     const gone = new Promise((resolve) => this.process.once('exit', resolve));
     this.process.kill('SIGKILL');
     await gone;
+  }
+
+  /** No file of it can grow any more, or again: as a disk that is full for a while. */
+  fill_disk(full) {
+    const size = full ? '0' : 'unlimited';
+    execFileSync('prlimit', [`--pid=${this.process.pid}`, `--fsize=${size}:unlimited`]);
   }
 
   async end() {

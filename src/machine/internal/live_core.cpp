@@ -111,15 +111,6 @@ void LiveCore::begin_anew() {
   tell_sinks();
 }
 
-base::Outcome<void> LiveCore::open_program() {
-  if (!program_) return {};
-  auto file = program_->open();
-  if (!file) return tl::unexpected(file.error());
-  machine_->load(std::move(*file));
-  stepper_->attach(machine_->language());
-  return {};
-}
-
 void LiveCore::apply_panel() {
   control::Control& control = machine_->control();
   control.set_single_block(panel_[Switch::single_block]);
@@ -262,22 +253,6 @@ void LiveCore::raise_panel(base::Code code, const std::string& sentence) {
 
 // The program
 
-LiveCore::Outcome LiveCore::load(ProgramText program, std::string dialect) {
-  if (is_active()) return refused("a program cannot be loaded while the machine is busy: reset");
-  if (dialect.empty())
-    dialect = settings_.dialect.empty() ? definition_.dialect : settings_.dialect;
-  const auto known = available_dialects();
-  if (std::find(known.begin(), known.end(), dialect) == known.end())
-    return refused("Kerf does not run the language '" + dialect + "'");
-  auto file = program.open();
-  if (!file) return tl::unexpected(file.error());
-  dialect_ = std::move(dialect);
-  program_ = std::move(program);
-  panel_alarm_.reset();
-  begin_anew();
-  return open_program();
-}
-
 bool LiveCore::would_begin() const {
   return panel_.mode == Mode::automatic && !is_active() && !panel_alarm_ && !machine_->alarm() &&
          (!machine_->is_in_program() || is_entry_);
@@ -296,16 +271,6 @@ std::optional<std::string> LiveCore::keeps_from_start() const {
   }
   return "cycle start does nothing in mode " + std::string(name_of(panel_.mode)) +
          ": turn the switch to auto";
-}
-
-LiveCore::Outcome LiveCore::begin_program() {
-  begin_anew();
-  if (auto opened = open_program(); !opened) return opened;
-  stepper_->start();
-  before_ = at_stop_ = values();
-  messages_.clear();
-  ++run_;
-  return {};
 }
 
 // Goes on from wherever the machine stands.

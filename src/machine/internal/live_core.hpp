@@ -63,6 +63,7 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] bool is_broken_off() const { return machine_->servo().broken_off(); }
 
   // The panel, as in LiveMachine
+  [[nodiscard]] Outcome can_load(const ProgramText& program, const std::string& dialect) const;
   Outcome load(ProgramText program, std::string dialect);
   Outcome set_mode(Mode mode);
   /// Whether cycle start begins the program, on a machine made anew.
@@ -123,6 +124,7 @@ class LiveCore : private AxisPointSink {
   // AxisPointSink: looks at every point.
   void take(const AxisPoint& point) override;
 
+  [[nodiscard]] std::string language_of(const std::string& dialect) const;
   void begin_anew();
   [[nodiscard]] base::Outcome<void> open_program();
   void apply_panel();

@@ -24,4 +24,24 @@ export const faults = [
       await panel.variable_is('#511', '77');
     },
   },
+  {
+    name: 'the page shows that the memory is not on the disk, as long as it is so',
+    needs_server: true,
+    async run({ open, server }) {
+      const panel = await open();
+      await panel.fresh();
+      const notice = panel.page.getByText('are not on the disk of the server');
+      await panel.tab('Variables');
+      const add = panel.page.getByRole('textbox', { name: 'Set a variable' });
+      server.fill_disk(true);
+      try {
+        await add.fill('#512');
+        await add.press('Enter');
+        await notice.waitFor();
+      } finally {
+        server.fill_disk(false);
+      }
+      await notice.waitFor({ state: 'detached' });
+    },
+  },
 ];

@@ -128,6 +128,8 @@ export interface MachineState {
   waits_for_input: boolean;
   /** Why the machine does not work at all. */
   fault: string | null;
+  /** Why the memory of the machine cannot be written to the server's disk. */
+  unsaved: string | null;
   breakpoint: BreakpointHit | null;
 }
 
@@ -253,5 +255,6 @@ export const EMPTY_STATE: MachineState = {
   printed: '',
   waits_for_input: false,
   fault: null,
+  unsaved: null,
   breakpoint: null,
 };

@@ -164,6 +164,8 @@ export const en = {
   'machine.remove': 'Remove',
   'machine.remove-question':
     'Remove the machine {name} from the server? Its permanent memory goes with it.',
+  'machine.unsaved':
+    'Changes of offsets, tools and variables are not on the disk of the server and would be lost with it. It goes on trying:',
   'mdi.before': 'Entered before',
   'mdi.blocks': 'Blocks to execute',
   'mdi.execute': 'Execute',

@@ -138,7 +138,12 @@ void Hub::remove(const Request& request) {
   if (!under_way_.insert(name).second) return request.reply.no(name + " is being removed");
   if (request.client->watched() == machine) leave_machine(*request.client);
   write(
-      request.reply, [name](const MachineStore& store) { return store.remove(name); },
+      request.reply,
+      [this, name](const MachineStore& store) {
+        auto removed = store.remove(name);
+        if (removed) keeper_.forget(name);
+        return removed;
+      },
       [this, name, reply = request.reply](Outcome<void> removed) {
         under_way_.erase(name);
         if (!removed) return;
@@ -150,7 +155,6 @@ void Hub::remove(const Request& request) {
 
 void Hub::take_out(const std::string& name) {
   MachineRecord* const machine = find(name);
-  keeper_.forget(name);
   machine->thread->remove(machine->runner);
   machines_.erase(name);
 }

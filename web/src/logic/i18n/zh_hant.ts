@@ -162,7 +162,8 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'machine.new': '新增機台',
   'machine.remove': '移除',
   'machine.remove-question': '要從伺服器移除機台 {name} 嗎？其永久記憶將一併刪除。',
-  'machine.unsaved': '補正、刀具與變數的變更尚未寫入伺服器磁碟，伺服器若關閉即遺失；伺服器仍在重試：',
+  'machine.unsaved':
+    '補正、刀具與變數的變更尚未寫入伺服器磁碟，伺服器若關閉即遺失；伺服器仍在重試：',
   'mdi.before': '先前輸入',
   'mdi.blocks': '要執行的單節',
   'mdi.execute': '執行',

@@ -20,6 +20,12 @@ void Client::send_text(std::string text) {
   link_->wake();
 }
 
+bool Client::falls_silent(double now_ms) {
+  const bool before = silent_;
+  silent_ = sends_pings && now_ms - heard_ms_ > 1000.0 * limits::kSilentSeconds;
+  return silent_ && !before;
+}
+
 void Client::watch(MachineRecord* machine) {
   watched_ = machine;
   seen_ = 0;

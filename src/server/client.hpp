@@ -66,6 +66,18 @@ class Client {
   /// Another run has begun: its chunks are sent from the first one.
   void begin_chunks(std::shared_ptr<ChunkStore> chunks);
 
+  /// As the person at it is called; until he says it, the name of the connection.
+  [[nodiscard]] std::string shown_name() const {
+    return person.empty() ? name_ : person + " (" + name_ + ")";
+  }
+  std::string person;
+
+  /// Something has come from him. Once he has sent a ping he is expected to be heard all the time.
+  void hear(double now_ms) { heard_ms_ = now_ms; }
+  bool sends_pings = false;
+  /// True once for each silence of more than limits::kSilentSeconds.
+  [[nodiscard]] bool falls_silent(double now_ms);
+
   [[nodiscard]] bool admit_command() { return rate_.admit(RateLimit::Clock::now()); }
   int refused_in_a_row = 0;
   /// Alive while a program of his is assessed: one at a time.
@@ -84,6 +96,8 @@ class Client {
   std::uint64_t seen_touch_ = 0;  // touched() of the machine then
   std::shared_ptr<ChunkStore> chunks_;
   std::size_t next_chunk_ = 0;
+  double heard_ms_ = 0;
+  bool silent_ = false;
   RateLimit rate_{limits::kCommandsPerSecond, limits::kCommandBurst};
 };
 

@@ -77,10 +77,20 @@ std::vector<Command> make_table() {
        Who::anyone,
        {},
        "Lists the machines of this server.",
-       "`machines`: list of `{name, title, definition, status, operator, clients, suits}`, "
+       "`machines`: list of `{name, title, definition, status, program, operator, clients, "
+       "suits}`, "
        "`suits`: the "
        "kinds of `recognise` that it makes; `definitions`: "
        "names and titles of the built-in machines"},
+      {"ping",
+       Who::anyone,
+       {},
+       "Tells the server's clock. Who has sent one and is silent for 3 s lets go of the jog keys.",
+       "`time_ms`"},
+      {"introduce",
+       Who::anyone,
+       {text("name", 40, "empty: none")},
+       "Says what the person at this client is called, for `people`."},
       {"create",
        Who::anyone,
        {name_of("name", "1 to 32 letters, digits, - and _"),
@@ -103,6 +113,15 @@ std::vector<Command> make_table() {
                 Need::optional)},
        "Takes over, gives free or hands over the operation of the machine. A free machine is given "
        "to who asks; a closed connection frees it."},
+      {"request-operation",
+       Who::watcher,
+       {flag("ask", "false: withdraws the request")},
+       "Asks the operator for the machine. He sees it in `request`; it is handed over when he says "
+       "nothing for 10 s, and at once when nobody operates it."},
+      {"answer-request",
+       Who::op,
+       {flag("grant")},
+       "Hands the machine over to who asks for it, or refuses."},
       {"load",
        Who::op,
        {name_of("program", "of the library", Need::optional),

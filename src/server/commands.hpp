@@ -24,6 +24,9 @@ inline constexpr std::size_t kConnections = 256;
 inline constexpr std::size_t kMachines = 256;
 inline constexpr int kStatesPerSecond = 20;
 inline constexpr int kStalledSeconds = 10;  ///< a client that takes nothing for so long is closed
+inline constexpr int kSilentSeconds = 3;    ///< without a word from who sends pings: he is away
+inline constexpr int kLateMs = 2000;        ///< a dated command that is older is not carried out
+inline constexpr int kRequestSeconds = 10;  ///< the operator has to refuse a request within them
 }  // namespace limits
 
 /// A command of the panel. The table of them is the protocol: arguments are checked against it and

@@ -24,6 +24,10 @@ const Handlers& hub_handlers() {
       {"remove", [](Hub& hub, const Request& r) { hub.remove(r); }},
       {"watch", [](Hub& hub, const Request& r) { hub.watch(r); }},
       {"operate", [](Hub& hub, const Request& r) { hub.operate(r); }},
+      {"request-operation", [](Hub& hub, const Request& r) { hub.request_operation(r); }},
+      {"answer-request", [](Hub& hub, const Request& r) { hub.answer_request(r); }},
+      {"introduce", [](Hub& hub, const Request& r) { hub.introduce(r); }},
+      {"ping", [](Hub& hub, const Request& r) { hub.ping(r); }},
       {"load", [](Hub& hub, const Request& r) { hub.load(r); }},
       {"set-settings", [](Hub& hub, const Request& r) { hub.replace_definition(r); }},
   };

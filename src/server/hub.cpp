@@ -1,7 +1,11 @@
 #include "server/hub.hpp"
 
+#include <fmt/format.h>
+
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <random>
 #include <thread>
 
 #include "output/diagnostic_text.hpp"
@@ -13,11 +17,36 @@ namespace kerf::server {
 
 using base::Outcome;
 
+namespace {
+
+std::string random_name() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
+
+std::int64_t now_ms_since_epoch() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+// The time at which a command was given; nothing else of a frame may be a number besides its id.
+Outcome<std::optional<double>> given_ms(const Json& body) {
+  if (!body.contains("at_ms")) return std::nullopt;
+  const Json& at = body["at_ms"];
+  if (at.is_number() && std::isfinite(at.get<double>())) return at.get<double>();
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                      "at_ms must be a number: ms of the server's clock"});
+}
+
+}  // namespace
+
 // Start and end
 
 Hub::Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> library,
          MachineStore store, FolderLock lock)
-    : settings_(std::move(settings)),
+    : instance_(random_name()),
+      began_ms_(now_ms_since_epoch()),
+      settings_(std::move(settings)),
       to_sockets_(std::move(to_sockets)),
       lock_(std::move(lock)),
       library_(std::move(library)),
@@ -106,7 +135,16 @@ std::shared_ptr<Client> Hub::connect(Link& link) {
   thread_.here();
   auto client = std::make_shared<Client>("client-" + std::to_string(next_client_++), link);
   clients_[client.get()] = client;
+  client->send(hello_for(*client));
   return client;
+}
+
+Json Hub::hello_for(const Client& client) const {
+  return {{"event", "hello"},
+          {"protocol", kProtocol},
+          {"server", instance_},
+          {"began_ms", began_ms_},
+          {"client", client.name()}};
 }
 
 void Hub::disconnect(Client& client) {
@@ -136,23 +174,28 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
     return reply.no("there are more than 200 commands a second on this connection");
   }
   client->refused_in_a_row = 0;
+  client->hear(clock_.now_ms());
   if (!object) return reply.no("a command is an object of JSON, and this is none");
   if (!body->contains("do") || !(*body)["do"].is_string())
     return reply.no("the command names nothing to do: the key `do` is missing");
   const std::string name = (*body)["do"].get<std::string>();
   const Command* const command = find_command(name);
   if (command == nullptr) return reply.no("there is no command " + name.substr(0, 40));
-  if (auto checked = check_arguments(*body, command->arguments, {"id", "do"}); !checked)
+  if (auto checked = check_arguments(*body, command->arguments, {"id", "do", "at_ms"}); !checked)
     return reply.no(name + ": " + checked.error().message);
+  const auto given = given_ms(*body);
+  if (!given) return reply.no(name + ": " + given.error().message);
+  if (const auto late = too_late(name, *given)) return reply.no(*late);
   MachineRecord* const machine = client->watched();
   if (command->who != Command::Who::anyone && machine == nullptr)
     return reply.no(name + ": no machine is watched on this connection");
   if (command->who == Command::Who::op && machine->op != client.get())
     return reply.no(machine->op == nullptr
                         ? name + ": nobody operates " + machine->name + "; take control first"
-                        : name + ": " + machine->name + " is operated by " + machine->op->name());
+                        : name + ": " + machine->name + " is operated by " +
+                              machine->op->shown_name());
   try {
-    find_handler(name)(*this, {client, machine, body, reply});
+    find_handler(name)(*this, {client, machine, body, reply, *given});
   } catch (const std::exception& fault) {
     tell(name + ": fault of Kerf itself: " + fault.what());
     reply.no(std::string("fault of Kerf itself: ") + fault.what());
@@ -164,18 +207,35 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
 void Hub::on_machine(const Request& request, Pace pace, MachineAction action) {
   MachineRecord& machine = *request.machine;
   machine.thread->post(machine.runner, pace,
-                       [this, reply = request.reply, action = std::move(action)](Runner& runner) {
-                         auto outcome = guarded([&] { return action(runner); });
-                         to_sockets_([reply, outcome] { reply.with(outcome); });
+                       [this, request, action = std::move(action)](Runner& runner) {
+                         auto outcome = done_in_time(request, runner, action);
+                         to_sockets_([reply = request.reply, outcome] { reply.with(outcome); });
                        });
+}
+
+std::optional<std::string> Hub::too_late(const std::string& command,
+                                         const std::optional<double>& given_ms) const {
+  const double age_ms = given_ms ? clock_.now_ms() - *given_ms : 0;
+  if (age_ms <= limits::kLateMs) return std::nullopt;
+  return fmt::format("{}: it was given {:.1f} s ago; what is older than {} s is not carried out",
+                     command, age_ms / 1000, limits::kLateMs / 1000);
+}
+
+// Asked again where it is done: a command may have waited behind another one.
+Outcome<Json> Hub::done_in_time(const Request& request, Runner& runner,
+                                const MachineAction& action) const {
+  const auto late = too_late((*request.body)["do"].get<std::string>(), request.given_ms);
+  if (!late) return guarded([&] { return action(runner); });
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage, *late});
 }
 
 void Hub::on_machine_durably(const Request& request, Entry entry) {
   MachineRecord& machine = *request.machine;
-  const auto job = [this, reply = request.reply, entry = std::move(entry), name = machine.name,
-                    thread = machine.thread, held = machine.runner](Runner& runner) {
+  const auto job = [this, request, reply = request.reply, entry = std::move(entry),
+                    name = machine.name, thread = machine.thread,
+                    held = machine.runner](Runner& runner) {
     const control::Memory before = runner.machine().memory();
-    const auto outcome = guarded([&] { return entry.act(runner); });
+    const auto outcome = done_in_time(request, runner, entry.act);
     const control::Memory after = runner.machine().memory();
     if (!outcome && !keeps_the_same(before, after)) runner.machine().set_memory(before);
     if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });

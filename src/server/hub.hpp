@@ -16,6 +16,7 @@
 #include "server/machine_threads.hpp"
 #include "server/memory_keeper.hpp"
 #include "server/request.hpp"
+#include "server/server_clock.hpp"
 #include "server/thread_check.hpp"
 #include "server/worker.hpp"
 
@@ -49,6 +50,9 @@ class Hub {
   /// A text frame of a client.
   void receive(const std::shared_ptr<Client>& client, std::string_view text);
   void close_all(const std::string& sentence);
+  /// What time brings: requests that nobody has refused, clients that have fallen silent. To be
+  /// called some times a second.
+  void tick();
 
   // For those who serve commands
 
@@ -79,6 +83,10 @@ class Hub {
   void remove(const Request& request);
   void watch(const Request& request);
   void operate(const Request& request);
+  void request_operation(const Request& request);
+  void answer_request(const Request& request);
+  void introduce(const Request& request);
+  void ping(const Request& request);
   void load(const Request& request);
   void replace_definition(const Request& request);
   /// Once more, because what it runs with has changed.
@@ -113,6 +121,13 @@ class Hub {
                  const PreviewState& state);
   void leave_machine(Client& client);
   void set_operator(MachineRecord& machine, Client* client);
+  void end_jog(MachineRecord& machine);
+  [[nodiscard]] Json hello_for(const Client& client) const;
+  /// Why a command is not carried out any more. From any thread.
+  [[nodiscard]] std::optional<std::string> too_late(const std::string& command,
+                                                    const std::optional<double>& given_ms) const;
+  [[nodiscard]] base::Outcome<Json> done_in_time(const Request& request, Runner& runner,
+                                                 const MachineAction& action) const;
   void tell_machines();
   void tell(const std::string& sentence) const;
   void keep_and_load(MachineRecord& machine, const machine::ProgramText& text,
@@ -124,6 +139,9 @@ class Hub {
   [[nodiscard]] std::shared_ptr<Runner> make_runner(const StoredMachine& stored) const;
 
   ThreadCheck thread_{"that of the sockets"};
+  ServerClock clock_;
+  std::string instance_;   // another one each time a server begins
+  std::int64_t began_ms_;  // of the day's clock
   Settings settings_;
   ToSockets to_sockets_;
   FolderLock lock_;

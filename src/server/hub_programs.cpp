@@ -68,6 +68,7 @@ void Hub::loaded(const std::string& name, const LoadedProgram& program,
   if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
   machine->program = program;
   start_preview(*machine, definition, memory);
+  tell_machines();
   reply.yes(Json{{"program", program.name}});
 }
 

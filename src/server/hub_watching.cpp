@@ -1,6 +1,7 @@
 // Who watches a machine of a hub, and who operates it.
 #include <algorithm>
 
+#include "output/diagnostic_text.hpp"
 #include "server/hub.hpp"
 #include "server/state_json.hpp"
 
@@ -31,18 +32,80 @@ void Hub::leave_machine(Client& client) {
   if (machine == nullptr) return;
   std::erase(machine->watchers, &client);
   client.watch(nullptr);
-  if (machine->op == &client) set_operator(*machine, nullptr);
+  if (machine->request && machine->request->client == &client) machine->request.reset();
+  if (machine->op == &client)
+    set_operator(*machine, machine->request ? machine->request->client : nullptr);
   machine->touch();
   tell_machines();
 }
 
 // Who lets go of the panel lets go of its jog keys.
 void Hub::set_operator(MachineRecord& machine, Client* client) {
-  if (machine.op != nullptr && machine.op != client)
-    machine.thread->post(machine.runner, Pace::quick,
-                         [](Runner& runner) { static_cast<void>(runner.machine().jog_stop()); });
+  if (machine.op != nullptr && machine.op != client) end_jog(machine);
   machine.op = client;
+  machine.request.reset();
   machine.touch();
+}
+
+void Hub::end_jog(MachineRecord& machine) {
+  machine.thread->post(machine.runner, Pace::quick,
+                       [](Runner& runner) { static_cast<void>(runner.machine().jog_stop()); });
+}
+
+void Hub::tick() {
+  thread_.here();
+  const double now_ms = clock_.now_ms();
+  for (const auto& [name, machine] : machines_) {
+    if (machine->op != nullptr && machine->op->falls_silent(now_ms)) end_jog(*machine);
+    if (!machine->request || now_ms < machine->request->until_ms) continue;
+    set_operator(*machine, machine->request->client);
+    tell_machines();
+  }
+}
+
+void Hub::ping(const Request& request) {
+  request.client->sends_pings = true;
+  request.reply.yes({{"time_ms", clock_.now_ms()}});
+}
+
+void Hub::introduce(const Request& request) {
+  request.client->person = output::printable(request.arguments().text("name"));
+  request.reply.yes();
+  if (request.machine != nullptr) request.machine->touch();
+}
+
+void Hub::request_operation(const Request& request) {
+  MachineRecord& machine = *request.machine;
+  Client* const client = request.client.get();
+  const bool mine = machine.request && machine.request->client == client;
+  if (!request.arguments().flag("ask")) {
+    if (mine) machine.request.reset();
+  } else if (machine.op == nullptr || machine.op == client) {
+    set_operator(machine, client);
+    tell_machines();
+  } else if (machine.request && !mine) {
+    return request.reply.no(machine.request->client->shown_name() + " has asked for " +
+                            machine.name + " already");
+  } else if (!mine) {
+    machine.request = {client, clock_.now_ms() + 1000.0 * limits::kRequestSeconds};
+  }
+  machine.touch();
+  request.reply.yes();
+}
+
+void Hub::answer_request(const Request& request) {
+  MachineRecord& machine = *request.machine;
+  if (!machine.request) return request.reply.no("nobody asks for " + machine.name + " any more");
+  Client* const client = machine.request->client;
+  if (request.arguments().flag("grant")) {
+    set_operator(machine, client);
+    tell_machines();
+  } else {
+    machine.request.reset();
+    client->send({{"event", "request-refused"}, {"machine", machine.name}});
+    machine.touch();
+  }
+  request.reply.yes();
 }
 
 void Hub::operate(const Request& request) {
@@ -60,7 +123,7 @@ void Hub::operate(const Request& request) {
     set_operator(machine, *found);
   } else if (arguments.flag("take")) {
     if (machine.op != nullptr && !mine)
-      return request.reply.no(machine.name + " is operated by " + machine.op->name() +
+      return request.reply.no(machine.name + " is operated by " + machine.op->shown_name() +
                               ", who can hand it over");
     set_operator(machine, client);
   } else if (mine) {

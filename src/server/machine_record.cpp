@@ -47,7 +47,14 @@ const StateDocument& MachineRecord::state() {
   json["preview_run"] = preview_run;
   json["operator"] = op != nullptr ? Json(op->name()) : Json(nullptr);
   json["clients"] = Json::array();
-  for (const Client* const watcher : watchers) json["clients"].push_back(watcher->name());
+  json["people"] = Json::object();
+  for (const Client* const watcher : watchers) {
+    json["clients"].push_back(watcher->name());
+    if (!watcher->person.empty()) json["people"][watcher->name()] = watcher->person;
+  }
+  json["request"] = request
+                        ? Json{{"client", request->client->name()}, {"until_ms", request->until_ms}}
+                        : Json(nullptr);
   json["fault"] = fault.empty() ? Json(nullptr) : Json(fault);
   json["unsaved"] = unsaved.empty() ? Json(nullptr) : Json(unsaved);
   document_.update(json);
@@ -75,6 +82,7 @@ Json MachineRecord::row() const {
           {"title", output::printable(definition.description)},
           {"definition", kind},
           {"status", snapshot ? Json(machine::name_of(snapshot->status)) : Json("idle")},
+          {"program", program ? Json(program->name) : Json(nullptr)},
           {"operator", op != nullptr ? Json(op->name()) : Json(nullptr)},
           {"clients", watchers.size()},
           {"suits", suited_kinds(definition)}};

@@ -35,6 +35,11 @@ class MachineRecord {
   std::string fault;                                  ///< the machine runs no more
   std::string unsaved;                                ///< why its memory is not on the disk
   Client* op = nullptr;                               ///< who operates it
+  struct OperationRequest {
+    Client* client;   ///< who wants to operate it
+    double until_ms;  ///< of the server's clock; then it is his
+  };
+  std::optional<OperationRequest> request;  ///< only while somebody else operates it
   std::vector<Client*> watchers;
   std::optional<LoadedProgram> program;
   std::shared_ptr<Preview> preview;

@@ -21,6 +21,9 @@ seconds, mm/min.
 A command is `{{"id":7,"do":"NAME",…}}`; it is answered by `{{"id":7,"ok":true,…}}` or `{{"id":7,"ok":false,"error":"sentence"}}`.
 Answers come when they are ready, not in the order of the commands. `id` may be any number or text; without one it is null.
 
+A command may carry `at_ms`, the time at which it was given, by the clock that `ping` tells: one that has become older
+than {late} s before it is carried out is refused. So nothing moves because a key was pressed long ago and the line was hung.
+
 | who | may send a command |
 | --- | --- |
 | anyone | who is connected |
@@ -30,7 +33,8 @@ Answers come when they are ready, not in the order of the commands. `id` may be 
 ## Limits
 A message has at most {message} bytes, a connection sends at most {rate} commands a second on average and {burst} at once, a server has
 at most {machines} machines. When more than {queue} MiB of answers wait for a client, or he takes nothing for {stalled} s, his
-connection is closed. A client gets at most {states} states a second, the newest each time; chunks and answers are never left out.
+connection is closed. Who has sent a `ping` and then nothing for {silent} s lets go of the jog
+keys. A client gets at most {states} states a second, the newest each time; chunks and answers are never left out.
 
 ## Commands
 | do | who | arguments | what it does, and the answer |
@@ -41,13 +45,19 @@ constexpr std::string_view kRest = R"md(
 ## Events
 `{"event":"NAME",…}`.
 
+`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1"}`, the first of all. `server` is another text each
+time the server begins, `began_ms` when that was, since 1970.
+
+`request-refused`: `{"event":"request-refused","machine"}`, to who has asked to operate it.
+
 `state`: of the machine that is watched. The first has every key, the others only those whose value has changed.
 `{"event":"state","machine","status":"idle|running|held|stopped|step|end|alarm","mode","program","file","line","text","time_s",
 "total_s","run","motion","motions","position":{"machine":{},"work":{},"distance":{}},"joints":{},"modal":["G01",…],
 "feed":{"programmed_mm_min","actual_mm_min"},"spindle":{"speed_rpm","direction","load"},"tool","coolant","power_percent","beam",
 "override":{"feed","rapid","spindle"},"switches":{},"skip":[],"alarm":null|{"code","message","program","file","line","column",
 "length","cause","remedy"},"messages":[],"stack":[{"program","file","line","level"}],"variables_revision","printed",
-"waits_for_input","breakpoint":null|{…},"preview_run","operator":null|"client-1","clients":["client-1",…],"fault":null|"sentence",
+"waits_for_input","breakpoint":null|{…},"preview_run","operator":null|"client-1","clients":["client-1",…],
+"people":{"client-1":"Lee"},"request":null|{"client","until_ms"},"fault":null|"sentence",
 "unsaved":null|"sentence"}`. `unsaved`: why the memory cannot be written to the disk; the server goes on trying.
 `total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
 
@@ -142,7 +152,8 @@ std::string protocol_markdown() {
       kPreface, fmt::arg("version", kProtocol), fmt::arg("message", limits::kMessageBytes),
       fmt::arg("rate", limits::kCommandsPerSecond), fmt::arg("burst", limits::kCommandBurst),
       fmt::arg("machines", limits::kMachines), fmt::arg("queue", limits::kQueueBytes >> 20U),
-      fmt::arg("stalled", limits::kStalledSeconds), fmt::arg("states", limits::kStatesPerSecond));
+      fmt::arg("stalled", limits::kStalledSeconds), fmt::arg("silent", limits::kSilentSeconds),
+      fmt::arg("late", limits::kLateMs / 1000), fmt::arg("states", limits::kStatesPerSecond));
   for (const Command& command : commands()) text += row_of(command);
   return text + std::string(kRest);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/result.hpp"
@@ -32,6 +33,7 @@ struct Request {
   MachineRecord* machine = nullptr;  ///< that the client watches; null: none
   std::shared_ptr<const Json> body;
   Reply reply;
+  std::optional<double> given_ms{};  ///< by the clock of the server; not told: it is never late
 
   [[nodiscard]] Arguments arguments() const { return Arguments(*body); }
 };

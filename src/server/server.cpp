@@ -17,6 +17,7 @@ namespace {
 
 // So long clients have to hear that the server ends.
 constexpr auto kFarewell = std::chrono::milliseconds(300);
+constexpr auto kTick = std::chrono::milliseconds(250);
 
 }  // namespace
 
@@ -68,16 +69,27 @@ class Server::Impl {
       farewell.async_wait([&](boost::system::error_code) { context_.stop(); });
     });
     listener_->start();
+    tick();
     context_.run();
   }
 
  private:
   Impl() = default;
 
+  void tick() {
+    ticking_.expires_after(kTick);
+    ticking_.async_wait([this](boost::system::error_code error) {
+      if (error) return;
+      hub_->tick();
+      tick();
+    });
+  }
+
   // What waits in the context counts at the site until the context goes.
   std::unique_ptr<Hub> hub_;
   std::unique_ptr<Site> site_;
   asio::io_context context_{1};
+  asio::steady_timer ticking_{context_};
   std::shared_ptr<Listener> listener_;
 };
 

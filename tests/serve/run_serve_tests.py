@@ -20,6 +20,7 @@ import harness
 import access_tests  # noqa: F401
 import fault_tests  # noqa: F401
 import library_tests  # noqa: F401
+import link_tests  # noqa: F401
 import machine_tests  # noqa: F401
 import memory_tests  # noqa: F401
 import training_tests  # noqa: F401

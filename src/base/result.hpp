@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "base/diagnostic.hpp"
 
@@ -14,8 +16,16 @@ using tl::unexpected;
 
 /// What keeps a command from its work and has no place in a program: a missing file, a full disk.
 struct Failure {
+  struct Value {
+    std::string name;
+    std::string text;
+  };
   enum class Kind : std::uint8_t { usage, input, output } kind = Kind::input;
   std::string message;
+  /// For who says it in another language: which sentence of base/refusals.def it is, and the values
+  /// in it. Empty: it is none of them.
+  std::string code{};
+  std::vector<Value> values{};
 };
 
 template <typename T>

@@ -12,6 +12,8 @@
 
 namespace kerf::machine {
 
+using base::Refusal;
+
 namespace {
 
 RunStart at_power_on(const MachineDefinition& definition, control::Memory memory,
@@ -90,14 +92,13 @@ LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
 // The blocks that were begun are counted by making the run again; so it stops one of them earlier
 // the next time.
 LiveMachine::Outcome LiveMachine::Impl::step_back() {
-  if (core->is_active())
-    return refused("the machine is running: hold it, or let it come to a stop");
+  if (core->is_active()) return refused(Refusal::running_hold_or_stop);
   Replay all(journal);
   all.go_to(std::numeric_limits<double>::infinity());
   const bool waits = all.core().machine().halt() == control::Halt::gate;
   const std::uint64_t begun = all.core().stepper().blocks();
   const std::uint64_t done = waits && begun > 0 ? begun - 1 : begun;
-  if (done == 0) return refused("the program stands at its beginning");
+  if (done == 0) return refused(Refusal::at_beginning);
   Replay back(journal, done);
   back.go_to(std::numeric_limits<double>::infinity());
   const std::size_t kept = back.done();
@@ -342,8 +343,8 @@ std::string words_of(const teach::Mistake& mistake) {
 
 base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::string_view name) {
   LiveCore& core = *impl_->core;
-  if (core.panel().mode != Mode::teach) return refused("points are captured in mode teach");
-  if (core.is_active()) return refused("points are captured while the axes rest");
+  if (core.panel().mode != Mode::teach) return refused(Refusal::points_mode);
+  if (core.is_active()) return refused(Refusal::points_moving);
   const base::AxisVector joints = core.standing_joints();
   machine::Capture& taught = impl_->capture;
   std::optional<teach::Mistake> mistake;
@@ -359,7 +360,7 @@ base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::strin
 }
 
 base::Outcome<LiveMachine::Taught> LiveMachine::teach_record(std::string_view record) {
-  if (impl_->core->panel().mode != Mode::teach) return refused("points are taught in mode teach");
+  if (impl_->core->panel().mode != Mode::teach) return refused(Refusal::records_mode);
   const auto parsed = teach::parse_record(teach::Words(record));
   if (!parsed) return refused(words_of(parsed.error()));
   if (const auto mistake = impl_->capture.add(*parsed)) return refused(words_of(*mistake));
@@ -367,7 +368,7 @@ base::Outcome<LiveMachine::Taught> LiveMachine::teach_record(std::string_view re
 }
 
 base::Outcome<LiveMachine::Taught> LiveMachine::take_back() {
-  if (!impl_->capture.take_back()) return refused("nothing has been taught");
+  if (!impl_->capture.take_back()) return refused(Refusal::nothing_taught);
   return taught();
 }
 

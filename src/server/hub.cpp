@@ -190,10 +190,10 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
   if (command->who != Command::Who::anyone && machine == nullptr)
     return reply.no(name + ": no machine is watched on this connection");
   if (command->who == Command::Who::op && machine->op != client.get())
-    return reply.no(machine->op == nullptr
-                        ? name + ": nobody operates " + machine->name + "; take control first"
-                        : name + ": " + machine->name + " is operated by " +
-                              machine->op->shown_name());
+    return machine->op == nullptr
+               ? reply.no(base::Refusal::operated_by_nobody, {name, machine->name})
+               : reply.no(base::Refusal::operated_by_another,
+                          {name, machine->name, machine->op->shown_name()});
   try {
     find_handler(name)(*this, {client, machine, body, reply, *given});
   } catch (const std::exception& fault) {
@@ -213,12 +213,12 @@ void Hub::on_machine(const Request& request, Pace pace, MachineAction action) {
                        });
 }
 
-std::optional<std::string> Hub::too_late(const std::string& command,
-                                         const std::optional<double>& given_ms) const {
+std::optional<base::Failure> Hub::too_late(const std::string& command,
+                                           const std::optional<double>& given_ms) const {
   const double age_ms = given_ms ? clock_.now_ms() - *given_ms : 0;
   if (age_ms <= limits::kLateMs) return std::nullopt;
-  return fmt::format("{}: it was given {:.1f} s ago; what is older than {} s is not carried out",
-                     command, age_ms / 1000, limits::kLateMs / 1000);
+  return base::refuse(base::Refusal::late, {command, fmt::format("{:.1f}", age_ms / 1000),
+                                            std::to_string(limits::kLateMs / 1000)});
 }
 
 // Asked again where it is done: a command may have waited behind another one.
@@ -226,7 +226,7 @@ Outcome<Json> Hub::done_in_time(const Request& request, Runner& runner,
                                 const MachineAction& action) const {
   const auto late = too_late((*request.body)["do"].get<std::string>(), request.given_ms);
   if (!late) return guarded([&] { return action(runner); });
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, *late});
+  return tl::unexpected(*late);
 }
 
 void Hub::on_machine_durably(const Request& request, Entry entry) {
@@ -244,7 +244,7 @@ void Hub::on_machine_durably(const Request& request, Entry entry) {
       if (!written) {
         at_disk.machine().set_memory(before);
         if (entry.undo) entry.undo(at_disk.machine());
-        return to_sockets_([reply, why = written.error()] { reply.no(why.message); });
+        return to_sockets_([reply, why = written.error()] { reply.no(why); });
       }
       to_sockets_([reply, outcome, done = entry.done] {
         if (done) done();

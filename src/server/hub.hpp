@@ -124,8 +124,8 @@ class Hub {
   void end_jog(MachineRecord& machine);
   [[nodiscard]] Json hello_for(const Client& client) const;
   /// Why a command is not carried out any more. From any thread.
-  [[nodiscard]] std::optional<std::string> too_late(const std::string& command,
-                                                    const std::optional<double>& given_ms) const;
+  [[nodiscard]] std::optional<base::Failure> too_late(const std::string& command,
+                                                      const std::optional<double>& given_ms) const;
   [[nodiscard]] base::Outcome<Json> done_in_time(const Request& request, Runner& runner,
                                                  const MachineAction& action) const;
   void tell_machines();

@@ -105,10 +105,9 @@ void Hub::load_into(MachineRecord& machine) {
 
 void Hub::create(const Request& request) {
   const std::string name = request.arguments().text("name");
-  if (auto checked = check_machine_name(name); !checked)
-    return request.reply.no(checked.error().message);
+  if (auto checked = check_machine_name(name); !checked) return request.reply.no(checked.error());
   if (find(name) != nullptr || under_way_.contains(name))
-    return request.reply.no("there is a machine " + name + " already");
+    return request.reply.no(base::Refusal::machine_exists, {name});
   if (machines_.size() + under_way_.size() >= limits::kMachines)
     return request.reply.no("this server has " + std::to_string(limits::kMachines) +
                             " machines, and takes no more");
@@ -130,10 +129,10 @@ void Hub::create(const Request& request) {
 void Hub::remove(const Request& request) {
   const std::string name = request.arguments().text("name");
   MachineRecord* const machine = find(name);
-  if (machine == nullptr) return request.reply.no("there is no machine " + name);
+  if (machine == nullptr) return request.reply.no(base::Refusal::no_machine, {name});
   for (const Client* const watcher : machine->watchers) {
     if (watcher != request.client.get())
-      return request.reply.no(name + " cannot be removed while " + watcher->name() + " watches it");
+      return request.reply.no(base::Refusal::machine_watched, {name, watcher->shown_name()});
   }
   if (!under_way_.insert(name).second) return request.reply.no(name + " is being removed");
   if (request.client->watched() == machine) leave_machine(*request.client);
@@ -181,9 +180,7 @@ void Hub::replace_definition(const Request& request) {
                          const machine::Status status = runner.machine().snapshot()->status;
                          if (status != machine::Status::running && status != machine::Status::held)
                            return thread->lend(held, *machine_disk_, replace);
-                         to_sockets_([reply] {
-                           reply.no("the machine file can be changed only while nothing moves");
-                         });
+                         to_sockets_([reply] { reply.no(base::Refusal::settings_moving); });
                        });
 }
 

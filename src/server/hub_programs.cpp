@@ -26,9 +26,9 @@ void Hub::load(const Request& request) {
   if (!from_library) program.text = arguments.text("text");
   program.dialect = arguments.text("dialect");
   if (auto checked = check_program_name(program.name); !checked)
-    return request.reply.no(checked.error().message);
+    return request.reply.no(checked.error());
   const auto text = text_of(program);
-  if (!text) return request.reply.no(text.error().message);
+  if (!text) return request.reply.no(text.error());
   if (const auto file = text->open(); file && program.dialect.empty())
     program.dialect = dialect_shown_by(**file);
   keep_and_load(*request.machine, *text, program, request.reply);

@@ -10,7 +10,7 @@ namespace kerf::server {
 void Hub::watch(const Request& request) {
   const std::string name = request.arguments().text("machine");
   MachineRecord* const machine = find(name);
-  if (machine == nullptr) return request.reply.no("there is no machine " + name);
+  if (machine == nullptr) return request.reply.no(base::Refusal::no_machine, {name});
   if (under_way_.contains(name)) return request.reply.no(name + " is being removed");
   Client& client = *request.client;
   if (client.watched() != machine) leave_machine(client);
@@ -84,8 +84,8 @@ void Hub::request_operation(const Request& request) {
     set_operator(machine, client);
     tell_machines();
   } else if (machine.request && !mine) {
-    return request.reply.no(machine.request->client->shown_name() + " has asked for " +
-                            machine.name + " already");
+    return request.reply.no(base::Refusal::asked_already,
+                            {machine.request->client->shown_name(), machine.name});
   } else if (!mine) {
     machine.request = {client, clock_.now_ms() + 1000.0 * limits::kRequestSeconds};
   }
@@ -95,7 +95,7 @@ void Hub::request_operation(const Request& request) {
 
 void Hub::answer_request(const Request& request) {
   MachineRecord& machine = *request.machine;
-  if (!machine.request) return request.reply.no("nobody asks for " + machine.name + " any more");
+  if (!machine.request) return request.reply.no(base::Refusal::nobody_asks, {machine.name});
   Client* const client = machine.request->client;
   if (request.arguments().flag("grant")) {
     set_operator(machine, client);
@@ -123,8 +123,7 @@ void Hub::operate(const Request& request) {
     set_operator(machine, *found);
   } else if (arguments.flag("take")) {
     if (machine.op != nullptr && !mine)
-      return request.reply.no(machine.name + " is operated by " + machine.op->shown_name() +
-                              ", who can hand it over");
+      return request.reply.no(base::Refusal::hands_over, {machine.name, machine.op->shown_name()});
     set_operator(machine, client);
   } else if (mine) {
     set_operator(machine, nullptr);

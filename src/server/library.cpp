@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "base/refusal.hpp"
 #include "server/private_files.hpp"
 #include "server/program_name.hpp"
 
@@ -110,7 +111,8 @@ Outcome<std::string> Library::path_of(const std::string& name) const {
   const std::string path = join(name);
   switch (look_at(path).entry) {
     case Entry::program: return path;
-    case Entry::nothing: return usage("there is no program " + name + " in the library");
+    case Entry::nothing:
+      return tl::unexpected(base::refuse(base::Refusal::no_library_program, {name}));
     case Entry::other: return usage(name + " is no file, and the library touches nothing else");
   }
   return path;
@@ -144,7 +146,8 @@ Outcome<std::vector<Revision>> Library::revisions(const std::string& name) {
     take_over(name);
     looking.commit();
     auto found = revisions_->of(name);
-    if (found.empty()) return usage("there is no program " + name + " in the library");
+    if (found.empty())
+      return tl::unexpected(base::refuse(base::Refusal::no_library_program, {name}));
     return found;
   });
 }
@@ -229,7 +232,7 @@ Outcome<void> Library::rename(const std::string& from, const std::string& to) {
     take_over(from);
     // Unlike rename(), link() does not replace what is there already.
     if (::link(path->c_str(), join(to).c_str()) != 0) {
-      if (errno == EEXIST) return usage("there is a program " + to + " already");
+      if (errno == EEXIST) return tl::unexpected(base::refuse(base::Refusal::program_exists, {to}));
       return disk(to + ": " + std::strerror(errno));
     }
     try {

@@ -19,6 +19,7 @@ seconds, mm/min.
 `/ws` is a WebSocket. Its text frames are JSON, its binary frames are chunks of a path.
 
 A command is `{{"id":7,"do":"NAME",…}}`; it is answered by `{{"id":7,"ok":true,…}}` or `{{"id":7,"ok":false,"error":"sentence"}}`.
+A refusal that operators meet has `code` and `values` as well, for who says it in another language: [base/refusals.def](../src/base/refusals.def).
 Answers come when they are ready, not in the order of the commands. `id` may be any number or text; without one it is null.
 
 A command may carry `at_ms`, the time at which it was given, by the clock that `ping` tells: one that has become older

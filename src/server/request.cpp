@@ -17,8 +17,21 @@ void Reply::no(const std::string& sentence) const {
     client->send({{"id", id_}, {"ok", false}, {"error", output::printable(sentence)}});
 }
 
+void Reply::no(const base::Failure& failure) const {
+  if (failure.code.empty()) return no(failure.message);
+  const auto client = client_.lock();
+  if (!client) return;
+  Json values = Json::object();
+  for (const auto& [name, text] : failure.values) values[name] = output::printable(text);
+  client->send({{"id", id_},
+                {"ok", false},
+                {"error", output::printable(failure.message)},
+                {"code", failure.code},
+                {"values", std::move(values)}});
+}
+
 void Reply::with(const base::Outcome<Json>& outcome) const {
-  outcome ? yes(*outcome) : no(outcome.error().message);
+  outcome ? yes(*outcome) : no(outcome.error());
 }
 
 }  // namespace kerf::server

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "base/result.hpp"
+#include "base/refusal.hpp"
 #include "server/argument.hpp"
 #include "server/client.hpp"
 
@@ -20,6 +20,11 @@ class Reply {
   /// `{"id":…,"ok":true}` with these keys.
   void yes(Json keys = Json::object()) const;
   void no(const std::string& sentence) const;
+  /// With its code and values, where it has them.
+  void no(const base::Failure& failure) const;
+  void no(base::Refusal refusal, std::vector<std::string> values = {}) const {
+    no(base::refuse(refusal, std::move(values)));
+  }
   void with(const base::Outcome<Json>& outcome) const;
 
  private:

@@ -158,3 +158,19 @@ def _(place):
         ),
         "the program",
     )
+
+
+@test("a refusal that operators meet has its code and values beside the sentence")
+def _(place):
+    server, first, second = two(place)
+    first.do("mode", mode="jog")
+    wrong_mode = first.ask("cycle-start")
+    equal((wrong_mode["code"], wrong_mode["values"]), ("start-in-mode", {"mode": "jog"}), "cycle start in jog")
+    says(wrong_mode["error"], "mode jog: turn the switch to auto")
+    watching = second.ask("reset")
+    values = {"command": "reset", "machine": "mill", "name": first.name}
+    equal((watching["code"], watching["values"]), ("operated-by", values), "who only watches")
+    missing = first.ask("load", program="<none>.nc")
+    equal((missing["code"], missing["values"]["character"]), ("program-name-character", "<"), "a name")
+    late = first.ask("home", at_ms=server_ms(first) - 9000)
+    equal((late["code"], late["values"]["command"]), ("command-late", "home"), "a late command")

@@ -7,6 +7,8 @@
 #include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
+
+using base::Refusal;
 namespace {
 
 // How far an axis without an end of its travel goes in one go, mm or degrees.
@@ -20,13 +22,12 @@ std::optional<base::Axis> LiveCore::find_axis(const std::string& name) const {
   return name.size() == 1 ? definition_.axes.find(name[0]) : std::nullopt;
 }
 
-std::optional<std::string> LiveCore::keeps_from_hand() const {
-  if (resetting_) return "the machine is being reset";
-  if (is_active()) return "the axes move already";
-  if (machine_->alarm() || panel_alarm_) return "an alarm is on: press reset first";
+std::optional<base::Failure> LiveCore::keeps_from_hand() const {
+  if (resetting_) return base::refuse(Refusal::resetting);
+  if (is_active()) return base::refuse(Refusal::moves_already);
+  if (machine_->alarm() || panel_alarm_) return base::refuse(Refusal::alarm_is_on);
   if (machine_->is_in_program() && !machine_->control().can_be_moved())
-    return "the program holds a move for cutter compensation or a corner: let it go on, or press "
-           "reset";
+    return base::refuse(Refusal::corner_held);
   return std::nullopt;
 }
 
@@ -48,23 +49,21 @@ LiveCore::Outcome LiveCore::queue_moves(const std::vector<control::Motion>& moti
 
 LiveCore::Outcome LiveCore::jog(const std::string& axis, double speed_per_min) {
   const auto found = find_axis(axis);
-  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach)
-    return refused("axes are moved by hand in mode jog or teach");
-  if (!found) return refused("the machine has no axis " + axis + " that can be moved by hand");
+  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach) return refused(Refusal::hand_mode);
+  if (!found) return refused(Refusal::no_hand_axis, {axis});
   if (!(std::fabs(speed_per_min) > 0) || !std::isfinite(speed_per_min))
-    return refused("a jog needs a speed");
+    return refused(Refusal::jog_speed);
   if (const auto why = keeps_from_hand()) return refused(*why);
   return jog_to(*found, std::copysign(kFar, speed_per_min), std::fabs(speed_per_min));
 }
 
 LiveCore::Outcome LiveCore::jog_by(const std::string& axis, double distance, double speed_per_min) {
   const auto found = find_axis(axis);
-  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach)
-    return refused("axes are moved by hand in mode jog or teach");
-  if (!found) return refused("the machine has no axis " + axis + " that can be moved by hand");
+  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach) return refused(Refusal::hand_mode);
+  if (!found) return refused(Refusal::no_hand_axis, {axis});
   if (distance == 0 || !std::isfinite(distance) || std::fabs(distance) > kFar)
     return refused("a jog by a distance needs one, at most " + base::number_text(kFar));
-  if (speed_per_min < 0 || !std::isfinite(speed_per_min)) return refused("a jog needs a speed");
+  if (speed_per_min < 0 || !std::isfinite(speed_per_min)) return refused(Refusal::jog_speed);
   if (const auto why = keeps_from_hand()) return refused(*why);
   const double own = definition_.axes[*found].rotary ? settings_.jog_deg_min : settings_.jog_mm_min;
   return jog_to(*found, distance, speed_per_min > 0 ? speed_per_min : own);
@@ -147,8 +146,7 @@ LiveCore::Outcome LiveCore::jog_stop() {
 }
 
 LiveCore::Outcome LiveCore::home() {
-  if (panel_.mode != Mode::reference)
-    return refused("axes go to their reference points in mode ref");
+  if (panel_.mode != Mode::reference) return refused(Refusal::reference_mode);
   if (const auto why = keeps_from_hand()) return refused(*why);
   const base::AxisVector length = machine_->control().tool_length();
   base::AxisVector to = machine_->servo().commanded();

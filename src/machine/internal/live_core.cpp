@@ -8,6 +8,8 @@
 #include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
+
+using base::Refusal;
 namespace {
 
 constexpr std::size_t kMostMessages = 50;
@@ -258,19 +260,18 @@ bool LiveCore::would_begin() const {
          (!machine_->is_in_program() || is_entry_);
 }
 
-std::optional<std::string> LiveCore::keeps_from_start() const {
-  if (resetting_) return "the machine is being reset";
-  if (panel_alarm_ || machine_->alarm()) return "an alarm is on: press reset first";
+std::optional<base::Failure> LiveCore::keeps_from_start() const {
+  if (resetting_) return base::refuse(Refusal::resetting);
+  if (panel_alarm_ || machine_->alarm()) return base::refuse(Refusal::alarm_is_on);
   if (panel_.mode == Mode::automatic) {
-    if (!program_) return "no program is loaded";
+    if (!program_) return base::refuse(Refusal::no_program);
     return std::nullopt;
   }
   if (panel_.mode == Mode::mdi) {
     if (machine_->is_in_program() && is_entry_) return std::nullopt;
-    return "there is no entry to go on with: enter blocks";
+    return base::refuse(Refusal::no_entry);
   }
-  return "cycle start does nothing in mode " + std::string(name_of(panel_.mode)) +
-         ": turn the switch to auto";
+  return base::refuse(Refusal::start_in_mode, {std::string(name_of(panel_.mode))});
 }
 
 // Goes on from wherever the machine stands.
@@ -309,7 +310,7 @@ void LiveCore::resume_feed() {
 
 LiveCore::Outcome LiveCore::cycle_start() {
   if (const auto why = keeps_from_start()) return refused(*why);
-  if (is_active() && !feed_hold_ && !block_hold_) return refused("the machine is running");
+  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running);
   if (would_begin()) {
     if (auto begun = begin_program(); !begun) return begun;
   }
@@ -317,7 +318,7 @@ LiveCore::Outcome LiveCore::cycle_start() {
 }
 
 LiveCore::Outcome LiveCore::feed_hold() {
-  if (!is_active()) return refused("nothing moves that could be held");
+  if (!is_active()) return refused(Refusal::nothing_to_hold);
   if (activity_ == Activity::jog) return jog_stop();
   feed_hold_ = true;
   block_hold_ = false;
@@ -327,8 +328,7 @@ LiveCore::Outcome LiveCore::feed_hold() {
 
 LiveCore::Outcome LiveCore::step(Step how) {
   if (const auto why = keeps_from_start()) return refused(*why);
-  if (is_active() && !feed_hold_ && !block_hold_)
-    return refused("the machine is running: hold first");
+  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running_hold_first);
   if (would_begin()) {
     if (auto begun = begin_program(); !begun) return begun;
     how = Step::into;
@@ -340,8 +340,7 @@ LiveCore::Outcome LiveCore::step(Step how) {
 LiveCore::Outcome LiveCore::run_to(const std::string& file, std::uint32_t line) {
   if (const auto why = keeps_from_start()) return refused(*why);
   if (line == 0) return refused("lines are counted from 1");
-  if (is_active() && !feed_hold_ && !block_hold_)
-    return refused("the machine is running: hold first");
+  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running_hold_first);
   if (would_begin()) {
     if (auto begun = begin_program(); !begun) return begun;
   }
@@ -354,12 +353,11 @@ LiveCore::Outcome LiveCore::set_breakpoints(std::vector<Breakpoint> breakpoints)
 }
 
 LiveCore::Outcome LiveCore::mdi(const std::string& text) {
-  if (panel_.mode != Mode::mdi) return refused("blocks are entered in mode mdi");
-  if (is_active()) return refused("the machine is busy");
-  if (panel_alarm_ || machine_->alarm()) return refused("an alarm is on: press reset first");
-  if (machine_->is_in_program() && !is_entry_)
-    return refused("a program is interrupted: let it end, or press reset");
-  if (text.find_first_not_of(" \t\r\n;") == std::string::npos) return refused("the entry is empty");
+  if (panel_.mode != Mode::mdi) return refused(Refusal::entry_mode);
+  if (is_active()) return refused(Refusal::busy);
+  if (panel_alarm_ || machine_->alarm()) return refused(Refusal::alarm_is_on);
+  if (machine_->is_in_program() && !is_entry_) return refused(Refusal::interrupted);
+  if (text.find_first_not_of(" \t\r\n;") == std::string::npos) return refused(Refusal::empty_entry);
   machine_->abandon();
   stepper_->start();
   before_ = at_stop_ = values();
@@ -385,19 +383,16 @@ LiveCore::Outcome LiveCore::enter(std::string line) {
 LiveCore::Outcome LiveCore::set_mode(Mode mode) {
   if (mode == panel_.mode) return {};
   if (is_active() || resetting_)
-    return refused(feed_hold_
-                       ? "the axes are held on their way: go on with cycle start, or press reset"
-                       : "the mode cannot be changed while the machine is running");
+    return refused(feed_hold_ ? Refusal::mode_held : Refusal::mode_running);
   panel_.mode = mode;
   return {};
 }
 
 LiveCore::Outcome LiveCore::set_switch(Switch which, bool on) {
   if (panel_[which] == on) return {};
-  if (which == Switch::dry_run && is_active())
-    return refused("dry run is switched while nothing moves");
+  if (which == Switch::dry_run && is_active()) return refused(Refusal::dry_run_moving);
   if (which == Switch::machine_lock && (is_active() || machine_->is_in_program()))
-    return refused("machine lock is switched between programs: let it end, or press reset");
+    return refused(Refusal::lock_in_program);
   panel_.switches[static_cast<std::size_t>(which)] = on;
   if (which == Switch::machine_lock) {
     begin_anew();

@@ -137,8 +137,8 @@ class LiveCore : private AxisPointSink {
   void finish_program();
   Outcome begin_program();
   Outcome set_off(bool may_step);
-  [[nodiscard]] std::optional<std::string> keeps_from_start() const;
-  [[nodiscard]] std::optional<std::string> keeps_from_hand() const;
+  [[nodiscard]] std::optional<base::Failure> keeps_from_start() const;
+  [[nodiscard]] std::optional<base::Failure> keeps_from_hand() const;
   [[nodiscard]] std::optional<base::Axis> find_axis(const std::string& name) const;
   Outcome jog_to(base::Axis axis, double distance, double speed_per_min);
   [[nodiscard]] double travel_left(base::Axis axis, bool up) const;

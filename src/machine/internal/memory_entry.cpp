@@ -7,6 +7,8 @@
 #include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
+
+using base::Refusal;
 namespace {
 
 constexpr double kMostOffset_mm = 999999.999;
@@ -50,7 +52,7 @@ double* tool_offset(control::Memory& memory, const std::string& name) {
 
 LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<double> value,
                                          std::optional<std::size_t> level) {
-  if (is_active()) return refused("variables are set while nothing moves");
+  if (is_active()) return refused(Refusal::variables_moving);
   if (value && !std::isfinite(*value)) return refused("this is no number");
   const std::size_t levels = machine_->control().open_calls().size();
   const std::size_t innermost = levels == 0 ? 0 : levels - 1;
@@ -64,16 +66,16 @@ LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<
 
 LiveCore::Outcome LiveCore::set_offset(const std::string& offset, const std::string& axis,
                                        double value) {
-  if (is_active()) return refused("offsets are set while nothing moves");
+  if (is_active()) return refused(Refusal::offsets_moving);
   if (!(std::fabs(value) <= kMostOffset_mm))
     return refused("an offset is at most " + base::number_text(kMostOffset_mm));
   if (double* const tool = tool_offset(machine_->memory(), offset)) {
     *tool = value;
   } else {
     base::AxisVector* const work = work_offset(machine_->memory(), offset);
-    if (work == nullptr) return refused("there is no offset '" + offset + "'");
+    if (work == nullptr) return refused(Refusal::no_offset, {offset});
     const auto found = find_axis(axis);
-    if (!found) return refused("the machine has no axis '" + axis + "'");
+    if (!found) return refused(Refusal::no_axis, {axis});
     (*work)[*found] = value;
   }
   ++machine_->memory().revision;

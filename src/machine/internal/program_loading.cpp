@@ -12,7 +12,7 @@ std::string LiveCore::language_of(const std::string& dialect) const {
 }
 
 LiveCore::Outcome LiveCore::can_load(const ProgramText& program, const std::string& dialect) const {
-  if (is_active()) return refused("a program cannot be loaded while the machine is busy: reset");
+  if (is_active()) return refused(base::Refusal::load_busy);
   const std::string language = language_of(dialect);
   const auto known = available_dialects();
   if (std::find(known.begin(), known.end(), language) == known.end())

@@ -4,6 +4,8 @@
 #include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
+
+using base::Refusal;
 namespace {
 
 // More than any program of a person needs to come to a line; an endless loop ends here.
@@ -13,27 +15,31 @@ constexpr std::uint64_t kSlice = 100'000;
 }  // namespace
 
 LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
-  if (panel_.mode != Mode::automatic) return refused("a program is started in mode auto");
+  if (panel_.mode != Mode::automatic) return refused(Refusal::start_mode);
   if (const auto why = keeps_from_start()) return refused(*why);
-  if (is_active()) return refused("the machine is running");
+  if (is_active()) return refused(Refusal::running);
   if (auto begun = begin_program(); !begun) return begun;
   control::Memory before = machine_->memory();
-  const std::string where = "line " + std::to_string(line);
   auto approach = std::make_unique<Approach>();
   approach->to = machine_->servo().commanded();
   machine_->divert_motions(approach.get());
   machine_->control().set_single_block(false);
   stepper_->search_line(line);
   bool found = false;
-  std::string why = where + " was not reached within the steps that a search may make";
-  if (!machine_->set_off()) why = machine_->alarm()->message;
+  const auto because = [](std::string sentence) {
+    return base::Failure{base::Failure::Kind::usage, std::move(sentence)};
+  };
+  base::Failure why = base::refuse(Refusal::start_not_reached, {std::to_string(line)});
+  if (!machine_->set_off()) why = because(machine_->alarm()->message);
   for (std::uint64_t steps = 0; steps < kSteps && machine_->is_active(); steps += kSlice) {
     if (!machine_->execute(kSlice)) continue;
     const control::Halt halt = machine_->halt();
     found = halt == control::Halt::gate;
-    if (halt == control::Halt::end) why = "the program ends before " + where + " is reached";
+    if (halt == control::Halt::end)
+      why = base::refuse(Refusal::start_ends_before, {std::to_string(line)});
     if (halt == control::Halt::alarm)
-      why = "before " + where + " is reached: " + machine_->control().alarm()->message;
+      why = because("before line " + std::to_string(line) +
+                    " is reached: " + machine_->control().alarm()->message);
     if (found || halt == control::Halt::end || halt == control::Halt::alarm) break;
   }
   stepper_->search_line(0);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace kerf::base {
+
+/// Why somebody at a panel cannot do what he asks for, from the table in refusals.def.
+enum class Refusal : std::uint8_t {
+#define REFUSAL(enumerator, code, sentence) enumerator,
+#include "base/refusals.def"
+#undef REFUSAL
+};
+
+/// The sentence of the table with its values, in the order in which they stand there. Precondition:
+/// as many values as the sentence has.
+[[nodiscard]] Failure refuse(Refusal which, std::vector<std::string> values = {});
+
+}  // namespace kerf::base

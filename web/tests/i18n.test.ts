@@ -4,6 +4,10 @@ import { describe, expect, it } from 'vitest';
 import { BINDINGS, GROUPS } from '../src/logic/keymap';
 import { TABLES, chosen_language, text_of } from '../src/logic/i18n';
 import { ALARMS_ZH_HANT } from '../src/logic/i18n/alarms_zh_hant';
+import { EDITOR_PHRASES_ZH_HANT } from '../src/logic/i18n/editor_zh_hant';
+import { MACHINE_TITLES_ZH_HANT, machine_title } from '../src/logic/i18n/machine_titles';
+import { refusal_words } from '../src/logic/i18n/refusals';
+import { REFUSALS_ZH_HANT } from '../src/logic/i18n/refusals_zh_hant';
 import { alarm_words } from '../src/logic/i18n/alarms';
 import { MODES } from '../src/logic/protocol';
 
@@ -73,6 +77,24 @@ describe('alarms', () => {
   it('each have Chinese words, and no other has', () => {
     expect(Object.keys(ALARMS_ZH_HANT).sort()).toEqual([...new Set(codes)].sort());
   });
+  it('have a message, a cause and a remedy, as the control has', () => {
+    const remedies = Object.fromEntries(
+      [
+        ...readFileSync(join(__dirname, '../../src/base/diagnostic_codes.def'), 'utf8').matchAll(
+          /^CODE\(\w+, "(\w+)", ".*", ".* \| (.+)"\)/gm,
+        ),
+      ].map(([, code, remedy]) => [code, remedy]),
+    );
+    for (const [code, texts] of Object.entries(ALARMS_ZH_HANT)) {
+      expect(texts.length, code).toBe(3);
+      for (const text of texts) expect(text.trim(), code).not.toBe('');
+      expect(remedies[code], code).toBeTruthy();
+      expect(texts[1], code).not.toContain(texts[2]);
+      const alarm = { code, message: 'M', cause: 'C', remedy: remedies[code] };
+      expect(alarm_words('zh-Hant', alarm).remedy, code).toBe(texts[2]);
+      expect(alarm_words('en', alarm).remedy, code).toBe(remedies[code]);
+    }
+  });
   it('keep what the machine says beside the translation', () => {
     const alarm = { code: 'PS0112', message: 'ZERO DIVIDE', cause: 'A divisor is 0.', remedy: '' };
     expect(alarm_words('en', alarm)).toEqual({
@@ -82,6 +104,60 @@ describe('alarms', () => {
     });
     expect(alarm_words('zh-Hant', alarm).message).toContain('(ZERO DIVIDE)');
     expect(alarm_words('zh-Hant', { ...alarm, code: 'MC3005' }).message).toBe('ZERO DIVIDE');
+  });
+});
+
+describe('what others say in English has Chinese words', () => {
+  it('the editor', () => {
+    const packages = ['commands', 'language', 'lint', 'search', 'view'];
+    const said = packages.flatMap((name) => {
+      const file = join(__dirname, `../node_modules/@codemirror/${name}/dist/index.js`);
+      const source = readFileSync(file, 'utf8');
+      return [...source.matchAll(/phrase\((?:view, )?(?:\w+ \? )?"([^"]+)"(?: : "([^"]+)")?/g)];
+    });
+    const phrases = said.flatMap(([, one, other]) => (other ? [one, other] : [one]));
+    expect(phrases.length).toBeGreaterThan(20);
+    expect(phrases.filter((phrase) => !(phrase in EDITOR_PHRASES_ZH_HANT))).toEqual([]);
+  });
+  it('the titles of the built-in machines', () => {
+    const folder = join(__dirname, '../../machines');
+    const files = readdirSync(folder).filter((file) => file.endsWith('.toml'));
+    const titles = files.map(
+      (file) => /^description = "(.*)"$/m.exec(readFileSync(join(folder, file), 'utf8'))?.[1] ?? '',
+    );
+    expect(titles.length).toBeGreaterThan(5);
+    expect(titles.filter((title) => !(title in MACHINE_TITLES_ZH_HANT))).toEqual([]);
+    expect(machine_title('en', titles[0])).toBe(titles[0]);
+    expect(machine_title('zh-Hant', 'my own mill')).toBe('my own mill');
+  });
+});
+
+describe('refusals', () => {
+  const rows = [
+    ...readFileSync(join(__dirname, '../../src/base/refusals.def'), 'utf8').matchAll(
+      /^REFUSAL\(\w+, "([\w-]+)", "(.+)"\)$/gm,
+    ),
+  ].map(([, code, sentence]) => ({ code, sentence }));
+
+  it('are found in the table of the control, each code once', () => {
+    expect(rows.length).toBeGreaterThan(40);
+    expect(new Set(rows.map(({ code }) => code)).size).toBe(rows.length);
+  });
+  it('each have Chinese words with the same values, and no other has', () => {
+    expect(Object.keys(REFUSALS_ZH_HANT).sort()).toEqual(rows.map(({ code }) => code).sort());
+    for (const { code, sentence } of rows) {
+      expect(values_in(REFUSALS_ZH_HANT[code]), code).toEqual(values_in(sentence));
+      expect(REFUSALS_ZH_HANT[code], code).toMatch(/\p{Script=Han}/u);
+    }
+  });
+  it('are said in the language of the page, with their values', () => {
+    const late = { command: 'cycle-start', seconds: '15.0', most: '2' };
+    expect(refusal_words('zh-Hant', 'said', 'command-late', late)).toBe(
+      'cycle-start：15.0 秒前下達；超過 2 秒的指令不執行',
+    );
+    expect(refusal_words('en', 'said', 'command-late', late)).toBe('said');
+    expect(refusal_words('zh-Hant', 'said', 'another', {})).toBe('said');
+    expect(refusal_words('zh-Hant', 'said', undefined)).toBe('said');
   });
 });
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { EMPTY_STATE, MDI_ENTRY, type MachineState } from '../src/logic/protocol';
-import { progress_of } from '../src/logic/run_progress';
+import { EMPTY_STATE, MDI_ENTRY, type Alarm, type MachineState } from '../src/logic/protocol';
+import { progress_of, stop_of } from '../src/logic/run_progress';
 
 const state = (changes: Partial<MachineState>): MachineState => ({
   ...EMPTY_STATE,
@@ -32,5 +32,25 @@ describe('the progress of a run', () => {
         motion: 0,
         motions: 8,
       });
+  });
+});
+
+describe('a run that ends with an alarm', () => {
+  const alarm = (line: number, code: string): Alarm => ({
+    code,
+    line,
+    message: '',
+    file: 'a.nc',
+    column: 1,
+    cause: '',
+    remedy: '',
+  });
+  it('stops at the alarm that stands, else at that of its preview', () => {
+    expect(stop_of(state({}), null)).toBeNull();
+    expect(stop_of(state({ status: 'idle' }), alarm(32, 'PS0007'))?.line).toBe(32);
+    expect(stop_of(state({ alarm: alarm(5, 'PS0112') }), alarm(32, 'PS0007'))?.line).toBe(5);
+  });
+  it('does not stop at an alarm of an entry in MDI', () => {
+    expect(stop_of(state({ file: MDI_ENTRY, alarm: alarm(1, 'PS0010') }), null)).toBeNull();
   });
 });

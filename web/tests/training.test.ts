@@ -17,6 +17,7 @@ const machine = (name: string, definition: string, operator: string | null): Mac
   title: '',
   definition,
   status: 'idle',
+  program: null,
   operator,
   clients: 0,
   suits: [],

@@ -10,8 +10,8 @@ export interface Binding {
   group: Group;
   /** `Shift+F11`, `Alt+Digit1`; several for one command are alternatives. */
   keys: string[];
-  /** Also while a text field has the focus. */
-  in_text?: boolean;
+  /** Also while a text field has the focus: all its keys, or these. */
+  in_text?: boolean | string[];
   /** Held down: begins with the key and ends when it is let go. */
   held?: boolean;
 }
@@ -47,7 +47,7 @@ export const BINDINGS = [
   { command: 'jog-y-minus', group: 'jog', keys: ['ArrowDown'], held: true },
   { command: 'jog-z-plus', group: 'jog', keys: ['PageUp'], held: true },
   { command: 'jog-z-minus', group: 'jog', keys: ['PageDown'], held: true },
-  { command: 'capture-point', group: 'jog', keys: ['Alt+KeyP'] },
+  { command: 'capture-point', group: 'jog', keys: ['Alt+KeyP'], in_text: true },
   { command: 'view-iso', group: 'picture', keys: ['Digit0'] },
   { command: 'view-top', group: 'picture', keys: ['Digit1'] },
   { command: 'view-front', group: 'picture', keys: ['Digit2'] },
@@ -117,9 +117,18 @@ for (const binding of BINDINGS) {
 }
 
 export function binding_of(press: KeyPress, in_text: boolean) {
-  const binding = BY_CHORD.get(chord(press));
-  return binding && (!in_text || binding.in_text) ? binding : undefined;
+  const pressed = chord(press);
+  const binding = BY_CHORD.get(pressed);
+  return binding && (!in_text || keys_in_text(binding).includes(pressed)) ? binding : undefined;
 }
+
+/** The keys of a command that work while a text is written. */
+export function keys_in_text({ keys, in_text }: Binding): string[] {
+  return in_text === true ? keys : in_text || [];
+}
+
+/** Keys that the editor must leave to the machine. */
+export const MACHINE_KEYS: ReadonlySet<string> = new Set(BINDINGS.flatMap(keys_in_text));
 
 export const keys_of = (command: CommandName): string[] =>
   [...(BINDINGS.find((b) => b.command === command)?.keys ?? [])].map(spoken);

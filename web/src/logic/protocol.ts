@@ -45,6 +45,8 @@ export interface MachineEntry {
   title: string;
   definition: string;
   status: Status;
+  /** What it has loaded. */
+  program: string | null;
   operator: string | null;
   clients: number;
   /** The kinds of programs that it makes, as `recognise` tells them. */
@@ -122,6 +124,10 @@ export interface MachineState {
   stack: StackEntry[];
   operator: string | null;
   clients: string[];
+  /** What those are called who have said it. */
+  people: Record<string, string>;
+  /** Who asks to operate the machine, and when he gets it, by the clock of the server. */
+  request: { client: string; until_ms: number } | null;
   variables_revision: number;
   printed: string;
   /** INPUT of the program waits for a line of the operator. */
@@ -219,6 +225,19 @@ export const MOVING_COMMANDS: ReadonlySet<string> = new Set([
   'step',
 ]);
 
+/** Commands that must not be carried out late: those, and what changes how they come out. */
+export const DATED_COMMANDS: ReadonlySet<string> = new Set([
+  ...MOVING_COMMANDS,
+  'block-skip',
+  'enter',
+  'mode',
+  'override',
+  'set-offset',
+  'set-tool',
+  'set-variable',
+  'switch',
+]);
+
 /** The file of a state while an entry in MDI executes: it is in no library. */
 export const MDI_ENTRY = 'MDI';
 
@@ -251,6 +270,8 @@ export const EMPTY_STATE: MachineState = {
   stack: [],
   operator: null,
   clients: [],
+  people: {},
+  request: null,
   variables_revision: 0,
   printed: '',
   waits_for_input: false,

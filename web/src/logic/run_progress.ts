@@ -1,5 +1,5 @@
 /** How far a run has come, and how long it still takes: from the place on the path, whatever holds and overrides did. */
-import { MDI_ENTRY, type MachineState } from './protocol';
+import { MDI_ENTRY, type Alarm, type MachineState } from './protocol';
 
 export interface Progress {
   /** Seconds since the run began, holds included. */
@@ -10,6 +10,11 @@ export interface Progress {
   share: number;
   motion: number;
   motions: number;
+}
+
+/** The alarm that ends the run: the one that stands, else the one that the preview has come to. */
+export function stop_of(state: MachineState, of_path: Alarm | null): Alarm | null {
+  return state.alarm && state.file !== MDI_ENTRY && state.alarm.line > 0 ? state.alarm : of_path;
 }
 
 /** Whether what the machine tells of time and motion is that of the program, not of a jog or of an entry in MDI. */

@@ -13,5 +13,5 @@ export function alarm_words(language: Language, alarm: AlarmWords & { code: stri
   const { message, cause, remedy } = alarm;
   const known = language === 'zh-Hant' ? ALARMS_ZH_HANT[alarm.code] : undefined;
   if (!known) return { message, cause, remedy };
-  return { message: `${known[0]} (${message})`, cause: known[1], remedy: '' };
+  return { message: `${known[0]} (${message})`, cause: known[1], remedy: known[2] };
 }

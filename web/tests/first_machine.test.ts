@@ -12,6 +12,7 @@ const machine = (
   title: '',
   definition,
   status: 'idle',
+  program: null,
   operator,
   clients: 0,
   suits,

@@ -6,6 +6,7 @@ import {
   StateEffect,
   StateField,
   type Text,
+  type Transaction,
 } from '@codemirror/state';
 import { Decoration, EditorView, GutterMarker, gutter } from '@codemirror/view';
 import type { Breakpoint } from '../logic/protocol';
@@ -22,11 +23,29 @@ const marks = StateField.define<Marks>({
   create: () => ({ executing: 0, chosen: 0, breakpoints: [] }),
   update(value, transaction) {
     for (const effect of transaction.effects) if (effect.is(set_marks)) return effect.value;
-    return value;
+    return transaction.docChanged ? carried(value, transaction) : value;
   },
   provide: (field) =>
     EditorView.decorations.from(field, (value) => (view) => lines(view.state.doc, value)),
 });
+
+/** Until the session says where the lines are now: where their first characters went. */
+function carried({ executing, chosen, breakpoints }: Marks, transaction: Transaction): Marks {
+  const line_of = (line: number): number => line_behind(transaction, line) ?? 0;
+  return {
+    executing: line_of(executing),
+    chosen: line_of(chosen),
+    breakpoints: breakpoints.map((b) => ({ ...b, line: line_of(b.line ?? 0) })),
+  };
+}
+
+/** Null: the line is gone. */
+function line_behind({ startState, newDoc, changes }: Transaction, line: number): number | null {
+  if (line < 1 || line > startState.doc.lines) return null;
+  const { from, to } = startState.doc.line(line);
+  const is_gone = changes.touchesRange(from, to) === 'cover' && to > from;
+  return is_gone ? null : newDoc.lineAt(changes.mapPos(from, 1)).number;
+}
 
 const executing_line = Decoration.line({ class: 'cm-executing' });
 const chosen_line = Decoration.line({ class: 'cm-chosen' });

@@ -14,11 +14,11 @@ import {
   highlightActiveLineGutter,
   keymap,
   lineNumbers,
-  type ViewUpdate,
 } from '@codemirror/view';
 import type { Lexer } from '../logic/language/token';
 import { line_ends_of, lines_of } from '../logic/line_ends';
 import { type Checker, check_again, checking } from './checking';
+import { free_keys } from './free_keys';
 import { language_of } from './languages';
 import { type GutterWishes, type Marks, marks_extension, show_marks } from './marks';
 import { theme } from './theme';
@@ -28,8 +28,6 @@ export interface EditorWishes extends GutterWishes {
   cursor(line: number): void;
   /** A line was clicked or gone to with the keys. */
   chosen(line: number): void;
-  /** The text was edited: where the lines from before are now; null: the line is gone. */
-  lines_moved(new_line: (line: number) => number | null): void;
 }
 
 const EDITED_AFTER_MS = 120;
@@ -38,6 +36,7 @@ const EDGE_PX = 44;
 export class ProgramEditor {
   private readonly view: EditorView;
   private readonly read_only = new Compartment();
+  private readonly words = new Compartment();
   private pending: ReturnType<typeof setTimeout> | null = null;
   private line = 0;
   private line_end = '\n';
@@ -46,6 +45,7 @@ export class ProgramEditor {
   constructor(
     host: HTMLElement,
     private readonly label: () => string,
+    private readonly phrases: () => Record<string, string>,
     private readonly wishes: EditorWishes,
     private readonly checker: Checker,
   ) {
@@ -76,6 +76,13 @@ export class ProgramEditor {
   /** What is wrong with the text has changed without an edit. */
   check_again(): void {
     check_again(this.view);
+  }
+
+  /** The language of the page is another. */
+  renew_words(): void {
+    this.view.dispatch({
+      effects: this.words.reconfigure(EditorState.phrases.of(this.phrases())),
+    });
   }
 
   mark(marks: Marks): void {
@@ -137,7 +144,8 @@ export class ProgramEditor {
       highlightActiveLineGutter(),
       highlightSelectionMatches(),
       search({ top: true }),
-      keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap]),
+      keymap.of(free_keys([...defaultKeymap, ...historyKeymap, ...searchKeymap])),
+      this.words.of(EditorState.phrases.of(this.phrases())),
       language_of(lexer),
       checking(this.checker),
       theme,
@@ -148,10 +156,7 @@ export class ProgramEditor {
         tabindex: '0',
       }),
       EditorView.updateListener.of((update) => {
-        if (update.docChanged) {
-          this.tell_later();
-          this.wishes.lines_moved((line) => line_behind(update, line));
-        }
+        if (update.docChanged) this.tell_later();
         if (update.selectionSet || update.docChanged) this.tell_cursor(update.docChanged);
       }),
     ];
@@ -170,12 +175,4 @@ export class ProgramEditor {
     this.wishes.cursor(line);
     if (!by_typing) this.wishes.chosen(line);
   }
-}
-
-/** Where a line is behind an edit: where its first character went. */
-function line_behind({ startState, state, changes }: ViewUpdate, line: number): number | null {
-  if (line > startState.doc.lines) return null;
-  const { from, to } = startState.doc.line(line);
-  const is_gone = changes.touchesRange(from, to) === 'cover' && to > from;
-  return is_gone ? null : state.doc.lineAt(changes.mapPos(from, 1)).number;
 }

@@ -1,16 +1,25 @@
 /** The program texts that are open: the one to be edited, and those that the machine runs besides. */
+import { moved } from '../logic/breakpoints';
+import { DatabaseDrafts, DraftKeeper, type Draft } from '../logic/drafts';
 import { line_end_name, line_ends_of } from '../logic/line_ends';
+import { type LineMap, line_map } from '../logic/line_map';
 import { text_fits } from '../logic/message_size';
-import { MDI_ENTRY, type Diagnostic, type ProgramEntry } from '../logic/protocol';
+import { MDI_ENTRY, type Breakpoint, type Diagnostic, type ProgramEntry } from '../logic/protocol';
 import {
   type Decoded,
-  decoded,
+  encoded,
   ENCODING_NAMES,
   type Encoding,
+  is_kept,
+  is_text,
+  read,
   REPLACEMENT,
 } from '../logic/text_bytes';
+import { get_bytes, get_text, put_file } from './library_files';
 import { notices } from './notices.svelte';
 import { panel } from './panel.svelte';
+import { question } from './question.svelte';
+import { upload } from './uploads';
 import { t } from './words.svelte';
 
 export interface TextDocument {
@@ -20,9 +29,18 @@ export interface TextDocument {
   saved: string | null;
   /** As the machine has it; null: not loaded. */
   loaded: string | null;
-  /** How the bytes of the library's file were read; saving writes UTF-8. */
+  /** How the bytes of the library's file were read; saving writes them so, too. */
   read_as: Encoding;
+  /** An earlier edit that was not saved: it is restored or discarded before the text can be edited. */
+  draft?: Draft | null;
 }
+
+/** The text that the machine executes, or would, if a program calls it. */
+const machine_text = ({ loaded, saved, text }: TextDocument): string => loaded ?? saved ?? text;
+export const is_edited = ({ text, saved, loaded }: TextDocument): boolean =>
+  text !== (saved ?? loaded ?? '');
+
+const drafts = new DraftKeeper(new DatabaseDrafts());
 
 /** Left out: the text is too long for the check, or the server has not answered. */
 export type CheckState = 'under-way' | 'done' | 'left-out';
@@ -45,8 +63,7 @@ class Documents {
     return this.open.find((d) => d.name === this.current);
   }
   get is_dirty(): boolean {
-    const document = this.document;
-    return document !== undefined && document.text !== (document.saved ?? document.loaded ?? '');
+    return this.document !== undefined && is_edited(this.document);
   }
   /** The machine would run another text than the one on the screen. */
   get is_ahead(): boolean {
@@ -56,6 +73,55 @@ class Documents {
 
   edited(text: string): void {
     this.change(this.current, { text });
+    const { document } = this;
+    if (!document) return;
+    const { name } = document;
+    drafts.keep(name, is_edited(document) ? { name, text, at: Date.now() } : null);
+  }
+
+  // Lines: those of the machine are of the text that it has, those on the screen of the text as it is edited.
+
+  /** Null: the line is not there any more. */
+  text_line(name: string, machine_line: number): number | null {
+    return this.map_of(name)?.forth(machine_line) ?? (this.is_open(name) ? null : machine_line);
+  }
+  /** Null: the machine does not have this line. */
+  machine_line(name: string, text_line: number): number | null {
+    return this.map_of(name)?.back(text_line) ?? (this.is_open(name) ? null : text_line);
+  }
+  private is_open(name: string): boolean {
+    return this.open.some((d) => d.name === name);
+  }
+  private map_of(name: string): LineMap | undefined {
+    const document = this.open.find((d) => d.name === name);
+    if (!document) return undefined;
+    const first = machine_text(document);
+    const known = this.maps.get(name);
+    if (known?.first === first && known.second === document.text) return known.map;
+    const map = line_map(first, document.text);
+    this.maps.set(name, { first, second: document.text, map });
+    return map;
+  }
+  private readonly maps = new Map<string, { first: string; second: string; map: LineMap }>();
+
+  /** Where the breakpoints of a program stand on the screen. */
+  breakpoints_of(name: string): Breakpoint[] {
+    return moved(panel.breakpoints, name, (line) => this.text_line(name, line)).filter(
+      (b) => b.file === name,
+    );
+  }
+
+  /** A place of the text for the machine; null, and told: the machine does not have that line. */
+  for_machine(line: number): number | null {
+    const at = this.machine_line(this.current, line);
+    if (at === null) notices.say(t('program.new-line', { line }), 'refused');
+    return at;
+  }
+
+  /** To a line as the machine counts it. */
+  go_to_machine_line(line: number, select = true): void {
+    const at = this.text_line(this.current, line);
+    if (at !== null) this.go_to(at, select);
   }
 
   begin_check(): void {
@@ -78,12 +144,30 @@ class Documents {
     this.goto = { line, select, token: (this.goto?.token ?? 0) + 1 };
   }
 
-  close(name: string): void {
+  /** Asks where something would be lost. */
+  async close(name: string): Promise<void> {
+    const document = this.open.find((d) => d.name === name);
+    if (document && is_edited(document)) {
+      const answer = await question.ask(
+        t('program.close-edited', { name }),
+        t('program.close-why'),
+        [
+          { answer: 'discard', label: t('program.discard'), tone: 'danger' },
+          { answer: 'save', label: t('program.save'), tone: 'main' },
+        ],
+      );
+      if (answer === null) return;
+      if (answer === 'save' && !(await this.write(document))) return;
+      drafts.keep(name, null);
+    }
     this.open = this.open.filter((d) => d.name !== name);
     if (this.current === name) this.show(this.open[0]?.name ?? '');
   }
 
+  /** What is edited stays as a draft. */
   close_all(): void {
+    const names = this.open.filter(is_edited).map((d) => d.name);
+    if (names.length) notices.say(t('program.drafts-kept', { names: names.join(', ') }));
     this.open = [];
     this.show('');
   }
@@ -94,9 +178,13 @@ class Documents {
   }
 
   /** Opens a program of the library without loading it. */
-  async read(name: string, revision?: number): Promise<boolean> {
+  async read(
+    name: string,
+    revision?: number,
+    begins?: (first: Uint8Array) => void,
+  ): Promise<boolean> {
     const found =
-      revision === undefined ? await this.fetched(name) : await this.asked(name, revision);
+      revision === undefined ? await get_text(name, begins) : await this.asked(name, revision);
     if (!found) return false;
     const { text, read_as } = found;
     const known = this.open.find((d) => d.name === name);
@@ -109,23 +197,69 @@ class Documents {
     });
     this.show(name);
     tell_reading(name, found);
+    await this.offer_draft(name);
     return true;
   }
 
-  /** Opens a program of the library and loads it into the machine, which need not wait for the text. */
+  /**
+   * Opens a program of the library and loads it into the machine, which need not wait for the whole text. One in UTF-16
+   * is loaded as the text that it is, since no control reads such a file.
+   */
   async open_and_load(name: string): Promise<void> {
-    const [is_read, loaded] = await Promise.all([
-      this.read(name),
-      panel.act('load', { program: name }),
-    ]);
-    if (is_read && loaded) this.mark_loaded(name);
+    let loading: Promise<unknown> | null = null;
+    const is_read = await this.read(name, undefined, (first) => {
+      const is_read_by_machine = is_text(first) && !first.includes(0);
+      if (is_read_by_machine) loading = panel.act('load', { program: name });
+    });
+    if (!is_read) return;
+    const text = this.document?.saved ?? '';
+    loading ??= panel.act('load', { text, name });
+    if (await loading) this.mark_loaded(name, text);
+  }
+
+  private async offer_draft(name: string): Promise<void> {
+    const draft = await drafts.of(name);
+    const document = this.open.find((d) => d.name === name);
+    if (!draft || !document || is_edited(document)) return;
+    if (draft.text === document.text) drafts.keep(name, null);
+    else this.change(name, { draft });
+  }
+
+  /** The draft that is offered becomes the text, or goes. */
+  answer_draft(is_wanted: boolean): void {
+    const { document } = this;
+    if (!document?.draft) return;
+    const { name, draft } = document;
+    this.change(name, { draft: null });
+    if (is_wanted) this.replace(draft.text);
+    else drafts.keep(name, null);
+  }
+
+  /** Reads the file as the operator says; a text that is edited is saved so. */
+  async choose_encoding(encoding: Encoding): Promise<void> {
+    const { document } = this;
+    if (!document) return;
+    const { name } = document;
+    if (is_edited(document) || document.saved === null) {
+      this.change(name, { read_as: encoding });
+      notices.say(t('notice.will-write', { name, encoding: ENCODING_NAMES[encoding] }));
+      return;
+    }
+    const bytes = await get_bytes(name);
+    if (!bytes) return;
+    const text = read(encoding, bytes);
+    const loaded = document.loaded === document.saved ? text : document.loaded;
+    this.change(name, { text, saved: text, loaded, read_as: encoding });
+    this.revision++;
   }
 
   /** What the machine has loaded, when the page comes to it. */
   async show_what_is_loaded(): Promise<void> {
     const { file } = panel.state;
     if (!file || this.open.some((d) => d.name === file)) return;
-    if (await this.put_what_runs(file)) this.show(file);
+    if (!(await this.put_what_runs(file))) return;
+    this.show(file);
+    await this.offer_draft(file);
   }
 
   /** A file that the machine executes and that is not open yet. */
@@ -145,8 +279,9 @@ class Documents {
   }
 
   /** A text that does not fit into a command: the machine reads it in the library, so it is saved before. */
-  private async load_by_name({ name, text, saved }: TextDocument): Promise<void> {
-    if (saved !== text && !(await this.write(name, text))) return;
+  private async load_by_name(document: TextDocument): Promise<void> {
+    const { name, text, saved } = document;
+    if (saved !== text && !(await this.write(document))) return;
     if (!(await panel.act('load', { program: name }))) return;
     this.mark_loaded(name, text);
     notices.say(t(saved === text ? 'notice.loaded' : 'notice.saved-and-loaded', { name }));
@@ -156,7 +291,7 @@ class Documents {
     const document = this.document;
     if (!document) return;
     const { name, text } = document;
-    if (!(await this.write(name, text))) return;
+    if (!(await this.write(document))) return;
     notices.say(t('notice.saved', { name }));
     if (panel.operates && !panel.moves && document.loaded !== null && document.loaded !== text) {
       if (await panel.act('load', { program: name })) this.mark_loaded(name, text);
@@ -164,18 +299,20 @@ class Documents {
   }
 
   async create(name: string, text: string): Promise<void> {
-    if (await this.write(name, text)) await this.open_and_load(name);
+    const fresh = { name, text, saved: null, loaded: null, read_as: 'utf-8' } as const;
+    if (await this.write(fresh)) await this.open_and_load(name);
   }
 
   /** Into the library. The names of those that it has taken. */
   async upload(files: Iterable<File>): Promise<string[]> {
     const kept: string[] = [];
-    for (const file of files) {
-      if (!(await put_file(file.name, file))) continue;
-      kept.push(file.name);
-      notices.say(t('notice.uploaded', { name: file.name }));
-    }
     await this.refresh();
+    for (const file of files) {
+      const name = await upload(file, this.programs);
+      if (!name) continue;
+      kept.push(name);
+      await this.refresh();
+    }
     return kept;
   }
 
@@ -197,25 +334,31 @@ class Documents {
   renamed(from: string, to: string): void {
     this.open = this.open.map((d) => (d.name === from ? { ...d, name: to } : d));
     if (this.current === from) this.current = to;
+    void drafts.of(from).then((draft) => {
+      drafts.keep(from, null);
+      if (draft) drafts.keep(to, { ...draft, name: to });
+    });
   }
 
-  /** Saves a text, a long one by HTTP; both make a revision. False: it was refused. */
-  private async write(name: string, text: string): Promise<boolean> {
-    const is_kept = text_fits(text)
-      ? (await panel.act('write', { name, text })) !== null
-      : await put_file(name, text);
-    if (!is_kept) return false;
-    this.change(name, { saved: text, read_as: 'utf-8' });
+  /** Saves a text in its encoding, by HTTP where a command cannot carry it. False: it was refused, and told. */
+  private async write({ name, text, read_as }: TextDocument): Promise<boolean> {
+    const made = encoded(text, read_as);
+    if ('missing' in made) {
+      const { missing: character } = made;
+      const encoding = ENCODING_NAMES[read_as];
+      notices.say(t('notice.not-in', { character, encoding }), 'refused');
+      return false;
+    }
+    const is_utf_8 = read_as === 'utf-8' || !is_kept(read_as);
+    const is_written =
+      is_utf_8 && text_fits(text)
+        ? (await panel.act('write', { name, text })) !== null
+        : await put_file(name, new Blob([made.bytes]));
+    if (!is_written) return false;
+    this.rebase(name, { saved: text, read_as: is_utf_8 ? 'utf-8' : read_as });
+    drafts.keep(name, null);
     await this.refresh();
     return true;
-  }
-
-  /** By HTTP: however long it is, it does not stand before what the machine says. */
-  private async fetched(name: string): Promise<Decoded | null> {
-    const answer = await fetch(library_address(name)).catch(() => null);
-    if (answer?.ok) return decoded(new Uint8Array(await answer.arrayBuffer()));
-    notices.say((await answer?.text()) || t('connection.refused'), 'refused');
-    return null;
   }
 
   private async asked(name: string, revision: number): Promise<Decoded | null> {
@@ -228,7 +371,7 @@ class Documents {
     const answer = await panel.ask('read', { name, machine: panel.machine }).catch(() => null);
     const text = answer ? String(answer.text) : null;
     // Too long for an answer, or not UTF-8: its bytes come by HTTP.
-    if (text === null || text.includes(REPLACEMENT)) return this.fetched(name);
+    if (text === null || text.includes(REPLACEMENT) || text.includes('\0')) return get_text(name);
     return { text, read_as: 'utf-8' };
   }
 
@@ -241,9 +384,21 @@ class Documents {
   }
 
   private mark_loaded(name: string, text?: string): void {
-    this.open = this.open.map((d) =>
-      d.name === name ? { ...d, loaded: text ?? d.text } : { ...d, loaded: null },
-    );
+    const document = this.open.find((d) => d.name === name);
+    this.rebase(name, { loaded: text ?? document?.text ?? null });
+    this.open = this.open.map((d) => (d.name === name ? d : { ...d, loaded: null }));
+  }
+
+  /** The machine has another text of a program: its breakpoints move with their lines. */
+  private rebase(name: string, change: Partial<TextDocument>): void {
+    const before = this.open.find((d) => d.name === name);
+    this.change(name, change);
+    const now = this.open.find((d) => d.name === name);
+    if (!before || !now || !panel.operates) return;
+    const map = line_map(machine_text(before), machine_text(now));
+    const list = moved(panel.breakpoints, name, map.forth);
+    if (JSON.stringify(list) !== JSON.stringify(panel.breakpoints))
+      void panel.set_breakpoints(list);
   }
 
   private put(document: TextDocument): void {
@@ -256,24 +411,14 @@ class Documents {
   }
 }
 
-/** Into the library as it is, byte by byte. False: refused, and the sentence is told. */
-async function put_file(name: string, body: File | string): Promise<boolean> {
-  const answer = await fetch(library_address(name), { method: 'PUT', body }).catch(() => null);
-  if (answer?.ok) return true;
-  notices.say((await answer?.text()) || t('connection.refused'), 'refused');
-  return false;
-}
-
 /** What saving would change in a file beside what is edited. */
 function tell_reading(name: string, { text, read_as }: Decoded): void {
   const { end, is_mixed } = line_ends_of(text);
   const encoding = ENCODING_NAMES[read_as];
-  if (read_as !== 'utf-8') notices.say(t('notice.read-as', { name, encoding }), 'refused');
+  if (!is_kept(read_as)) notices.say(t('notice.read-as-wide', { name, encoding }), 'refused');
+  else if (read_as !== 'utf-8') notices.say(t('notice.read-as', { name, encoding }), 'refused');
   else if (text.includes(REPLACEMENT)) notices.say(t('notice.damaged', { name }), 'refused');
   if (is_mixed) notices.say(t('notice.mixed-ends', { name, end: line_end_name(end) }), 'refused');
 }
-
-const library_address = (name: string): string =>
-  `library/${encodeURIComponent(name)}${location.search}`;
 
 export const documents = new Documents();

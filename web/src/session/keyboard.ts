@@ -1,8 +1,6 @@
 /** What each key of the keymap does. */
 import { type CommandName, binding_of } from '../logic/keymap';
 import type { Colouring } from '../logic/colour_scale';
-import { toggled } from '../logic/breakpoints';
-import { condition } from './condition.svelte';
 import { dialogs } from './dialogs.svelte';
 import { dock } from './dock.svelte';
 import { documents } from './documents.svelte';
@@ -21,8 +19,10 @@ import {
 } from './operator';
 import { panel } from './panel.svelte';
 import { picture_keys } from './picture_keys';
+import { places } from './places';
 import { preferences } from './preferences.svelte';
 import { problems } from './problems.svelte';
+import { question } from './question.svelte';
 import { slider } from './slider.svelte';
 import { teaching } from './teaching.svelte';
 
@@ -48,11 +48,10 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'step-into': () => step('into'),
   'step-out': () => step('out'),
   'step-back': () => step('back'),
-  'run-to-line': () => panel.act('run-to', { file: documents.current, line: documents.cursor }),
-  'start-at-line': () => panel.act('start-at', { line: documents.cursor }),
-  'toggle-breakpoint': () =>
-    panel.set_breakpoints(toggled(panel.breakpoints, documents.current, documents.cursor)),
-  'edit-condition': () => condition.edit(documents.current, documents.cursor),
+  'run-to-line': () => places.run_to(documents.cursor),
+  'start-at-line': () => places.start_at(documents.cursor),
+  'toggle-breakpoint': () => places.toggle_breakpoint(documents.cursor),
+  'edit-condition': () => places.edit_condition(documents.cursor),
   'mode-edit': () => set_mode('edit'),
   'mode-mdi': () => set_mode('mdi'),
   'mode-auto': () => set_mode('auto'),
@@ -107,12 +106,12 @@ const is_text = (target: EventTarget | null): boolean =>
 const may_jog = (): boolean => ['jog', 'teach'].includes(panel.state.mode) && panel.operates;
 
 export function key_down(event: KeyboardEvent): void {
-  if (event.defaultPrevented || dialogs.open) return;
+  if (event.defaultPrevented || dialogs.open || question.asked) return;
   const binding = binding_of(event, is_text(event.target));
   if (!binding || (binding.held && !may_jog())) return;
   event.preventDefault();
   if (binding.held && event.repeat) return;
-  if (binding.command === 'save' || binding.command === 'load-text') editor_keys.editor?.flush();
+  editor_keys.editor?.flush();
   void ACTIONS[binding.command]();
 }
 

@@ -5,7 +5,7 @@ import type { Mode, StepHow, SwitchName } from '../logic/protocol';
 import { documents, type TextDocument } from './documents.svelte';
 import { editor_keys } from './editor_keys';
 import { key_words, type Offer } from './key_words.svelte';
-import { panel } from './panel.svelte';
+import { panel, said } from './panel.svelte';
 import { problems } from './problems.svelte';
 import { t } from './words.svelte';
 
@@ -20,7 +20,7 @@ async function press(
     await panel.ask(name, args);
   } catch (reason) {
     if (!(reason instanceof Refusal)) throw reason;
-    key_words.say(key, reason.message, offers());
+    key_words.say(key, said(reason), offers());
   }
 }
 

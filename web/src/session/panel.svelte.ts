@@ -9,6 +9,7 @@ import {
 } from '../logic/connection';
 import { decode_chunk } from '../logic/chunk';
 import { first_machine } from '../logic/first_machine';
+import { refusal_words } from '../logic/i18n/refusals';
 import { tip_of, type Point } from '../logic/kinematics';
 import { PathStore } from '../logic/path_store';
 import { patched } from '../logic/state_patch';
@@ -26,7 +27,9 @@ import {
   type SwitchName,
 } from '../logic/protocol';
 import { UndoStack } from '../logic/undo';
+import { link } from './link.svelte';
 import { notices } from './notices.svelte';
+import { preferences } from './preferences.svelte';
 import { t } from './words.svelte';
 
 const FIRST_MACHINE_KEY = 'kerf.machine';
@@ -62,20 +65,37 @@ class Panel {
     return this.definition ? tip_of(this.definition.kinematics, joints) : [0, 0, 0];
   }
 
+  /** By the clock of the day: when anything came last. */
+  private heard_at = Date.now();
   private readonly connection = new Connection(
     () => new WebSocket(socket_address()) as Socket,
-    { after: (ms, action) => after(ms, action) },
+    { now: () => performance.now(), after: (ms, action) => after(ms, action) },
     {
       line: (state, retry_in_s, reason) => this.on_line(state, retry_in_s, reason),
       event: (event) => this.on_event(event),
       chunk: (bytes) => this.on_chunk(bytes),
+      heard: () => (this.heard_at = Date.now()),
     },
     () => t('connection.refused'),
     () => t('connection.too-long'),
   );
 
+  /** The server answers: what is shown is what is, and keys reach the machine. */
+  get has_link(): boolean {
+    return this.line.state === 'open';
+  }
   get operates(): boolean {
-    return this.me !== '' && this.state.operator === this.me;
+    return this.has_link && this.me !== '' && this.state.operator === this.me;
+  }
+  /** As a client is called: by its person, or by the number of its page. */
+  called(client: string): string {
+    return this.state.people[client] ?? t('operate.page', { number: client.replace(/\D+/g, '') });
+  }
+  /** Seconds until the machine is handed over to who asks for it; null: nobody asks. */
+  request_left_s(): number | null {
+    const now_ms = this.connection.server_ms();
+    const { request } = this.state;
+    return request && now_ms !== null ? Math.max(0, (request.until_ms - now_ms) / 1000) : null;
   }
   get moves(): boolean {
     return this.state.status === 'running';
@@ -96,7 +116,7 @@ class Panel {
     try {
       return await this.ask(name, args);
     } catch (reason) {
-      if (reason instanceof Refusal) notices.say(reason.message, 'refused');
+      if (reason instanceof Refusal) notices.say(said(reason), 'refused');
       else throw reason;
       return null;
     }
@@ -122,7 +142,14 @@ class Panel {
     this.definitions = answer.definitions as string[];
   }
 
-  take = (): Promise<unknown> => this.act('operate', { take: true });
+  /** A free machine is taken, one that somebody operates is asked for. */
+  take = (): Promise<unknown> => this.act('request-operation', { ask: true });
+  withdraw = (): Promise<unknown> => this.act('request-operation', { ask: false });
+  answer_request = (grant: boolean): Promise<unknown> => this.act('answer-request', { grant });
+  async introduce(person: string): Promise<void> {
+    preferences.person = person.trim();
+    await this.act('introduce', { name: preferences.person });
+  }
   release = (): Promise<unknown> => this.act('operate', { take: false });
   hand_to = (client: string): Promise<unknown> =>
     this.act('operate', { take: false, hand_to: client });
@@ -160,18 +187,24 @@ class Panel {
   }
 
   private on_line(state: LineState, retry_in_s: number, reason: string): void {
+    const before = this.line.state;
     this.line = { state, retry_in_s, reason };
-    if (state === 'open') void this.begin();
+    link.turned(state, this.heard_at, this.state, this.epoch > 0);
+    // Behind a silence the line is the same, and so is all that is known.
+    if (state === 'open' && before !== 'silent') void this.begin();
   }
 
   private async begin(): Promise<void> {
+    if (preferences.person) await this.introduce(preferences.person);
     await this.refresh_machines();
     const known = first_machine(this.machines, [this.machine, ...kept_machines()]);
     if (known) await this.watch(known.name);
   }
 
   private on_event(event: Record<string, unknown>): void {
-    if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
+    if (event.event === 'hello') link.hello(String(event.server), Number(event.began_ms));
+    else if (event.event === 'request-refused') notices.say(t('operate.was-refused'), 'refused');
+    else if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
     else if (event.event === 'state') this.state = patched(this.state, event);
     else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
     else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
@@ -206,6 +239,10 @@ function keep_machine(name: string): void {
     // A browser that keeps nothing begins with the mill each time.
   }
 }
+
+/** In the language of the page. */
+export const said = ({ message, code, values }: Refusal): string =>
+  refusal_words(preferences.language, message, code, values);
 
 function socket_address(): string {
   const address = new URL('ws', location.href);

@@ -17,6 +17,10 @@ interface Stored {
   jog_mm_min: number;
   jog_step: number;
   watches: string[];
+  /** A change of an offset or a tool by more than this, mm or °, is asked about. */
+  ask_above: number;
+  /** As the person at this browser is called; empty: he has not said it. */
+  person: string;
   /** The best of each exercise. */
   scores: Record<string, number>;
 }
@@ -37,6 +41,8 @@ function defaults(): Stored {
     jog_mm_min: 1000,
     jog_step: 0,
     watches: [],
+    ask_above: 10,
+    person: '',
     scores: {},
   };
 }

@@ -1,6 +1,6 @@
 /** Where the run of the machine is on the path of its preview. */
 import type { PathPlace } from '../logic/path_store';
-import { is_in_run, progress_of, type Progress } from '../logic/run_progress';
+import { is_in_run, progress_of, stop_of, type Progress } from '../logic/run_progress';
 import { panel } from './panel.svelte';
 
 class RunProgress {
@@ -15,10 +15,10 @@ class RunProgress {
   path_s = $derived(this.place ? panel.preview.seconds_at(this.place) : null);
   /** When the machine stops on its way; null: it does not. */
   stop_s = $derived(panel.path?.stop?.time_s ?? null);
+  /** The alarm that ends the run before its end: how long the program takes is not known then. */
+  stop = $derived(stop_of(panel.state, panel.path?.stop ? panel.path.error : null));
   total_s = $derived(
-    this.stop_s === null
-      ? (panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null))
-      : null,
+    this.stop ? null : (panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null)),
   );
   now = $derived.by((): Progress =>
     progress_of(panel.state, this.path_s, this.total_s, panel.path?.motions ?? 0),

@@ -1,7 +1,8 @@
 /** The time slider: now, or an instant of the run, with position, modal codes and variables of that instant. */
+import { Refusal } from '../logic/connection';
 import { joints_of } from '../logic/kinematics';
 import type { Axes, Instant, MachineState, Variable } from '../logic/protocol';
-import { panel } from './panel.svelte';
+import { panel, said } from './panel.svelte';
 import { progress } from './progress.svelte';
 
 /** The machine answers with the set-point at or before the time asked for. */
@@ -73,7 +74,7 @@ class Slider {
         if (this.time_s !== null) this.instant = answer as unknown as Instant;
         this.refused = '';
       } catch (reason) {
-        this.refused = reason instanceof Error ? reason.message : String(reason);
+        this.refused = reason instanceof Refusal ? said(reason) : String(reason);
       }
     }
     this.asking = false;

@@ -1,0 +1,41 @@
+/** Files from this computer into the library: never over a program without a question, never what is no text. */
+import type { ProgramEntry } from '../logic/protocol';
+import { free_name, mended_name } from '../logic/program_name';
+import { is_text_file, put_file } from './library_files';
+import { notices } from './notices.svelte';
+import { question } from './question.svelte';
+import { t } from './words.svelte';
+
+/** The name under which a file went into the library; null: it did not. */
+export async function upload(
+  file: File,
+  programs: readonly ProgramEntry[],
+): Promise<string | null> {
+  if (!(await is_text_file(file))) {
+    notices.say(t('notice.no-text', { name: file.name }), 'refused');
+    return null;
+  }
+  const taken = programs.map((program) => program.name);
+  const name = await name_for(file.name, taken);
+  if (!name || !(await put_file(name, file))) return null;
+  notices.say(t('notice.uploaded', { name }));
+  return name;
+}
+
+/** Null: the operator wants none of what was offered. */
+async function name_for(wanted: string, taken: readonly string[]): Promise<string | null> {
+  const name = mended_name(wanted);
+  if (name !== wanted && (await asked_to_mend(wanted, name)) === null) return null;
+  if (!taken.includes(name)) return name;
+  const other = free_name(name, taken);
+  const answer = await question.ask(t('upload.exists', { name }), t('upload.exists-why'), [
+    { answer: 'other', label: t('upload.other-name', { name: other }), tone: 'main' },
+    { answer: 'replace', label: t('upload.replace'), tone: 'danger' },
+  ]);
+  return answer === 'replace' ? name : answer === 'other' ? other : null;
+}
+
+const asked_to_mend = (wanted: string, name: string): Promise<string | null> =>
+  question.ask(t('upload.bad-name', { name: wanted }), t('upload.bad-name-why'), [
+    { answer: 'mend', label: t('upload.as', { name }), tone: 'main' },
+  ]);

@@ -40,6 +40,17 @@ export class PanelPage {
     return panel;
   }
 
+  /** Another page of the same browser: it knows what this one has kept. */
+  async another_page() {
+    const page = await this.context.newPage();
+    const panel = new PanelPage(this.context, page, this.base);
+    const machine = await this.page.evaluate(() => sessionStorage.getItem('kerf.machine'));
+    await page.addInitScript((name) => sessionStorage.setItem('kerf.machine', name), machine);
+    await page.goto(this.base);
+    await panel.is_connected();
+    return panel;
+  }
+
   constructor(context, page, base) {
     this.context = context;
     this.page = page;

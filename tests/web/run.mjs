@@ -22,6 +22,12 @@ import { newcomer } from './scenarios/newcomer.mjs';
 import { operating } from './scenarios/operating.mjs';
 import { pictures } from './scenarios/pictures.mjs';
 import { states } from './scenarios/states.mjs';
+import { drafts } from './scenarios/drafts.mjs';
+import { files } from './scenarios/files.mjs';
+import { panel_states } from './scenarios/panel_states.mjs';
+import { phone } from './scenarios/phone.mjs';
+import { link } from './scenarios/link.mjs';
+import { surprises } from './scenarios/surprises.mjs';
 import { training } from './scenarios/training.mjs';
 
 const ALL = [
@@ -29,12 +35,18 @@ const ALL = [
   ...debugging,
   ...editing,
   ...manual,
+  ...surprises,
+  ...drafts,
+  ...link,
+  ...files,
+  ...phone,
   ...training,
   ...newcomer,
   ...accessibility,
   ...faults,
   ...million,
   ...states,
+  ...panel_states,
   ...pictures,
 ];
 const LIMIT_MS = 240_000;
@@ -113,7 +125,7 @@ async function holds(scenario) {
     },
   };
   try {
-    const note = await within(LIMIT_MS, scenario.run(context));
+    const note = await within(scenario.limit_ms ?? LIMIT_MS, scenario.run(context));
     for (const page of opened) page.expect_no_errors();
     console.log(
       `  ✓  ${scenario.name} (${((Date.now() - began) / 1000).toFixed(1)} s)${note ? `: ${note}` : ''}`,

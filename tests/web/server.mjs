@@ -47,6 +47,14 @@ export class Server {
     execFileSync('prlimit', [`--pid=${this.process.pid}`, `--fsize=${size}:unlimited`]);
   }
 
+  /** As a line that hangs: it takes what comes, and answers nothing. */
+  freeze() {
+    this.process.kill('SIGSTOP');
+  }
+  thaw() {
+    this.process.kill('SIGCONT');
+  }
+
   async end() {
     if (this.process.exitCode === null && this.process.signalCode === null) await this.kill();
     rmSync(this.data, { recursive: true, force: true });

@@ -18,7 +18,7 @@ export const faults = [
       await field.press('Enter');
       await panel.variable_is('#511', '77');
       await server.kill();
-      await panel.page.getByText('The line to the server is down.').first().waitFor();
+      await panel.page.locator('.line[role="alert"]', { hasText: 'No link since' }).waitFor();
       await server.begin();
       await panel.is_connected();
       await panel.variable_is('#511', '77');

@@ -1,0 +1,529 @@
+// What a panel must never do: change the program instead of the machine, take a slip of the finger for a value, mark
+// another line than the one that executes, lose what was typed.
+import assert from 'node:assert/strict';
+import { LONG } from '../programs.mjs';
+
+/** What each key does, as it can be seen: `begin` brings the machine where the key can do it. */
+const KEYS = {
+  'Cycle start': { begin: idle, does: (p) => p.has_status('RUNNING') },
+  'Feed hold': { begin: running, does: (p) => p.has_status('HOLD') },
+  Reset: { begin: running, does: (p) => p.has_status('IDLE') },
+  'Feed override up': { begin: normal_feed, does: (p) => feed_is(p, '110') },
+  'Feed override down': { begin: normal_feed, does: (p) => feed_is(p, '90') },
+  'Step over': { begin: idle, does: (p) => p.has_status('STEP') },
+  'Step into': { begin: idle, does: (p) => p.has_status('STEP') },
+  'Step out': { begin: stepped, does: (p) => p.has_status('RUNNING') },
+  'Step back': { begin: stepped_twice, does: (p) => told(p, (line, before) => line < before) },
+  'Run to the line of the cursor': { begin: idle, does: (p) => p.has_status('RUNNING', 'STEP') },
+  'Start at the line of the cursor': { begin: idle, does: (p) => p.has_status('STEP', 'STOPPED') },
+  'Breakpoint on, off': {
+    begin: idle,
+    does: async (p, press) => {
+      await p.page.locator('.cm-dot.set').first().waitFor();
+      await press();
+      await p.page.locator('.cm-dot.set').first().waitFor({ state: 'detached' });
+    },
+  },
+  'Condition of the breakpoint': { begin: idle, does: dialog_opens },
+  'Mode EDIT': mode('EDIT'),
+  'Mode MDI': mode('MDI'),
+  'Mode AUTO': mode('AUTO', 'EDIT'),
+  'Mode JOG': mode('JOG'),
+  'Mode REF': mode('REF'),
+  'Mode TEACH': mode('TEACH'),
+  'Single block on, off': lamp('Single block'),
+  'Optional stop on, off': lamp('Optional stop'),
+  'Block skip on, off': lamp('Block skip'),
+  'Dry run on, off': lamp('Dry run'),
+  'Machine lock on, off': lamp('Machine lock'),
+  'Capture a point': {
+    begin: (p) => p.press('TEACH').then(() => lit(p, 'TEACH')),
+    does: (p) => p.page.locator('.file.current', { hasText: 'taught.tch' }).waitFor(),
+  },
+  'Save the program': { begin: edited, does: (p) => p.says('keys.nc is saved.') },
+  'Open the library': { begin: idle, does: dialog_opens },
+  'Load the text into the machine': { begin: idle, does: (p) => p.says('keys.nc is loaded.') },
+  'To the program': {
+    begin: idle,
+    does: (p) => p.until(() => document.activeElement?.classList.contains('cm-content')),
+  },
+  'To the picture (arrows turn, + and − zoom)': {
+    begin: idle,
+    does: (p) => p.until(() => document.activeElement?.id === 'picture'),
+  },
+  'Next tab': { begin: idle, does: (p) => tab_is(p, 'Stepping') },
+  'Previous tab': { begin: idle, does: (p) => tab_is(p, 'Training') },
+  'Become the operator, or ask for it': {
+    begin: async (p) => {
+      await p.page.locator('header .badge').click();
+      await p.page.getByRole('button', { name: 'Give control back' }).click();
+      await p.page.locator('header .badge', { hasText: 'No operator' }).waitFor();
+    },
+    does: (p) => p.operates(),
+  },
+  'This list': { begin: idle, does: dialog_opens },
+};
+
+/** Those that belong to a text while one is written; elsewhere they act. */
+const OUTSIDE = {
+  'Jog X+, while held': jogs('X', 1),
+  'Jog X−, while held': jogs('X', -1),
+  'Jog Y+, while held': jogs('Y', 1),
+  'Jog Y−, while held': jogs('Y', -1),
+  'Jog Z+, while held': jogs('Z', 1),
+  'Jog Z−, while held': jogs('Z', -1),
+  'Isometric view': { begin: turned, does: looks_otherwise },
+  'View from above': { begin: turned, does: looks_otherwise },
+  'View from the front': { begin: turned, does: looks_otherwise },
+  'View from the right': { begin: turned, does: looks_otherwise },
+  'Fit the path into the picture': { begin: turned, does: looks_otherwise },
+  'Next colouring of the path': { begin: turned, does: looks_otherwise },
+  'One second back in the run': { begin: (p) => p.go_to_instant(5), does: instant_is('0:04') },
+  'One second on in the run': { begin: (p) => p.go_to_instant(5), does: instant_is('0:06') },
+  'Back to now': {
+    begin: (p) => p.go_to_instant(5),
+    does: (p) => p.page.locator('.instant').waitFor({ state: 'detached' }),
+  },
+  'Take the table edit back': { begin: table_edited, does: (p) => p.variable_is('#510', '1') },
+  'Do the table edit again': {
+    begin: async (p) => {
+      await table_edited(p);
+      await p.page.locator('h1').click();
+      await p.page.keyboard.press('Control+KeyZ');
+      await p.variable_is('#510', '1');
+    },
+    does: (p) => p.variable_is('#510', '2'),
+  },
+};
+
+export const surprises = [
+  {
+    name: 'every key that the panel advertises acts on the machine, in the program and outside of it',
+    limit_ms: 600_000,
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.upload('keys.nc', LONG);
+      await panel.open_program('keys.nc');
+      for (const { words, keys } of await advertised(panel)) {
+        const known = KEYS[words] ?? OUTSIDE[words];
+        assert.ok(known, `the test does not know what "${words}" does`);
+        for (const key of keys) {
+          for (const place of KEYS[words] ? ['program', 'picture'] : ['picture']) {
+            if (key === '?' && place === 'program') continue; // a letter of the text
+            await prepare(panel);
+            await known.begin(panel);
+            await stand(panel, place);
+            const before = await panel.told_line();
+            const press = () => panel.page.keyboard.press(key);
+            await (known.held ? known.held(panel, key) : press());
+            const failed = (reason) => {
+              throw new Error(`${words} (${key}) in the ${place}: ${reason.stack}`);
+            };
+            panel.line_before = before;
+            await known.does(panel, press).catch(failed);
+            await panel.page.keyboard.press('Escape');
+            if (words !== 'Save the program') await text_is(panel, LONG).catch(failed);
+          }
+        }
+      }
+    },
+  },
+  {
+    name: 'every cell of every table is edited twice, and what is typed replaces what was there',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.tab('Offsets');
+      await panel.page.getByRole('textbox', { name: 'G59 X' }).waitFor();
+      await twice_each(panel, '#dock-offsets');
+      await panel.tab('Tools');
+      await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('77');
+      await panel.page.keyboard.press('Enter');
+      await panel.page.getByRole('textbox', { name: 'T77 Length', exact: true }).waitFor();
+      await twice_each(panel, '#dock-tools');
+      await panel.tab('Variables');
+      for (const name of ['#500', '#501', '#502']) await panel.add_variable(name);
+      await panel.page.getByRole('textbox', { name: '#502', exact: true }).waitFor();
+      await twice_each(panel, '#dock-variables');
+    },
+  },
+  {
+    name: 'an entry is set, added, goes to the next row, and is asked about where it is far off',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.tab('Offsets');
+      const { keyboard } = panel.page;
+      const cell = (name) => panel.page.getByRole('textbox', { name, exact: true });
+      const answer = async (choice) => {
+        await panel.page.locator('dialog.question').getByRole('button', { name: choice }).click();
+        await panel.page.locator('dialog.question').waitFor({ state: 'detached' });
+      };
+      await set_cell(panel, 'G54 Y', '0');
+      await cell('G54 Y').click();
+      await keyboard.type('5');
+      await keyboard.press('Enter');
+      await shows(panel, 'G54 Y', '5.000');
+      assert.equal(await focused(panel), 'G55 Y', 'Enter goes to the next row');
+      await cell('G54 Y').click();
+      await keyboard.type('-0.25');
+      await keyboard.press('Shift+Enter');
+      await shows(panel, 'G54 Y', '4.750');
+      await cell('G54 Y').click();
+      await keyboard.type('1');
+      await panel.page.getByRole('button', { name: '+INPUT', exact: true }).click();
+      await shows(panel, 'G54 Y', '5.750');
+
+      await cell('G54 Y').click();
+      await keyboard.type('125000');
+      await keyboard.press('Enter');
+      await panel.page.locator('dialog.question', { hasText: 'travels' }).waitFor();
+      await answer('Leave it');
+      await shows(panel, 'G54 Y', '5.750');
+      await cell('G54 Y').click();
+      await keyboard.type('25.75');
+      await keyboard.press('Enter');
+      await panel.page.locator('dialog.question', { hasText: 'a change of 20.000' }).waitFor();
+      await answer('Set 25.750');
+      await shows(panel, 'G54 Y', '25.750');
+
+      await panel.page.getByLabel('Ask about a change of more than').fill('100');
+      await cell('G54 Y').click();
+      await keyboard.type('0');
+      await keyboard.press('Enter');
+      await shows(panel, 'G54 Y', '0.000');
+      assert.equal(await panel.page.locator('dialog.question').count(), 0);
+    },
+  },
+  {
+    name: 'the line that executes is marked where it stands in the edited text',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('marks.nc', LONG);
+      await panel.go_to_line(1);
+      await panel.page.keyboard.type('(A)\n(B)\n(C)\n');
+      await panel.page.locator('.ahead').waitFor();
+      await panel.press('Cycle start');
+      await panel.has_status('RUNNING');
+      await panel.passes('X', 0);
+      await panel.executes_line(7); // the fourth line of what the machine has
+      const block = await panel.page.locator('aside .text.mono').first().innerText();
+      assert.equal(await panel.page.locator('.cm-executing').innerText(), block);
+      // And stays there while lines before it come and go.
+      await panel.go_to_line(1);
+      await panel.page.keyboard.press('Control+Shift+K');
+      await panel.executes_line(6);
+      await panel.press('Reset');
+      await panel.has_status('IDLE');
+    },
+  },
+  {
+    name: 'a breakpoint stops at the block that it stands beside, however the text was edited',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('stops.nc', LONG.replace('F300.', 'F6000.'));
+      await panel.toggle_breakpoint(5); // Y50.
+      await panel.page.locator('.cm-dot.set').waitFor();
+      await panel.go_to_line(1);
+      await panel.page.keyboard.type('(A)\n(B)\n');
+      await panel.page.locator('.ahead').waitFor();
+      await panel.toggle_breakpoint(8); // X0., the sixth line of what the machine has
+      await panel.page.locator('.cm-dot.set').nth(1).waitFor();
+      await panel.toggle_breakpoint(1);
+      await panel.says('Line 1 is new');
+      await panel.press('Cycle start');
+      for (const [line, text] of [
+        [7, 'Y50.'],
+        [8, 'X0.'],
+      ]) {
+        await panel.has_status('STEP');
+        await panel.executes_line(line);
+        assert.equal(await panel.page.locator('.cm-executing').innerText(), text);
+        await panel.press('Cycle start');
+      }
+      await panel.has_status('END');
+      await panel.press('Reset');
+      await panel.has_status('IDLE');
+      // Loaded, the machine has the lines of the screen.
+      await panel.page.keyboard.press('F5');
+      await panel.says('stops.nc is loaded.');
+      await panel.press('Cycle start');
+      await panel.has_status('STEP');
+      await panel.executes_line(7);
+      assert.equal(await panel.page.locator('.cm-executing').innerText(), 'Y50.');
+    },
+  },
+];
+
+async function idle() {}
+async function running(p) {
+  await p.press('Cycle start');
+  await p.has_status('RUNNING');
+}
+async function stepped(p) {
+  await p.press('Over');
+  await p.has_status('STEP');
+}
+async function stepped_twice(p) {
+  await stepped(p);
+  const before = await p.told_line();
+  await p.press('Over');
+  p.line_before = before;
+  await told(p, (line, first) => line > first);
+  await p.has_status('STEP');
+}
+async function normal_feed(p) {
+  await p.page.getByTitle('Feed override: back to 100 %').click();
+  await feed_is(p, '100');
+}
+async function edited(p) {
+  await p.go_to_line(2);
+  await p.page.keyboard.press('End');
+  await p.page.keyboard.type(' (E)');
+  await p.page.locator('.file.current .dirty').waitFor();
+}
+function feed_is(p, wanted) {
+  return p.until(
+    (value) => document.querySelector('input[aria-label="Feed override"]')?.value === value,
+    wanted,
+  );
+}
+async function told(p, holds) {
+  const late = Date.now() + 20_000;
+  let line = await p.told_line();
+  while (!holds(line, p.line_before) && Date.now() < late) {
+    await p.page.waitForTimeout(50);
+    line = await p.told_line();
+  }
+  assert.ok(holds(line, p.line_before), `line ${line} behind line ${p.line_before}`);
+}
+function lit(p, name) {
+  return p.page.locator('.key.on', { hasText: name }).waitFor();
+}
+function mode(name, from = 'AUTO') {
+  return {
+    begin: (p) => p.press(from).then(() => lit(p, from)),
+    does: (p) => lit(p, name),
+  };
+}
+function lamp(name) {
+  return {
+    begin: idle,
+    does: async (p, press) => {
+      await lit(p, name);
+      await press();
+      await p.page.locator('.key.on', { hasText: name }).waitFor({ state: 'detached' });
+    },
+  };
+}
+async function dialog_opens(p) {
+  await p.page.getByRole('dialog').first().waitFor();
+}
+function tab_is(p, name) {
+  return p.page.locator('.dock [role="tab"][aria-selected="true"]', { hasText: name }).waitFor();
+}
+/** By hand, so that no view of the keys is that one. */
+async function turned(p) {
+  const box = await p.page.locator('#picture').boundingBox();
+  await p.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await p.page.mouse.down();
+  await p.page.mouse.move(box.x + box.width / 2 + 90, box.y + box.height / 2 + 40, { steps: 4 });
+  await p.page.mouse.up();
+  await p.page.mouse.move(5, 5);
+  p.picture_before = await still_picture(p);
+}
+async function still_picture(p) {
+  let before;
+  let now = await p.page.locator('#picture').screenshot();
+  do {
+    before = now;
+    await p.page.waitForTimeout(150);
+    now = await p.page.locator('#picture').screenshot();
+  } while (!now.equals(before));
+  return now;
+}
+async function looks_otherwise(p) {
+  const late = Date.now() + 20_000;
+  while ((await p.page.locator('#picture').screenshot()).equals(p.picture_before)) {
+    assert.ok(Date.now() < late, 'the picture is as it was');
+    await p.page.waitForTimeout(50);
+  }
+}
+async function table_edited(p) {
+  await p.tab('Variables');
+  await p.set_variable('#510', '1');
+  await p.variable_is('#510', '1');
+  await p.set_variable('#510', '2');
+  await p.variable_is('#510', '2');
+}
+function instant_is(time) {
+  return (p) => p.page.locator('.instant', { hasText: time }).waitFor();
+}
+function jogs(axis, way) {
+  return {
+    async begin(p) {
+      await p.press('JOG');
+      await lit(p, 'JOG');
+      if (axis !== 'Z' || way < 0) return; // Z stands at the end of its travel
+      await p.page.locator('h1').click();
+      const before = await p.position('Z');
+      await p.page.keyboard.down('PageDown');
+      await p.until(
+        (from) =>
+          Number(
+            [...document.querySelectorAll('aside tbody tr')]
+              .find((row) => row.querySelector('th').textContent === 'Z')
+              .querySelector('.big')
+              .textContent.replace('\u2212', '-'),
+          ) <
+          from - 1,
+        before,
+      );
+      await p.page.keyboard.up('PageDown');
+      await p.has_status('IDLE', 'END', 'STOPPED');
+    },
+    held: async (p, key) => {
+      const before = await p.position(axis);
+      await p.page.keyboard.down(key);
+      const late = Date.now() + 20_000;
+      let seen = before;
+      while (!(way * (seen - before) > 0.05) && Date.now() < late) {
+        await p.page.waitForTimeout(30);
+        seen = await p.position(axis);
+      }
+      await p.page.keyboard.up(key);
+      assert.ok(way * (seen - before) > 0.05, `${axis} went from ${before} to ${seen}`);
+    },
+    does: (p) => p.has_status('IDLE', 'END', 'STOPPED'),
+  };
+}
+
+/** As the dialog of the keyboard has them; Playwright calls a few of them otherwise. */
+async function advertised(panel) {
+  await panel.page.locator('h1').click();
+  await panel.page.keyboard.press('?');
+  const dialog = panel.page.getByRole('dialog', { name: 'Keyboard' });
+  await dialog.waitFor();
+  const rows = await dialog.locator('dl > div').evaluateAll((all) =>
+    all.map((row) => ({
+      words: row.querySelector('dt').textContent.trim(),
+      keys: [...row.querySelectorAll('kbd')].map((key) => key.textContent),
+    })),
+  );
+  await panel.page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  const NAMES = {
+    '↑': 'ArrowUp',
+    '↓': 'ArrowDown',
+    '←': 'ArrowLeft',
+    '→': 'ArrowRight',
+    'Page Up': 'PageUp',
+    'Page Down': 'PageDown',
+    '⌫': 'Backspace',
+    Ctrl: 'Control',
+  };
+  assert.ok(rows.length > 40, `${rows.length} keys are advertised`);
+  return rows.map(({ words, keys }) => ({
+    words,
+    keys: keys.map((key) =>
+      key
+        .split('+')
+        .map((part) => NAMES[part] ?? (/^[A-Z]$/.test(part) ? `Key${part}` : part))
+        .join('+'),
+    ),
+  }));
+}
+
+/** The machine at rest in AUTO with the program as it was, whatever the last key did. */
+async function prepare(panel) {
+  await panel.page.keyboard.press('Escape');
+  await panel.operates();
+  await panel.press('Reset');
+  await panel.has_status('IDLE');
+  await panel.press('AUTO');
+  await lit(panel, 'AUTO');
+  const now = panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true });
+  await now.click();
+  await panel.tab('Variables');
+  if ((await panel.page.locator('.file.current').innerText()) !== 'keys.nc') {
+    await panel.upload('keys.nc', LONG);
+    await panel.open_program('keys.nc');
+  } else {
+    const text = await shown_text(panel);
+    if (text !== LONG.trimEnd()) {
+      await panel.upload('keys.nc', LONG);
+      await panel.open_program('keys.nc');
+    }
+  }
+  await panel.has_path(4);
+}
+
+async function stand(panel, place) {
+  if (place === 'program') await panel.go_to_line(4);
+  else {
+    await panel.go_to_line(4); // the cursor has to be somewhere
+    await panel.page.locator('h1').click();
+    await panel.page.evaluate(() => document.activeElement?.blur());
+  }
+}
+
+async function shown_text(panel) {
+  const lines = await panel.page.locator('.cm-line').allInnerTexts();
+  return lines
+    .map((line) => line.replace(/\n$/, ''))
+    .join('\n')
+    .trimEnd();
+}
+async function text_is(panel, wanted) {
+  if ((await panel.page.locator('.file.current').innerText()) === 'keys.nc')
+    assert.equal(await shown_text(panel), wanted.trimEnd(), 'the text of the program');
+}
+
+async function set_cell(panel, name, value) {
+  const cell = panel.page.getByRole('textbox', { name, exact: true });
+  await cell.click();
+  await panel.page.keyboard.type(value);
+  await panel.page.keyboard.press('Enter');
+  const question = panel.page.locator('dialog.question');
+  if (await question.count()) await question.getByRole('button').last().click();
+}
+async function shows(panel, name, value) {
+  const late = Date.now() + 20_000;
+  let seen;
+  do {
+    seen = await panel.page
+      .getByRole('textbox', { name, exact: true })
+      .inputValue()
+      .catch(() => '');
+    if (seen.replace('\u2212', '-') === value) return;
+    await panel.page.waitForTimeout(50);
+  } while (Date.now() < late);
+  assert.equal(seen, value, name);
+}
+const focused = (panel) =>
+  panel.page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? '');
+
+/** By the pointer both times, as an operator does it; small values, so that nothing is asked. */
+async function twice_each(panel, where) {
+  const names = await panel.page
+    .locator(`${where} input.cell`)
+    .evaluateAll((all) => all.map((cell) => cell.getAttribute('aria-label')));
+  assert.ok(names.length >= 3, `${names.length} cells in ${where}`);
+  const decimals = where === '#dock-variables' ? 0 : 3;
+  for (const name of names) {
+    const cell = panel.page.locator(where).getByRole('textbox', { name, exact: true });
+    for (const value of ['2.5', '7']) {
+      await cell.click();
+      await panel.page.keyboard.type(value);
+      await panel.page.keyboard.press('Enter');
+      await shows(panel, name, decimals ? Number(value).toFixed(3) : value);
+    }
+    await cell.click();
+    await panel.page.keyboard.type('0');
+    await panel.page.keyboard.press('Enter');
+    await shows(panel, name, decimals ? '0.000' : '0');
+  }
+}

@@ -75,7 +75,7 @@ TEST_F(MemoryKeeperTest, TriesAgainMoreRarelyAndTellsItOnce) {
   offer_until_written(2);
   finish();
   EXPECT_EQ(written_, (std::vector<double>{2}));
-  EXPECT_EQ(tries_, 3);
+  EXPECT_LT(tries_, 10);  // of more than 50 offers
   EXPECT_EQ(told_, (std::vector<std::string>{"full", ""}));
 }
 

@@ -25,6 +25,7 @@ struct Assumed {
   static constexpr std::uint32_t no_laser = 52;
   static constexpr std::uint32_t unread_text = 53;  ///< to 55: where
   static constexpr std::uint32_t no_speed = 60;
+  static constexpr std::uint32_t interrupt_missed = 61;
   static constexpr std::uint32_t g_code = 100;
 };
 

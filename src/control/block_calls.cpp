@@ -122,7 +122,7 @@ bool Controller::set_interrupt() {
   if (!state_.values.integer(words_['P'], 0, 99999999, p)) return false;
   interrupt_program_ = static_cast<std::uint32_t>(p);
   state_.assume(Assumed::interrupt,
-                "M96: the interrupt program runs only when a signal is injected");
+                "M96: the interrupt program runs when the interrupt signal comes");
   return true;
 }
 

@@ -6,6 +6,7 @@
 //   4. the one-shot code or the motion of the block
 //   5. the other M codes, stops, ends, calls and returns (block_calls.cpp)
 #include <algorithm>
+#include <utility>
 
 #include "base/decimal.hpp"
 #include "control/controller.hpp"
@@ -263,8 +264,27 @@ Verdict Controller::stopped(Halt halt) {
 }
 
 Verdict Controller::finish_block() {
-  auxiliary_.after_motion(words_);
-  if (!state_.path.end_block()) return Verdict::stop;
+  if (!at_optional_stop_) {
+    auxiliary_.after_motion(words_);
+    if (!state_.path.end_block()) return Verdict::stop;
+  }
+  at_optional_stop_ = codes_.optional_stop;
+  if (!at_optional_stop_ || come_to_optional_stop()) return end_block();
+  if (alarms_.alarm()) return Verdict::stop;
+  mid_block_ = true;
+  return Verdict::pause;
+}
+
+// M01 suppresses buffering, whether its switch is on or off: the switch counts that stands when the
+// axes have come here. False: they have not, or there is an alarm.
+bool Controller::come_to_optional_stop() {
+  if (!state_.path.holds_corner() && !state_.path.release()) return false;
+  buffer_.release();
+  return surroundings_.axes_have_arrived();
+}
+
+Verdict Controller::end_block() {
+  const bool passed = std::exchange(at_optional_stop_, false) && !optional_stop_;
   Halt halt = Halt::none;
   if (codes_.stop) halt = Halt::program_stop;
   if (codes_.optional_stop && optional_stop_) halt = Halt::optional_stop;
@@ -274,6 +294,7 @@ Verdict Controller::finish_block() {
   }
   if (halt == Halt::program_stop || halt == Halt::optional_stop)
     state_.path.act(Stop{halt == Halt::optional_stop});
+  if (halt == Halt::none && passed) state_.path.act(Stop{true, true});
   if (halt == Halt::end) state_.path.act(End{});
   buffer_.release();
   in_block_ = false;

@@ -119,12 +119,19 @@ class Control {
   virtual void set_optional_stop(bool on) = 0;
   /// One bit per level: bit n for /n, n = 1 to 9.
   virtual void set_block_skip(std::uint32_t levels) = 0;
+  /// Slashes that the program has come to.
+  [[nodiscard]] virtual std::uint64_t slashes() = 0;
   /// Slows down.
   virtual void observe_blocks(BlockObserver observer) = 0;
   /// Asked before every block; null: none. Slows down.
   virtual void set_gate(BlockGate* gate) = 0;
-  /// The signal of a macro interrupt.
+  /// The signal of a macro interrupt: answered before the next block that is executed, where the
+  /// program allows it.
   virtual void interrupt() = 0;
+  /// Of these signals those that met a program that did not allow them, and did nothing.
+  [[nodiscard]] virtual std::uint64_t interrupts_missed() const = 0;
+  /// Such a signal: it is told as an assumption.
+  virtual void miss_interrupt() = 0;
 
   /// For a search for mistakes, never for a machine: from now on pass_alarm() may be asked. Slows
   /// down. Precondition: nothing has run.

@@ -109,14 +109,14 @@ void Controller::start(vm::CodeId main, Ends ends) {
   std::copy(kept.begin(), kept.end(), first_level_locals().begin());
   calls_.start(main);
   halt_ = Halt::none;
-  mid_block_ = false;
+  mid_block_ = at_optional_stop_ = false;
   in_block_ = false;
 }
 
 void Controller::reset() {
   alarms_.clear();
   halt_ = Halt::none;
-  mid_block_ = false;
+  mid_block_ = at_optional_stop_ = false;
   interrupt_pending_ = false;
   interrupt_program_ = 0;
   cycle_.stop();
@@ -209,15 +209,15 @@ base::Outcome<void> Controller::set_variable(std::uint32_t number, double value)
 
 // vm::Host
 
-// Clocks stand while axes move: the block waits until they have come to rest.
+// Clocks and inputs are read when the axes have come to the block.
 Verdict Controller::read(double number, double& value) {
-  if (SystemVariables::is_clock(number) && !surroundings_.clock_can_be_read())
-    return Verdict::again;
+  const bool waits = SystemVariables::is_clock(number) || SystemVariables::is_input(number);
+  if (waits && !surroundings_.axes_have_arrived()) return Verdict::again;
   return variables_.read(number, value) ? Verdict::go_on : Verdict::stop;
 }
 
 Verdict Controller::write(double number, double value) {
-  if (SystemVariables::is_clock(number) && !surroundings_.clock_can_be_read())
+  if (SystemVariables::is_clock(number) && !surroundings_.axes_have_arrived())
     return Verdict::again;
   SystemVariables::Event event;
   if (!variables_.write(number, value, event)) return Verdict::stop;
@@ -249,7 +249,8 @@ Verdict Controller::end_of_entry() {
 
 Verdict Controller::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
   const bool behind_statement = std::exchange(in_statement_, true);
-  const Verdict verdict = announce(page, mark);
+  Verdict verdict = announce(page, mark);
+  if (verdict == Verdict::go_on && interrupt_pending_) verdict = answer_interrupt();
   if (verdict != Verdict::go_on || !behind_statement) return verdict;
   if (!single_block_ || !parameters_.stop_at_macro) return Verdict::go_on;
   return stopped(Halt::single_block);
@@ -353,9 +354,19 @@ Verdict Controller::show_message(double number) {
 
 // M96: the interrupt program runs on local variables of its own, between two blocks.
 bool Controller::take_interrupt() {
-  if (interrupt_program_ == 0) return true;
   interrupt_pending_ = false;
+  if (interrupt_program_ == 0) {
+    miss_interrupt();
+    return true;
+  }
   return calls_.call_fixed(interrupt_program_, 1, ProgramCalls::Kind::interrupt);
+}
+
+// Where a block begins; the interrupt program comes back to it.
+Verdict Controller::answer_interrupt() {
+  const std::size_t depth = interpreter_.depth();
+  if (!take_interrupt()) return Verdict::stop;
+  return interpreter_.depth() == depth ? Verdict::go_on : Verdict::transferred;
 }
 
 }  // namespace kerf::control

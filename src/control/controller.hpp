@@ -69,7 +69,6 @@ class Controller : public ProgramControl, public vm::Host {
   [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override;
   void set_optional_stop(bool on) override { optional_stop_ = on; }
   void set_block_skip(std::uint32_t levels) override { interpreter_.set_switches(levels); }
-  /// Answered at the next block when M96 has allowed it.
   void interrupt() override { interrupt_pending_ = true; }
   void allow_passing() override {
     ProgramControl::allow_passing();
@@ -145,6 +144,8 @@ class Controller : public ProgramControl, public vm::Host {
   bool select_cycle(bool& plain);
   vm::Verdict continue_block();
   vm::Verdict finish_block();
+  bool come_to_optional_stop();
+  vm::Verdict end_block();
   bool finish_calls();
   bool set_interrupt();
   vm::Verdict stopped(Halt halt);
@@ -156,6 +157,7 @@ class Controller : public ProgramControl, public vm::Host {
   vm::Verdict show_message(double number);
   std::string comment_of_block();
   bool take_interrupt();
+  vm::Verdict answer_interrupt();
   void learn_parameters();
   void learn_calling_codes();
 
@@ -186,7 +188,8 @@ class Controller : public ProgramControl, public vm::Host {
   std::string printed_;
   bool codes_call_macros_ = false;       // some G or M code does (6050, 6080)
   bool codes_call_subprograms_ = false;  // some M code, T, S or B does (6071, TCS, SCS, BCS)
-  bool mid_block_ = false;               // a block waits for its cycle to go on
+  bool mid_block_ = false;               // a block waits for its cycle or for the axes to go on
+  bool at_optional_stop_ = false;        // it waits for the axes to come to its M01
   std::uint32_t block_number_ = 0;       // the block's N; 0: none
   bool in_block_ = false;                // an NC block has begun and is not over
   bool moved_ = false;                   // the block has commanded axis movement

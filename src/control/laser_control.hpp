@@ -49,7 +49,7 @@ class LaserControl final : public ProgramControl, private vm::Host {
   [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override;
   void set_optional_stop(bool /*on*/) override {}
   void set_block_skip(std::uint32_t /*levels*/) override {}
-  void interrupt() override {}
+  void interrupt() override { miss_interrupt(); }
 
   /// What programs without a number are called.
   static constexpr const char* kName = "O0000";

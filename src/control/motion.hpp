@@ -142,9 +142,10 @@ struct AuxiliaryCode {
   std::uint32_t code = 0;
 };
 
-/// Program stop: M00, M01 while the optional stop is on, #3006.
+/// Program stop: M00, M01, #3006. The axes come to rest.
 struct Stop {
   bool optional = false;
+  bool passed = false;  ///< M01 with its switch off: the program goes on by itself
 };
 
 /// Text for the operator.

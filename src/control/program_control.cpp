@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "control/assumed.hpp"
+
 namespace kerf::control {
 
 std::size_t ProgramControl::levels() {
@@ -26,6 +28,11 @@ std::vector<OpenCall> ProgramControl::open_calls() {
         {name_of_level(level), innermost ? place() : interpreter()->place_of_call(level + 1)});
   }
   return calls;
+}
+
+std::uint64_t ProgramControl::slashes() {
+  const vm::Interpreter* const machine = interpreter();
+  return machine == nullptr ? 0 : machine->switches_read();
 }
 
 void ProgramControl::set_single_block(bool on) {
@@ -54,6 +61,12 @@ bool ProgramControl::pass_alarm() {
   halt_ = Halt::none;
   undo_block();
   return true;
+}
+
+void ProgramControl::miss_interrupt() {
+  ++interrupts_missed_;
+  assume(Assumed::interrupt_missed, place().line,
+         "an interrupt signal came while no M96 was in force: it did nothing");
 }
 
 void ProgramControl::learn_tracing() {

@@ -21,6 +21,9 @@ class ProgramControl : public Control, protected Whereabouts {
   [[nodiscard]] base::Place standing_at() override { return place(); }
   [[nodiscard]] std::string running_program() const override { return program_name(); }
   [[nodiscard]] std::vector<OpenCall> open_calls() override;
+  [[nodiscard]] std::uint64_t slashes() override;
+  [[nodiscard]] std::uint64_t interrupts_missed() const override { return interrupts_missed_; }
+  void miss_interrupt() override;
   void set_single_block(bool on) override;
   void observe_blocks(BlockObserver observer) override;
   void set_gate(BlockGate* gate) override;
@@ -72,6 +75,7 @@ class ProgramControl : public Control, protected Whereabouts {
  private:
   BlockObserver observer_;
   BlockGate* gate_ = nullptr;
+  std::uint64_t interrupts_missed_ = 0;
 };
 
 }  // namespace kerf::control

@@ -22,9 +22,10 @@ class Surroundings {
  public:
   virtual ~Surroundings() = default;
 
-  /// Whether a clock can be read now. False: motions are still being made; who wants to know the
-  /// time halts, and asks again when it is run again.
-  [[nodiscard]] virtual bool clock_can_be_read() = 0;
+  /// Whether the axes have come to rest behind all motions handed out so far, as they must before a
+  /// clock or an input is read and before M01 looks at its switch. False: they are on their way
+  /// there; who waits for them halts, and asks again when it is run again.
+  [[nodiscard]] virtual bool axes_have_arrived() = 0;
   /// Seconds of machine time since power-on, all motions handed out so far finished.
   [[nodiscard]] virtual double seconds() = 0;
   /// Calendar date and time as yyyymmdd and hhmmss.
@@ -51,7 +52,7 @@ class Surroundings {
 
   /// Output of the program: DPRNT, BPRNT, PRINT.
   virtual void print(std::string_view text) = 0;
-  /// Whether input() can be answered now; otherwise as with clocks.
+  /// Whether input() can be answered now; otherwise as when axes_have_arrived() says no.
   [[nodiscard]] virtual bool input_can_be_read() = 0;
   /// The next line that the operator enters for INPUT, without its end; nothing: there is none any
   /// more.

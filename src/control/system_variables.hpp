@@ -30,6 +30,8 @@ class SystemVariables {
   [[nodiscard]] static bool is_clock(double number) {
     return number == 3001 || number == 3002 || number == 3011 || number == 3012;
   }
+  /// #1000 to #1015 and #1032 to #1035.
+  [[nodiscard]] static bool is_input(double number) { return number >= 1000 && number <= 1035; }
   /// False: an alarm was raised (PS0115, PS1115).
   [[nodiscard]] bool read(double number, double& value);
   /// False: an alarm was raised (PS0115, PS0116, PS0032 …). `event` tells what else must happen.

@@ -36,7 +36,7 @@ class TeachControl final : public ProgramControl, private vm::Host {
   /// No record asks for a stop, none can be skipped, none calls.
   void set_optional_stop(bool /*on*/) override {}
   void set_block_skip(std::uint32_t /*levels*/) override {}
-  void interrupt() override {}
+  void interrupt() override { miss_interrupt(); }
 
  private:
   // vm::Host

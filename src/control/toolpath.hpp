@@ -85,6 +85,7 @@ class Toolpath {
     tip_ = tip;
     compensation_.set_tip(tip);
   }
+  [[nodiscard]] bool holds_corner() const { return corners_.holding(); }
   [[nodiscard]] bool holds_moves() const { return compensation_.active() || corners_.holding(); }
   /// Where the tool stands, machine coordinates without tool length.
   [[nodiscard]] base::AxisVector tip() const;

@@ -88,6 +88,8 @@ class Dialect {
                                                        std::size_t level) = 0;
   /// Whether each level of the calls has a variable of this name of its own.
   [[nodiscard]] virtual bool is_local(const std::string& /*name*/) const { return false; }
+  /// Whether it is a signal from outside, which can come at any time.
+  [[nodiscard]] virtual bool is_input(const std::string& /*name*/) const { return false; }
   /// Failure (usage): why not.
   [[nodiscard]] virtual base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                             std::size_t level) = 0;

@@ -7,6 +7,7 @@
 #include "machine/internal/forecast.hpp"
 #include "machine/internal/journal.hpp"
 #include "machine/internal/live_core.hpp"
+#include "machine/internal/read_again.hpp"
 #include "machine/internal/refused.hpp"
 #include "machine/point_capture.hpp"
 
@@ -19,7 +20,17 @@ namespace {
 RunStart at_power_on(const MachineDefinition& definition, control::Memory memory,
                      LiveMachine::Settings settings) {
   std::string dialect = settings.dialect.empty() ? definition.dialect : settings.dialect;
-  return {definition, std::move(memory), std::move(settings), std::move(dialect), {}, {}, {}, {}};
+  return {definition,
+          std::move(memory),
+          std::move(settings),
+          std::move(dialect),
+          {},
+          {},
+          {},
+          {},
+          {},
+          {},
+          0};
 }
 
 }  // namespace
@@ -29,9 +40,12 @@ class LiveMachine::Impl {
  public:
   Impl(const MachineDefinition& definition, control::Memory memory, Settings settings);
 
-  using Act = std::function<Outcome(LiveCore&)>;
+  using Act = Journal::Act;
   /// Does what the operator asks for, and remembers it.
   Outcome perform(const Act& act);
+  /// Likewise, where the program has been read farther than the axes are: `effect` comes before the
+  /// first block that they have not begun, `to_show` now; where that cannot be, `act` now.
+  Outcome perform_at_axes(const Act& act, const Act& to_show, const Act& effect);
   /// Likewise; a run begins with it.
   Outcome begin(const Act& act);
   /// Likewise, where cycle start would begin the program.
@@ -52,6 +66,7 @@ class LiveMachine::Impl {
   std::shared_ptr<const Snapshot> shown;  // null: something may have changed since
 
  private:
+  void put(std::unique_ptr<LiveCore> other);
   void touch() {
     shown.reset();
     looked_at = nullptr;
@@ -68,11 +83,29 @@ LiveMachine::Impl::Impl(const MachineDefinition& definition, control::Memory mem
       capture(definition) {}
 
 LiveMachine::Outcome LiveMachine::Impl::perform(const Act& act) {
-  const std::uint64_t points = core->points();
+  const LiveCore::Moment now = core->moment();
   Outcome done = act(*core);
-  if (done) journal.entries.push_back({points, act, {}});
+  if (done) journal.entries.push_back({now, act, {}, {}});
   touch();
   return done;
+}
+
+LiveMachine::Outcome LiveMachine::Impl::perform_at_axes(const Act& act, const Act& to_show,
+                                                        const Act& effect) {
+  auto again = read_again(journal, *core, to_show, effect);
+  if (!again) return perform(act);
+  again->core->replace(*core);
+  put(std::move(again->core));
+  journal = std::move(again->journal);
+  touch();
+  return {};
+}
+
+// The points that follow go on where the last ones ended.
+void LiveMachine::Impl::put(std::unique_ptr<LiveCore> other) {
+  for (control::MotionSink* const sink : sinks) other->add_sink(*sink);
+  for (AxisPointSink* const sink : point_sinks) other->add_point_sink(*sink);
+  core = std::move(other);
 }
 
 LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
@@ -81,7 +114,7 @@ LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
   Outcome done = act(*core);
   if (done) {
     journal = {std::move(start), run, {}};
-    journal.entries.push_back({0, act, {}});
+    journal.entries.push_back({{}, act, {}, {}});
   } else if (core->points() == 0) {
     journal = {core->run_start(), core->run(), {}};  // what was tried has begun anew
   }
@@ -104,12 +137,14 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
   const std::size_t kept = back.done();
   std::unique_ptr<LiveCore> there = back.take();
   there->stepper().search_block(0);
-  there->stepper().count_blocks(false);
-  for (control::MotionSink* const sink : sinks) there->add_sink(*sink);
-  for (AxisPointSink* const sink : point_sinks) there->add_point_sink(*sink);
-  there->tell_sinks();
-  journal.go_back(done, kept, there->points());
-  core = std::move(there);
+  there->replace(*core);
+  for (std::size_t i = 0; i < kept; ++i) {
+    const auto& ahead = journal.entries[i].ahead;
+    if (ahead && ahead->block > done) static_cast<void>(ahead->act(*there));
+  }
+  journal.go_back(done, kept, there->moment());
+  put(std::move(there));
+  core->tell_sinks();
   touch();
   return {};
 }
@@ -215,7 +250,23 @@ LiveMachine::Outcome LiveMachine::set_switch(Switch which, bool on) {
 }
 
 LiveMachine::Outcome LiveMachine::set_block_skip(std::uint32_t levels) {
-  return impl_->perform([levels](LiveCore& core) { return core.set_block_skip(levels); });
+  const auto act = [levels](LiveCore& core) { return core.set_block_skip(levels); };
+  LiveCore& core = *impl_->core;
+  if (!core.is_ahead() || core.begun().slashes == core.read().slashes) return impl_->perform(act);
+  if (auto checked = LiveCore::check_skip_levels(levels); !checked) return checked;
+  return impl_->perform_at_axes(
+      act, [levels](LiveCore& at) { return at.show_block_skip(levels); },
+      [levels](LiveCore& at) { return at.apply_block_skip(levels); });
+}
+
+LiveMachine::Outcome LiveMachine::interrupt() {
+  const auto act = [](LiveCore& core) { return core.interrupt(); };
+  if (!impl_->core->is_ahead()) return impl_->perform(act);
+  return impl_->perform_at_axes(act, {}, act);
+}
+
+LiveMachine::Outcome LiveMachine::set_input(const std::string& name, double value) {
+  return impl_->perform([=](LiveCore& core) { return core.set_input(name, value); });
 }
 
 LiveMachine::Outcome LiveMachine::set_dials(const OverrideDials& dials) {
@@ -291,7 +342,13 @@ VariableListing LiveMachine::variables_named(const std::vector<std::string>& nam
 
 LiveMachine::Outcome LiveMachine::set_variable(const std::string& name, std::optional<double> value,
                                                std::optional<std::size_t> level) {
-  return impl_->perform([=](LiveCore& core) { return core.set_variable(name, value, level); });
+  LiveCore& core = *impl_->core;
+  const auto act = [=](LiveCore& at) { return at.set_variable(name, value, level); };
+  if (!core.is_ahead() || !core.stands() || core.machine().language().is_input(name))
+    return impl_->perform(act);
+  const std::size_t wanted = level.value_or(core.shown_level());
+  return impl_->perform_at_axes(
+      act, {}, [=](LiveCore& at) { return at.enter_variable(name, value, wanted); });
 }
 
 LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::string_view axis,

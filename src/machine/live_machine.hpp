@@ -34,7 +34,7 @@ namespace kerf::machine {
 ///
 /// What an operator cannot do now is refused in words (Failure, usage), and changes nothing.
 /// Each program, and each MDI entry after a reset, begins in the state of power-on but for memory,
-/// position and G92 shift.
+/// position, G92 shift and input signals.
 class LiveMachine {
  public:
   using Outcome = base::Outcome<void>;
@@ -55,8 +55,9 @@ class LiveMachine {
   LiveMachine& operator=(LiveMachine&&) noexcept;
 
   // Whoever watches; they must outlive the machine. Motions come when the control hands them out,
-  // points when they are made: with start() when the axes stand somewhere else than where the last
-  // point was, and when a run begins (its times begin with 0).
+  // but for those that it reads again (set_block_skip()); points when they are made: with start()
+  // when the axes stand somewhere else than where the last point was, and when a run begins (its
+  // times begin with 0).
   void add_sink(control::MotionSink& sink);
   void add_point_sink(AxisPointSink& sink);
   /// For whoever takes points and cannot follow them, as the alarm of a drive.
@@ -89,8 +90,16 @@ class LiveMachine {
   /// The axes come to rest, what was ahead is forgotten; alarm and modes go.
   void reset();
   Outcome set_switch(Switch which, bool on);
-  /// One bit per level: bit n for /n, n = 1 to 9.
+  /// One bit per level: bit n for /n, n = 1 to 9. Acts on the first block that the axes have not
+  /// begun (docs/stepping.md, "Switches"); slow where the program has slashes that the control has
+  /// read already.
   Outcome set_block_skip(std::uint32_t levels);
+  /// The signal of a macro interrupt (M96): its program runs behind the block that the axes are in.
+  /// A signal that meets no M96 in force is told as a message.
+  Outcome interrupt();
+  /// An input, "#1000" to "#1035", at any time: a program reads it when the axes have come to the
+  /// block. It stays for the programs that follow.
+  Outcome set_input(const std::string& name, double value);
   Outcome set_dials(const OverrideDials& dials);
   /// Moves an axis until jog_stop() or the end of its travel, which is an alarm (OT0500, OT0501).
   /// `speed_per_min`: mm or degrees a minute, the sign is the direction.
@@ -126,7 +135,8 @@ class LiveMachine {
   /// Those of these names, in their order; unknown ones are left out.
   [[nodiscard]] VariableListing variables_named(const std::vector<std::string>& names,
                                                 std::optional<std::size_t> level = {});
-  /// While nothing moves. Nothing: vacant.
+  /// While nothing moves: at rest, held, in a dwell. Nothing: vacant. Acts on the first block that
+  /// the axes have not begun. The name of an input: set_input().
   Outcome set_variable(const std::string& name, std::optional<double> value,
                        std::optional<std::size_t> level = {});
   /// While nothing moves. `offset`: "G54" … "G59", "EXT", "G54.1 P3" with an axis, or

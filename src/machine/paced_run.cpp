@@ -52,7 +52,15 @@ std::optional<control::Refusal> VirtualMachine::command(const control::Motion& m
 
 void VirtualMachine::finish_moves() { servo_.finish(); }
 
+VirtualMachine::Moment VirtualMachine::moment() const {
+  const std::uint64_t points = servo_.points();
+  if (servo_.has_point()) return {points, Moment::kAllTurns};
+  return {points, points == turns_at_ ? turns_ : 0};
+}
+
 void VirtualMachine::execute_ahead() {
+  if (std::exchange(turns_at_, servo_.points()) != servo_.points()) turns_ = 0;
+  ++turns_;
   const Halt halt = control().run(kSlice);
   executes_ = halt == Halt::none;
   if (!executes_ || waits_for_input_) servo_.finish();
@@ -65,15 +73,17 @@ void VirtualMachine::stand_by() {
 
 bool VirtualMachine::execute(std::uint64_t steps) { return control().run(steps) != Halt::none; }
 
-bool VirtualMachine::advance(double until_s, std::uint64_t most_points) {
+bool VirtualMachine::advance(double until_s, const Moment& last) {
+  std::uint64_t points = servo_.points();
   for (int slices = 0; is_active_;) {
-    const Servo::Pace pace = servo_.make_until(until_s, most_points);
+    const Servo::Pace pace = servo_.make_until(until_s, last.points);
     if (pace == Servo::Pace::reached) return true;
+    if (std::exchange(points, servo_.points()) != servo_.points()) slices = 0;
     const bool rests = pace == Servo::Pace::at_rest;
     if (servo_.broken_off() || servo_.source().at_reset() || (rests && !executes_)) {
       settle();
     } else if (executes_) {
-      if (slices++ == kMostSlices) return false;
+      if (slices++ == kMostSlices || moment() == last) return false;
       if (rests && waits_for_input_ && !input_ready_()) return false;
       waits_for_input_ = false;
       if (rests && at_rest_) at_rest_();

@@ -53,6 +53,8 @@ class Servo : public control::MotionSink {
   [[nodiscard]] bool has_room() const { return waiting_.empty() && source_->room(); }
   /// Everything that was taken is made, and the axes rest.
   [[nodiscard]] bool at_rest() const { return is_emptied_ && is_finished_ && !next_; }
+  /// The next point is made, and later than was asked for.
+  [[nodiscard]] bool has_point() const { return next_.has_value(); }
   enum class Pace : std::uint8_t {
     reached,        ///< the time, or the number of points
     wants_motions,  ///< it goes on with more of them, or with finish()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -76,6 +77,8 @@ struct Snapshot {
   std::string printed;                   ///< the end of what the program has printed
   std::uint64_t printed_bytes = 0;       ///< all that it has printed
   bool waits_for_input = false;          ///< INPUT waits for a line of the operator
+  /// Signals from outside: bits #1000 to #1015, words #1033 to #1035.
+  std::array<std::uint32_t, 4> inputs{};
   std::optional<BreakpointHit> breakpoint;
 };
 

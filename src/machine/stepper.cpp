@@ -69,11 +69,12 @@ void Stepper::attach(Dialect& dialect) {
     if (auto condition = dialect_->compile_condition(breakpoint.condition))
       conditions_.back() = std::move(*condition);
   }
+  blocks_ = 0;
   start();
 }
 
 void Stepper::learn_gate() {
-  const bool asks = counts_ || searched_line_ != 0 || searched_block_ != 0 ||
+  const bool asks = counts_ || !acts_.empty() || searched_line_ != 0 || searched_block_ != 0 ||
                     target_ != Target::none || !breakpoints_.empty();
   dialect_->control().set_gate(asks ? this : nullptr);
 }
@@ -114,9 +115,26 @@ void Stepper::count_blocks(bool on) {
   learn_gate();
 }
 
+void Stepper::before_block(std::uint64_t number, std::function<void()> act) {
+  acts_.emplace(number, std::move(act));
+  learn_gate();
+}
+
+void Stepper::forget_acts() {
+  acts_.clear();
+  learn_gate();
+}
+
+void Stepper::act_before(std::uint64_t number) {
+  while (!acts_.empty() && acts_.begin()->first <= number) {
+    const std::function<void()> act = std::move(acts_.begin()->second);
+    acts_.erase(acts_.begin());
+    act();
+  }
+}
+
 void Stepper::start() {
   target_ = Target::none;
-  blocks_ = 0;
   last_line_ = 0;
   hit_.reset();
   depth_ = 1;
@@ -203,6 +221,7 @@ bool Stepper::passes(const control::BlockStart& block) {
     blocks_ += found ? 1 : 0;
     return !found;
   }
+  act_before(blocks_ + 1);
   if (searched_block_ != 0 && blocks_ + 1 == searched_block_) {
     ++blocks_;
     last_line_ = block.line;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,8 +58,12 @@ class Stepper : public control::BlockGate {
 
   /// Counts blocks even though nothing is looked for.
   void count_blocks(bool on);
-  /// Blocks that have begun while it was asked, since the start.
+  /// Blocks that have begun while it was asked, since the machine was made: entries in MDI count
+  /// on.
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  /// Does something before the block of this number, and lets it pass.
+  void before_block(std::uint64_t number, std::function<void()> act);
+  void forget_acts();
 
   /// What it has stopped the program for; nothing: for a step.
   [[nodiscard]] const std::optional<BreakpointHit>& hit() const { return hit_; }
@@ -78,6 +84,7 @@ class Stepper : public control::BlockGate {
   [[nodiscard]] base::Outcome<std::vector<Condition>> compile(
       const std::vector<Breakpoint>& breakpoints);
   void learn_gate();
+  void act_before(std::uint64_t number);
   void remember(std::size_t depth);
   [[nodiscard]] std::size_t depth_of(std::size_t number, std::size_t depth) const;
   [[nodiscard]] bool is_met(std::size_t number, BreakpointHit hit);
@@ -96,6 +103,7 @@ class Stepper : public control::BlockGate {
   std::uint32_t searched_line_ = 0;
   std::uint64_t searched_block_ = 0;
   std::uint64_t blocks_ = 0;
+  std::multimap<std::uint64_t, std::function<void()>> acts_;  // by the number of a block to come
   bool counts_ = false;
   std::uint32_t last_line_ = 0;
   std::size_t depth_ = 1;  // of calls, at the block that it was asked for last

@@ -60,11 +60,10 @@ base::AxisVector VirtualMachine::position() const {
   return statistics_.at() + dialect_->control().tool_length();
 }
 
-// Who reads a clock waits until all that was commanded is made: the axes come to rest.
-bool VirtualMachine::clock_can_be_read() {
-  if (!is_paced_ || diverted_ != nullptr || servo_.at_rest()) return true;
+bool VirtualMachine::axes_have_arrived() {
+  if (diverted_ != nullptr || (is_paced_ && servo_.at_rest())) return true;
   servo_.finish();
-  return false;
+  return !is_paced_;
 }
 
 bool VirtualMachine::input_can_be_read() {

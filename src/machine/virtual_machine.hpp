@@ -132,11 +132,21 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// has changed.
   [[nodiscard]] std::optional<control::Refusal> command(const control::Motion& motion);
   void finish_moves();
-  /// Makes set-points up to a time of the run, in all at most `most_points`, and executes blocks as
-  /// far as the servo has room for what they command. True: the time is reached. False: the axes
-  /// rest and nothing follows (!is_active()), or there was too much to compute for one call, or a
-  /// line of input is missing.
-  bool advance(double until_s, std::uint64_t most_points);
+  /// How far a run has come, which does not depend on how time is cut.
+  struct Moment {
+    static constexpr std::uint64_t kAllTurns = ~std::uint64_t{0};
+    std::uint64_t points = 0;  ///< that were handed out
+    /// That the control had since the last of them; kAllTurns: the next point is made and waits.
+    std::uint64_t turns = 0;
+    bool operator==(const Moment&) const = default;
+  };
+  static constexpr Moment kNever{~std::uint64_t{0}, Moment::kAllTurns};
+  [[nodiscard]] Moment moment() const;
+  /// Makes set-points up to a time of the run, and executes blocks as far as the servo has room for
+  /// what they command; not beyond `last`. True: the time is reached. False: the axes rest and
+  /// nothing follows (!is_active()), or there was too much to compute for one call, or a line of
+  /// input is missing.
+  bool advance(double until_s, const Moment& last);
   /// Blocks or points are to come.
   [[nodiscard]] bool is_active() const { return is_active_; }
   /// The program has begun and is not over.
@@ -153,6 +163,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const Dialect& language() const { return *dialect_; }
   /// Called before the control executes blocks while all that it has commanded is made.
   void observe_rest(std::function<void()> observer) { at_rest_ = std::move(observer); }
+  [[nodiscard]] const Signals& signals() const { return signals_; }
+  void set_signals(const Signals& signals) { signals_ = signals; }
   /// What is done with motions on their way to the servo; the sinks get them as they were.
   void alter_motions(std::function<control::Motion(const control::Motion&)> change) {
     alter_ = std::move(change);
@@ -210,7 +222,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
  private:
   // control::Surroundings
-  bool clock_can_be_read() override;
+  bool axes_have_arrived() override;
   double seconds() override;
   double date() override { return signals_.date(seconds()); }
   double time_of_day() override { return signals_.time_of_day(seconds()); }
@@ -283,6 +295,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool is_active_ = false;
   bool is_in_program_ = false;
   bool executes_ = false;    // the control has not halted
+  std::uint64_t turns_ = 0;  // of the control, behind so many points:
+  std::uint64_t turns_at_ = 0;
   bool is_by_hand_ = false;  // what moves was commanded by the operator
   bool waits_for_input_ = false;
   std::function<bool()> input_ready_;

@@ -113,6 +113,8 @@ void MotionJson::space_arc(const SpaceArc& arc) {
 }
 
 void MotionJson::take(const Motion& motion) {
+  const auto* const stop = std::get_if<Stop>(&motion.action);
+  if (stop != nullptr && stop->passed) return;
   write(motion);
   line_ += "}\n";
   file_.write(line_);

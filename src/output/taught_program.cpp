@@ -263,7 +263,9 @@ void TaughtProgram::act(const Coolant& coolant) {
 }
 
 void TaughtProgram::act(const AuxiliaryCode& code) { comment(" M" + std::to_string(code.code)); }
-void TaughtProgram::act(const Stop& /*stop*/) { comment(" program stop"); }
+void TaughtProgram::act(const Stop& stop) {
+  comment(stop.optional ? " optional stop" : " program stop");
+}
 void TaughtProgram::act(const Message& message) {
   comment(" message: " + std::string(message.text.view()));
 }

@@ -63,7 +63,7 @@ class Operator {
 
   void act() {
     LiveMachine& machine = *bench_;
-    switch (number(17)) {
+    switch (number(21)) {
       case 0: keep(machine.cycle_start()); break;
       case 1: keep(machine.cycle_start()); break;
       case 2: keep(machine.feed_hold()); break;
@@ -82,6 +82,10 @@ class Operator {
       case 13: keep(machine.step(static_cast<Step>(number(3)))); break;
       case 14: keep(machine.mdi("G91G01X1.F1000\nG90")); break;
       case 15: keep(machine.home()); break;
+      case 16: keep(machine.set_block_skip(number(2) == 0 ? 1U << 1U : 0)); break;
+      case 17: keep(machine.set_switch(Switch::optional_stop, number(2) == 0)); break;
+      case 18: keep(machine.interrupt()); break;
+      case 19: keep(machine.set_variable("#101", number(9))); break;
       default:
         if (number(4) == 0) keep(machine.step_back());
     }
@@ -106,7 +110,8 @@ class Operator {
 
 constexpr const char* kProgram =
     "O1\n#100=0\nN1 G90G94G00X5.Y0Z2.\nG01Z-1.F1500\nG91G64\nWHILE[#100LT20]DO1\nX1.Y0.5\n"
-    "X0.3Y1.\nX-0.2Y0.7\n#100=#100+1\nEND1\nG02X10.I5.\nG65P2A3.\nG04X0.3\nG90G00Z5.\nM30\n"
+    "/X0.3Y1.\nX-0.2Y0.7\n/X[#101/10]\n#100=#100+1\nEND1\nM96P3\nG02X10.I5.\nM01\nG65P2A3.\nM97\n"
+    "G04X0.3\nG90G00Z5.\nM30\nO3\nG91G01X0.4\nX-0.4\nM99\n"
     "O2\nG91G01X#1\nY[-#1*5]\nG03X-2.Y2.R2.\nM99\n";
 
 TEST(RandomOperator, BreaksNoLimitAndLosesNoPlace) {
@@ -139,6 +144,7 @@ TEST(RandomOperator, BreaksNoLimitAndLosesNoPlace) {
     bench->advance(60);
     EXPECT_DONE(bench->set_dials({100, 100, 100}));
     EXPECT_DONE(bench->set_switch(Switch::single_block, false));
+    EXPECT_DONE(bench->set_switch(Switch::optional_stop, false));
     EXPECT_DONE(bench->set_mode(Mode::automatic));
     EXPECT_DONE(bench->cycle_start());
     EXPECT_EQ(bench.settle(), Status::end) << person.trail();

@@ -554,6 +554,7 @@ Interpreter::Stop Interpreter::run_loop(std::uint64_t budget) {
         if constexpr (!kTracing) return run_loop<true>(budget);
         break;
       case Op::skip_when_on:
+        ++switches_read_;
         if ((switches_ >> i.a & 1U) != 0) {
           pc = i.n;
           find_mark();

@@ -81,6 +81,8 @@ class Interpreter {
   [[nodiscard]] std::uint32_t note() const { return note_; }
 
   void set_switches(std::uint32_t bits) { switches_ = bits; }
+  /// How often it has looked at a switch.
+  [[nodiscard]] std::uint64_t switches_read() const { return switches_read_; }
   void set_tracing(bool on) { tracing_ = on; }
 
  private:
@@ -160,6 +162,7 @@ class Interpreter {
   Running running_;               // the instruction that executes, for place()
   std::optional<Address> begun_;  // the block whose begin the host has already seen
   std::uint32_t switches_ = 0;
+  std::uint64_t switches_read_ = 0;
   std::uint32_t note_ = 0;
   bool tracing_ = false;
 };

@@ -25,10 +25,9 @@ Forecast::Forecast(RunStart start) : core_(untouched(std::move(start))) {
 }
 
 void Forecast::go_to(double time_s) {
-  constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
   for (int idle = 0; idle < kMostIdleStops;) {
     const std::uint64_t before = core_.points();
-    make_points(core_, time_s, kAll);
+    make_points(core_, time_s, LiveCore::kNever);
     if (core_.is_active() || core_.status() != Status::stopped || !core_.cycle_start()) return;
     idle = core_.points() == before ? idle + 1 : 0;
   }

@@ -26,6 +26,7 @@ class GcodeDialect final : public Dialect {
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
   [[nodiscard]] bool is_local(const std::string& name) const override;
+  [[nodiscard]] bool is_input(const std::string& name) const override;
   void read_variables(std::vector<double>& values) override;
   void put_back(std::span<const double> values, control::Memory& memory) const override;
   [[nodiscard]] bool is_listed(const std::string& name) const override;

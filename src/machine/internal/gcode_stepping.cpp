@@ -55,6 +55,11 @@ bool GcodeDialect::is_local(const std::string& name) const {
   return number && *number < gcode::kLocals;
 }
 
+bool GcodeDialect::is_input(const std::string& name) const {
+  const auto number = number_of_variable(name);
+  return number && control::SystemVariables::is_input(*number);
+}
+
 base::Outcome<void> GcodeDialect::set_variable_at(const std::string& name, double value,
                                                   std::size_t level) {
   const auto number = number_of_variable(name);

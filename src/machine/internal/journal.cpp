@@ -10,34 +10,42 @@ constexpr int kMostIdleCalls = 200;
 
 }  // namespace
 
-// What an operator did at a number of points was done when all was ready behind the last of them.
-void make_points(LiveCore& core, double until_s, std::uint64_t most) {
-  int idle = 0;
-  while (core.is_active() && idle < kMostIdleCalls) {
-    const std::uint64_t before = core.points();
+void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last) {
+  const bool ends = last.turns != LiveCore::Moment::kAllTurns;
+  for (int idle = 0; core.is_active() && idle < kMostIdleCalls;) {
+    const LiveCore::Moment before = core.moment();
     const std::uint64_t blocks = core.stepper().blocks();
-    core.advance_to(until_s, most);
-    if (core.is_active() && core.is_reached()) return;
-    idle = before == core.points() && blocks == core.stepper().blocks() ? idle + 1 : 0;
+    core.advance_to(until_s, last);
+    const LiveCore::Moment now = core.moment();
+    if (core.is_active() && (core.is_reached() || now == last)) return;
+    const bool goes_on = now.points != before.points || core.stepper().blocks() != blocks ||
+                         (ends && now.turns != before.turns);
+    idle = goes_on ? 0 : idle + 1;
   }
 }
 
 // The stop belongs where the last one before it was called off.
-void Journal::go_back(std::uint64_t block, std::size_t kept, std::uint64_t points) {
+void Journal::go_back(std::uint64_t block, std::size_t kept, const LiveCore::Moment& now) {
   entries.resize(kept);
+  for (Entry& entry : entries) {
+    if (entry.ahead) entry.ahead->block = std::min(entry.ahead->block, block);
+  }
   const auto last = std::find_if(entries.rbegin(), entries.rend(),
                                  [](const Entry& entry) { return entry.last_block.has_value(); });
   if (last != entries.rend()) {
     last->last_block = block;
   } else {
-    entries.insert(entries.begin(), Entry{0, {}, block});
+    entries.insert(entries.begin(), Entry{{}, {}, block, {}});
   }
-  entries.push_back({points, {}, 0});
+  entries.push_back({now, {}, 0, {}});
 }
 
 Replay::Replay(const Journal& journal, std::uint64_t last_block)
     : journal_(journal), last_block_(last_block), core_(std::make_unique<LiveCore>(journal.start)) {
   core_->set_run(journal.run);
+  for (const Journal::Entry& entry : journal.entries) {
+    if (entry.ahead) core_->act_before(entry.ahead->block, entry.ahead->act);
+  }
   core_->stepper().count_blocks(true);
   stop_before(0);
 }
@@ -47,23 +55,25 @@ void Replay::stop_before(std::uint64_t recorded) {
   core_->stepper().search_block(recorded_first ? recorded : last_block_);
 }
 
+bool Replay::is_at(const LiveCore::Moment& moment) {
+  if (moment.turns == LiveCore::Moment::kAllTurns || !core_->is_active())
+    return core_->points() >= moment.points;
+  return core_->points() > moment.points || core_->moment().turns >= moment.turns;
+}
+
 bool Replay::is_at_last_block() {
   return last_block_ != 0 && core_->stepper().blocks() >= last_block_;
 }
 
-void Replay::go_to(double time_s) {
-  constexpr auto kAll = std::numeric_limits<std::uint64_t>::max();
+void Replay::go_to(double time_s, const LiveCore::Moment& last) {
   for (; done_ < journal_.entries.size(); ++done_) {
     const Journal::Entry& entry = journal_.entries[done_];
-    make_points(*core_, time_s, entry.points);
-    if (core_->points() < entry.points || is_at_last_block()) break;
-    if (entry.last_block) {
-      stop_before(*entry.last_block);
-    } else {
-      static_cast<void>(entry.act(*core_));
-    }
+    make_points(*core_, time_s, entry.at);
+    if (!is_at(entry.at) || is_at_last_block()) break;
+    if (entry.last_block) stop_before(*entry.last_block);
+    if (entry.act) static_cast<void>(entry.act(*core_));
   }
-  make_points(*core_, time_s, kAll);
+  make_points(*core_, time_s, last);
 }
 
 }  // namespace kerf::machine

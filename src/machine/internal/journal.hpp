@@ -8,26 +8,34 @@
 
 namespace kerf::machine {
 
-/// A run as it was driven: what it began with, and what the operator did behind how many points.
-/// From that it can be made again (docs/stepping.md).
+/// A run as it was driven: what it began with, and what the operator did at which moments. From
+/// that it can be made again (docs/stepping.md).
 struct Journal {
+  using Act = std::function<base::Outcome<void>(LiveCore&)>;
+  /// What is done before a block of this number is executed, which is before the axes come to it.
+  struct Ahead {
+    std::uint64_t block = 0;
+    Act act;
+  };
   struct Entry {
-    std::uint64_t points = 0;
-    std::function<base::Outcome<void>(LiveCore&)> act;
+    LiveCore::Moment at;
+    Act act;
     /// Instead of an act: from here on the program stops before the block of this number, 0: not.
     std::optional<std::uint64_t> last_block{};
+    /// Besides the act.
+    std::optional<Ahead> ahead{};
   };
   RunStart start;
   std::uint64_t run = 0;
   std::vector<Entry> entries;
 
-  /// The run was made again up to before a block, behind its first `kept` entries and `points`
-  /// points: forgets the others, and notes the stop.
-  void go_back(std::uint64_t block, std::size_t kept, std::uint64_t points);
+  /// The run was made again up to before a block, behind its first `kept` entries: forgets the
+  /// others, and notes the stop at `now`.
+  void go_back(std::uint64_t block, std::size_t kept, const LiveCore::Moment& now);
 };
 
-/// Lets a core make points up to a time and a number of them, or until nothing moves or executes.
-void make_points(LiveCore& core, double until_s, std::uint64_t most);
+/// Lets a core go on up to a time and a moment, or until nothing moves or executes.
+void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last);
 
 /// A run that is made again.
 class Replay {
@@ -38,7 +46,9 @@ class Replay {
   explicit Replay(const Journal& journal, std::uint64_t last_block = 0);
 
   /// On to a time of the run, infinite: to the end of what is recorded.
-  void go_to(double time_s);
+  void go_to(double time_s) { go_to(time_s, LiveCore::kNever); }
+  /// Likewise, and not beyond a moment.
+  void go_to(double time_s, const LiveCore::Moment& last);
   [[nodiscard]] LiveCore& core() { return *core_; }
   [[nodiscard]] double time_s() const { return core_->time_s(); }
   /// Entries that were done again.
@@ -46,6 +56,7 @@ class Replay {
   [[nodiscard]] std::unique_ptr<LiveCore> take() { return std::move(core_); }
 
  private:
+  [[nodiscard]] bool is_at(const LiveCore::Moment& moment);
   [[nodiscard]] bool is_at_last_block();
   void stop_before(std::uint64_t recorded);
 

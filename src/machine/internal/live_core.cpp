@@ -13,9 +13,6 @@ using base::Refusal;
 namespace {
 
 constexpr std::size_t kMostMessages = 50;
-constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
-// What a dial at 0 is until the first point of a motion that it holds.
-constexpr double kCreep = 1e-4;
 
 bool is_cut(const control::Motion& motion) {
   return std::holds_alternative<control::Line>(motion.action) ||
@@ -34,6 +31,9 @@ LiveCore::LiveCore(RunStart start)
   machine_ = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
                                               VirtualMachine::Settings{{}, dialect_});
   machine_->language().set_shift(start.shift);
+  machine_->set_signals(start.signals);
+  printed_ = std::move(start.printed);
+  printed_bytes_ = start.printed_bytes;
   stepper_ = std::make_unique<Stepper>(machine_->language());
   begin_anew();
   static_cast<void>(open_program());
@@ -51,7 +51,10 @@ RunStart LiveCore::run_start() const {
                  panel_,
                  program_,
                  stepper_->breakpoints(),
-                 machine_->language().shift()};
+                 machine_->language().shift(),
+                 machine_->signals(),
+                 printed_,
+                 printed_bytes_};
   start.definition.start = at.joints;
   start.definition.axes.start = at.tip.tip;
   return start;
@@ -78,10 +81,13 @@ void LiveCore::begin_anew() {
   auto fresh = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
                                                 VirtualMachine::Settings{{}, dialect_});
   fresh->language().set_shift(start.shift);
+  fresh->set_signals(start.signals);
   auto trail = std::make_unique<BlockTrail>(fresh->language(), fresh->memory());
   fresh->pace();
   for (const std::string& folder : settings_.library_folders) fresh->add_library_folder(folder);
+  auto read_ahead = std::make_unique<ReadAhead>(fresh->control(), *stepper_);
   fresh->add_sink(*trail);
+  fresh->add_sink(*read_ahead);
   fresh->add_point_sink(*this);
   for (control::MotionSink* const sink : sinks_) fresh->add_sink(*sink);
   for (AxisPointSink* const sink : point_sinks_) fresh->add_point_sink(*sink);
@@ -103,31 +109,17 @@ void LiveCore::begin_anew() {
   stepper_->attach(fresh->language());
   machine_ = std::move(fresh);
   trail_ = std::move(trail);
+  read_ahead_ = std::move(read_ahead);
+  latest_ = {};
   lines_ = {};
   approach_.reset();
   activity_ = Activity::none;
   is_entry_ = feed_hold_ = block_hold_ = dial_hold_ = resetting_ = was_stepping_ = false;
   deadline_s_ = 0;
   said_ = 0;
+  interrupts_missed_ = 0;
   apply_panel();
   tell_sinks();
-}
-
-void LiveCore::apply_panel() {
-  control::Control& control = machine_->control();
-  control.set_single_block(panel_[Switch::single_block]);
-  control.set_optional_stop(panel_[Switch::optional_stop]);
-  control.set_block_skip(panel_.skip_levels);
-  machine_->servo().lock(panel_[Switch::machine_lock]);
-  apply_dials();
-}
-
-void LiveCore::apply_dials() {
-  const auto share = [](int percent) { return std::max(percent / 100.0, kCreep); };
-  motion::SetpointSource& source = machine_->servo().source();
-  source.set_overrides({share(panel_.dials.feed), share(panel_.dials.rapid)});
-  source.set_spindle_override(panel_.dials.spindle / 100.0);
-  machine_->servo().set_power_override(panel_.dials.spindle / 100.0);
 }
 
 // Dry run: cuts at the jog speed.
@@ -145,6 +137,7 @@ control::Motion LiveCore::altered(const control::Motion& motion) const {
 
 // A dial at 0 holds the motions that it is for; the others go on.
 void LiveCore::take(const AxisPoint& point) {
+  latest_.take(machine_->servo().last());
   const motion::MoveKind kind = point.tip.mark.kind;
   const bool at_zero = (kind == motion::MoveKind::cut && panel_.dials.feed == 0) ||
                        (kind == motion::MoveKind::rapid && panel_.dials.rapid == 0);
@@ -158,13 +151,14 @@ void LiveCore::take(const AxisPoint& point) {
 void LiveCore::advance(double seconds) {
   if (!is_active()) return;
   deadline_s_ += seconds;
-  advance_to(deadline_s_, kAnyNumber);
+  advance_to(deadline_s_, kNever);
 }
 
-void LiveCore::advance_to(double until_s, std::uint64_t most_points) {
+void LiveCore::advance_to(double until_s, const Moment& last) {
   reached_ = false;
   while (is_active()) {
-    reached_ = machine_->advance(until_s, most_points);
+    reached_ = machine_->advance(until_s, last);
+    tell_missed_interrupts();
     motion::SetpointSource& source = machine_->servo().source();
     if (is_active() && block_hold_ && source.held() && source.empty() && machine_->has_halted()) {
       block_hold_ = false;
@@ -247,6 +241,12 @@ void LiveCore::say(std::string message) {
   if (!messages_.empty() && messages_.back() == message) return;
   messages_.push_back(std::move(message));
   if (messages_.size() > kMostMessages) messages_.pop_front();
+}
+
+void LiveCore::tell_missed_interrupts() {
+  const std::uint64_t missed = machine_->control().interrupts_missed();
+  if (std::exchange(interrupts_missed_, missed) < missed)
+    say("an interrupt signal came while no M96 was in force: it did nothing");
 }
 
 void LiveCore::raise_panel(base::Code code, const std::string& sentence) {
@@ -348,6 +348,12 @@ LiveCore::Outcome LiveCore::run_to(const std::string& file, std::uint32_t line) 
   return set_off(false);
 }
 
+LiveCore::Outcome LiveCore::interrupt() {
+  if (!machine_->is_in_program()) return refused("there is no program under way to be interrupted");
+  machine_->control().interrupt();
+  return {};
+}
+
 LiveCore::Outcome LiveCore::set_breakpoints(std::vector<Breakpoint> breakpoints) {
   return stepper_->set_breakpoints(std::move(breakpoints));
 }
@@ -378,62 +384,37 @@ LiveCore::Outcome LiveCore::enter(std::string line) {
   return {};
 }
 
-// Switches
+// What was read, and the axes
 
-LiveCore::Outcome LiveCore::set_mode(Mode mode) {
-  if (mode == panel_.mode) return {};
-  if (is_active() || resetting_)
-    return refused(feed_hold_ ? Refusal::mode_held : Refusal::mode_running);
-  panel_.mode = mode;
-  return {};
+bool LiveCore::is_ahead() const {
+  return is_active() && activity_ == Activity::program && !machine_->servo().at_rest();
 }
 
-LiveCore::Outcome LiveCore::set_switch(Switch which, bool on) {
-  if (panel_[which] == on) return {};
-  if (which == Switch::dry_run && is_active()) return refused(Refusal::dry_run_moving);
-  if (which == Switch::machine_lock && (is_active() || machine_->is_in_program()))
-    return refused(Refusal::lock_in_program);
-  panel_.switches[static_cast<std::size_t>(which)] = on;
-  if (which == Switch::machine_lock) {
-    begin_anew();
-    if (!on) say("machine lock is off: the position is that of the axes again");
-    return open_program();
-  }
-  apply_panel();
-  if (which == Switch::single_block && is_active() && activity_ == Activity::program) {
-    motion::SetpointSource& source = machine_->servo().source();
-    if (on && !feed_hold_) {
-      source.hold_behind_block();
-      block_hold_ = true;
-    } else if (!on && block_hold_ && !source.held()) {
-      resume_feed();
-    }
-  }
-  return {};
+bool LiveCore::moves_as(const LiveCore& other) const {
+  return is_active() == other.is_active() && latest_ == other.latest_;
 }
 
-LiveCore::Outcome LiveCore::set_block_skip(std::uint32_t levels) {
-  constexpr std::uint32_t kLevels = 0x3fe;
-  if ((levels & ~kLevels) != 0) return refused("blocks are skipped by levels 1 to 9");
-  panel_.skip_levels = levels;
-  machine_->control().set_block_skip(levels);
-  return {};
+bool LiveCore::stands() const {
+  if (!is_active()) return true;
+  const motion::SetpointSource& source = machine_->servo().source();
+  return source.held() || source.standing() || machine_->servo().at_rest();
 }
 
-LiveCore::Outcome LiveCore::set_dials(const OverrideDials& dials) {
-  const auto within = [](int value, int low, int high) { return low <= value && value <= high; };
-  if (!within(dials.feed, 0, 200)) return refused("the feed override is 0 to 200 percent");
-  if (!within(dials.rapid, 0, 100)) return refused("the rapid override is 0 to 100 percent");
-  if (!within(dials.spindle, 50, 120)) return refused("the spindle override is 50 to 120 percent");
-  panel_.dials = dials;
-  apply_dials();
-  if (!dial_hold_) return {};
-  const motion::MoveKind kind = machine_->servo().last().mark.kind;
-  const int dial = kind == motion::MoveKind::rapid ? dials.rapid : dials.feed;
-  if (dial == 0) return {};
-  dial_hold_ = false;
-  if (!feed_hold_ && !resetting_ && !block_hold_) machine_->servo().source().resume();
-  return {};
+std::size_t LiveCore::shown_level() {
+  const BlockState* const made = block_made();
+  const std::size_t levels = made ? made->calls.size() : machine_->control().open_calls().size();
+  return levels == 0 ? 0 : levels - 1;
+}
+
+void LiveCore::act_before(std::uint64_t block, const std::function<Outcome(LiveCore&)>& act) {
+  stepper_->before_block(block, [this, act] { has_refused_ |= !act(*this); });
+}
+
+void LiveCore::replace(const LiveCore& other) {
+  stepper_->forget_acts();
+  stepper_->count_blocks(false);
+  deadline_s_ = other.deadline_s_;
+  changes_ = other.changes_ + 1;
 }
 
 base::AxisVector LiveCore::standing_joints() const { return machine_->servo().stands_at().joints; }

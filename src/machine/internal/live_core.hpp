@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "machine/internal/block_trail.hpp"
+#include "machine/internal/latest_points.hpp"
 #include "machine/internal/line_finder.hpp"
+#include "machine/internal/read_ahead.hpp"
 #include "machine/live_machine.hpp"
 #include "machine/virtual_machine.hpp"
 
@@ -27,6 +29,9 @@ struct RunStart {
   std::optional<ProgramText> program;
   std::vector<Breakpoint> breakpoints;
   base::AxisVector shift;  ///< of G92
+  Signals signals;
+  std::string printed;  ///< the end of it
+  std::uint64_t printed_bytes = 0;
 };
 
 /// The machine behind the panel: what the keys do, and what is to be seen. It remembers nothing of
@@ -51,9 +56,14 @@ class LiveCore : private AxisPointSink {
 
   // Time
   void advance(double seconds);
-  /// Up to a time and a number of points of this run.
-  void advance_to(double until_s, std::uint64_t most_points);
-  /// The last call has come to its time or number of points: otherwise it had too much to compute.
+  using Moment = VirtualMachine::Moment;
+  static constexpr Moment kNever = VirtualMachine::kNever;
+  [[nodiscard]] Moment moment() const { return machine_->moment(); }
+  /// Up to a time of this run, and not beyond `last`.
+  void advance_to(double until_s, const Moment& last);
+  /// Stands where the other one does, with the same speed and acceleration.
+  [[nodiscard]] bool moves_as(const LiveCore& other) const;
+  /// The last call has come to its time or moment: otherwise it had too much to compute.
   [[nodiscard]] bool is_reached() const { return reached_; }
   [[nodiscard]] std::uint64_t points() const { return machine_->servo().points(); }
   [[nodiscard]] double time_s() const { return machine_->servo().last().time_s; }
@@ -73,6 +83,12 @@ class LiveCore : private AxisPointSink {
   void reset();
   Outcome set_switch(Switch which, bool on);
   Outcome set_block_skip(std::uint32_t levels);
+  // What it does, one by one.
+  [[nodiscard]] static Outcome check_skip_levels(std::uint32_t levels);
+  Outcome show_block_skip(std::uint32_t levels);
+  Outcome apply_block_skip(std::uint32_t levels);
+  Outcome interrupt();
+  Outcome set_input(const std::string& name, double value);
   Outcome set_dials(const OverrideDials& dials);
   Outcome jog(const std::string& axis, double speed_per_min);
   Outcome jog_by(const std::string& axis, double distance, double speed_per_min);
@@ -86,6 +102,9 @@ class LiveCore : private AxisPointSink {
   Outcome set_breakpoints(std::vector<Breakpoint> breakpoints);
   Outcome set_variable(const std::string& name, std::optional<double> value,
                        std::optional<std::size_t> level);
+  /// Whatever moves: before a block that the axes have not begun.
+  Outcome enter_variable(const std::string& name, std::optional<double> value,
+                         std::optional<std::size_t> level);
   Outcome set_offset(const std::string& offset, const std::string& axis, double value);
   /// Precondition: nothing moves.
   void set_memory(control::Memory memory);
@@ -109,6 +128,24 @@ class LiveCore : private AxisPointSink {
   void set_run(std::uint64_t run) { run_ = run; }
   [[nodiscard]] base::AxisVector standing_joints() const;
 
+  // What the program has read that the axes have not begun
+  [[nodiscard]] ReadAhead::Place begun() {
+    return read_ahead_->at(machine_->servo().last().mark.motion);
+  }
+  [[nodiscard]] ReadAhead::Place read() { return read_ahead_->newest(); }
+  /// Blocks of a program were executed whose motions are not made.
+  [[nodiscard]] bool is_ahead() const;
+  /// Nothing moves: held, in a dwell, or waiting.
+  [[nodiscard]] bool stands() const;
+  /// The innermost level of the calls that is shown.
+  [[nodiscard]] std::size_t shown_level();
+  /// Does something before the block of this number (Stepper::blocks()).
+  void act_before(std::uint64_t block, const std::function<Outcome(LiveCore&)>& act);
+  /// One of those could not be done.
+  [[nodiscard]] bool has_refused() const { return has_refused_; }
+  /// Goes on in the place of a machine that stands at the same moment.
+  void replace(const LiveCore& other);
+
  private:
   /// What is under way.
   enum class Activity : std::uint8_t { none, program, jog, home, approach };
@@ -128,6 +165,7 @@ class LiveCore : private AxisPointSink {
   void begin_anew();
   [[nodiscard]] base::Outcome<void> open_program();
   void apply_panel();
+  void apply_switches();
   void apply_dials();
   [[nodiscard]] control::Motion altered(const control::Motion& motion) const;
   void go_on();
@@ -162,6 +200,7 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] VariableListing list_named(const std::vector<std::string>& names,
                                            std::optional<std::size_t> level);
   void say(std::string message);
+  void tell_missed_interrupts();
 
   MachineDefinition definition_;
   LiveMachine::Settings settings_;
@@ -171,6 +210,7 @@ class LiveCore : private AxisPointSink {
   std::unique_ptr<VirtualMachine> machine_;
   std::unique_ptr<BlockTrail> trail_;
   std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<ReadAhead> read_ahead_;
   std::vector<control::MotionSink*> sinks_;
   std::vector<AxisPointSink*> point_sinks_;
 
@@ -191,9 +231,12 @@ class LiveCore : private AxisPointSink {
   std::uint64_t changes_ = 0;  // of variables, by the operator
   std::deque<std::string> messages_;
   std::size_t said_ = 0;  // of the program's own
+  std::uint64_t interrupts_missed_ = 0;
   std::string printed_;
   std::uint64_t printed_bytes_ = 0;
   std::deque<std::string> input_;
+  LatestPoints latest_;
+  bool has_refused_ = false;  // something that was to be done before a block
   LineFinder lines_;
   Values before_;  // at the last stop but one
   Values at_stop_;

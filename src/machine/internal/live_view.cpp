@@ -154,6 +154,8 @@ Snapshot LiveCore::snapshot() {
       printed_.size() > kShownPrint ? printed_.substr(printed_.size() - kShownPrint) : printed_;
   shown.printed_bytes = printed_bytes_;
   shown.waits_for_input = machine_->waits_for_input();
+  for (std::size_t word = 0; word < shown.inputs.size(); ++word)
+    shown.inputs[word] = machine_->signals().inputs(word);
   if (shown.status == Status::step) shown.breakpoint = stepper_->hit();
   return shown;
 }

@@ -52,7 +52,13 @@ double* tool_offset(control::Memory& memory, const std::string& name) {
 
 LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<double> value,
                                          std::optional<std::size_t> level) {
-  if (is_active()) return refused(Refusal::variables_moving);
+  if (machine_->language().is_input(name)) return set_input(name, value.value_or(0));
+  if (!stands()) return refused(Refusal::variables_moving);
+  return enter_variable(name, value, level);
+}
+
+LiveCore::Outcome LiveCore::enter_variable(const std::string& name, std::optional<double> value,
+                                           std::optional<std::size_t> level) {
   if (value && !std::isfinite(*value)) return refused("this is no number");
   const std::size_t levels = machine_->control().open_calls().size();
   const std::size_t innermost = levels == 0 ? 0 : levels - 1;
@@ -62,6 +68,13 @@ LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<
   stepper_->forget_values();
   ++changes_;
   return {};
+}
+
+LiveCore::Outcome LiveCore::set_input(const std::string& name, double value) {
+  if (!machine_->language().is_input(name))
+    return refused("'" + name + "' is no input of this program: those are #1000 to #1035");
+  if (!std::isfinite(value)) return refused("this is no number");
+  return machine_->language().set_variable(name, value);
 }
 
 LiveCore::Outcome LiveCore::set_offset(const std::string& offset, const std::string& axis,

@@ -79,6 +79,11 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
   repeated(run.add_option("--skip-at", o.skip_at,
                           "the skip signal of G31 comes on there: X=7.2; may be repeated"))
       ->type_name("AXIS=VALUE");
+  repeated(run.add_option("--interrupt-at", o.interrupt_at,
+                          "the interrupt signal of M96 comes at this time of the run; may be "
+                          "repeated"))
+      ->type_name("SECONDS")
+      ->check(kNotNegative);
   run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
   run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
   run.add_option("--state", o.state,

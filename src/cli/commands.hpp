@@ -22,6 +22,7 @@ struct RunOptions {
   std::vector<std::string> machine_keys;  ///< "KEY=VALUE"
   std::string decimal_point;
   std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
+  std::vector<double> interrupt_at;  ///< s of the run, each >= 0
   std::string tools;
   std::string offsets;
   std::string state;

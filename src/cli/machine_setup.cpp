@@ -7,6 +7,7 @@
 #include "base/decimal.hpp"
 #include "cli/dialect_choice.hpp"
 #include "cli/failure.hpp"
+#include "machine/interrupt_plan.hpp"
 #include "machine/offset_file.hpp"
 #include "machine/state_file.hpp"
 #include "output/diagnostic_text.hpp"
@@ -163,7 +164,9 @@ ExitStatus exit_status_of(machine::VirtualMachine::Status status) {
   }
 }
 
-Outcome<ReadyMachine> make_ready(const RunOptions& options) {
+namespace {
+
+Outcome<ReadyMachine> make_uninterrupted(const RunOptions& options) {
   auto program = base::SourceFile::open(options.program);
   if (!program) return tl::unexpected(program.error());
   auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
@@ -172,6 +175,37 @@ Outcome<ReadyMachine> make_ready(const RunOptions& options) {
   if (!ready) return ready;
   if (auto prepared = prepare(options, std::move(*program), *ready->machine); !prepared)
     return tl::unexpected(prepared.error());
+  return ready;
+}
+
+// When the axes are where is only known of a run by time: such ones are made before.
+Outcome<void> plan_interrupts(const RunOptions& options, ReadyMachine& ready) {
+  if (options.program == "-")
+    return usage("--interrupt-at runs the program more than once: it cannot be standard input");
+  std::vector<double> times_s = options.interrupt_at;
+  std::sort(times_s.begin(), times_s.end());
+  const auto make = [&options]() -> Outcome<std::unique_ptr<machine::VirtualMachine>> {
+    auto made = make_uninterrupted(options);
+    if (!made) return tl::unexpected(made.error());
+    return std::move(made->machine);
+  };
+  const auto plan = machine::plan_interrupts(make, times_s, options.max_seconds);
+  if (!plan) return tl::unexpected(plan.error());
+  machine::VirtualMachine& machine = *ready.machine;
+  ready.interrupts = std::make_unique<machine::Stepper>(machine.language());
+  for (const std::uint64_t block : plan->blocks)
+    ready.interrupts->before_block(block, [&machine] { machine.interrupt(); });
+  for (std::size_t i = 0; i < plan->late; ++i) machine.control().miss_interrupt();
+  return {};
+}
+
+}  // namespace
+
+Outcome<ReadyMachine> make_ready(const RunOptions& options) {
+  auto ready = make_uninterrupted(options);
+  if (!ready || options.interrupt_at.empty()) return ready;
+  if (auto planned = plan_interrupts(options, *ready); !planned)
+    return tl::unexpected(planned.error());
   return ready;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/result.hpp"
 #include "cli/commands.hpp"
+#include "machine/stepper.hpp"
 #include "machine/virtual_machine.hpp"
 
 namespace kerf::cli {
@@ -26,7 +27,8 @@ struct MachineSetup {
 /// A machine with its memory filled, and how it was chosen.
 struct ReadyMachine {
   std::unique_ptr<machine::VirtualMachine> machine;
-  std::string why;  ///< sentence for the summary
+  std::unique_ptr<machine::Stepper> interrupts;  ///< gives the machine its signals; null: none
+  std::string why;                               ///< sentence for the summary
 };
 
 [[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup,

@@ -16,25 +16,17 @@ struct Given {
 
 // What is for programs only: a pattern has no variables, words, tools or stops, and it ends.
 const char* option_without_meaning(const RunOptions& o) {
-  const std::array all = {Given{"--library", !o.libraries.empty()},
-                          Given{"--set", !o.variables.empty()},
-                          Given{"--param", !o.parameters.empty()},
-                          Given{"--decimal-point", !o.decimal_point.empty()},
-                          Given{"--skip-at", !o.skip_at.empty()},
-                          Given{"--tools", !o.tools.empty()},
-                          Given{"--offsets", !o.offsets.empty()},
-                          Given{"--state", !o.state.empty()},
-                          Given{"--block-skip", !o.block_skip.empty()},
-                          Given{"--optional-stop", o.optional_stop},
-                          Given{"--pwm", !o.pwm.empty()},
-                          Given{"--rows", !o.rows.empty()},
-                          Given{"--pattern-plot", !o.pattern_plot.empty()},
-                          Given{"--plot-speed", o.plot_speed},
-                          Given{"--plot-energy", o.plot_energy},
-                          Given{"--dprnt", !o.dprnt.empty()},
-                          Given{"--post", !o.post.empty()},
-                          Given{"--teach", !o.teach.empty()},
-                          Given{"--coverage", !o.coverage.empty()}};
+  const std::array all = {
+      Given{"--library", !o.libraries.empty()},  Given{"--set", !o.variables.empty()},
+      Given{"--param", !o.parameters.empty()},   Given{"--decimal-point", !o.decimal_point.empty()},
+      Given{"--skip-at", !o.skip_at.empty()},    Given{"--interrupt-at", !o.interrupt_at.empty()},
+      Given{"--tools", !o.tools.empty()},        Given{"--offsets", !o.offsets.empty()},
+      Given{"--state", !o.state.empty()},        Given{"--block-skip", !o.block_skip.empty()},
+      Given{"--optional-stop", o.optional_stop}, Given{"--pwm", !o.pwm.empty()},
+      Given{"--rows", !o.rows.empty()},          Given{"--pattern-plot", !o.pattern_plot.empty()},
+      Given{"--plot-speed", o.plot_speed},       Given{"--plot-energy", o.plot_energy},
+      Given{"--dprnt", !o.dprnt.empty()},        Given{"--post", !o.post.empty()},
+      Given{"--teach", !o.teach.empty()},        Given{"--coverage", !o.coverage.empty()}};
   const auto first = std::find_if(all.begin(), all.end(), [](const Given& g) { return g.given; });
   return first == all.end() ? nullptr : first->option;
 }

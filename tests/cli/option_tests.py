@@ -117,6 +117,43 @@ def skip_at_option(box):
     equal((variables["#101"], variables["#103"], variables["#102"]), (7.2, -3, 5), "skip position")
 
 
+@test("--interrupt-at calls the program of M96 behind the block that the axes are in")
+def interrupt_at_option(box):
+    # Each cut takes 1 s and the time to come to rest; the control has read them all by then.
+    cuts = "G91G61G01X10.F600\nX10.\nX10.\n"
+    sub = "O2\n#500=#500+1\nG91G01Y2.\nM99\n"
+    box.write("part.nc", "O1\nM96P2\n" + cuts + "M97\nX10.\nM30\n" + sub)
+
+    def way(*options):
+        status(box.kerf("run", "part.nc", "--motion", "m.json", "--summary", "s.json", *options), 0)
+        moves = [record["to"] for record in box.motions("m.json") if record["kind"] == "line"]
+        return [(to["X"], to["Y"]) for to in moves]
+
+    equal(way(), [(10, 0), (20, 0), (30, 0), (40, 0)], "without a signal")
+    equal(way("--interrupt-at", "1.5"), [(10, 0), (20, 0), (20, 2), (30, 2), (40, 2)], "at 1.5 s")
+    equal(box.json("s.json")["variables"]["#500"], 1, "#500")
+    equal(way("--interrupt-at", "2.9", "--interrupt-at", "0.5"),
+          [(10, 0), (10, 2), (20, 2), (30, 2), (30, 4), (40, 4)], "twice, in the order of time")
+    for late in ("3.5", "100"):
+        equal(way("--interrupt-at", late), [(10, 0), (20, 0), (30, 0), (40, 0)], "behind M97")
+        assumed = [each["what"] for each in box.json("s.json")["assumed"]]
+        check(any("no M96 was in force" in what for what in assumed), f"{late} s: told: {assumed}")
+    status(box.kerf("run", "-", "--interrupt-at", "1", stdin="O1\nM30\n"), 2)
+
+
+@test("M01 stands in posted programs, and its record only where it has stopped")
+def optional_stop_records(box):
+    box.write("part.nc", "O1\nG21G90G01X10.F600\nM01\nX20.\nM30\n")
+    for options, kinds, end in (((), ["line", "line", "end"], "end"),
+                                (("--optional-stop",), ["line", "stop"], "stopped")):
+        status(box.kerf("run", "part.nc", "--motion", "m.json", "--summary", "s.json", *options), 0)
+        equal([record["kind"] for record in box.motions("m.json")], kinds, str(options))
+        equal(box.json("s.json")["status"], end, str(options))
+    status(box.kerf("run", "part.nc", "--post", "p.nc"), 0)
+    lines = box.read("p.nc").split()
+    check(b"M1" in lines, f"posted: {lines}")
+
+
 @test("--block-skip turns on exactly the levels of its list")
 def block_skip_option(box):
     program = ("O1\nG21G90\n/G00X1.\n/2X2.\n/3X3.\n/9X9.\nX5./2Y7.\nM30\n")

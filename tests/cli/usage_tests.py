@@ -51,6 +51,8 @@ WRONG_RUNS = {
     "--skip-at of an axis that the machine lacks": ["--skip-at", "Q=1"],
     "--skip-at with a word for a value": ["--skip-at", "X=here"],
     "--skip-at with a value that is no number": ["--skip-at", "X=nan"],
+    "--interrupt-at a negative time": ["--interrupt-at", "-1"],
+    "--interrupt-at with a word for a value": ["--interrupt-at", "soon"],
     "--block-skip level 0": ["--block-skip", "0"],
     "--block-skip level 10": ["--block-skip", "10"],
     "--block-skip with an empty item": ["--block-skip", "1,,2"],

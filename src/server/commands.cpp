@@ -138,6 +138,11 @@ std::vector<Command> make_table() {
       {"cycle-start", Who::op, {}, "Starts the program, or goes on behind a stop or a feed hold."},
       {"feed-hold", Who::op, {}, "The axes come to rest on the path."},
       {"reset", Who::op, {}, "Ends alarm and program; the axes come to rest."},
+      {"interrupt",
+       Who::op,
+       {},
+       "Gives the interrupt signal of M96: its program runs behind the block that the axes are in. "
+       "One that meets no M96 in force is told among the messages."},
       {"switch",
        Who::op,
        {choice("switch", {"single-block", "optional-stop", "dry-run", "machine-lock"}), flag("on")},
@@ -149,7 +154,9 @@ std::vector<Command> make_table() {
          .low = 1,
          .high = 9,
          .note = "those that are on"}},
-       "Sets the levels of block skip: /n."},
+       "Sets the levels of block skip: /n. The axes obey them in the next block that they begin "
+       "and "
+       "can still turn off to."},
       {"override",
        Who::op,
        {number("feed", 0, 200, "percent", Need::optional),
@@ -195,7 +202,14 @@ std::vector<Command> make_table() {
        Who::op,
        {name_of("name"), nullable("value", "null: vacant"),
         integer("level", 0, 1000, "of the calls; otherwise the innermost", Need::optional)},
-       "Changes a variable while nothing moves."},
+       "Changes a variable while nothing moves: at rest, held, in a dwell. The axes find it in the "
+       "next block that they begin. An input is set at any time."},
+      {"set-input",
+       Who::op,
+       {integer("input", 1000, 1035, "#1000 to #1015 and #1032 to #1035"),
+        number("value", -2147483648.0, 4294967295.0, "a bit is on unless this is 0")},
+       "Sets an input signal, at any time; the program reads it when the axes have come to the "
+       "block. It stays for the programs that follow."},
       {"offsets",
        Who::watcher,
        {},

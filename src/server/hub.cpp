@@ -229,7 +229,7 @@ Outcome<Json> Hub::done_in_time(const Request& request, Runner& runner,
   return tl::unexpected(*late);
 }
 
-void Hub::on_machine_durably(const Request& request, Entry entry) {
+void Hub::on_machine_durably(const Request& request, Entry entry, Pace pace) {
   MachineRecord& machine = *request.machine;
   const auto job = [this, request, reply = request.reply, entry = std::move(entry),
                     name = machine.name, thread = machine.thread,
@@ -253,7 +253,7 @@ void Hub::on_machine_durably(const Request& request, Entry entry) {
     };
     keeper_.is_on_disk(name, after) ? keep(runner) : thread->lend(held, *machine_disk_, keep);
   };
-  machine.thread->post(machine.runner, Pace::quick, job);
+  machine.thread->post(machine.runner, pace, job);
 }
 
 void Hub::write(const Reply& reply, Writing action, std::function<void(Outcome<void>)> done) {

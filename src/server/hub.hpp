@@ -69,7 +69,7 @@ class Hub {
   };
   /// The same, answered when the memory is on the disk; until then the machine stands still. If it
   /// does not come there, or the action fails, the memory is as it was.
-  void on_machine_durably(const Request& request, Entry entry);
+  void on_machine_durably(const Request& request, Entry entry, Pace pace = Pace::quick);
   /// Where files are read and written; the answer is what comes back.
   void on_disk(const Request& request, std::function<base::Outcome<Json>(Library&)> action);
   /// For work that may take long and touches nothing of the hub.

@@ -27,6 +27,8 @@ void Hub::load(const Request& request) {
   program.dialect = arguments.text("dialect");
   if (auto checked = check_program_name(program.name); !checked)
     return request.reply.no(checked.error());
+  if (const std::string why = not_for_the_panel(program.name); !why.empty())
+    return request.reply.no(why);
   const auto text = text_of(program);
   if (!text) return request.reply.no(text.error());
   if (const auto file = text->open(); file && program.dialect.empty())
@@ -85,6 +87,7 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   order.run = ++machine.preview_run;
   if (machine.snapshot) {
     order.skip_levels = machine.snapshot->panel.skip_levels;
+    order.inputs = machine.snapshot->inputs;
     order.optional_stop = machine.snapshot->panel[machine::Switch::optional_stop];
   }
   const auto preview = std::make_shared<Preview>(std::move(order), std::move(*chunks));

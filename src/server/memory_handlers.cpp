@@ -27,6 +27,7 @@ std::optional<double> not_vacant(double value) {
   return std::isnan(value) ? std::nullopt : std::optional<double>(value);
 }
 
+// Where the control has read ahead the run is made again, which may take a while.
 void set_variable(Hub& hub, const Request& request) {
   const auto before = std::make_shared<double>(std::nan(""));
   const auto act = [body = request.body, before](Runner& runner) -> Outcome<Json> {
@@ -44,7 +45,7 @@ void set_variable(Hub& hub, const Request& request) {
     static_cast<void>(
         machine.set_variable(arguments.text("name"), not_vacant(*before), level_of(arguments)));
   };
-  hub.on_machine_durably(request, {act, undo, {}});
+  hub.on_machine_durably(request, {act, undo, {}}, Pace::slow);
 }
 
 // Rows of one work coordinate system, an axis each.

@@ -45,22 +45,34 @@ void turn_switch(Hub& hub, const Request& request) {
   });
 }
 
-// The preview leaves out the same blocks.
+// The run may be made again, and the preview leaves out the same blocks.
 void block_skip(Hub& hub, const Request& request) {
   std::uint32_t levels = 0;
   for (const std::int64_t level : request.arguments().integers("levels"))
     levels |= 1U << static_cast<unsigned>(level);
-  hub.on_machine(request, Pace::quick,
-                 [levels, &hub, name = request.machine->name](Runner& runner) {
-                   auto set = done(runner.machine().set_block_skip(levels));
-                   if (set) {
-                     hub.to_sockets([&hub, name] {
-                       if (MachineRecord* const machine = hub.find(name))
-                         hub.renew_preview(*machine);
-                     });
-                   }
-                   return set;
-                 });
+  hub.on_machine(request, Pace::slow, [levels, &hub, name = request.machine->name](Runner& runner) {
+    auto set = done(runner.machine().set_block_skip(levels));
+    if (set) {
+      hub.to_sockets([&hub, name] {
+        if (MachineRecord* const machine = hub.find(name)) hub.renew_preview(*machine);
+      });
+    }
+    return set;
+  });
+}
+
+// Likewise.
+void interrupt(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::slow,
+                 [](Runner& runner) { return done(runner.machine().interrupt()); });
+}
+
+void set_input(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  hub.on_machine(
+      request, Pace::quick,
+      [name = "#" + std::to_string(arguments.integer("input")), value = arguments.number("value")](
+          Runner& runner) { return done(runner.machine().set_input(name, value)); });
 }
 
 void override_dials(Hub& hub, const Request& request) {
@@ -213,6 +225,8 @@ const Handlers& panel_handlers() {
       {"cycle-start", press<&LiveMachine::cycle_start>},
       {"feed-hold", press<&LiveMachine::feed_hold>},
       {"reset", reset},
+      {"interrupt", interrupt},
+      {"set-input", set_input},
       {"switch", turn_switch},
       {"block-skip", block_skip},
       {"override", override_dials},

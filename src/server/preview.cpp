@@ -46,6 +46,7 @@ class Preview::Run {
     if (!file) return finish(failure_json("FILE", file.error().message));
     machine_.add_library_folder(preview_.order_.library_folder);
     machine_.load(std::move(*file));
+    give_inputs();
     machine_.set_block_skip(preview_.order_.skip_levels);
     machine_.set_optional_stop(preview_.order_.optional_stop);
     machine_.search_alarms();
@@ -59,6 +60,15 @@ class Preview::Run {
   }
 
  private:
+  // Only G-code reads any.
+  void give_inputs() {
+    constexpr std::size_t kFirstWord = 1032;
+    const auto& words = preview_.order_.inputs;
+    for (std::size_t i = 0; i < words.size(); ++i)
+      static_cast<void>(machine_.set_variable("#" + std::to_string(kFirstWord + i),
+                                              static_cast<double>(words[i])));
+  }
+
   void keep(const std::string& chunk) {
     if (auto kept = preview_.chunks_->add(chunk); !kept && disk_error_.empty()) {
       disk_error_ = kept.error().message;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -26,6 +27,7 @@ struct PreviewOrder {
   std::string dialect;  ///< empty: that of the machine
   std::string library_folder;
   std::uint32_t skip_levels = 0;
+  std::array<std::uint32_t, 4> inputs{};  ///< as Snapshot has them
   bool optional_stop = false;
   std::uint32_t run = 0;
 };

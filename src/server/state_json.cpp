@@ -224,6 +224,7 @@ Json state_json(const Snapshot& s, const MachineDefinition& definition) {
   json["variables_revision"] = s.variables_revision;
   json["printed"] = printed_text(s.printed);
   json["waits_for_input"] = s.waits_for_input;
+  json["inputs"] = s.inputs;
   json["breakpoint"] = hit_json(s.breakpoint);
   return json;
 }

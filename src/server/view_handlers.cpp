@@ -55,6 +55,8 @@ Json diagnostics_of(const machine::MachineDefinition& definition, const std::str
 
 void check(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
+  if (const std::string why = not_for_the_panel(arguments.text("name")); !why.empty())
+    return request.reply.no(why);
   const MachineRecord* machine = request.machine;
   if (arguments.has("machine")) {
     machine = hub.find(arguments.text("machine"));

@@ -16,6 +16,24 @@ M99
 %
 `;
 
+/** Stands in line 6 until input #1003 comes; an interrupt goes 3 mm up in Y. */
+export const WAITS = `%
+O0300 (WAITS FOR AN INPUT)
+M96 P9300
+G90 G54 G00 X0. Y0.
+WHILE [#1003 EQ 0] DO1
+G04 P100
+END1
+G01 X2. F600
+M97
+M30
+O9300
+G91 G01 Y3. F600
+G90
+M99
+%
+`;
+
 /** Long enough to be held on its way: three metres at 300 mm/min. */
 export const LONG = `%
 O0200 (UP AND DOWN)

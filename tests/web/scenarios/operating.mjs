@@ -1,6 +1,6 @@
 // Opening, running, holding, looking back, two at one machine, languages.
 import assert from 'node:assert/strict';
-import { LONG } from '../programs.mjs';
+import { LONG, WAITS } from '../programs.mjs';
 
 export const SAMPLES = [
   ['mill', 'O0001'],
@@ -43,6 +43,24 @@ export const operating = [
       await panel.passes('X', held_at);
       await panel.press('Reset');
       await panel.has_status('IDLE');
+    },
+  },
+  {
+    name: 'a program waits for an input, is interrupted, and goes on when the input is given',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('waits.nc', WAITS);
+      await panel.press('Cycle start');
+      await panel.executes_line(6);
+      await panel.page.keyboard.press('Alt+i');
+      await panel.position_is('Y', 3);
+      const input = panel.page.getByRole('button', { name: 'Input #1003' });
+      await input.click();
+      await panel.has_status('END');
+      await panel.position_is('X', 2);
+      assert.equal(await input.getAttribute('aria-pressed'), 'true');
+      await input.click();
     },
   },
   {

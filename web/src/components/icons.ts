@@ -18,6 +18,7 @@ export const ICONS = {
     '<path d="m12 2.500 8 9.500-8 9.500L4 12z"/><circle cx="12" cy="12" r="3.300" stroke-width="2.200"/>',
   reset:
     '<path d="M7.500 20 13 4M12.500 20 18 4" stroke-width="2"/><path d="M2 12h5M4.500 9.500 2 12l2.500 2.500"/>',
+  interrupt: '<path d="M2 12h5M17 12h5"/><path d="M13.500 3 8.500 12.500h7L10.500 21"/>',
   // Switches
   'single-block':
     '<path d="M2 12h5M4.800 9.500 7.300 12l-2.500 2.500"/><rect x="9.500" y="8" width="8" height="8"/><path d="M21 5v14" stroke-width="2"/>',

@@ -20,6 +20,7 @@ export const BINDINGS = [
   { command: 'cycle-start', group: 'run', keys: ['Ctrl+Enter'], in_text: true },
   { command: 'feed-hold', group: 'run', keys: ['F8', 'Pause'], in_text: true },
   { command: 'reset', group: 'run', keys: ['Ctrl+Shift+Backspace'], in_text: true },
+  { command: 'interrupt', group: 'run', keys: ['Alt+KeyI'], in_text: true },
   { command: 'feed-up', group: 'run', keys: ['Alt+ArrowUp'], in_text: true },
   { command: 'feed-down', group: 'run', keys: ['Alt+ArrowDown'], in_text: true },
   { command: 'step-over', group: 'step', keys: ['F10'], in_text: true },

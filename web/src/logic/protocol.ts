@@ -132,6 +132,8 @@ export interface MachineState {
   printed: string;
   /** INPUT of the program waits for a line of the operator. */
   waits_for_input: boolean;
+  /** Signals from outside: bits #1000 to #1015, words #1033 to #1035. */
+  inputs: number[];
   /** Why the machine does not work at all. */
   fault: string | null;
   /** Why the memory of the machine cannot be written to the server's disk. */
@@ -275,6 +277,7 @@ export const EMPTY_STATE: MachineState = {
   variables_revision: 0,
   printed: '',
   waits_for_input: false,
+  inputs: [0, 0, 0, 0],
   fault: null,
   unsaved: null,
   breakpoint: null,

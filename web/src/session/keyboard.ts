@@ -11,6 +11,7 @@ import { manual } from './manual.svelte';
 import {
   cycle_start,
   hold_or_next_problem,
+  interrupt,
   reset,
   set_mode,
   set_skip,
@@ -42,6 +43,7 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'cycle-start': cycle_start,
   'feed-hold': hold_or_next_problem,
   reset,
+  interrupt,
   'feed-up': () => feed(10),
   'feed-down': () => feed(-10),
   'step-over': () => step('over'),

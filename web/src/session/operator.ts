@@ -65,6 +65,7 @@ export async function cycle_start(): Promise<void> {
 
 export const feed_hold = (): Promise<void> => press('feed-hold', 'feed-hold');
 export const reset = (): Promise<void> => press('reset', 'reset');
+export const interrupt = (): Promise<void> => press('interrupt', 'interrupt');
 export const set_mode = (mode: Mode): Promise<void> => press(`mode-${mode}`, 'mode', { mode });
 export const step = (how: StepHow): Promise<void> => press(`step-${how}`, 'step', { how });
 export const toggle = (name: SwitchName): Promise<void> =>

@@ -157,6 +157,8 @@ class Panel {
   cycle_start = (): Promise<unknown> => this.act('cycle-start');
   feed_hold = (): Promise<unknown> => this.act('feed-hold');
   reset = (): Promise<unknown> => this.act('reset');
+  set_input = (input: number, on: boolean): Promise<unknown> =>
+    this.act('set-input', { input, value: on ? 1 : 0 });
   set_mode = (mode: Mode): Promise<unknown> => this.act('mode', { mode });
   step = (how: StepHow): Promise<unknown> => this.act('step', { how });
   toggle = (name: SwitchName): Promise<unknown> =>

@@ -1,13 +1,19 @@
 #include "base/source_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <optional>
+
+#include "base/decimal.hpp"
 
 namespace kerf::base {
 namespace {
@@ -34,25 +40,62 @@ int open_unnamed_file() {
   return descriptor;
 }
 
-// Reads `from` to its end into an unnamed file. Returns its descriptor and size, or what went
-// wrong.
-tl::expected<std::pair<int, std::uint64_t>, std::string> spool(int from) {
-  const int to = open_unnamed_file();
-  if (to < 0) return tl::unexpected(std::string("no temporary file: ") + std::strerror(errno));
-  std::array<char, 1 << 16> buffer;
-  std::uint64_t size = 0;
-  for (;;) {
-    const ssize_t count = ::read(from, buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count == 0) return std::pair(to, size);
-    if (count < 0 || !write_all(to, {buffer.data(), static_cast<std::size_t>(count)})) {
-      std::string message = std::strerror(errno);
+using Clock = std::chrono::steady_clock;
+
+// Copies what is read until it ends or is too much.
+class Spool {
+ public:
+  Spool(int from, const SourceFile::Intake& intake) : from_(from), intake_(intake) {}
+
+  /// The copy's descriptor, or what went wrong.
+  tl::expected<int, std::string> copy() {
+    const int to = open_unnamed_file();
+    if (to < 0) return tl::unexpected(std::string("no temporary file: ") + std::strerror(errno));
+    if (auto wrong = copy_to(to); !wrong.empty()) {
       ::close(to);
-      return tl::unexpected(std::move(message));
+      return tl::unexpected(std::move(wrong));
     }
-    size += static_cast<std::uint64_t>(count);
+    return to;
   }
-}
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+ private:
+  // Empty: all of it.
+  std::string copy_to(int to) {
+    std::array<char, 1 << 16> buffer;
+    for (;;) {
+      if (!wait_for_more()) return "does not end within " + number_text(intake_.seconds) + " s";
+      const ssize_t count = ::read(from_, buffer.data(), buffer.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count == 0) return {};
+      if (count < 0) return std::strerror(errno);
+      size_ += static_cast<std::uint64_t>(count);
+      if (size_ > intake_.most_bytes)
+        return "does not end within " + std::to_string(intake_.most_bytes >> 20U) +
+               " MiB; what is longer is to be a file";
+      if (!write_all(to, {buffer.data(), static_cast<std::size_t>(count)}))
+        return std::strerror(errno);
+    }
+  }
+
+  // False: the time is over. It begins with the first byte: who types may think before.
+  bool wait_for_more() {
+    if (intake_.seconds <= 0 || size_ == 0) return true;
+    if (!begin_) begin_ = Clock::now();
+    for (;;) {
+      const std::chrono::duration<double> passed = Clock::now() - *begin_;
+      if (passed.count() > intake_.seconds) return false;
+      constexpr int kWait_ms = 50;
+      pollfd question{from_, POLLIN, 0};
+      if (::poll(&question, 1, kWait_ms) != 0) return true;
+    }
+  }
+
+  int from_;
+  SourceFile::Intake intake_;
+  std::uint64_t size_ = 0;
+  std::optional<Clock::time_point> begin_;
+};
 
 }  // namespace
 
@@ -66,7 +109,8 @@ SourceFile::~SourceFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-Outcome<std::unique_ptr<SourceFile>> SourceFile::open(const std::string& path) {
+Outcome<std::unique_ptr<SourceFile>> SourceFile::open(const std::string& path,
+                                                      const Intake& intake) {
   const bool standard_input = path == "-";
   const int descriptor =
       standard_input ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -80,10 +124,11 @@ Outcome<std::unique_ptr<SourceFile>> SourceFile::open(const std::string& path) {
     const auto size = static_cast<std::uint64_t>(status.st_size);
     return std::unique_ptr<SourceFile>(new SourceFile(path, descriptor, size));
   }
-  auto spooled = spool(descriptor);
+  Spool spool(descriptor, intake);
+  const auto copy = spool.copy();
   ::close(descriptor);
-  if (!spooled) return input_failure(path, spooled.error());
-  return std::unique_ptr<SourceFile>(new SourceFile(path, spooled->first, spooled->second));
+  if (!copy) return input_failure(path, copy.error());
+  return std::unique_ptr<SourceFile>(new SourceFile(path, *copy, spool.size()));
 }
 
 std::unique_ptr<SourceFile> SourceFile::from_text(std::string name, std::string text) {
@@ -117,6 +162,16 @@ std::string SourceFile::line_at(std::uint64_t offset, std::size_t limit) const {
   std::string line(limit, '\0');
   line.resize(read(offset, line));
   return line.substr(0, line.find_first_of("\r\n"));
+}
+
+Outcome<std::string> read_whole(const std::string& path, std::uint64_t most_bytes,
+                                const std::string& what) {
+  const auto file = SourceFile::open(path, {.most_bytes = most_bytes, .seconds = 10});
+  if (!file) return tl::unexpected(file.error());
+  if ((*file)->size() > most_bytes) return input_failure(path, "too large for " + what);
+  std::string text((*file)->size(), '\0');
+  text.resize((*file)->read(0, text));
+  return text;
 }
 
 FileId SourceSet::add(std::unique_ptr<SourceFile> file) {

@@ -15,9 +15,20 @@ namespace kerf::base {
 /// of any size costs the same. Not copyable; shared by whoever points into it.
 class SourceFile {
  public:
+  /// What is copied, until it is refused: it may have no end.
+  struct Intake {
+    std::uint64_t most_bytes = std::uint64_t{1} << 30U;
+    double seconds = 0;  ///< behind its first byte; 0: no limit
+  };
+
   /// Opens a regular file, or copies what cannot be read twice (a pipe, "-" for standard input) to
-  /// an unnamed temporary file first. Failure: missing, unreadable, a folder, no room to copy to.
-  [[nodiscard]] static Outcome<std::unique_ptr<SourceFile>> open(const std::string& path);
+  /// an unnamed temporary file first. Failure: missing, unreadable, a folder, no room to copy to,
+  /// more than the intake allows.
+  [[nodiscard]] static Outcome<std::unique_ptr<SourceFile>> open(const std::string& path,
+                                                                 const Intake& intake);
+  [[nodiscard]] static Outcome<std::unique_ptr<SourceFile>> open(const std::string& path) {
+    return open(path, {});
+  }
 
   /// A file that exists only in memory: tests, MDI, editors.
   [[nodiscard]] static std::unique_ptr<SourceFile> from_text(std::string name, std::string text);
@@ -50,6 +61,11 @@ class SourceFile {
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };
+
+/// The bytes of a file of settings, which `what` names: "a state file". Failure (input): it cannot
+/// be opened, or has more than `most_bytes`.
+[[nodiscard]] Outcome<std::string> read_whole(const std::string& path, std::uint64_t most_bytes,
+                                              const std::string& what);
 
 /// The files that one machine has opened. Files stay until the set goes.
 class SourceSet {

@@ -9,6 +9,7 @@
 #include "base/decimal.hpp"
 #include "cli/dialect_choice.hpp"
 #include "cli/machine_setup.hpp"
+#include "server/notices.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -272,8 +273,15 @@ void add_serve(CLI::App& app, ServeOptions& o) {
       ->type_name("ADDRESS");
   serve->add_option("--port", o.port, "port to listen at; default 8080, 0: any free one")
       ->type_name("N");
-  serve->add_option("--token", o.token, "what visitors must know; needed with any other --host")
-      ->type_name("TEXT");
+  CLI::Option* const token =
+      serve
+          ->add_option("--token", o.token,
+                       "what visitors must know, 16 characters or more; needed with any other "
+                       "--host; default $KERF_TOKEN")
+          ->type_name("TEXT");
+  serve->add_option("--token-file", o.token_file, "a file that holds the token")
+      ->type_name("FILE")
+      ->excludes(token);
   serve
       ->add_option("--data", o.data,
                    "folder of programs and machines; default $XDG_DATA_HOME/kerf or "
@@ -318,13 +326,15 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
       ->type_name("NAME");
+  app.add_subcommand("notices", "prints the licences of what others wrote and is part of Kerf")
+      ->group("Commands");
   app.footer(
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
     return tl::unexpected(base::Failure{base::Failure::Kind::usage,
-                                        "a command is needed: run, time, check, pattern, serve or "
-                                        "machines; `kerf --help` lists them"});
+                                        "a command is needed: run, time, check, pattern, serve, "
+                                        "machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -344,6 +354,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;
+  if (app.got_subcommand("notices")) return Answer{std::string(server::notices().front().text)};
   return machines_options;
 }
 

@@ -26,7 +26,9 @@ bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
 // What shows without running, reached or not, then what the run itself raises, also behind the
 // first alarm, at which a control would stop.
 std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget& budget) {
-  std::vector<Diagnostic> found = machine.check();
+  base::Findings checked(base::Findings::kAll, base::WorkLimit(budget.seconds));
+  machine.check(checked);
+  std::vector<Diagnostic> found = checked.list();
   machine.search_alarms();
   machine.run_to_end(budget);
   const auto add = [&](const std::optional<Diagnostic>& told) {
@@ -44,7 +46,7 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
 }
 
 base::Outcome<ReadyMachine> make_ready(const std::string& path, const CheckOptions& options) {
-  auto file = base::SourceFile::open(path);
+  auto file = base::SourceFile::open(path, {.seconds = options.max_seconds});
   if (!file) return tl::unexpected(file.error());
   auto ready = set_up(
       {.machine = options.machine, .dialect = options.dialect, .parameters = options.parameters},
@@ -72,7 +74,10 @@ FileReport check_file(const std::string& path, const CheckOptions& options) {
         {output::file_name(diagnostic, sources), output::diagnostic_text(diagnostic, sources),
          nlohmann::ordered_json::parse(output::diagnostic_json(diagnostic, sources))});
   }
-  report.budget_spent = machine.status() == VirtualMachine::Status::budget;
+  report.budget_spent =
+      std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
+        return finding.object["code"] == base::text_of(base::Code::budget_spent).number;
+      });
   return report;
 }
 
@@ -108,7 +113,9 @@ ExitStatus status_of_all(const std::vector<FileReport>& reports) {
                                    [](const FileReport& r) { return r.failure.has_value(); });
   if (failed != reports.end()) return status_of(*failed->failure);
   const auto mistakes = [](const FileReport& r) {
-    return r.findings.size() > (r.budget_spent ? 1U : 0U);
+    return std::any_of(r.findings.begin(), r.findings.end(), [](const Finding& finding) {
+      return finding.object["code"] != base::text_of(base::Code::budget_spent).number;
+    });
   };
   if (any(mistakes)) return ExitStatus::findings;
   if (any([](const FileReport& r) { return r.budget_spent; })) return ExitStatus::budget;

@@ -97,6 +97,7 @@ struct ServeOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 8080;
   std::string token;
+  std::string token_file;
   std::string data;       ///< folder; empty: the usual one
   unsigned threads = 0;   ///< that machines run on; 0: one a processor
   bool protocol = false;  ///< prints the protocol instead

@@ -21,17 +21,6 @@ using base::Outcome;
 constexpr std::size_t kLargestOffsetFile = 16 << 20;
 constexpr double kMostOffsetSeconds = 10;
 
-Outcome<std::string> read_text(const std::string& path) {
-  auto file = base::SourceFile::open(path);
-  if (!file) return tl::unexpected(file.error());
-  if ((*file)->size() > kLargestOffsetFile)
-    return tl::unexpected(
-        Failure{Failure::Kind::input, path + ": too large for a file of offsets"});
-  std::string text((*file)->size(), '\0');
-  text.resize((*file)->read(0, text));
-  return text;
-}
-
 // The control's own punch-out is a program of G10 blocks: a machine of its own runs it, and its
 // offsets are all that is taken over.
 Outcome<void> run_punch_out(const std::string& text, const std::string& path,
@@ -59,7 +48,7 @@ Outcome<void> read_offset_file(const std::string& path,
                                const machine::MachineDefinition& definition,
                                control::Memory& memory) {
   if (path.empty()) return {};
-  auto text = read_text(path);
+  auto text = base::read_whole(path, kLargestOffsetFile, "a file of offsets");
   if (!text) return tl::unexpected(text.error());
   if (machine::looks_like_toml(*text)) {
     return machine::read_offsets(*text, path, definition.axes, definition.parameters, memory);
@@ -167,7 +156,7 @@ ExitStatus exit_status_of(machine::VirtualMachine::Status status) {
 namespace {
 
 Outcome<ReadyMachine> make_uninterrupted(const RunOptions& options) {
-  auto program = base::SourceFile::open(options.program);
+  auto program = base::SourceFile::open(options.program, {.seconds = options.max_seconds});
   if (!program) return tl::unexpected(program.error());
   auto ready = set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
                        options.decimal_point, options.tools, options.offsets, options.state},

@@ -9,14 +9,16 @@
 namespace kerf::cli {
 namespace {
 
-// Longest line that is kept: no number is longer.
+// Longest line that is kept: no number is longer; and that is read: it may have no end.
 constexpr std::size_t kMostKept = 1000;
+constexpr std::size_t kMostRead = 1 << 20;
 
 std::optional<std::string> read_line() {
   std::string line;
   int c = std::getchar();
   if (c == EOF) return std::nullopt;
-  for (; c != EOF && c != '\n'; c = std::getchar()) {
+  for (std::size_t read = 0; c != EOF && c != '\n' && read < kMostRead;
+       c = std::getchar(), ++read) {
     if (line.size() < kMostKept) line += static_cast<char>(c);
   }
   return line;

@@ -1,6 +1,7 @@
 #include "cli/output_files.hpp"
 
 #include "cli/failure.hpp"
+#include "cli/same_file.hpp"
 #include "drive/pulse_csv.hpp"
 #include "drive/pulse_vcd.hpp"
 
@@ -18,7 +19,20 @@ std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
 
 }  // namespace
 
+Outcome<void> OutputFiles::check_alone(const std::string& path) const {
+  for (const std::string& input : inputs_) {
+    if (is_same_file(path, input))
+      return usage(path + ": is read by this command, and cannot be its output");
+  }
+  for (const File& other : files_) {
+    if (is_same_file(path, other.file->path()))
+      return usage(path + ": two outputs cannot go to one file");
+  }
+  return {};
+}
+
 Outcome<OutputFile*> OutputFiles::create(const std::string& path, Kind kind) {
+  if (auto alone = check_alone(path); !alone) return tl::unexpected(alone.error());
   auto created = OutputFile::create(path);
   if (!created) return tl::unexpected(created.error());
   files_.push_back({kind, std::move(*created), {}});

@@ -20,8 +20,10 @@ class OutputFiles {
   enum class Kind : std::uint8_t { record, drives_a_machine };
   using Finish = std::function<void(base::OutputFile&)>;
 
+  /// A file that is read: none of these may be written. Empty: none.
+  void keep_from(const std::string& input) { inputs_.push_back(input); }
   /// Opens the file and has it used; does nothing where `path` is empty: not asked for. Failure
-  /// (output): it cannot be written.
+  /// (usage): it is an input, or another output; (output): it cannot be written.
   template <typename Use>
   [[nodiscard]] base::Outcome<void> open(const std::string& path, Kind kind, Use&& use) {
     if (path.empty()) return {};
@@ -46,10 +48,12 @@ class OutputFiles {
     std::unique_ptr<base::OutputFile> file;
     Finish finish;
   };
+  [[nodiscard]] base::Outcome<void> check_alone(const std::string& path) const;
   base::Outcome<base::OutputFile*> create(const std::string& path, Kind kind);
   base::Outcome<void> commit(File& file);
 
   std::vector<File> files_;  // in the order in which they are completed
+  std::vector<std::string> inputs_;
   std::vector<std::string> written_;
 };
 

@@ -202,6 +202,10 @@ Outcome<void> Outputs::open_summary() {
 }
 
 Outcome<void> Outputs::open() {
+  for (const std::string* const input :
+       {&options_.program, &options_.tools, &options_.offsets, &options_.state})
+    files_.keep_from(*input);
+  if (options_.machine.ends_with(".toml")) files_.keep_from(options_.machine);
   constexpr std::array kSteps = {
       &Outputs::open_prints, &Outputs::open_motion,   &Outputs::open_points,
       &Outputs::open_pulses, &Outputs::open_pwm,      &Outputs::open_rows,

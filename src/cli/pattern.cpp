@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/pattern_files.hpp"
+#include "cli/same_file.hpp"
 #include "drive/pattern/listing_reader.hpp"
 #include "drive/pattern/reader.hpp"
 #include "drive/pattern/writer.hpp"
@@ -20,8 +21,14 @@ ExitStatus committed(OutputFile& file) {
   return done ? ExitStatus::well : fail(done.error());
 }
 
+base::Outcome<std::unique_ptr<OutputFile>> open_output(const PatternOptions& options) {
+  if (is_same_file(options.output, options.file))
+    return usage(options.output + ": is read by this command, and cannot be its output");
+  return OutputFile::create(options.output.empty() ? "-" : options.output);
+}
+
 ExitStatus decode(const PatternOptions& options, const base::SourceSet& sources) {
-  auto file = OutputFile::create(options.output.empty() ? "-" : options.output);
+  auto file = open_output(options);
   if (!file) return fail(file.error());
   drive::PatternReader reader(sources[kPatternFile], kPatternFile,
                               format_of(options, drive::ByteOrder::big));
@@ -53,7 +60,7 @@ base::Result<void> read_listing(const base::SourceSet& sources, Take&& take) {
 ExitStatus encode(const PatternOptions& options, const base::SourceSet& sources) {
   const auto read = read_listing(sources, [](const drive::ListedMove&) { return true; });
   if (!read) return report(read.error(), sources, options.diagnostics);
-  auto file = OutputFile::create(options.output);
+  auto file = open_output(options);
   if (!file) return fail(file.error());
   drive::PatternWriter writer(format_of(options, drive::ByteOrder::big).order, **file);
   const auto written = read_listing(sources, [&](const drive::ListedMove& move) {
@@ -84,7 +91,7 @@ ExitStatus report(const base::Diagnostic& diagnostic, const base::SourceSet& sou
 }
 
 ExitStatus pattern(const PatternOptions& options) {
-  auto file = base::SourceFile::open(options.file);
+  auto file = base::SourceFile::open(options.file, {.seconds = options.max_seconds});
   if (!file) return fail(file.error());
   base::SourceSet sources;
   sources.add(std::move(*file));

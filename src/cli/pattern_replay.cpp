@@ -138,6 +138,7 @@ Outcome<void> Replay::open_summary() {
 }
 
 Outcome<void> Replay::open() {
+  files_.keep_from(options_.file);
   constexpr std::array kSteps = {&Replay::open_output, &Replay::open_motion, &Replay::open_points,
                                  &Replay::open_pulses, &Replay::open_plot,   &Replay::open_summary};
   for (const auto step : kSteps) {

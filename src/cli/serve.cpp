@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "base/source_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "server/protocol_page.hpp"
@@ -27,6 +28,19 @@ std::string usual_data_folder() {
   if (const std::string home = environment("HOME"); !home.empty())
     return home + "/.local/share/kerf";
   return "";
+}
+
+// Of the command line, which others on this computer see, of a file, or of the environment.
+base::Outcome<std::string> token_of(const ServeOptions& options) {
+  constexpr std::size_t kLargest = 4096;
+  if (options.token_file.empty())
+    return options.token.empty() ? environment("KERF_TOKEN") : options.token;
+  auto text = base::read_whole(options.token_file, kLargest, "a token");
+  if (!text)
+    return tl::unexpected(base::Failure{text.error().kind, "--token-file " + text.error().message});
+  text->erase(text->find_last_not_of(" \t\r\n") + 1);
+  if (text->empty()) return usage("--token-file " + options.token_file + ": the file is empty");
+  return text;
 }
 
 void tell(const server::Server& server, const std::string& data) {
@@ -51,10 +65,12 @@ ExitStatus serve(const ServeOptions& options) {
                  "says where programs and machines are kept"});
   const unsigned threads =
       options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+  const auto token = token_of(options);
+  if (!token) return fail(token.error());
   // A limit of the size of files is a disk that takes no more, and nothing to die of.
   std::signal(SIGXFSZ, SIG_IGN);
   ::umask(0077);  // what the server writes is for its account alone
-  auto server = server::Server::open({{options.host, options.port, options.token}, data, threads});
+  auto server = server::Server::open({{options.host, options.port, *token}, data, threads});
   if (!server) return fail(server.error());
   tell(**server, data);
   (*server)->run();

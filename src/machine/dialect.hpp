@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "base/findings.hpp"
 #include "base/result.hpp"
 #include "base/source_file.hpp"
 #include "control/control.hpp"
@@ -67,8 +68,8 @@ class Dialect {
   [[nodiscard]] virtual std::optional<base::Diagnostic> start_all_the_same() { return start(); }
   /// The reset button.
   virtual void reset() { control().reset(); }
-  /// Mistakes that show without running the program.
-  [[nodiscard]] virtual std::vector<base::Diagnostic> check() = 0;
+  /// Mistakes that show without running the program. Ends early when `found` is over().
+  virtual void check(base::Findings& found) = 0;
   /// Stands at the head of an entry in MDI, whose end is the end of its text; programs that it
   /// calls are those that are loaded. Otherwise the alarm that it raises at once.
   [[nodiscard]] virtual std::optional<base::Diagnostic> start_entry(base::FileId file) = 0;

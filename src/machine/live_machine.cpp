@@ -33,6 +33,10 @@ RunStart at_power_on(const MachineDefinition& definition, control::Memory memory
           0};
 }
 
+tl::unexpected<base::Failure> took_too_long() {
+  return refused("to make the run again up to there takes longer than a machine may be kept busy");
+}
+
 }  // namespace
 
 /// The machine, what was done with it in this run, and the points that were taught.
@@ -105,6 +109,7 @@ LiveMachine::Outcome LiveMachine::Impl::perform_at_axes(const Act& act, const Ac
 void LiveMachine::Impl::put(std::unique_ptr<LiveCore> other) {
   for (control::MotionSink* const sink : sinks) other->add_sink(*sink);
   for (AxisPointSink* const sink : point_sinks) other->add_point_sink(*sink);
+  other->set_limit(core->limit());
   core = std::move(other);
 }
 
@@ -127,13 +132,17 @@ LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
 LiveMachine::Outcome LiveMachine::Impl::step_back() {
   if (core->is_active()) return refused(Refusal::running_hold_or_stop);
   Replay all(journal);
+  all.core().set_limit(core->limit());
   all.go_to(std::numeric_limits<double>::infinity());
+  if (core->limit().reached()) return took_too_long();
   const bool waits = all.core().machine().halt() == control::Halt::gate;
   const std::uint64_t begun = all.core().stepper().blocks();
   const std::uint64_t done = waits && begun > 0 ? begun - 1 : begun;
   if (done == 0) return refused(Refusal::at_beginning);
   Replay back(journal, done);
+  back.core().set_limit(core->limit());
   back.go_to(std::numeric_limits<double>::infinity());
+  if (core->limit().reached()) return took_too_long();
   const std::size_t kept = back.done();
   std::unique_ptr<LiveCore> there = back.take();
   there->stepper().search_block(0);
@@ -151,12 +160,15 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
 
 base::Outcome<LiveCore*> LiveMachine::Impl::core_at(double time_s) {
   if (!(time_s >= 0)) return refused("times of a run begin with 0 s");
-  return looked_at = time_s > core->time_s() ? later(time_s) : earlier(time_s);
+  looked_at = time_s > core->time_s() ? later(time_s) : earlier(time_s);
+  if (core->limit().reached()) return took_too_long();
+  return looked_at;
 }
 
 LiveCore* LiveMachine::Impl::earlier(double time_s) {
   if (replay && replay->time_s() > time_s) replay.reset();
   if (!replay) replay = std::make_unique<Replay>(journal);
+  replay->core().set_limit(core->limit());
   replay->go_to(time_s);
   return &replay->core();
 }
@@ -166,6 +178,7 @@ LiveCore* LiveMachine::Impl::later(double time_s) {
   if (forecast && forecast->time_s() > time_s) forecast.reset();
   if (!forecast)
     forecast = std::make_unique<Forecast>(core->would_begin() ? core->run_start() : journal.start);
+  forecast->core().set_limit(core->limit());
   forecast->go_to(time_s);
   return &forecast->core();
 }
@@ -376,6 +389,8 @@ MachineDefinition LiveMachine::definition_of_run() const {
 }
 
 // Time
+
+void LiveMachine::set_limit(const base::WorkLimit& limit) { impl_->core->set_limit(limit); }
 
 base::Outcome<std::shared_ptr<const Snapshot>> LiveMachine::state_at(double time_s) {
   auto core = impl_->core_at(time_s);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/work_limit.hpp"
 #include "control/memory.hpp"
 #include "machine/axis_point.hpp"
 #include "machine/breakpoint.hpp"
@@ -151,6 +152,12 @@ class LiveMachine {
   /// The same with its start where the axes stood when the program under way began, otherwise where
   /// they stand: a machine made from it goes the same way.
   [[nodiscard]] MachineDefinition definition_of_run() const;
+
+  /// How long what makes the run again may compute from now on; none at first. Beyond that
+  /// step_back(), start_at() and state_at() are refused, and the machine is as it was; state_at()
+  /// goes on from there when it is asked again. What an operator changes on the way acts at once
+  /// then, not on the block that the axes come to next.
+  void set_limit(const base::WorkLimit& limit);
 
   // Time
 

@@ -121,15 +121,9 @@ base::Outcome<MachineDefinition> find_machine(const std::string& name_or_path) {
         base::Failure::Kind::usage, "there is no machine " + name_or_path + "; built in:" + names +
                                         "; a machine file ends in .toml"});
   }
-  auto file = base::SourceFile::open(name_or_path);
-  if (!file) return tl::unexpected(file.error());
-  if ((*file)->size() > kLargestFile) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::input, name_or_path + ": too large for a machine file"});
-  }
-  std::string text((*file)->size(), '\0');
-  text.resize((*file)->read(0, text));
-  return MachineDefinition::parse(text, name_or_path);
+  const auto text = base::read_whole(name_or_path, kLargestFile, "a machine file");
+  if (!text) return tl::unexpected(text.error());
+  return MachineDefinition::parse(*text, name_or_path);
 }
 
 }  // namespace kerf::machine

@@ -26,6 +26,8 @@ std::string canonical(const std::string& path) {
 void ProgramShelf::know(const std::string& path) { known_files_.insert(canonical(path)); }
 
 void ProgramShelf::load(const std::string& path, std::uint32_t number_from_name) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return;  // a pipe may never begin, nor end
   if (!known_files_.insert(canonical(path)).second) return;
   auto file = base::SourceFile::open(path);
   if (file) library_.add_library_file(sources_.add(std::move(*file)), number_from_name);

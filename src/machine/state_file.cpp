@@ -133,17 +133,14 @@ void from_json(const json& state, Memory& memory) {
 base::Outcome<void> read_state(const std::string& path, Memory& memory) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
-  auto file = base::SourceFile::open(path);
-  if (!file) return tl::unexpected(file.error());
+  const auto text = base::read_whole(path, kLargestFile, "a state file");
+  if (!text) return tl::unexpected(text.error());
   const auto unreadable = [&](const std::string& what) {
     return tl::unexpected(base::Failure{base::Failure::Kind::input, path + ": " + what});
   };
-  if ((*file)->size() > kLargestFile) return unreadable("too large for a state file");
-  std::string text((*file)->size(), '\0');
-  text.resize((*file)->read(0, text));
   Memory read = memory;
   try {
-    from_json(json::parse(text), read);
+    from_json(json::parse(*text), read);
   } catch (const Unreadable& what) {
     return unreadable(what.what);
   } catch (const json::exception&) {

@@ -132,7 +132,8 @@ bool VirtualMachine::all_motions_made() const {
 bool VirtualMachine::ready() const {
   if (diverted_ != nullptr) return true;
   if (is_paced_) return servo_.has_room() && !servo_.broken_off();
-  return !motions_spent_ && !refused_ && !servo_.broken_off() && statistics_.motions() < slice_end_;
+  return !motions_spent_ && !refused_ && !servo_.broken_off() && !limit_.unwanted() &&
+         statistics_.motions() < slice_end_;
 }
 
 // Where the axes were moved by hand the program finds its beam as it left it.
@@ -176,6 +177,23 @@ std::vector<base::Diagnostic> VirtualMachine::warnings() const {
     if (warning) list.push_back(*warning);
   }
   return list;
+}
+
+void VirtualMachine::check(base::Findings& found) {
+  dialect_->check(found);
+  if (!found.cut_short()) return;
+  base::Diagnostic warning =
+      base::make_error(base::Code::budget_spent, {}, words_for(found.limit()));
+  warning.severity = base::Severity::warning;
+  warning.place.file = dialect_->main_file();
+  warning.program = program_name();
+  found.conclude(std::move(warning));
+}
+
+std::vector<base::Diagnostic> VirtualMachine::check() {
+  base::Findings found;
+  check(found);
+  return found.list();
 }
 
 bool VirtualMachine::start_program() {
@@ -238,7 +256,7 @@ VirtualMachine::Status VirtualMachine::broken_off(Status status) {
     alarm_ = drive_alarm_;
     return Status::alarm;
   }
-  note_spent(base::number_text(most_seconds_) + " s of computing are over");
+  note_spent(words_for(limit_));
   return status == Status::alarm ? status : Status::budget;
 }
 
@@ -254,20 +272,22 @@ VirtualMachine::Status VirtualMachine::spent(const std::string& what) {
 }
 
 // One motion may have any number of set-points: between them the clock is looked at, too.
-void VirtualMachine::watch_clock(std::chrono::steady_clock::time_point begin, double seconds) {
-  most_seconds_ = seconds;
-  servo_.break_off_when([this, begin, seconds] {
+void VirtualMachine::watch_clock(const base::WorkLimit& limit) {
+  limit_ = limit;
+  servo_.break_off_when([this] {
     if (progress_) progress_();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    return seconds > 0 && elapsed.count() > seconds;
+    return limit_.reached();
   });
 }
 
+std::string VirtualMachine::words_for(const base::WorkLimit& limit) {
+  if (limit.unwanted()) return "nobody waits for it any more";
+  return base::number_text(limit.seconds()) + " s of computing are over";
+}
+
 VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
-  using Clock = std::chrono::steady_clock;
-  const auto begin = Clock::now();
   most_motions_ = budget.motions;
-  watch_clock(begin, budget.seconds);
+  watch_clock(base::WorkLimit(budget.seconds, budget.unwanted));
   const bool fresh = status_ == Status::idle || status_ == Status::end;
   if (status_ == Status::alarm) return status_;
   if (status_ == Status::end) reset();
@@ -282,6 +302,8 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     if (halt == Halt::none && search_is_over(slice)) return finish(Status::alarm);
     if (halt == Halt::none && (servo_.broken_off() || refused_)) return finish(Status::budget);
     if (motions_spent_) return spent("the motions allowed are made");
+    // Whatever it has halted for: a program may do nothing but stop, and a batch run goes on.
+    if (limit_.unwanted()) return spent(words_for(limit_));
     switch (halt) {
       case Halt::end: return finish(Status::end);
       case Halt::alarm:
@@ -297,10 +319,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
       case Halt::none: break;
     }
     if (budget.steps != 0 && steps >= budget.steps) return spent("the steps allowed are made");
-    const std::chrono::duration<double> elapsed = Clock::now() - begin;
-    if (budget.seconds > 0 && elapsed.count() > budget.seconds) {
-      return spent(base::number_text(budget.seconds) + " s of computing are over");
-    }
+    if (limit_.out_of_time()) return spent(words_for(limit_));
   }
 }
 

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "base/findings.hpp"
 #include "base/source_file.hpp"
+#include "base/work_limit.hpp"
 #include "control/control.hpp"
 #include "control/memory.hpp"
 #include "machine/alarm_search.hpp"
@@ -35,7 +37,8 @@ struct SkipContact {
 struct Budget {
   double seconds = 60;  ///< of computing
   std::uint64_t motions = 50'000'000;
-  std::uint64_t steps = 0;  ///< jumps, blocks and pages, about
+  std::uint64_t steps = 0;     ///< jumps, blocks and pages, about
+  std::stop_token unwanted{};  ///< stopped: the run ends in Status::budget within milliseconds
 };
 
 /// A machine with its control and the switches of its panel. A batch run and a live panel are the
@@ -217,8 +220,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] std::string program_name() const { return dialect_->program_name(); }
   /// The program's variables that are not null, in the order of its language.
   [[nodiscard]] std::vector<Variable> variables() { return dialect_->variables(); }
-  /// Mistakes of the loaded programs that show without running them.
-  [[nodiscard]] std::vector<base::Diagnostic> check() { return dialect_->check(); }
+  /// Mistakes of the loaded programs that show without running them. A check whose limit is reached
+  /// ends in the warning BUDGET.
+  void check(base::Findings& found);
+  [[nodiscard]] std::vector<base::Diagnostic> check();
 
  private:
   // control::Surroundings
@@ -255,7 +260,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Status end_search();
   void note_spent(const std::string& what);
   Status broken_off(Status status);
-  void watch_clock(std::chrono::steady_clock::time_point begin, double seconds);
+  void watch_clock(const base::WorkLimit& limit);
+  [[nodiscard]] static std::string words_for(const base::WorkLimit& limit);
 
   MachineDefinition definition_;
   control::Memory memory_;
@@ -281,7 +287,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::optional<base::Diagnostic> drive_alarm_;
   std::optional<base::Diagnostic> notice_;
   Status status_ = Status::idle;
-  double most_seconds_ = 0;
+  base::WorkLimit limit_;
   std::uint64_t most_motions_ = 0;
   std::uint64_t slice_end_ = 0;   // number of motions at which the clock is looked at
   bool motions_spent_ = false;    // one more than most_motions_ was asked for

@@ -6,7 +6,7 @@
 namespace kerf::server {
 namespace {
 
-constexpr std::size_t kShortestToken = 8;
+constexpr std::size_t kShortestToken = 16;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -15,13 +15,15 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-// "localhost:8080" and "[::1]:8080" without their ports.
+// "localhost:8080" and "[::1]:8080" without their ports; what has no port there stays whole.
 std::string_view without_port(std::string_view host) {
-  if (host.starts_with('[')) {
-    const std::size_t end = host.find(']');
-    return end == std::string_view::npos ? host : host.substr(0, end + 1);
-  }
-  return host.substr(0, host.find(':'));
+  const std::size_t bracket = host.starts_with('[') ? host.find(']') : 0;
+  const std::size_t colon = host.find(':', std::min(bracket, host.size()));
+  if (colon == std::string_view::npos) return host;
+  const std::string_view port = host.substr(colon + 1);
+  const bool number =
+      std::all_of(port.begin(), port.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+  return number ? host.substr(0, colon) : host;
 }
 
 std::optional<std::string> cookie_value(std::string_view cookies, std::string_view name) {
@@ -47,11 +49,12 @@ bool same_secret(std::string_view given, std::string_view wanted) {
   return difference == 0;
 }
 
-bool has_token(const Address& address, const Visit& visit) {
+Refusal refusal_by_token(const Address& address, const Visit& visit) {
   const auto in_query = query_value(visit.target, "token");
-  if (in_query && same_secret(*in_query, address.token)) return true;
+  if (in_query && same_secret(*in_query, address.token)) return Refusal::none;
   const auto in_cookie = cookie_value(visit.cookie, kTokenCookie);
-  return in_cookie && same_secret(*in_cookie, address.token);
+  if (in_cookie && same_secret(*in_cookie, address.token)) return Refusal::none;
+  return in_query || in_cookie ? Refusal::wrong_token : Refusal::no_token;
 }
 
 bool fits_address_line(const std::string& token) {
@@ -84,9 +87,10 @@ base::Outcome<void> check_address(const Address& address) {
                  ": others could reach the machines there, so a --token is needed");
   }
   if (address.token.size() < kShortestToken)
-    return wrong("--token: at least eight characters are needed");
+    return wrong("the token has less than 16 characters: it could be guessed");
   if (!fits_address_line(address.token))
-    return wrong("--token: letters, digits, '-', '_' and '.' only, since it stands in an address");
+    return wrong(
+        "the token: letters, digits, '-', '_' and '.' only, since it stands in an address");
   return {};
 }
 
@@ -97,11 +101,12 @@ Verdict admit(const Address& address, const Visit& visit) {
             "This server answers to localhost only; the request asked for another host."};
   if (!visit.origin.empty() && !same_origin(visit.origin, visit.host))
     return {Refusal::forbidden, "The request comes from the page of another site."};
-  if (!address.token.empty() && !has_token(address, visit))
-    return {Refusal::unauthorized,
-            "A token is needed: open the address that `kerf serve` has printed, which ends in "
-            "?token=…"};
-  return {};
+  if (address.token.empty()) return {};
+  const Refusal refusal = refusal_by_token(address, visit);
+  if (refusal == Refusal::none) return {};
+  return {refusal,
+          "A token is needed: open the address that `kerf serve` has printed, which ends in "
+          "?token=…"};
 }
 
 std::optional<std::string> unescaped(std::string_view text) {

@@ -23,7 +23,7 @@ struct Visit {
   std::string_view target;  ///< with its query
 };
 
-enum class Refusal { none, unauthorized, forbidden };
+enum class Refusal { none, no_token, wrong_token, forbidden };
 
 struct Verdict {
   Refusal refusal = Refusal::none;
@@ -34,8 +34,8 @@ inline constexpr std::string_view kTokenCookie = "kerf_token";
 
 [[nodiscard]] bool is_loopback(std::string_view host);
 
-/// Failure (usage): an address that others reach needs a token of at least eight characters that
-/// fit into an address line.
+/// Failure (usage): an address that others reach needs a token of at least 16 characters that fit
+/// into an address line.
 [[nodiscard]] base::Outcome<void> check_address(const Address& address);
 
 /// Who may come in:

@@ -27,18 +27,18 @@ bool write_all(int descriptor, const std::string& bytes, std::uint64_t offset) {
 
 }  // namespace
 
-base::Outcome<std::shared_ptr<ChunkStore>> ChunkStore::create(const std::string& folder,
-                                                              std::shared_ptr<ChunkBudget> budget) {
-  std::string name = folder + "/.preview.XXXXXX";
-  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor < 0) return failure(folder + ": " + std::strerror(errno));
-  ::unlink(name.c_str());
-  return std::shared_ptr<ChunkStore>(new ChunkStore(descriptor, std::move(budget)));
-}
-
 ChunkStore::~ChunkStore() {
   budget_->bytes -= end_;
-  ::close(descriptor_);
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+base::Outcome<void> ChunkStore::open() {
+  std::string name = folder_ + "/.preview.XXXXXX";
+  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0)
+    return failure(std::string("the picture cannot be kept: ") + std::strerror(errno));
+  ::unlink(name.c_str());
+  return {};
 }
 
 // Written outside of the lock: there is one who adds.
@@ -47,6 +47,9 @@ base::Outcome<void> ChunkStore::add(const std::string& chunk) {
     return failure("the picture of this program is larger than 1 GiB; the rest is left out");
   if (budget_->bytes + chunk.size() > ChunkBudget::kMostBytes)
     return failure("the pictures of this server are larger than 8 GiB; the rest is left out");
+  if (descriptor_ < 0) {
+    if (auto opened = open(); !opened) return opened;
+  }
   if (!write_all(descriptor_, chunk, end_))
     return failure(std::string("the picture cannot be kept: ") + std::strerror(errno));
   const std::lock_guard lock(guard_);

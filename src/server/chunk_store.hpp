@@ -24,15 +24,15 @@ class ChunkStore {
  public:
   static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;
 
-  /// Failure (output).
-  [[nodiscard]] static base::Outcome<std::shared_ptr<ChunkStore>> create(
-      const std::string& folder, std::shared_ptr<ChunkBudget> budget);
+  /// The file is made in `folder` by whoever adds the first chunk.
+  ChunkStore(std::string folder, std::shared_ptr<ChunkBudget> budget)
+      : folder_(std::move(folder)), budget_(std::move(budget)) {}
   ~ChunkStore();
   ChunkStore(const ChunkStore&) = delete;
   ChunkStore& operator=(const ChunkStore&) = delete;
 
-  /// Failure (output): the disk is full, or the store or all of them hold what they may; the chunk
-  /// is not kept then.
+  /// Failure (output): there is no file to be had, the disk is full, or the store or all of them
+  /// hold what they may; the chunk is not kept then.
   [[nodiscard]] base::Outcome<void> add(const std::string& chunk);
   [[nodiscard]] std::size_t count() const;
   /// Nothing: there is no such chunk, or the disk does not give it back.
@@ -44,11 +44,11 @@ class ChunkStore {
     std::uint64_t bytes = 0;
   };
 
-  ChunkStore(int descriptor, std::shared_ptr<ChunkBudget> budget)
-      : budget_(std::move(budget)), descriptor_(descriptor) {}
+  [[nodiscard]] base::Outcome<void> open();
 
+  std::string folder_;
   std::shared_ptr<ChunkBudget> budget_;
-  int descriptor_;
+  int descriptor_ = -1;
   mutable std::mutex guard_;
   std::vector<Extent> extents_;
   std::uint64_t end_ = 0;

@@ -32,11 +32,13 @@ void Client::watch(MachineRecord* machine) {
   seen_touch_ = 0;
   chunks_.reset();
   next_chunk_ = 0;
+  fetched_.reset();
 }
 
 void Client::begin_chunks(std::shared_ptr<ChunkStore> chunks) {
   chunks_ = std::move(chunks);
   next_chunk_ = 0;
+  fetched_.reset();
   wake();
 }
 
@@ -63,10 +65,27 @@ std::optional<Outgoing> Client::next_state() {
 
 std::optional<Outgoing> Client::next_chunk() {
   if (!chunks_) return std::nullopt;
-  auto chunk = chunks_->read(next_chunk_);
-  if (!chunk) return std::nullopt;
-  ++next_chunk_;
-  return Outgoing{std::move(*chunk), true};
+  if (fetched_) {
+    Outgoing message{std::move(*fetched_), true};
+    fetched_.reset();
+    ++next_chunk_;
+    return message;
+  }
+  if (!is_fetching_ && next_chunk_ < chunks_->count()) {
+    is_fetching_ = true;
+    fetch_(chunks_, next_chunk_);
+  }
+  return std::nullopt;
+}
+
+// What he does not wait for any more, since another run has begun, is dropped.
+void Client::take_chunk(const std::shared_ptr<ChunkStore>& of, std::size_t number,
+                        std::optional<std::string> chunk) {
+  is_fetching_ = false;
+  const bool waited_for = of == chunks_ && number == next_chunk_;
+  if (waited_for && !chunk) return;
+  if (waited_for) fetched_ = std::move(chunk);
+  wake();
 }
 
 }  // namespace kerf::server

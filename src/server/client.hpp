@@ -2,14 +2,17 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
 #include "server/argument.hpp"
 #include "server/chunk_store.hpp"
 #include "server/commands.hpp"
+#include "server/quota.hpp"
 #include "server/rate_limit.hpp"
 
 namespace kerf::server {
@@ -40,11 +43,24 @@ class MachineRecord;
 /// queued either: he has a place in the run's chunks, and none is left out.
 class Client {
  public:
+  /// Has a chunk read where files are read; take_chunk() gets it.
+  using FetchChunk = std::function<void(const std::shared_ptr<ChunkStore>&, std::size_t number)>;
+
   Client(std::string name, Link& link) : name_(std::move(name)), link_(&link) {}
 
+  void set_fetch(FetchChunk fetch) { fetch_ = std::move(fetch); }
+  /// Nothing: the disk has not given it back.
+  void take_chunk(const std::shared_ptr<ChunkStore>& of, std::size_t number,
+                  std::optional<std::string> chunk);
+
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// The connection is gone; what is sent from now on goes nowhere.
-  void cut() { link_ = nullptr; }
+  /// The connection is gone; what is sent from now on goes nowhere, and what was asked for and
+  /// changes nothing is not computed any more.
+  void cut() {
+    link_ = nullptr;
+    gone_.request_stop();
+  }
+  [[nodiscard]] std::stop_token gone() const { return gone_.get_token(); }
   [[nodiscard]] bool connected() const { return link_ != nullptr; }
 
   /// An answer or an event.
@@ -79,9 +95,9 @@ class Client {
   [[nodiscard]] bool falls_silent(double now_ms);
 
   [[nodiscard]] bool admit_command() { return rate_.admit(RateLimit::Clock::now()); }
+  /// Null: too many commands wait for their answers.
+  [[nodiscard]] Quota::Ticket begin_command() { return under_way_.take(0); }
   int refused_in_a_row = 0;
-  /// Alive while a program of his is assessed: one at a time.
-  std::weak_ptr<const void> assessed;
 
  private:
   [[nodiscard]] std::optional<Outgoing> next_state();
@@ -98,6 +114,11 @@ class Client {
   std::size_t next_chunk_ = 0;
   double heard_ms_ = 0;
   bool silent_ = false;
+  FetchChunk fetch_;
+  bool is_fetching_ = false;
+  std::optional<std::string> fetched_;  // chunk next_chunk_
+  std::stop_source gone_;
+  Quota under_way_{limits::kUnderWay, 0};
   RateLimit rate_{limits::kCommandsPerSecond, limits::kCommandBurst};
 };
 

@@ -256,8 +256,10 @@ std::vector<Command> make_table() {
        Who::anyone,
        {program_text, name_of("name"),
         name_of("machine", "otherwise the one that is watched, or mill3", Need::optional)},
-       "Tells what is wrong with a text.",
-       "`diagnostics`: list of `{severity, code, message, line, column, length, cause, remedy}`"},
+       "Tells what is wrong with a text. A check that takes longer than 5 s ends in the warning "
+       "BUDGET.",
+       "`diagnostics`: the first 1,000, a list of `{severity, code, message, line, column, length, "
+       "cause, remedy}`, `more`: how many there are besides them"},
       {"exercises",
        Who::anyone,
        {},

@@ -13,13 +13,22 @@ inline constexpr int kProtocol = 1;
 
 /// Sizes, rates and counts that the server keeps, each refused with a sentence.
 namespace limits {
-inline constexpr std::size_t kMessageBytes = 1U << 20U;  ///< a WebSocket message to the server
-inline constexpr std::size_t kTextBytes = 1'000'000;     ///< a program in a command
+inline constexpr std::size_t kTextBytes = 1'000'000;  ///< a program in a command
+/// A WebSocket message to the server: such a program with each character escaped by a backslash.
+inline constexpr std::size_t kMessageBytes = 2 * kTextBytes + (64U << 10U);
 inline constexpr std::size_t kHeaderBytes = 16U << 10U;  ///< of an HTTP request
-inline constexpr std::size_t kQueueBytes = 8U
-                                           << 20U;  ///< answers and events that wait for a client
-inline constexpr int kCommandsPerSecond = 200;      ///< of a connection, on average
+/// Answers and events that wait for a client.
+inline constexpr std::size_t kQueueBytes = 8U << 20U;
+inline constexpr int kCommandsPerSecond = 200;  ///< of a connection, on average
 inline constexpr int kCommandBurst = 400;
+inline constexpr std::size_t kUnderWay =
+    64;  ///< commands of a connection that are not answered yet
+inline constexpr std::size_t kAllUnderWay = 1024;  ///< of all connections
+inline constexpr std::size_t kBytesUnderWay = 64U << 20U;
+inline constexpr std::size_t kAnswerBytes = 6U << 20U;  ///< a larger answer is refused
+inline constexpr std::size_t kDiagnostics = 1000;       ///< of `check`; the rest is counted
+inline constexpr double kAsideSeconds = 5;  ///< of computing for a check or a curve of speeds
+inline constexpr double kSlowSeconds = 30;  ///< of computing for what keeps a machine busy
 inline constexpr std::size_t kConnections = 256;
 inline constexpr std::size_t kMachines = 256;
 inline constexpr int kStatesPerSecond = 20;
@@ -27,6 +36,7 @@ inline constexpr int kStalledSeconds = 10;  ///< a client that takes nothing for
 inline constexpr int kSilentSeconds = 3;    ///< without a word from who sends pings: he is away
 inline constexpr int kLateMs = 2000;        ///< a dated command that is older is not carried out
 inline constexpr int kRequestSeconds = 10;  ///< the operator has to refuse a request within them
+static_assert(kAnswerBytes + kMessageBytes < kQueueBytes, "one answer never closes a connection");
 }  // namespace limits
 
 /// A command of the panel. The table of them is the protocol: arguments are checked against it and

@@ -1,11 +1,12 @@
 #include "server/http_session.hpp"
 
-#include <boost/beast/core/file_posix.hpp>
-#include <boost/beast/http/file_body.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <limits>
 
+#include "server/download.hpp"
+#include "server/http_rules.hpp"
+#include "server/notices.hpp"
 #include "server/protocol_page.hpp"
 #include "server/upload.hpp"
 #include "server/websocket_session.hpp"
@@ -20,8 +21,9 @@ using boost::system::error_code;
 namespace {
 
 constexpr std::size_t kBufferBytes = 96U << 10U;
+constexpr std::size_t kHeaderPiece = 8U << 10U;
 constexpr auto kLinger = std::chrono::seconds(3);
-constexpr const char* kText = "text/plain; charset=utf-8";
+constexpr auto kWrongToken = std::chrono::seconds(1);
 constexpr const char* kHtml = "text/html; charset=utf-8";
 constexpr const char* kJson = "application/json";
 
@@ -39,8 +41,12 @@ std::string text_of(beast::string_view view) { return {view.data(), view.size()}
 
 }  // namespace
 
-HttpSession::HttpSession(tcp::socket socket, Site& site)
-    : stream_(std::move(socket)), buffer_(kBufferBytes), site_(site), counted_(site.connections) {
+HttpSession::HttpSession(tcp::socket socket, Site& site, std::unique_ptr<Connections::Entry> entry)
+    : stream_(std::move(socket)),
+      buffer_(kBufferBytes),
+      site_(site),
+      entry_(std::move(entry)),
+      delay_(stream_.get_executor()) {
   error_code ignored;
   stream_.socket().set_option(tcp::no_delay(true), ignored);
 }
@@ -49,71 +55,127 @@ std::string HttpSession::target() const { return text_of(parser_->get().target()
 
 std::string HttpSession::header(http::field name) const { return text_of(parser_->get()[name]); }
 
-void HttpSession::read() {
+// Requests
+
+void HttpSession::read(int seconds) {
   parser_.emplace();
   parser_->header_limit(limits::kHeaderBytes);
   // An upload counts for itself; other bodies are not read.
   parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
-  stream_.expires_after(std::chrono::seconds(kIdle_s));
-  http::async_read_header(
-      stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
-        if (!error) return self->route();
-        if (error == http::error::header_limit)
-          return self->answer_and_close(http::status::request_header_fields_too_large, kText,
-                                        "The header of a request has at most 16 KiB.\n");
-        if (error.category() == make_error_code(http::error::bad_version).category() &&
-            error != http::error::end_of_stream && error != http::error::partial_message)
-          self->answer_and_close(http::status::bad_request, kText, "This is no HTTP request.\n");
-      });
+  raw_header_.clear();
+  stream_.expires_after(std::chrono::seconds(seconds));
+  give_way();
+  read_header();
 }
 
-// False: the refusal has been sent.
-bool HttpSession::admitted() {
+void HttpSession::give_way() {
+  entry_->wait([this] { stream_.close(); });
+}
+
+void HttpSession::read_header() {
+  if (parse_header()) return;
+  stream_.async_read_some(buffer_.prepare(kHeaderPiece),
+                          [self = shared_from_this()](error_code error, std::size_t bytes) {
+                            if (error) return;  // it is gone, or has said nothing for too long
+                            self->buffer_.commit(bytes);
+                            self->read_header();
+                          });
+}
+
+// True: nothing more is to be read of it.
+bool HttpSession::parse_header() {
+  error_code error;
+  const auto given = buffer_.cdata();
+  const std::size_t used = given.size() == 0 ? 0 : parser_->put(given, error);
+  raw_header_.append(static_cast<const char*>(given.data()), used);
+  buffer_.consume(used);
+  if (error && error != http::error::need_more) {
+    header_failed(error);
+    return true;
+  }
+  if (!parser_->is_header_done()) return false;
+  entry_->stop_waiting();
+  route();
+  return true;
+}
+
+void HttpSession::header_failed(const error_code& error) {
+  entry_->stop_waiting();
+  if (error == http::error::header_limit)
+    return answer_and_close(http::status::request_header_fields_too_large, kText,
+                            "The header of a request has at most 16 KiB.\n");
+  answer_and_close(http::status::bad_request, kText, "This is no HTTP request.\n");
+}
+
+// False: the refusal has been sent. Who asks how the server is needs no token.
+bool HttpSession::admitted(const std::string& path) {
   const std::string host = header(http::field::host), origin = header(http::field::origin),
                     cookie = header(http::field::cookie), where = target();
   const Verdict verdict = admit(site_.address, {host, origin, cookie, where});
-  if (verdict.refusal == Refusal::none) return true;
-  const bool unauthorized = verdict.refusal == Refusal::unauthorized;
-  // A page that is open already learns the reason only from a WebSocket that closes with it.
-  if (unauthorized && beast::websocket::is_upgrade(parser_->get())) {
-    WebSocketSession::refuse(stream_.release_socket(), parser_->release(), verdict.sentence);
+  const bool only_token = verdict.refusal == Refusal::no_token;
+  if (verdict.refusal == Refusal::none || (only_token && path == "/health")) return true;
+  if (verdict.refusal != Refusal::wrong_token) {
+    refuse_visit(verdict);
     return false;
   }
-  answer_and_close(unauthorized ? http::status::unauthorized : http::status::forbidden, kText,
-                   verdict.sentence + "\n");
+  // Who guesses gets one answer a second.
+  site_.wrong_tokens.note(entry_->address().to_string());
+  stream_.expires_never();
+  give_way();
+  delay_.expires_after(kWrongToken);
+  delay_.async_wait([self = shared_from_this(), verdict](error_code error) {
+    self->entry_->stop_waiting();
+    if (!error) self->refuse_visit(verdict);
+  });
   return false;
 }
 
+void HttpSession::refuse_visit(const Verdict& verdict) {
+  const bool forbidden = verdict.refusal == Refusal::forbidden;
+  // A page that is open already learns the reason only from a WebSocket that closes with it.
+  if (!forbidden && beast::websocket::is_upgrade(parser_->get()))
+    return WebSocketSession::refuse(stream_.release_socket(), std::move(entry_), parser_->release(),
+                                    verdict.sentence);
+  answer_and_close(forbidden ? http::status::forbidden : http::status::unauthorized, kText,
+                   verdict.sentence + "\n");
+}
+
 void HttpSession::route() {
-  const auto method = parser_->get().method();
+  if (const auto bad = objection_to_framing(parser_->get(), raw_header_))
+    return answer_and_close(bad->status, kText, bad->sentence + "\n");
   const std::string where = target();
   const auto path = unescaped(where.substr(0, where.find('?')));
   if (!path || !path->starts_with('/'))
     return answer_and_close(http::status::bad_request, kText, "The address is not well formed.\n");
-  if (*path == "/health" && method == http::verb::get)
-    return answer(http::status::ok, kJson,
-                  R"({"ok":true})"
-                  "\n");
-  if (!admitted()) return;
+  if (admitted(*path)) route_to(*path);
+}
+
+void HttpSession::route_to(const std::string& path) {
+  const auto method = parser_->get().method();
   constexpr std::string_view kLibrary = "/library/";
-  if (method == http::verb::put && path->starts_with(kLibrary)) {
-    std::make_shared<Upload>(shared_from_this(), path->substr(kLibrary.size()))->start();
-    return;
-  }
+  if (method == http::verb::put && path.starts_with(kLibrary))
+    return std::make_shared<Upload>(shared_from_this(), path.substr(kLibrary.size()))->start();
   if (method != http::verb::get && method != http::verb::head)
     return answer_and_close(http::status::method_not_allowed, kText,
                             "Only GET, and PUT of a program to /library/, are served here.\n");
-  if (query_value(where, "token") && !site_.address.token.empty() && *path == "/")
+  if (query_value(target(), "token") && !site_.address.token.empty() && path == "/")
     return give_cookie();
-  if (path->starts_with(kLibrary)) return serve_program(path->substr(kLibrary.size()));
-  route_get(*path);
+  if (path.starts_with(kLibrary))
+    return std::make_shared<Download>(shared_from_this(), path.substr(kLibrary.size()))->start();
+  route_get(path);
 }
 
 void HttpSession::route_get(const std::string& path) {
+  if (path == "/health")
+    return answer(http::status::ok, kJson,
+                  R"({"ok":true})"
+                  "\n");
   if (path == "/ws") {
     if (beast::websocket::is_upgrade(parser_->get())) return become_websocket();
     return answer(http::status::upgrade_required, kText, "A WebSocket is served here.\n");
   }
+  if (path == "/notices")
+    return answer(http::status::ok, kText, std::string(notices().front().text));
   if (path == "/api") return answer(http::status::ok, kHtml, protocol_html());
   serve_page(path);
 }
@@ -151,66 +213,52 @@ void HttpSession::serve_asset(const Asset& asset) {
   send(std::move(made));
 }
 
-// Programs
-
-void HttpSession::serve_program(const std::string& name) {
-  const auto path = site_.hub.library().path_of(name);
-  if (!path) return answer(http::status::not_found, kText, path.error().message + "\n");
-  error_code error;
-  http::file_body::value_type file;
-  file.open(path->c_str(), beast::file_mode::scan, error);
-  if (error) return answer(http::status::not_found, kText, name + ": " + error.message() + "\n");
-  auto made =
-      std::make_shared<http::response<http::file_body>>(http::status::ok, parser_->get().version());
-  made->set(http::field::content_type, kText);
-  made->set("X-Content-Type-Options", "nosniff");
-  made->set("Content-Security-Policy", "sandbox");
-  made->keep_alive(parser_->get().keep_alive());
-  made->body() = std::move(file);
-  made->prepare_payload();
-  stream_.expires_after(std::chrono::seconds(kIdle_s));
-  http::async_write(stream_, *made,
-                    [self = shared_from_this(), made](error_code failed, std::size_t) {
-                      if (!failed) self->sent(made->keep_alive());
-                    });
-}
-
 void HttpSession::become_websocket() {
-  if (site_.hub.connections() >= limits::kConnections / 2)
+  if (site_.hub.connections() >= site_.connections.most() / 2)
     return answer_and_close(http::status::service_unavailable, kText,
                             "As many clients as this server takes are connected.\n");
   stream_.expires_never();
-  std::make_shared<WebSocketSession>(stream_.release_socket(), site_, std::move(*counted_))
+  std::make_shared<WebSocketSession>(stream_.release_socket(), site_, std::move(entry_))
       ->start(parser_->release());
-  counted_.reset();
 }
 
 // Answers
 
-HttpSession::Response HttpSession::response(http::status status, const std::string& type,
-                                            std::string body) const {
+// What nobody has read would be taken for the next request.
+bool HttpSession::has_unread_body() const {
+  if (!parser_->is_header_done()) return true;
+  return !parser_->is_done() && parser_->content_length_remaining().value_or(1) > 0;
+}
+
+void HttpSession::prepare(http::response_header<>& made, http::status status,
+                          const std::string& type) const {
   // A request that could not be read has no version.
   constexpr unsigned kHttp11 = 11;
   const unsigned asked = parser_->get().version();
-  Response made(status, asked == 0 ? kHttp11 : asked);
+  made.result(status);
+  made.version(asked == 0 ? kHttp11 : asked);
   made.set(http::field::server, "kerf");
   made.set(http::field::content_type, type);
   made.set(http::field::cache_control, "no-store");
   made.set("X-Content-Type-Options", "nosniff");
   made.set("Referrer-Policy", "no-referrer");
   made.set("Content-Security-Policy", std::string(kPolicy));
-  made.keep_alive(parser_->get().keep_alive());
+}
+
+HttpSession::Response HttpSession::response(http::status status, const std::string& type,
+                                            std::string body) const {
+  Response made;
+  prepare(made, status, type);
   made.body() = std::move(body);
   made.prepare_payload();
   // A HEAD gets the length but not the body.
-  if (parser_->get().method() == http::verb::head) made.body().clear();
+  if (is_head()) made.body().clear();
   return made;
 }
 
+void HttpSession::expect_progress() { stream_.expires_after(std::chrono::seconds(kIdle_s)); }
+
 void HttpSession::answer(http::status status, const std::string& type, std::string body) {
-  // A body that nobody has read would be taken for the next request.
-  if (!parser_->is_done() && parser_->content_length_remaining().value_or(1) > 0)
-    return answer_and_close(status, type, std::move(body));
   send(response(status, type, std::move(body)));
 }
 
@@ -222,19 +270,20 @@ void HttpSession::answer_and_close(http::status status, const std::string& type,
 
 void HttpSession::send(Response made) {
   const auto kept = std::make_shared<Response>(std::move(made));
-  stream_.expires_after(std::chrono::seconds(kIdle_s));
+  expect_progress();
   http::async_write(stream_, *kept,
                     [self = shared_from_this(), kept](error_code error, std::size_t) {
                       if (!error) self->sent(kept->keep_alive());
                     });
 }
 
-void HttpSession::sent(bool goes_on) { goes_on ? read() : linger(); }
+void HttpSession::sent(bool goes_on) { goes_on ? read(kIdle_s) : linger(); }
 
 void HttpSession::linger() {
   error_code ignored;
   stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
   dropped_.resize(64U << 10U);
+  give_way();
   drop_until_ = std::chrono::steady_clock::now() + kLinger;
   drop_some();
 }

@@ -11,6 +11,7 @@
 #include "output/diagnostic_text.hpp"
 #include "server/guarded.hpp"
 #include "server/handlers.hpp"
+#include "server/json_shape.hpp"
 #include "server/private_files.hpp"
 
 namespace kerf::server {
@@ -77,6 +78,7 @@ Hub::Hub(Settings settings, ToSockets to_sockets, std::unique_ptr<Library> libra
 // Machines stop, then what their memory holds is written, then the threads end.
 Hub::~Hub() {
   for (const auto& [name, machine] : machines_) machine->cancel_preview();
+  for (const auto& [key, client] : clients_) client->cut();
   threads_.reset();
   previews_.reset();
   aside_.reset();
@@ -135,6 +137,14 @@ std::shared_ptr<Client> Hub::connect(Link& link) {
   thread_.here();
   auto client = std::make_shared<Client>("client-" + std::to_string(next_client_++), link);
   clients_[client.get()] = client;
+  client->set_fetch([this, weak = std::weak_ptr(client)](const std::shared_ptr<ChunkStore>& store,
+                                                         std::size_t number) {
+    disk_->post([this, weak, store, number] {
+      to_sockets_([weak, store, number, chunk = store->read(number)] {
+        if (const auto reader = weak.lock()) reader->take_chunk(store, number, chunk);
+      });
+    });
+  });
   client->send(hello_for(*client));
   return client;
 }
@@ -160,56 +170,115 @@ void Hub::close_all(const std::string& sentence) {
   for (const auto& [key, client] : clients) client->close(Link::Why::going_away, sentence);
 }
 
+namespace {
+
+// To read so much costs nothing, so that even what is refused unread is answered by its id.
+constexpr std::size_t kSmallBytes = 4096;
+
+Json id_of(const Json& body) {
+  const bool has_id = body.is_object() && body.contains("id") && body["id"].is_primitive();
+  return has_id ? body["id"] : Json(nullptr);
+}
+
+// The command that a text asks for, its arguments held against the table. Failure (usage).
+Outcome<const Command*> command_of(const Json& body) {
+  const auto wrong = [](const std::string& sentence) {
+    return tl::unexpected(base::Failure{base::Failure::Kind::usage, sentence});
+  };
+  if (!body.is_object()) return wrong("a command is an object of JSON, and this is none");
+  if (!body.contains("do") || !body["do"].is_string())
+    return wrong("the command names nothing to do: the key `do` is missing");
+  const std::string name = body["do"].get<std::string>();
+  const Command* const command = find_command(name);
+  if (command == nullptr) return wrong("there is no command " + name.substr(0, 40));
+  if (auto checked = check_arguments(body, command->arguments, {"id", "do", "at_ms"}); !checked)
+    return wrong(name + ": " + checked.error().message);
+  return command;
+}
+
+// Whether a command is for this client. Failure (usage): why not.
+Outcome<void> check_who(const Command& command, const Client& client) {
+  const std::string name(command.name);
+  const MachineRecord* const machine = client.watched();
+  if (command.who == Command::Who::anyone) return {};
+  if (machine == nullptr)
+    return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                        name + ": no machine is watched on this connection"});
+  if (command.who != Command::Who::op || machine->op == &client) return {};
+  if (machine->op == nullptr)
+    return tl::unexpected(base::refuse(base::Refusal::operated_by_nobody, {name, machine->name}));
+  return tl::unexpected(base::refuse(base::Refusal::operated_by_another,
+                                     {name, machine->name, machine->op->shown_name()}));
+}
+
+}  // namespace
+
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
   thread_.here();
-  constexpr int kMostRefused = 1000;
-  const auto body = std::make_shared<const Json>(Json::parse(text, nullptr, false));
-  const bool object = body->is_object();
-  const Json id = object && body->contains("id") && (*body)["id"].is_primitive() ? (*body)["id"]
-                                                                                 : Json(nullptr);
-  const Reply reply(client, id);
-  if (!client->admit_command()) {
-    if (++client->refused_in_a_row > kMostRefused)
-      return client->close(Link::Why::policy, "Commands came faster than the server takes them.");
-    return reply.no("there are more than 200 commands a second on this connection");
-  }
+  const bool admitted = client->admit_command();
+  const bool is_read = admitted || text.size() <= kSmallBytes;
+  const auto objection = is_read ? objection_to_shape(text) : std::nullopt;
+  const auto body = std::make_shared<const Json>(
+      is_read && !objection ? Json::parse(text, nullptr, false) : Json(Json::value_t::discarded));
+  const Reply refusal(client, id_of(*body));
+  if (!admitted) return refuse_haste(*client, refusal);
   client->refused_in_a_row = 0;
   client->hear(clock_.now_ms());
-  if (!object) return reply.no("a command is an object of JSON, and this is none");
-  if (!body->contains("do") || !(*body)["do"].is_string())
-    return reply.no("the command names nothing to do: the key `do` is missing");
-  const std::string name = (*body)["do"].get<std::string>();
-  const Command* const command = find_command(name);
-  if (command == nullptr) return reply.no("there is no command " + name.substr(0, 40));
-  if (auto checked = check_arguments(*body, command->arguments, {"id", "do", "at_ms"}); !checked)
-    return reply.no(name + ": " + checked.error().message);
+  if (objection) return refusal.no(*objection);
+  const auto command = command_of(*body);
+  if (!command) return refusal.no(command.error());
   const auto given = given_ms(*body);
-  if (!given) return reply.no(name + ": " + given.error().message);
-  if (const auto late = too_late(name, *given)) return reply.no(*late);
-  MachineRecord* const machine = client->watched();
-  if (command->who != Command::Who::anyone && machine == nullptr)
-    return reply.no(name + ": no machine is watched on this connection");
-  if (command->who == Command::Who::op && machine->op != client.get())
-    return machine->op == nullptr
-               ? reply.no(base::Refusal::operated_by_nobody, {name, machine->name})
-               : reply.no(base::Refusal::operated_by_another,
-                          {name, machine->name, machine->op->shown_name()});
+  if (!given) return refusal.no(std::string((*command)->name) + ": " + given.error().message);
+  if (const auto late = too_late(std::string((*command)->name), *given)) return refusal.no(*late);
+  if (auto suits = check_who(**command, *client); !suits) return refusal.no(suits.error());
+  Quota::Ticket mine = client->begin_command();
+  if (!mine)
+    return refusal.no(std::to_string(limits::kUnderWay) +
+                      " commands of this connection are under way; wait for an answer");
+  Quota::Ticket ours = commands_under_way_.take(text.size());
+  if (!ours) return refusal.no("the server has as much under way as it takes; try again later");
+  serve({client, client->watched(), body, Reply(client, id_of(*body), {mine, ours}), *given},
+        **command);
+}
+
+void Hub::refuse_haste(Client& client, const Reply& reply) {
+  constexpr int kMostRefused = 1000;
+  if (++client.refused_in_a_row > kMostRefused)
+    return client.close(Link::Why::policy, "Commands came faster than the server takes them.");
+  reply.no("there are more than 200 commands a second on this connection");
+}
+
+void Hub::serve(const Request& request, const Command& command) {
+  const std::string name(command.name);
   try {
-    find_handler(name)(*this, {client, machine, body, reply, *given});
+    find_handler(command.name)(*this, request);
   } catch (const std::exception& fault) {
     tell(name + ": fault of Kerf itself: " + fault.what());
-    reply.no(std::string("fault of Kerf itself: ") + fault.what());
+    request.reply.no(std::string("fault of Kerf itself: ") + fault.what());
   }
 }
 
 // Work elsewhere
 
+// Where the server keeps its data is nobody's business.
+std::string Hub::without_folder(std::string sentence) const {
+  const std::string folder = settings_.data + "/";
+  for (std::size_t at = 0; (at = sentence.find(folder, at)) != std::string::npos;)
+    sentence.erase(at, folder.size());
+  return sentence;
+}
+
+void Hub::answer(const Reply& reply, const Outcome<Json>& made) const {
+  Outcome<Json> outcome = made;
+  if (!outcome) outcome.error().message = without_folder(std::move(outcome.error().message));
+  to_sockets_([reply, text = reply.text_of(outcome)] { reply.send(text); });
+}
+
 void Hub::on_machine(const Request& request, Pace pace, MachineAction action) {
   MachineRecord& machine = *request.machine;
   machine.thread->post(machine.runner, pace,
                        [this, request, action = std::move(action)](Runner& runner) {
-                         auto outcome = done_in_time(request, runner, action);
-                         to_sockets_([reply = request.reply, outcome] { reply.with(outcome); });
+                         answer(request.reply, done_in_time(request, runner, action));
                        });
 }
 
@@ -225,8 +294,11 @@ std::optional<base::Failure> Hub::too_late(const std::string& command,
 Outcome<Json> Hub::done_in_time(const Request& request, Runner& runner,
                                 const MachineAction& action) const {
   const auto late = too_late((*request.body)["do"].get<std::string>(), request.given_ms);
-  if (!late) return guarded([&] { return action(runner); });
-  return tl::unexpected(*late);
+  if (late) return tl::unexpected(*late);
+  runner.machine().set_limit(base::WorkLimit(limits::kSlowSeconds, request.unwanted()));
+  const auto outcome = guarded([&] { return action(runner); });
+  runner.machine().set_limit({});
+  return outcome;
 }
 
 void Hub::on_machine_durably(const Request& request, Entry entry, Pace pace) {
@@ -238,13 +310,13 @@ void Hub::on_machine_durably(const Request& request, Entry entry, Pace pace) {
     const auto outcome = done_in_time(request, runner, entry.act);
     const control::Memory after = runner.machine().memory();
     if (!outcome && !keeps_the_same(before, after)) runner.machine().set_memory(before);
-    if (!outcome) return to_sockets_([reply, outcome] { reply.with(outcome); });
+    if (!outcome) return answer(reply, outcome);
     const auto keep = [this, reply, entry, name, before, after, outcome](Runner& at_disk) {
       const auto written = keeper_.write(name, after);
       if (!written) {
         at_disk.machine().set_memory(before);
         if (entry.undo) entry.undo(at_disk.machine());
-        return to_sockets_([reply, why = written.error()] { reply.no(why); });
+        return answer(reply, tl::unexpected(written.error()));
       }
       to_sockets_([reply, outcome, done = entry.done] {
         if (done) done();
@@ -259,25 +331,38 @@ void Hub::on_machine_durably(const Request& request, Entry entry, Pace pace) {
 void Hub::write(const Reply& reply, Writing action, std::function<void(Outcome<void>)> done) {
   machine_disk_->post([this, reply, action = std::move(action), done = std::move(done)] {
     const auto written = guarded([&] { return action(store_); });
-    to_sockets_([reply, written, done] {
+    to_sockets_([this, reply, written, done] {
       done(written);
-      if (!written) reply.no(written.error().message);
+      if (!written) reply.no(without_folder(written.error().message));
     });
   });
 }
 
-void Hub::on_disk(const Request& request, std::function<Outcome<Json>(Library&)> action) {
-  disk_->post([this, reply = request.reply, action = std::move(action)] {
-    auto outcome = guarded([&] { return action(*library_); });
-    to_sockets_([reply, outcome] { reply.with(outcome); });
-  });
+void Hub::do_on_disk(const Reply& reply, std::stop_token unwanted, DiskAction action) {
+  disk_->post({.work =
+                   [this, reply, action = std::move(action)] {
+                     answer(reply, guarded([&] { return action(*library_); }));
+                   },
+               .unwanted = std::move(unwanted)});
 }
 
-void Hub::aside(const Request& request, std::function<Outcome<Json>()> action) {
-  aside_->post([this, reply = request.reply, action = std::move(action)] {
-    auto outcome = guarded(action);
-    to_sockets_([reply, outcome] { reply.with(outcome); });
-  });
+void Hub::read_disk(const Request& request, DiskAction action) {
+  do_on_disk(request.reply, request.unwanted(), std::move(action));
+}
+
+void Hub::change_disk(const Request& request, DiskAction action) {
+  do_on_disk(request.reply, {}, std::move(action));
+}
+
+void Hub::aside(const Request& request, AsideAction action) {
+  const std::stop_token unwanted = request.unwanted();
+  aside_->post({.work =
+                    [this, reply = request.reply, action = std::move(action), unwanted] {
+                      const base::WorkLimit limit(limits::kAsideSeconds, unwanted);
+                      answer(reply, guarded([&] { return action(limit); }));
+                    },
+                .unwanted = unwanted,
+                .owner = request.client.get()});
 }
 
 // What the machines tell

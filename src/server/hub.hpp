@@ -57,7 +57,8 @@ class Hub {
   // For those who serve commands
 
   using MachineAction = std::function<base::Outcome<Json>(Runner&)>;
-  /// On the thread of the request's machine; the answer is what comes back.
+  /// On the thread of the request's machine; the answer is what comes back. What is slow has
+  /// limits::kSlowSeconds of computing, and ends when the client leaves.
   void on_machine(const Request& request, Pace pace, MachineAction action);
   /// What the operator enters into the memory.
   struct Entry {
@@ -70,10 +71,15 @@ class Hub {
   /// The same, answered when the memory is on the disk; until then the machine stands still. If it
   /// does not come there, or the action fails, the memory is as it was.
   void on_machine_durably(const Request& request, Entry entry, Pace pace = Pace::quick);
-  /// Where files are read and written; the answer is what comes back.
-  void on_disk(const Request& request, std::function<base::Outcome<Json>(Library&)> action);
-  /// For work that may take long and touches nothing of the hub.
-  void aside(const Request& request, std::function<base::Outcome<Json>()> action);
+  using DiskAction = std::function<base::Outcome<Json>(Library&)>;
+  /// Where files are read; the answer is what comes back. Not done for a client who has left.
+  void read_disk(const Request& request, DiskAction action);
+  /// The same where they are changed: what was taken is done, whoever leaves.
+  void change_disk(const Request& request, DiskAction action);
+  using AsideAction = std::function<base::Outcome<Json>(const base::WorkLimit& limit)>;
+  /// For work that may take long and touches nothing of the hub: one at a time of each client. It
+  /// is to keep to its limit, limits::kAsideSeconds of computing; a client who leaves ends it.
+  void aside(const Request& request, AsideAction action);
   /// Back on the thread of the sockets.
   void to_sockets(std::function<void()> action) const { to_sockets_(std::move(action)); }
 
@@ -89,6 +95,8 @@ class Hub {
   void ping(const Request& request);
   void load(const Request& request);
   void replace_definition(const Request& request);
+  /// A sentence of the disk as a client may read it.
+  [[nodiscard]] std::string without_folder(std::string sentence) const;
   /// Once more, because what it runs with has changed.
   void renew_preview(MachineRecord& machine);
 
@@ -102,6 +110,11 @@ class Hub {
       FolderLock lock);
 
   using Writing = std::function<base::Outcome<void>(const MachineStore&)>;
+  /// From any thread: the answer is made here and sent there.
+  void answer(const Reply& reply, const base::Outcome<Json>& outcome) const;
+  void do_on_disk(const Reply& reply, std::stop_token unwanted, DiskAction action);
+  void refuse_haste(Client& client, const Reply& reply);
+  void serve(const Request& request, const Command& command);
   /// Where machines are kept; then `done` on the thread of the sockets, or the reply is why not.
   void write(const Reply& reply, Writing action, std::function<void(base::Outcome<void>)> done);
   /// From where `definition` says that the axes stand.
@@ -130,8 +143,15 @@ class Hub {
                                                  const MachineAction& action) const;
   void tell_machines();
   void tell(const std::string& sentence) const;
-  void keep_and_load(MachineRecord& machine, const machine::ProgramText& text,
-                     const LoadedProgram& program, const Reply& reply);
+  /// A program that can be opened, with its dialect.
+  struct FoundProgram {
+    machine::ProgramText text;
+    LoadedProgram program;
+  };
+  [[nodiscard]] base::Outcome<FoundProgram> found(const LoadedProgram& program) const;
+  void keep_and_load(const std::string& machine, MachineThread& thread,
+                     const std::shared_ptr<Runner>& held, const FoundProgram& found,
+                     const Reply& reply);
   void loaded(const std::string& machine, const LoadedProgram& program,
               const machine::MachineDefinition& definition, const control::Memory& memory,
               const Reply& reply);
@@ -152,6 +172,7 @@ class Hub {
   std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
   std::set<std::string> under_way_;  // machines that are being made or removed
   std::uint64_t next_client_ = 1;
+  Quota commands_under_way_{limits::kAllUnderWay, limits::kBytesUnderWay};
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;
   std::unique_ptr<Worker> machine_disk_;  // nobody waits for the library there

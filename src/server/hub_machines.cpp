@@ -93,14 +93,14 @@ void Hub::start(const StoredMachine& stored) {
 // What cannot be loaded any more is told when somebody loads it again.
 void Hub::load_into(MachineRecord& machine) {
   if (!machine.program) return;
-  const auto text = text_of(*machine.program);
-  if (!text) return tell(machine.name + ": " + text.error().message);
-  machine.thread->post(machine.runner, Pace::slow,
-                       [text = *text, dialect = machine.program->dialect,
-                        breakpoints = machine.breakpoint_list](Runner& runner) {
-                         static_cast<void>(runner.machine().load(text, dialect));
-                         static_cast<void>(runner.machine().set_breakpoints(breakpoints));
-                       });
+  machine.thread->post(
+      machine.runner, Pace::slow,
+      [this, program = *machine.program, breakpoints = machine.breakpoint_list](Runner& runner) {
+        const auto text = text_of(program);
+        if (!text) return tell(runner.name() + ": " + text.error().message);
+        static_cast<void>(runner.machine().load(*text, program.dialect));
+        static_cast<void>(runner.machine().set_breakpoints(breakpoints));
+      });
 }
 
 void Hub::create(const Request& request) {

@@ -29,38 +29,53 @@ void Hub::load(const Request& request) {
     return request.reply.no(checked.error());
   if (const std::string why = not_for_the_panel(program.name); !why.empty())
     return request.reply.no(why);
-  const auto text = text_of(program);
-  if (!text) return request.reply.no(text.error());
-  if (const auto file = text->open(); file && program.dialect.empty())
-    program.dialect = dialect_shown_by(**file);
-  keep_and_load(*request.machine, *text, program, request.reply);
+  MachineRecord& machine = *request.machine;
+  machine.thread->post(machine.runner, Pace::slow,
+                       [this, program, name = machine.name, reply = request.reply,
+                        thread = machine.thread, held = machine.runner](Runner& runner) {
+                         const auto made = guarded([&]() -> Outcome<FoundProgram> {
+                           auto ready = found(program);
+                           if (!ready) return ready;
+                           auto possible =
+                               runner.machine().can_load(ready->text, ready->program.dialect);
+                           if (!possible) return tl::unexpected(possible.error());
+                           return ready;
+                         });
+                         if (!made) return answer(reply, tl::unexpected(made.error()));
+                         keep_and_load(name, *thread, held, *made, reply);
+                       });
 }
 
-// What can be refused is asked first, then the disk, then the machine has it.
-void Hub::keep_and_load(MachineRecord& machine, const machine::ProgramText& text,
-                        const LoadedProgram& program, const Reply& reply) {
-  const auto load = [this, text, program, name = machine.name, reply](Runner& runner) {
-    const auto done = guarded([&] { return runner.machine().load(text, program.dialect); });
-    to_sockets_([this, name, program, reply, done,
+// Waits for the disk.
+Outcome<Hub::FoundProgram> Hub::found(const LoadedProgram& program) const {
+  auto text = text_of(program);
+  if (!text) return tl::unexpected(text.error());
+  FoundProgram ready{*text, program};
+  if (const auto file = text->open(); file && program.dialect.empty())
+    ready.program.dialect = dialect_shown_by(**file);
+  return ready;
+}
+
+// What can be refused has been asked; now the disk, then the machine has it.
+void Hub::keep_and_load(const std::string& machine, MachineThread& thread,
+                        const std::shared_ptr<Runner>& held, const FoundProgram& found,
+                        const Reply& reply) {
+  const auto load = [this, found, machine, reply](Runner& runner) {
+    const auto done =
+        guarded([&] { return runner.machine().load(found.text, found.program.dialect); });
+    if (!done) return answer(reply, tl::unexpected(done.error()));
+    to_sockets_([this, machine, program = found.program, reply,
                  definition = runner.machine().definition_of_run(),
                  memory = runner.machine().memory()] {
-      done ? loaded(name, program, definition, memory, reply) : reply.no(done.error().message);
+      loaded(machine, program, definition, memory, reply);
     });
   };
-  const auto keep = [this, load, program, name = machine.name, reply, thread = machine.thread,
-                     held = machine.runner](Runner& /*runner*/) {
-    const auto written = guarded([&] { return store_.write_program(name, program); });
-    if (written) return thread->lend(held, load);
-    to_sockets_([reply, written] { reply.no(written.error().message); });
+  const auto keep = [this, load, found, machine, reply, &thread, held](Runner& /*runner*/) {
+    const auto written = guarded([&] { return store_.write_program(machine, found.program); });
+    if (!written) return answer(reply, tl::unexpected(written.error()));
+    thread.lend(held, load);
   };
-  machine.thread->post(machine.runner, Pace::slow,
-                       [this, keep, text, program, reply, thread = machine.thread,
-                        held = machine.runner](Runner& runner) {
-                         const auto possible = guarded(
-                             [&] { return runner.machine().can_load(text, program.dialect); });
-                         if (possible) return thread->lend(held, *machine_disk_, keep);
-                         to_sockets_([reply, possible] { reply.no(possible.error().message); });
-                       });
+  thread.lend(held, *machine_disk_, keep);
 }
 
 void Hub::loaded(const std::string& name, const LoadedProgram& program,
@@ -80,17 +95,17 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   machine.cancel_preview();
   machine.preview.reset();
   if (!machine.program) return;
-  const auto text = text_of(*machine.program);
-  auto chunks = ChunkStore::create(settings_.data, chunk_budget_);
-  if (!text || !chunks) return;
-  PreviewOrder order{definition, memory, *text, machine.program->dialect, library_->folder()};
+  PreviewOrder order{definition, memory,
+                     [this, program = *machine.program] { return text_of(program); },
+                     machine.program->dialect, library_->folder()};
   order.run = ++machine.preview_run;
   if (machine.snapshot) {
     order.skip_levels = machine.snapshot->panel.skip_levels;
     order.inputs = machine.snapshot->inputs;
     order.optional_stop = machine.snapshot->panel[machine::Switch::optional_stop];
   }
-  const auto preview = std::make_shared<Preview>(std::move(order), std::move(*chunks));
+  const auto preview = std::make_shared<Preview>(
+      std::move(order), std::make_shared<ChunkStore>(settings_.data, chunk_budget_));
   machine.preview = preview;
   machine.path = PreviewState{machine.preview_run, false, {}, {}, nullptr};
   for (Client* const watcher : machine.watchers) {
@@ -125,6 +140,8 @@ void Hub::previewed(const std::string& name, const std::shared_ptr<Preview>& pre
   MachineRecord* const machine = find(name);
   if (machine == nullptr || machine->preview != preview) return;  // of a program before this one
   machine->path = state;
+  if (Json& error = machine->path->error; error.is_object())
+    error["message"] = without_folder(error["message"].get<std::string>());
   for (Client* const watcher : machine->watchers) {
     watcher->send(machine->path_event());
     watcher->wake();

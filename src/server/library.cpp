@@ -43,7 +43,7 @@ Look look_at(const std::string& path) {
   if (::lstat(path.c_str(), &status) != 0) return {};
   if (!S_ISREG(status.st_mode)) return {Entry::other};
   return {Entry::program, static_cast<std::uint64_t>(status.st_size),
-          status.st_mtim.tv_sec * 1000 + status.st_mtim.tv_nsec / 1'000'000};
+          std::int64_t{status.st_mtim.tv_sec} * 1000 + status.st_mtim.tv_nsec / 1'000'000};
 }
 
 std::int64_t now_ms() {

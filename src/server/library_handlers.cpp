@@ -26,7 +26,7 @@ Outcome<Json> done(const Outcome<void>& outcome) {
 }
 
 void programs(Hub& hub, const Request& request) {
-  hub.on_disk(request, [](Library& library) -> Outcome<Json> {
+  hub.read_disk(request, [](Library& library) -> Outcome<Json> {
     const auto all = library.programs();
     if (!all) return tl::unexpected(all.error());
     Json rows = Json::array();
@@ -50,28 +50,28 @@ void read(Hub& hub, const Request& request) {
   if (machine != nullptr && machine->program && machine->program->text &&
       machine->program->name == name && !arguments.has("revision"))
     return request.reply.yes({{"text", *machine->program->text}});
-  hub.on_disk(request, [name, revision = arguments.integer("revision")](Library& library) {
+  hub.read_disk(request, [name, revision = arguments.integer("revision")](Library& library) {
     return text_json(revision > 0 ? library.read_revision(name, revision) : library.read(name));
   });
 }
 
 void recognise(Hub& hub, const Request& request) {
-  hub.on_disk(request,
-              [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
-                const auto path = library.path_of(name);
-                if (!path) return tl::unexpected(path.error());
-                const auto file = base::SourceFile::open(*path);
-                if (!file) return tl::unexpected(file.error());
-                const machine::ProgramLook look = machine::look_of(**file);
-                return Json{{"kind", machine::name_of(look.kind)},
-                            {"line", look.line},
-                            {"word", output::printable(look.word)},
-                            {"usual", machine::usual_machine(look.kind)}};
-              });
+  hub.read_disk(request,
+                [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+                  const auto path = library.path_of(name);
+                  if (!path) return tl::unexpected(path.error());
+                  const auto file = base::SourceFile::open(*path);
+                  if (!file) return tl::unexpected(file.error());
+                  const machine::ProgramLook look = machine::look_of(**file);
+                  return Json{{"kind", machine::name_of(look.kind)},
+                              {"line", look.line},
+                              {"word", output::printable(look.word)},
+                              {"usual", machine::usual_machine(look.kind)}};
+                });
 }
 
 void write(Hub& hub, const Request& request) {
-  hub.on_disk(request, [body = request.body](Library& library) -> Outcome<Json> {
+  hub.change_disk(request, [body = request.body](Library& library) -> Outcome<Json> {
     const Arguments arguments(*body);
     const auto made = library.write(arguments.text("name"), arguments.text("text"));
     if (!made) return tl::unexpected(made.error());
@@ -80,31 +80,31 @@ void write(Hub& hub, const Request& request) {
 }
 
 void rename(Hub& hub, const Request& request) {
-  hub.on_disk(request, [body = request.body](Library& library) {
+  hub.change_disk(request, [body = request.body](Library& library) {
     const Arguments arguments(*body);
     return done(library.rename(arguments.text("from"), arguments.text("to")));
   });
 }
 
 void remove(Hub& hub, const Request& request) {
-  hub.on_disk(request, [name = request.arguments().text("name")](Library& library) {
+  hub.change_disk(request, [name = request.arguments().text("name")](Library& library) {
     return done(library.remove(name));
   });
 }
 
 void revisions(Hub& hub, const Request& request) {
-  hub.on_disk(request,
-              [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
-                const auto all = library.revisions(name);
-                if (!all) return tl::unexpected(all.error());
-                Json rows = Json::array();
-                for (const Revision& revision : *all)
-                  rows.push_back({{"revision", revision.number},
-                                  {"modified", iso_time(revision.time_ms)},
-                                  {"bytes", revision.bytes},
-                                  {"kept", revision.kept}});
-                return Json{{"revisions", std::move(rows)}};
-              });
+  hub.read_disk(request,
+                [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+                  const auto all = library.revisions(name);
+                  if (!all) return tl::unexpected(all.error());
+                  Json rows = Json::array();
+                  for (const Revision& revision : *all)
+                    rows.push_back({{"revision", revision.number},
+                                    {"modified", iso_time(revision.time_ms)},
+                                    {"bytes", revision.bytes},
+                                    {"kept", revision.kept}});
+                  return Json{{"revisions", std::move(rows)}};
+                });
 }
 
 }  // namespace

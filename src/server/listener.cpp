@@ -11,6 +11,12 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+namespace {
+
+constexpr std::size_t kClosing = 32;
+
+}  // namespace
+
 Listener::Listener(asio::io_context& context, Site& site)
     : acceptor_(context), timer_(context), site_(site) {}
 
@@ -47,14 +53,24 @@ void Listener::stop() {
 
 void Listener::accept() {
   if (!acceptor_.is_open()) return;
-  if (site_.connections >= limits::kConnections) return wait_for_room();
+  // Those that were closed for others are counted until their handlers have run.
+  if (site_.connections.count() >= site_.connections.most() + kClosing) return wait_for_room();
   acceptor_.async_accept([self = shared_from_this()](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     // Too many open files, above all: they become fewer again.
     if (error) return self->wait_for_room();
-    std::make_shared<HttpSession>(std::move(socket), self->site_)->start();
+    self->take(std::move(socket));
     self->accept();
   });
+}
+
+// Where nobody can be closed for it, the newcomer is.
+void Listener::take(tcp::socket socket) {
+  error_code error;
+  const auto address = socket.remote_endpoint(error).address();
+  if (error || !site_.connections.make_room(address)) return;
+  auto entry = site_.connections.add(address);
+  std::make_shared<HttpSession>(std::move(socket), site_, std::move(entry))->start();
 }
 
 void Listener::wait_for_room() {

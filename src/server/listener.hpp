@@ -9,8 +9,8 @@
 
 namespace kerf::server {
 
-/// Takes connections and makes an HTTP session of each. Above limits::kConnections new ones wait
-/// in the system's queue until others have ended.
+/// Takes connections and makes an HTTP session of each. Where there are as many as the site takes,
+/// the one that has waited longest for a request is closed for the new one.
 class Listener : public std::enable_shared_from_this<Listener> {
  public:
   Listener(boost::asio::io_context& context, Site& site);
@@ -23,6 +23,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
 
  private:
   void accept();
+  void take(boost::asio::ip::tcp::socket socket);
   void wait_for_room();
 
   boost::asio::ip::tcp::acceptor acceptor_;

@@ -42,7 +42,7 @@ class Preview::Run {
                 [this](const std::string& chunk) { keep(chunk); }) {}
 
   void go() {
-    auto file = preview_.order_.program.open();
+    auto file = open();
     if (!file) return finish(failure_json("FILE", file.error().message));
     machine_.add_library_folder(preview_.order_.library_folder);
     machine_.load(std::move(*file));
@@ -53,8 +53,9 @@ class Preview::Run {
     machine_.add_sink(chunks_);
     machine_.add_point_sink(chunks_);
     machine_.observe_progress([this] { look_at_clock(); });
-    const auto status = machine_.run_to_end({.seconds = kMostSeconds});
-    if (preview_.cancelled()) return;
+    const auto status =
+        machine_.run_to_end({.seconds = kMostSeconds, .unwanted = preview_.unwanted_.get_token()});
+    if (preview_.cancelled() && disk_error_.empty()) return;
     chunks_.finish();
     finish(error_of(status));
   }
@@ -69,19 +70,22 @@ class Preview::Run {
                                               static_cast<double>(words[i])));
   }
 
+  [[nodiscard]] base::Outcome<std::unique_ptr<base::SourceFile>> open() const {
+    const auto program = preview_.order_.program();
+    if (!program) return tl::unexpected(program.error());
+    return program->open();
+  }
+
   void keep(const std::string& chunk) {
     if (auto kept = preview_.chunks_->add(chunk); !kept && disk_error_.empty()) {
       disk_error_ = kept.error().message;
-      break_off();
+      preview_.cancel();
     }
     told_chunks_ = Clock::now();
   }
 
-  // The alarm itself is never told: the run is thrown away, or its error is that of the disk.
-  void break_off() { machine_.raise(base::make_error(base::Code::budget_spent, {})); }
-
   void look_at_clock() {
-    if (preview_.cancelled()) return break_off();
+    if (preview_.cancelled()) return;
     const auto now = Clock::now();
     const bool none_yet = preview_.chunks_->count() == 0;
     if (seconds_between(told_chunks_, now) < (none_yet ? kFirst_s : kNext_s)) return;

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,8 +23,8 @@ namespace kerf::server {
 struct PreviewOrder {
   machine::MachineDefinition definition;
   control::Memory memory;
-  machine::ProgramText program;
-  std::string dialect;  ///< empty: that of the machine
+  std::function<base::Outcome<machine::ProgramText>()> program;  ///< may wait for the disk
+  std::string dialect;                                           ///< empty: that of the machine
   std::string library_folder;
   std::uint32_t skip_levels = 0;
   std::array<std::uint32_t, 4> inputs{};  ///< as Snapshot has them
@@ -62,8 +62,8 @@ class Preview {
       : order_(std::move(order)), chunks_(std::move(chunks)) {}
 
   void run(const Observer& observer);
-  void cancel() { cancelled_ = true; }
-  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  void cancel() { unwanted_.request_stop(); }
+  [[nodiscard]] bool cancelled() const { return unwanted_.stop_requested(); }
   [[nodiscard]] const std::shared_ptr<ChunkStore>& chunks() const { return chunks_; }
 
  private:
@@ -71,7 +71,7 @@ class Preview {
 
   PreviewOrder order_;
   std::shared_ptr<ChunkStore> chunks_;
-  std::atomic<bool> cancelled_{false};
+  std::stop_source unwanted_;
 };
 
 }  // namespace kerf::server

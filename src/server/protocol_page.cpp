@@ -96,7 +96,7 @@ Vertex 0 is where the first segment begins, the last vertex of the chunk before;
 chords that leave them by at most 0.01 mm.
 
 ## HTTP
-`GET /` and what it refers to: the page. `GET /api`: this document. `GET /health`. `GET /library/NAME`: a program.
+`GET /` and what it refers to: the page. `GET /api`: this document. `GET /notices`: licences. `GET /health`. `GET /library/NAME`: a program.
 `PUT /library/NAME`: saves the body as a program of at most 256 MiB; the answer is `{"name","bytes","revision"}`, or 413 with a
 sentence, and then nothing is kept. An `Origin` must be the host that was asked for; without a token that host must be this
 computer. The token is given once as `/?token=…`, which sets a cookie.

@@ -3,35 +3,46 @@
 #include "output/diagnostic_text.hpp"
 
 namespace kerf::server {
+namespace {
 
-void Reply::yes(Json keys) const {
-  const auto client = client_.lock();
-  if (!client) return;
-  Json answer = {{"id", id_}, {"ok", true}};
-  answer.update(keys);
-  client->send(answer);
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+}  // namespace
 
 void Reply::no(const std::string& sentence) const {
-  if (const auto client = client_.lock())
-    client->send({{"id", id_}, {"ok", false}, {"error", output::printable(sentence)}});
+  no(base::Failure{base::Failure::Kind::usage, sentence});
 }
 
-void Reply::no(const base::Failure& failure) const {
-  if (failure.code.empty()) return no(failure.message);
-  const auto client = client_.lock();
-  if (!client) return;
-  Json values = Json::object();
-  for (const auto& [name, text] : failure.values) values[name] = output::printable(text);
-  client->send({{"id", id_},
-                {"ok", false},
-                {"error", output::printable(failure.message)},
-                {"code", failure.code},
-                {"values", std::move(values)}});
+void Reply::no(const base::Failure& failure) const { send(refusal(failure)); }
+
+// With its code and values, where it has them.
+std::string Reply::refusal(const base::Failure& failure) const {
+  Json answer = {{"id", id_}, {"ok", false}, {"error", output::printable(failure.message)}};
+  if (!failure.code.empty()) {
+    Json values = Json::object();
+    for (const auto& [name, text] : failure.values) values[name] = output::printable(text);
+    answer["code"] = failure.code;
+    answer["values"] = std::move(values);
+  }
+  return dumped(answer);
 }
 
-void Reply::with(const base::Outcome<Json>& outcome) const {
-  outcome ? yes(*outcome) : no(outcome.error());
+std::string Reply::text_of(const base::Outcome<Json>& outcome) const {
+  if (!outcome) return refusal(outcome.error());
+  Json answer = {{"id", id_}, {"ok", true}};
+  answer.update(*outcome);
+  std::string text = dumped(answer);
+  if (text.size() <= limits::kAnswerBytes) return text;
+  return refusal({base::Failure::Kind::usage, "the answer would have " +
+                                                  std::to_string(text.size()) +
+                                                  " bytes; an answer has at most 6 MiB"});
+}
+
+void Reply::send(std::string text) const {
+  tickets_->clear();
+  if (const auto client = client_.lock()) client->send_text(std::move(text));
 }
 
 }  // namespace kerf::server

@@ -5,8 +5,15 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <stop_token>
+#include <thread>
 
+#include "server/descriptors.hpp"
 #include "server/listener.hpp"
 
 namespace kerf::server {
@@ -19,6 +26,28 @@ namespace {
 constexpr auto kFarewell = std::chrono::milliseconds(300);
 constexpr auto kTick = std::chrono::milliseconds(250);
 
+// Ends the process where its end does not come by itself: a disk that does not answer, a program of
+// hundreds of MiB that is being read. What was answered is on the disk by then, as with a kill.
+class LastResort {
+ public:
+  void begin() {
+    thread_ = std::jthread([this](const std::stop_token& stop) {
+      std::unique_lock lock(guard_);
+      wake_.wait_for(lock, stop, kMost, [] { return false; });
+      if (stop.stop_requested()) return;
+      std::fputs("kerf: something did not come to its end within 2.5 s and is left\n", stderr);
+      std::_Exit(0);
+    });
+  }
+
+ private:
+  static constexpr auto kMost = std::chrono::milliseconds(2500);
+
+  std::mutex guard_;
+  std::condition_variable_any wake_;
+  std::jthread thread_;  // last: it sees the others
+};
+
 }  // namespace
 
 class Server::Impl {
@@ -26,6 +55,8 @@ class Server::Impl {
   static base::Outcome<std::unique_ptr<Impl>> open(const ServeSettings& settings) {
     if (auto checked = check_address(settings.address); !checked)
       return tl::unexpected(checked.error());
+    const auto connections = connections_that_fit();
+    if (!connections) return tl::unexpected(connections.error());
     auto impl = std::unique_ptr<Impl>(new Impl);
     auto hub = Hub::open({settings.data, settings.threads}, [context = &impl->context_](auto job) {
       asio::post(*context, std::move(job));
@@ -33,7 +64,8 @@ class Server::Impl {
     if (!hub) return tl::unexpected(hub.error());
     impl->hub_ = std::move(*hub);
     impl->site_ =
-        std::unique_ptr<Site>(new Site{settings.address, AssetTable(embedded_page()), *impl->hub_});
+        std::unique_ptr<Site>(new Site{settings.address, AssetTable(embedded_page()), *impl->hub_,
+                                       Connections(*connections, *connections / 4 * 3)});
     impl->listener_ = std::make_shared<Listener>(impl->context_, *impl->site_);
     if (auto listening = impl->listener_->listen(); !listening)
       return tl::unexpected(listening.error());
@@ -63,6 +95,7 @@ class Server::Impl {
     asio::steady_timer farewell(context_);
     signals.async_wait([&](boost::system::error_code error, int) {
       if (error) return;
+      last_resort_.begin();
       listener_->stop();
       hub_->close_all("The server ends.");
       farewell.expires_after(kFarewell);
@@ -85,6 +118,7 @@ class Server::Impl {
     });
   }
 
+  LastResort last_resort_;
   // What waits in the context counts at the site until the context goes.
   std::unique_ptr<Hub> hub_;
   std::unique_ptr<Site> site_;

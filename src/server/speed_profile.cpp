@@ -98,9 +98,10 @@ class Profile {
 
 }  // namespace
 
-Json speed_profile(const ChunkStore& chunks, const SpeedQuestion& question) {
+Json speed_profile(const ChunkStore& chunks, const SpeedQuestion& question,
+                   const base::WorkLimit& limit) {
   Profile profile(question);
-  for (std::size_t number = 0; number < chunks.count(); ++number) {
+  for (std::size_t number = 0; number < chunks.count() && !limit.reached(); ++number) {
     const auto bytes = chunks.read(number);
     if (!bytes || bytes->size() < kHeaderBytes || !profile.add(ChunkView(*bytes))) break;
   }

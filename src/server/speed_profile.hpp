@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/work_limit.hpp"
 #include "server/argument.hpp"
 #include "server/chunk_store.hpp"
 
@@ -13,7 +14,9 @@ struct SpeedQuestion {
 };
 
 /// `{time_s, speed_mm_min, line}`: lists of equal length. Times are the begins of `points` equal
-/// intervals; each has the fastest segment that reaches into it, none where nothing moves.
-[[nodiscard]] Json speed_profile(const ChunkStore& chunks, const SpeedQuestion& question);
+/// intervals; each has the fastest segment that reaches into it, none where nothing moves. Chunks
+/// behind the limit are left out.
+[[nodiscard]] Json speed_profile(const ChunkStore& chunks, const SpeedQuestion& question,
+                                 const base::WorkLimit& limit);
 
 }  // namespace kerf::server

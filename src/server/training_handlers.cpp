@@ -40,8 +40,9 @@ Json criterion_json(const Criterion& criterion) {
           {"line", criterion.line}};
 }
 
-Outcome<Json> assessment_json(const Exercise& exercise, const std::string& text) {
-  const auto assessment = training::assess(exercise, text);
+Outcome<Json> assessment_json(const Exercise& exercise, const std::string& text,
+                              const base::WorkLimit& limit) {
+  const auto assessment = training::assess(exercise, text, limit.token());
   if (!assessment) return tl::unexpected(assessment.error());
   Json criteria = Json::array();
   for (const Criterion& criterion : assessment->criteria)
@@ -59,17 +60,9 @@ void assess(Hub& hub, const Request& request) {
   const std::string name = request.arguments().text("exercise");
   const Exercise* const exercise = training::find_exercise(name);
   if (exercise == nullptr) return request.reply.no("there is no exercise " + name);
-  if (!request.client->assessed.expired())
-    return request.reply.no("assess: your last program is still being assessed");
-  auto under_way = std::make_shared<const bool>(true);
-  request.client->assessed = under_way;
-  hub.aside(
-      request,
-      [exercise, body = request.body, under_way = std::move(under_way)]() mutable -> Outcome<Json> {
-        auto outcome = assessment_json(*exercise, Arguments(*body).text("text"));
-        under_way.reset();  // before the answer: the next question may come at once
-        return outcome;
-      });
+  hub.aside(request, [exercise, body = request.body](const base::WorkLimit& limit) {
+    return assessment_json(*exercise, Arguments(*body).text("text"), limit);
+  });
 }
 
 }  // namespace

@@ -29,9 +29,14 @@ void speeds(Hub& hub, const Request& request) {
   if (question.to_s < question.from_s)
     return request.reply.no("speeds: `to_s` comes before `from_s`");
   if (!request.machine->preview) return request.reply.no("no program is loaded");
-  hub.aside(request, [question, chunks = request.machine->preview->chunks()]() -> Outcome<Json> {
-    return speed_profile(*chunks, question);
-  });
+  hub.aside(request,
+            [question, chunks = request.machine->preview->chunks()](
+                const base::WorkLimit& limit) -> Outcome<Json> {
+              auto profile = speed_profile(*chunks, question, limit);
+              if (!limit.reached()) return profile;
+              return tl::unexpected(base::Failure{
+                  base::Failure::Kind::usage, "speeds: the path is too long to be looked through"});
+            });
 }
 
 void pulses(Hub& hub, const Request& request) {
@@ -42,15 +47,17 @@ void pulses(Hub& hub, const Request& request) {
 
 // What stands in the way of a text shows without running it; the machine is one of its own.
 Json diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
-                    const std::string& text) {
+                    const std::string& text, const base::WorkLimit& limit) {
   auto file = base::SourceFile::from_text(name, text);
   machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
                                   {.pages = {}, .dialect = dialect_shown_by(*file)});
   machine.load(std::move(file));
+  base::Findings found(limits::kDiagnostics, limit);
+  machine.check(found);
   Json list = Json::array();
-  for (const base::Diagnostic& each : machine.check())
+  for (const base::Diagnostic& each : found.list())
     list.push_back(diagnostic_json(each, machine.sources()));
-  return {{"diagnostics", std::move(list)}};
+  return {{"diagnostics", std::move(list)}, {"more", found.more()}};
 }
 
 void check(Hub& hub, const Request& request) {
@@ -67,10 +74,12 @@ void check(Hub& hub, const Request& request) {
                               ? Outcome<machine::MachineDefinition>(machine->definition)
                               : machine::find_machine("mill3");
   if (!definition) return request.reply.no(definition.error().message);
-  hub.aside(request, [definition = *definition, body = request.body]() -> Outcome<Json> {
-    const Arguments asked(*body);
-    return diagnostics_of(definition, asked.text("name"), asked.text("text"));
-  });
+  hub.aside(request,
+            [definition = *definition,
+             body = request.body](const base::WorkLimit& limit) -> Outcome<Json> {
+              const Arguments asked(*body);
+              return diagnostics_of(definition, asked.text("name"), asked.text("text"), limit);
+            });
 }
 
 }  // namespace

@@ -34,18 +34,19 @@ void set_options(websocket::stream<beast::tcp_stream>& stream) {
   stream.set_option(timeout);
   stream.set_option(websocket::stream_base::decorator(
       [](websocket::response_type& response) { response.set(http::field::server, "kerf"); }));
-  stream.read_message_max(limits::kMessageBytes);
+  stream.read_message_max(0);  // counted here, to say why
   stream.auto_fragment(false);
 }
 
 }  // namespace
 
-WebSocketSession::WebSocketSession(asio::ip::tcp::socket socket, Site& site, Counted counted)
+WebSocketSession::WebSocketSession(asio::ip::tcp::socket socket, Site& site,
+                                   std::unique_ptr<Connections::Entry> entry)
     : stream_(std::move(socket)),
       buffer_(limits::kMessageBytes + (64U << 10U)),
       stall_(stream_.get_executor()),
       site_(site),
-      counted_(std::move(counted)) {
+      entry_(std::move(entry)) {
   set_options(stream_);
 }
 
@@ -58,27 +59,36 @@ void WebSocketSession::start(const Upgrade& request) {
   });
 }
 
-void WebSocketSession::refuse(asio::ip::tcp::socket socket, const Upgrade& request,
+void WebSocketSession::refuse(asio::ip::tcp::socket socket,
+                              std::unique_ptr<Connections::Entry> entry, const Upgrade& request,
                               const std::string& sentence) {
   const auto stream = std::make_shared<Stream>(std::move(socket));
+  const std::shared_ptr<Connections::Entry> counted = std::move(entry);
   set_options(*stream);
-  stream->async_accept(request, [stream, sentence](error_code error) {
+  stream->async_accept(request, [stream, counted, sentence](error_code error) {
     if (error) return;
     const websocket::close_reason reason(websocket::close_code::policy_error,
                                          sentence.substr(0, kMostReason));
-    stream->async_close(reason, [stream](error_code) {});
+    stream->async_close(reason, [stream, counted](error_code) {});
   });
 }
 
 void WebSocketSession::read() {
-  stream_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
-    if (error) return self->end();
-    self->received();
-  });
+  const std::size_t room = limits::kMessageBytes + 1 - buffer_.size();
+  stream_.async_read_some(buffer_, room,
+                          [self = shared_from_this()](error_code error, std::size_t) {
+                            if (error) return self->end();
+                            self->received();
+                          });
 }
 
 void WebSocketSession::received() {
   if (closing_) return;
+  if (buffer_.size() > limits::kMessageBytes)
+    return say_goodbye(
+        websocket::close_code::too_big,
+        "A message has at most " + std::to_string(limits::kMessageBytes) + " bytes.");
+  if (!stream_.is_message_done()) return read();
   if (!stream_.got_text())
     return say_goodbye(websocket::close_code::unknown_data, "Commands are text, not binary.");
   const auto bytes = buffer_.cdata();

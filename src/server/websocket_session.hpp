@@ -24,12 +24,13 @@ class WebSocketSession : public Link, public std::enable_shared_from_this<WebSoc
  public:
   using Upgrade = boost::beast::http::request<boost::beast::http::buffer_body>;
 
-  WebSocketSession(boost::asio::ip::tcp::socket socket, Site& site, Counted counted);
+  WebSocketSession(boost::asio::ip::tcp::socket socket, Site& site,
+                   std::unique_ptr<Connections::Entry> entry);
 
   void start(const Upgrade& request);
   /// Opens the connection only to close it with a sentence (code 1008).
-  static void refuse(boost::asio::ip::tcp::socket socket, const Upgrade& request,
-                     const std::string& sentence);
+  static void refuse(boost::asio::ip::tcp::socket socket, std::unique_ptr<Connections::Entry> entry,
+                     const Upgrade& request, const std::string& sentence);
 
   void wake() override;
   void close(Why why, const std::string& sentence) override;
@@ -49,7 +50,7 @@ class WebSocketSession : public Link, public std::enable_shared_from_this<WebSoc
   boost::beast::flat_buffer buffer_;
   boost::asio::steady_timer stall_;
   Site& site_;
-  Counted counted_;
+  std::unique_ptr<Connections::Entry> entry_;
   std::shared_ptr<Client> client_;
   Outgoing outgoing_;
   bool writing_ = false;

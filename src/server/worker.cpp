@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 namespace kerf::server {
 namespace {
 
@@ -28,7 +30,7 @@ Worker::~Worker() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-void Worker::post(std::function<void()> job) {
+void Worker::post(Job job) {
   {
     const std::lock_guard lock(guard_);
     jobs_.push_back(std::move(job));
@@ -36,17 +38,34 @@ void Worker::post(std::function<void()> job) {
   wake_.notify_one();
 }
 
+// The oldest one whose owner is not at work already.
+Worker::Jobs::iterator Worker::next() {
+  return std::find_if(jobs_.begin(), jobs_.end(), [this](const Job& job) {
+    return job.owner == nullptr ||
+           std::find(at_work_.begin(), at_work_.end(), job.owner) == at_work_.end();
+  });
+}
+
+void Worker::finish(const Job& job) {
+  if (job.owner == nullptr) return;
+  at_work_.erase(std::find(at_work_.begin(), at_work_.end(), job.owner));
+  wake_.notify_all();
+}
+
 void Worker::work(Priority priority) {
   if (priority == Priority::background) give_way();
   for (std::unique_lock lock(guard_);;) {
-    wake_.wait(lock, [this] { return over_ || !jobs_.empty(); });
+    wake_.wait(lock, [this] { return next() != jobs_.end() || (over_ && jobs_.empty()); });
     if (jobs_.empty()) return;
-    std::function<void()> job = std::move(jobs_.front());
-    jobs_.pop_front();
+    const auto found = next();
+    Job job = std::move(*found);
+    jobs_.erase(found);
+    if (job.owner != nullptr) at_work_.push_back(job.owner);
     lock.unlock();
-    job();
-    job = nullptr;  // what it holds is let go of here, not under the lock
+    if (!job.unwanted.stop_requested()) job.work();
+    job.work = nullptr;  // what it holds is let go of here, not under the lock
     lock.lock();
+    finish(job);
   }
 }
 

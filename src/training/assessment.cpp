@@ -22,7 +22,10 @@ using Kind = Criterion::Kind;
 using Status = VirtualMachine::Status;
 
 // A program of an exercise is done in a part of these.
-constexpr machine::Budget kBudget{.seconds = 5, .motions = 200'000, .steps = 5'000'000};
+machine::Budget budget_of_run(const std::stop_token& unwanted) {
+  return {.seconds = 5, .motions = 200'000, .steps = 5'000'000, .unwanted = unwanted};
+}
+
 // Who cuts many times as much as the solution does not come nearer to it.
 constexpr double kMostTimesCut = 20;
 constexpr double kMostFedAnyway_mm = 2000;
@@ -82,7 +85,7 @@ void keep_diagnostic(Run& run, const std::optional<base::Diagnostic>& told) {
 }
 
 Run run_of(const Exercise& exercise, const machine::MachineDefinition& definition,
-           const std::string& program, double most_mm) {
+           const std::string& program, double most_mm, const std::stop_token& unwanted) {
   VirtualMachine machine(definition, memory_of(exercise, definition),
                          {.pages = {}, .dialect = dialect_of(exercise, definition)});
   const auto& [x, y, z] = exercise.zero_mm;
@@ -91,7 +94,7 @@ Run run_of(const Exercise& exercise, const machine::MachineDefinition& definitio
   machine.add_sink(recorder);
   machine.load(base::SourceFile::from_text(exercise.file, program));
   Run run;
-  run.status = machine.run_to_end(kBudget);
+  run.status = machine.run_to_end(budget_of_run(unwanted));
   run.fed_too_far = recorder.is_full();
   keep_diagnostic(run, run.status == Status::alarm ? machine.alarm() : machine.notice());
   if (run.line > 0) run.file = exercise.file;
@@ -356,17 +359,19 @@ int Assessment::score() const {
   return sum;
 }
 
-base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& program) {
+base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& program,
+                                 const std::stop_token& unwanted) {
   const auto definition = machine::find_machine(exercise.machine);
   if (!definition) return tl::unexpected(definition.error());
-  const Run solution = run_of(exercise, *definition, exercise.solution, kMostSolutionCut_mm);
+  const Run solution =
+      run_of(exercise, *definition, exercise.solution, kMostSolutionCut_mm, unwanted);
   if (solution.status != Status::end || solution.cuts.empty()) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::input,
                       "the solution of " + exercise.name + " is no solution: " + solution.message});
   }
   const double most_mm = kMostTimesCut * solution.cut_mm + kMostFedAnyway_mm;
-  const Run run = run_of(exercise, *definition, program, most_mm);
+  const Run run = run_of(exercise, *definition, program, most_mm, unwanted);
   return Comparison(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
 }
 

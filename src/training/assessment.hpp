@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct Assessment {
 ///
 /// What else is good about a program counts only as far as its work is done: points of all criteria
 /// but the first two are in proportion to the share of the cuts that are made.
-/// Failure: the exercise itself is wrong.
-[[nodiscard]] base::Outcome<Assessment> assess(const Exercise& exercise,
-                                               const std::string& program);
+/// Failure: the exercise itself is wrong. Stopped by `unwanted`, it ends within milliseconds, and
+/// what comes back is of no use.
+[[nodiscard]] base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& program,
+                                               const std::stop_token& unwanted = {});
 
 }  // namespace kerf::training

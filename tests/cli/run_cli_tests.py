@@ -22,6 +22,7 @@ import basic_tests  # noqa: F401
 import check_tests  # noqa: F401
 import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
+import endless_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import library_tests  # noqa: F401

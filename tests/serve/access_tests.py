@@ -8,7 +8,7 @@ from websocket import Closed, Refused
 
 @test("another address than loopback needs a token")
 def _(place):
-    for options in (["--host", "0.0.0.0"], ["--host", "0.0.0.0", "--token", "short"]):
+    for options in (["--host", "0.0.0.0"], ["--host", "0.0.0.0", "--token", "fifteen-letters"]):
         result = place.run("serve", "--port", "0", "--data", str(place.data), *options)
         equal(result.returncode, 2, "exit status")
         says(result.stderr, "token")
@@ -41,7 +41,7 @@ def _(place):
 
 @test("without the token nobody comes in, with it everybody")
 def _(place):
-    server = place.serve("--host", "0.0.0.0", "--token", "secret-token-1")
+    server = place.serve("--host", "0.0.0.0", "--token", "secret-token-0001")
     answer, text = server.request("GET", "/")
     equal(answer.status, 401, "status")
     says(text.decode(), "token is needed")
@@ -51,16 +51,16 @@ def _(place):
     except Closed as closed:
         equal(closed.code, 1008, "close code")
         says(closed.reason, "token is needed")
-    for wrong in ("secret-token-2", "secret-token-", "secret-token-11", ""):
+    for wrong in ("secret-token-0002", "secret-token-000", "secret-token-00011", ""):
         equal(server.request("GET", f"/api?token={wrong}")[0].status, 401, wrong)
     equal(server.request("PUT", "/library/a.nc", b"M30\n")[0].status, 401, "an upload")
-    server.client(path="/ws?token=secret-token-1").do("machines")
+    server.client(path="/ws?token=secret-token-0001").do("machines")
 
 
 @test("the token moves from the address into a cookie that scripts cannot read")
 def _(place):
-    server = place.serve("--host", "0.0.0.0", "--token", "secret-token-1")
-    answer, _text = server.request("GET", "/?token=secret-token-1")
+    server = place.serve("--host", "0.0.0.0", "--token", "secret-token-0001")
+    answer, _text = server.request("GET", "/?token=secret-token-0001")
     equal(answer.status, 303, "status")
     equal(answer.getheader("Location"), "/", "where it goes on")
     cookie = answer.getheader("Set-Cookie")
@@ -97,6 +97,15 @@ def _(place):
     answer, text = server.request("GET", "/", headers={"X": "x" * 20000})
     equal(answer.status, 431, "a header of 20 kB")
     says(text.decode(), "16 KiB")
+
+
+@test("the licences of what others wrote are printed and served")
+def _(place):
+    notices = (place.root / "THIRD_PARTY_NOTICES").read_text()
+    equal(place.run("notices").stdout, notices, "kerf notices")
+    answer, text = place.serve().request("GET", "/notices")
+    equal(answer.getheader("Content-Type"), "text/plain; charset=utf-8", "type")
+    equal(text.decode(), notices, "/notices")
 
 
 @test("the protocol in the documents is the one that is served")

@@ -18,7 +18,9 @@ import harness
 
 # Each of these adds its tests.
 import access_tests  # noqa: F401
+import budget_tests  # noqa: F401
 import fault_tests  # noqa: F401
+import http_tests  # noqa: F401
 import library_tests  # noqa: F401
 import link_tests  # noqa: F401
 import machine_tests  # noqa: F401

@@ -22,7 +22,7 @@ using machine::VirtualMachine;
 using Settings = vm::PageSettings;
 
 // Long enough for every program of the text tests that ends, short for those that do not.
-constexpr machine::Budget kBudget{.seconds = 0, .motions = 20'000, .steps = 400'000};
+const machine::Budget kBudget{.seconds = 0, .motions = 20'000, .steps = 400'000};
 
 std::string read_file(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

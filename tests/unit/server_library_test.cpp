@@ -40,11 +40,37 @@ class LibraryTest : public testing::Test {
 
 TEST(ProgramName, IsTheNameOfAFile) {
   for (const char* name : {"O1.nc", "part 1.nc", "9401", "Welle_\xc3\xbc.nc",
-                           "\xe9\x9b\xb6\xe4\xbb\xb6.nc", "a..b", "-x"})
+                           "\xe9\x9b\xb6\xe4\xbb\xb6.nc", "a..b", "console", "COM10"})
     EXPECT_TRUE(check_program_name(name)) << name;
-  for (const char* name : {"",    ".",  "..", "../a", "a/b",  "/a",   "a\\b",     ".hidden",
-                           "a.",  " a", "a ", "a\nb", "a\tb", "\x7f", "\xff\xfe", "\xc0\xaf",
-                           "C:x", "a*", "a?", "a|b",  "<a>",  "\"a\""})
+  for (const char* name : {"",
+                           ".",
+                           "..",
+                           "../a",
+                           "a/b",
+                           "/a",
+                           "a\\b",
+                           ".hidden",
+                           "a.",
+                           " a",
+                           "a ",
+                           "a\nb",
+                           "a\tb",
+                           "\x7f",
+                           "\xff\xfe",
+                           "\xc0\xaf",
+                           "C:x",
+                           "a*",
+                           "a?",
+                           "a|b",
+                           "<a>",
+                           "\"a\"",
+                           "-x",
+                           "con",
+                           "Aux.nc",
+                           "lpt9",
+                           "a\xe2\x80\xae"
+                           "cn.nc",
+                           "u\xcc\x88"})
     EXPECT_FALSE(check_program_name(name)) << name;
   EXPECT_TRUE(check_program_name(std::string(100, 'x')));
   EXPECT_FALSE(check_program_name(std::string(101, 'x')));
@@ -137,25 +163,24 @@ TEST_F(LibraryTest, ChunksAreRefusedWhereAllStoresHoldWhatTheyMay) {
   const auto budget = std::make_shared<ChunkBudget>();
   budget->bytes = ChunkBudget::kMostBytes - 6;
   {
-    auto store = ChunkStore::create(root_, budget);
-    EXPECT_TRUE((*store)->add("first"));
-    EXPECT_FALSE((*store)->add("second"));
-    EXPECT_EQ((*store)->count(), 1U);
+    ChunkStore store(root_, budget);
+    EXPECT_TRUE(store.add("first"));
+    EXPECT_FALSE(store.add("second"));
+    EXPECT_EQ(store.count(), 1U);
   }
   EXPECT_EQ(budget->bytes, ChunkBudget::kMostBytes - 6);
 }
 
 TEST_F(LibraryTest, ChunksComeBackAsTheyWereAndLeaveNoFile) {
   const auto budget = std::make_shared<ChunkBudget>();
-  auto store = ChunkStore::create(root_, budget);
-  ASSERT_TRUE(store);
+  ChunkStore store(root_, budget);
   const std::string large(3 << 20, 'x');
-  ASSERT_TRUE((*store)->add("first"));
-  ASSERT_TRUE((*store)->add(large));
-  EXPECT_EQ((*store)->count(), 2U);
-  EXPECT_EQ(*(*store)->read(0), "first");
-  EXPECT_EQ(*(*store)->read(1), large);
-  EXPECT_EQ((*store)->read(2), std::nullopt);
+  ASSERT_TRUE(store.add("first"));
+  ASSERT_TRUE(store.add(large));
+  EXPECT_EQ(store.count(), 2U);
+  EXPECT_EQ(*store.read(0), "first");
+  EXPECT_EQ(*store.read(1), large);
+  EXPECT_EQ(store.read(2), std::nullopt);
   EXPECT_EQ(budget->bytes, 5 + large.size());
   for (const auto& entry : fs::directory_iterator(root_))
     EXPECT_EQ(entry.path().filename().string().find("preview"), std::string::npos);

@@ -157,5 +157,26 @@ TEST(SourceSet, FilesKeepTheirIds) {
   EXPECT_FALSE(set.contains(kNoFile));
 }
 
+TEST(SourceFile, WhatHasNoEndIsRefusedByItsSizeAndByTime) {
+  const auto by_size = SourceFile::open("/dev/zero", {.most_bytes = 1 << 20});
+  ASSERT_FALSE(by_size);
+  EXPECT_NE(by_size.error().message.find("does not end within 1 MiB"), std::string::npos)
+      << by_size.error().message;
+  const auto by_time = SourceFile::open("/dev/zero", {.seconds = 0.01});
+  ASSERT_FALSE(by_time);
+  EXPECT_NE(by_time.error().message.find("does not end within 0.01 s"), std::string::npos)
+      << by_time.error().message;
+}
+
+TEST(SourceFile, ASettingIsReadWholeOrRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("settings", "twelve bytes");
+  EXPECT_EQ(*read_whole(path, 12, "a state file"), "twelve bytes");
+  const auto larger = read_whole(path, 11, "a state file");
+  ASSERT_FALSE(larger);
+  EXPECT_NE(larger.error().message.find("too large for a state file"), std::string::npos);
+  EXPECT_FALSE(read_whole("/dev/full", 1 << 20, "a state file"));
+}
+
 }  // namespace
 }  // namespace kerf::base

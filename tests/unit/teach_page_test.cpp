@@ -79,7 +79,9 @@ TEST(TeachPage, CheckFindsEveryMistake) {
   teach::TeachLibrary library(sources, {.lines_per_page = 2});
   library.load(file);
   std::vector<std::string> found;
-  for (const base::Diagnostic& mistake : library.check()) found.push_back(told(mistake));
+  base::Findings findings;
+  library.check("test", findings);
+  for (const base::Diagnostic& mistake : findings.list()) found.push_back(told(mistake));
   EXPECT_EQ(found, (std::vector<std::string>{"TEACH_COUNT 2:1+4", "TEACH_RECORD 3:1+1",
                                              "TEACH_RECORD 4:7+5", "TEACH_ORDER 6:1+3"}));
 }

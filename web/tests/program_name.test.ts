@@ -9,11 +9,17 @@ describe('the name of a program', () => {
       expect(mended_name(name)).toBe(name);
   });
   it('loses what the library refuses', () => {
-    expect(mended_name('<part>.nc')).toBe('-part-.nc');
+    expect(mended_name('<part>.nc')).toBe('part-.nc');
     expect(mended_name('a/b\\c:d*e?f"g|h.nc')).toBe('a-b-c-d-e-f-g-h.nc');
     expect(mended_name(' .part.nc. ')).toBe('part.nc');
     expect(mended_name('pa\u0007rt.nc')).toBe('part.nc');
     expect(mended_name('...')).toBe('program.nc');
+    expect(mended_name('a\u202ecn.exe')).toBe('acn.exe');
+    expect(mended_name('--rf')).toBe('rf');
+    expect(mended_name('con.nc')).toBe('_con.nc');
+    expect(mended_name('console.nc')).toBe('console.nc');
+    expect(mended_name('Welle_u\u0308.nc')).toBe('Welle_ü.nc');
+    expect(mended_name('x\u0304.nc')).toBe('x.nc');
   });
   it('is cut to a hundred bytes between two characters, and keeps its ending', () => {
     const long = mended_name(`${'零件'.repeat(40)}.nc`);

@@ -12,14 +12,16 @@ namespace {
 
 using vm::Op;
 
-// Every label is there once: a jump within its page needs no search.
-void resolve_jumps(BasicPage& page) {
+// Every label is there once: a jump within its page needs no search while it runs.
+// `labels` has room from the page before: a program that runs straight on allocates nothing.
+void resolve_jumps(BasicPage& page, std::vector<Label>& labels) {
+  labels.assign(page.labels.begin(), page.labels.end());
+  std::sort(labels.begin(), labels.end());
   for (vm::Instruction& instruction : page.instructions) {
     if (instruction.op != Op::jump_to_label) continue;
-    const auto found =
-        std::find_if(page.labels.begin(), page.labels.end(),
-                     [&](const Label& label) { return label.number == instruction.n; });
-    if (found != page.labels.end()) instruction = {Op::jump, 0, 0, 0, found->instruction};
+    const auto found = std::lower_bound(labels.begin(), labels.end(), Label{instruction.n, 0});
+    if (found != labels.end() && found->number == instruction.n)
+      instruction = {Op::jump, 0, 0, 0, found->instruction};
   }
 }
 
@@ -68,7 +70,7 @@ void BasicProgram::compile(std::uint32_t number, BasicPage& page) {
   }
   page.instructions.push_back({last ? Op::end_of_code : Op::next_page, 0, 0, 0, 0});
   page.spans.push_back({});
-  resolve_jumps(page);
+  resolve_jumps(page, sorted_labels_);
   if (number == 0) early_ = compiler.early();
 }
 
@@ -125,11 +127,11 @@ base::Result<std::unique_ptr<BasicPage>> BasicProgram::compile_condition(
   return page;
 }
 
-std::vector<base::Diagnostic> BasicProgram::check() {
+void BasicProgram::check(const std::string& program, base::Findings& into) {
   std::vector<base::Diagnostic> found = scan_.findings;
   std::set<std::pair<std::uint32_t, std::string>> told;  // lines and numbers
   for (const base::Diagnostic& finding : found) told.emplace(finding.place.line, finding.number);
-  for (std::uint32_t number = 0; number < scan_.pages.size(); ++number) {
+  for (std::uint32_t number = 0; number < scan_.pages.size() && !into.over(); ++number) {
     for (const base::Diagnostic& failure : page(kCode, number).failures) {
       if (told.emplace(failure.place.line, failure.number).second) found.push_back(failure);
     }
@@ -138,7 +140,10 @@ std::vector<base::Diagnostic> BasicProgram::check() {
                    [](const base::Diagnostic& a, const base::Diagnostic& b) {
                      return a.place.line < b.place.line;
                    });
-  return found;
+  for (base::Diagnostic& diagnostic : found) {
+    diagnostic.program = program;
+    into.add(std::move(diagnostic));
+  }
 }
 
 }  // namespace kerf::basic

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/findings.hpp"
 #include "base/result.hpp"
 #include "base/source_file.hpp"
 #include "base/text_window.hpp"
@@ -30,7 +31,7 @@ class BasicProgram : public vm::CodeSource {
   /// What keeps the program from running: LB0007, LB0014, LB0020, LB0021, LB0026.
   [[nodiscard]] const std::vector<base::Diagnostic>& findings() const { return scan_.findings; }
   /// These, and all statements that do not compile, in the order of the lines.
-  [[nodiscard]] std::vector<base::Diagnostic> check();
+  void check(const std::string& program, base::Findings& found);
 
   /// Names in capitals, by their numbers; the first kNear live in registers.
   [[nodiscard]] const std::vector<std::string>& variables() const { return scan_.variable_names; }
@@ -59,6 +60,7 @@ class BasicProgram : public vm::CodeSource {
   std::vector<bool> compiled_;  // pages that have been at least once
   Emitter::Known early_;        // what the first page writes before any way parts
   base::TextWindow window_;
+  std::vector<Label> sorted_labels_;  // of the newest page
 };
 
 }  // namespace kerf::basic

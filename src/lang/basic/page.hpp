@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -51,6 +52,7 @@ struct Statement {
 struct Label {
   std::uint32_t number = 0;
   std::uint32_t instruction = 0;
+  friend auto operator<=>(const Label&, const Label&) = default;
 };
 
 /// The code of a stretch of a laser BASIC program.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "lang/gcode/loops.hpp"
-
 namespace kerf::gcode {
 
 CodeLibrary::CodeLibrary(base::SourceSet& sources, const Settings& settings)
@@ -27,7 +25,7 @@ void CodeLibrary::add_programs(base::FileId file, std::uint32_t number_from_name
     if (entry.number != 0) by_number_.try_emplace(entry.number, code);
     if (!entry.name.empty()) by_name_.try_emplace(entry.name, code);
     const PageStart start{entry.begin, entry.line, entry.line_start};
-    programs_.push_back({std::move(entry), file, {start}, false, std::nullopt, {}});
+    programs_.push_back({.entry = std::move(entry), .file = file, .starts = {start}});
   }
   findings_.insert(findings_.end(), directory.findings.begin(), directory.findings.end());
 }
@@ -112,62 +110,71 @@ std::optional<vm::Address> CodeLibrary::find_label(vm::CodeId code, vm::Address 
   return found->at;
 }
 
-vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number,
-                                       std::uint32_t region) {
-  const vm::Address key{page_number, region};
-  const auto known = program(code).regions.find(key);
-  if (known != program(code).regions.end()) return known->second;
-  std::vector<PlacedLoopMark> marks;
-  std::size_t wanted = 0;
-  vm::Region result;
-  for (std::uint32_t number = 0;; ++number) {
-    const GcodePage& current = page(code, number);
-    for (const LoopMark& mark : current.loop_marks) {
-      if (number == page_number && !mark.is_end && mark.index == region) {
-        wanted = marks.size();
-        result = current.regions[region];
-      }
-      marks.push_back({mark, number});
+// Marks are taken in the order of the text, each page of them once.
+void CodeLibrary::match_next_page(vm::CodeId code) {
+  const auto settle = [this, code](vm::Address head, const LoopEnding& ending) {
+    program(code).endings[head] = ending;
+  };
+  if (!program(code).loops)
+    program(code).loops = std::make_unique<LoopMatcher>(LoopMatcher::From::head, settle);
+  const std::uint32_t number = program(code).matched_pages++;
+  const GcodePage& current = page(code, number);
+  LoopMatcher& loops = *program(code).loops;
+  for (const LoopMark& mark : current.loop_marks) {
+    const vm::Address at{number, mark.index};
+    if (mark.is_end) {
+      loops.take_end(mark.slot, at);
+    } else {
+      const bool asked = current.regions[mark.index].state == vm::Region::State::unresolved;
+      loops.take_do(mark.slot, at, asked);
     }
-    if (number < page_number) continue;
-    const LoopEnding ending = find_end(marks, wanted, true, current.last);
-    if (ending.state == vm::Region::State::unresolved) continue;
-    result.state = ending.state;
-    result.end = ending.end;
-    program(code).regions[key] = result;
-    return result;
   }
+  if (current.last) loops.finish(vm::Region::State::open);
 }
 
-std::vector<base::Diagnostic> CodeLibrary::check(vm::CodeId code) {
-  std::vector<base::Diagnostic> found;
-  for (std::uint32_t number = 0;; ++number) {
+vm::Region CodeLibrary::resolve_region(vm::CodeId code, std::uint32_t page_number,
+                                       std::uint32_t region) {
+  vm::Region result = page(code, page_number).regions[region];
+  if (result.state != vm::Region::State::unresolved) return result;
+  const vm::Address head{page_number, region};
+  while (!program(code).endings.contains(head)) match_next_page(code);
+  const LoopEnding& ending = program(code).endings[head];
+  result.state = ending.state;
+  result.end = ending.end;
+  return result;
+}
+
+void CodeLibrary::check(vm::CodeId code, base::Findings& found) {
+  for (std::uint32_t number = 0; !found.over(); ++number) {
     check_page(code, number, found);
-    if (page(code, number).last) break;
+    if (page(code, number).last) return;
   }
-  for (base::Diagnostic& diagnostic : found) diagnostic.program = name_of(program(code).entry);
-  return found;
 }
 
 // Jumps and loops are looked up by number, because a lookup may throw the page away.
-void CodeLibrary::check_page(vm::CodeId code, std::uint32_t number,
-                             std::vector<base::Diagnostic>& found) {
+void CodeLibrary::check_page(vm::CodeId code, std::uint32_t number, base::Findings& found) {
   using vm::Op;
+  const auto add = [&](base::Diagnostic diagnostic) {
+    diagnostic.program = name_of(program(code).entry);
+    found.add(std::move(diagnostic));
+  };
   const std::vector<vm::Instruction> instructions = page(code, number).instructions;
   for (std::uint32_t at = 0; at < instructions.size(); ++at) {
     const vm::Instruction& instruction = instructions[at];
     const auto place = [&] { return page(code, number).place_of(at); };
     if (instruction.op == Op::fail) {
-      found.push_back(page(code, number).failures[instruction.n]);
+      add(page(code, number).failures[instruction.n]);
     } else if (instruction.op == Op::jump_to_label && instruction.c != 0) {
       if (find_label(code, {number, at + 1}, instruction.n)) continue;
-      found.push_back(base::make_error(base::Code::label_not_found, place(),
-                                       "the program has no N" + std::to_string(instruction.n)));
-      found.back().severity = base::Severity::warning;
+      base::Diagnostic missing =
+          base::make_error(base::Code::label_not_found, place(),
+                           "the program has no N" + std::to_string(instruction.n));
+      missing.severity = base::Severity::warning;
+      add(std::move(missing));
     } else if (instruction.op == Op::enter_region) {
       const vm::Region::State state = resolve_region(code, number, instruction.n).state;
       if (state == vm::Region::State::closed) continue;
-      found.push_back(base::make_error(base::Code::missing_end, place()));
+      add(base::make_error(base::Code::missing_end, place()));
     }
   }
 }

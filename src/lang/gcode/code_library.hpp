@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "base/findings.hpp"
 #include "base/source_file.hpp"
+#include "lang/gcode/loops.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/gcode/page_compiler.hpp"
 #include "lang/gcode/program_directory.hpp"
@@ -45,8 +48,8 @@ class CodeLibrary : public vm::CodeSource {
                                                        std::uint32_t number) const;
   /// Mistakes of a program that show without running it: blocks that do not compile, GOTOs to
   /// sequence numbers that do not exist (warnings: such a GOTO may never be reached), DOs without
-  /// END.
-  [[nodiscard]] std::vector<base::Diagnostic> check(vm::CodeId code);
+  /// END. Ends early when `found` is over().
+  void check(vm::CodeId code, base::Findings& found);
 
   [[nodiscard]] NameTable& names() { return names_; }
 
@@ -65,16 +68,19 @@ class CodeLibrary : public vm::CodeSource {
   struct Program {
     ProgramEntry entry;
     base::FileId file{};
-    std::vector<PageStart> starts;                   ///< of the pages that are known so far
-    bool complete = false;                           ///< the last page is among them
-    std::optional<std::vector<PlacedLabel>> labels;  ///< sorted by number, then address
-    std::map<vm::Address, vm::Region> regions{};     ///< resolved ones, by page and number
+    std::vector<PageStart> starts;                     ///< of the pages that are known so far
+    bool complete = false;                             ///< the last page is among them
+    std::optional<std::vector<PlacedLabel>> labels{};  ///< sorted by number, then address
+    std::unique_ptr<LoopMatcher> loops{};              ///< once one leaves its page
+    std::uint32_t matched_pages = 0;                   ///< whose marks have passed it
+    std::map<vm::Address, LoopEnding> endings{};  ///< of DOs that leave their page, by page, region
   };
   Program& program(vm::CodeId code) { return programs_[static_cast<std::size_t>(code)]; }
   GcodePage& compile(vm::CodeId code, std::uint32_t number, bool seen_before);
   void learn_starts(vm::CodeId code, std::uint32_t number);
   const std::vector<PlacedLabel>& labels_of(vm::CodeId code);
-  void check_page(vm::CodeId code, std::uint32_t number, std::vector<base::Diagnostic>& found);
+  void check_page(vm::CodeId code, std::uint32_t number, base::Findings& found);
+  void match_next_page(vm::CodeId code);
   void add_programs(base::FileId file, std::uint32_t number_from_name);
 
   base::SourceSet& sources_;

@@ -33,34 +33,37 @@ void split_blocks(std::string_view line, Take take) {
 }
 
 // A GOTO whose label follows on its own page, or whose page is the whole program, becomes a jump.
-void resolve_jumps(GcodePage& page) {
+// `labels` has room from the page before: a program that runs straight on allocates nothing.
+void resolve_jumps(GcodePage& page, std::vector<Label>& labels) {
   const bool whole_program = page.number == 0 && page.last;
+  labels.assign(page.labels.begin(), page.labels.end());
+  std::sort(labels.begin(), labels.end());
   for (std::uint32_t at = 0; at < page.instructions.size(); ++at) {
     vm::Instruction& instruction = page.instructions[at];
     if (instruction.op != Op::jump_to_label || instruction.c == 0) continue;
-    const auto matches = [&](const Label& label) { return label.number == instruction.n; };
-    const auto behind =
-        std::find_if(page.labels.begin(), page.labels.end(),
-                     [&](const Label& label) { return label.instruction > at && matches(label); });
-    auto found = behind;
-    if (found == page.labels.end() && whole_program) {
-      found = std::find_if(page.labels.begin(), page.labels.end(), matches);
-    }
-    if (found != page.labels.end()) instruction = {Op::jump, 0, 0, 0, found->instruction};
+    const auto first_from = [&](std::uint32_t from) -> const Label* {
+      const auto found = std::lower_bound(labels.begin(), labels.end(), Label{instruction.n, from});
+      return found == labels.end() || found->number != instruction.n ? nullptr : &*found;
+    };
+    const Label* found = first_from(at + 1);
+    if (found == nullptr && whole_program) found = first_from(0);
+    if (found != nullptr) instruction = {Op::jump, 0, 0, 0, found->instruction};
   }
 }
 
 void resolve_loops(GcodePage& page) {
   if (page.regions.empty()) return;
-  std::vector<PlacedLoopMark> marks;
-  for (const LoopMark& mark : page.loop_marks) marks.push_back({mark, page.number});
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    if (marks[i].mark.is_end) continue;
-    vm::Region& region = page.regions[marks[i].mark.index];
-    const LoopEnding ending = find_end(marks, i, page.number == 0, page.last);
+  const auto settle = [&](vm::Address head, const LoopEnding& ending) {
+    vm::Region& region = page.regions[head.instruction];
     region.state = ending.state;
     region.end = ending.end;
+  };
+  LoopMatcher loops(page.number == 0 ? LoopMatcher::From::head : LoopMatcher::From::middle, settle);
+  for (const LoopMark& mark : page.loop_marks) {
+    const vm::Address at{page.number, mark.index};
+    mark.is_end ? loops.take_end(mark.slot, at) : loops.take_do(mark.slot, at);
   }
+  loops.finish(page.last ? vm::Region::State::open : vm::Region::State::unresolved);
 }
 
 }  // namespace
@@ -99,7 +102,7 @@ void PageCompiler::compile(const base::SourceFile& file, base::FileId id, const 
   page.last = window_.at_end() || !window_.more();
   page.instructions.push_back({page.last ? Op::end_of_code : Op::next_page, 0, 0, 0, 0});
   page.spans.push_back({});
-  resolve_jumps(page);
+  resolve_jumps(page, sorted_labels_);
   resolve_loops(page);
 }
 

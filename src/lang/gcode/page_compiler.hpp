@@ -30,6 +30,7 @@ class PageCompiler {
  private:
   std::uint32_t lines_per_page_;
   base::TextWindow window_;
+  std::vector<Label> sorted_labels_;  // of the newest page
 };
 
 }  // namespace kerf::gcode

@@ -44,12 +44,14 @@ vm::Region TeachLibrary::resolve_region(vm::CodeId /*code*/, std::uint32_t /*pag
   return {};
 }
 
-std::vector<base::Diagnostic> TeachLibrary::check() {
-  std::vector<base::Diagnostic> found;
-  for (std::uint32_t number = 0;; ++number) {
+void TeachLibrary::check(const std::string& program, base::Findings& found) {
+  for (std::uint32_t number = 0; !found.over(); ++number) {
     const TeachPage& current = page(kProgram, number);
-    found.insert(found.end(), current.failures.begin(), current.failures.end());
-    if (current.last) return found;
+    for (base::Diagnostic failure : current.failures) {
+      failure.program = program;
+      found.add(std::move(failure));
+    }
+    if (current.last) return;
   }
 }
 

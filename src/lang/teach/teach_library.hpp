@@ -1,7 +1,8 @@
 #pragma once
 
-#include <vector>
+#include <string>
 
+#include "base/findings.hpp"
 #include "lang/teach/page_compiler.hpp"
 #include "lang/vm/page_store.hpp"
 
@@ -23,7 +24,7 @@ class TeachLibrary : public vm::CodeSource {
   [[nodiscard]] base::FileId file() const { return file_; }
 
   /// All mistakes of the file, in the order of its lines.
-  [[nodiscard]] std::vector<base::Diagnostic> check();
+  void check(const std::string& program, base::Findings& found);
 
   // vm::CodeSource
   TeachPage& page(vm::CodeId code, std::uint32_t number) override;

@@ -41,11 +41,8 @@ void BasicDialect::reset() {
   started_ = false;
 }
 
-std::vector<base::Diagnostic> BasicDialect::check() {
-  if (!program_.loaded()) return {};
-  std::vector<base::Diagnostic> found = program_.check();
-  for (base::Diagnostic& diagnostic : found) diagnostic.program = program_name();
-  return found;
+void BasicDialect::check(base::Findings& found) {
+  if (program_.loaded()) program_.check(program_name(), found);
 }
 
 base::Outcome<void> BasicDialect::set_variable(const std::string& name, double value) {

@@ -27,7 +27,7 @@ class BasicDialect final : public Dialect {
   [[nodiscard]] VariableListing list_variables(std::span<const double> values,
                                                std::size_t level) override;
   void reset() override;
-  [[nodiscard]] std::vector<base::Diagnostic> check() override;
+  void check(base::Findings& found) override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override;
   [[nodiscard]] control::Control& control() override { return control_; }

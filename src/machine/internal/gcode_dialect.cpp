@@ -104,14 +104,13 @@ void GcodeDialect::reset() {
 }
 
 // Every block that does not compile, whether it is reached or not.
-std::vector<base::Diagnostic> GcodeDialect::check() {
-  std::vector<base::Diagnostic> found = library_.findings();
-  for (base::Diagnostic& diagnostic : found) diagnostic.program = program_name();
-  for (std::size_t program = 0; program < library_.program_count(); ++program) {
-    for (base::Diagnostic& diagnostic : library_.check(vm::CodeId(program)))
-      found.push_back(std::move(diagnostic));
+void GcodeDialect::check(base::Findings& found) {
+  for (base::Diagnostic diagnostic : library_.findings()) {
+    diagnostic.program = program_name();
+    found.add(std::move(diagnostic));
   }
-  return found;
+  for (std::size_t program = 0; program < library_.program_count() && !found.over(); ++program)
+    library_.check(vm::CodeId(program), found);
 }
 
 base::Outcome<void> GcodeDialect::set_variable(const std::string& name, double value) {

@@ -38,7 +38,7 @@ class GcodeDialect final : public Dialect {
   void set_shift(const base::AxisVector& shift) override { controller_.set_shift(shift); }
   void offsets_changed() override { controller_.offsets_changed(); }
   void reset() override;
-  [[nodiscard]] std::vector<base::Diagnostic> check() override;
+  void check(base::Findings& found) override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override;
   [[nodiscard]] control::Controller& control() override { return controller_; }

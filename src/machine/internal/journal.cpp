@@ -7,17 +7,22 @@ namespace {
 
 // Calls of a machine that computes without moving before it counts as endless.
 constexpr int kMostIdleCalls = 200;
+// Points between two looks at the limit: some milliseconds.
+constexpr std::uint64_t kSlice = 50'000;
 
 }  // namespace
 
 void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last) {
   const bool ends = last.turns != LiveCore::Moment::kAllTurns;
-  for (int idle = 0; core.is_active() && idle < kMostIdleCalls;) {
+  for (int idle = 0; core.is_active() && idle < kMostIdleCalls && !core.limit().reached();) {
     const LiveCore::Moment before = core.moment();
     const std::uint64_t blocks = core.stepper().blocks();
-    core.advance_to(until_s, last);
+    const bool is_slice = last.points > before.points + kSlice;
+    const LiveCore::Moment slice_end{before.points + kSlice, LiveCore::Moment::kAllTurns};
+    core.advance_to(until_s, is_slice ? slice_end : last);
     const LiveCore::Moment now = core.moment();
-    if (core.is_active() && (core.is_reached() || now == last)) return;
+    const bool at_slice_end = is_slice && now.points >= slice_end.points;
+    if (core.is_active() && !at_slice_end && (core.is_reached() || now == last)) return;
     const bool goes_on = now.points != before.points || core.stepper().blocks() != blocks ||
                          (ends && now.turns != before.turns);
     idle = goes_on ? 0 : idle + 1;

@@ -34,7 +34,8 @@ struct Journal {
   void go_back(std::uint64_t block, std::size_t kept, const LiveCore::Moment& now);
 };
 
-/// Lets a core go on up to a time and a moment, or until nothing moves or executes.
+/// Lets a core go on up to a time and a moment, or until nothing moves or executes, or its limit is
+/// reached.
 void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last);
 
 /// A run that is made again.

@@ -63,6 +63,9 @@ class LiveCore : private AxisPointSink {
   void advance_to(double until_s, const Moment& last);
   /// Stands where the other one does, with the same speed and acceleration.
   [[nodiscard]] bool moves_as(const LiveCore& other) const;
+  /// How long what may take long goes on: a search for a line, points that are made at once.
+  void set_limit(const base::WorkLimit& limit) { limit_ = limit; }
+  [[nodiscard]] const base::WorkLimit& limit() const { return limit_; }
   /// The last call has come to its time or moment: otherwise it had too much to compute.
   [[nodiscard]] bool is_reached() const { return reached_; }
   [[nodiscard]] std::uint64_t points() const { return machine_->servo().points(); }
@@ -226,6 +229,7 @@ class LiveCore : private AxisPointSink {
   std::unique_ptr<Approach> approach_;
   std::optional<base::Diagnostic> panel_alarm_;
   bool reached_ = false;
+  base::WorkLimit limit_;
   double deadline_s_ = 0;  // of the run: up to when points are wanted
   std::uint64_t run_ = 0;
   std::uint64_t changes_ = 0;  // of variables, by the operator

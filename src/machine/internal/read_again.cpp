@@ -20,6 +20,7 @@ class Attempt {
   /// Counts the blocks that were begun and those that were read.
   [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> blocks() const {
     Replay replay(journal_);
+    replay.core().set_limit(now_.limit());
     replay.go_to(kWheneverThatIs, now_.moment());
     return {replay.core().begun().blocks, replay.core().read().blocks};
   }
@@ -33,8 +34,10 @@ class Attempt {
     }
     again.journal.entries.push_back({now_.moment(), shown_, {}, Journal::Ahead{block, effect_}});
     Replay replay(again.journal);
+    replay.core().set_limit(now_.limit());
     replay.go_to(kWheneverThatIs, now_.moment());
-    if (!replay.core().moves_as(now_) || replay.core().has_refused()) return std::nullopt;
+    if (now_.limit().reached() || !replay.core().moves_as(now_) || replay.core().has_refused())
+      return std::nullopt;
     again.core = replay.take();
     return again;
   }
@@ -52,7 +55,7 @@ std::optional<ReadAgain> read_again(const Journal& journal, LiveCore& now,
                                     const Journal::Act& shown, const Journal::Act& effect) {
   const Attempt attempt(journal, now, shown, effect);
   const auto [begun, read] = attempt.blocks();
-  if (read <= begun) return std::nullopt;
+  if (now.limit().reached() || read <= begun) return std::nullopt;
   return at_first_block(begun + 1, read, [&](std::uint64_t block) { return attempt.from(block); });
 }
 

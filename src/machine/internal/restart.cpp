@@ -31,7 +31,10 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
   };
   base::Failure why = base::refuse(Refusal::start_not_reached, {std::to_string(line)});
   if (!machine_->set_off()) why = because(machine_->alarm()->message);
-  for (std::uint64_t steps = 0; steps < kSteps && machine_->is_active(); steps += kSlice) {
+  const auto goes_on = [&](std::uint64_t steps) {
+    return steps < kSteps && machine_->is_active() && !limit_.reached();
+  };
+  for (std::uint64_t steps = 0; goes_on(steps); steps += kSlice) {
     if (!machine_->execute(kSlice)) continue;
     const control::Halt halt = machine_->halt();
     found = halt == control::Halt::gate;

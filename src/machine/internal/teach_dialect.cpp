@@ -16,11 +16,8 @@ std::optional<base::Diagnostic> TeachDialect::start() {
   return std::nullopt;
 }
 
-std::vector<base::Diagnostic> TeachDialect::check() {
-  if (!library_.loaded()) return {};
-  std::vector<base::Diagnostic> found = library_.check();
-  for (base::Diagnostic& diagnostic : found) diagnostic.program = program_name();
-  return found;
+void TeachDialect::check(base::Findings& found) {
+  if (library_.loaded()) library_.check(program_name(), found);
 }
 
 std::optional<base::Diagnostic> TeachDialect::start_entry(base::FileId file) {

@@ -23,7 +23,7 @@ class TeachDialect final : public Dialect {
   void read_variables(std::vector<double>& values) override;
   [[nodiscard]] VariableListing list_variables(std::span<const double> values,
                                                std::size_t level) override;
-  [[nodiscard]] std::vector<base::Diagnostic> check() override;
+  void check(base::Findings& found) override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override { return {}; }
   [[nodiscard]] control::TeachControl& control() override { return control_; }

@@ -52,6 +52,8 @@ class Documents {
   /** What the check of the text on the screen has found. */
   checked = $state.raw<Diagnostic[]>([]);
   check_state = $state<CheckState>('under-way');
+  /** Diagnostics of the check besides those that it tells. */
+  more = $state(0);
   /** Changes when the text comes from elsewhere than the editor. */
   revision = $state(0);
   /** A place that the editor is to show. */
@@ -126,12 +128,14 @@ class Documents {
 
   begin_check(): void {
     this.checked = [];
+    this.more = 0;
     this.check_state = 'under-way';
   }
 
   /** Null: it was not checked. */
-  take_check(found: Diagnostic[] | null): void {
+  take_check(found: Diagnostic[] | null, more = 0): void {
     this.checked = found ?? [];
+    this.more = more;
     this.check_state = found ? 'done' : 'left-out';
   }
 
@@ -298,7 +302,8 @@ class Documents {
     }
   }
 
-  async create(name: string, text: string): Promise<void> {
+  async create(typed: string, text: string): Promise<void> {
+    const name = typed.normalize('NFC');
     const fresh = { name, text, saved: null, loaded: null, read_as: 'utf-8' } as const;
     if (await this.write(fresh)) await this.open_and_load(name);
   }

@@ -25,7 +25,8 @@ export async function upload(
 /** Null: the operator wants none of what was offered. */
 async function name_for(wanted: string, taken: readonly string[]): Promise<string | null> {
   const name = mended_name(wanted);
-  if (name !== wanted && (await asked_to_mend(wanted, name)) === null) return null;
+  // Some systems name files with accents apart: that is the same name.
+  if (name !== wanted.normalize('NFC') && (await asked_to_mend(wanted, name)) === null) return null;
   if (!taken.includes(name)) return name;
   const other = free_name(name, taken);
   const answer = await question.ask(t('upload.exists', { name }), t('upload.exists-why'), [

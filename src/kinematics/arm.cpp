@@ -151,11 +151,21 @@ PathJet Arm::lifting(const PathJet& tip, const AxisVector& joints) {
   return result;
 }
 
-double Arm::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {
-  const Pose begin = pose_at(from);
-  const Pose end = pose_at(to);
-  return arm_deviation_mm(links_, end.upper_deg - begin.upper_deg,
-                          end.forearm_deg - begin.forearm_deg);
+// The angles of the links are linear in those of the joints.
+geometry::Vec3 Arm::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+  const Pose pose = pose_at(joints);
+  const Pose turn = pose_at(rates);
+  const Vec2 upper =
+      (links_.upper_arm_mm * geometry::radians(turn.upper_deg)) * direction_deg(pose.upper_deg);
+  const Vec2 forearm =
+      (links_.forearm_mm * geometry::radians(turn.forearm_deg)) * direction_deg(pose.forearm_deg);
+  const Vec2 both = upper + forearm;  // turned by a right angle it is the way of the tip
+  return {-both.v, both.u, rates[kLift]};
+}
+
+double Arm::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& rates) const {
+  const Pose turn = pose_at(rates);
+  return 8 * arm_deviation_mm(links_, turn.upper_deg, turn.forearm_deg);
 }
 
 std::optional<std::string> Arm::caution(const AxisVector& joints) const {

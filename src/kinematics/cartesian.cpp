@@ -1,5 +1,6 @@
 #include "kinematics/internal/cartesian.hpp"
 
+#include <cstddef>
 #include <utility>
 
 namespace kerf::kinematics {
@@ -23,7 +24,17 @@ Result<PathJet> Cartesian::along(const PathJet& tip, const AxisVector& joints) c
   return result;
 }
 
-double Cartesian::deviation_bound_mm(const AxisVector& /*from*/, const AxisVector& /*to*/) const {
+geometry::Vec3 Cartesian::tip_rates(const AxisVector& /*joints*/, const AxisVector& rates) const {
+  const auto rate_of = [&](const char* name) {
+    for (std::size_t m = 0; m < size(); ++m) {
+      if (this->joints()[m].name == name) return rates.values[m];
+    }
+    return 0.0;
+  };
+  return {rate_of("X"), rate_of("Y"), rate_of("Z")};
+}
+
+double Cartesian::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& /*rates*/) const {
   return 0;
 }
 

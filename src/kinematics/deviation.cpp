@@ -8,6 +8,14 @@ namespace kerf::kinematics {
 
 using geometry::radians;
 
+namespace {
+
+// The second derivative of a tip that goes out by x and across by w is w √(w² + 4x²) / r, which is
+// 2/√3 of (x² + w²) / r at most.
+constexpr double kMostOfSquare = 1.1547005383792517;
+
+}  // namespace
+
 // Linear interpolation is off by at most an eighth of the largest second derivative over the step.
 
 double head_deviation_mm(const HeadRadii& radii, double delta_a_deg, double delta_c_deg) {
@@ -17,8 +25,9 @@ double head_deviation_mm(const HeadRadii& radii, double delta_a_deg, double delt
 }
 
 double polar_deviation_mm(double radius_mm, double delta_x_mm, double delta_theta_deg) {
-  const double theta = radians(delta_theta_deg);
-  return radius_mm * theta * theta / 8 + std::fabs(delta_x_mm * theta) / 4;
+  const double across_mm = radius_mm * radians(delta_theta_deg);
+  const double square = delta_x_mm * delta_x_mm + across_mm * across_mm;
+  return square == 0 ? 0 : kMostOfSquare * square / (8 * radius_mm);
 }
 
 double arm_deviation_mm(const ArmLinks& links, double delta_upper_deg, double delta_forearm_deg) {

@@ -12,7 +12,8 @@ namespace kerf::kinematics {
 [[nodiscard]] double head_deviation_mm(const HeadRadii& radii, double delta_a_deg,
                                        double delta_c_deg);
 
-/// `radius_mm` >= 0 is the larger distance from the axis of the two ends.
+/// `radius_mm` >= 0 is the distance from the axis, that of both ends which gives more. The root of
+/// the bound is a norm of both differences; infinite on the axis, 0 there where nothing moves.
 [[nodiscard]] double polar_deviation_mm(double radius_mm, double delta_x_mm,
                                         double delta_theta_deg);
 

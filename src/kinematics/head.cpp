@@ -95,8 +95,21 @@ Result<PathJet> Head::along(const PathJet& tip, const AxisVector& joints) const 
   return result;
 }
 
-double Head::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {
-  return head_deviation_mm(radii_, to[kA] - from[kA], to[kC] - from[kC]);
+// The focus is the carriage without its offset.
+geometry::Vec3 Head::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+  const auto [sine_a, cosine_a] = sine_cosine_deg(joints[kA]);
+  const auto [sine_c, cosine_c] = sine_cosine_deg(joints[kC]);
+  const double tilt = radii_.r_a_mm * geometry::radians(rates[kA]);
+  const double turn = geometry::radians(rates[kC]);
+  const double level = radii_.r_a_mm * sine_a;
+  return {
+      rates[kX] - tilt * cosine_a * sine_c - turn * (level * cosine_c + radii_.r_c_mm * sine_c),
+      rates[kY] + tilt * cosine_a * cosine_c - turn * (level * sine_c - radii_.r_c_mm * cosine_c),
+      rates[kZ] + tilt * sine_a};
+}
+
+double Head::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& rates) const {
+  return 8 * head_deviation_mm(radii_, rates[kA], rates[kC]);
 }
 
 }  // namespace kerf::kinematics

@@ -67,6 +67,11 @@ Result<AxisVector> Kinematics::nearest(const AxisVector& tip, const AxisVector& 
   return minus_is_nearer ? minus : plus;
 }
 
+double Kinematics::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {
+  const AxisVector way = to - from;
+  return std::max(swing_bound_mm(from, way), swing_bound_mm(to, way)) / 8;
+}
+
 std::optional<std::string> Kinematics::caution(const AxisVector& /*joints*/) const { return {}; }
 
 std::optional<Fault> Kinematics::beyond_limits(const AxisVector& joints) const {

@@ -9,6 +9,7 @@
 
 #include "base/axes.hpp"
 #include "base/path_jet.hpp"
+#include "geometry/vec3.hpp"
 #include "kinematics/fault.hpp"
 #include "kinematics/joint.hpp"
 
@@ -82,10 +83,20 @@ class Kinematics {
   [[nodiscard]] virtual Result<base::PathJet> along(const base::PathJet& tip,
                                                     const base::AxisVector& joints) const = 0;
 
+  /// How the tip's X Y Z change, mm, while the joints change by `rates`: the derivative of
+  /// forward(), linear in `rates`.
+  [[nodiscard]] virtual geometry::Vec3 tip_rates(const base::AxisVector& joints,
+                                                 const base::AxisVector& rates) const = 0;
+
+  /// Upper bound, mm, of the second derivative of the tip while the joints go on at constant
+  /// `rates`. Its root is a norm of them: of a sum it is at most the sum of both roots.
+  [[nodiscard]] virtual double swing_bound_mm(const base::AxisVector& joints,
+                                              const base::AxisVector& rates) const = 0;
+
   /// Upper bound, mm, of how far the tip is from the straight line between its ends while the
-  /// joints move from `from` to `to` in proportion.
-  [[nodiscard]] virtual double deviation_bound_mm(const base::AxisVector& from,
-                                                  const base::AxisVector& to) const = 0;
+  /// joints move from `from` to `to` in proportion: an eighth of the larger swing of both ends.
+  [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
+                                          const base::AxisVector& to) const;
 
   /// A sentence when these joints are so near to a singular position that small moves of the tip
   /// ask for large ones of the joints.

@@ -1,6 +1,5 @@
 #include "kinematics/internal/x_theta_z.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -61,10 +60,14 @@ Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) con
   return result;
 }
 
-double XThetaZ::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {
-  const double radius =
-      std::max(std::fabs(from[kX] + offsets_.x1_mm), std::fabs(to[kX] + offsets_.x1_mm));
-  return polar_deviation_mm(radius, to[kX] - from[kX], to[kTheta] - from[kTheta]);
+geometry::Vec3 XThetaZ::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+  const auto [sine, cosine] = geometry::sine_cosine_deg(joints[kTheta] + offsets_.theta0_deg);
+  const double across = (joints[kX] + offsets_.x1_mm) * geometry::radians(rates[kTheta]);
+  return {rates[kX] * cosine - across * sine, rates[kX] * sine + across * cosine, rates[kZ]};
+}
+
+double XThetaZ::swing_bound_mm(const AxisVector& joints, const AxisVector& rates) const {
+  return 8 * polar_deviation_mm(std::fabs(joints[kX] + offsets_.x1_mm), rates[kX], rates[kTheta]);
 }
 
 }  // namespace kerf::kinematics

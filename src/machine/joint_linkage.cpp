@@ -14,8 +14,12 @@ std::optional<base::PathJet> JointLinkage::along(const base::PathJet& tip,
   return jet ? std::optional(*jet) : std::nullopt;
 }
 
-double JointLinkage::deviation_mm(const base::AxisVector& from, const base::AxisVector& to) const {
-  return kinematics_.deviation_bound_mm(from, to);
+double JointLinkage::tip_way_mm(const base::AxisVector& joints, const base::AxisVector& way) const {
+  return geometry::length(kinematics_.tip_rates(joints, way));
+}
+
+double JointLinkage::swing_mm(const base::AxisVector& joints, const base::AxisVector& rates) const {
+  return kinematics_.swing_bound_mm(joints, rates);
 }
 
 }  // namespace kerf::machine

@@ -16,6 +16,10 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Of the chord, at the border between two bends that the tip leaves with some acceleration.
 constexpr double kALittleLess = 0.95;
 
+// Of G T⁴ in the bound of a linkage, and its largest share of the tolerance.
+constexpr double kOfGain = 11.0 / 48;
+constexpr double kMostOfGain = 0.25;
+
 // Shares of the axes' limits that the shape of the path may use at full speed.
 struct Shares {
   double acceleration, jerk;
@@ -48,12 +52,37 @@ CellLimits::CellLimits(const AxisLimits& axis_limits, const Settings& settings, 
 // The exact formula knows no limit for circles within the tolerance. But a curve that bends so
 // sharply at one place may lead away from there.
 double CellLimits::longest_chord(const CellBounds& bounds) const {
-  const double both = bounds.curvature + 8 * bounds.deviation;
-  if (both == 0) return kInfinite;
-  const double chord = std::sqrt(8 * chord_tolerance_mm_ / both);
+  const double curvature = bounds.curvature;
+  if (bounds.linkage.gain > 0) return longest_linkage_chord(bounds);
+  if (curvature == 0) return kInfinite;
+  return std::min(std::sqrt(8 * chord_tolerance_mm_ / curvature),
+                  longest_chord_mm(1 / curvature, chord_tolerance_mm_));
+}
+
+bool CellLimits::turns_to_anything(const LinkageBend& linkage) const {
+  const double square = period_s_ * period_s_;
+  return kOfGain * linkage.gain * square * square > kMostOfGain * 8 * chord_tolerance_mm_;
+}
+
+// The chord of a circle has the part of the tolerance that its curvature has of the bend.
+double CellLimits::longest_linkage_chord(const CellBounds& bounds) const {
+  const LinkageBend& linkage = bounds.linkage;
+  const double square = period_s_ * period_s_;
+  double bend = std::max(bounds.curvature, linkage.bend);
+  double left = 8 * chord_tolerance_mm_;  // of 8 δ
+  double half_swing = 0;                  // mm, of what is left over a chord
+  if (turns_to_anything(linkage)) {
+    bend = bounds.curvature + linkage.swing;
+  } else {
+    left -= kOfGain * linkage.gain * square * square;
+    half_swing = std::sqrt(linkage.swing * linkage.gain) * square / 12;
+  }
+  const double divisor = half_swing + std::sqrt(half_swing * half_swing + bend * left);
+  if (divisor == 0) return kInfinite;
+  const double chord = left / divisor;
   if (bounds.curvature == 0) return chord;
-  const double of_chord_mm = chord_tolerance_mm_ * (bounds.curvature / both);
-  return std::min(chord, longest_chord_mm(1 / bounds.curvature, of_chord_mm));
+  return std::min(chord,
+                  longest_chord_mm(1 / bounds.curvature, bounds.curvature * chord * chord / 8));
 }
 
 // In a period, from rest: a T², mm.
@@ -71,7 +100,8 @@ double CellLimits::border_mm(const CellBounds& bounds) const {
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double chord = longest_chord(bounds);
   const double speed_up = most_speed_up(bounds);
-  if (!bounds.at_border || speed_up <= chord)
+  const bool at_border = bounds.at_border || turns_to_anything(bounds.linkage);
+  if (!at_border || speed_up <= chord)
     return chord / std::sqrt(1 + std::min(1.0, speed_up / chord) / 64) / period_s_;
   if (speed_up <= 2 * chord) return kALittleLess * chord / period_s_;
   const double half = speed_up / 27;

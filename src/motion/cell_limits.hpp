@@ -6,17 +6,22 @@
 
 namespace kerf::motion {
 
+/// How a linkage leads the tip from its path between two set-points, by the derivatives of the
+/// driven axes. All 0 where these are the program's.
+struct LinkageBend {
+  double bend = 0;   ///< of the tip, were the axes to change by their second derivatives: mm
+  double swing = 0;  ///< Linkage::swing_mm() of their first derivatives: mm
+  double gain = 0;   ///< the same of their accelerations: mm/s⁴
+};
+
 /// What bounds the speed over a part of the path.
 struct CellBounds {
   CurveBounds driven;    ///< derivatives of the driven axes by the parameter
   double curvature = 0;  ///< of the tip's path, 1/mm where the parameter is the length
-  /// How far the tip leaves its line while the driven axes move in proportion: mm over the square
-  /// of the step. 0 where they are the program's.
-  double deviation = 0;
+  LinkageBend linkage = {};
   /// Of the tip along the path beside it, mm/s²; 0: what driven axes have that are the program's.
   double tip_acceleration = 0;
-  /// What is beside it may be quite different: within a chord of where its curve meets another, or
-  /// where the linkage is what bends.
+  /// What is beside it may be quite different: within a chord of where its curve meets another.
   bool at_border = false;
 };
 
@@ -28,8 +33,18 @@ struct CellBounds {
 /// and slowing down; acceleration and jerk are what remains of them at that speed.
 ///
 /// Between two set-points the tip leaves a path of curvature κ by the deviation of the chord c = v
-/// T, κ c²/8 and a little (motion/chord.hpp), and by that of the linkage, D c². The tolerance δ
-/// holds both when c² <= 8 δ / (κ + 8 D). The chord has κ / (κ + 8 D) of it, and its exact formula.
+/// T, κ c²/8 and a little (motion/chord.hpp), which is the tolerance δ at most. Through a linkage
+/// it leaves it by what the driven axes leave their own ways, J q'' c²/8 with the derivative J of
+/// the tip by the axes, and by what J and q' change in a period (docs/motion.md, "Through a
+/// linkage"):
+///
+///   E c² + c √(N G) T²/6 + 11/48 G T⁴ <= 8 δ
+///
+/// E is the larger of κ and |J q''|, N and G are the swings of q' and of the accelerations. This
+/// holds whatever lies beside. Where the last term has more than kMostOfGain of δ the axes can turn
+/// to anything within a period: there chord and swing count together, c² <= 8 δ / (κ + N), and
+/// everything is a border.
+///
 /// What lies beside a bend may be driven faster, with acceleration a. Where a chord over both
 /// begins to leave the path farther, speeds differ by some a T / 8, and it is by a share of g / 64
 /// with g = a T² / c: so much less is c². Where g > 1 the borders of the bend are driven at 0.95 of
@@ -73,6 +88,8 @@ class CellLimits {
   [[nodiscard]] PathLimits with_jerk(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double acceleration_at(const CurveBounds& bounds, double speed) const;
   [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
+  [[nodiscard]] double longest_linkage_chord(const CellBounds& bounds) const;
+  [[nodiscard]] bool turns_to_anything(const LinkageBend& linkage) const;
   [[nodiscard]] double most_speed_up(const CellBounds& bounds) const;
   [[nodiscard]] double tolerable_speed(const CellBounds& bounds) const;
 

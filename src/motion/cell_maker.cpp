@@ -153,10 +153,10 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
     const bool last = begin_ + length + kShortest > most;
     const double end = last ? most : begin_ + length;
     stretch.look(begin_, first, end);
-    bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature);
-    const bool beside = begin_ < piece.begin + border_ || end > piece.end - border_;
-    bounds.at_border = beside || bounds.deviation > 0;
-    if (beside) bounds.tip_acceleration = beside_;
+    bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature,
+                               limits_.axis_limits().acceleration);
+    bounds.at_border = begin_ < piece.begin + border_ || end > piece.end - border_;
+    if (bounds.at_border) bounds.tip_acceleration = beside_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;
     const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
     if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;
@@ -178,7 +178,9 @@ bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch,
   const auto& samples = stretch.samples();
   return std::all_of(samples.begin(), samples.end(), [&](const JointSample& sample) {
     return speed >=
-           (1 - kMostLoss) * limits_.highest_speed(bounds_at(*sample.rates, bounds), piece.use);
+           (1 - kMostLoss) * limits_.highest_speed(bounds_at(sample, *linkage_, bounds,
+                                                             limits_.axis_limits().acceleration),
+                                                   piece.use);
   });
 }
 

@@ -32,10 +32,15 @@ class Linkage {
   [[nodiscard]] virtual std::optional<base::PathJet> along(
       const base::PathJet& tip, const base::AxisVector& joints) const = 0;
 
-  /// Upper bound, mm, of how far the tip leaves the line between its ends while the driven axes go
-  /// from `from` to `to` in proportion.
-  [[nodiscard]] virtual double deviation_mm(const base::AxisVector& from,
-                                            const base::AxisVector& to) const = 0;
+  /// How far the tip goes, mm in X Y Z, when the driven axes go by a little `way` from `joints`;
+  /// the same of their derivatives. A norm of `way` where the linkage is not singular.
+  [[nodiscard]] virtual double tip_way_mm(const base::AxisVector& joints,
+                                          const base::AxisVector& way) const = 0;
+
+  /// Upper bound of the second derivative of the tip, mm, while the driven axes go on at constant
+  /// `rates`; its root is a norm of them.
+  [[nodiscard]] virtual double swing_mm(const base::AxisVector& joints,
+                                        const base::AxisVector& rates) const = 0;
 };
 
 }  // namespace kerf::motion

@@ -10,12 +10,6 @@ namespace {
 using base::AxisVector;
 using base::PathJet;
 
-double largest(const AxisVector& v) {
-  double most = 0;
-  for (const double value : v.values) most = std::max(most, std::fabs(value));
-  return most;
-}
-
 /// The largest absolute value of what was seen.
 class Most {
  public:
@@ -92,31 +86,37 @@ double bound_of_third(const Stretch& stretch, std::size_t m) {
   return kALittle * (most.value() + range.width() / 2);
 }
 
-// Over the square of a step, from one in which no axis goes far.
-double deviation_at(const JointSample& sample, const Linkage& linkage) {
-  constexpr double kSmallMove = 1e-6;  // mm, degrees
-  const double most = largest(sample.rates->first);
-  if (most == 0) return 0;
-  const double step = kSmallMove / most;
-  AxisVector to = sample.joints;
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m)
-    to.values[m] += step * sample.rates->first.values[m];
-  return linkage.deviation_mm(sample.joints, to) / (step * step);
+LinkageBend bend_at(const JointSample& sample, const Linkage& linkage,
+                    const AxisVector& acceleration) {
+  return {linkage.tip_way_mm(sample.joints, sample.rates->second),
+          linkage.swing_mm(sample.joints, sample.rates->first),
+          linkage.swing_mm(sample.joints, acceleration)};
 }
 
 // Half of what the samples differ by may lie between them.
-double deviation_of(const Stretch& stretch, const Linkage& linkage) {
-  Range range;
+LinkageBend bend_of(const Stretch& stretch, const Linkage& linkage,
+                    const AxisVector& acceleration) {
+  Range bend;
+  Range swing;
+  Range gain;
   for (const JointSample& sample : stretch.samples()) {
-    if (sample.rates) range.see(deviation_at(sample, linkage));
+    if (!sample.rates) continue;
+    const LinkageBend at = bend_at(sample, linkage, acceleration);
+    bend.see(at.bend);
+    swing.see(at.swing);
+    gain.see(at.gain);
   }
-  return std::max(0.0, kALittle * (range.high() + range.width() / 2));
+  const auto most = [](const Range& range) {
+    return std::max(0.0, kALittle * (range.high() + range.width() / 2));
+  };
+  return {most(bend), most(swing), most(gain)};
 }
 
 }  // namespace
 
 // From the samples whose rates are determined; from how far the axes go, where none are.
-CellBounds bounds_of(const Stretch& stretch, const Linkage& linkage, double curvature) {
+CellBounds bounds_of(const Stretch& stretch, const Linkage& linkage, double curvature,
+                     const AxisVector& acceleration) {
   CellBounds bounds;
   const auto& samples = stretch.samples();
   const AxisVector way = samples[2].joints - samples[0].joints;
@@ -128,12 +128,15 @@ CellBounds bounds_of(const Stretch& stretch, const Linkage& linkage, double curv
     bounds.driven.third.values[m] = bound_of_third(stretch, m);
   }
   bounds.curvature = curvature;
-  bounds.deviation = deviation_of(stretch, linkage);
+  bounds.linkage = bend_of(stretch, linkage, acceleration);
   return bounds;
 }
 
-CellBounds bounds_at(const PathJet& rates, const CellBounds& stretch) {
+CellBounds bounds_at(const JointSample& sample, const Linkage& linkage, const CellBounds& stretch,
+                     const AxisVector& acceleration) {
+  const PathJet& rates = *sample.rates;
   CellBounds bounds = stretch;
+  bounds.linkage = bend_at(sample, linkage, acceleration);
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     bounds.driven.first.values[m] = std::fabs(rates.first.values[m]);
     bounds.driven.second.values[m] = std::fabs(rates.second.values[m]);

@@ -394,6 +394,42 @@ TEST_P(EveryKinematics, TheTipNeverLeavesTheLineByMoreThanTheBound) {
   }
 }
 
+TEST_P(EveryKinematics, TipRatesAreTheDerivativeOfForward) {
+  SeededRandom random(kSeed);
+  for (int i = 0; i < 20'000; ++i) {
+    const AxisVector joints = random_joints(random);
+    AxisVector rates;
+    for (std::size_t k = 0; k < machine_->size(); ++k) rates.values[k] = random.in(-1, 1);
+    const double step = 1e-3;
+    const AxisVector behind = machine_->forward(between(joints, joints + rates, step));
+    const AxisVector before = machine_->forward(between(joints, joints + rates, -step));
+    const geometry::Vec3 way = machine_->tip_rates(joints, rates);
+    ASSERT_NEAR(way.x, (behind.values[0] - before.values[0]) / (2 * step), 1e-7) << text(joints);
+    ASSERT_NEAR(way.y, (behind.values[1] - before.values[1]) / (2 * step), 1e-7) << text(joints);
+    if (subject_.settings.kind == Kind::cartesian) continue;
+    ASSERT_NEAR(way.z, (behind.values[2] - before.values[2]) / (2 * step), 1e-7) << text(joints);
+  }
+}
+
+TEST_P(EveryKinematics, TheRootOfTheSwingIsANorm) {
+  SeededRandom random(kSeed);
+  for (int i = 0; i < kCases; ++i) {
+    const AxisVector joints = random_joints(random);
+    AxisVector a;
+    AxisVector b;
+    for (std::size_t k = 0; k < machine_->size(); ++k) {
+      a.values[k] = random.in(-1, 1);
+      b.values[k] = random.size(1e-3, 1e3) * (random.coin() ? 1 : -1);
+    }
+    const double swing_a = machine_->swing_bound_mm(joints, a);
+    const double swing_b = machine_->swing_bound_mm(joints, b);
+    const double both = machine_->swing_bound_mm(joints, a + b);
+    ASSERT_LE(std::sqrt(both), (std::sqrt(swing_a) + std::sqrt(swing_b)) * (1 + 1e-12));
+    ASSERT_NEAR(machine_->swing_bound_mm(joints, a + a), 4 * swing_a, 1e-12 * swing_a);
+    ASSERT_EQ(machine_->swing_bound_mm(joints, {}), 0);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinematics, EveryKinematics,
                          testing::Range(std::size_t{0}, subjects().size()),
                          [](const auto& parameter) { return subjects()[parameter.param].name; });

@@ -20,8 +20,10 @@ class Arm final : public Kinematics {
   [[nodiscard]] Branch branch_at(const base::AxisVector& joints) const override;
   [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
                                             const base::AxisVector& joints) const override;
-  [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
-                                          const base::AxisVector& to) const override;
+  [[nodiscard]] geometry::Vec3 tip_rates(const base::AxisVector& joints,
+                                         const base::AxisVector& rates) const override;
+  [[nodiscard]] double swing_bound_mm(const base::AxisVector& joints,
+                                      const base::AxisVector& rates) const override;
   [[nodiscard]] std::optional<std::string> caution(const base::AxisVector& joints) const override;
 
  private:

@@ -19,8 +19,10 @@ class JointLinkage : public motion::Linkage {
                                         const base::AxisVector& previous) const override;
   [[nodiscard]] std::optional<base::PathJet> along(const base::PathJet& tip,
                                                    const base::AxisVector& joints) const override;
-  [[nodiscard]] double deviation_mm(const base::AxisVector& from,
-                                    const base::AxisVector& to) const override;
+  [[nodiscard]] double tip_way_mm(const base::AxisVector& joints,
+                                  const base::AxisVector& way) const override;
+  [[nodiscard]] double swing_mm(const base::AxisVector& joints,
+                                const base::AxisVector& rates) const override;
 
  private:
   const kinematics::Kinematics& kinematics_;

@@ -182,7 +182,7 @@ void add_check(CLI::App& app, CheckOptions& o) {
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
   check->group("Commands");
   check->add_option("files", o.files, "program files")->type_name("FILE")->required();
-  add_machine(*check, o.machine, o.dialect, Patterns::not_run);
+  add_machine(*check, o.machine, o.dialect, Patterns::run);
   repeated(
       check->add_option("--library", o.libraries, "folder of further programs; may be repeated"))
       ->type_name("FOLDER");

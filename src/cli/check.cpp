@@ -6,8 +6,10 @@
 #include <set>
 #include <thread>
 
+#include "cli/check_pattern.hpp"
 #include "cli/check_report.hpp"
 #include "cli/commands.hpp"
+#include "cli/dialect_choice.hpp"
 #include "cli/failure.hpp"
 #include "cli/machine_setup.hpp"
 #include "output/diagnostic_text.hpp"
@@ -25,7 +27,8 @@ bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
 
 // What shows without running, reached or not, then what the run itself raises, also behind the
 // first alarm, at which a control would stop.
-std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget& budget) {
+std::vector<Diagnostic> find_all(ReadyMachine& ready, const machine::Budget& budget) {
+  VirtualMachine& machine = *ready.machine;
   base::Findings checked(base::Findings::kAll, base::WorkLimit(budget.seconds));
   machine.check(checked);
   std::vector<Diagnostic> found = checked.list();
@@ -36,6 +39,7 @@ std::vector<Diagnostic> find_all(VirtualMachine& machine, const machine::Budget&
     const auto same = [&](const Diagnostic& d) { return same_mistake(d, *told); };
     if (std::none_of(found.begin(), found.end(), same)) found.push_back(*told);
   };
+  if (ready.hint) add(output::at_line(*ready.hint, machine.sources()));
   for (const Diagnostic& alarm : machine.alarm_search()->findings()) add(alarm);
   add(machine.alarm());
   add(machine.notice());
@@ -59,6 +63,7 @@ base::Outcome<ReadyMachine> make_ready(const std::string& path, const CheckOptio
 }
 
 FileReport check_file(const std::string& path, const CheckOptions& options) {
+  if (is_pattern(options.dialect, path)) return check_pattern(path, options);
   FileReport report;
   report.file = path;
   auto ready = make_ready(path, options);
@@ -68,12 +73,8 @@ FileReport check_file(const std::string& path, const CheckOptions& options) {
   }
   VirtualMachine& machine = *ready->machine;
   for (const Diagnostic& diagnostic :
-       find_all(machine, {options.max_seconds, options.max_motions, 0})) {
-    const base::SourceSet& sources = machine.sources();
-    report.findings.push_back(
-        {output::file_name(diagnostic, sources), output::diagnostic_text(diagnostic, sources),
-         nlohmann::ordered_json::parse(output::diagnostic_json(diagnostic, sources))});
-  }
+       find_all(*ready, {options.max_seconds, options.max_motions, 0}))
+    report.add(diagnostic, machine.sources());
   report.budget_spent =
       std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
         return finding.object["code"] == base::text_of(base::Code::budget_spent).number;

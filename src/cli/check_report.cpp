@@ -113,6 +113,12 @@ std::string junit(const std::vector<FileReport>& reports) {
 
 }  // namespace
 
+void FileReport::add(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
+  findings.push_back({output::file_name(diagnostic, sources),
+                      output::diagnostic_text(diagnostic, sources),
+                      Json::parse(output::diagnostic_json(diagnostic, sources))});
+}
+
 std::string in_format(const std::vector<FileReport>& reports, const std::string& format) {
   if (format == "sarif") return sarif(reports);
   if (format == "junit") return junit(reports);

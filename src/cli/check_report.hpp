@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "base/source_file.hpp"
 
 namespace kerf::cli {
 
@@ -23,6 +24,8 @@ struct FileReport {
   std::vector<Finding> findings;
   bool budget_spent = false;             ///< its program did not come to an end
   std::optional<base::Failure> failure;  ///< why it could not be checked
+
+  void add(const base::Diagnostic& diagnostic, const base::SourceSet& sources);
 };
 
 /// The reports in one of the formats `text`, `json` (one object a line), `sarif` (2.1.0), `junit`.

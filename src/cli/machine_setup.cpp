@@ -9,6 +9,7 @@
 #include "cli/failure.hpp"
 #include "machine/interrupt_plan.hpp"
 #include "machine/offset_file.hpp"
+#include "machine/program_look.hpp"
 #include "machine/state_file.hpp"
 #include "output/diagnostic_text.hpp"
 
@@ -20,6 +21,7 @@ using base::Outcome;
 
 constexpr std::size_t kLargestOffsetFile = 16 << 20;
 constexpr double kMostOffsetSeconds = 10;
+constexpr base::FileId kMainFile{0};
 
 // The control's own punch-out is a program of G10 blocks: a machine of its own runs it, and its
 // offsets are all that is taken over.
@@ -69,6 +71,18 @@ Outcome<void> apply_settings(const MachineSetup& setup, machine::MachineDefiniti
   }
   if (setup.decimal_point.empty()) return {};
   return definition.parameters.set("DPI", setup.decimal_point == "calculator" ? "1" : "0");
+}
+
+// Of a program for a lathe that runs on `machine`.
+std::optional<base::Diagnostic> lathe_hint(const base::SourceFile& program,
+                                           const std::string& machine) {
+  const machine::ProgramLook look = machine::look_of(program);
+  if (look.kind != machine::ProgramKind::lathe) return std::nullopt;
+  base::Diagnostic hint = base::make_error(
+      base::Code::lathe_program, {.file = kMainFile, .line = look.line, .column = 1},
+      look.word + " looks like a lathe's, and the program runs on " + machine);
+  hint.severity = base::Severity::warning;
+  return hint;
 }
 
 Outcome<std::uint32_t> parse_block_skip(const std::string& list) {
@@ -216,6 +230,8 @@ Outcome<ReadyMachine> set_up(const MachineSetup& setup, const base::SourceFile& 
   }
   ReadyMachine ready;
   ready.why = choice->why;
+  if (setup.machine.empty() && setup.dialect.empty())
+    ready.hint = lathe_hint(program, choice->machine);
   ready.machine = std::make_unique<machine::VirtualMachine>(
       *definition, std::move(memory), machine::VirtualMachine::Settings{{}, choice->dialect});
   return ready;

@@ -29,6 +29,8 @@ struct ReadyMachine {
   std::unique_ptr<machine::VirtualMachine> machine;
   std::unique_ptr<machine::Stepper> interrupts;  ///< gives the machine its signals; null: none
   std::string why;                               ///< sentence for the summary
+  /// LATHE_PROGRAM, where nobody named a machine or dialect.
+  std::optional<base::Diagnostic> hint{};
 };
 
 [[nodiscard]] base::Outcome<ReadyMachine> set_up(const MachineSetup& setup,

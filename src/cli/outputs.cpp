@@ -42,7 +42,8 @@ Outcome<void> Outputs::open_prints() {
 
 Outcome<void> Outputs::open_motion() {
   return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
-    add(std::make_unique<output::MotionJson>(machine_.definition().axes, file));
+    add(std::make_unique<output::MotionJson>(machine_.definition().axes, &machine_.sources(),
+                                             file));
   });
 }
 

@@ -98,7 +98,7 @@ Outcome<void> Replay::open_output() {
 
 Outcome<void> Replay::open_motion() {
   return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
-    motion_ = std::make_unique<output::MotionJson>(definition_.axes, file);
+    motion_ = std::make_unique<output::MotionJson>(definition_.axes, nullptr, file);
     replay_.add_sink(static_cast<control::MotionSink&>(*motion_));
   });
 }

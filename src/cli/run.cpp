@@ -23,7 +23,7 @@ void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), st
 
 void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready,
             const Outputs& outputs) {
-  report_diagnostics(machine, options.diagnostics);
+  report_diagnostics(ready, options.diagnostics);
   if (options.diagnostics == DiagnosticFormat::json) return;
   tell(output::summary_text(machine));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");

@@ -7,13 +7,15 @@
 
 namespace kerf::cli {
 
-void report_diagnostics(machine::VirtualMachine& machine, DiagnosticFormat format) {
+void report_diagnostics(const ReadyMachine& ready, DiagnosticFormat format) {
+  machine::VirtualMachine& machine = *ready.machine;
   const auto tell = [&](const base::Diagnostic& diagnostic) {
     const std::string text = format == DiagnosticFormat::json
                                  ? output::diagnostic_json(diagnostic, machine.sources())
                                  : output::diagnostic_text(diagnostic, machine.sources());
     std::fwrite(text.data(), 1, text.size(), stderr);
   };
+  if (ready.hint) tell(output::at_line(*ready.hint, machine.sources()));
   for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
   for (const base::Diagnostic& warning : machine.warnings())
     tell(output::at_line(warning, machine.sources()));

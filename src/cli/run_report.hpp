@@ -1,11 +1,11 @@
 #pragma once
 
 #include "cli/commands.hpp"
-#include "machine/virtual_machine.hpp"
+#include "cli/machine_setup.hpp"
 
 namespace kerf::cli {
 
 /// What a run has to say besides its results, on standard error: warnings, the alarm, the budget.
-void report_diagnostics(machine::VirtualMachine& machine, DiagnosticFormat format);
+void report_diagnostics(const ReadyMachine& ready, DiagnosticFormat format);
 
 }  // namespace kerf::cli

@@ -20,7 +20,7 @@ ExitStatus time(const TimeOptions& options) {
   if (!file) return fail(file.error());
   (*file)->write(options.format == "json" ? times.json(machine) : times.text(machine));
   if (auto committed = (*file)->commit(); !committed) return fail(committed.error());
-  report_diagnostics(machine, options.run.diagnostics);
+  report_diagnostics(*ready, options.run.diagnostics);
   return exit_status_of(status);
 }
 

@@ -6,6 +6,7 @@
 #include "base/program_name.hpp"
 #include "control/space_arc_path.hpp"
 #include "geometry/angle.hpp"
+#include "output/internal/json_object.hpp"
 
 namespace kerf::output {
 namespace {
@@ -66,11 +67,20 @@ const char* feed_mode_name(FeedMode mode) {
 
 }  // namespace
 
-MotionJson::MotionJson(const AxisSetup& axes, base::OutputFile& file)
-    : axes_(axes), file_(file), at_(axes.start) {
+MotionJson::MotionJson(const AxisSetup& axes, const base::SourceSet* sources,
+                       base::OutputFile& file)
+    : axes_(axes), sources_(sources), file_(file), at_(axes.start) {
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }
+}
+
+void MotionJson::name_file(base::FileId id) {
+  constexpr base::FileId kMain{0};
+  source_id_ = id;
+  source_.clear();
+  if (id == kMain || sources_ == nullptr || !sources_->contains(id)) return;
+  source_ = ",\"file\":" + quoted((*sources_)[id].name());
 }
 
 void MotionJson::begin(const char* kind, const Motion& motion) {
@@ -83,6 +93,8 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   line_ += kind;
   line_ += program_;
   base::append_integer(line_, motion.line);
+  if (motion.file != source_id_) name_file(motion.file);
+  line_ += source_;
 }
 
 void MotionJson::point(const char* name, const base::AxisVector& at) {

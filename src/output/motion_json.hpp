@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/output_file.hpp"
+#include "base/source_file.hpp"
 #include "control/axis_setup.hpp"
 #include "control/motion.hpp"
 
@@ -13,10 +14,14 @@ namespace kerf::output {
 /// degrees, mm/min.
 class MotionJson : public control::MotionSink {
  public:
-  MotionJson(const control::AxisSetup& axes, base::OutputFile& file);
+  /// `sources`: of the motions; those that are not of the first one, the main file, name theirs.
+  /// Null: the motions are of one file. All must outlive this.
+  MotionJson(const control::AxisSetup& axes, const base::SourceSet* sources,
+             base::OutputFile& file);
   void take(const control::Motion& motion) override;
 
  private:
+  void name_file(base::FileId id);
   void begin(const char* kind, const control::Motion& motion);
   void point(const char* name, const base::AxisVector& at);
   void target(const base::AxisVector& to) { point(",\"to\":{", to); }
@@ -25,12 +30,15 @@ class MotionJson : public control::MotionSink {
   void write(const control::Motion& motion);
 
   const control::AxisSetup& axes_;
+  const base::SourceSet* sources_;
   base::OutputFile& file_;
   base::AxisVector at_;
   std::vector<std::string> keys_;  // per axis: what stands before its value
   std::string line_;
   std::string program_;  // text of the newest program number
   control::ProgramNumber program_number_{0xffffffffU};
+  std::string source_;  // text of the newest file's name; none for the main file
+  base::FileId source_id_ = base::kNoFile;
 };
 
 }  // namespace kerf::output

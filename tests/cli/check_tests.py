@@ -251,7 +251,7 @@ def sarif_uris(box):
 def wrong_option_once(box):
     names = [box.write(f"f{i}.nc", GOOD) for i in range(4)]
     for words, wanted in ((["--param", "nosuch=1"], 2), (["--library", "gone"], 3),
-                          (["--dialect", "pattern"], 2)):
+                          (["--dialect", "foo"], 2)):
         result = box.kerf("check", *names, *words)
         status(result, wanted)
         equal(len(result.err.splitlines()), 1, f"sentences about {words}")
@@ -302,3 +302,34 @@ def no_files(box):
     box.write("wrong.nc", WRONG)
     box.kerf("check", "wrong.nc")
     equal(os.listdir(box.folder), ["wrong.nc"], "files behind it")
+
+
+@test("check checks patterns beside programs: good ones silently, each mistake with its byte")
+def patterns(box):
+    good = bytes.fromhex("7F00C8 3F0FA0 400CA7 FF00C8")
+    box.write("good.nc", GOOD)
+    box.write("w.pat", good)
+    result = box.kerf("check", "good.nc", "w.pat")
+    status(result, 0)
+    equal(result.text + result.err, "", "nothing to say")
+    box.write("cut.pat", good[:-1])
+    found = findings(box, "good.nc", "cut.pat")
+    equal([(f["code"], f["file"], f["offset"]) for f in found], [("PATTERN_TRUNCATED", "cut.pat", 9)], "a cut pattern")
+    box.write("far.txt", "F T1 60000\n")
+    status(box.kerf("pattern", "encode", "far.txt", "--output", "far.pat"), 0)
+    equal([f["code"] for f in findings(box, "far.pat")], ["LIMIT"], "beyond the travel")
+    status(box.kerf("check", "w.pat", "--machine", "mill3"), 2)
+
+
+LATHE = "T0101\nG0 X52. Z0.\nG1 X-1. F0.2\nM30\n"
+
+
+@test("a program for a lathe on the mill that nobody named is a warning; on a named machine it is none")
+def lathe(box):
+    box.write("turn.nc", LATHE)
+    for line in (box.kerf("run", "turn.nc").err, box.kerf("check", "turn.nc").text):
+        contains(line, "turn.nc:1:1: warning: LATHE_PROGRAM", "the hint")
+        contains(line, "T0101 looks like a lathe's, and the program runs on mill3", "the hint")
+    check("LATHE" not in box.kerf("run", "turn.nc", "--machine", "mill3").err, "the machine is named")
+    box.write("mill.nc", "O1\nT1M06\nG43H1Z10.\nG90G00X0Y0\nG01Z-1.F0.5\nM30\n")
+    check("LATHE" not in box.kerf("run", "mill.nc").err, "a mill's program")

@@ -173,3 +173,14 @@ def large(box):
     result = box.kerf("run", "main/part.nc", "--library", "library")
     status(result, 0)
     in_time(result, 2)
+
+
+@test("records of --motion name their file where it is not the main one: two files may have one number")
+def file_of_a_record(box):
+    box.write("main/part.nc", "O1\nG90G01X1.F100\nM98P9401\nM198P9402\nX4.\nM30\n")
+    box.write("one/O9401.nc", "O9401\nX2.\nM99\n")
+    box.write("two/O9402.nc", "O9402\nX3.\nM99\n")
+    status(box.kerf("run", "main/part.nc", "--library", "one", "--library", "two", "--motion", "m.jsonl"), 0)
+    files = [m.get("file") for m in box.motions("m.jsonl")]
+    equal([os.path.basename(file) if file else None for file in files],
+          [None, "O9401.nc", "O9402.nc", None, None], "files")

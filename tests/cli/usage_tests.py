@@ -228,7 +228,7 @@ def help_names(box):
     machines = [line.split()[0] for line in box.kerf("machines").lines()]
     check(len(machines) >= 7, f"machines: {machines}")
     for command, dialects in (("run", {"fanuc-mill", "laser-basic", "teach", "pattern"}),
-                              ("check", {"fanuc-mill", "laser-basic", "teach"}),
+                              ("check", {"fanuc-mill", "laser-basic", "teach", "pattern"}),
                               ("time", {"fanuc-mill", "laser-basic", "teach"})):
         text = " ".join(box.kerf(command, "--help").text.split())
         options = text.split("--machine ", 1)[1]
@@ -252,9 +252,8 @@ def wrong_dialects(box):
             "--dialect foo: there is no dialect foo" + there)
     refused(box.kerf("run", "part.nc", "--dialect", "fanuc-lathe"), 2,
             "--dialect fanuc-lathe: the dialect fanuc-lathe is not available yet" + there)
-    for command in ("check", "time"):
-        refused(box.kerf(command, "part.nc", "--dialect", "pattern"), 2,
-                "`kerf pattern replay` and `kerf run --dialect pattern`" + there)
+    refused(box.kerf("time", "part.nc", "--dialect", "pattern"), 2,
+            "`kerf pattern replay` and `kerf run --dialect pattern`" + there)
 
 
 @test("a machine whose dialect does not exist is refused with the line")

@@ -54,7 +54,7 @@ LaserControl::LaserControl(const Parameters& parameters, const AxisSetup& axes,
       surroundings_(surroundings),
       sink_(sink),
       outlet_(alarms_, surroundings,
-              axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
+              axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, nullptr, sink),
       moves_(axes, alarms_, assumptions_, outlet_,
              [this](Code code, const std::string& detail) { warn(code, place(), detail, kName); }) {
 }

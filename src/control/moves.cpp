@@ -49,18 +49,8 @@ bool Moves::check_limits(const AxisVector& target) {
       return state_.alarms.raise(Code::position_overflow, std::string(1, state_.axes[axis].letter) +
                                                               base::number_text(target[axis]));
     }
-    if (!state_.parameters.stroke_check) continue;
-    const AxisConfig& config = state_.axes[axis];
-    if (!(config.travel_min < config.travel_max)) continue;
-    const double machine = target[axis] + state_.coordinates.length()[axis];
-    if (machine > config.travel_max || machine < config.travel_min) {
-      return state_.alarms.raise(
-          machine > config.travel_max ? Code::overtravel_plus : Code::overtravel_minus,
-          std::string(1, config.letter) + " would go to " + base::number_text(machine) +
-              ", the limit is " +
-              base::number_text(machine > config.travel_max ? config.travel_max
-                                                            : config.travel_min));
-    }
+    if (const auto beyond = state_.strokes.refusal(axis, target[axis]))
+      return state_.alarms.raise(beyond->code, beyond->sentence);
   }
   return true;
 }

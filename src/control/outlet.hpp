@@ -2,37 +2,42 @@
 
 #include "control/alarms.hpp"
 #include "control/motion.hpp"
+#include "control/stroke_limits.hpp"
 #include "control/surroundings.hpp"
 
 namespace kerf::control {
 
-/// Where motions leave the control. A move that the machine cannot make raises the machine's alarm
-/// here and is not handed out, nor is anything behind it, until the alarm is reset.
+/// Where motions leave the control. A move that leads beyond a stored stroke limit, or that the
+/// machine cannot make, raises its alarm here and is not handed out, nor is anything behind it,
+/// until the alarm is reset.
 ///
-/// Machines that move the program's own axes can make every move: they are not asked.
+/// Machines that move the program's own axes can make every move within their strokes: they are
+/// not asked.
 class Outlet {
  public:
   enum class Machine : std::uint8_t { makes_all, is_asked };
 
-  /// All must outlive the outlet.
-  Outlet(Alarms& alarms, Surroundings& surroundings, Machine machine, MotionSink& sink)
-      : alarms_(alarms), surroundings_(surroundings), machine_(machine), sink_(sink) {}
+  /// All must outlive the outlet; `strokes` may be null.
+  Outlet(Alarms& alarms, Surroundings& surroundings, Machine machine, const StrokeLimits* strokes,
+         MotionSink& sink)
+      : alarms_(alarms),
+        surroundings_(surroundings),
+        machine_(machine),
+        strokes_(strokes),
+        sink_(sink) {}
 
   /// A motion that begins with the tip at `from`; `place` is that of its block, null for the
   /// executing one. False: it was refused.
   [[nodiscard]] bool let_out(const Motion& motion, const base::AxisVector& from,
                              const base::Place* place = nullptr) {
-    if (machine_ == Machine::is_asked) {
-      closed_ = closed_ || !admits(motion, from, Surroundings::Intent::make, place);
-      if (closed_) return false;
-    }
+    closed_ = closed_ || !admits(motion, from, Surroundings::Intent::make, place);
+    if (closed_) return false;
     sink_.take(motion);
     return true;
   }
   /// Whether a move of the executing block could be made. False: an alarm was raised.
   [[nodiscard]] bool admits(const Motion& motion, const base::AxisVector& from) {
-    return machine_ == Machine::makes_all ||
-           admits(motion, from, Surroundings::Intent::ask, nullptr);
+    return admits(motion, from, Surroundings::Intent::ask, nullptr);
   }
   /// Open again.
   void reset() { closed_ = false; }
@@ -41,7 +46,9 @@ class Outlet {
   bool admits(const Motion& motion, const base::AxisVector& from, Surroundings::Intent intent,
               const base::Place* place) {
     if (target_of(motion) == nullptr) return true;
-    const auto refusal = surroundings_.refusal(from, motion, intent);
+    auto refusal = strokes_ != nullptr ? strokes_->refusal(from, motion) : std::nullopt;
+    if (!refusal && machine_ == Machine::is_asked)
+      refusal = surroundings_.refusal(from, motion, intent);
     return !refusal || alarms_.raise_at(refusal->code, place != nullptr ? *place : alarms_.place(),
                                         refusal->sentence);
   }
@@ -49,6 +56,7 @@ class Outlet {
   Alarms& alarms_;
   Surroundings& surroundings_;
   Machine machine_;
+  const StrokeLimits* strokes_;
   MotionSink& sink_;
   bool closed_ = false;
 };

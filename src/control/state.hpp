@@ -49,8 +49,10 @@ struct State {
         modal(parameters_in),
         before(parameters_in),
         coordinates(axes_in, memory_in),
+        strokes(axes_in, parameters_in.stroke_check, &coordinates.length()),
         outlet(alarms_in, surroundings_in,
-               axes_in.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
+               axes_in.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, &strokes,
+               sink),
         path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in.start) {
     refresh_format();
   }
@@ -66,6 +68,7 @@ struct State {
   ModalState before;  ///< as the previous block left it (#4001…)
   ModalWords words;
   Coordinates coordinates;
+  StrokeLimits strokes;
   Outlet outlet;  ///< of `path`
   Toolpath path;
   std::uint32_t line = 0;          ///< of the executing block

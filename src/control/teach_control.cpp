@@ -10,8 +10,11 @@ TeachControl::TeachControl(const AxisSetup& axes, const TaughtFor& machine,
                            teach::TeachLibrary& library, Surroundings& surroundings,
                            MotionSink& sink)
     : sink_(sink),
+      checks_strokes_(machine.checks_strokes),
+      strokes_(axes, checks_strokes_, nullptr),
       outlet_(alarms_, surroundings,
-              axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, sink),
+              axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, &strokes_,
+              sink),
       moves_(axes, alarms_, assumptions_, outlet_, machine),
       interpreter_(library, *this, {}) {}
 

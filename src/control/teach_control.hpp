@@ -60,6 +60,8 @@ class TeachControl final : public ProgramControl, private vm::Host {
   std::string callers() override { return {}; }
 
   MotionSink& sink_;
+  bool checks_strokes_;
+  StrokeLimits strokes_;
   Outlet outlet_;
   TaughtMoves moves_;
   vm::Interpreter interpreter_;

@@ -216,7 +216,10 @@ MachineReader::Outcome MachineReader::finish() {
   return wrong(linkage != nullptr ? linkage : file_.get("axis"), text);
 }
 
+// What leaves the travel of a mill or lathe is told by its limit switches; a laser burns its frame.
 MachineReader::Outcome MachineReader::read_control() {
+  machine_.parameters.stroke_check =
+      !machine_.axes.linked && (machine_.drive.laser.fitted() || file_.contains("pattern"));
   const toml::node* const node = file_.get("control");
   if (node == nullptr) return {};
   if (!node->is_table()) return wrong(node, "control must be a table");

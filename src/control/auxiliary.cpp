@@ -116,16 +116,9 @@ bool Auxiliary::read_codes(const Words& words, Codes& codes) {
   return true;
 }
 
-void Auxiliary::emit_spindle() {
-  const bool css = state_.modal[Group::speed] == 960;
-  state_.path.act(Spindle{state_.words.turning,
-                          css ? Spindle::Mode::constant_surface_speed : Spindle::Mode::rpm,
-                          state_.words.speed, css ? state_.words.max_rpm : 0});
-}
-
 void Auxiliary::turn(Spindle::Turning turning) {
   state_.words.turning = turning;
-  emit_spindle();
+  state_.path.act(state_.spindle());
 }
 
 void Auxiliary::before_motion(const Words& words) {
@@ -150,7 +143,7 @@ void Auxiliary::before_motion(const Words& words) {
   const bool turning = state_.words.turning == Spindle::Turning::clockwise ||
                        state_.words.turning == Spindle::Turning::counterclockwise;
   const bool changes_speed = !words.has_g(kPreset) || state_.modal[Group::speed] == 960;
-  if (words.has('S') && turning && !told && changes_speed) emit_spindle();
+  if (words.has('S') && turning && !told && changes_speed) state_.path.act(state_.spindle());
 }
 
 void Auxiliary::after_motion(const Words& words) {

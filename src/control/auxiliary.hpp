@@ -38,7 +38,6 @@ class Auxiliary {
  private:
   bool read_offset(const Words& words, char letter, std::int64_t& number);
   void turn(Spindle::Turning turning);
-  void emit_spindle();
 
   State& state_;
 };

@@ -28,6 +28,7 @@ struct AxisSetup {
   std::vector<AxisConfig> axes;
   base::AxisVector start;  ///< where they stand at power-on, machine coordinates
   bool linked = false;     ///< others move them through a linkage, which not every move suits
+  bool beam = false;       ///< for a spindle there is the beam of a laser
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }

@@ -198,7 +198,7 @@ void CannedCycle::dwell() {
 }
 
 void CannedCycle::spindle(Spindle::Turning turning) {
-  state_.path.act(Spindle{turning, Spindle::Mode::rpm, state_.words.speed, 0});
+  state_.path.act(Spindle{.turning = turning, .speed = state_.words.speed});
   state_.words.turning = turning;
 }
 

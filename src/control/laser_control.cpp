@@ -169,6 +169,8 @@ bool LaserControl::move(const basic::Statement& statement, std::span<const doubl
     case StatementKind::line: return moves_.line(arguments);
     case StatementKind::arc: return moves_.arc(arguments);
     case StatementKind::circle: return moves_.circle(arguments);
+    case StatementKind::wait: return moves_.wait(arguments[0]);
+    case StatementKind::burn: return moves_.burn(arguments[0]);
     case StatementKind::print:
     case StatementKind::prompt:
     case StatementKind::end: break;

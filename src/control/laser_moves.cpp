@@ -34,6 +34,10 @@ bool same(const Vec3& a, const Vec3& b) { return length(a - b) <= kSamePoint_mm;
 bool is_radius(double radius) { return radius > kSamePoint_mm; }
 constexpr const char* kNoRadius = "the radius is above 0.000001 mm";
 
+// As long as a dwell of G-code can be.
+bool is_time(double seconds) { return seconds >= 0 && seconds <= 99999.999; }
+constexpr const char* kNoTime = "a time is 0 to 99999.999 s";
+
 }  // namespace
 
 LaserMoves::LaserMoves(const AxisSetup& axes, Alarms& alarms, Assumptions& assumptions,
@@ -193,6 +197,21 @@ bool LaserMoves::arc_by_radius(std::span<const double> a) {
   FlatArc arc{.to = to, .centre = *centre, .clockwise = clockwise};
   arc.length = geometry::arc_length(from, flat(to), *centre, clockwise, 0, 0);
   return cut(position_, flat_motion(arc), to, arc.length);
+}
+
+bool LaserMoves::rest(double seconds) {
+  return seconds == 0 || outlet_.let_out(motion(Dwell{seconds}), tip_);
+}
+
+bool LaserMoves::wait(double seconds) {
+  if (!is_time(seconds)) return raise(Code::basic_domain, kNoTime);
+  return set_beam(0) && rest(seconds);
+}
+
+bool LaserMoves::burn(double seconds) {
+  if (!is_time(seconds)) return raise(Code::basic_domain, kNoTime);
+  if (!power_set_) warn_(Code::basic_no_power, {});
+  return seconds == 0 || (set_beam(power_) && rest(seconds) && set_beam(0));
 }
 
 bool LaserMoves::end() { return set_beam(0) && outlet_.let_out(motion(End{}), tip_); }

@@ -18,8 +18,8 @@ namespace kerf::control {
 /// Points of programs are relative to the work origin, mm; Y may point the other way (invert_y). A
 /// motion is checked as a whole, the way to where it starts included, before anything of it is
 /// handed out: LB0019 outside the travel of X, Y and Z, LB0024 where it is no arc. What a linkage
-/// refuses, it refuses move by move. The beam is on in LINE, CIRCLE and ARC only, with the power
-/// that POWER set; without SPEED a cut goes as fast as the machine can.
+/// refuses, it refuses move by move. The beam is on in LINE, CIRCLE, ARC and BURN only, with the
+/// power that POWER set; without SPEED a cut goes as fast as the machine can.
 class LaserMoves {
  public:
   struct Settings {
@@ -61,6 +61,9 @@ class LaserMoves {
   /// Six: a point to go through and the end; five: centre, radius, from and to in degrees; four:
   /// the end, radius (below 0: the long way round) and direction.
   [[nodiscard]] bool arc(std::span<const double> arguments);
+  /// Rests, with the beam off, or with the power of POWER and off behind it.
+  [[nodiscard]] bool wait(double seconds);
+  [[nodiscard]] bool burn(double seconds);
   [[nodiscard]] bool end();
   /// The program is over: the beam is off.
   void beam_off();
@@ -97,6 +100,7 @@ class LaserMoves {
   [[nodiscard]] bool admits(const base::AxisVector& from, const Motion& motion);
   bool set_beam(double percent);
   void warn_of_cut();
+  bool rest(double seconds);
   /// A motion to `to`, `length` mm long.
   [[nodiscard]] bool make(const Motion& motion, const geometry::Vec3& to, double length);
   /// With the beam on from `start`, to where the tip goes with the beam off first.

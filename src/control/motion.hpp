@@ -104,6 +104,9 @@ struct Spindle {
   Mode mode = Mode::rpm;
   double speed = 0;    ///< rpm, or m/min with constant surface speed
   double max_rpm = 0;  ///< with constant surface speed; 0: no limit
+  /// A cut without a way, where it is the beam of a laser: that goes on where it stands. Only for
+  /// AxisSetup::beam.
+  bool cuts_standing = false;
 };
 
 struct Coolant {

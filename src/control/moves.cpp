@@ -73,11 +73,26 @@ bool Moves::line_to(const AxisVector& program, const Feed& feed) {
   return finish({program, 0}, path);
 }
 
+// G01 without axes: the beam of a laser goes on where it stands (docs/drives.md, M03, M04 and S).
+void Moves::cut_standing(const Words& words) {
+  constexpr GCode kLine = 10;
+  const Spindle::Turning turning = state_.words.turning;
+  if (!state_.axes.beam || !words.has_g(kLine) ||
+      (turning != Spindle::Turning::clockwise && turning != Spindle::Turning::counterclockwise))
+    return;
+  Spindle spindle = state_.spindle();
+  spindle.cuts_standing = true;
+  state_.path.act(spindle);
+}
+
 bool Moves::execute(const Words& words, bool& moved) {
   const GCode mode = state_.modal[Group::motion];
   const bool circular = mode == 20 || mode == 30;
   const bool centre_alone = circular && words.has_any(kCentreLetters | Words::mask('R'));
-  if (!words.has_any(targets_.letters()) && !centre_alone) return true;
+  if (!words.has_any(targets_.letters()) && !centre_alone) {
+    cut_standing(words);
+    return true;
+  }
   Target target;
   if (!targets_.read(words, target)) return false;
   if (state_.axes.count() > static_cast<std::size_t>(state_.parameters.simultaneous_axes) &&

@@ -32,6 +32,7 @@ class Moves {
   bool unevenly_scaled_centre(const PlaneAxes& plane, const Target& target, geometry::Vec2 centre,
                               bool clockwise, geometry::Vec2& image);
   bool arc(const Words& words, bool clockwise, const Target& target);
+  void cut_standing(const Words& words);
   bool thread(const Words& words, const Target& target);
   bool read_centre(const Words& words, const PlaneAxes& plane, const Target& target, bool clockwise,
                    geometry::Vec2& centre, bool& nothing);

@@ -84,6 +84,14 @@ struct State {
   double block_control = 0;      ///< #3003
   double feed_control = 0;       ///< #3004, bits of FeedControl
 
+  /// What turns now.
+  [[nodiscard]] Spindle spindle() const {
+    const bool css = modal[Group::speed] == 960;
+    return {.turning = words.turning,
+            .mode = css ? Spindle::Mode::constant_surface_speed : Spindle::Mode::rpm,
+            .speed = words.speed,
+            .max_rpm = css ? words.max_rpm : 0};
+  }
   /// A rapid as parameter LRP wants it.
   [[nodiscard]] Rapid rapid(const base::AxisVector& to) const {
     return {to, parameters.linear_rapid};

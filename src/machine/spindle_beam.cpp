@@ -30,6 +30,14 @@ Beam beam_in(const Motion& motion) {
       motion.action);
 }
 
+base::Diagnostic warning_at(base::Code code, const Motion& motion, const std::string& detail) {
+  base::Diagnostic warning =
+      base::make_error(code, {.file = motion.file, .line = motion.line, .column = 1}, detail);
+  warning.program = base::program_name(static_cast<std::uint32_t>(motion.program));
+  warning.severity = base::Severity::warning;
+  return warning;
+}
+
 }  // namespace
 
 std::span<const Motion> SpindleBeam::translated(const Motion& motion) {
@@ -41,6 +49,7 @@ std::span<const Motion> SpindleBeam::translated(const Motion& motion) {
   }
   const Beam beam = beam_in(motion);
   if (turns_ && beam != Beam::stays) light(motion, beam == Beam::on);
+  if (turns_ && std::holds_alternative<Dwell>(motion.action)) rest(motion);
   turns_ = turns_ && !std::holds_alternative<End>(motion.action);
   put(motion, motion.action);
   return {motions_.data(), count_};
@@ -51,6 +60,7 @@ void SpindleBeam::reset() { turns_ = lit_ = false; }
 void SpindleBeam::turn(const Motion& motion, const Spindle& spindle) {
   turns_ = spindle.turning == Spindle::Turning::clockwise ||
            spindle.turning == Spindle::Turning::counterclockwise;
+  if (spindle.cuts_standing) return light(motion, turns_);
   if (!turns_) return light(motion, false);
   power_ = {.percent = percent_of(motion, spindle.speed),
             .follows_speed = spindle.turning == Spindle::Turning::counterclockwise};
@@ -67,13 +77,18 @@ double SpindleBeam::percent_of(const Motion& motion, double s) {
   const double percent = base::tidy(s / laser_.s_of_full_power * 100);
   if (percent <= 100) return percent;
   if (!warning_) {
-    warning_ = base::make_error(
-        base::Code::over_full_power, {.file = motion.file, .line = motion.line, .column = 1},
-        fmt::format("S{:.6g}, full power is S{:.6g}", s, laser_.s_of_full_power));
-    warning_->program = base::program_name(static_cast<std::uint32_t>(motion.program));
-    warning_->severity = base::Severity::warning;
+    warning_ = warning_at(base::Code::over_full_power, motion,
+                          fmt::format("S{:.6g}, full power is S{:.6g}", s, laser_.s_of_full_power));
   }
   return 100;
+}
+
+// Of a beam that follows the speed nothing is left at rest.
+void SpindleBeam::rest(const Motion& motion) {
+  if (dwell_warning_ || !(power_.percent > 0) || (lit_ && !power_.follows_speed)) return;
+  dwell_warning_ = warning_at(base::Code::beam_off_in_dwell, motion,
+                              lit_ ? "the power of M04 follows the speed, and the tip rests"
+                                   : "M03 is active, and the beam goes on with the first cut");
 }
 
 void SpindleBeam::put(const Motion& motion, const Motion::Action& action) {

@@ -15,8 +15,8 @@ namespace kerf::machine {
 /// beam. S is the power, of LaserSettings::s_of_full_power; more than that is full power and a
 /// warning.
 ///
-/// The beam is on from the first cut behind M03 or M04; in rapids, probing moves, stops and behind
-/// the end it is off. A dwell has what the move before it had.
+/// The beam is on from the first cut behind M03 or M04, a G01 without a way among them; in rapids,
+/// probing moves, stops and behind the end it is off. A dwell has what was before it.
 class SpindleBeam {
  public:
   explicit SpindleBeam(const LaserSettings& laser) : laser_(laser) {}
@@ -27,12 +27,18 @@ class SpindleBeam {
   [[nodiscard]] std::span<const control::Motion> translated(const control::Motion& motion);
   /// The spindle stands.
   void reset();
-  /// OVER_FULL_POWER at the line of the motion, which is all that its place says.
+  // At the line of the motion, which is all that their places say.
+  /// OVER_FULL_POWER.
   [[nodiscard]] const std::optional<base::Diagnostic>& warning() const { return warning_; }
+  /// BEAM_OFF_IN_DWELL: the first dwell that burns nothing although M03 or M04 is active.
+  [[nodiscard]] const std::optional<base::Diagnostic>& dwell_warning() const {
+    return dwell_warning_;
+  }
 
  private:
   void turn(const control::Motion& motion, const control::Spindle& spindle);
   void light(const control::Motion& motion, bool on);
+  void rest(const control::Motion& motion);
   [[nodiscard]] double percent_of(const control::Motion& motion, double s);
   void put(const control::Motion& motion, const control::Motion::Action& action);
 
@@ -43,6 +49,7 @@ class SpindleBeam {
   std::array<control::Motion, 2> motions_;
   std::size_t count_ = 0;
   std::optional<base::Diagnostic> warning_;
+  std::optional<base::Diagnostic> dwell_warning_;
 };
 
 }  // namespace kerf::machine

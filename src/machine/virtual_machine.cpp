@@ -173,7 +173,8 @@ void VirtualMachine::make(const control::Motion& motion) {
 
 std::vector<base::Diagnostic> VirtualMachine::warnings() const {
   std::vector<base::Diagnostic> list;
-  for (const auto& warning : {spindle_beam_.warning(), dotted_cut_.warning(), near_singular_}) {
+  for (const auto& warning : {spindle_beam_.warning(), spindle_beam_.dwell_warning(),
+                              dotted_cut_.warning(), near_singular_}) {
     if (warning) list.push_back(*warning);
   }
   return list;

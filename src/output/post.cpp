@@ -98,6 +98,7 @@ void Post::move(const char* code, const base::AxisVector& to) {
     line_ += code;
   }
   modal_ = code;
+  cuts_ = beam_on_ && modal_ != "G0";
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const double value = rounded(to.values[i]);
     const bool unknown = !moved_ && axes_.start.values[i] != 0;
@@ -308,8 +309,15 @@ void Post::act(const Thread& thread) {
   straight(thread.to, {thread.lead, FeedMode::per_revolution});
 }
 
-// Its point says that P counts seconds: where it counts milliseconds, it may have none.
+// Its point says that P counts seconds: where it counts milliseconds, it may have none. A beam that
+// was turned on behind a rapid burns from G1 on.
 void Post::act(const Dwell& dwell) {
+  if (beam_on_ && laser_.fitted() && !cuts_) {
+    line_ = modal_ = "G1";
+    if (feed_ < 0) feed(1);  // many a control takes no G1 before any F
+    end_block();
+  }
+  cuts_ = beam_on_;
   line_ = "G4";
   coordinate('P', rounded(dwell.seconds));
   end_block();
@@ -341,6 +349,7 @@ void Post::act(const Power& power) {
   const double s = rounded(power.percent / 100 * laser_.s_of_full_power);
   if (percent == 0 && beam_on_) block("M5");
   beam_on_ = percent > 0;
+  cuts_ = cuts_ && beam_on_;
   if (beam_on_) line_ = beam_word(laser_, power);
   if (beam_on_ || (!power.on && s != s_)) word('S', s_ = s);
   turning_ = beam_on_ ? line_ : std::string();

@@ -91,6 +91,7 @@ class Post : public control::MotionSink {
   machine::LaserSettings laser_;
   double s_ = -1;  // of the laser
   bool beam_on_ = false;
+  bool cuts_ = false;  // a cut or G1 has turned on the beam
   std::uint32_t source_line_ = 0;
   std::size_t only_comments_ = 0;
   std::uint32_t first_comment_line_ = 0;

@@ -3,6 +3,7 @@ With motions made by hand: tests/unit/laser_pulses_test.cpp, spindle_beam_test.c
 
 import csv
 import io
+import math
 import os
 
 from harness import alarm, check, contains, equal, near, refused, status, test
@@ -258,3 +259,109 @@ def taught_spindle(box):
     equal(lines, ["; tool centre path in machine coordinates", "PERIOD 8", "RADII 150 80", "POINT 0 0 0 0 0",
                   "LASER ON 50", "FEED 600", "LINE 20 0 0 0 0", "; power follows the speed", "LASER ON 50",
                   "LINE 30 0 0 0 0", "LASER OFF", "END"], "taught points")
+
+
+HOLE = "O1\nG21 G90\nM03 S500\nG00 X10. Y20.\n{}G04 P500\nG00 X0 Y0\nM30\n"
+
+
+@test("G01 without axes turns the beam on where it stands, and the dwell behind it burns")
+def pierce(box):
+    result = spindle(box, text=HOLE.format("G01\n"))
+    check("BEAM_OFF" not in result.err, result.err)
+    told = [(m["line"], m["percent"]) for m in box.motions("m.jsonl") if m["kind"] == "power"]
+    equal(told, [(5, 50), (7, 0)], "the beam")
+    burning = [row for row in rows(box, "p.csv") if row["power"] == "50"]
+    equal({(row["X"], row["Y"]) for row in burning}, {("10", "20")}, "where it burns")
+    near(len(burning) * 0.001, 0.5, 0.0011, "how long")
+
+
+@test("a dwell without the beam is a warning, once, also under M04 and for check; on a mill it is none")
+def dwell_without_beam(box):
+    for text, line in ((HOLE.format(""), 5), (HOLE.format("").replace("M03", "M04").replace("G04", "G01\nG04"), 6),
+                       (HOLE.format("G04 P100\n"), 5)):
+        result = spindle(box, text=text)
+        equal(result.err.count("warning: BEAM_OFF_IN_DWELL beam off in this dwell"), 1, result.err)
+        contains(result.err, f"part.nc:{line}:1: warning", "the place")
+        check(not [m for m in box.motions("m.jsonl") if m["kind"] == "power" and m["percent"] > 0
+                   and not m.get("follows_speed")], "no constant beam")
+    checked = box.kerf("check", "part.nc", "--machine", "laser3")
+    contains(checked.text, "BEAM_OFF_IN_DWELL", "check")
+    check("BEAM_OFF" not in box.kerf("run", "part.nc", "--machine", "mill3").err, "a mill has no beam")
+    spindle(box, text=HOLE.format("").replace("M03 S500", "M03 S0"))
+    check("BEAM_OFF" not in spindle(box, text=HOLE.format("").replace("S500", "S0")).err, "without power")
+
+
+@test("G01 without axes on a mill is what it was: no record")
+def standing_on_a_mill(box):
+    box.write("part.nc", HOLE.format("G01\n"))
+    status(box.kerf("run", "part.nc", "--machine", "mill3", "--motion", "m.jsonl"), 0)
+    equal([m["kind"] for m in box.motions("m.jsonl")], ["spindle", "rapid", "dwell", "rapid", "end"], "records")
+
+
+BURNS = {"hole.bas": "power(50)\nmove(10,20)\nburn(0.5)\nmove(30,20)\n",
+         "hole.tch": "TEACH 1\nPOINT 10 20 0 0 0\nLASER ON 50\nDWELL 0.5\nLASER OFF\nPOINT 30 20 0 0 0\nEND\n",
+         "hole.nc": HOLE.format("G01\n")}
+
+
+@test("a hole is the same in every language: points, pulses, time, energy; and --post burns it again")
+def holes(box):
+    for name, text in BURNS.items():
+        box.write(name, text)
+        for source in (name, "again.nc"):
+            if source != name:  # P of the posted G4 counts seconds
+                posted = box.read("again.nc").decode()
+                contains(posted, "M3 S500\nG1 F1\nG4 P0.5\nM5\n", f"{name}: the posted burn")
+                box.write("again.nc", posted.replace("P0.5", "P500"))
+            status(box.kerf("run", source, "--machine", "laser3", "--points", "p.csv", "--pwm", "w.csv", "--plot",
+                            "e.svg", "--plot-energy", "--summary", "s.json", *(["--post", "again.nc"] if source == name
+                                                                               else [])), 0)
+            burning = [float(row["t"]) for row in rows(box, "p.csv") if row["power"] == "50"]
+            near(burning[-1] - burning[0], 0.5, 0.0025, f"{source}: seconds of set-points")
+            pulses = rows(box, "w.csv")
+            on = [i for i, row in enumerate(pulses) if row["duty"] == "0.5"]
+            equal(len(on), 1, f"{source}: times that the beam goes on")
+            near(float(pulses[on[0] + 1]["t"]) - float(pulses[on[0]]["t"]), 0.5, 0.0025, f"{source}: pulses")
+            near(box.json("s.json")["dwell_s"], 0.5, 1e-9, f"{source}: dwell_s")
+            # 60 W, half of it, 0.5 s: 15 J on a spot of 0.1 mm
+            contains(box.read("e.svg").decode(), "most 150", f"{source}: J/mm")
+
+
+@test("a block whose move is refused switches nothing")
+def refused_block(box):
+    box.write("part.nc", "O1\nG21 G90\nG01 X10. F600\nM03 S500 M08 X5000.\nM30\n")
+    alarm(box.kerf("run", "part.nc", "--machine", "laser3", "--motion", "m.jsonl"), "OT0500", 4)
+    equal([m["kind"] for m in box.motions("m.jsonl")], ["line"], "what is made")
+    checked = box.kerf("check", "part.nc", "--machine", "laser3")
+    status(checked, 1)
+    contains(checked.text, "OT0500", "check")
+
+
+def distance_mm(point, a, b):
+    way = [q - p for p, q in zip(a, b)]
+    share = sum((x - p) * w for x, p, w in zip(point, a, way)) / sum(w * w for w in way)
+    share = min(1, max(0, share))
+    return math.dist(point, [p + share * w for p, w in zip(a, way)])
+
+
+def focus(joints, r_a=150, r_c=80):
+    x, y, z, a, c = joints
+    a, c = math.radians(a), math.radians(c)
+    return (x - r_a * math.sin(a) * math.sin(c) + r_c * math.cos(c),
+            y + r_a * math.sin(a) * math.cos(c) + r_c * math.sin(c), z - r_a * math.cos(a))
+
+
+@test("a head that turns along its cuts uses the chord tolerance, and keeps it between all set-points")
+def turning_head(box):
+    box.write("turn.tch", "TEACH 1\nPOINT 0 0 0 0 0\nFEED 6000\nLASER ON 80\nLINE 60 0 0 60 90\n"
+                          "LINE 60 40 10 -30 -90\nEND\n")
+    status(box.kerf("run", "turn.tch", "--machine", "laser5", "--points", "p.csv", "--summary", "s.json",
+                    "--machine-set", "interpolator.tolerance=0"), 0)
+    check(box.json("s.json")["time_s"] < 9, f'{box.json("s.json")["time_s"]} s')
+    corners = [(0, 0, 0), (60, 0, 0), (60, 40, 10)]
+    made = [[float(row[f"j{i}"]) for i in range(1, 6)] for row in rows(box, "p.csv")]
+    most = 0
+    for before, behind in zip(made, made[1:]):
+        for share in range(1, 8):
+            tip = focus([p + (q - p) * share / 8 for p, q in zip(before, behind)])
+            most = max(most, min(distance_mm(tip, a, b) for a, b in zip(corners, corners[1:])))
+    check(0.0007 < most <= 0.001, f"{most} mm of 0.001")

@@ -57,7 +57,9 @@ class Reader:
             self.on = name.startswith("START")
         elif name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
             kind = "rapid" if name.endswith("TRAVERSE") else "line"
-            self.add({"kind": kind, "to": dict(zip("XYZABC", map(float, words)))})
+            to = dict(zip("XYZABC", map(float, words)))
+            if kind == "rapid" or to != self.at:  # G1 alone turns a beam on where it stands
+                self.add({"kind": kind, "to": to})
         elif name == "ARC_FEED":
             self.arc([float(word) for word in words])
 

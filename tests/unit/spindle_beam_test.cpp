@@ -120,5 +120,21 @@ TEST(SpindleBeam, OfAMachineWithoutALaserIsASpindle) {
   EXPECT_EQ(beam.translated(motion).data(), &motion);
 }
 
+TEST(SpindleBeam, ACutWithoutAWayTurnsTheBeamOnWhereItStands) {
+  Beam beam;
+  EXPECT_EQ(beam.cw(500), "");
+  EXPECT_EQ(beam.rapid(), "G0");
+  const Spindle standing{
+      .turning = Spindle::Turning::clockwise, .speed = 500, .cuts_standing = true};
+  EXPECT_EQ(beam.take(standing, 7), "on50");
+  EXPECT_EQ(beam.take(standing), "");
+  beam.take(control::Dwell{1}, 8);
+  EXPECT_FALSE((*beam).dwell_warning());
+  beam.rapid();
+  beam.take(control::Dwell{1}, 9);
+  ASSERT_TRUE((*beam).dwell_warning());
+  EXPECT_EQ((*beam).dwell_warning()->place.line, 9U);
+}
+
 }  // namespace
 }  // namespace kerf::machine

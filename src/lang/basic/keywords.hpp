@@ -29,6 +29,8 @@ enum class Word : std::uint8_t {
   line,
   arc,
   circle,
+  wait,
+  burn,
   local,
   and_,
   or_,

@@ -28,6 +28,8 @@ enum class StatementKind : std::uint8_t {
   line,
   arc,
   circle,
+  wait,
+  burn,
   end
 };
 

@@ -122,6 +122,7 @@ std::string complete(MachineDefinition& machine) {
   if (!linkage) return linkage.error().message;
   machine.axes.axes = program_axes(machine, **linkage);
   machine.axes.linked = machine.kinematics.kind != Kind::cartesian;
+  machine.axes.beam = machine.drive.laser.fitted();
   start(machine, **linkage);
   return {};
 }

@@ -173,6 +173,16 @@ export const OWN_ALARMS_ZH_HANT: Record<string, [message: string, cause: string,
       '在此進給下，雷射脈波間距大於光點寬度而不相連。',
       '請降低進給，或提高 drive.pwm_frequency_hz。',
     ],
+    LATHE_PROGRAM: [
+      '車床程式',
+      '程式含有車床的語碼，但沒有指定機台，因此以銑床執行：T0101 成為 101 號刀，X 不是直徑，F 為每分鐘進給。',
+      '請指定程式所屬的機台。',
+    ],
+    BEAM_OFF_IN_DWELL: [
+      '暫停時光束關閉',
+      '雷射機上，快速移動之後的暫停不會燒灼；M04 的功率隨速度變化，暫停時也不會。',
+      '要打孔請寫 M03，再以單獨一個 G01 單節在原處開啟光束，然後暫停。',
+    ],
     OVER_FULL_POWER: [
       'S 超過全功率',
       '雷射機上 S 為光束功率，指令超過全功率時光束以全功率輸出。',

@@ -1,0 +1,1 @@
+wait(-0.001) ' (expect alarm LB0018)

@@ -1,0 +1,1 @@
+let wait=1 ' (expect alarm LB0005 at wait)

@@ -1,0 +1,5 @@
+speed(10); power(50)
+move(10,20)
+burn(0.5)
+move(30,20)
+' (finally records: rapid X10 Y20 Z0; power 50; dwell 0.5; power 0; rapid X30 Y20 Z0)

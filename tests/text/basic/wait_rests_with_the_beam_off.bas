@@ -1,0 +1,5 @@
+speed(10); power(50)
+line(10,0)
+wait(0.25)
+line(20,0)
+' (finally records: power 50; line X10 Y0 Z0 F600; power 0; dwell 0.25; power 50; line X20 Y0 Z0 F600)

@@ -23,6 +23,12 @@ class OutputFile {
 
   void write(std::string_view bytes);
 
+  /// What was to be written could not be made, for this reason (errno): the file will not be
+  /// committed.
+  void fail(int error) {
+    if (error_ == 0) error_ = error;
+  }
+
   /// False as soon as a write has failed: the rest need not be made.
   [[nodiscard]] bool good() const { return error_ == 0; }
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -44,7 +50,6 @@ class OutputFile {
  private:
   OutputFile(std::string path, std::string temporary, int descriptor);
   void flush();
-  Outcome<void> failure();
 
   std::string path_;
   std::string temporary_;  // empty: writes go straight to `path_`

@@ -242,9 +242,13 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
   file("--motion", o.motion, "motions of the tip as JSON Lines");
   file("--points", o.points, "where the axes are at every period of the servo, as CSV");
   file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
+  file("--pwm", o.pwm, "pulses of a laser, which a pattern never switches on, as CSV");
+  file("--rows", o.rows, "moves as rows of feature recognition, as CSV");
+  file("--post", o.post, "the path of the tip as plain G-code without macros");
   file("--plot", o.plot, "picture of the path: .svg or .png");
-  replay->add_flag("--keep-partial", o.keep_partial,
-                   "writes --output and --pulses also when the replay does not reach its end");
+  replay->add_flag(
+      "--keep-partial", o.keep_partial,
+      "writes --output, --post and --pulses also when the replay does not reach its end");
 }
 
 void add_pattern(CLI::App& app, PatternOptions& o) {

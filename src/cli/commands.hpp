@@ -89,6 +89,9 @@ struct PatternOptions {
   std::string motion;
   std::string points;
   std::string pulses;
+  std::string pwm;
+  std::string rows;
+  std::string post;
   std::string plot;
 };
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cli/failure.hpp"
+#include "output/drive_alarm.hpp"
 #include "output/laser_pulses.hpp"
 #include "output/motion_json.hpp"
 #include "output/post.hpp"
@@ -67,7 +68,11 @@ Outcome<void> Outputs::open_pwm() {
   if (!options_.pwm.empty() && !definition.drive.laser.fitted())
     return usage("--pwm " + options_.pwm + ": " + definition.name + " has no laser");
   return files_.open(options_.pwm, kRecord, [&](OutputFile& file) {
-    auto pulses = std::make_unique<output::LaserPulses>(machine_, file);
+    const auto fault = [this](const base::Diagnostic& alarm, const motion::Mark& mark) {
+      machine_.raise(output::at_mark(alarm, mark, machine_.sources()));
+    };
+    auto pulses =
+        std::make_unique<output::LaserPulses>(machine_.definition().drive.laser, fault, file);
     files_.when_over([laser = pulses.get()](OutputFile&) { laser->finish(); });
     add(std::move(pulses));
   });
@@ -81,11 +86,12 @@ Outcome<void> Outputs::open_rows() {
 
 Outcome<void> Outputs::open_post() {
   return files_.open(options_.post, kDrives, [&](OutputFile& file) {
-    const machine::MachineDefinition& definition = machine_.definition();
-    auto post = std::make_unique<output::Post>(definition.axes, file, definition.drive.laser);
+    auto post = std::make_unique<output::Post>(machine_.definition(),
+                                               output::program_title(machine_), file);
     files_.when_over([this, writer = post.get()](OutputFile&) {
       writer->finish();
       remarks_ += writer->remark();
+      post_report_ = writer->json();
     });
     add(std::move(post));
   });
@@ -186,19 +192,22 @@ Outcome<void> Outputs::open_plot() {
   });
 }
 
-// Null: the pattern was asked for and not written.
-std::string Outputs::pattern_in_summary() const {
-  if (options_.pattern.empty()) return {};
-  return pattern_report_ ? output::pattern_json(*pattern_report_, machine_.definition().pattern)
-                         : "null";
+// Null: it was asked for and not written.
+output::SummaryOfOutputs Outputs::in_summary() const {
+  output::SummaryOfOutputs members;
+  if (!options_.pattern.empty())
+    members.pattern = pattern_report_
+                          ? output::pattern_json(*pattern_report_, machine_.definition().pattern)
+                          : "null";
+  if (!options_.post.empty()) members.post = post_report_.empty() ? "null" : post_report_;
+  return members;
 }
 
 // Behind all others: it tells what they have become.
 Outcome<void> Outputs::open_summary() {
   return files_.open(options_.summary, kRecord, [&](OutputFile&) {
-    files_.when_over([this](OutputFile& into) {
-      into.write(output::summary_json(machine_, pattern_in_summary()));
-    });
+    files_.when_over(
+        [this](OutputFile& into) { into.write(output::summary_json(machine_, in_summary())); });
   });
 }
 

@@ -14,6 +14,7 @@
 #include "output/path_plot.hpp"
 #include "output/pattern_maker.hpp"
 #include "output/pattern_plot.hpp"
+#include "output/summary.hpp"
 
 namespace kerf::cli {
 
@@ -48,7 +49,7 @@ class Outputs {
   base::Outcome<void> open_teach();
   base::Outcome<void> open_coverage();
   [[nodiscard]] base::Outcome<void> check_plot() const;
-  [[nodiscard]] std::string pattern_in_summary() const;
+  [[nodiscard]] output::SummaryOfOutputs in_summary() const;
   [[nodiscard]] std::string title() const;
   [[nodiscard]] std::unique_ptr<output::PathPlot> make_plot() const;
   base::Outcome<void> open_plot();
@@ -67,6 +68,7 @@ class Outputs {
   std::unique_ptr<output::PatternPlot> pattern_plot_;
   output::PatternMaker* pattern_maker_ = nullptr;
   std::optional<output::PatternReport> pattern_report_;  // of a pattern that was written
+  std::string post_report_;  // JSON, of a posted program that was written
   output::Coverage coverage_;
   std::string remarks_;
 };

@@ -10,13 +10,17 @@
 #include "cli/machine_setup.hpp"
 #include "cli/output_files.hpp"
 #include "cli/pattern_files.hpp"
+#include "control/memory.hpp"
 #include "drive/pattern/reader.hpp"
 #include "drive/pattern/writer.hpp"
 #include "output/diagnostic_text.hpp"
+#include "output/laser_pulses.hpp"
 #include "output/motion_json.hpp"
 #include "output/path_plot.hpp"
+#include "output/post.hpp"
 #include "output/replay_plot.hpp"
 #include "output/replay_summary.hpp"
+#include "output/row_csv.hpp"
 #include "output/set_point_csv.hpp"
 #include "output/summary.hpp"
 
@@ -50,7 +54,8 @@ class Replay {
         sources_(sources),
         definition_(machine.definition()),
         format_(format_of(options, definition_.pattern.byte_order)),
-        replay_(machine) {
+        replay_(machine),
+        no_tools_(definition_.parameters.n_offsets) {
     replay_.break_off_when([this] { return time_is_over(); });
   }
 
@@ -62,6 +67,9 @@ class Replay {
   Outcome<void> open_motion();
   Outcome<void> open_points();
   Outcome<void> open_pulses();
+  Outcome<void> open_pwm();
+  Outcome<void> open_rows();
+  Outcome<void> open_post();
   Outcome<void> open_plot();
   Outcome<void> open_summary();
   base::Result<void> play();
@@ -86,6 +94,11 @@ class Replay {
   std::unique_ptr<output::MotionJson> motion_;
   std::unique_ptr<output::SetPointCsv> points_;
   std::unique_ptr<drive::PulseSink> pulses_;
+  std::unique_ptr<output::LaserPulses> pwm_;
+  std::optional<base::Diagnostic> laser_alarm_;
+  control::Memory no_tools_;
+  std::unique_ptr<output::RowCsv> rows_;
+  std::unique_ptr<output::Post> post_;
   std::unique_ptr<output::PathPlot> plot_;
   std::unique_ptr<output::ReplayPlot> way_to_plot_;
 };
@@ -118,6 +131,35 @@ Outcome<void> Replay::open_pulses() {
   return {};
 }
 
+Outcome<void> Replay::open_pwm() {
+  const machine::LaserSettings& laser = definition_.drive.laser;
+  if (!options_.pwm.empty() && !laser.fitted())
+    return usage("--pwm " + options_.pwm + ": " + definition_.name + " has no laser");
+  return files_.open(options_.pwm, kRecord, [&](OutputFile& file) {
+    const auto fault = [this](const base::Diagnostic& alarm, const motion::Mark&) {
+      if (!laser_alarm_) laser_alarm_ = alarm;
+    };
+    pwm_ = std::make_unique<output::LaserPulses>(laser, fault, file);
+    replay_.add_sink(static_cast<machine::AxisPointSink&>(*pwm_));
+    files_.when_over([this](OutputFile&) { pwm_->finish(); });
+  });
+}
+
+Outcome<void> Replay::open_rows() {
+  return files_.open(options_.rows, kRecord, [&](OutputFile& file) {
+    rows_ = std::make_unique<output::RowCsv>(definition_.axes, no_tools_, file);
+    replay_.add_sink(static_cast<control::MotionSink&>(*rows_));
+  });
+}
+
+Outcome<void> Replay::open_post() {
+  return files_.open(options_.post, kDrives, [&](OutputFile& file) {
+    post_ = std::make_unique<output::Post>(definition_, output::file_title(options_.file), file);
+    replay_.add_sink(static_cast<control::MotionSink&>(*post_));
+    files_.when_over([this](OutputFile&) { post_->finish(); });
+  });
+}
+
 Outcome<void> Replay::open_plot() {
   if (auto fits = check_picture("--plot", options_.plot); !fits) return fits;
   return files_.open(options_.plot, kRecord, [&](OutputFile&) {
@@ -140,7 +182,8 @@ Outcome<void> Replay::open_summary() {
 Outcome<void> Replay::open() {
   files_.keep_from(options_.file);
   constexpr std::array kSteps = {&Replay::open_output, &Replay::open_motion, &Replay::open_points,
-                                 &Replay::open_pulses, &Replay::open_plot,   &Replay::open_summary};
+                                 &Replay::open_pulses, &Replay::open_pwm,    &Replay::open_rows,
+                                 &Replay::open_post,   &Replay::open_plot,   &Replay::open_summary};
   for (const auto step : kSteps) {
     if (auto opened = (this->*step)(); !opened) return opened;
   }
@@ -149,6 +192,7 @@ Outcome<void> Replay::open() {
 
 base::Result<void> Replay::take(const drive::PatternRecord& record, std::uint64_t offset) {
   auto made = replay_.take(record);
+  if (made && laser_alarm_) made = base::unexpected(*laser_alarm_);
   if (!made) {
     made.error().place.file = kPatternFile;
     made.error().offset = offset;

@@ -22,11 +22,10 @@ const char* option_without_meaning(const RunOptions& o) {
       Given{"--skip-at", !o.skip_at.empty()},    Given{"--interrupt-at", !o.interrupt_at.empty()},
       Given{"--tools", !o.tools.empty()},        Given{"--offsets", !o.offsets.empty()},
       Given{"--state", !o.state.empty()},        Given{"--block-skip", !o.block_skip.empty()},
-      Given{"--optional-stop", o.optional_stop}, Given{"--pwm", !o.pwm.empty()},
-      Given{"--rows", !o.rows.empty()},          Given{"--pattern-plot", !o.pattern_plot.empty()},
+      Given{"--optional-stop", o.optional_stop}, Given{"--pattern-plot", !o.pattern_plot.empty()},
       Given{"--plot-speed", o.plot_speed},       Given{"--plot-energy", o.plot_energy},
-      Given{"--dprnt", !o.dprnt.empty()},        Given{"--post", !o.post.empty()},
-      Given{"--teach", !o.teach.empty()},        Given{"--coverage", !o.coverage.empty()}};
+      Given{"--dprnt", !o.dprnt.empty()},        Given{"--teach", !o.teach.empty()},
+      Given{"--coverage", !o.coverage.empty()}};
   const auto first = std::find_if(all.begin(), all.end(), [](const Given& g) { return g.given; });
   return first == all.end() ? nullptr : first->option;
 }
@@ -51,6 +50,9 @@ ExitStatus run_pattern(const RunOptions& options) {
   replay.motion = options.motion;
   replay.points = options.points;
   replay.pulses = options.pulses;
+  replay.pwm = options.pwm;
+  replay.rows = options.rows;
+  replay.post = options.post;
   replay.plot = options.plot;
   return pattern(replay);
 }

@@ -126,7 +126,7 @@ void Controller::reset() {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     state_.coordinates.set_local(base::Axis{static_cast<std::uint8_t>(i)}, 0);
   }
-  state_.coordinates.set_length(state_.length_axis, 0);
+  state_.set_length(state_.length_axis, 0);
   state_.coordinates.select({});
   state_.wanted_length = 0;
   state_.modal = ModalState(parameters_);

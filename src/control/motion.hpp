@@ -159,6 +159,15 @@ struct Message {
 /// End of the program: M02, M30.
 struct End {};
 
+/// How far the machine's axis stands beyond the tip: the tool length in force (G43, G44).
+struct ToolLength {
+  double mm = 0;
+  std::uint32_t offset = 0;  ///< its number, H
+  base::Axis axis{};
+
+  bool operator==(const ToolLength&) const = default;
+};
+
 /// One item of what the machine must do, in the order in which it happens. Plain value: no
 /// pointers, copies bytewise.
 struct Motion {
@@ -171,6 +180,7 @@ struct Motion {
   /// on into the next one.
   bool exact_stop = false;
   bool fixed_override = false;  ///< of a move: the operator cannot change its feed
+  ToolLength length{};          ///< of a move; its targets leave it out
   Action action;
 };
 

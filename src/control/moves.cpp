@@ -38,7 +38,7 @@ bool Moves::feed(const Words* words, Feed& feed) {
 
 void Moves::apply_length(base::AxisSet named) {
   if (base::contains(named, state_.length_axis)) {
-    state_.coordinates.set_length(state_.length_axis, state_.wanted_length);
+    state_.set_length(state_.length_axis, state_.wanted_length);
   }
 }
 

@@ -48,7 +48,7 @@ bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(named, axis)) continue;
-    state_.coordinates.set_length(axis, 0);
+    state_.set_length(axis, 0);
     tip[axis] = programmed[axis] = machine[axis];
   }
   if (!moves_.check_limits(tip) || !state_.path.straight(Rapid{tip, false})) return false;

@@ -223,7 +223,7 @@ bool Settings::set_length(const Words& words, bool switched) {
   Axis axis = state_.length_axis;
   if (switched && mode != 490) {
     if (!find_length_axis(words, axis)) return state_.alarms.raise(Code::no_length_axis);
-    if (axis != state_.length_axis) state_.coordinates.set_length(state_.length_axis, 0);
+    if (axis != state_.length_axis) state_.set_length(state_.length_axis, 0);
     state_.length_axis = axis;
   }
   const double offset = length_of(state_.words.length_offset);

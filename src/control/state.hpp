@@ -92,6 +92,13 @@ struct State {
             .speed = words.speed,
             .max_rpm = css ? words.max_rpm : 0};
   }
+  /// The tool length of an axis is in force from the next move on.
+  void set_length(base::Axis axis, double mm) {
+    coordinates.set_length(axis, mm);
+    if (axis != length_axis) return;
+    const auto number = mm != 0 ? static_cast<std::uint32_t>(words.length_offset) : 0U;
+    path.set_length({.mm = mm, .offset = number, .axis = axis});
+  }
   /// A rapid as parameter LRP wants it.
   [[nodiscard]] Rapid rapid(const base::AxisVector& to) const {
     return {to, parameters.linear_rapid};

@@ -61,8 +61,11 @@ AxisVector Toolpath::tip() const {
 }
 
 Motion Toolpath::make(const Motion::Action& action) const {
-  Motion motion{
-      .program = source_.program, .line = source_.line, .file = source_.file, .action = action};
+  Motion motion{.program = source_.program,
+                .line = source_.line,
+                .file = source_.file,
+                .length = length_,
+                .action = action};
   mark(motion, rules_);
   return motion;
 }

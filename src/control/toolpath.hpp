@@ -45,6 +45,8 @@ class Toolpath {
   void begin_block(const Source& source);
   /// How the moves end that come from now on.
   void obey(const MoveRules& rules) { rules_ = rules; }
+  /// The tool length of the moves that come from now on.
+  void set_length(const ToolLength& length) { length_ = length; }
   /// The block's cuts are those of a tapping cycle.
   void fix_override() { rules_.fixed_override = true; }
   /// The block's move ends in a corner.
@@ -105,6 +107,7 @@ class Toolpath {
   CutterCompensation compensation_;
   Source source_;
   MoveRules rules_;
+  ToolLength length_;
   base::AxisVector tip_;
   std::optional<CornerAtEnd> corner_at_end_;
   bool ending_ = false;  // G40 stands in this block

@@ -1,12 +1,13 @@
 #include "output/laser_pulses.hpp"
 
+#include <utility>
+
 #include "base/decimal.hpp"
-#include "output/drive_alarm.hpp"
 
 namespace kerf::output {
 
-LaserPulses::LaserPulses(machine::VirtualMachine& machine, base::OutputFile& file)
-    : machine_(machine), csv_(file) {}
+LaserPulses::LaserPulses(const machine::LaserSettings& laser, Fault fault, base::OutputFile& file)
+    : laser_(laser), fault_(std::move(fault)), csv_(file) {}
 
 void LaserPulses::start(const machine::AxisPoint& at) { last_ = at.tip; }
 
@@ -18,13 +19,12 @@ void LaserPulses::take(const machine::AxisPoint& point) {
 }
 
 void LaserPulses::change(double power_percent, const motion::Mark& mark) {
-  const machine::LaserSettings& laser = machine_.definition().drive.laser;
-  const drive::PulseTrain train{laser.pwm_frequency_hz, base::tidy(power_percent / 100)};
-  const auto registers = drive::pwm_registers(laser.timer, train);
+  const drive::PulseTrain train{laser_.pwm_frequency_hz, base::tidy(power_percent / 100)};
+  const auto registers = drive::pwm_registers(laser_.timer, train);
   if (registers) {
     csv_.take(base::tidy(last_.time_s), mark.line, train, *registers);
   } else {
-    machine_.raise(at_mark(registers.error(), mark, machine_.sources()));
+    fault_(registers.error(), mark);
   }
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+
+#include "base/diagnostic.hpp"
 #include "base/output_file.hpp"
 #include "drive/pwm_csv.hpp"
 #include "machine/axis_point.hpp"
-#include "machine/virtual_machine.hpp"
+#include "machine/drive_settings.hpp"
 
 namespace kerf::output {
 
@@ -12,11 +15,14 @@ namespace kerf::output {
 /// The duty is the power that is commanded, of full power; the frequency is that of the machine
 /// file. A change counts from the set-point before the first one of the motion that has it: where
 /// the axes rest between the two motions that is the moment itself, else up to a period early. The
-/// first row is how the run begins. What the timer cannot do raises the machine's alarm PWM_RANGE.
+/// first row is how the run begins.
 class LaserPulses : public machine::AxisPointSink {
  public:
-  /// Both must outlive this. Precondition: the machine has a laser.
-  LaserPulses(machine::VirtualMachine& machine, base::OutputFile& file);
+  /// Gets what the timer cannot do, PWM_RANGE without a place, and the motion under way.
+  using Fault = std::function<void(const base::Diagnostic&, const motion::Mark&)>;
+
+  /// Laser and file must outlive this. Precondition: the laser is fitted.
+  LaserPulses(const machine::LaserSettings& laser, Fault fault, base::OutputFile& file);
 
   void start(const machine::AxisPoint& at) override;
   void take(const machine::AxisPoint& point) override;
@@ -26,7 +32,8 @@ class LaserPulses : public machine::AxisPointSink {
  private:
   void change(double power_percent, const motion::Mark& mark);
 
-  machine::VirtualMachine& machine_;
+  const machine::LaserSettings& laser_;
+  Fault fault_;
   drive::PwmCsv csv_;
   motion::Setpoint last_;
   float power_percent_ = -1;  // nothing yet

@@ -127,7 +127,7 @@ std::string program_title(VirtualMachine& machine) {
   return name != base::kUnnumberedProgram ? name : file_title(main_file(machine));
 }
 
-std::string summary_json(VirtualMachine& machine, const std::string& pattern) {
+std::string summary_json(VirtualMachine& machine, const SummaryOfOutputs& outputs) {
   const machine::RunStatistics& run = machine.statistics();
   std::vector<std::string> tools;
   for (const std::uint32_t tool : run.tools()) tools.push_back(std::to_string(tool));
@@ -149,7 +149,8 @@ std::string summary_json(VirtualMachine& machine, const std::string& pattern) {
   object.raw("tools", join(tools))
       .raw("messages", join(messages))
       .number("parts", machine.memory().parts);
-  if (!pattern.empty()) object.raw("pattern", pattern);
+  if (!outputs.pattern.empty()) object.raw("pattern", outputs.pattern);
+  if (!outputs.post.empty()) object.raw("post", outputs.post);
   object.raw("assumed", assumed_json(machine)).raw("variables", variables_json(machine));
   return object.done() + "\n";
 }

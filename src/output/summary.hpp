@@ -6,10 +6,15 @@
 
 namespace kerf::output {
 
-/// The summary of a run as one JSON object on one line (docs/command-line.md). `pattern` is the
-/// JSON of its member "pattern", which is left out when empty.
+/// JSON of the summary's members that outputs of the run tell; those that are empty are left out.
+struct SummaryOfOutputs {
+  std::string pattern;
+  std::string post;
+};
+
+/// The summary of a run as one JSON object on one line (docs/command-line.md).
 [[nodiscard]] std::string summary_json(machine::VirtualMachine& machine,
-                                       const std::string& pattern = {});
+                                       const SummaryOfOutputs& outputs = {});
 
 /// The same for people: a few lines of text.
 [[nodiscard]] std::string summary_text(machine::VirtualMachine& machine);

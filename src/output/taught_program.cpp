@@ -40,48 +40,6 @@ double off_circle(const geometry::SpaceArc& circle, Vec3 point) {
 
 }  // namespace
 
-/// The way of a plane arc by the share of it that is done, 0 to 1: the angle, the radius and all
-/// other axes change in proportion.
-struct TaughtProgram::RoundWay {
-  RoundWay(const PlaneAxes& axes, const AxisVector& begin, const Arc& arc)
-      : plane(axes),
-        from(begin),
-        to(arc.to),
-        centre{arc.center[0], arc.center[1]},
-        radius(length(axes.project(begin) - centre)),
-        end_radius(length(axes.project(arc.to) - centre)) {
-    const bool clockwise = arc.direction == Direction::clockwise;
-    const Vec2 first = plane.project(from);
-    start_rad = math::atan2(first.v - centre.v, first.u - centre.u);
-    sweep_rad = geometry::sweep_rad(first, plane.project(to), centre, clockwise) +
-                kFullTurn_rad * arc.turns;
-    sign = clockwise ? -1 : 1;
-  }
-
-  [[nodiscard]] AxisVector at(double share) const {
-    if (share <= 0) return from;
-    if (share >= 1) return to;
-    AxisVector point = from;
-    for (std::size_t i = 0; i < base::kMaxAxes; ++i)
-      point.values[i] = base::tidy(from.values[i] + share * (to.values[i] - from.values[i]));
-    const double angle = start_rad + sign * share * sweep_rad;
-    const double r = radius + share * (end_radius - radius);
-    plane.place(point, {base::tidy(centre.u + r * math::cos(angle)),
-                        base::tidy(centre.v + r * math::sin(angle))});
-    return point;
-  }
-
-  PlaneAxes plane;
-  AxisVector from;
-  AxisVector to;
-  Vec2 centre;
-  double radius;
-  double end_radius;
-  double start_rad = 0;
-  double sweep_rad = 0;  // > 0
-  double sign = 1;       // -1: clockwise
-};
-
 TaughtProgram::TaughtProgram(machine::VirtualMachine& machine, base::OutputFile& file)
     : machine_(machine), axes_(machine.definition().axes), file_(file), at_(axes_.start) {
   const TaughtFor self = machine::taught_for(machine.definition());
@@ -203,9 +161,7 @@ bool TaughtProgram::circles(const RoundWay& way) {
 }
 
 void TaughtProgram::chords(const RoundWay& way) {
-  const double radius = std::max(way.radius, way.end_radius);
-  const double most_rad = geometry::chord_angle_rad(radius, kTolerance_mm);
-  const double count = std::max(1.0, std::ceil(way.sweep_rad / most_rad - 1e-9));
+  const double count = way.chord_count(kTolerance_mm);
   for (double n = 1; n <= count; ++n) write(teach::Line{pose(way.at(n / count))});
 }
 

@@ -9,6 +9,7 @@
 #include "control/space_arc_path.hpp"
 #include "lang/teach/record.hpp"
 #include "machine/virtual_machine.hpp"
+#include "output/internal/round_way.hpp"
 
 namespace kerf::output {
 
@@ -52,8 +53,6 @@ class TaughtProgram : public control::MotionSink {
   void act(const control::Stop& stop);
   void act(const control::Message& message);
   void act(const control::End& end);
-
-  struct RoundWay;  // of a plane arc
 
   bool feed(const control::Feed& feed, double length_mm);
   void cut(const base::AxisVector& to, const control::Feed& rate, double length_mm);

@@ -247,9 +247,9 @@ def off_at_rest(box):
 def posted_spindle(box):
     spindle(box, "--post", "out.nc")
     lines = box.read("out.nc").decode().splitlines()
-    equal(lines[1], "(LASER: FULL POWER IS S1000)", "the head")
+    check("(LASER: FULL POWER IS S1000)" in lines, "the head has no full power")
     equal([line for line in lines if line[0] in "MS"],
-          ["M3 S500", "M3 S250", "M5", "M4 S800", "M5", "M30"], "beam")
+          ["M5", "M3 S500", "M3 S250", "M5", "M4 S800", "M5", "M30"], "beam")
 
 
 @test("taught points of a program have the beam on where its path begins, not on the way there")

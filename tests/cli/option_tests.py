@@ -340,7 +340,7 @@ def keep_partial_option(box):
 def post_option(box):
     box.write("part.nc", "O1\n" + HEAD + "G01X1.F100\nM30\n")
     status(box.kerf("run", "part.nc", "--post", "-"), 0)
-    contains(box.kerf("run", "part.nc", "--post", "-").text, "G1 X1. F100\n", "the posted program")
+    contains(box.kerf("run", "part.nc", "--post", "-").text, "G1 X1. F100.\n", "the posted program")
 
 
 @test("--diagnostics json leaves nothing but JSON objects on standard error")

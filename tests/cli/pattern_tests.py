@@ -282,7 +282,7 @@ def run_as_a_dialect(box):
 @test("kerf run --dialect pattern refuses what is for programs only")
 def run_as_a_dialect_refuses(box):
     box.write("a.pat", WORKED)
-    for words in (["--set", "#1=2"], ["--post", "a.nc"], ["--optional-stop"],
+    for words in (["--set", "#1=2"], ["--teach", "a.tch"], ["--optional-stop"],
                   ["--plot", "a.svg", "--plot-speed"], ["--coverage", "-"]):
         option = "--plot-speed" if "--plot-speed" in words else words[0]
         refused(box.kerf("run", "a.pat", "--dialect", "pattern", *words), 2,
@@ -671,3 +671,48 @@ def beside_others(box):
     status(box.kerf("run", "part.nc", "--machine", "arm4", "--pattern", "b.pat", "--points", "p.csv",
                     "--motion", "m.jsonl", "--plot", "p.svg", "--pulses", "q.csv"), 0)
     equal(box.read("a.pat"), box.read("b.pat"), "the pattern")
+
+
+@test("kerf pattern replay writes rows and plain G-code as kerf run does, and kerf run of a pattern too")
+def replay_outputs(box):
+    box.write("circle.nc", CIRCLE)
+    status(box.kerf("run", "circle.nc", "--machine", "cartesian-step", "--pattern", "a.pat"), 0)
+    for words in (["pattern", "replay", "a.pat", "--machine", "cartesian-step"],
+                  ["run", "a.pat", "--machine", "cartesian-step"]):
+        status(box.kerf(*words, "--motion", "m.jsonl", "--rows", "rows.csv", "--post", "post.nc"), 0)
+        moves = box.motions("m.jsonl")
+        rows = box.read("rows.csv").decode().splitlines()[1:]
+        equal([row.split(",")[1] for row in rows], [{"rapid": "0", "line": "1"}[move["kind"]] for move in moves], "rows")
+        equal([float(row.split(",")[2]) for row in rows], [move["to"]["X"] for move in moves], "X of the rows")
+        post = box.read("post.nc").decode()
+        check(post.startswith("(KERF POST OF A.PAT)\n(MACHINE: CARTESIAN-STEP, AXES X Y C Z)\n"), post[:200])
+        lines = sum(move["kind"] == "line" for move in moves)
+        blocks = post[post.index("\nM5\n"):].splitlines()
+        check(blocks[2].startswith("G0 Z") and blocks[3].startswith("G0 C") and blocks[4].startswith("G0 X"), str(blocks[:6]))
+        cut, cuts = False, 0
+        for block in blocks:
+            cut = block.startswith("G1") or cut and not block.startswith(("G0", "M"))
+            cuts += cut
+        equal(cuts, lines, "cuts of the posted program")
+
+
+@test("what could drive a machine of a replay is written only when it reached its end")
+def replay_partial(box):
+    box.write("a.pat", WORKED + b"\x40")
+    status(box.kerf("pattern", "replay", "a.pat", "--post", "p.nc", "--rows", "r.csv"), 1)
+    equal(box.files(), ["a.pat", "r.csv"], "files")
+    status(box.kerf("pattern", "replay", "a.pat", "--post", "p.nc", "--keep-partial"), 1)
+    check("M30" in box.read("p.nc").decode(), "the part has no end")
+
+
+@test("--pwm of a replay is for machines with a laser, which a pattern leaves off")
+def replay_pwm(box):
+    box.write("a.pat", WORKED)
+    refused(box.kerf("pattern", "replay", "a.pat", "--pwm", "w.csv"), 2, "--pwm", "arm4", "laser")
+    laser = ["--machine-set", "drive.max_power_w=20"]
+    status(box.kerf("pattern", "replay", "a.pat", "--pwm", "w.csv", *laser), 0)
+    equal(box.read("w.csv").decode().splitlines()[1:], ["0,1,2000,0,12500,0"], "rows")
+    bad = [*laser, "--machine-set", "drive.pwm_frequency_hz=1"]
+    result = box.kerf("pattern", "replay", "a.pat", "--pwm", "w.csv", *bad)
+    status(result, 1)
+    contains(result.err, "PWM_RANGE", "the alarm")

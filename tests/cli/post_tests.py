@@ -1,7 +1,9 @@
 """--post: the posted program, run again, makes the same path."""
 
+import math
 import re
 
+import harness
 from harness import alarm, check, equal, near, status, test
 
 TOLERANCE = 1e-3
@@ -43,8 +45,6 @@ PROGRAMS = {
     "work offsets and shifts":
         HEAD + "G10L2P1X100.Y50.Z-20.; G10L2P2X-3.333; G54G00X0Y0Z0; G55X1.; G52X5.Y5.; "
         "G01X0Y0F100; G52X0Y0; G92X0Y0; G01X10.; G53X0Y0; G28Z0; M30;",
-    "tool length":
-        HEAD + "G10L10P1R50.; T1M06; G43H1G00Z100.; G01Z-1.F100; G49G00Z100.; M30;",
     "cutter compensation":
         HEAD + "G10L12P1R5.; G00X-20.Y-10.; G41D1G01X0Y0F200; Y50.; X50.; G02X70.Y30.R20.; "
         "G03X90.Y10.R20.; G01Y0; X0; G40X-20.Y-10.; M30;",
@@ -88,8 +88,17 @@ def differs(a, b):
     return any(abs(a[key] - b[key]) > TOLERANCE for key in a)
 
 
+def without_approach(moves):
+    """From the first cut on, and where it begins: the rapids before it may be other ones."""
+    first = next((i for i, move in enumerate(moves) if move["kind"] != "rapid"), len(moves))
+    return moves[first:], moves[first - 1]["to"] if first else None
+
+
 def compare(first, second):
-    one, two = list(path_of(first)), list(path_of(second))
+    (one, begin), (two, begin_again) = (without_approach(list(path_of(r))) for r in (first, second))
+    stands = dict.fromkeys((one or two)[0]["to"], 0) if one or two else {}
+    check(not differs(begin or stands, begin_again or stands),
+          f"the first cut begins at {begin_again}, wanted {begin}")
     for i, (a, b) in enumerate(zip(one, two)):
         where = f"move {i} (line {a['line']})"
         equal(b["kind"], a["kind"], f"{where}: kind")
@@ -105,11 +114,18 @@ def compare(first, second):
 
 
 def others(records):
-    """Everything else that the posted program must do as well, in order."""
+    """Everything else that the posted program must do as well, in order. What stands still need not
+    be stopped, and what turns at the end is."""
+    turns = False
     for record in records:
         kind = record["kind"]
         if kind == "spindle" and record["direction"] != "orient":
-            yield kind, record["direction"], record["speed"] * (record["direction"] != "stop")
+            if record["direction"] != "stop" or turns:
+                yield kind, record["direction"], record["speed"] * (record["direction"] != "stop")
+            turns = record["direction"] != "stop"
+        elif kind == "end" and turns:
+            yield "spindle", "stop", 0
+            yield kind, None, None
         elif kind in ("tool", "coolant", "stop", "end"):
             yield kind, record.get("tool"), record.get("state")
         elif kind == "dwell":
@@ -175,7 +191,7 @@ def tool_change(box):
         box.write("part.nc", program)
         status(box.kerf("run", "part.nc", "--post", "post.nc", "--machine", machine), 0)
         lines = [line for line in box.read("post.nc").decode().splitlines() if line[0] in "MT"]
-        equal(lines, ["T1 M6", "M3 S1000", "T2 M6", "M3 S1000", "M5", "T3 M6", "M30"], f"on {machine}")
+        equal(lines, ["M5", "T1 M6", "M3 S1000", "T2 M6", "M3 S1000", "M5", "T3 M6", "M30"], f"on {machine}")
 
 
 @test("an arc whose centre is too far away to be written is posted as chords, or as the line that it is")
@@ -200,7 +216,7 @@ def far_centre(box):
 def tapping_comment(box):
     box.write("part.nc", HEAD + "S500M03; G00Z50.; G84X10.Z-5.R2.F100; X20.; G80; G1X0F100; M30;")
     status(box.kerf("run", "part.nc", "--post", "post.nc"), 0)
-    equal(box.read("post.nc").decode().count("FEED WITHOUT OVERRIDE"), 2, "comments")
+    equal(box.read("post.nc").decode().count(": FEED WITHOUT OVERRIDE)"), 2, "comments")
 
 
 @test("the posted program of a four-axis part turns the same way")
@@ -246,7 +262,8 @@ def surface_speed(box):
     box.write("part.nc", HEAD + "G92S3000\nG96S200M03\nG01X10.F100\nM05\nG97S800M03\nM30\n")
     status(box.kerf("run", "part.nc", "--post", "post.nc"), 0)
     lines = [line for line in box.read("post.nc").decode().splitlines() if "S" in line or "M5" in line]
-    equal(lines[1:], ["G92 S3000", "G96 M3 S200", "M5", "G97 M3 S800"], "spindle blocks")
+    lines = [line for line in lines if not line.startswith("(")]
+    equal(lines, ["M5", "G92 S3000", "G96 M3 S200", "M5", "G97 M3 S800", "M5"], "spindle blocks")
 
 
 @test("a posted program posts itself, once its numbers are those of the control")
@@ -258,7 +275,8 @@ def itself(box):
             words = ["--decimal-point", "calculator"] if generation != "one" else []
             status(box.kerf("run", posted, "--post", generation, *words), 0)
             posted = box.write(generation + ".nc", again(box.read(generation).decode()))
-        check(box.read("two") == box.read("three"), f"the post of the post of {name} differs")
+        two, three = (box.read(generation).split(b"\n", 1)[1] for generation in ("two", "three"))
+        check(two == three, f"the post of the post of {name} differs")
 
 
 @test("what plain G-code cannot say is a comment with its source line, and the summary counts it")
@@ -278,10 +296,169 @@ def laser_keys(box):
     words = ["--machine-set", "drive.s_of_full_power=255", "--machine-set", "drive.post_beam=M4"]
     status(box.kerf("run", "part.bas", "--post", "post.nc", *words), 0)
     lines = box.read("post.nc").decode().splitlines()
-    equal(lines[1], "(LASER: FULL POWER IS S255)", "the head")
-    equal([line for line in lines[3:] if line[0] in "SM"], ["S127.5", "M4 S127.5", "M5", "M30"],
+    check("(LASER: FULL POWER IS S255)" in lines, "the head has no full power")
+    equal([line for line in lines if line[0] in "SM"], ["M5", "S127.5", "M4 S127.5", "M5", "M30"],
           "the beam")
     status(box.kerf("run", "part.bas", "--post", "post.nc", "--machine", "mill3"), 0)
     text = box.read("post.nc").decode()
-    check("M3" not in text.replace("M30", ""), "a spindle turns on a machine without a laser")
+    check("\nM3" not in text.replace("M30", ""), "a spindle turns on a machine without a laser")
     check("(LINE 2: LASER 50 PERCENT)" in text, text)
+
+
+def posted(box, name, *words):
+    """The blocks behind the head's modes, up to the end."""
+    status(box.kerf("run", name, "--post", "post.nc", "--summary", "s.json", *words), 0)
+    lines = box.read("post.nc").decode().splitlines()
+    return lines[lines.index("G21 G90 G94 G17") + 1:]
+
+
+@test("before the first cut of a posted program every axis stands, also where it is at machine zero")
+def every_axis_stands(box):
+    box.write("zero.nc", "O1\nG21G90G00X0Y0Z5.\nG01Z-1.F100\nX40.F300\nG00Z5.\nM30\n")
+    equal(posted(box, "zero.nc"), ["M5", "G0 Z5.", "G0 X0. Y0.", "G1 Z-1. F100.", "X40. F300.", "G0 Z5.", "M30"], "G-code")
+    box.write("zero.tch", "TEACH 1\nPOINT 0 0 0 0 0\nFEED 1000\nLASER ON 50\nARC 10 10 0 0 0 20 0 0 0 0\nEND\n")
+    equal(posted(box, "zero.tch"), ["M5", "G0 Z0.", "G0 A0. C0.", "G0 X0. Y0.", "M3 S500", "G2 X20. I10. J0. F1000.",
+                                    "M5", "M30"], "taught points")
+    box.write("zero.bas", "speed(10);power(50)\nhome\nline(5,0)\nend\n")
+    equal(posted(box, "zero.bas"), ["M5", "S500", "G0 Z0.", "G0 X0. Y0.", "M3 S500", "G1 X5. F600.", "M5", "M30"], "BASIC")
+
+
+@test("a posted program goes up to its highest rapid before it goes anywhere")
+def highest_rapid(box):
+    box.write("part.nc", HEAD + "M3S900\nG0X10.Y5.Z20.\nG1Z-1.F100\nG0Z77.\nX50.\nZ2.\nG1Z-1.\nG0Z2.\nM30\n")
+    equal(posted(box, "part.nc")[:5], ["M5", "G0 Z77.", "G0 X10. Y5.", "G0 Z20.", "M3 S900"], "blocks")
+    box.write("part.nc", HEAD + "G0Z30.\nX10.A15.\nZ2.\nG1Z-1.F100\nM30\n")
+    equal(posted(box, "part.nc", "--machine", "mill4")[:6],
+          ["M5", "G0 Z30.", "G0 A15.", "G0 X10. Y0.", "G0 Z2.", "G1 Z-1. F100."], "rapids behind each other")
+
+
+TWO_TOOLS = """O2
+G21G90G17G94
+T1M06
+M03S1000
+G43H1G00X0Y0Z5.
+G01Z-1.F100
+G18G02X20.Z-1.R12.
+G17G00Z50.
+T2M06
+G00X50.
+G43H2Z5.
+G01Z-1.F200
+G43H1
+X60.
+G49G53G00Z0.
+M30
+"""
+
+
+@test("tool lengths are in the coordinates of a posted program and told; what they change is a rapid")
+def tool_lengths(box):
+    box.write("tools.toml", "[[tool]]\nnumber = 1\nlength = 80\n[[tool]]\nnumber = 2\nlength = 50.5\n")
+    box.write("part.nc", TWO_TOOLS)
+    equal(posted(box, "part.nc", "--tools", "tools.toml"),
+          ["M5", "T1 M6", "G0 Z130.", "G0 X0. Y0.", "G0 Z85.", "M3 S1000",
+           "(LINE 5: TOOL 1, H1, LENGTH 80. MM IS ADDED TO Z)", "G1 Z79. F100.",
+           "G18", "G2 X20. Z79. K-6.6332 I10. F100.", "G17", "G0 Z130.", "T2 M6", "M3 S1000", "X50.",
+           "(LINE 11: TOOL 2, H2, LENGTH 50.5 MM IS ADDED TO Z)", "Z55.5", "G1 Z49.5 F200.",
+           "(LINE 14: TOOL 2, H1, LENGTH 80. MM IS ADDED TO Z)", "G0 Z79.", "G1 X60.", "G0 Z0.", "M5", "M30"], "blocks")
+    head = box.read("post.nc").decode()
+    check("(TOOL LENGTHS ARE ADDED: RUN IT WITHOUT TOOL OFFSETS)" in head and "(TRAVEL: Z 0. TO 130.)" in head, head[:500])
+    equal(box.json("s.json")["post"], {"lost": []}, "what was lost")
+    bare = [line for line in posted(box, "part.nc") if not line.startswith("(")]
+    equal(bare[bare.index("M3 S1000") + 1], "G1 Z-1. F100.", "without lengths")
+    check("(NO TOOL LENGTH IS ADDED)" in box.read("post.nc").decode(), "the head says nothing of lengths")
+
+
+@test("a rapid behind a change of tool length goes up before it goes across, and comes down behind")
+def rapid_behind_length(box):
+    box.write("tools.toml", "[[tool]]\nnumber = 1\nlength = 80\n[[tool]]\nnumber = 2\nlength = 50\n")
+    box.write("part.nc", HEAD + "G43H2G0Z5.\nG1Z-1.F100\nG43H1G0X30.Z5.\nG1Z-1.\nG43H2G0X60.Z5.\nG1Z-1.\nM30\n")
+    blocks = [line for line in posted(box, "part.nc", "--tools", "tools.toml") if not line.startswith("(")]
+    equal(blocks[3:-1], ["G1 Z49. F100.", "G0 Z85.", "X30.", "G1 Z79.", "G0 X60.", "Z55.", "G1 Z49."], "blocks")
+
+
+@test("the length of a tool at a turning head is lost, and said to be")
+def length_at_head(box):
+    box.write("tools.toml", "[[tool]]\nnumber = 1\nlength = 80\n")
+    box.write("part.nc", "O1\nG21G90M3S500\nG43H1G0X10.Z5.\nG1X20.F500\nG28Z5.\nG0Z6.\nG1X30.\nM30\n")
+    blocks = posted(box, "part.nc", "--tools", "tools.toml", "--machine", "laser5")
+    check("(LINE 3: TOOL 0, H1, LENGTH 80. MM IS NOT ADDED)" in blocks and "G0 Z5." in blocks, str(blocks))
+    equal(box.json("s.json")["post"]["lost"], [{"what": "tool length", "count": 1, "line": 3}], "lost")
+    check("(LOST: TOOL LENGTH, 1X, FIRST OF LINE 3)" in box.read("post.nc").decode(), "the head says nothing of it")
+
+
+@test("a beam that is on at a taught point is off in the posted rapid, which is told, and on behind it")
+def beam_in_rapid(box):
+    box.write("a.tch", "TEACH 1\nPOINT 0 0 0 0 0\nFEED 600\nLASER ON 40\nLINE 9 0 0 0 0\nPOINT 20 0 0 0 0\nLINE 30 0 0 0 0\nEND\n")
+    blocks = posted(box, "a.tch")
+    equal(blocks[blocks.index("M3 S400"):], ["M3 S400", "G1 X9. F600.", "(LINE 6: RAPID WITHOUT THE BEAM)", "M5", "G0 X20.",
+                                           "M3 S400", "G1 X30.", "M5", "M30"], "blocks")
+
+
+@test("the head of a posted program says what is lost by kind, and so does the summary")
+def lost_by_kind(box):
+    loop = "#1=0\nWHILE[#1LT50]DO1\nM77\n#3006=1(PART #1)\n#1=#1+1\nEND1\n"
+    box.write("part.nc", HEAD + "G0X1.\n" + loop + "G31X5.F50\nM30\n")
+    posted(box, "part.nc")
+    equal(box.json("s.json")["post"]["lost"],
+          [{"what": "M77", "count": 50, "line": 4}, {"what": "message", "count": 50, "line": 5},
+           {"what": "probing move", "count": 1, "line": 8}], "lost")
+    head = [line for line in box.read("post.nc").decode().splitlines() if line.startswith("(LOST")]
+    equal(head, ["(LOST: M77, 50X, FIRST OF LINE 4)", "(LOST: MESSAGE, 50X, FIRST OF LINE 5)",
+                 "(LOST: PROBING MOVE, 1X, FIRST OF LINE 8)"], "head")
+    box.write("bad.nc", "O1\n#1=1/0\nM30\n")
+    alarm(box.kerf("run", "bad.nc", "--post", "p.nc", "--summary", "s.json"), "PS0112", 2)
+    equal(box.json("s.json")["post"], None, "of a program that was not posted")
+
+
+@test("no comment of a posted program holds a character that a control takes for a command")
+def harmless_comments(box):
+    box.write("stop! now~ 100%; [really?].nc", "G21G90G1X1.F100\n#3006=1(ARE YOU SURE? 100%! ~ ;)\nM30\n")
+    posted(box, "stop! now~ 100%; [really?].nc")
+    comments = [line[1:-1] for line in box.read("post.nc").decode().splitlines() if line.startswith("(")]
+    check(any("STOP_ NOW_ 100__ _REALLY__.NC" in text for text in comments), str(comments))
+    check(any("ARE YOU SURE_ 100__ _ _" in text for text in comments), str(comments))
+    check(not re.search(r"[!~%;?()\[\]#]", "".join(comments)), str(comments))
+
+
+@test("an arc whose radius changes is posted as chords, and F comes again with a plane")
+def spiral(box):
+    box.write("part.nc", HEAD + "G0X10.Y0\nG2X0Y-10.008I-10.J0F300\nG18G3X5.Z0I2.5\nM30\n")
+    blocks = posted(box, "part.nc")
+    chords = blocks[blocks.index("G18") - 1:0:-1]
+    check(len(chords) > 30 and not any(line.startswith("G2") for line in blocks), str(blocks))
+    x, y = 10.0, 0.0
+    for block in blocks[3:blocks.index("G18")]:
+        x = float((re.search(r"X(\S+)", block) or [0, x])[1])
+        y = float((re.search(r"Y(\S+)", block) or [0, y])[1])
+        share = (math.atan2(-y, x) % (2 * math.pi)) / (math.pi / 2)
+        near(math.hypot(x, y), 10 + 0.008 * share, 2e-4, f"radius at {x} {y}")
+    check(blocks[blocks.index("G18") + 1].endswith("F300."), "no F behind G18")
+    box.write("part.nc", HEAD + "G0X10.Y0\nG2X0Y-10.0004I-10.J0F300\nM30\n")
+    check(any(line.startswith("G2") for line in posted(box, "part.nc")), "chords for less than the tolerance")
+
+
+@test("a posted program of any length takes the same memory, and its travel is that of all of it")
+def long_program(box):
+    peaks = []
+    for count in (1_000, 400_000):
+        box.write("long.nc", "O1\nG21G90G0X0Y0\n#1=0\nF900.\n" +
+                  f"WHILE[#1LT{count}]DO1\nG1X[#1/1000]Y[#1-FIX[#1/2]*2]\n#1=#1+1\nEND1\nG0Z9.\nM30\n")
+        result = box.kerf("run", "long.nc", "--post", "post.nc", peak=True)
+        status(result, 0)
+        peaks.append(result.peak_kib)
+    text = box.read("post.nc").decode()
+    check("(TRAVEL: X 0. TO 399.999)" in text and "(TRAVEL: Z 0. TO 9.)" in text, text[:600])
+    equal(text.count("\nG0 Z9.\nG0 X0. Y0.\nG0 Z0.\n"), 1, "positions")
+    check(text.count("Y") > 399_000, "lines")
+    equal(box.files(), ["long.nc", "post.nc"], "files behind it")
+    if harness.MEASURES_MEMORY:
+        check(peaks[1] < peaks[0] + 2048, f"{peaks[1]} KiB for 400,000 blocks, {peaks[0]} for 1,000")
+
+
+@test("a posted program for which the disk has no room is told, however long it is")
+def no_room(box):
+    box.write("long.nc", "O1\nG21G90F900.\n#1=0\nWHILE[#1LT60000]DO1\nG1X[#1/1000]\n#1=#1+1\nEND1\nM30\n")
+    result = box.kerf("run", "long.nc", "--post", "/dev/full")
+    status(result, 3)
+    check("No space left" in result.err, result.err)

@@ -367,10 +367,12 @@ CALCULATOR = ("--decimal-point", "calculator")  # the post writes X20 for 20 mm
 
 
 def way(box, name, *words):
-    """Where the tip is at equal steps of a program: one list for each feed and line of it, joined."""
+    """Where the tip is at equal steps of a program, from where its beam is on first."""
     status(box.kerf("run", name, "--machine", "laser5", "--machine-set", "interpolator.step_mm=0.1",
                     "--points", "way.csv", *words), 0)
-    rows = csv.DictReader(io.StringIO(box.read("way.csv").decode()))
+    rows = list(csv.DictReader(io.StringIO(box.read("way.csv").decode())))
+    first = next(i for i, row in enumerate(rows) if float(row["power"]) > 0)
+    rows = rows[first:]
     return [tuple(float(row[letter]) for letter in "XYZAC") for row in rows]
 
 
@@ -417,8 +419,9 @@ def round_trip(box):
 def gcode_again(box):
     # Points have no tool, spindle, coolant or stop, nor comments; helices are chords of them.
     def moves_of(name):
-        lines = box.read(name).decode().splitlines()
-        return [line for line in lines if not re.match(r"[TM](?!30)|S|\(LINE", line)]
+        lines = [line for line in box.read(name).decode().splitlines() if not re.match(r"[TM](?!30)|S|\(", line)]
+        cuts = [i for i, line in enumerate(lines) if line.startswith(("G1 ", "G2 ", "G3 "))]
+        return lines[cuts[0]:] if cuts else []
     for name, program in PROGRAMS.items():
         if "helices" in name:
             continue

@@ -89,7 +89,7 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   Watch watch(least_motions / 4);
   const auto nowhere = std::move(*base::OutputFile::create("/dev/null"));
   output::MotionJson motion(machine.definition().axes, *nowhere);
-  output::Post post(machine.definition().axes, *nowhere);
+  output::Post post(machine.definition(), "part", *nowhere);
   output::Coverage coverage;
   output::SetPointCsv points(machine.definition(), *nowhere);
   drive::PulseCsv csv({"X", "Y", "Z"}, *nowhere);

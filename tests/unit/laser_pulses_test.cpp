@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "machine/servo.hpp"
+#include "machine/virtual_machine.hpp"
+#include "output/drive_alarm.hpp"
 #include "temporary_folder.hpp"
 
 namespace kerf::output {
@@ -35,7 +37,10 @@ class Laser {
   std::string rows(const std::vector<control::Motion::Action>& actions) {
     const test::TemporaryFolder folder;
     auto file = std::move(*base::OutputFile::create(folder / "pwm.csv"));
-    LaserPulses pulses(*machine_, *file);
+    const auto fault = [this](const base::Diagnostic& alarm, const motion::Mark& mark) {
+      machine_->raise(at_mark(alarm, mark, machine_->sources()));
+    };
+    LaserPulses pulses(machine_->definition().drive.laser, fault, *file);
     machine::Servo servo(machine_->definition());
     servo.add_sink(pulses);
     for (std::uint32_t line = 1; line <= actions.size(); ++line) {

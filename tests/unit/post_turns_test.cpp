@@ -15,34 +15,36 @@ using control::Direction;
 
 // What stands between the head and the end.
 std::string posted(const Arc& arc) {
-  const control::AxisSetup axes = five_axes();
+  machine::MachineDefinition machine;
+  machine.axes = five_axes();
   const TemporaryFolder folder;
   auto file = base::OutputFile::create(folder / "out");
-  output::Post post(axes, **file);
+  output::Post post(machine, "part", **file);
   post.take({.action = control::Rapid{{{10, 0, 0}}, true}});
   post.take({.action = arc});
   post.finish();
   EXPECT_TRUE((*file)->commit());
   const std::string text = folder.read("out");
-  const std::string head = "G0 X10.\n";
+  const std::string head = "G0 X10. Y0.\n";
   const std::size_t begin = text.find(head) + head.size();
-  return text.substr(begin, text.find("M30") - begin);
+  return text.substr(begin, text.rfind("M30") - begin);
 }
 
 TEST(TurnsInPlainGCode, AreFullCirclesBeforeTheRest) {
   EXPECT_EQ(posted({.to = {{0, 10, 0}}, .feed = {300}, .turns = 2}),
-            "G3 X10. Y0. I-10. J0. F300\nG3 X10. Y0. I-10. J0.\nG3 X0. Y10. I-10. J0.\n");
+            "G3 X10. Y0. I-10. J0. F300.\nG3 X10. Y0. I-10. J0.\nG3 X0. Y10. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfAWholeCircleAreOneMoreCircle) {
   EXPECT_EQ(
       posted({.to = {{10, 0, 0}}, .feed = {300}, .turns = 1, .direction = Direction::clockwise}),
-      "G2 X10. Y0. I-10. J0. F300\nG2 X10. Y0. I-10. J0.\n");
+      "G2 X10. Y0. I-10. J0. F300.\nG2 X10. Y0. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfAHelixRiseByTheirShareOfTheWay) {
-  EXPECT_EQ(posted({.to = {{0, 10, 9}}, .feed = {300}, .turns = 2}),
-            "G3 Z4. I-10. J0. F300\nG3 Z8. I-10. J0.\nG3 X0. Y10. Z9. I-10. J0.\n");
+  EXPECT_EQ(
+      posted({.to = {{0, 10, 9}}, .feed = {300}, .turns = 2}),
+      "G3 Z4. X10. Y0. I-10. J0. F300.\nG3 Z8. X10. Y0. I-10. J0.\nG3 X0. Y10. Z9. I-10. J0.\n");
 }
 
 TEST(TurnsInPlainGCode, OfInverseTimeHaveTheFeedOfTheWholeWay) {

@@ -69,6 +69,15 @@ TEST(SpaceArcInMotionJson, OfAFullCircleHasBothPoints) {
             "\"feed\":3000,\"feed_mode\":\"per-minute\"}\n");
 }
 
+const machine::MachineDefinition& five_axis_machine() {
+  static const machine::MachineDefinition machine = [] {
+    machine::MachineDefinition made;
+    made.axes = kAxes;
+    return made;
+  }();
+  return machine;
+}
+
 // The tips of the G1 blocks, and how many of them have an F.
 struct Posted {
   std::vector<AxisVector> tips;
@@ -82,14 +91,15 @@ void read_word(const std::string& word, AxisVector& at, Posted& posted) {
 
 Posted posted(const SpaceArcCase& arc, const control::SpaceArc& action) {
   std::istringstream lines(written([&](base::OutputFile& file) {
-    output::Post post(kAxes, file);
+    output::Post post(five_axis_machine(), "part", file);
     make(post, arc, action);
+    post.finish();
   }));
   Posted result;
   AxisVector at;
   bool cutting = false;
   for (std::string line; std::getline(lines, line);) {
-    if (line[0] == '(' || line.starts_with("G21")) continue;
+    if (line[0] == '(' || line[0] == 'M' || line.starts_with("G21")) continue;
     cutting |= line.starts_with("G1");
     std::istringstream words(line);
     for (std::string word; words >> word;) read_word(word, at, result);

@@ -27,7 +27,9 @@ import { files } from './scenarios/files.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
 import { phone } from './scenarios/phone.mjs';
 import { link } from './scenarios/link.mjs';
-import { surprises } from './scenarios/surprises.mjs';
+import { cells } from './scenarios/cells.mjs';
+import { keys } from './scenarios/keys.mjs';
+import { marks } from './scenarios/marks.mjs';
 import { training } from './scenarios/training.mjs';
 
 const ALL = [
@@ -35,7 +37,9 @@ const ALL = [
   ...debugging,
   ...editing,
   ...manual,
-  ...surprises,
+  ...keys,
+  ...cells,
+  ...marks,
   ...drafts,
   ...link,
   ...files,

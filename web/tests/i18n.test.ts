@@ -8,6 +8,9 @@ import { EDITOR_PHRASES_ZH_HANT } from '../src/logic/i18n/editor_zh_hant';
 import { MACHINE_TITLES_ZH_HANT, machine_title } from '../src/logic/i18n/machine_titles';
 import { refusal_words } from '../src/logic/i18n/refusals';
 import { REFUSALS_ZH_HANT } from '../src/logic/i18n/refusals_zh_hant';
+import { en } from '../src/logic/i18n/en';
+import { en_guide } from '../src/logic/i18n/en_guide';
+import { en_trust } from '../src/logic/i18n/en_trust';
 import { alarm_words } from '../src/logic/i18n/alarms';
 import { MODES } from '../src/logic/protocol';
 
@@ -25,6 +28,11 @@ describe.each(Object.entries(TABLES))('the table %s', (_, table) => {
       expect(values_in(text), key).toEqual(values_in(TABLES.en[key as keyof typeof TABLES.en]));
     }
   });
+});
+
+it('no text stands in two tables', () => {
+  const tables = [en, en_guide, en_trust].flatMap((table) => Object.keys(table));
+  expect(tables.filter((key, i) => tables.indexOf(key) !== i)).toEqual([]);
 });
 
 describe('the Chinese table', () => {

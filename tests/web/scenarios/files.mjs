@@ -237,7 +237,7 @@ export const files = [
         await time.filter({ hasText: 'stops at line 5 with PS0112' }).waitFor();
         const left = time.locator('div', { hasText: /^Left/ }).locator('dd');
         assert.equal((await left.innerText()).trim(), '–');
-        const bar = time.locator('.stops > span');
+        const bar = time.locator('.bar.stops');
         assert.match(await bar.evaluate((e) => getComputedStyle(e).backgroundImage), /gradient/);
       };
       await looks_stopped();

@@ -35,7 +35,7 @@ export const link = [
           .evaluate((e) => getComputedStyle(e).textDecorationLine);
         assert.equal(struck, 'line-through', 'the values are struck out');
         await panel.page.keyboard.press('Control+Enter');
-        await panel.says('nothing was sent');
+        await panel.page.locator('.key-word', { hasText: 'nothing was sent' }).waitFor();
       });
       await panel.operates();
       await panel.page.waitForTimeout(1500);

@@ -98,7 +98,10 @@ export const newcomer = [
     async run({ open, base }) {
       const panel = await open({ newcomer: true });
       await panel.page.locator('header .chosen').click();
-      await panel.page.locator('.machine', { hasText: /^laser\b/ }).first().click();
+      await panel.page
+        .locator('.machine', { hasText: /^laser\b/ })
+        .first()
+        .click();
       await panel.page.locator('header .chosen b', { hasText: /^laser$/ }).waitFor();
       const again = await panel.context.newPage();
       await again.goto(base);
@@ -153,7 +156,9 @@ export const newcomer = [
       const panel = await open();
       await panel.fresh();
       await drop(panel, 'body', 'turned.nc', TURNED);
-      await card(panel).getByText('turned.nc looks like a lathe program: T101 in line 1.').waitFor();
+      await card(panel)
+        .getByText('turned.nc looks like a lathe program: T101 in line 1.')
+        .waitFor();
       await card(panel).getByText('There is no lathe here yet.').waitFor();
       await is_loaded(panel, 'turned.nc');
       await drop(panel, 'body', 'square.bas', BASIC);
@@ -260,7 +265,11 @@ export const newcomer = [
         assert.match(rows[i], new RegExp(`${code}[\\s\\S]*\\b${line}\\b`));
         assert.equal(rows[i].includes('control stops here'), i === 0, rows[i]);
       }
-      assert.equal(await panel.page.locator('.cm-lintRange-error').count(), 3, 'all are underlined');
+      assert.equal(
+        await panel.page.locator('.cm-lintRange-error').count(),
+        3,
+        'all are underlined',
+      );
       await problem_rows(panel).nth(1).locator('.sentence').click();
       await cursor_is(panel, 6);
       // Keys: F8 where nothing moves, Shift+F8 back, around both ends.
@@ -396,9 +405,16 @@ export const newcomer = [
         await panel.has_program();
         const seen = [];
         for (const word of words)
-          if (await panel.page.locator('.word', { hasText: new RegExp(`^${word}$`) }).first().isVisible())
+          if (
+            await panel.page
+              .locator('.word', { hasText: new RegExp(`^${word}$`) })
+              .first()
+              .isVisible()
+          )
             seen.push(word);
-        const bar = await panel.page.locator('.program .bar').evaluate((e) => e.scrollWidth - e.clientWidth);
+        const bar = await panel.page
+          .locator('.program .bar')
+          .evaluate((e) => e.scrollWidth - e.clientWidth);
         assert.ok(bar <= 0, `the bar of the program at ${width}: ${bar} px are cut off`);
         return seen;
       };

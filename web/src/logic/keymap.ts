@@ -10,8 +10,8 @@ export interface Binding {
   group: Group;
   /** `Shift+F11`, `Alt+Digit1`; several for one command are alternatives. */
   keys: string[];
-  /** Also while a text field has the focus: all its keys, or these. */
-  in_text?: boolean | string[];
+  /** Also while a text field has the focus. */
+  in_text?: boolean;
   /** Held down: begins with the key and ends when it is let go. */
   held?: boolean;
 }
@@ -118,18 +118,14 @@ for (const binding of BINDINGS) {
 }
 
 export function binding_of(press: KeyPress, in_text: boolean) {
-  const pressed = chord(press);
-  const binding = BY_CHORD.get(pressed);
-  return binding && (!in_text || keys_in_text(binding).includes(pressed)) ? binding : undefined;
-}
-
-/** The keys of a command that work while a text is written. */
-export function keys_in_text({ keys, in_text }: Binding): string[] {
-  return in_text === true ? keys : in_text || [];
+  const binding = BY_CHORD.get(chord(press));
+  return binding && (!in_text || binding.in_text) ? binding : undefined;
 }
 
 /** Keys that the editor must leave to the machine. */
-export const MACHINE_KEYS: ReadonlySet<string> = new Set(BINDINGS.flatMap(keys_in_text));
+export const MACHINE_KEYS: ReadonlySet<string> = new Set(
+  BINDINGS.flatMap((binding: Binding) => (binding.in_text ? binding.keys : [])),
+);
 
 export const keys_of = (command: CommandName): string[] =>
   [...(BINDINGS.find((b) => b.command === command)?.keys ?? [])].map(spoken);

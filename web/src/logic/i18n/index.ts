@@ -1,16 +1,18 @@
 /** The page's texts: one table a language, the same keys in each (a test holds that). */
 import { en as en_panel } from './en';
 import { en_guide } from './en_guide';
+import { en_trust } from './en_trust';
 import { zh_hant } from './zh_hant';
 import { zh_hant_guide } from './zh_hant_guide';
+import { zh_hant_trust } from './zh_hant_trust';
 
-const en = { ...en_panel, ...en_guide };
+const en = { ...en_panel, ...en_guide, ...en_trust };
 export type TextKey = keyof typeof en;
 export type Language = 'en' | 'zh-Hant';
 
 export const TABLES: Record<Language, Record<TextKey, string>> = {
   en,
-  'zh-Hant': { ...zh_hant, ...zh_hant_guide },
+  'zh-Hant': { ...zh_hant, ...zh_hant_guide, ...zh_hant_trust },
 };
 
 /** How each language calls itself. */

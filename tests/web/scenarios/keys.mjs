@@ -1,5 +1,4 @@
-// What a panel must never do: change the program instead of the machine, take a slip of the finger for a value, mark
-// another line than the one that executes, lose what was typed.
+// Every key that is advertised does what it says, whatever the cursor stands in.
 import assert from 'node:assert/strict';
 import { LONG } from '../programs.mjs';
 
@@ -43,6 +42,9 @@ const KEYS = {
   'Save the program': { begin: edited, does: (p) => p.says('keys.nc is saved.') },
   'Open the library': { begin: idle, does: dialog_opens },
   'Load the text into the machine': { begin: idle, does: (p) => p.says('keys.nc is loaded.') },
+  'Next problem (F8 too, while nothing moves)': { begin: mistaken, does: (p) => stands_at(p, 5) },
+  'Previous problem': { begin: mistaken, does: (p) => stands_at(p, 5) },
+  'Manual: what is wrong here, or all of it': { begin: idle, does: dialog_opens },
   'To the program': {
     begin: idle,
     does: (p) => p.until(() => document.activeElement?.classList.contains('cm-content')),
@@ -52,7 +54,7 @@ const KEYS = {
     does: (p) => p.until(() => document.activeElement?.id === 'picture'),
   },
   'Next tab': { begin: idle, does: (p) => tab_is(p, 'Stepping') },
-  'Previous tab': { begin: idle, does: (p) => tab_is(p, 'Training') },
+  'Previous tab': { begin: idle, does: (p) => tab_is(p, 'Problems') },
   'Become the operator, or ask for it': {
     begin: async (p) => {
       await p.page.locator('header .badge').click();
@@ -96,7 +98,7 @@ const OUTSIDE = {
   },
 };
 
-export const surprises = [
+export const keys = [
   {
     name: 'every key that the panel advertises acts on the machine, in the program and outside of it',
     limit_ms: 600_000,
@@ -123,137 +125,10 @@ export const surprises = [
             panel.line_before = before;
             await known.does(panel, press).catch(failed);
             await panel.page.keyboard.press('Escape');
-            if (words !== 'Save the program') await text_is(panel, LONG).catch(failed);
+            if (![edited, mistaken].includes(known.begin)) await text_is(panel, LONG).catch(failed);
           }
         }
       }
-    },
-  },
-  {
-    name: 'every cell of every table is edited twice, and what is typed replaces what was there',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.tab('Offsets');
-      await panel.page.getByRole('textbox', { name: 'G59 X' }).waitFor();
-      await twice_each(panel, '#dock-offsets');
-      await panel.tab('Tools');
-      await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('77');
-      await panel.page.keyboard.press('Enter');
-      await panel.page.getByRole('textbox', { name: 'T77 Length', exact: true }).waitFor();
-      await twice_each(panel, '#dock-tools');
-      await panel.tab('Variables');
-      for (const name of ['#500', '#501', '#502']) await panel.add_variable(name);
-      await panel.page.getByRole('textbox', { name: '#502', exact: true }).waitFor();
-      await twice_each(panel, '#dock-variables');
-    },
-  },
-  {
-    name: 'an entry is set, added, goes to the next row, and is asked about where it is far off',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.tab('Offsets');
-      const { keyboard } = panel.page;
-      const cell = (name) => panel.page.getByRole('textbox', { name, exact: true });
-      const answer = async (choice) => {
-        await panel.page.locator('dialog.question').getByRole('button', { name: choice }).click();
-        await panel.page.locator('dialog.question').waitFor({ state: 'detached' });
-      };
-      await set_cell(panel, 'G54 Y', '0');
-      await cell('G54 Y').click();
-      await keyboard.type('5');
-      await keyboard.press('Enter');
-      await shows(panel, 'G54 Y', '5.000');
-      assert.equal(await focused(panel), 'G55 Y', 'Enter goes to the next row');
-      await cell('G54 Y').click();
-      await keyboard.type('-0.25');
-      await keyboard.press('Shift+Enter');
-      await shows(panel, 'G54 Y', '4.750');
-      await cell('G54 Y').click();
-      await keyboard.type('1');
-      await panel.page.getByRole('button', { name: '+INPUT', exact: true }).click();
-      await shows(panel, 'G54 Y', '5.750');
-
-      await cell('G54 Y').click();
-      await keyboard.type('125000');
-      await keyboard.press('Enter');
-      await panel.page.locator('dialog.question', { hasText: 'travels' }).waitFor();
-      await answer('Leave it');
-      await shows(panel, 'G54 Y', '5.750');
-      await cell('G54 Y').click();
-      await keyboard.type('25.75');
-      await keyboard.press('Enter');
-      await panel.page.locator('dialog.question', { hasText: 'a change of 20.000' }).waitFor();
-      await answer('Set 25.750');
-      await shows(panel, 'G54 Y', '25.750');
-
-      await panel.page.getByLabel('Ask about a change of more than').fill('100');
-      await cell('G54 Y').click();
-      await keyboard.type('0');
-      await keyboard.press('Enter');
-      await shows(panel, 'G54 Y', '0.000');
-      assert.equal(await panel.page.locator('dialog.question').count(), 0);
-    },
-  },
-  {
-    name: 'the line that executes is marked where it stands in the edited text',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.run_text('marks.nc', LONG);
-      await panel.go_to_line(1);
-      await panel.page.keyboard.type('(A)\n(B)\n(C)\n');
-      await panel.page.locator('.ahead').waitFor();
-      await panel.press('Cycle start');
-      await panel.has_status('RUNNING');
-      await panel.passes('X', 0);
-      await panel.executes_line(7); // the fourth line of what the machine has
-      const block = await panel.page.locator('aside .text.mono').first().innerText();
-      assert.equal(await panel.page.locator('.cm-executing').innerText(), block);
-      // And stays there while lines before it come and go.
-      await panel.go_to_line(1);
-      await panel.page.keyboard.press('Control+Shift+K');
-      await panel.executes_line(6);
-      await panel.press('Reset');
-      await panel.has_status('IDLE');
-    },
-  },
-  {
-    name: 'a breakpoint stops at the block that it stands beside, however the text was edited',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.run_text('stops.nc', LONG.replace('F300.', 'F6000.'));
-      await panel.toggle_breakpoint(5); // Y50.
-      await panel.page.locator('.cm-dot.set').waitFor();
-      await panel.go_to_line(1);
-      await panel.page.keyboard.type('(A)\n(B)\n');
-      await panel.page.locator('.ahead').waitFor();
-      await panel.toggle_breakpoint(8); // X0., the sixth line of what the machine has
-      await panel.page.locator('.cm-dot.set').nth(1).waitFor();
-      await panel.toggle_breakpoint(1);
-      await panel.says('Line 1 is new');
-      await panel.press('Cycle start');
-      for (const [line, text] of [
-        [7, 'Y50.'],
-        [8, 'X0.'],
-      ]) {
-        await panel.has_status('STEP');
-        await panel.executes_line(line);
-        assert.equal(await panel.page.locator('.cm-executing').innerText(), text);
-        await panel.press('Cycle start');
-      }
-      await panel.has_status('END');
-      await panel.press('Reset');
-      await panel.has_status('IDLE');
-      // Loaded, the machine has the lines of the screen.
-      await panel.page.keyboard.press('F5');
-      await panel.says('stops.nc is loaded.');
-      await panel.press('Cycle start');
-      await panel.has_status('STEP');
-      await panel.executes_line(7);
-      assert.equal(await panel.page.locator('.cm-executing').innerText(), 'Y50.');
     },
   },
 ];
@@ -274,6 +149,18 @@ async function stepped_twice(p) {
   p.line_before = before;
   await told(p, (line, first) => line > first);
   await p.has_status('STEP');
+}
+async function mistaken(p) {
+  await p.go_to_line(5);
+  await p.page.keyboard.press('End');
+  await p.page.keyboard.type('5.5');
+  await p.page.locator('.cm-lintRange-error').first().waitFor();
+}
+function stands_at(p, line) {
+  return p.page
+    .locator('.program footer')
+    .filter({ hasText: new RegExp(`line ${line}$`) })
+    .waitFor();
 }
 async function normal_feed(p) {
   await p.page.getByTitle('Feed override: back to 100 %').click();
@@ -480,50 +367,4 @@ async function shown_text(panel) {
 async function text_is(panel, wanted) {
   if ((await panel.page.locator('.file.current').innerText()) === 'keys.nc')
     assert.equal(await shown_text(panel), wanted.trimEnd(), 'the text of the program');
-}
-
-async function set_cell(panel, name, value) {
-  const cell = panel.page.getByRole('textbox', { name, exact: true });
-  await cell.click();
-  await panel.page.keyboard.type(value);
-  await panel.page.keyboard.press('Enter');
-  const question = panel.page.locator('dialog.question');
-  if (await question.count()) await question.getByRole('button').last().click();
-}
-async function shows(panel, name, value) {
-  const late = Date.now() + 20_000;
-  let seen;
-  do {
-    seen = await panel.page
-      .getByRole('textbox', { name, exact: true })
-      .inputValue()
-      .catch(() => '');
-    if (seen.replace('\u2212', '-') === value) return;
-    await panel.page.waitForTimeout(50);
-  } while (Date.now() < late);
-  assert.equal(seen, value, name);
-}
-const focused = (panel) =>
-  panel.page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? '');
-
-/** By the pointer both times, as an operator does it; small values, so that nothing is asked. */
-async function twice_each(panel, where) {
-  const names = await panel.page
-    .locator(`${where} input.cell`)
-    .evaluateAll((all) => all.map((cell) => cell.getAttribute('aria-label')));
-  assert.ok(names.length >= 3, `${names.length} cells in ${where}`);
-  const decimals = where === '#dock-variables' ? 0 : 3;
-  for (const name of names) {
-    const cell = panel.page.locator(where).getByRole('textbox', { name, exact: true });
-    for (const value of ['2.5', '7']) {
-      await cell.click();
-      await panel.page.keyboard.type(value);
-      await panel.page.keyboard.press('Enter');
-      await shows(panel, name, decimals ? Number(value).toFixed(3) : value);
-    }
-    await cell.click();
-    await panel.page.keyboard.type('0');
-    await panel.page.keyboard.press('Enter');
-    await shows(panel, name, decimals ? '0.000' : '0');
-  }
 }

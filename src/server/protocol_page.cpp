@@ -57,7 +57,8 @@ time the server begins, `began_ms` when that was, since 1970.
 "feed":{"programmed_mm_min","actual_mm_min"},"spindle":{"speed_rpm","direction","load"},"tool","coolant","power_percent","beam",
 "override":{"feed","rapid","spindle"},"switches":{},"skip":[],"alarm":null|{"code","message","program","file","line","column",
 "length","cause","remedy"},"messages":[],"stack":[{"program","file","line","level"}],"variables_revision","printed",
-"waits_for_input","inputs":[bits,word,word,word],"breakpoint":null|{…},"preview_run","operator":null|"client-1","clients":["client-1",…],
+"waits_for_input","inputs":[bits,word,word,word],"breakpoint":null|{…},"preview_run","operator":null|"client-1",
+"clients":["client-1",…],
 "people":{"client-1":"Lee"},"request":null|{"client","until_ms"},"fault":null|"sentence",
 "unsaved":null|"sentence"}`. `unsaved`: why the memory cannot be written to the disk; the server goes on trying.
 `inputs` are the signals #1000 to #1015 as bits of one number, and #1033 to #1035 as words of 32 bits.

@@ -349,7 +349,7 @@ LiveCore::Outcome LiveCore::run_to(const std::string& file, std::uint32_t line) 
 }
 
 LiveCore::Outcome LiveCore::interrupt() {
-  if (!machine_->is_in_program()) return refused("there is no program under way to be interrupted");
+  if (!machine_->is_in_program()) return refused(Refusal::nothing_to_interrupt);
   machine_->control().interrupt();
   return {};
 }

@@ -71,8 +71,7 @@ LiveCore::Outcome LiveCore::enter_variable(const std::string& name, std::optiona
 }
 
 LiveCore::Outcome LiveCore::set_input(const std::string& name, double value) {
-  if (!machine_->language().is_input(name))
-    return refused("'" + name + "' is no input of this program: those are #1000 to #1035");
+  if (!machine_->language().is_input(name)) return refused(Refusal::no_input, {name});
   if (!std::isfinite(value)) return refused("this is no number");
   return machine_->language().set_variable(name, value);
 }

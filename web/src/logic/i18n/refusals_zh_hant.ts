@@ -48,6 +48,8 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'start-mode': '程式在 AUTO 模式啟動',
   'start-not-reached': '在搜尋步數內未到達第 {line} 行',
   'start-ends-before': '程式在到達第 {line} 行之前結束',
+  'no-input': '「{name}」不是本程式的輸入訊號：輸入訊號為 #1000 到 #1035',
+  'nothing-to-interrupt': '沒有執行中的程式可中斷',
   'variables-moving': '變數只能在停止時設定',
   'offsets-moving': '補正只能在停止時設定',
   'no-offset': '沒有補正「{offset}」',

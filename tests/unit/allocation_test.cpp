@@ -88,7 +88,7 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   machine::VirtualMachine machine(definition, std::move(memory), {{}, outputs.dialect});
   Watch watch(least_motions / 4);
   const auto nowhere = std::move(*base::OutputFile::create("/dev/null"));
-  output::MotionJson motion(machine.definition().axes, *nowhere);
+  output::MotionJson motion(machine.definition().axes, &machine.sources(), *nowhere);
   output::Post post(machine.definition(), "part", *nowhere);
   output::Coverage coverage;
   output::SetPointCsv points(machine.definition(), *nowhere);

@@ -44,7 +44,7 @@ void make(Sink& sink, const SpaceArcCase& arc, const control::SpaceArc& action) 
 
 std::string json_of(const SpaceArcCase& arc, const control::SpaceArc& action) {
   const std::string text = written([&](base::OutputFile& file) {
-    output::MotionJson json(kAxes, file);
+    output::MotionJson json(kAxes, nullptr, file);
     make(json, arc, action);
   });
   return text.substr(text.find('\n') + 1);

@@ -20,8 +20,8 @@ bool is_same_file(const std::string& a, const std::string& b) {
   if (!is_ordinary(a) || !is_ordinary(b)) return false;
   std::error_code error;
   if (fs::equivalent(a, b, error) && !error) return true;
-  const fs::path first = fs::weakly_canonical(a, error);
-  return !error && first == fs::weakly_canonical(b, error) && !error;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
 }
 
 }  // namespace kerf::cli

@@ -33,10 +33,6 @@ RunStart at_power_on(const MachineDefinition& definition, control::Memory memory
           0};
 }
 
-tl::unexpected<base::Failure> took_too_long() {
-  return refused("to make the run again up to there takes longer than a machine may be kept busy");
-}
-
 }  // namespace
 
 /// The machine, what was done with it in this run, and the points that were taught.
@@ -134,7 +130,7 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
   Replay all(journal);
   all.core().set_limit(core->limit());
   all.go_to(std::numeric_limits<double>::infinity());
-  if (core->limit().reached()) return took_too_long();
+  if (core->limit().reached()) return refused(Refusal::takes_too_long);
   const bool waits = all.core().machine().halt() == control::Halt::gate;
   const std::uint64_t begun = all.core().stepper().blocks();
   const std::uint64_t done = waits && begun > 0 ? begun - 1 : begun;
@@ -142,7 +138,7 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
   Replay back(journal, done);
   back.core().set_limit(core->limit());
   back.go_to(std::numeric_limits<double>::infinity());
-  if (core->limit().reached()) return took_too_long();
+  if (core->limit().reached()) return refused(Refusal::takes_too_long);
   const std::size_t kept = back.done();
   std::unique_ptr<LiveCore> there = back.take();
   there->stepper().search_block(0);
@@ -161,7 +157,7 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
 base::Outcome<LiveCore*> LiveMachine::Impl::core_at(double time_s) {
   if (!(time_s >= 0)) return refused("times of a run begin with 0 s");
   looked_at = time_s > core->time_s() ? later(time_s) : earlier(time_s);
-  if (core->limit().reached()) return took_too_long();
+  if (core->limit().reached()) return refused(Refusal::takes_too_long);
   return looked_at;
 }
 

@@ -358,7 +358,7 @@ def tool_lengths(box):
     equal(posted(box, "part.nc", "--tools", "tools.toml"),
           ["M5", "T1 M6", "G0 Z130.", "G0 X0. Y0.", "G0 Z85.", "M3 S1000",
            "(LINE 5: TOOL 1, H1, LENGTH 80. MM IS ADDED TO Z)", "G1 Z79. F100.",
-           "G18", "G2 X20. Z79. K-6.6332 I10. F100.", "G17", "G0 Z130.", "T2 M6", "M3 S1000", "X50.",
+           "G18", "G2 X20. K6.6332 I10. F100.", "G0 Z130.", "T2 M6", "M3 S1000", "X50.",
            "(LINE 11: TOOL 2, H2, LENGTH 50.5 MM IS ADDED TO Z)", "Z55.5", "G1 Z49.5 F200.",
            "(LINE 14: TOOL 2, H1, LENGTH 80. MM IS ADDED TO Z)", "G0 Z79.", "G1 X60.", "G0 Z0.", "M5", "M30"], "blocks")
     head = box.read("post.nc").decode()

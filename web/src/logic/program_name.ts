@@ -6,7 +6,8 @@ const FORBIDDEN = /[/\\:*?"<>|]/g;
 const NO_TEXT = /[\u0000-\u001f\u007f-\u009f\ud800-\udfff\u2028\u2029]/gu;
 
 // Directions of writing and what joins or parts letters: two names that look the same would not be.
-const UNSEEN = /[\u00ad\u061c\u180e\u200b-\u200f\u202a-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\u{e0000}-\u{e0fff}]/gu;
+const UNSEEN =
+  /[\u00ad\u061c\u180e\u200b-\u200f\u202a-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb\u{e0000}-\u{e0fff}]/gu;
 // Accents that no letter has in it.
 const ACCENTS = /[\u0300-\u036f\u3099\u309a\u1100-\u11ff]/g;
 const DEVICE = /^(con|prn|aux|nul|(com|lpt)[1-9]) *(\.|$)/i;

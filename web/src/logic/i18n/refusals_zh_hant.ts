@@ -18,7 +18,8 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'program-name-character': '名稱 {name} 含有字元 {character}，程式名稱不可使用',
   'program-name-ends': '名稱 {name} 以句點或空白開頭或結尾',
   'program-name-unseen': '名稱含有看不見的字元，例如改變書寫方向的字元',
-  'program-name-accent': '名稱 {name} 的字母與附加符號是兩個字元，請合寫為一個字元 (NFC)，或不用附加符號',
+  'program-name-accent':
+    '名稱 {name} 的字母與附加符號是兩個字元，請合寫為一個字元 (NFC)，或不用附加符號',
   'program-name-device': '名稱 {name} 是 Windows 的裝置名稱',
   'program-name-dash': '名稱 {name} 以 - 開頭，如同命令的選項',
   running: '機台正在執行',
@@ -58,5 +59,6 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'points-moving': '擷取點須在軸靜止時',
   'records-mode': '教導點須在 TEACH 模式',
   'nothing-taught': '尚未教導任何內容',
+  'takes-too-long': '重新執行到該處所需的計算時間，超過機台可被佔用的時間',
   'at-beginning': '程式位於起點',
 };

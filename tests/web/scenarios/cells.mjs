@@ -9,6 +9,8 @@ export const cells = [
       await panel.fresh();
       await panel.tab('Offsets');
       await panel.page.getByRole('textbox', { name: 'G59 X' }).waitFor();
+      // What stands there is anything; only what is typed counts here.
+      await panel.page.getByLabel('Ask about a change of more than').fill('1000000');
       await twice_each(panel, '#dock-offsets');
       await panel.tab('Tools');
       await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('77');

@@ -345,6 +345,9 @@ async function prepare(panel) {
       await panel.open_program('keys.nc');
     }
   }
+  // What a key before has edited is offered as a draft.
+  const discard = panel.page.locator('.draft').getByRole('button', { name: 'Discard' });
+  if (await discard.count()) await discard.click();
   await panel.has_path(4);
 }
 

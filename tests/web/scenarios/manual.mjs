@@ -69,10 +69,10 @@ export const manual = [
         name: 'G59 X',
         exact: true,
       });
-      await cell.fill('12.25');
+      await cell.fill('8.25');
       await cell.press('Enter');
       await panel.until(
-        () => document.querySelector('input[aria-label="G59 X"]')?.value === '12.250',
+        () => document.querySelector('input[aria-label="G59 X"]')?.value === '8.250',
       );
       await panel.page.locator('h1').click();
       await panel.page.keyboard.press('Control+z');
@@ -93,6 +93,10 @@ export const manual = [
       await panel.page.getByRole('button', { name: 'Add tool' }).click();
       await cell.fill('101.5');
       await cell.press('Enter');
+      await panel.page
+        .locator('dialog.question')
+        .getByRole('button', { name: 'Set 101.500' })
+        .click();
       await panel.until(
         (label) => document.querySelector(`input[aria-label="${label}"]`)?.value === '101.500',
         name,

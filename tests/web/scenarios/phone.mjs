@@ -115,7 +115,9 @@ export const phone = [
       const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
       assert.equal(await entry.inputValue(), 'G91G01X-2.5F1000');
       if (shots) await panel.page.screenshot({ path: join(shots, 'phone-mdi.png') });
+      await show(panel, 'Position');
       const before = await panel.position('X');
+      await show(panel, 'More');
       await panel.page.getByRole('button', { name: 'Execute' }).click();
       await panel.position_is('X', before - 2.5);
       await panel.press('AUTO');

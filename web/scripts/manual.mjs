@@ -37,6 +37,10 @@ function without_picture_chapters(text) {
   return chapters.filter((chapter) => (chapter.match(/\]\(images\//g) ?? []).length < 10).join('');
 }
 
+/** Markdown wants a head above every table; one without words says nothing to who hears it. */
+const without_empty_heads = (html) =>
+  html.replace(/<thead>\s*<tr>\s*(?:<th[^>]*>\s*<\/th>\s*)+<\/tr>\s*<\/thead>\s*/g, '');
+
 /** A document that is named in a sentence is a way to it: docs/dialect.md. */
 const with_named_pages = (text) =>
   text.replace(/(?<![\w/([`-])docs\/([\w/-]+\.md)/g, '[docs/$1](/$1)');
@@ -72,7 +76,7 @@ export function page_of(name, text, names) {
       html: ({ text: tag }) => (tag.startsWith('<br') ? '<br>' : ''),
     },
   });
-  const html = marked.parse(with_named_pages(without_picture_chapters(text)));
+  const html = without_empty_heads(marked.parse(with_named_pages(without_picture_chapters(text))));
   return { name, title, html };
 }
 

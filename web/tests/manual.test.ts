@@ -35,6 +35,12 @@ describe('the manual', () => {
   it('needs nothing from the network: no picture, no script, no style', () => {
     for (const { html } of pages) expect(html).not.toMatch(/<(img|script|link|style|iframe)\b/);
   });
+  it('has no head of a table without words', () => {
+    for (const { name, html } of pages) {
+      expect(html.match(/<th[^>]*>\s*<\/th>\s*<th[^>]*>\s*<\/th>/), name).toBeNull();
+    }
+    expect(html_of('errors')).toContain('<thead>');
+  });
   it('has an entry for every code that Kerf reports', () => {
     const table = readFileSync(join(__dirname, '../../src/base/diagnostic_codes.def'), 'utf8');
     const codes = [...table.matchAll(/^CODE\(\w+, "(\w+)"/gm)].map((match) => match[1]);

@@ -7,6 +7,13 @@ const KEYS = {
   'Cycle start': { begin: idle, does: (p) => p.has_status('RUNNING') },
   'Feed hold': { begin: running, does: (p) => p.has_status('HOLD') },
   Reset: { begin: running, does: (p) => p.has_status('IDLE') },
+  'Interrupt signal (M96)': {
+    begin: running,
+    async does(p) {
+      await p.tab('Messages');
+      await p.page.locator('#dock-messages', { hasText: 'no M96 was in force' }).waitFor();
+    },
+  },
   'Feed override up': { begin: normal_feed, does: (p) => feed_is(p, '110') },
   'Feed override down': { begin: normal_feed, does: (p) => feed_is(p, '90') },
   'Step over': { begin: idle, does: (p) => p.has_status('STEP') },

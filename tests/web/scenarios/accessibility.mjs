@@ -26,6 +26,7 @@ export async function findings(panel, where, part = 'html') {
   const { violations } = await panel.page.evaluate(
     (within) =>
       window.axe.run(within, {
+        resultTypes: ['violations'],
         runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'best-practice'],
       }),
     part,

@@ -139,6 +139,8 @@ export const files = [
       const panel = await open();
       await panel.fresh();
       await panel.upload('twice.nc', LONG);
+      await choose_files(panel, ['twice.nc', LONG]); // the same bytes: nothing to ask
+      await panel.says('twice.nc is in the library.');
       await choose_files(panel, ['twice.nc', WRONG]);
       await question(panel, 'twice.nc is in the library already')
         .getByRole('button', { name: 'Leave it' })

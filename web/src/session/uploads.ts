@@ -1,7 +1,7 @@
 /** Files from this computer into the library: never over a program without a question, never what is no text. */
 import type { ProgramEntry } from '../logic/protocol';
 import { free_name, mended_name } from '../logic/program_name';
-import { is_text_file, put_file } from './library_files';
+import { get_bytes, is_text_file, put_file } from './library_files';
 import { notices } from './notices.svelte';
 import { question } from './question.svelte';
 import { t } from './words.svelte';
@@ -15,11 +15,23 @@ export async function upload(
     notices.say(t('notice.no-text', { name: file.name }), 'refused');
     return null;
   }
+  if (await is_there_already(file, programs)) return file.name;
   const taken = programs.map((program) => program.name);
   const name = await name_for(file.name, taken);
   if (!name || !(await put_file(name, file))) return null;
   notices.say(t('notice.uploaded', { name }));
   return name;
+}
+
+/** The same bytes under the same name: there is nothing to ask, and nothing to write. */
+async function is_there_already(file: File, programs: readonly ProgramEntry[]): Promise<boolean> {
+  const there = programs.find(({ name }) => name === file.name);
+  if (there?.bytes !== file.size) return false;
+  const [old, fresh] = await Promise.all([get_bytes(file.name), file.arrayBuffer()]);
+  const bytes = new Uint8Array(fresh);
+  if (!old?.every((byte, i) => byte === bytes[i])) return false;
+  notices.say(t('notice.uploaded', { name: file.name }));
+  return true;
 }
 
 /** Null: the operator wants none of what was offered. */

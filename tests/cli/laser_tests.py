@@ -310,7 +310,7 @@ def holes(box):
         for source in (name, "again.nc"):
             if source != name:  # P of the posted G4 counts seconds
                 posted = box.read("again.nc").decode()
-                contains(posted, "M3 S500\nG1 F1\nG4 P0.5\nM5\n", f"{name}: the posted burn")
+                contains(posted, "M3 S500\nG1 F1.\nG4 P0.5\nM5\n", f"{name}: the posted burn")
                 box.write("again.nc", posted.replace("P0.5", "P500"))
             status(box.kerf("run", source, "--machine", "laser3", "--points", "p.csv", "--pwm", "w.csv", "--plot",
                             "e.svg", "--plot-energy", "--summary", "s.json", *(["--post", "again.nc"] if source == name

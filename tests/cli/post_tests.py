@@ -374,7 +374,7 @@ def rapid_behind_length(box):
     box.write("tools.toml", "[[tool]]\nnumber = 1\nlength = 80\n[[tool]]\nnumber = 2\nlength = 50\n")
     box.write("part.nc", HEAD + "G43H2G0Z5.\nG1Z-1.F100\nG43H1G0X30.Z5.\nG1Z-1.\nG43H2G0X60.Z5.\nG1Z-1.\nM30\n")
     blocks = [line for line in posted(box, "part.nc", "--tools", "tools.toml") if not line.startswith("(")]
-    equal(blocks[3:-1], ["G1 Z49. F100.", "G0 Z85.", "X30.", "G1 Z79.", "G0 X60.", "Z55.", "G1 Z49."], "blocks")
+    equal(blocks[4:-1], ["G1 Z49. F100.", "G0 Z85.", "X30.", "G1 Z79.", "G0 X60.", "Z55.", "G1 Z49."], "blocks")
 
 
 @test("the length of a tool at a turning head is lost, and said to be")

@@ -64,15 +64,18 @@ bool CellLimits::turns_to_anything(const LinkageBend& linkage) const {
   return kOfGain * linkage.gain * square * square > kMostOfGain * 8 * chord_tolerance_mm_;
 }
 
-// The chord of a circle has the part of the tolerance that its curvature has of the bend.
+// What the samples of a stretch show of the bend may be too much; more than the path's curvature
+// and the swing together it never is. The chord of a circle has the part of the tolerance that its
+// curvature has of the bend.
 double CellLimits::longest_linkage_chord(const CellBounds& bounds) const {
   const LinkageBend& linkage = bounds.linkage;
   const double square = period_s_ * period_s_;
-  double bend = std::max(bounds.curvature, linkage.bend);
+  const double most_bend = bounds.curvature + linkage.swing;
+  double bend = std::clamp(linkage.bend, bounds.curvature, most_bend);
   double left = 8 * chord_tolerance_mm_;  // of 8 δ
   double half_swing = 0;                  // mm, of what is left over a chord
   if (turns_to_anything(linkage)) {
-    bend = bounds.curvature + linkage.swing;
+    bend = most_bend;
   } else {
     left -= kOfGain * linkage.gain * square * square;
     half_swing = std::sqrt(linkage.swing * linkage.gain) * square / 12;

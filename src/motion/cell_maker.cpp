@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/stretch_bounds.hpp"
-
 namespace kerf::motion {
 namespace {
 
@@ -153,13 +151,14 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
     const bool last = begin_ + length + kShortest > most;
     const double end = last ? most : begin_ + length;
     stretch.look(begin_, first, end);
-    bounds = motion::bounds_of(stretch, *linkage_, bounds_of(piece, begin_, end).curvature,
-                               limits_.axis_limits().acceleration);
+    const StretchBends bends = bends_of(stretch, *linkage_, limits_.axis_limits().acceleration);
+    bounds = motion::bounds_of(stretch, bends, bounds_of(piece, begin_, end).curvature,
+                               linkage_->size());
     bounds.at_border = begin_ < piece.begin + border_ || end > piece.end - border_;
     if (bounds.at_border) bounds.tip_acceleration = beside_;
     const bool at_end = !first.rates || !stretch.samples()[2].rates;
     const double shortest = std::max(coarse, at_end ? kAtEnd : 2 * kShortest);
-    if (stretch.length() <= shortest || is_cell(piece, stretch, bounds)) return end;
+    if (stretch.length() <= shortest || is_cell(piece, stretch, bends, bounds)) return end;
   }
 }
 
@@ -169,19 +168,17 @@ double CellMaker::acceleration_at(const JointSample& end) const {
   return end.rates ? limits_.acceleration_along(end.rates->first) : 0;
 }
 
-bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch,
+bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch, const StretchBends& bends,
                         const CellBounds& bounds) const {
   if (!stretch.agrees()) return false;
   const double speed = limits_.highest_speed(bounds, piece.use);
   if (speed >= kMostOverride * piece.feed) return true;
   if (stretch.length() <= kFewPeriods * limits_.period_s() * speed) return true;
-  const auto& samples = stretch.samples();
-  return std::all_of(samples.begin(), samples.end(), [&](const JointSample& sample) {
-    return speed >=
-           (1 - kMostLoss) * limits_.highest_speed(bounds_at(sample, *linkage_, bounds,
-                                                             limits_.axis_limits().acceleration),
-                                                   piece.use);
-  });
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const CellBounds at = bounds_at(*stretch.samples()[i].rates, bends[i], bounds);
+    if (speed < (1 - kMostLoss) * limits_.highest_speed(at, piece.use)) return false;
+  }
+  return true;
 }
 
 void CellMaker::add(const PathPiece& piece, double begin, double end, const CellBounds& bounds,

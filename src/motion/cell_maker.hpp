@@ -8,6 +8,7 @@
 #include "motion/overrides.hpp"
 #include "motion/path.hpp"
 #include "motion/stretch.hpp"
+#include "motion/stretch_bounds.hpp"
 
 namespace kerf::motion {
 
@@ -58,7 +59,7 @@ class CellMaker {
                             CellBounds& bounds) const;
   [[nodiscard]] double acceleration_at(const JointSample& end) const;
   [[nodiscard]] bool is_cell(const PathPiece& piece, const Stretch& stretch,
-                             const CellBounds& bounds) const;
+                             const StretchBends& bends, const CellBounds& bounds) const;
   void add(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
            const Overrides& overrides, Ring<Cell>& cells);
 

@@ -94,17 +94,15 @@ LinkageBend bend_at(const JointSample& sample, const Linkage& linkage,
 }
 
 // Half of what the samples differ by may lie between them.
-LinkageBend bend_of(const Stretch& stretch, const Linkage& linkage,
-                    const AxisVector& acceleration) {
+LinkageBend most_bend(const Stretch& stretch, const StretchBends& bends) {
   Range bend;
   Range swing;
   Range gain;
-  for (const JointSample& sample : stretch.samples()) {
-    if (!sample.rates) continue;
-    const LinkageBend at = bend_at(sample, linkage, acceleration);
-    bend.see(at.bend);
-    swing.see(at.swing);
-    gain.see(at.gain);
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    if (!stretch.samples()[i].rates) continue;
+    bend.see(bends[i].bend);
+    swing.see(bends[i].swing);
+    gain.see(bends[i].gain);
   }
   const auto most = [](const Range& range) {
     return std::max(0.0, kALittle * (range.high() + range.width() / 2));
@@ -114,29 +112,37 @@ LinkageBend bend_of(const Stretch& stretch, const Linkage& linkage,
 
 }  // namespace
 
+StretchBends bends_of(const Stretch& stretch, const Linkage& linkage,
+                      const AxisVector& acceleration) {
+  StretchBends bends;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const JointSample& sample = stretch.samples()[i];
+    if (sample.rates) bends[i] = bend_at(sample, linkage, acceleration);
+  }
+  return bends;
+}
+
 // From the samples whose rates are determined; from how far the axes go, where none are.
-CellBounds bounds_of(const Stretch& stretch, const Linkage& linkage, double curvature,
-                     const AxisVector& acceleration) {
+CellBounds bounds_of(const Stretch& stretch, const StretchBends& bends, double curvature,
+                     std::size_t axes) {
   CellBounds bounds;
   const auto& samples = stretch.samples();
   const AxisVector way = samples[2].joints - samples[0].joints;
   const bool blind = !samples[0].rates && !samples[1].rates && !samples[2].rates;
-  for (std::size_t m = 0; m < linkage.size(); ++m) {
+  for (std::size_t m = 0; m < axes; ++m) {
     bounds.driven.first.values[m] = blind ? std::fabs(way.values[m]) / stretch.length()
                                           : bound(stretch, &PathJet::first, &PathJet::second, m);
     bounds.driven.second.values[m] = bound(stretch, &PathJet::second, &PathJet::third, m);
     bounds.driven.third.values[m] = bound_of_third(stretch, m);
   }
   bounds.curvature = curvature;
-  bounds.linkage = bend_of(stretch, linkage, acceleration);
+  bounds.linkage = most_bend(stretch, bends);
   return bounds;
 }
 
-CellBounds bounds_at(const JointSample& sample, const Linkage& linkage, const CellBounds& stretch,
-                     const AxisVector& acceleration) {
-  const PathJet& rates = *sample.rates;
+CellBounds bounds_at(const PathJet& rates, const LinkageBend& bend, const CellBounds& stretch) {
   CellBounds bounds = stretch;
-  bounds.linkage = bend_at(sample, linkage, acceleration);
+  bounds.linkage = bend;
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     bounds.driven.first.values[m] = std::fabs(rates.first.values[m]);
     bounds.driven.second.values[m] = std::fabs(rates.second.values[m]);

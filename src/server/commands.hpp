@@ -23,7 +23,8 @@ inline constexpr int kCommandsPerSecond = 200;  ///< of a connection, on average
 inline constexpr int kCommandBurst = 400;
 inline constexpr std::size_t kUnderWay =
     64;  ///< commands of a connection that are not answered yet
-inline constexpr std::size_t kAllUnderWay = 1024;  ///< of all connections
+inline constexpr std::size_t kSmallBytes = 4096;  ///< such commands never wait for other clients
+/// Larger commands of all connections that are not answered yet.
 inline constexpr std::size_t kBytesUnderWay = 64U << 20U;
 inline constexpr std::size_t kAnswerBytes = 6U << 20U;  ///< a larger answer is refused
 inline constexpr std::size_t kDiagnostics = 1000;       ///< of `check`; the rest is counted

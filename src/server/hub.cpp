@@ -173,7 +173,6 @@ void Hub::close_all(const std::string& sentence) {
 namespace {
 
 // To read so much costs nothing, so that even what is refused unread is answered by its id.
-constexpr std::size_t kSmallBytes = 4096;
 
 Json id_of(const Json& body) {
   const bool has_id = body.is_object() && body.contains("id") && body["id"].is_primitive();
@@ -216,7 +215,7 @@ Outcome<void> check_who(const Command& command, const Client& client) {
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
   thread_.here();
   const bool admitted = client->admit_command();
-  const bool is_read = admitted || text.size() <= kSmallBytes;
+  const bool is_read = admitted || text.size() <= limits::kSmallBytes;
   const auto objection = is_read ? objection_to_shape(text) : std::nullopt;
   const auto body = std::make_shared<const Json>(
       is_read && !objection ? Json::parse(text, nullptr, false) : Json(Json::value_t::discarded));
@@ -235,7 +234,7 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
   if (!mine)
     return refusal.no(std::to_string(limits::kUnderWay) +
                       " commands of this connection are under way; wait for an answer");
-  Quota::Ticket ours = commands_under_way_.take(text.size());
+  Quota::Ticket ours = large_under_way_.take(text.size() > limits::kSmallBytes ? text.size() : 0);
   if (!ours) return refusal.no("the server has as much under way as it takes; try again later");
   serve({client, client->watched(), body, Reply(client, id_of(*body), {mine, ours}), *given},
         **command);

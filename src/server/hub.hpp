@@ -172,7 +172,7 @@ class Hub {
   std::shared_ptr<ChunkBudget> chunk_budget_ = std::make_shared<ChunkBudget>();
   std::set<std::string> under_way_;  // machines that are being made or removed
   std::uint64_t next_client_ = 1;
-  Quota commands_under_way_{limits::kAllUnderWay, limits::kBytesUnderWay};
+  Quota large_under_way_{limits::kConnections * limits::kUnderWay, limits::kBytesUnderWay};
   // What works for it; in the order in which it ends, last first.
   std::unique_ptr<Worker> disk_;
   std::unique_ptr<Worker> machine_disk_;  // nobody waits for the library there

@@ -212,6 +212,26 @@ def _(place):
     says(refused[-1]["error"], "64 commands of this connection are under way")
 
 
+@test("a crowd that keeps its connections full keeps no operator from a feed hold")
+def _(place):
+    server = place.serve()
+    operator = server.client().watch("arm")
+    operator.load("G4X100.\nM30\n")
+    operator.do("mode", mode="auto")
+    operator.do("cycle-start")
+    operator.wait_for_status("running")
+    server.client().watch("mill").do("load", text=ENDLESS["moves"], name="endless.nc")
+    crowd = [server.client().watch("mill", operate=False) for _ in range(20)]
+    for client in crowd:
+        for _ in range(64):
+            client.post("instant", time_s=1e9)
+    for client in crowd:
+        says(client.refused("machines"), "64 commands of this connection are under way")
+    ask_soon(operator, 5, "feed-hold")
+    ask_soon(server.client(), 5, "machines")
+
+
+
 # Messages
 
 

@@ -14,6 +14,9 @@ if(CMAKE_SCRIPT_MODE_FILE)
   file(WRITE ${OUTPUT}
 "#include \"${HEADER}\"
 
+// Every compiler of ours takes them; the standard promises 65536 characters alone.
+#pragma GCC diagnostic ignored \"-Woverlength-strings\"
+
 const std::vector<${TYPE}>& ${FUNCTION}() {
   static const std::vector<${TYPE}> entries = {
 ${entries}  };

@@ -83,10 +83,10 @@ void Post::tell_override(const Motion& motion) {
 void Post::move(const Motion& motion) {
   const bool rapid = std::holds_alternative<Rapid>(motion.action);
   const base::AxisVector from = beyond_tip(tip_);
-  if (!first_ || (approaches_ && rapid)) {
-    place(rapid ? *target_of(motion) : from);
+  if (rapid && (!first_ || approaches_)) {
+    place(*target_of(motion));
   } else if (!rapid) {
-    travel(from);
+    stand();
   }
   approaches_ = approaches_ && rapid && turning_.empty();
   const MotionExtent extent = extent_of(axes_, from, motion);
@@ -108,6 +108,17 @@ void Post::place(const base::AxisVector& first) {
 // Before spindle or beam are on, and before the first move.
 void Post::begin_place() {
   if (!place_at_) place_at_ = body_.size();
+}
+
+// Where the tool of the run is: what is done there is a cut like others.
+void Post::stand() {
+  const base::AxisVector here = beyond_tip(tip_);
+  if (first_) {
+    travel(here);
+  } else {
+    place(here);
+  }
+  approaches_ = false;
 }
 
 // It is told when it becomes another one, and not each time that a return to reference takes it
@@ -245,7 +256,9 @@ void Post::act(const Thread& thread) {
 // Its point says that P counts seconds: where it counts milliseconds, it may have none. A beam that
 // was turned on behind a rapid burns from G1 on.
 void Post::act(const Dwell& dwell) {
-  if (beam_on_ && laser_.fitted() && !cuts_) {
+  const bool burns = beam_on_ && laser_.fitted();
+  if (burns) stand();
+  if (burns && !cuts_) {
     modal_ = "G1";
     block_.code(modal_);
     if (feed_ < 0) feed(1);  // many a control takes no G1 before any F

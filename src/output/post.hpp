@@ -78,6 +78,7 @@ class Post : public control::MotionSink {
 
   void move(const control::Motion& motion);
   void place(const base::AxisVector& first);
+  void stand();
   void begin_place();
   void set_length(const control::ToolLength& length);
   [[nodiscard]] base::AxisVector beyond_tip(base::AxisVector tip) const;

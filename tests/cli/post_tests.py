@@ -395,6 +395,16 @@ def beam_in_rapid(box):
                                            "M3 S400", "G1 X30.", "M5", "M30"], "blocks")
 
 
+@test("a beam that burns before any way burns where the path begins, and what follows is a rapid")
+def burn_before_any_way(box):
+    box.write("a.tch", "TEACH 1\nPOINT 0 0 0 0 0\nFEED 600\nLASER ON 40\nDWELL 0.25\nPOINT 20 0 5 0 0\n"
+                       "POINT -9 0 5 0 0\nLINE -9 7 5 0 0\nEND\n")
+    rapid = "(LINE 6: RAPID WITHOUT THE BEAM)", "M5", "G0 X20. Z5.", "M3 S400"
+    equal(posted(box, "a.tch", "--machine", "laser3"),
+          ["M5", "G0 Z5.", "G0 X0. Y0.", "G0 Z0.", "M3 S400", "G1 F1.", "G4 P0.25", *rapid,
+           "(LINE 7: RAPID WITHOUT THE BEAM)", "M5", "X-9.", "M3 S400", "G1 Y7. F600.", "M5", "M30"], "blocks")
+
+
 @test("the head of a posted program says what is lost by kind, and so does the summary")
 def lost_by_kind(box):
     loop = "#1=0\nWHILE[#1LT50]DO1\nM77\n#3006=1(PART #1)\n#1=#1+1\nEND1\n"

@@ -1,6 +1,6 @@
 """Whether a posted program cuts what the run cut, however its reader stood before.
 
-Moves are dictionaries: kind (`rapid`, `line`, `arc`, `space-arc`), `from` and `to`, of an arc plane,
+Moves are dictionaries: kind (`rapid`, `line`, `arc`, `space-arc`, `burn`: a dwell with the beam), `from` and `to`, of an arc plane,
 centre, direction and turns; `feed` in mm/min or None; `s`: what spindle or beam had, 0 off. Those of
 a run come from --motion, those of a reader from --motion or from LinuxCNC's rs274.
 """
@@ -37,6 +37,9 @@ def of_records(records, length_at=lambda record: 0, laser=False, start=None):
             s = {"cw": 1, "ccw": -1}.get(record["direction"], 0) * record["speed"]
         if kind == "power" and laser:
             s = 10 * record["percent"] * record.get("beam", True) * (-1 if record.get("follows_speed") else 1)
+        if kind == "dwell" and laser and s != 0:
+            place = raised(at or {}, added)
+            moves.append({**record, "kind": "burn", "s": s, "from": place, "to": place})
         if "to" not in record:
             continue
         at = at or dict.fromkeys(record["to"], 0.0)
@@ -63,7 +66,8 @@ def raised(point, added):
 class Rs274:
     """What LinuxCNC's interpreter makes of a program."""
 
-    def __init__(self, folder, name):
+    def __init__(self, folder, name, laser=False):
+        self.laser = laser
         if not shutil.which("rs274"):
             raise Skipped("rs274 of LinuxCNC (linuxcnc-uspace) is not installed")
         program = Path(folder, name).read_text()
@@ -101,6 +105,8 @@ class Rs274:
             to = dict(zip("XYZABC", map(float, words)))
             if kind == "rapid" or to != self.at:  # G1 alone turns a beam on where it stands
                 self.add({"kind": kind, "to": to})
+        elif name == "DWELL" and self.laser and self.turning != 0:
+            self.add({"kind": "burn", "to": self.at, "seconds": float(words[0])})
         elif name == "ARC_FEED":
             self.arc([float(word) for word in words])
 
@@ -147,7 +153,8 @@ class Way:
         self.begin_rad = a
         self.sweep = (part or 2 * math.pi) + 2 * math.pi * move["turns"]
         self.radii = [math.hypot(p[first] - u, p[second] - v) for p in (self.start, self.end)]
-        self.length = self.sweep * max(self.radii)
+        beside = [axis for axis in self.axes if axis not in self.in_plane]
+        self.length = math.hypot(self.sweep * max(self.radii), distance(self.start, self.end, beside))
 
     def space_arc(self, move):
         self.centre, normal = move["center"], move["normal"]
@@ -235,6 +242,8 @@ class Comparison:
             self.where = f"line {move['line']}, {move['kind']} to {move['to']}"
             if move["kind"] == "rapid":
                 self.rapid(move)
+            elif move["kind"] == "burn":
+                self.burn(move)
             else:
                 self.cut(move)
         self.where = "behind the last cut"
@@ -265,20 +274,31 @@ class Comparison:
             if distance(move["to"], wanted["to"], axes) <= self.digits_mm:
                 return
 
-    def cut(self, wanted):
+    def go_to(self, start):
+        """With rapids."""
         self.begun = True
-        way = Way(wanted)
         while self.peek() and self.peek()["kind"] == "rapid":
             self.pull()
-        stands = self.read[self.next - 1]["to"] if self.next else dict.fromkeys(way.axes, 0.0)
-        off = distance(stands, way.start, way.axes)
-        check(off <= self.digits_mm, f"{self.where}: begins at {stands}, wanted {way.start}")
+        stands = self.read[self.next - 1]["to"] if self.next else dict.fromkeys(start, 0.0)
+        axes = [axis for axis in start if axis in stands]
+        check(distance(stands, start, axes) <= self.digits_mm, f"{self.where}: begins at {stands}, wanted {start}")
+
+    def burn(self, wanted):
+        self.go_to(wanted["to"])
+        move = self.pull()
+        check(move["kind"] == "burn", f"{self.where}: wanted a burn, the reader makes {move}")
+        check(abs(move["seconds"] - wanted["seconds"]) <= 1e-4, f"{self.where}: {move['seconds']} s, wanted {wanted['seconds']} s")
+        check(abs(move["s"] - wanted["s"]) <= 1e-3, f"{self.where}: S{move['s']}, wanted {wanted['s']}")
+
+    def cut(self, wanted):
+        way = Way(wanted)
+        self.go_to(way.start)
         if way.length < 2 * self.digits_mm and not self.is_short_cut_to(way):
             return
         share = 0.0
         while True:
             piece = self.pull()
-            check(piece["kind"] != "rapid", f"{self.where}: the reader makes a rapid to {piece['to']} at {share:.4f} of it")
+            check(piece["kind"] not in ("rapid", "burn"), f"{self.where}: the reader makes a {piece['kind']} to {piece['to']} at {share:.4f} of it")
             self.manner(piece, wanted)
             share = self.follow(Way(piece), way, share)
             done = distance(piece["to"], way.end, way.axes) <= 1.5 * self.digits_mm
@@ -288,7 +308,7 @@ class Comparison:
     def is_short_cut_to(self, way):
         """A cut that the digits may have swallowed is there."""
         move = self.peek()
-        return move is not None and move["kind"] != "rapid" and \
+        return move is not None and move["kind"] not in ("rapid", "burn") and \
             Way(move).length <= 4 * self.digits_mm and distance(move["to"], way.end, way.axes) <= self.digits_mm
 
     def manner(self, piece, wanted):

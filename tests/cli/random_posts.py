@@ -79,7 +79,7 @@ class Case:
         result = self.run("again.nc", "--motion", "again.jsonl", "--dialect", "fanuc-mill")
         check(result.returncode == 0, f"Kerf refuses the posted program: {result.stderr[:300]}")
         yield "Kerf", KERF_MM, self.behind_beginning(of_records(self.records("again.jsonl"), laser=self.laser))
-        moves = Rs274(self.folder, "rs274.nc").moves
+        moves = Rs274(self.folder, "rs274.nc", self.laser).moves
         yield "rs274", RS274_MM, self.behind_beginning([{**move, "to": {k: move["to"][k] for k in BOXES[self.machine]}}
                                               for move in moves])
 

@@ -58,7 +58,7 @@ def compare(box, *command, cwd=None):
     check(any(move["kind"] != "rapid" for move in run), "nothing is cut")
     if "drive.post_beam=M4" in command:
         run = [{**move, "s": -abs(move["s"])} for move in run]
-    Comparison(run, Rs274(box.folder, "post.nc").moves, laser)
+    Comparison(run, Rs274(box.folder, "post.nc", laser).moves, laser)
 
 
 def example_inputs(path):

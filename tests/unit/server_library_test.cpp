@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "server/chunk_store.hpp"
 #include "server/library.hpp"
@@ -75,6 +76,19 @@ TEST(ProgramName, IsTheNameOfAFile) {
   EXPECT_TRUE(check_program_name(std::string(100, 'x')));
   EXPECT_FALSE(check_program_name(std::string(101, 'x')));
   EXPECT_FALSE(check_program_name(std::string("a\0b", 3)));
+}
+
+// The page mends names before it sends them; web/tests/program_name.test.ts reads the same table.
+TEST(ProgramName, IsTakenAsThePageMendsItAndRefusedAsItWas) {
+  std::ifstream file(KERF_TEXT_TESTS "/../program_names.json");
+  const auto table = nlohmann::json::parse(file);
+  ASSERT_GT(table.size(), 20U);
+  for (const auto& row : table) {
+    const auto wanted = row.at(0).get<std::string>();
+    const auto mended = row.at(1).get<std::string>();
+    EXPECT_TRUE(check_program_name(mended)) << mended;
+    EXPECT_EQ(check_program_name(wanted).has_value(), wanted == mended) << wanted;
+  }
 }
 
 TEST_F(LibraryTest, KeepsWhatIsWrittenAcrossAnEnd) {

@@ -239,6 +239,13 @@ export class PanelPage {
     if (!(await check.count())) await this.training_button('Begin').click();
     await check.waitFor();
   }
+  async choose_machine(name) {
+    await this.page.locator('header .chosen').click();
+    await this.page
+      .locator('.machine', { has: this.page.locator(`b:text-is("${name}")`) })
+      .click();
+    await this.page.locator('header .chosen b', { hasText: new RegExp(`^${name}$`) }).waitFor();
+  }
   async open_library() {
     await this.page
       .locator('.program .bar')

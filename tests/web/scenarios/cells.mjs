@@ -24,6 +24,39 @@ export const cells = [
     },
   },
   {
+    name: 'a tool keeps its row when all of it is set to 0',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      const length = panel.page.getByRole('textbox', { name: 'T66 Length', exact: true });
+      await panel.tab('Tools');
+      await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('66');
+      await panel.page.keyboard.press('Enter');
+      await length.waitFor();
+      await set_cell(panel, 'T66 Length', '2');
+      await shows(panel, 'T66 Length', '2.000');
+      await panel.page.reload(); // from now on only the machine tells of it
+      await panel.operates();
+      await panel.tab('Tools');
+      await length.waitFor();
+      await set_cell(panel, 'T66 Length', '0');
+      await shows(panel, 'T66 Length', '0.000');
+      await panel.tab('Offsets');
+      await panel.tab('Tools');
+      await shows(panel, 'T66 Length', '0.000');
+      await panel.page.locator('h1').click();
+      await panel.page.keyboard.press('Control+z');
+      await shows(panel, 'T66 Length', '2.000');
+      await set_cell(panel, 'T66 Length', '0');
+      await shows(panel, 'T66 Length', '0.000');
+
+      // Another machine has a table of its own.
+      await panel.choose_machine('laser');
+      await panel.until(() => !document.querySelector('input[aria-label="T66 Length"]'));
+      await panel.choose_machine('mill');
+    },
+  },
+  {
     name: 'an entry is set, added, goes to the next row, and is asked about where it is far off',
     async run({ open }) {
       const panel = await open();

@@ -24,18 +24,9 @@ export const drafts = [
     name: 'an edit is there when another machine was chosen and the first again',
     async run({ open }) {
       const panel = await typed(open, 'draft-machine.nc');
-      const machine = async (name) => {
-        await panel.page.locator('header .chosen').click();
-        await panel.page
-          .locator('.machine', { has: panel.page.locator(`b:text-is("${name}")`) })
-          .click();
-        await panel.page
-          .locator('header .chosen b', { hasText: new RegExp(`^${name}$`) })
-          .waitFor();
-      };
-      await machine('laser');
+      await panel.choose_machine('laser');
       await panel.says('kept as drafts: draft-machine.nc');
-      await machine('mill');
+      await panel.choose_machine('mill');
       await offer(panel).waitFor();
       assert.equal(await text_with_work(panel).count(), 0, 'the text is that of the machine');
       await offer(panel).getByRole('button', { name: 'Restore' }).click();

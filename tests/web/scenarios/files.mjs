@@ -159,9 +159,9 @@ export const files = [
 
       await choose_files(panel, ['<bad>.nc', LONG]);
       await question(panel, 'does not take the name <bad>.nc')
-        .getByRole('button', { name: 'Upload as -bad-.nc' })
+        .getByRole('button', { name: 'Upload as bad-.nc' })
         .click();
-      await panel.says('-bad-.nc is in the library.');
+      await panel.says('bad-.nc is in the library.');
       // Any ending, and none.
       await choose_files(panel, ['O1234', LONG], ['part.MIN', LONG], ['part.EIA', LONG]);
       for (const name of ['O1234', 'part.MIN', 'part.EIA'])

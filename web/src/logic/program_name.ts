@@ -28,7 +28,7 @@ function shortened(name: string): string {
   const ending = dot > 0 && name.length - dot <= 8 ? name.slice(dot) : '';
   let stem = [...name.slice(0, name.length - ending.length)];
   while (stem.length && bytes_in(stem.join('') + ending) > MOST_BYTES) stem = stem.slice(0, -1);
-  return stem.join('').replace(/[. ]+$/, '') + ending;
+  return (stem.join('') + ending).replace(/[. ]+$/, '');
 }
 
 /** part.nc, part-2.nc, part-3.nc: the first that is free. */

@@ -14,9 +14,9 @@ const MOST_OFTEN_MS = 400;
 
 class Offsets {
   work = $state.raw<WorkOffset[]>([]);
-  /** Those that the machine tells, and those that were added to be filled in. */
+  /** Those that the machine tells, and the rows that stand already: one that becomes all 0, or is to be filled in, stays. */
   tools = $state.raw<Tool[]>([]);
-  private added: number[] = [];
+  private machine = '';
   private timer: ReturnType<typeof setTimeout> | null = null;
 
   refresh(): void {
@@ -37,8 +37,7 @@ class Offsets {
 
   /** A row for a tool of which nothing is known yet. */
   add_tool(number: number): void {
-    this.added = [...this.added, number];
-    this.tools = with_added(this.tools, this.added);
+    this.tools = with_added(this.tools, [number]);
   }
 
   private async change(
@@ -58,10 +57,14 @@ class Offsets {
   }
 
   private async ask(): Promise<void> {
+    const { machine } = panel;
     const work = await panel.ask('offsets').catch(() => null);
-    if (work) this.work = by_system(work.offsets as OffsetRow[]);
     const tools = await panel.ask('tools').catch(() => null);
-    if (tools) this.tools = with_added(tools.tools as Tool[], this.added);
+    if (machine !== panel.machine) return;
+    const rows = machine === this.machine ? this.tools.map((tool) => tool.number) : [];
+    if (work) this.work = by_system(work.offsets as OffsetRow[]);
+    if (tools) this.tools = with_added(tools.tools as Tool[], rows);
+    if (tools) this.machine = machine;
   }
 }
 

@@ -96,6 +96,9 @@ class Dialect {
                                                             std::size_t level) = 0;
   /// The values of all variables that can be listed, of every level.
   virtual void read_variables(std::vector<double>& values) = 0;
+  /// Puts a variable among values that were read; they may have none of this name.
+  virtual void put_variable(std::vector<double>& /*values*/, const std::string& /*name*/,
+                            double /*value*/, std::size_t /*level*/) const {}
   /// What the memory holds of these variables becomes what was read of them.
   virtual void put_back(std::span<const double> /*values*/, control::Memory& /*memory*/) const {}
   /// Whether list_variables() has a variable of this name unless it is vacant.

@@ -20,17 +20,7 @@ namespace {
 RunStart at_power_on(const MachineDefinition& definition, control::Memory memory,
                      LiveMachine::Settings settings) {
   std::string dialect = settings.dialect.empty() ? definition.dialect : settings.dialect;
-  return {definition,
-          std::move(memory),
-          std::move(settings),
-          std::move(dialect),
-          {},
-          {},
-          {},
-          {},
-          {},
-          {},
-          0};
+  return {definition, std::move(memory), std::move(settings), std::move(dialect)};
 }
 
 }  // namespace
@@ -357,7 +347,8 @@ LiveMachine::Outcome LiveMachine::set_variable(const std::string& name, std::opt
     return impl_->perform(act);
   const std::size_t wanted = level.value_or(core.shown_level());
   return impl_->perform_at_axes(
-      act, {}, [=](LiveCore& at) { return at.enter_variable(name, value, wanted); });
+      act, [=](LiveCore& at) { return at.show_variable(name, value, wanted); },
+      [=](LiveCore& at) { return at.enter_variable(name, value, wanted); });
 }
 
 LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::string_view axis,

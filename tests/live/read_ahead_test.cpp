@@ -233,6 +233,58 @@ TEST(ReadAhead, CommonsThatSurviveTheResetGoBackToo) {
   EXPECT_EQ(bench.value("#100"), 1);
 }
 
+// What the operator has entered counts from then on, though no block has read it yet.
+TEST(ReadAhead, WhatTheOperatorEntersInAHoldIsShownAtOnceAndStays) {
+  Bench bench;
+  bench.load("O1\n#500=1\n#501=1\nG91G01X100.F600\n#501=2\nG01X1.\n#500=3\nG01X1.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  EXPECT_DONE(bench->set_variable("#500", 7));
+  EXPECT_DONE(bench->set_variable("#502", 8));
+  EXPECT_DONE(bench->set_variable("#500", 9));
+  EXPECT_DONE(bench->set_variable("#1", 5));
+  EXPECT_EQ(bench.value("#500"), 9);
+  EXPECT_EQ(bench.value("#502"), 8);
+  EXPECT_EQ(bench.value("#1"), 5);
+  EXPECT_EQ(bench.value("#501"), 1);
+  EXPECT_EQ(kept(bench), 9);
+  bench->reset();
+  bench.settle();
+  EXPECT_EQ(kept(bench), 9);
+  EXPECT_EQ(kept(bench, 502), 8);
+  EXPECT_EQ(kept(bench, 501), 1);
+}
+
+TEST(ReadAhead, WhatTheProgramSetsBehindAnEntryCounts) {
+  Bench bench;
+  bench.load("O1\n#500=1\nG91G61G01X10.F600\n#501=#500\nG01X10.\n#500=3\nG01X10.\nM30\n");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(0.5);
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  EXPECT_DONE(bench->set_variable("#500", 7));
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_EQ(bench.value("#500"), 7);
+  EXPECT_EQ(bench.value("#501"), 7);
+  bench->advance(1);
+  EXPECT_EQ(bench.value("#500"), 3);
+  EXPECT_EQ(kept(bench), 3);
+}
+
+TEST(ReadAhead, AVariableOfBasicIsShownAsItWasEntered) {
+  Bench bench("laser3");
+  bench.load("speed(10)\na=1\nline(100,0)\na=2\nline(200,0)\nend\n", "a.bas", "laser-basic");
+  EXPECT_DONE(bench->cycle_start());
+  bench->advance(1);
+  EXPECT_DONE(bench->feed_hold());
+  EXPECT_EQ(bench.settle(), Status::held);
+  EXPECT_DONE(bench->set_variable("A", 7));
+  EXPECT_EQ(bench.value("A"), 7);
+}
+
 TEST(ReadAhead, ASearchThatFindsNoLineChangesNoMemory) {
   Bench bench;
   bench.load("O1\n#500=1\nG10L2P1X5.\nG01X1.F600\nM30\nN9G01X2.\n");
@@ -268,9 +320,11 @@ TEST(ReadAhead, AtAnyInstantOfAnyOperatorTheMemoryIsWhatThePanelShows) {
     };
     Bench bench;
     bench.load(kCounters);
+    EXPECT_DONE(bench->set_variable("#600", 0));
     EXPECT_DONE(bench->cycle_start());
+    double entered = 0;
     for (int i = 0; i < 60; ++i) {
-      switch (number(8)) {
+      switch (number(9)) {
         case 0: static_cast<void>(bench->cycle_start()); break;
         case 1: static_cast<void>(bench->feed_hold()); break;
         case 2: static_cast<void>(bench->set_switch(Switch::single_block, number(2) == 0)); break;
@@ -283,15 +337,21 @@ TEST(ReadAhead, AtAnyInstantOfAnyOperatorTheMemoryIsWhatThePanelShows) {
           bench.settle(0.001);
           static_cast<void>(bench->cycle_start());
           break;
+        case 6:
+          if (bench->set_variable("#600", i)) entered = i;
+          break;
         default: static_cast<void>(bench->set_dials({100, 100, 100}));
       }
+      EXPECT_EQ(kept(bench, 600), entered);
       bench->advance(number(200) / 1000.0);
       expect_shown(bench);
+      EXPECT_EQ(bench.value("#600"), entered);
     }
     static_cast<void>(bench->set_dials({100, 100, 100}));
     bench->reset();
     const double shown = shown_last(bench);
     EXPECT_TRUE(kept(bench) == shown || vm::is_null(shown));
+    EXPECT_EQ(kept(bench, 600), entered);
     expect_shown(bench);
     if (testing::Test::HasFailure()) return;
   }

@@ -102,6 +102,12 @@ void BasicDialect::read_variables(std::vector<double>& values) {
     values.push_back(control_.variable(number));
 }
 
+void BasicDialect::put_variable(std::vector<double>& values, const std::string& name, double value,
+                                std::size_t /*level*/) const {
+  const auto number = program_.find_variable(capitals(name));
+  if (number && *number < values.size()) values[*number] = value;
+}
+
 VariableListing BasicDialect::list_variables(std::span<const double> values,
                                              std::size_t /*level*/) {
   VariableListing listing;

@@ -24,6 +24,8 @@ class BasicDialect final : public Dialect {
   [[nodiscard]] base::Outcome<void> set_variable_at(const std::string& name, double value,
                                                     std::size_t level) override;
   void read_variables(std::vector<double>& values) override;
+  void put_variable(std::vector<double>& values, const std::string& name, double value,
+                    std::size_t level) const override;
   [[nodiscard]] VariableListing list_variables(std::span<const double> values,
                                                std::size_t level) override;
   void reset() override;

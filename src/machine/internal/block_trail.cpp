@@ -75,6 +75,28 @@ const BlockState& BlockTrail::at(std::uint64_t motion) {
   return last_;
 }
 
+// Images that were shared stay shared.
+void BlockTrail::enter(const std::string& name, double value, std::size_t level,
+                       std::uint64_t until) {
+  std::shared_ptr<const VariableImage> before;
+  std::shared_ptr<const VariableImage> after;
+  const auto change = [&](BlockState& state) {
+    if (!state.variables) return;
+    if (state.variables != before) {
+      before = state.variables;
+      std::vector<double> values = before->values();
+      language_.put_variable(values, name, value, level);
+      after = VariableImage::of(values, before);
+    }
+    state.variables = after;
+  };
+  change(last_);
+  for (Entry& entry : entries_) {
+    if (entry.first >= until) break;
+    change(entry.state);
+  }
+}
+
 const BlockState& BlockTrail::newest() {
   refresh();
   return now_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "control/memory.hpp"
@@ -49,6 +50,8 @@ class BlockTrail : public control::MotionSink {
   void settle();
   /// What was shown with motion number `motion`, counted from 1; forgets what was before it.
   [[nodiscard]] const BlockState& at(std::uint64_t motion);
+  /// The operator enters a variable: it has this value with the motions before number `until`.
+  void enter(const std::string& name, double value, std::size_t level, std::uint64_t until);
   /// Of the control as it stands now.
   [[nodiscard]] const BlockState& newest();
   /// Motions that were handed out.

@@ -28,6 +28,8 @@ class GcodeDialect final : public Dialect {
   [[nodiscard]] bool is_local(const std::string& name) const override;
   [[nodiscard]] bool is_input(const std::string& name) const override;
   void read_variables(std::vector<double>& values) override;
+  void put_variable(std::vector<double>& values, const std::string& name, double value,
+                    std::size_t level) const override;
   void put_back(std::span<const double> values, control::Memory& memory) const override;
   [[nodiscard]] bool is_listed(const std::string& name) const override;
   [[nodiscard]] VariableListing list_variables(std::span<const double> values,

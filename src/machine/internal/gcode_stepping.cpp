@@ -81,6 +81,16 @@ void GcodeDialect::read_variables(std::vector<double>& values) {
   }
 }
 
+void GcodeDialect::put_variable(std::vector<double>& values, const std::string& name, double value,
+                                std::size_t level) const {
+  const auto number = number_of_variable(name);
+  if (!number || !is_listed(name)) return;
+  const std::size_t index = is_common(*number)
+                                ? index_of_common(*number)
+                                : memory_.commons.size() + level * gcode::kLocals + *number;
+  if (index < values.size()) values[index] = value;
+}
+
 void GcodeDialect::put_back(std::span<const double> values, control::Memory& memory) const {
   std::copy_n(values.begin(), memory.commons.size(), memory.commons.begin());
 }

@@ -116,6 +116,7 @@ void LiveCore::begin_anew() {
   activity_ = Activity::none;
   is_entry_ = feed_hold_ = block_hold_ = dial_hold_ = resetting_ = was_stepping_ = false;
   deadline_s_ = 0;
+  entered_.clear();
   said_ = 0;
   interrupts_missed_ = 0;
   apply_panel();

@@ -25,12 +25,12 @@ struct RunStart {
   control::Memory memory;
   LiveMachine::Settings settings;
   std::string dialect;
-  PanelSettings panel;
-  std::optional<ProgramText> program;
-  std::vector<Breakpoint> breakpoints;
-  base::AxisVector shift;  ///< of G92
-  Signals signals;
-  std::string printed;  ///< the end of it
+  PanelSettings panel{};
+  std::optional<ProgramText> program{};
+  std::vector<Breakpoint> breakpoints{};
+  base::AxisVector shift{};  ///< of G92
+  Signals signals{};
+  std::string printed{};  ///< the end of it
   std::uint64_t printed_bytes = 0;
 };
 
@@ -108,6 +108,10 @@ class LiveCore : private AxisPointSink {
   /// Whatever moves: before a block that the axes have not begun.
   Outcome enter_variable(const std::string& name, std::optional<double> value,
                          std::optional<std::size_t> level);
+  /// What was entered so counts for the blocks before that, too: the panel shows it, and a reset
+  /// keeps it.
+  Outcome show_variable(const std::string& name, std::optional<double> value,
+                        std::optional<std::size_t> level);
   Outcome set_offset(const std::string& offset, const std::string& axis, double value);
   /// Precondition: nothing moves.
   void set_memory(control::Memory memory);
@@ -239,6 +243,7 @@ class LiveCore : private AxisPointSink {
   std::string printed_;
   std::uint64_t printed_bytes_ = 0;
   std::deque<std::string> input_;
+  std::map<std::string, std::uint64_t> entered_;  // the first motion that knows of the entry
   LatestPoints latest_;
   bool has_refused_ = false;  // something that was to be done before a block
   LineFinder lines_;

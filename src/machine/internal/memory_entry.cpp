@@ -54,7 +54,9 @@ LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<
                                          std::optional<std::size_t> level) {
   if (machine_->language().is_input(name)) return set_input(name, value.value_or(0));
   if (!stands()) return refused(Refusal::variables_moving);
-  return enter_variable(name, value, level);
+  const std::size_t wanted = level.value_or(shown_level());
+  if (auto set = enter_variable(name, value, level); !set) return set;
+  return show_variable(name, value, wanted);
 }
 
 LiveCore::Outcome LiveCore::enter_variable(const std::string& name, std::optional<double> value,
@@ -65,8 +67,17 @@ LiveCore::Outcome LiveCore::enter_variable(const std::string& name, std::optiona
   auto set = machine_->language().set_variable_at(name, value.value_or(vm::kNull),
                                                   level.value_or(innermost));
   if (!set) return set;
+  entered_[name] = trail_->motions() + 1;
   stepper_->forget_values();
   ++changes_;
+  return {};
+}
+
+LiveCore::Outcome LiveCore::show_variable(const std::string& name, std::optional<double> value,
+                                          std::optional<std::size_t> level) {
+  const auto known = entered_.find(name);
+  if (known == entered_.end()) return {};
+  trail_->enter(name, value.value_or(vm::kNull), level.value_or(shown_level()), known->second);
   return {};
 }
 

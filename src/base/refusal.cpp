@@ -38,4 +38,10 @@ Failure refuse(Refusal which, std::vector<std::string> values) {
   return failure;
 }
 
+Failure refuse_for(std::string alarm, Refusal which, std::vector<std::string> values) {
+  Failure failure = refuse(which, std::move(values));
+  failure.values.push_back({"alarm", std::move(alarm)});
+  return failure;
+}
+
 }  // namespace kerf::base

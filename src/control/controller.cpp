@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/decimal.hpp"
+#include "base/refusal.hpp"
 #include "control/assumed.hpp"
 #include "control/print_format.hpp"
 #include "lang/vm/value.hpp"
@@ -201,10 +202,11 @@ base::Outcome<void> Controller::set_variable(std::uint32_t number, double value)
   const bool good =
       variables_.write(number, value, event) && event.kind == SystemVariables::Event::Kind::none;
   if (good) return {};
-  std::string why = alarms_.alarm() ? alarms_.alarm()->message : "it cannot be set";
+  const auto alarm = alarms_.alarm();
   alarms_.clear();
-  return tl::unexpected(
-      base::Failure{base::Failure::Kind::usage, "#" + std::to_string(number) + ": " + why});
+  return tl::unexpected(base::refuse_for(
+      alarm ? alarm->number : "", base::Refusal::variable_not_set,
+      {std::to_string(number), alarm ? alarm->message : "it cannot be set"}));
 }
 
 // vm::Host

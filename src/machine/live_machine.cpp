@@ -393,9 +393,12 @@ VariableListing LiveMachine::variables_at_state(std::optional<std::size_t> level
 
 namespace {
 
-std::string words_of(const teach::Mistake& mistake) {
-  const std::string message(base::text_of(mistake.code).message);
-  return mistake.detail.empty() ? message : message + ": " + mistake.detail;
+tl::unexpected<base::Failure> refused(const teach::Mistake& mistake) {
+  const auto& text = base::text_of(mistake.code);
+  const std::string message(text.message);
+  return tl::unexpected(base::refuse_for(
+      std::string(text.number), Refusal::taught_wrong,
+      {mistake.detail.empty() ? message : message + ": " + mistake.detail}));
 }
 
 }  // namespace
@@ -414,15 +417,15 @@ base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::strin
     case Capture::arc_end: mistake = taught.arc(joints); break;
     case Capture::circle_end: mistake = taught.circle(joints); break;
   }
-  if (mistake) return refused(words_of(*mistake));
+  if (mistake) return refused(*mistake);
   return this->taught();
 }
 
 base::Outcome<LiveMachine::Taught> LiveMachine::teach_record(std::string_view record) {
   if (impl_->core->panel().mode != Mode::teach) return refused(Refusal::records_mode);
   const auto parsed = teach::parse_record(teach::Words(record));
-  if (!parsed) return refused(words_of(parsed.error()));
-  if (const auto mistake = impl_->capture.add(*parsed)) return refused(words_of(*mistake));
+  if (!parsed) return refused(parsed.error());
+  if (const auto mistake = impl_->capture.add(*parsed)) return refused(*mistake);
   return taught();
 }
 

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <string>
 
+#include "base/refusal.hpp"
+
 namespace kerf::machine {
 namespace {
 
 constexpr double kSecondsPerDay = 86400;
 
-tl::unexpected<base::Failure> unusable(std::uint32_t variable, const std::string& why) {
-  return tl::unexpected(
-      base::Failure{base::Failure::Kind::usage, "#" + std::to_string(variable) + ": " + why});
+tl::unexpected<base::Failure> unusable(std::uint32_t variable, base::Refusal why) {
+  return tl::unexpected(base::refuse(why, {std::to_string(variable)}));
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ std::optional<base::Outcome<void>> Signals::set(std::uint32_t variable, double v
 
 // #1000 to #1015 are bits, #1032 is all of them, #1033 to #1035 are words of 32 bits.
 base::Outcome<void> Signals::set_input(std::uint32_t variable, double value) {
-  if (variable > 1015 && variable < 1032) return unusable(variable, "there is no such input");
+  if (variable > 1015 && variable < 1032) return unusable(variable, base::Refusal::no_such_input);
   if (variable < 1016) {
     const std::uint32_t bit = 1U << (variable - 1000);
     inputs_[0] = value != 0 ? inputs_[0] | bit : inputs_[0] & ~bit;
@@ -33,7 +34,7 @@ base::Outcome<void> Signals::set_input(std::uint32_t variable, double value) {
   }
   const double rounded = std::round(value);
   if (rounded < -2147483648.0 || rounded > 4294967295.0)
-    return unusable(variable, "32 bits do not hold this value");
+    return unusable(variable, base::Refusal::word_range);
   const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(rounded));
   inputs_[variable - 1032] = variable == 1032 ? bits & 0xffffU : bits;
   return {};
@@ -45,7 +46,7 @@ base::Outcome<void> Signals::set_date(double value) {
   const std::chrono::year_month_day day{std::chrono::year{date / 10000},
                                         std::chrono::month{static_cast<unsigned>(date / 100 % 100)},
                                         std::chrono::day{static_cast<unsigned>(date % 100)}};
-  if (!day.ok() || date != value) return unusable(3011, "a date is written yyyymmdd");
+  if (!day.ok() || date != value) return unusable(3011, base::Refusal::date_form);
   start_day_ = day;
   return {};
 }
@@ -54,7 +55,7 @@ base::Outcome<void> Signals::set_time(double value) {
   constexpr double kMostTime = 235959;
   const auto time = static_cast<int>(std::clamp(value, 0.0, kMostTime));
   if (time != value || time / 100 % 100 > 59 || time % 100 > 59)
-    return unusable(3012, "a time is written hhmmss");
+    return unusable(3012, base::Refusal::time_form);
   start_second_ = time / 10000 * 3600 + time / 100 % 100 * 60 + time % 100;
   return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/refusal.hpp"
 #include "lang/vm/value.hpp"
 #include "machine/dialect.hpp"
 
@@ -23,6 +24,17 @@ tl::unexpected<base::Failure> refused(const Breakpoint& breakpoint, const std::s
       base::Failure{base::Failure::Kind::usage, words_of(breakpoint) + ": " + why});
 }
 
+// The sentence of the condition's own mistake, behind where it stands.
+base::Failure with_place(const Breakpoint& breakpoint, const base::Failure& mistake) {
+  if (!breakpoint.variable.empty())
+    return {base::Failure::Kind::usage, words_of(breakpoint) + ": " + mistake.message};
+  const auto number = std::find_if(mistake.values.begin(), mistake.values.end(),
+                                   [](const auto& value) { return value.name == "alarm"; });
+  return base::refuse_for(number == mistake.values.end() ? "" : number->text,
+                          base::Refusal::breakpoint_condition,
+                          {std::to_string(breakpoint.line), mistake.message});
+}
+
 }  // namespace
 
 base::Outcome<std::vector<Condition>> Stepper::compile(const std::vector<Breakpoint>& breakpoints) {
@@ -32,11 +44,12 @@ base::Outcome<std::vector<Condition>> Stepper::compile(const std::vector<Breakpo
     if (of_variable == (breakpoint.line != 0))
       return refused(breakpoint, "it has either a line or a variable");
     if (of_variable && !dialect_->variable(breakpoint.variable, 0))
-      return refused(breakpoint, "the program has no such variable");
+      return tl::unexpected(
+          base::refuse(base::Refusal::breakpoint_variable, {breakpoint.variable}));
     conditions.emplace_back();
     if (breakpoint.condition.empty()) continue;
     auto condition = dialect_->compile_condition(breakpoint.condition);
-    if (!condition) return refused(breakpoint, condition.error().message);
+    if (!condition) return tl::unexpected(with_place(breakpoint, condition.error()));
     conditions.back() = std::move(*condition);
   }
   return conditions;

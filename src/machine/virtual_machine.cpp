@@ -71,6 +71,11 @@ bool VirtualMachine::input_can_be_read() {
   return !waits_for_input_;
 }
 
+std::uint32_t VirtualMachine::inputs(std::size_t word) {
+  input_wait_.read(servo_.time_s());
+  return signals_.inputs(word);
+}
+
 double VirtualMachine::seconds() {
   if (!is_paced_) servo_.finish();
   return servo_.time_s();
@@ -132,6 +137,7 @@ bool VirtualMachine::all_motions_made() const {
 bool VirtualMachine::ready() const {
   if (diverted_ != nullptr) return true;
   if (is_paced_) return servo_.has_room() && !servo_.broken_off();
+  if (!input_waits_ && input_wait_.waits()) return false;
   return !motions_spent_ && !refused_ && !servo_.broken_off() && !limit_.unwanted() &&
          statistics_.motions() < slice_end_;
 }
@@ -161,6 +167,7 @@ void VirtualMachine::make(const control::Motion& motion) {
   }
   motions_spent_ |= all_motions_made() && control::target_of(motion) != nullptr;
   if (motions_spent_ || refused_) return;
+  if (control::target_of(motion) != nullptr) input_wait_.moved();
   if (judge_ != nullptr) judge_->take(motion);
   if (refused_) return;
   if (const auto* const power = std::get_if<control::Power>(&motion.action)) made_beam_ = *power;
@@ -261,14 +268,19 @@ VirtualMachine::Status VirtualMachine::broken_off(Status status) {
   return status == Status::alarm ? status : Status::budget;
 }
 
-void VirtualMachine::note_spent(const std::string& what) {
-  notice_ = base::make_error(base::Code::budget_spent, control().standing_at(), what);
+void VirtualMachine::note_spent(const std::string& what, base::Code code) {
+  notice_ = base::make_error(code, control().standing_at(), what);
   notice_->severity = base::Severity::warning;
   notice_->program = control().running_program();
 }
 
 VirtualMachine::Status VirtualMachine::spent(const std::string& what) {
   note_spent(what);
+  return finish(Status::budget);
+}
+
+VirtualMachine::Status VirtualMachine::waits_for_signal() {
+  note_spent("it moves nothing, and only reads inputs", base::Code::waits_for_input);
   return finish(Status::budget);
 }
 
@@ -288,6 +300,7 @@ std::string VirtualMachine::words_for(const base::WorkLimit& limit) {
 
 VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
   most_motions_ = budget.motions;
+  input_waits_ = budget.input_waits;
   watch_clock(base::WorkLimit(budget.seconds, budget.unwanted));
   const bool fresh = status_ == Status::idle || status_ == Status::end;
   if (status_ == Status::alarm) return status_;
@@ -302,6 +315,7 @@ VirtualMachine::Status VirtualMachine::go(const Budget& budget, bool batch) {
     if (progress_) progress_();
     if (halt == Halt::none && search_is_over(slice)) return finish(Status::alarm);
     if (halt == Halt::none && (servo_.broken_off() || refused_)) return finish(Status::budget);
+    if (!input_waits_ && input_wait_.waits()) return waits_for_signal();
     if (motions_spent_) return spent("the motions allowed are made");
     // Whatever it has halted for: a program may do nothing but stop, and a batch run goes on.
     if (limit_.unwanted()) return spent(words_for(limit_));

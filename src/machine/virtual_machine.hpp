@@ -17,6 +17,7 @@
 #include "machine/alarm_search.hpp"
 #include "machine/dialect.hpp"
 #include "machine/dotted_cut.hpp"
+#include "machine/input_wait.hpp"
 #include "machine/machine_definition.hpp"
 #include "machine/run_statistics.hpp"
 #include "machine/servo.hpp"
@@ -38,6 +39,7 @@ struct Budget {
   double seconds = 60;  ///< of computing
   std::uint64_t motions = 50'000'000;
   std::uint64_t steps = 0;     ///< jumps, blocks and pages, about
+  bool input_waits = true;     ///< false: a program that waits for an input (InputWait) ends there
   std::stop_token unwanted{};  ///< stopped: the run ends in Status::budget within milliseconds
 };
 
@@ -205,6 +207,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
+  /// The program has read an input signal: what it does may depend on it.
+  [[nodiscard]] bool has_read_inputs() const { return input_wait_.any(); }
   /// Time that the axes took so far, dwells included.
   [[nodiscard]] double time_s() const { return servo_.time_s(); }
   [[nodiscard]] const std::string& dialect() const { return dialect_name_; }
@@ -234,7 +238,7 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::optional<control::Refusal> refusal(const base::AxisVector& from, const control::Motion& move,
                                           Intent intent) override;
   std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override;
-  std::uint32_t inputs(std::size_t word) override { return signals_.inputs(word); }
+  std::uint32_t inputs(std::size_t word) override;
   void print(std::string_view text) override;
   bool input_can_be_read() override;
   std::optional<std::string> input() override { return input_ ? input_() : std::nullopt; }
@@ -254,11 +258,12 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   Status go(const Budget& budget, bool batch);
   Status finish(Status status);
   Status spent(const std::string& what);
+  Status waits_for_signal();
   bool passes_alarm();
   void note_alarm(const base::Diagnostic& alarm);
   [[nodiscard]] bool search_is_over(std::uint64_t steps);
   Status end_search();
-  void note_spent(const std::string& what);
+  void note_spent(const std::string& what, base::Code code = base::Code::budget_spent);
   Status broken_off(Status status);
   void watch_clock(const base::WorkLimit& limit);
   [[nodiscard]] static std::string words_for(const base::WorkLimit& limit);
@@ -293,6 +298,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   bool motions_spent_ = false;    // one more than most_motions_ was asked for
   bool refused_ = false;          // by the judge
   std::uint64_t handed_out_ = 0;  // motions, moves or not
+  InputWait input_wait_;
+  bool input_waits_ = true;  // as the budget has it
   std::optional<AlarmSearch> search_;
   std::uint64_t search_steps_ = 0;
 

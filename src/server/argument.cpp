@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "base/refusal.hpp"
 
 namespace kerf::server {
 namespace {
@@ -24,6 +25,11 @@ std::string range_text(const Argument& argument) {
   };
   if (!std::isfinite(argument.low) && !std::isfinite(argument.high)) return "";
   return " " + side(argument.low) + " to " + side(argument.high);
+}
+
+bool is_range(const Argument& argument) {
+  return argument.kind == Kind::number && std::isfinite(argument.low) &&
+         std::isfinite(argument.high);
 }
 
 std::string list_text(const std::vector<std::string_view>& words) {
@@ -117,6 +123,11 @@ Outcome<void> check_arguments(const Json& object, const std::vector<Argument>& a
     if (frame) continue;
     if (argument == arguments.end())
       return usage("there is no argument " + key.substr(0, 40) + " here");
+    if (!fits(value, *argument) && is_range(*argument))
+      return tl::unexpected(base::refuse(base::Refusal::number_range,
+                                         {std::string(argument->name),
+                                          base::number_text(argument->low),
+                                          base::number_text(argument->high)}));
     if (!fits(value, *argument))
       return usage(std::string(argument->name) + " must be " + kind_text(*argument));
     if (auto checked = check_fields(value, *argument); !checked) return checked;

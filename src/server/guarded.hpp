@@ -1,9 +1,9 @@
 #pragma once
 
 #include <exception>
-#include <string>
+#include <utility>
 
-#include "base/result.hpp"
+#include "base/refusal.hpp"
 
 namespace kerf::server {
 
@@ -14,8 +14,9 @@ auto guarded(Action&& action) -> decltype(action()) {
   try {
     return action();
   } catch (const std::exception& fault) {
-    return tl::unexpected(base::Failure{base::Failure::Kind::output,
-                                        std::string("fault of Kerf itself: ") + fault.what()});
+    base::Failure failure = base::refuse(base::Refusal::own_fault, {fault.what()});
+    failure.kind = base::Failure::Kind::output;
+    return tl::unexpected(std::move(failure));
   }
 }
 

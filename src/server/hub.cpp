@@ -190,8 +190,11 @@ Outcome<const Command*> command_of(const Json& body) {
   const std::string name = body["do"].get<std::string>();
   const Command* const command = find_command(name);
   if (command == nullptr) return wrong("there is no command " + name.substr(0, 40));
-  if (auto checked = check_arguments(body, command->arguments, {"id", "do", "at_ms"}); !checked)
-    return wrong(name + ": " + checked.error().message);
+  if (auto checked = check_arguments(body, command->arguments, {"id", "do", "at_ms"}); !checked) {
+    base::Failure failure = checked.error();
+    failure.message = name + ": " + failure.message;
+    return tl::unexpected(std::move(failure));
+  }
   return command;
 }
 
@@ -232,10 +235,9 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
   if (auto suits = check_who(**command, *client); !suits) return refusal.no(suits.error());
   Quota::Ticket mine = client->begin_command();
   if (!mine)
-    return refusal.no(std::to_string(limits::kUnderWay) +
-                      " commands of this connection are under way; wait for an answer");
+    return refusal.no(base::Refusal::under_way, {std::to_string(limits::kUnderWay)});
   Quota::Ticket ours = large_under_way_.take(text.size() > limits::kSmallBytes ? text.size() : 0);
-  if (!ours) return refusal.no("the server has as much under way as it takes; try again later");
+  if (!ours) return refusal.no(base::Refusal::server_busy);
   serve({client, client->watched(), body, Reply(client, id_of(*body), {mine, ours}), *given},
         **command);
 }
@@ -244,7 +246,7 @@ void Hub::refuse_haste(Client& client, const Reply& reply) {
   constexpr int kMostRefused = 1000;
   if (++client.refused_in_a_row > kMostRefused)
     return client.close(Link::Why::policy, "Commands came faster than the server takes them.");
-  reply.no("there are more than 200 commands a second on this connection");
+  reply.no(base::Refusal::too_fast);
 }
 
 void Hub::serve(const Request& request, const Command& command) {
@@ -253,7 +255,7 @@ void Hub::serve(const Request& request, const Command& command) {
     find_handler(command.name)(*this, request);
   } catch (const std::exception& fault) {
     tell(name + ": fault of Kerf itself: " + fault.what());
-    request.reply.no(std::string("fault of Kerf itself: ") + fault.what());
+    request.reply.no(base::Refusal::own_fault, {fault.what()});
   }
 }
 

@@ -25,8 +25,7 @@ const machine::BuiltinMachine* find_builtin(std::string_view name) {
 Outcome<StoredMachine> new_machine(const std::string& name, const std::string& kind) {
   const machine::BuiltinMachine* const builtin = find_builtin(kind);
   if (builtin == nullptr)
-    return tl::unexpected(
-        Failure{Failure::Kind::usage, "there is no built-in machine " + output::printable(kind)});
+    return tl::unexpected(base::refuse(base::Refusal::no_builtin, {output::printable(kind)}));
   StoredMachine machine;
   machine.name = name;
   machine.kind = kind;
@@ -109,10 +108,9 @@ void Hub::create(const Request& request) {
   if (find(name) != nullptr || under_way_.contains(name))
     return request.reply.no(base::Refusal::machine_exists, {name});
   if (machines_.size() + under_way_.size() >= limits::kMachines)
-    return request.reply.no("this server has " + std::to_string(limits::kMachines) +
-                            " machines, and takes no more");
+    return request.reply.no(base::Refusal::machines_full, {std::to_string(limits::kMachines)});
   auto machine = new_machine(name, request.arguments().text("definition"));
-  if (!machine) return request.reply.no(machine.error().message);
+  if (!machine) return request.reply.no(machine.error());
   under_way_.insert(name);
   const auto done = [this, name, machine = *machine, reply = request.reply](Outcome<void> added) {
     under_way_.erase(name);
@@ -134,7 +132,7 @@ void Hub::remove(const Request& request) {
     if (watcher != request.client.get())
       return request.reply.no(base::Refusal::machine_watched, {name, watcher->shown_name()});
   }
-  if (!under_way_.insert(name).second) return request.reply.no(name + " is being removed");
+  if (!under_way_.insert(name).second) return request.reply.no(base::Refusal::machine_leaving, {name});
   if (request.client->watched() == machine) leave_machine(*request.client);
   write(
       request.reply,
@@ -202,7 +200,7 @@ Outcome<void> Hub::keep_definition(const StoredMachine& stored, Runner& runner) 
 
 void Hub::put_definition(const StoredMachine& stored, const Reply& reply) {
   MachineRecord* const machine = find(stored.name);
-  if (machine == nullptr) return reply.no("the machine " + stored.name + " has been removed");
+  if (machine == nullptr) return reply.no(base::Refusal::machine_removed, {stored.name});
   machine->definition = stored.definition;
   machine->toml = stored.toml;
   start_preview(*machine, stored.definition, stored.memory);

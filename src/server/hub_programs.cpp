@@ -82,7 +82,7 @@ void Hub::loaded(const std::string& name, const LoadedProgram& program,
                  const machine::MachineDefinition& definition, const control::Memory& memory,
                  const Reply& reply) {
   MachineRecord* const machine = find(name);
-  if (machine == nullptr) return reply.no("the machine " + name + " has been removed");
+  if (machine == nullptr) return reply.no(base::Refusal::machine_removed, {name});
   machine->program = program;
   start_preview(*machine, definition, memory);
   tell_machines();
@@ -94,6 +94,7 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   thread_.here();
   machine.cancel_preview();
   machine.preview.reset();
+  machine.preview_began_ms = clock_.now_ms();
   if (!machine.program) return;
   PreviewOrder order{definition, memory,
                      [this, program = *machine.program] { return text_of(program); },
@@ -128,8 +129,11 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
 void Hub::renew_preview(MachineRecord& machine) {
   machine.thread->post(machine.runner, Pace::quick, [this, name = machine.name](Runner& runner) {
     to_sockets_([this, name, definition = runner.machine().definition_of_run(),
-                 memory = runner.machine().memory()] {
-      if (MachineRecord* const found = find(name)) start_preview(*found, definition, memory);
+                 memory = runner.machine().memory(), snapshot = runner.machine().snapshot()] {
+      MachineRecord* const found = find(name);
+      if (found == nullptr) return;
+      found->snapshot = snapshot;
+      start_preview(*found, definition, memory);
     });
   });
 }

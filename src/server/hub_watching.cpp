@@ -11,7 +11,7 @@ void Hub::watch(const Request& request) {
   const std::string name = request.arguments().text("machine");
   MachineRecord* const machine = find(name);
   if (machine == nullptr) return request.reply.no(base::Refusal::no_machine, {name});
-  if (under_way_.contains(name)) return request.reply.no(name + " is being removed");
+  if (under_way_.contains(name)) return request.reply.no(base::Refusal::machine_leaving, {name});
   Client& client = *request.client;
   if (client.watched() != machine) leave_machine(client);
   std::erase(machine->watchers, &client);
@@ -57,6 +57,10 @@ void Hub::tick() {
   const double now_ms = clock_.now_ms();
   for (const auto& [name, machine] : machines_) {
     if (machine->op != nullptr && machine->op->falls_silent(now_ms)) end_jog(*machine);
+    if (machine->wants_preview(now_ms)) {
+      machine->is_preview_out_of_date = false;
+      renew_preview(*machine);
+    }
     if (!machine->request || now_ms < machine->request->until_ms) continue;
     set_operator(*machine, machine->request->client);
     tell_machines();
@@ -115,11 +119,11 @@ void Hub::operate(const Request& request) {
   const bool mine = machine.op == client;
   if (arguments.has("hand_to")) {
     const std::string to = arguments.text("hand_to");
-    if (!mine) return request.reply.no("only who operates " + machine.name + " can hand it over");
+    if (!mine) return request.reply.no(base::Refusal::hands_over_only, {machine.name});
     const auto found = std::find_if(machine.watchers.begin(), machine.watchers.end(),
                                     [&](const Client* each) { return each->name() == to; });
     if (found == machine.watchers.end())
-      return request.reply.no("no client " + to + " watches " + machine.name);
+      return request.reply.no(base::Refusal::no_client, {to, machine.name});
     set_operator(machine, *found);
   } else if (arguments.flag("take")) {
     if (machine.op != nullptr && !mine)

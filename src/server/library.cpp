@@ -25,6 +25,10 @@ tl::unexpected<Failure> usage(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::usage, message});
 }
 
+tl::unexpected<Failure> refused(base::Refusal why, std::vector<std::string> values) {
+  return tl::unexpected(base::refuse(why, std::move(values)));
+}
+
 tl::unexpected<Failure> disk(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::output, message});
 }
@@ -113,7 +117,7 @@ Outcome<std::string> Library::path_of(const std::string& name) const {
     case Entry::program: return path;
     case Entry::nothing:
       return tl::unexpected(base::refuse(base::Refusal::no_library_program, {name}));
-    case Entry::other: return usage(name + " is no file, and the library touches nothing else");
+    case Entry::other: return refused(base::Refusal::no_file, {name});
   }
   return path;
 }
@@ -131,10 +135,9 @@ Outcome<std::string> Library::read_revision(const std::string& name, std::int64_
   return guarded([&]() -> Outcome<std::string> {
     auto text = revisions_->text(name, number);
     if (!text)
-      return usage(name + " has no revision " + std::to_string(number) +
-                   " whose text has been kept");
+      return refused(base::Refusal::no_revision, {name, std::to_string(number)});
     if (text->size() > kMostReadBytes)
-      return usage("this revision of " + name + " is larger than 4 MiB");
+      return refused(base::Refusal::revision_large, {name});
     return std::move(*text);
   });
 }
@@ -156,14 +159,13 @@ Outcome<void> Library::check_room_for(const std::string& name) const {
   if (auto checked = check_program_name(name); !checked) return checked;
   switch (look_at(join(name)).entry) {
     case Entry::program: return {};
-    case Entry::other: return usage(name + " is no file, and the library touches nothing else");
+    case Entry::other: return refused(base::Refusal::no_file, {name});
     case Entry::nothing: break;
   }
   const auto all = programs();
   if (!all) return tl::unexpected(all.error());
   if (all->size() < kMostPrograms) return {};
-  return usage("the library holds " + std::to_string(kMostPrograms) +
-               " programs, and takes no more");
+  return refused(base::Refusal::library_full, {std::to_string(kMostPrograms)});
 }
 
 // What stands on the disk, if it is not the newest revision: someone has changed the file.

@@ -19,6 +19,10 @@ Json suited_kinds(const machine::MachineDefinition& definition) {
   return kinds;
 }
 
+// Of time between two previews: where the one before has come to its end, and where it has not.
+constexpr double kPause_ms = 500;
+constexpr double kLongPause_ms = 5000;
+
 }  // namespace
 
 MachineRecord::MachineRecord(const StoredMachine& stored, std::shared_ptr<Runner> runner_in,
@@ -30,6 +34,12 @@ MachineRecord::MachineRecord(const StoredMachine& stored, std::shared_ptr<Runner
       runner(std::move(runner_in)),
       thread(&thread_in),
       program(stored.program) {}
+
+bool MachineRecord::wants_preview(double now_ms) const {
+  if (!is_preview_out_of_date || !path) return false;
+  if (!path->done) return now_ms - preview_began_ms >= kLongPause_ms;
+  return path->has_read_inputs && now_ms - preview_began_ms >= kPause_ms;
+}
 
 void MachineRecord::touch() {
   ++touched_;

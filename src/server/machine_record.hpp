@@ -45,6 +45,8 @@ class MachineRecord {
   std::shared_ptr<Preview> preview;
   std::optional<PreviewState> path;
   std::uint32_t preview_run = 0;
+  double preview_began_ms = 0;          ///< of the server's clock
+  bool is_preview_out_of_date = false;  ///< inputs were given since
   std::vector<machine::Breakpoint> breakpoint_list;
   Json breakpoints = Json::array();
 
@@ -53,6 +55,10 @@ class MachineRecord {
   /// Something of the state may be other than it was: its watchers get it.
   void touch();
   [[nodiscard]] std::uint64_t touched() const { return touched_; }
+
+  /// The preview is to be made once more, at this time of the server's clock: soon after the first
+  /// signal, and not for each of many.
+  [[nodiscard]] bool wants_preview(double now_ms) const;
 
   [[nodiscard]] Json path_event() const;
   /// A row of `machines`.

@@ -54,7 +54,9 @@ class Preview::Run {
     machine_.add_point_sink(chunks_);
     machine_.observe_progress([this] { look_at_clock(); });
     const auto status =
-        machine_.run_to_end({.seconds = kMostSeconds, .unwanted = preview_.unwanted_.get_token()});
+        machine_.run_to_end({.seconds = kMostSeconds,
+                             .input_waits = false,
+                             .unwanted = preview_.unwanted_.get_token()});
     if (preview_.cancelled() && disk_error_.empty()) return;
     chunks_.finish();
     finish(error_of(status));
@@ -110,6 +112,7 @@ class Preview::Run {
     state.totals = chunks_.totals();
     state.files = files_of(machine_.sources());
     state.error = std::move(error);
+    state.has_read_inputs = machine_.has_read_inputs();
     return state;
   }
 

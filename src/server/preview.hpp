@@ -41,6 +41,7 @@ struct PreviewState {
   Json error;                      ///< a diagnostic, or null
   Json findings = Json::array();   ///< diagnostics: `error`, if it is an alarm, and those behind it
   Json stop = nullptr;             ///< `{motion, time_s}` where the control stops, or null
+  bool has_read_inputs = false;    ///< other input signals may make another path of it
   bool is_cut_short = false;       ///< behind the stop not everything was looked at
 };
 

@@ -20,9 +20,6 @@ constexpr std::string_view kForbidden = "/\\:*?\"<>|";
 
 using base::Refusal;
 
-tl::unexpected<base::Failure> wrong(const std::string& message) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, message});
-}
 tl::unexpected<base::Failure> wrong(Refusal refusal, std::vector<std::string> values = {}) {
   return tl::unexpected(base::refuse(refusal, std::move(values)));
 }
@@ -94,7 +91,7 @@ base::Outcome<void> check_program_name(const std::string& name) {
   if (name.size() > kLongestProgram)
     return wrong(Refusal::program_name_long, {std::to_string(name.size())});
   const std::string shown = output::printable(name);
-  if (shown != name) return wrong("the name " + shown + " has characters that are no text");
+  if (shown != name) return wrong(Refusal::program_name_text, {shown});
   const std::size_t bad = name.find_first_of(kForbidden);
   if (bad != std::string::npos)
     return wrong(Refusal::program_name_character, {shown, std::string(1, name[bad])});

@@ -69,6 +69,8 @@ time the server begins, `began_ms` when that was, since 1970.
 program begins, whenever it has gone further, and when it ends. The preview goes on behind alarms, without their blocks:
 `findings` are all of them, each code once a line, the first one being `error`; `stop` is the last motion that a machine
 would make and the time when it rests behind that. `cut_short`: of what comes behind the stop, not everything was looked at.
+`error` may be a warning, where a preview ends though the machine would go on: BUDGET, or INPUT_WAIT of a program that waits for an
+input signal. `set-input` renews the preview of a program that reads inputs, at most twice a second.
 
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 

@@ -28,7 +28,7 @@ void speeds(Hub& hub, const Request& request) {
                                static_cast<std::size_t>(arguments.integer("points"))};
   if (question.to_s < question.from_s)
     return request.reply.no("speeds: `to_s` comes before `from_s`");
-  if (!request.machine->preview) return request.reply.no("no program is loaded");
+  if (!request.machine->preview) return request.reply.no(base::Refusal::no_program);
   hub.aside(request,
             [question, chunks = request.machine->preview->chunks()](
                 const base::WorkLimit& limit) -> Outcome<Json> {

@@ -295,31 +295,6 @@ def _(place):
     client.refused("set-variable", name="#-1", value=1)
 
 
-@test("a program that waits for an input signal goes on when it is given, running or held")
-def _(place):
-    client = place.serve().client().watch("mill")
-    program = "O1\nG91 G01 X1. F3000\nWHILE [#1003 EQ 0] DO1\nG04 P100\nEND1\nX1.\nM30\n"
-    client.do("load", text=program, name="waits.nc")  # its preview waits, too
-    client.do("mode", mode="auto")
-    for held in (False, True):
-        client.do("set-input", input=1003, value=0)
-        start = client.state["position"]["machine"]["X"]
-        client.do("cycle-start")
-        client.wait_for(lambda: client.state["line"] == 4, "the loop")
-        if held:
-            client.do("feed-hold")
-            client.wait_for(lambda: client.state["status"] == "held", "feed hold")
-            client.do("set-variable", name="#100", value=7)
-        client.do("set-input", input=1003, value=1)
-        if held:
-            client.do("cycle-start")
-        client.wait_for(lambda: client.state["status"] == "end", "the end")
-        equal(client.state["inputs"], [8, 0, 0, 0], "inputs")
-        check(abs(client.state["position"]["machine"]["X"] - start - 2) < 1e-6, "where it stands")
-    says(client.refused("set-input", input=1016, value=1), "no such input")
-    says(client.refused("set-input", input=999, value=1), "1000 to 1035")
-
-
 @test("optional stop, block skip and the interrupt act where the axes are")
 def _(place):
     client = place.serve().client().watch("mill")

@@ -241,9 +241,7 @@ export class PanelPage {
   }
   async choose_machine(name) {
     await this.page.locator('header .chosen').click();
-    await this.page
-      .locator('.machine', { has: this.page.locator(`b:text-is("${name}")`) })
-      .click();
+    await this.page.locator('.machine', { has: this.page.locator(`b:text-is("${name}")`) }).click();
     await this.page.locator('header .chosen b', { hasText: new RegExp(`^${name}$`) }).waitFor();
   }
   async open_library() {

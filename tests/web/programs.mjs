@@ -46,6 +46,22 @@ M30
 %
 `;
 
+/** Two hours of rectangles. */
+export const RUNS_FOR_HOURS = `%
+O0250 (RECTANGLES)
+G90 G54 G00 X0. Y0.
+#500=0
+WHILE [#500 LT 600] DO1
+G01 X100. F2000.
+Y100.
+X0.
+Y0.
+#500=#500+1
+END1
+M30
+%
+`;
+
 /** Divides by zero in line 5, behind a move. */
 export const WRONG = `%
 O0300 (DIVIDES BY ZERO)

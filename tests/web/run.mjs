@@ -1,10 +1,11 @@
-// node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--part 1/2] [--chromium PATH]
+// node tests/web/run.mjs (--base URL | --kerf PROGRAM) [--shots DIR] [--only WORD]… [--part 1/2] [--soak MINUTES] [--chromium PATH]
 //
 // Drives the page of the panel as a person does, in a real browser, against a real `kerf serve`. With --kerf a server is
 // started with an empty data folder and ended afterwards; some scenarios need that, because they end it themselves. Each
 // scenario has a page of its own; what one leaves behind in the server does not matter to the next. --part runs every
 // second of them, from the first or from the second on. --shots takes the pictures of docs/images/panel, and makes them
-// small where pngquant is installed; Chinese needs a font, such as fonts-noto-cjk. Exit status: 0 all hold · 1 some do not · 2 wrong usage.
+// small where pngquant is installed; Chinese needs a font, such as fonts-noto-cjk.
+// --soak looks at one running machine for so long instead, and holds what the page has used up (soak.mjs). Exit status: 0 all hold · 1 some do not · 2 wrong usage.
 import { spawnSync } from 'node:child_process';
 import { mkdirSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,6 +13,7 @@ import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 import { PanelPage } from './panel_page.mjs';
 import { Server } from './server.mjs';
+import { soak } from './soak.mjs';
 import { accessibility } from './scenarios/accessibility.mjs';
 import { debugging } from './scenarios/debugging.mjs';
 import { editing } from './scenarios/editing.mjs';
@@ -21,6 +23,7 @@ import { million } from './scenarios/million.mjs';
 import { newcomer } from './scenarios/newcomer.mjs';
 import { operating } from './scenarios/operating.mjs';
 import { pictures } from './scenarios/pictures.mjs';
+import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
 import { files } from './scenarios/files.mjs';
@@ -46,6 +49,7 @@ const ALL = [
   ...phone,
   ...training,
   ...newcomer,
+  ...starting,
   ...accessibility,
   ...faults,
   ...million,
@@ -63,6 +67,7 @@ const { values } = parseArgs({
     shots: { type: 'string' },
     only: { type: 'string', multiple: true },
     part: { type: 'string', default: '1/1' },
+    soak: { type: 'string' },
     chromium: { type: 'string', default: '/usr/bin/chromium' },
   },
 });
@@ -88,9 +93,10 @@ const browser = await chromium.launch({
   ],
 });
 
-const wanted = ALL.filter(
-  ({ name }) => !values.only || values.only.some((word) => name.includes(word)),
-).filter((_, i) => i % parts === part - 1);
+const scenarios = values.soak ? [a_long_look(Number(values.soak))] : ALL;
+const wanted = scenarios
+  .filter(({ name }) => !values.only || values.only.some((word) => name.includes(word)))
+  .filter((_, i) => i % parts === part - 1);
 let failed = 0;
 let left_out = 0;
 for (const scenario of wanted) {
@@ -107,6 +113,14 @@ await server?.end();
 if (values.shots) make_small(values.shots);
 console.log(`${wanted.length - failed - left_out} hold, ${failed} do not, ${left_out} left out`);
 process.exit(failed || wanted.length === 0 ? 1 : 0);
+
+function a_long_look(minutes) {
+  return {
+    name: `nothing grows in ${minutes} minutes at a running machine`,
+    limit_ms: (minutes + 5) * 60_000,
+    run: async ({ open }) => soak(await open(), minutes),
+  };
+}
 
 function why_not(scenario) {
   if (scenario.needs_server && !server) return 'it ends the server: --kerf is needed';

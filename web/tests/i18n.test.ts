@@ -5,6 +5,7 @@ import { BINDINGS, GROUPS } from '../src/logic/keymap';
 import { TABLES, chosen_language, text_of } from '../src/logic/i18n';
 import { ALARMS_ZH_HANT } from '../src/logic/i18n/alarms_zh_hant';
 import { EDITOR_PHRASES_ZH_HANT } from '../src/logic/i18n/editor_zh_hant';
+import { MACHINE_MESSAGES_ZH_HANT, machine_message } from '../src/logic/i18n/machine_messages';
 import { MACHINE_TITLES_ZH_HANT, machine_title } from '../src/logic/i18n/machine_titles';
 import { refusal_words } from '../src/logic/i18n/refusals';
 import { REFUSALS_ZH_HANT } from '../src/logic/i18n/refusals_zh_hant';
@@ -127,6 +128,19 @@ describe('what others say in English has Chinese words', () => {
     expect(phrases.length).toBeGreaterThan(20);
     expect(phrases.filter((phrase) => !(phrase in EDITOR_PHRASES_ZH_HANT))).toEqual([]);
   });
+  it('what the machine itself says', () => {
+    const room = join(__dirname, '../../src/machine');
+    const files = readdirSync(room, { recursive: true })
+      .map(String)
+      .filter((file) => file.endsWith('.cpp'));
+    const said = files.flatMap((file) =>
+      [...readFileSync(join(room, file), 'utf8').matchAll(/\bsay\("([^"]+)"\)/g)].map(
+        ([, sentence]) => sentence,
+      ),
+    );
+    expect([...new Set(said)].sort()).toEqual(Object.keys(MACHINE_MESSAGES_ZH_HANT).sort());
+    expect(machine_message('zh-Hant', 'PART 3 OF 5')).toBe('PART 3 OF 5');
+  });
   it('the titles of the built-in machines', () => {
     const folder = join(__dirname, '../../machines');
     const files = readdirSync(folder).filter((file) => file.endsWith('.toml'));
@@ -166,6 +180,44 @@ describe('refusals', () => {
     expect(refusal_words('en', 'said', 'command-late', late)).toBe('said');
     expect(refusal_words('zh-Hant', 'said', 'another', {})).toBe('said');
     expect(refusal_words('zh-Hant', 'said', undefined)).toBe('said');
+    const stops = { line: '7', why: 'ZERO DIVIDE', alarm: 'PS0112' };
+    expect(refusal_words('zh-Hant', 'said', 'start-alarm', stops)).toBe(
+      `到達第 7 行之前：${ALARMS_ZH_HANT.PS0112[0]} (ZERO DIVIDE)`,
+    );
+  });
+});
+
+describe('refusals that stand in the code', () => {
+  // What the page never sends: a mistake of who writes another client, or of the command line.
+  const OF_OTHER_CLIENTS = [
+    'load: either `program` or `text` is needed',
+    'speeds: `to_s` comes before `from_s`',
+    'there is no exercise ',
+    'there is no machine ',
+    'lines are counted from 1',
+    'blocks are skipped by levels 1 to 9',
+    'the feed override is 0 to 200 percent',
+    'the rapid override is 0 to 100 percent',
+    'the spindle override is 50 to 120 percent',
+    'a jog by a distance needs one, at most ',
+    'this is no number',
+    'times of a run begin with 0 s',
+    "Kerf does not run the language '",
+    'the time of computing is over before the interrupt at ',
+  ];
+  const sources = ['machine', 'machine/internal', 'server'].flatMap((room) => {
+    const folder = join(__dirname, '../../src', room);
+    return readdirSync(folder)
+      .filter((file) => file.endsWith('.cpp'))
+      .map((file) => readFileSync(join(folder, file), 'utf8'));
+  });
+
+  it('have a code, so that they have Chinese words', () => {
+    const said = sources.flatMap((source) =>
+      [...source.matchAll(/\b(?:refused|no)\(\s*"([^"]+)"/g)].map(([, sentence]) => sentence),
+    );
+    expect(said.filter((sentence) => !OF_OTHER_CLIENTS.includes(sentence))).toEqual([]);
+    expect(OF_OTHER_CLIENTS.filter((sentence) => !said.includes(sentence))).toEqual([]);
   });
 });
 

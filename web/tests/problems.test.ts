@@ -68,6 +68,11 @@ describe('all that is wrong', () => {
     const found = problems_of(sources({ path: path(alarm(8), alarm(2)) }));
     expect(found.find((p) => p.stops)?.line).toBe(8);
   });
+  it('does not say that the control stops where it only waits', () => {
+    const waits = { ...alarm(4, 'INPUT_WAIT'), severity: 'warning' as const };
+    const found = problems_of(sources({ path: { findings: [], error: waits } }));
+    expect(found.map((p) => [p.code, p.stops])).toEqual([['INPUT_WAIT', false]]);
+  });
   it('leaves out what the run has met in a text that was edited since', () => {
     const edited = sources({
       checked: { file: 'a.nc', found: [mark(4, 'PS0004')] },

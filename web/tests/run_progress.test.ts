@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { EMPTY_STATE, MDI_ENTRY, type Alarm, type MachineState } from '../src/logic/protocol';
-import { progress_of, stop_of } from '../src/logic/run_progress';
+import { progress_of, stop_of, wait_of } from '../src/logic/run_progress';
 
 const state = (changes: Partial<MachineState>): MachineState => ({
   ...EMPTY_STATE,
@@ -44,6 +44,11 @@ describe('a run that ends with an alarm', () => {
     column: 1,
     cause: '',
     remedy: '',
+  });
+  it('is another thing than one that waits for an input', () => {
+    expect(wait_of(alarm(4, 'INPUT_WAIT'))?.line).toBe(4);
+    expect(wait_of(alarm(4, 'PS0112'))).toBeNull();
+    expect(wait_of(null)).toBeNull();
   });
   it('stops at the alarm that stands, else at that of its preview', () => {
     expect(stop_of(state({}), null)).toBeNull();

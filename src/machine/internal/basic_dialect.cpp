@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "lang/vm/value.hpp"
+#include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -12,10 +13,6 @@ std::string capitals(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
-}
-
-tl::unexpected<base::Failure> refused(const std::string& why) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, why});
 }
 
 }  // namespace
@@ -48,8 +45,7 @@ void BasicDialect::check(base::Findings& found) {
 base::Outcome<void> BasicDialect::set_variable(const std::string& name, double value) {
   const auto number = program_.find_variable(capitals(name));
   if (!number)
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::usage, "the program has no variable of this name"});
+    return refused(base::Refusal::no_program_variable);
   if (started_) {
     control_.set_variable(*number, value);
   } else {
@@ -65,9 +61,11 @@ std::optional<base::Diagnostic> BasicDialect::start_entry(base::FileId file) {
 }
 
 base::Outcome<Condition> BasicDialect::compile_condition(const std::string& text) {
-  if (!program_.loaded()) return refused("no program is loaded");
+  if (!program_.loaded()) return refused(base::Refusal::no_program);
   auto page = program_.compile_condition(text);
-  if (!page) return refused(page.error().message);
+  if (!page)
+    return refused(base::refuse_for(page.error().number, base::Refusal::condition_wrong,
+                                    {page.error().message}));
   Condition condition;
   condition.code = std::move(*page);
   return condition;

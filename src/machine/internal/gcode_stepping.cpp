@@ -6,13 +6,10 @@
 #include "lang/gcode/condition.hpp"
 #include "lang/vm/value.hpp"
 #include "machine/internal/gcode_dialect.hpp"
+#include "machine/internal/refused.hpp"
 
 namespace kerf::machine {
 namespace {
-
-tl::unexpected<base::Failure> refused(const std::string& why) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, why});
-}
 
 bool is_common(std::uint32_t number) {
   return (number >= 100 && number <= 199) || (number >= 500 && number <= 999);
@@ -26,7 +23,9 @@ std::size_t index_of_common(std::uint32_t number) {
 
 base::Outcome<Condition> GcodeDialect::compile_condition(const std::string& text) {
   auto page = gcode::compile_condition(text, library_.names());
-  if (!page) return refused(page.error().message);
+  if (!page)
+    return refused(base::refuse_for(page.error().number, base::Refusal::condition_wrong,
+                                    {page.error().message}));
   Condition condition;
   condition.code = std::move(*page);
   condition.evaluation =
@@ -63,9 +62,9 @@ bool GcodeDialect::is_input(const std::string& name) const {
 base::Outcome<void> GcodeDialect::set_variable_at(const std::string& name, double value,
                                                   std::size_t level) {
   const auto number = number_of_variable(name);
-  if (!number) return refused("'#NUMBER' is expected, not '" + name + "'");
+  if (!number) return refused(base::Refusal::no_variable_name, {name});
   if (*number == 0 || !is_local(name) || !started_) return set_variable(name, value);
-  if (level >= controller_.levels()) return refused("there is no such level of calls");
+  if (level >= controller_.levels()) return refused(base::Refusal::no_level);
   controller_.locals_of(level)[*number] = value;
   return {};
 }

@@ -37,7 +37,9 @@ LiveCore::Outcome LiveCore::queue_moves(const std::vector<control::Motion>& moti
   for (const control::Motion& motion : motions) {
     if (const auto refusal = machine_->command(motion)) {
       if (!any) activity_ = Activity::none;
-      if (!any) return refused(refusal->sentence);
+      if (!any)
+        return refused(base::refuse_for(std::string(base::text_of(refusal->code).number),
+                                        Refusal::joints_cannot, {refusal->sentence}));
       break;
     }
     any = true;

@@ -91,7 +91,7 @@ LiveCore::Outcome LiveCore::set_offset(const std::string& offset, const std::str
                                        double value) {
   if (is_active()) return refused(Refusal::offsets_moving);
   if (!(std::fabs(value) <= kMostOffset_mm))
-    return refused("an offset is at most " + base::number_text(kMostOffset_mm));
+    return refused(Refusal::offset_range, {base::number_text(kMostOffset_mm)});
   if (double* const tool = tool_offset(machine_->memory(), offset)) {
     *tool = value;
   } else {

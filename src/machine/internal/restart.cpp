@@ -26,11 +26,12 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
   machine_->control().set_single_block(false);
   stepper_->search_line(line);
   bool found = false;
-  const auto because = [](std::string sentence) {
-    return base::Failure{base::Failure::Kind::usage, std::move(sentence)};
+  const auto alarmed = [line](const base::Diagnostic& alarm) {
+    return base::refuse_for(alarm.number, Refusal::start_alarm,
+                            {std::to_string(line), alarm.message});
   };
   base::Failure why = base::refuse(Refusal::start_not_reached, {std::to_string(line)});
-  if (!machine_->set_off()) why = because(machine_->alarm()->message);
+  if (!machine_->set_off()) why = alarmed(*machine_->alarm());
   const auto goes_on = [&](std::uint64_t steps) {
     return steps < kSteps && machine_->is_active() && !limit_.reached();
   };
@@ -41,8 +42,7 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
     if (halt == control::Halt::end)
       why = base::refuse(Refusal::start_ends_before, {std::to_string(line)});
     if (halt == control::Halt::alarm)
-      why = because("before line " + std::to_string(line) +
-                    " is reached: " + machine_->control().alarm()->message);
+      why = alarmed(*machine_->control().alarm());
     if (found || halt == control::Halt::end || halt == control::Halt::alarm) break;
   }
   stepper_->search_line(0);

@@ -1,5 +1,6 @@
 #include "machine/internal/teach_dialect.hpp"
 
+#include "machine/internal/refused.hpp"
 #include "machine/taught_for.hpp"
 
 namespace kerf::machine {
@@ -26,8 +27,7 @@ std::optional<base::Diagnostic> TeachDialect::start_entry(base::FileId file) {
 }
 
 base::Outcome<Condition> TeachDialect::compile_condition(const std::string& /*text*/) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage,
-                                      "taught points have no variables, and so no conditions"});
+  return refused(base::Refusal::taught_conditions);
 }
 
 std::optional<bool> TeachDialect::holds(Condition& /*condition*/) { return std::nullopt; }
@@ -49,8 +49,7 @@ VariableListing TeachDialect::list_variables(std::span<const double> /*values*/,
 }
 
 base::Outcome<void> TeachDialect::set_variable(const std::string& /*name*/, double /*value*/) {
-  return tl::unexpected(
-      base::Failure{base::Failure::Kind::usage, "taught points have no variables"});
+  return refused(base::Refusal::taught_variables);
 }
 
 }  // namespace kerf::machine

@@ -62,6 +62,7 @@ export const accessibility = [
       for (const [name, key] of [
         ['keyboard', '?'],
         ['library', 'Control+o'],
+        ['manual', 'F1'],
       ]) {
         await panel.page.locator('h1').click();
         await panel.page.keyboard.press(key);
@@ -69,6 +70,17 @@ export const accessibility = [
         found.push(...(await findings(panel, name)));
         await panel.page.keyboard.press('Escape');
         await panel.page.getByRole('dialog').waitFor({ state: 'detached' });
+      }
+      await panel.page.getByRole('button', { name: 'Settings of the machine' }).click();
+      await panel.page.getByRole('dialog').waitFor();
+      found.push(...(await findings(panel, 'settings')));
+      await panel.page.keyboard.press('Escape');
+      const openers = await panel.page.locator('.popover > .opener:visible').all();
+      assert.ok(openers.length >= 4, 'machines, files, operator, what is shown');
+      for (const opener of openers) {
+        await opener.click();
+        found.push(...(await findings(panel, await opener.innerText())));
+        await panel.page.keyboard.press('Escape');
       }
       await panel.press('AUTO');
       // A question, an edit, a draft that is offered, an alarm, a request for the machine.
@@ -80,6 +92,10 @@ export const accessibility = [
       await panel.page.getByRole('button', { name: 'Close: axe.nc' }).click();
       await panel.page.locator('dialog.question').waitFor();
       await look('question');
+      await panel.page.keyboard.press('Escape');
+      await panel.press('Over');
+      await panel.page.getByRole('alertdialog').waitFor();
+      await look('question at a key');
       await panel.page.keyboard.press('Escape');
       panel.page.once('dialog', (dialog) => dialog.accept());
       await panel.page.reload();
@@ -102,18 +118,30 @@ export const accessibility = [
       assert.equal([...new Set(found)].join('\n'), '');
     },
   })),
-  {
-    name: 'axe finds nothing on a phone, nor while the server hangs',
+  ...['dark', 'light'].map((scheme) => ({
+    name: `axe finds nothing on a phone, nor while the server hangs (${scheme})`,
     needs_server: true,
     async run({ open, server }) {
-      const panel = await open({ width: 390, height: 844, touch: true });
+      const panel = await open({ width: 390, height: 844, touch: true, scheme });
       await panel.operates();
+      await panel.press('Reset');
       await panel.page.evaluate(AXE);
       const found = [];
-      for (const pane of ['Position', 'Program', 'Picture', 'More']) {
-        await panel.page.locator('.panes').getByRole('button', { name: pane, exact: true }).click();
-        found.push(...(await findings(panel, pane)));
+      const pane = (name) =>
+        panel.page.locator('.panes').getByRole('button', { name, exact: true }).click();
+      for (const name of ['Position', 'Program', 'Picture', 'More']) {
+        await pane(name);
+        found.push(...(await findings(panel, name)));
       }
+      for (const tab of TABS) {
+        await panel.tab(tab);
+        await panel.page.waitForTimeout(300);
+        found.push(...(await findings(panel, tab)));
+      }
+      await pane('Program');
+      await panel.open_library();
+      found.push(...(await findings(panel, 'library')));
+      await panel.page.keyboard.press('Escape');
       server.freeze();
       try {
         await panel.page.locator('.line[role="alert"]', { hasText: 'No link since' }).waitFor();
@@ -123,7 +151,7 @@ export const accessibility = [
       }
       assert.equal([...new Set(found)].join('\n'), '');
     },
-  },
+  })),
   {
     name: 'on a tablet a notice hides no button, and file and zero keys are in sight',
     async run({ open }) {

@@ -1,6 +1,7 @@
 // The first minutes: what greets, how a program gets to run, what is wrong with it, and what the page says about that.
 import assert from 'node:assert/strict';
 import { AXE, findings } from './accessibility.mjs';
+import { box, overlap } from '../boxes.mjs';
 import { LONG } from '../programs.mjs';
 
 /** Mistakes of the run in lines 4, 6 and 7, behind each other; one move before the first, two behind. */
@@ -44,14 +45,6 @@ async function cursor_is(panel, line) {
   );
   assert.equal(await cursor_line(panel), line);
 }
-async function box(locator) {
-  const found = await locator.boundingBox();
-  assert.ok(found, `${locator} is in sight`);
-  return found;
-}
-const overlap = (a, b) =>
-  a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-
 async function expect_below(panel, card_box, line_box) {
   assert.ok(card_box.y >= line_box.y + line_box.height - 2, 'the card stands below its line');
   const buttons = await panel.page.locator('button:visible').all();
@@ -171,67 +164,6 @@ export const newcomer = [
     },
   },
   {
-    name: 'cycle start with an edit open asks which text is meant',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.run_text('edited.nc', 'O1\nG90 G54 G00 X0. Y0.\nG01 X10. F3000.\nM30\n');
-      const edit = async (from) => {
-        await panel.go_to_line(3);
-        await panel.page.keyboard.press('End');
-        await panel.page.keyboard.type(from);
-      };
-      await edit(' Y7.');
-      const question = panel.page.getByRole('alertdialog');
-      await panel.press('Cycle start');
-      await question.getByText('The machine has an earlier text of edited.nc').waitFor();
-      assert.equal(await panel.status(), 'IDLE', 'nothing has begun');
-      await question.getByRole('button', { name: 'Start what the machine has' }).click();
-      await panel.has_status('END');
-      await panel.position_is('X', 10);
-      await panel.position_is('Y', 0);
-      // By the key, too, and Enter is the main answer.
-      await panel.page.locator('h1').click();
-      await panel.page.keyboard.press('Control+Enter');
-      await question.getByRole('button', { name: 'Load my edit and start' }).waitFor();
-      await panel.page.keyboard.press('Enter');
-      await panel.position_is('Y', 7);
-      await panel.has_status('END');
-      assert.equal(await question.count(), 0);
-      await panel.press('Cycle start');
-      await panel.page.waitForTimeout(300);
-      assert.equal(await question.count(), 0, 'nothing is edited any more');
-      await panel.has_status('END');
-    },
-  },
-  {
-    name: 'a refusal is told at its key, and the way out of it is offered there',
-    async run({ open }) {
-      const panel = await open();
-      await panel.fresh();
-      await panel.run_text('refused.nc', LONG);
-      await panel.press('JOG');
-      await panel.press('Cycle start');
-      const word = panel.page.getByRole('alertdialog');
-      await word.getByText('cycle start does nothing in mode jog').waitFor();
-      const key = await box(panel.key('Cycle start'));
-      const at = await box(word);
-      assert.ok(Math.abs(at.y + at.height - key.y) < 12, 'it stands above its key');
-      assert.equal(await panel.page.locator('.notices p').count(), 0, 'and nowhere else');
-      await word.getByRole('button', { name: 'Turn to AUTO and start' }).click();
-      await panel.has_status('RUNNING');
-      await panel.page.locator('.key.on', { hasText: 'AUTO' }).waitFor();
-      await panel.press('Reset');
-      await panel.has_status('IDLE');
-      await panel.press('JOG');
-      await panel.press('Over');
-      await word.waitFor();
-      await word.getByRole('button', { name: 'Close' }).click();
-      await word.waitFor({ state: 'detached' });
-      await panel.press('AUTO');
-    },
-  },
-  {
     name: 'the message line covers neither the picture nor the program nor a key',
     async run({ open }) {
       const panel = await open();
@@ -265,11 +197,7 @@ export const newcomer = [
         assert.match(rows[i], new RegExp(`${code}[\\s\\S]*\\b${line}\\b`));
         assert.equal(rows[i].includes('control stops here'), i === 0, rows[i]);
       }
-      assert.equal(
-        await panel.page.locator('.cm-lintRange-error').count(),
-        3,
-        'all are underlined',
-      );
+      await panel.until(() => document.querySelectorAll('.cm-lintRange-error').length === 3);
       await problem_rows(panel).nth(1).locator('.sentence').click();
       await cursor_is(panel, 6);
       // Keys: F8 where nothing moves, Shift+F8 back, around both ends.

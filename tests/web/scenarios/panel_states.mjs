@@ -1,4 +1,4 @@
-// The states in which a panel must be honest: no link, a request, a draft, a question, an alarm, looked at on each screen.
+// What a panel has to tell: how to begin, what is wrong, no link, a request, a draft, a question; looked at on each screen.
 import { join } from 'node:path';
 import { LONG, WRONG } from '../programs.mjs';
 
@@ -15,7 +15,14 @@ export const panel_states = SIZES.map(([width, height]) => ({
   needs_server: true,
   async run({ open, server, shots }) {
     const is_phone = width <= 640;
-    const panel = await open({ width, height, touch: is_phone });
+    const window = { width, height, touch: is_phone };
+    const greeted = await open({ ...window, newcomer: true });
+    await greeted.page.locator('.guide').waitFor();
+    await greeted.has_path(10);
+    await greeted.page.waitForTimeout(700);
+    await greeted.page.screenshot({ path: join(shots, `start-${width}x${height}.png`) });
+    await greeted.close();
+    const panel = await open(window);
     const pane = async (name) => {
       if (is_phone)
         await panel.page.locator('.panes').getByRole('button', { name, exact: true }).click();
@@ -55,9 +62,26 @@ export const panel_states = SIZES.map(([width, height]) => ({
 
     await pane('Program');
     await panel.run_text('shown-wrong.nc', WRONG);
+    await pane('More');
+    await panel.tab('Problems');
+    await panel.page.locator('#dock-problems tbody tr').first().waitFor();
+    await take('problems');
+    await pane('Position');
+    await panel.page.getByText('stops at line 5 with PS0112').waitFor();
+    await take('stops');
+    await pane('More');
+    await panel.page.getByRole('button', { name: 'Manual: PS0112' }).first().click();
+    await panel.page.getByRole('dialog', { name: 'Manual' }).waitFor();
+    await take('manual');
+    await panel.page.keyboard.press('Escape');
+    await pane('Program');
     await panel.go_to_line(2);
     await panel.page.keyboard.type('(E)');
     await panel.page.locator('.file.current .dirty').waitFor();
+    await panel.press('Cycle start');
+    await panel.page.getByRole('alertdialog').waitFor();
+    await take('which-text');
+    await panel.page.keyboard.press('Escape');
     await panel.page.getByRole('button', { name: 'Close: shown-wrong.nc' }).click();
     await panel.page.locator('dialog.question').waitFor();
     await take('question');

@@ -32,7 +32,8 @@ export function problems_of({ checked, path, alarm, edited }: ProblemSources): P
   const list: Problem[] = checked.found.map((one) => of_text(one, checked.file));
   const met = path ? of_path(path) : [];
   met.forEach((one, i) => {
-    if (!edited.has(one.file)) put(list, of_alarm(one, 'run', i === 0 && !!path?.error));
+    const stops = i === 0 && path?.error?.severity !== 'warning' && !!path?.error;
+    if (!edited.has(one.file)) put(list, of_alarm(one, 'run', stops));
   });
   if (alarm && !edited.has(alarm.file)) put(list, of_alarm(alarm, 'machine', true));
   const files = [...new Set(list.map(({ file }) => file))];

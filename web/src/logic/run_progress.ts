@@ -17,6 +17,13 @@ export function stop_of(state: MachineState, of_path: Alarm | null): Alarm | nul
   return state.alarm && state.file !== MDI_ENTRY && state.alarm.line > 0 ? state.alarm : of_path;
 }
 
+/** What the preview ends in where the program only goes on when an input signal changes. */
+export const INPUT_WAIT = 'INPUT_WAIT';
+
+/** Where the preview waits for an input signal; null: it does not. */
+export const wait_of = (of_path: Alarm | null): Alarm | null =>
+  of_path?.code === INPUT_WAIT ? of_path : null;
+
 /** Whether what the machine tells of time and motion is that of the program, not of a jog or of an entry in MDI. */
 export function is_in_run(state: MachineState): boolean {
   const { status, mode, file } = state;

@@ -6,24 +6,20 @@ import {
   AmbientLight,
   DirectionalLight,
   Group,
-  Matrix4,
   OrthographicCamera,
-  Quaternion,
   Scene,
-  Vector3,
   WebGLRenderer,
 } from 'three';
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { type Box, diagonal, empty_box, grow, is_empty, join } from '../logic/box';
-import { Kind } from '../logic/chunk';
+import { type Box, diagonal, empty_box, is_empty } from '../logic/box';
 import type { Colouring, Scheme } from '../logic/colour_scale';
 import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
 import { fit_box, is_path } from '../logic/fit_box';
-import { head_pose, joints_of, type Point } from '../logic/kinematics';
+import type { Point } from '../logic/kinematics';
 import type { PathPlace, PathStore, Range } from '../logic/path_store';
 import { type Hit, pick } from '../logic/pick';
 import type { MachineDefinition } from '../logic/protocol';
 import { ViewKeeper } from '../logic/view_keeper';
+import { Eye } from './eye';
 import {
   type Palette,
   axes_corner,
@@ -39,11 +35,11 @@ import { type Model, type Pose, model_of } from './models';
 import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
-import { VIEWS, type ViewName } from './views';
+import { travel_of, with_linkage } from './subject';
+import type { ViewName } from './views';
 
 const CORNER_PX = 92;
 const PICK_REACH_PX = 7;
-const SAMPLES = 64;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
 
@@ -57,8 +53,7 @@ export class Picture {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly path_scene = new Scene();
-  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
-  private readonly controls: OrbitControls;
+  private readonly eye: Eye;
   private readonly corner_scene = new Scene();
   private readonly corner_camera = new OrthographicCamera(-1.7, 1.7, 1.7, -1.7, -10, 10);
   private readonly material = new PathMaterial();
@@ -75,7 +70,6 @@ export class Picture {
   private shown: Shown = { rapids: true, travel: true, stock: true };
   private width = 1;
   private height = 1;
-  private half_height_mm = 100;
   private wanted = false;
   private in_work = false;
   private rest_timer = 0;
@@ -97,12 +91,11 @@ export class Picture {
     });
     this.renderer.setClearColor(0, 0);
     this.renderer.autoClear = false;
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.request());
-    this.controls.addEventListener('start', () => this.view.hand());
+    this.eye = new Eye(
+      canvas,
+      () => this.request(),
+      () => this.view.hand(),
+    );
     this.add_lights();
     this.path_scene.add(this.path.group);
     this.scene.add(this.highlight.group);
@@ -113,7 +106,7 @@ export class Picture {
     this.closed = true;
     clearTimeout(this.rest_timer);
     this.path.clear();
-    this.controls.dispose();
+    this.eye.dispose();
     this.renderer.dispose();
   }
 
@@ -194,21 +187,13 @@ export class Picture {
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(this.width, this.height, false);
     this.material.uniforms.viewport.value.set(this.width, this.height);
-    this.frame_camera();
+    this.eye.resize(this.width, this.height);
     this.draw(performance.now(), this.level());
     this.request(); // with rest behind it
   }
 
   look(view: ViewName): void {
-    const { from, up } = VIEWS[view];
-    const way = new Vector3(...from).normalize().multiplyScalar(1000);
-    this.camera.up.set(...up);
-    this.camera.position.copy(this.controls.target).add(way);
-    this.camera.lookAt(this.controls.target);
-    // OrbitControls turns about what was up when it was made: always Z, but for the view from above.
-    this.camera.up.set(0, 0, 1);
-    if (view === 'top') this.camera.position.y -= 0.01;
-    this.controls.update();
+    this.eye.look(view);
     this.request();
   }
 
@@ -224,30 +209,20 @@ export class Picture {
 
   turn(azimuth_rad: number, polar_rad: number): void {
     this.view.hand();
-    const way = this.camera.position.clone().sub(this.controls.target);
-    const side = new Vector3().crossVectors(this.camera.up, way).normalize();
-    way.applyQuaternion(new Quaternion().setFromAxisAngle(side, polar_rad));
-    way.applyQuaternion(new Quaternion().setFromAxisAngle(this.camera.up, azimuth_rad));
-    this.camera.position.copy(this.controls.target).add(way);
-    this.controls.update();
+    this.eye.turn(azimuth_rad, polar_rad);
   }
 
   zoom(factor: number): void {
     this.view.hand();
-    this.camera.zoom *= factor;
-    this.camera.updateProjectionMatrix();
+    this.eye.zoom(factor);
     this.request();
   }
 
   /** What lies under a place of the canvas, in CSS pixels. */
   hit(x: number, y: number): Hit | null {
     if (!this.store) return null;
-    const matrix = new Matrix4().multiplyMatrices(
-      this.camera.projectionMatrix,
-      this.camera.matrixWorldInverse,
-    );
     const aim = {
-      matrix: matrix.elements,
+      matrix: this.eye.matrix(),
       width: this.width,
       height: this.height,
       x,
@@ -312,13 +287,13 @@ export class Picture {
 
   private draw(now: number, { slack_px, one_of }: Level): void {
     const glides = this.pose_model(now);
-    const pixel_mm = this.pixel_mm();
+    const pixel_mm = this.eye.pixel_mm();
     this.path.choose_detail(pixel_mm, slack_px);
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
     this.renderer.clear();
     this.draw_path(0, one_of);
-    this.renderer.render(this.scene, this.camera);
+    this.renderer.render(this.scene, this.eye.camera);
     this.draw_corner();
     if (glides) this.request();
   }
@@ -326,7 +301,7 @@ export class Picture {
   private draw_path(part: number, one_of: number): void {
     this.material.set_part(part, one_of);
     this.renderer.setViewport(0, 0, this.width, this.height);
-    this.renderer.render(this.path_scene, this.camera);
+    this.renderer.render(this.path_scene, this.eye.camera);
   }
 
   private pose_model(now: number): boolean {
@@ -336,7 +311,7 @@ export class Picture {
   }
 
   private draw_corner(): void {
-    this.corner_camera.quaternion.copy(this.camera.quaternion);
+    this.corner_camera.quaternion.copy(this.eye.camera.quaternion);
     this.corner_camera.position.set(0, 0, 0);
     this.renderer.setViewport(4, 4, CORNER_PX, CORNER_PX);
     this.renderer.setScissor(4, 4, CORNER_PX, CORNER_PX);
@@ -349,47 +324,8 @@ export class Picture {
 
   private fit_to(box: Box): void {
     if (is_empty(box)) return;
-    const centre = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
-    const way = this.camera.position.clone().sub(this.controls.target);
-    this.controls.target.copy(centre);
-    this.camera.position.copy(centre).add(way);
-    this.camera.zoom = 1;
-    this.camera.updateMatrixWorld();
-    this.half_height_mm = this.half_height_for(box);
-    this.frame_camera();
-    this.controls.update();
+    this.eye.fit(box);
     this.request();
-  }
-
-  private pixel_mm(): number {
-    return (2 * this.half_height_mm) / this.camera.zoom / this.height;
-  }
-
-  private frame_camera(): void {
-    const aspect = this.width / this.height;
-    const half = this.half_height_mm;
-    Object.assign(this.camera, {
-      left: -half * aspect,
-      right: half * aspect,
-      top: half,
-      bottom: -half,
-    });
-    this.camera.updateProjectionMatrix();
-  }
-
-  /** The smallest half height at which all corners of the box are seen, with a margin. */
-  private half_height_for(box: Box): number {
-    const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
-    const aspect = this.width / this.height;
-    let half = 1;
-    for (let corner = 0; corner < 8; corner++) {
-      const point = new Vector3(
-        ...[0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max : box.min)[i]),
-      );
-      point.applyMatrix4(inverse);
-      half = Math.max(half, Math.abs(point.y), Math.abs(point.x) / aspect);
-    }
-    return half * 1.14;
   }
 
   private path_is_empty(): boolean {
@@ -448,62 +384,6 @@ export class Picture {
     fill.position.set(1, 0.5, 0.4);
     this.scene.add(new AmbientLight(0xffffff, 1.1), key, fill);
   }
-}
-
-/** Where the tip may be: linear axes of the program; what has no travel gets the reach of the linkage. */
-function travel_of(definition: MachineDefinition): Box {
-  const box = empty_box();
-  const { kinematics } = definition;
-  const reach = Number(kinematics.upper_arm ?? 0) + Number(kinematics.forearm ?? 0);
-  ['X', 'Y', 'Z'].forEach((name, i) => {
-    const axis =
-      definition.axes.find((a) => a.name === name) ??
-      definition.joints.find((a) => a.name === name);
-    const far = reach || radius_of(definition);
-    box.min[i] = axis?.min ?? -far;
-    box.max[i] = axis?.max ?? far;
-  });
-  return box;
-}
-
-function radius_of(definition: MachineDefinition): number {
-  const x = definition.joints.find((a) => a.name === 'X');
-  return (x?.max ?? 100) + Number(definition.kinematics.x1 ?? 0);
-}
-
-function with_linkage(box: Box, definition: MachineDefinition | null, store: PathStore): Box {
-  if (definition?.kinematics.kind === 'arm') {
-    join(box, { min: [-30, -30, -30], max: [30, 30, 60] });
-  }
-  if (definition?.kinematics.kind === 'head-ac') {
-    for (const place of cut_places(store)) join(box, head_box(definition, store, place));
-  }
-  return box;
-}
-
-/** Some places of the path while it cuts, evenly over its time. */
-function cut_places(store: PathStore): PathPlace[] {
-  const places: PathPlace[] = [];
-  for (let i = 0; i <= SAMPLES; i++) {
-    const place = store.place_at((store.facts.end_s * i) / SAMPLES);
-    const chunk = place && store.chunks[place.chunk];
-    if (chunk && chunk.kind[Math.min(place.vertex + 1, chunk.vertices - 1)] === Kind.cut)
-      places.push(place);
-  }
-  return places;
-}
-
-/** The head from its pivot to its carriage while the tip stands there. */
-function head_box(definition: MachineDefinition, store: PathStore, place: PathPlace): Box {
-  const [a, c] = store.rotary_at(place) ?? [0, 0];
-  const joints = joints_of(definition.kinematics, store.point_at(place), { A: a, C: c }, {});
-  const { carriage, pivot } = head_pose(definition.kinematics, joints);
-  const around = Number(definition.kinematics.r_a) * 0.35;
-  const box = empty_box();
-  grow(box, carriage[0] - around, carriage[1] - around, carriage[2]);
-  grow(box, carriage[0] + around, carriage[1] + around, carriage[2] + 3 * around);
-  grow(box, ...pivot);
-  return box;
 }
 
 function vertices_before(store: PathStore, place: PathPlace): number {

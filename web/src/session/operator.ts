@@ -46,28 +46,42 @@ const start = (): Promise<void> =>
       : [{ ...turn_to_auto, label: t('start.turn-to-auto') }],
   );
 
-async function load_and_start(document: TextDocument): Promise<void> {
-  if (documents.current !== document.name) documents.show(document.name);
+async function load_then(document: TextDocument, begin: () => unknown): Promise<void> {
+  const shown = documents.current;
+  if (shown !== document.name) documents.show(document.name);
   await documents.load_text();
-  if (!edited()) await start();
+  if (shown !== document.name) documents.show(shown);
+  if (!edited()) await begin();
 }
 
-/** Never another text than the one that is seen without a question. */
-export async function cycle_start(): Promise<void> {
+/**
+ * What begins the program: never with another text than the one that is seen without a question, which stands at the key.
+ * `begin` finds its line after the answer.
+ */
+export async function begin_as_seen(key: CommandName, begin: () => unknown): Promise<void> {
   editor_keys.editor?.flush();
   const document = edited();
-  if (!document || !begins_anew()) return start();
-  key_words.say('cycle-start', t('start.edited', { name: document.name }), [
-    { label: t('start.load-and-start'), is_main: true, act: () => load_and_start(document) },
-    { label: t('start.as-loaded'), act: start },
+  if (!document || !begins_anew()) return void (await begin());
+  key_words.say(key, t('start.edited', { name: document.name }), [
+    {
+      label: t('start.load-and-start'),
+      is_main: true,
+      act: () => load_then(document, begin),
+    },
+    { label: t('start.as-loaded'), act: begin },
   ]);
 }
+
+export const cycle_start = (): Promise<void> => begin_as_seen('cycle-start', start);
 
 export const feed_hold = (): Promise<void> => press('feed-hold', 'feed-hold');
 export const reset = (): Promise<void> => press('reset', 'reset');
 export const interrupt = (): Promise<void> => press('interrupt', 'interrupt');
 export const set_mode = (mode: Mode): Promise<void> => press(`mode-${mode}`, 'mode', { mode });
-export const step = (how: StepHow): Promise<void> => press(`step-${how}`, 'step', { how });
+export const step = (how: StepHow): Promise<void> => {
+  const take = () => press(`step-${how}`, 'step', { how });
+  return how === 'back' ? take() : begin_as_seen(`step-${how}`, take);
+};
 export const toggle = (name: SwitchName): Promise<void> =>
   press(name, 'switch', { switch: name, on: !panel.state.switches[name] });
 export const set_skip = (levels: number[]): Promise<void> =>

@@ -23,8 +23,6 @@ import {
   type MachineState,
   type Mode,
   type PathEvent,
-  type StepHow,
-  type SwitchName,
 } from '../logic/protocol';
 import { UndoStack } from '../logic/undo';
 import { link } from './link.svelte';
@@ -154,15 +152,10 @@ class Panel {
   hand_to = (client: string): Promise<unknown> =>
     this.act('operate', { take: false, hand_to: client });
 
-  cycle_start = (): Promise<unknown> => this.act('cycle-start');
-  feed_hold = (): Promise<unknown> => this.act('feed-hold');
   reset = (): Promise<unknown> => this.act('reset');
   set_input = (input: number, on: boolean): Promise<unknown> =>
     this.act('set-input', { input, value: on ? 1 : 0 });
   set_mode = (mode: Mode): Promise<unknown> => this.act('mode', { mode });
-  step = (how: StepHow): Promise<unknown> => this.act('step', { how });
-  toggle = (name: SwitchName): Promise<unknown> =>
-    this.act('switch', { switch: name, on: !this.state.switches[name] });
   set_skip = (levels: number[]): Promise<unknown> => this.act('block-skip', { levels });
   override = (which: 'feed' | 'rapid' | 'spindle', percent: number): Promise<unknown> =>
     this.act('override', { [which]: percent });

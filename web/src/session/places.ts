@@ -2,6 +2,7 @@
 import { toggled } from '../logic/breakpoints';
 import { condition } from './condition.svelte';
 import { documents } from './documents.svelte';
+import { begin_as_seen } from './operator';
 import { panel } from './panel.svelte';
 
 const at = (line: number, act: (machine_line: number) => unknown): void => {
@@ -16,7 +17,10 @@ export const places = {
     ),
   edit_condition: (line: number): void =>
     at(line, (there) => condition.edit(documents.current, there)),
-  run_to: (line: number): void =>
-    at(line, (there) => panel.act('run-to', { file: documents.current, line: there })),
-  start_at: (line: number): void => at(line, (there) => panel.act('start-at', { line: there })),
+  run_to: (line: number): Promise<void> =>
+    begin_as_seen('cycle-start', () =>
+      at(line, (there) => panel.act('run-to', { file: documents.current, line: there })),
+    ),
+  start_at: (line: number): Promise<void> =>
+    begin_as_seen('cycle-start', () => at(line, (there) => panel.act('start-at', { line: there }))),
 };

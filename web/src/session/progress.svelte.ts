@@ -1,6 +1,6 @@
 /** Where the run of the machine is on the path of its preview. */
 import type { PathPlace } from '../logic/path_store';
-import { is_in_run, progress_of, stop_of, type Progress } from '../logic/run_progress';
+import { is_in_run, progress_of, stop_of, wait_of, type Progress } from '../logic/run_progress';
 import { panel } from './panel.svelte';
 
 class RunProgress {
@@ -17,8 +17,12 @@ class RunProgress {
   stop_s = $derived(panel.path?.stop?.time_s ?? null);
   /** The alarm that ends the run before its end: how long the program takes is not known then. */
   stop = $derived(stop_of(panel.state, panel.path?.stop ? panel.path.error : null));
+  /** Where it waits for an input signal, as the preview has found; null: it does not. */
+  wait = $derived(this.stop ? null : wait_of(panel.path?.error ?? null));
   total_s = $derived(
-    this.stop ? null : (panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null)),
+    this.stop || panel.path?.error
+      ? null
+      : (panel.state.total_s ?? (panel.path?.done ? panel.path.time_s : null)),
   );
   now = $derived.by((): Progress =>
     progress_of(panel.state, this.path_s, this.total_s, panel.path?.motions ?? 0),

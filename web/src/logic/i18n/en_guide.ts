@@ -70,6 +70,8 @@ export const en_guide = {
   'stranger.none-here': 'No machine of this server runs such programs; {definition} would.',
   'stranger.stay': 'Load it into {machine} all the same',
   'tab.problems': 'Problems',
+  'picture.waits': 'The path waits for an input at line {line}',
+  'time.waits': 'waits for an input at line {line}',
   'time.stops': 'stops at line {line} with {code}',
   'view.short-fit': 'Fit',
   'view.short-front': 'Front',

@@ -67,6 +67,8 @@ export const zh_hant_guide: Record<keyof typeof en_guide, string> = {
   'stranger.none-here': '此伺服器沒有可執行此類程式的機台；可新增 {definition}。',
   'stranger.stay': '仍載入 {machine}',
   'tab.problems': '問題',
+  'picture.waits': '路徑在第 {line} 行等待輸入訊號',
+  'time.waits': '在第 {line} 行等待輸入訊號',
   'time.stops': '停於第 {line} 行：{code}',
   'view.short-fit': '全部顯示',
   'view.short-front': '前視',

@@ -1,0 +1,113 @@
+/** From where the picture is seen: a camera without perspective, which a hand turns, moves and zooms. */
+import { Matrix4, OrthographicCamera, Quaternion, Vector3 } from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { Box } from '../logic/box';
+import { VIEWS, type ViewName } from './views';
+
+const FAR_MM = 1000;
+const MARGIN = 1.14;
+
+export class Eye {
+  readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
+  private readonly controls: OrbitControls;
+  private half_height_mm = 100;
+  private width = 1;
+  private height = 1;
+
+  /** `changed`: what is seen is another view; `by_hand`: somebody has begun to turn it. */
+  constructor(canvas: HTMLCanvasElement, changed: () => void, by_hand: () => void) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', changed);
+    this.controls.addEventListener('start', by_hand);
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+
+  /** The window that it looks through, in CSS pixels. */
+  resize(width: number, height: number): void {
+    this.width = width;
+    this.height = height;
+    this.frame();
+  }
+
+  look(view: ViewName): void {
+    const { from, up } = VIEWS[view];
+    const way = new Vector3(...from).normalize().multiplyScalar(FAR_MM);
+    this.camera.up.set(...up);
+    this.camera.position.copy(this.controls.target).add(way);
+    this.camera.lookAt(this.controls.target);
+    // OrbitControls turns about what was up when it was made: always Z, but for the view from above.
+    this.camera.up.set(0, 0, 1);
+    if (view === 'top') this.camera.position.y -= 0.01;
+    this.controls.update();
+  }
+
+  turn(azimuth_rad: number, polar_rad: number): void {
+    const way = this.camera.position.clone().sub(this.controls.target);
+    const side = new Vector3().crossVectors(this.camera.up, way).normalize();
+    way.applyQuaternion(new Quaternion().setFromAxisAngle(side, polar_rad));
+    way.applyQuaternion(new Quaternion().setFromAxisAngle(this.camera.up, azimuth_rad));
+    this.camera.position.copy(this.controls.target).add(way);
+    this.controls.update();
+  }
+
+  zoom(factor: number): void {
+    this.camera.zoom *= factor;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** All of the box, in the middle and as large as it may be. */
+  fit(box: Box): void {
+    const centre = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
+    const way = this.camera.position.clone().sub(this.controls.target);
+    this.controls.target.copy(centre);
+    this.camera.position.copy(centre).add(way);
+    this.camera.zoom = 1;
+    this.camera.updateMatrixWorld();
+    this.half_height_mm = this.half_height_for(box);
+    this.frame();
+    this.controls.update();
+  }
+
+  pixel_mm(): number {
+    return (2 * this.half_height_mm) / this.camera.zoom / this.height;
+  }
+
+  /** From places of the machine to those of the window, -1 to 1. */
+  matrix(): number[] {
+    const { projectionMatrix, matrixWorldInverse } = this.camera;
+    return new Matrix4().multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
+  }
+
+  private frame(): void {
+    const aspect = this.width / this.height;
+    const half = this.half_height_mm;
+    Object.assign(this.camera, {
+      left: -half * aspect,
+      right: half * aspect,
+      top: half,
+      bottom: -half,
+    });
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** The smallest half height at which all corners of the box are seen, with a margin. */
+  private half_height_for(box: Box): number {
+    const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
+    const aspect = this.width / this.height;
+    let half = 1;
+    for (let corner = 0; corner < 8; corner++) {
+      const point = new Vector3(
+        ...[0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max : box.min)[i]),
+      );
+      point.applyMatrix4(inverse);
+      half = Math.max(half, Math.abs(point.y), Math.abs(point.x) / aspect);
+    }
+    return half * MARGIN;
+  }
+}

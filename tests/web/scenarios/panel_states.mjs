@@ -18,7 +18,7 @@ export const panel_states = SIZES.map(([width, height]) => ({
     const window = { width, height, touch: is_phone };
     const greeted = await open({ ...window, newcomer: true });
     await greeted.page.locator('.guide').waitFor();
-    await greeted.has_path(10);
+    await greeted.has_path(1);
     await greeted.page.waitForTimeout(700);
     await greeted.page.screenshot({ path: join(shots, `start-${width}x${height}.png`) });
     await greeted.close();

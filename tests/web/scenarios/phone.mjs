@@ -49,6 +49,17 @@ function small_targets(panel) {
 
 export const phone = [
   {
+    name: 'a phone greets a newcomer, and leads him to the lessons',
+    async run({ open }) {
+      const panel = await open({ width: 390, height: 844, touch: true, newcomer: true });
+      const card = panel.page.locator('.guide');
+      await card.waitFor();
+      await card.getByRole('button', { name: 'Lessons' }).click();
+      await panel.page.locator('#dock-training').waitFor();
+      assert.equal(await card.count(), 0);
+    },
+  },
+  {
     name: 'a phone shows one pane at a time between the status and the keys',
     async run({ open, shots }) {
       const panel = await open(SIZE);

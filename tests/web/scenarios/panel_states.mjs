@@ -16,6 +16,11 @@ export const panel_states = SIZES.map(([width, height]) => ({
   async run({ open, server, shots }) {
     const is_phone = width <= 640;
     const window = { width, height, touch: is_phone };
+    const sample = await open();
+    await sample.fresh();
+    await sample.open_program('flanges.nc');
+    await sample.has_path(10);
+    await sample.close();
     const greeted = await open({ ...window, newcomer: true });
     await greeted.page.locator('.guide').waitFor();
     await greeted.has_path(1);

@@ -47,6 +47,18 @@ function small_targets(panel) {
   );
 }
 
+/** Whole in the window, and nothing over its middle. */
+async function in_reach(locator) {
+  await locator.waitFor();
+  const found = await locator.evaluate((element) => {
+    const { left, right, top, bottom } = element.getBoundingClientRect();
+    const at = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+    const whole = left >= 0 && right <= innerWidth && top >= 0 && bottom <= innerHeight;
+    return whole && (element.contains(at) || at?.contains(element));
+  });
+  assert.ok(found, `${locator} is in reach`);
+}
+
 export const phone = [
   {
     name: 'a phone greets a newcomer, and leads him to the lessons',
@@ -54,6 +66,8 @@ export const phone = [
       const panel = await open({ width: 390, height: 844, touch: true, newcomer: true });
       const card = panel.page.locator('.guide');
       await card.waitFor();
+      for (const way of ['Open a program', 'Try the sample', 'Lessons', 'New machine'])
+        await in_reach(card.getByText(way, { exact: true }).or(card.getByLabel(way)).first());
       await card.getByRole('button', { name: 'Lessons' }).click();
       await panel.page.locator('#dock-training').waitFor();
       assert.equal(await card.count(), 0);
@@ -170,6 +184,14 @@ export const phone = [
       await take('alarm');
       await panel.press('Reset');
       await show(panel, 'Program');
+      await panel.go_to_line(2);
+      await panel.page.keyboard.type('(E)');
+      await panel.page.locator('.file.current .dirty').waitFor();
+      await panel.press('Cycle start');
+      for (const choice of ['Load my edit and start', 'Start what the machine has', 'Close'])
+        await in_reach(panel.page.getByRole('alertdialog').getByRole('button', { name: choice }));
+      await take('which-text');
+      await panel.page.keyboard.press('Escape');
       await panel.open_library();
       await take('library');
       await panel.page.getByRole('button', { name: 'Delete: phone-wrong.nc' }).click();

@@ -50,7 +50,7 @@ export const en_guide = {
   'start.next-auto': '{file} is loaded. Turn the mode to AUTO, then press Cycle start.',
   'start.next-open': 'Drop a program anywhere on this page, or try the sample.',
   'start.next-problems':
-    '{file} is loaded, and {count} problems are known. F8 goes from one to the next.',
+    '{file} is loaded. Problems that are known: {count}; F8 goes from one to the next.',
   'start.next-run':
     '{file} is loaded: press Cycle start below. A program of yours can be dropped anywhere on this page.',
   'start.next-watch': 'Somebody else operates this machine. Take another one, or make one.',

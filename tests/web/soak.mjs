@@ -15,12 +15,12 @@ export async function soak(panel, minutes) {
   const protocol = await panel.context.newCDPSession(panel.page);
   await protocol.send('Performance.enable');
   await use(panel, 1);
-  const table = [{ minute: 0, ...(await measured(protocol)) }];
+  const table = [{ minute: 0, ...(await measured(panel, protocol)) }];
   console.log(told(table[0]));
   for (let minute = 5; minute < minutes + 5; minute += 5) {
     const until = Math.min(minute, minutes);
     await use(panel, until - table.at(-1).minute);
-    table.push({ minute: until, ...(await measured(protocol)) });
+    table.push({ minute: until, ...(await measured(panel, protocol)) });
     console.log(told(table.at(-1)));
   }
   assert.equal(await panel.status(), 'RUNNING', 'the program outlasts the look at it');
@@ -55,8 +55,10 @@ async function use(panel, minutes) {
   }
 }
 
-/** Behind a collection of what nobody holds any more. */
-async function measured(protocol) {
+/** In the same tab each time, behind a collection of what nobody holds any more. */
+async function measured(panel, protocol) {
+  await panel.tab('Messages');
+  await panel.page.waitForTimeout(1000);
   await protocol.send('HeapProfiler.enable');
   await protocol.send('HeapProfiler.collectGarbage');
   await protocol.send('HeapProfiler.disable');

@@ -20,7 +20,6 @@ enum class Refusal : std::uint8_t {
 [[nodiscard]] Failure refuse(Refusal which, std::vector<std::string> values = {});
 /// Likewise, where an alarm is the reason and its message a value: `alarm` is its number, for who
 /// has words of his own for it.
-[[nodiscard]] Failure refuse_for(std::string alarm, Refusal which,
-                                 std::vector<std::string> values);
+[[nodiscard]] Failure refuse_for(std::string alarm, Refusal which, std::vector<std::string> values);
 
 }  // namespace kerf::base

@@ -204,9 +204,9 @@ base::Outcome<void> Controller::set_variable(std::uint32_t number, double value)
   if (good) return {};
   const auto alarm = alarms_.alarm();
   alarms_.clear();
-  return tl::unexpected(base::refuse_for(
-      alarm ? alarm->number : "", base::Refusal::variable_not_set,
-      {std::to_string(number), alarm ? alarm->message : "it cannot be set"}));
+  return tl::unexpected(
+      base::refuse_for(alarm ? alarm->number : "", base::Refusal::variable_not_set,
+                       {std::to_string(number), alarm ? alarm->message : "it cannot be set"}));
 }
 
 // vm::Host

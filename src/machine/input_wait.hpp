@@ -9,7 +9,7 @@ namespace kerf::machine {
 class InputWait {
  public:
   static constexpr std::uint64_t kMostReads = 10'000;  ///< as a loop without a dwell
-  static constexpr double kMost_s = 300;               ///< as a loop with one, of at least kFewReads
+  static constexpr double kMost_s = 300;  ///< as a loop with one, of at least kFewReads
   static constexpr std::uint64_t kFewReads = 50;
 
   /// An input is read at this time of the run.

@@ -396,9 +396,9 @@ namespace {
 tl::unexpected<base::Failure> refused(const teach::Mistake& mistake) {
   const auto& text = base::text_of(mistake.code);
   const std::string message(text.message);
-  return tl::unexpected(base::refuse_for(
-      std::string(text.number), Refusal::taught_wrong,
-      {mistake.detail.empty() ? message : message + ": " + mistake.detail}));
+  return tl::unexpected(
+      base::refuse_for(std::string(text.number), Refusal::taught_wrong,
+                       {mistake.detail.empty() ? message : message + ": " + mistake.detail}));
 }
 
 }  // namespace

@@ -124,10 +124,10 @@ Outcome<void> check_arguments(const Json& object, const std::vector<Argument>& a
     if (argument == arguments.end())
       return usage("there is no argument " + key.substr(0, 40) + " here");
     if (!fits(value, *argument) && is_range(*argument))
-      return tl::unexpected(base::refuse(base::Refusal::number_range,
-                                         {std::string(argument->name),
-                                          base::number_text(argument->low),
-                                          base::number_text(argument->high)}));
+      return tl::unexpected(
+          base::refuse(base::Refusal::number_range,
+                       {std::string(argument->name), base::number_text(argument->low),
+                        base::number_text(argument->high)}));
     if (!fits(value, *argument))
       return usage(std::string(argument->name) + " must be " + kind_text(*argument));
     if (auto checked = check_fields(value, *argument); !checked) return checked;

@@ -234,8 +234,7 @@ void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) 
   if (const auto late = too_late(std::string((*command)->name), *given)) return refusal.no(*late);
   if (auto suits = check_who(**command, *client); !suits) return refusal.no(suits.error());
   Quota::Ticket mine = client->begin_command();
-  if (!mine)
-    return refusal.no(base::Refusal::under_way, {std::to_string(limits::kUnderWay)});
+  if (!mine) return refusal.no(base::Refusal::under_way, {std::to_string(limits::kUnderWay)});
   Quota::Ticket ours = large_under_way_.take(text.size() > limits::kSmallBytes ? text.size() : 0);
   if (!ours) return refusal.no(base::Refusal::server_busy);
   serve({client, client->watched(), body, Reply(client, id_of(*body), {mine, ours}), *given},

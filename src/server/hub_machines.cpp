@@ -132,7 +132,8 @@ void Hub::remove(const Request& request) {
     if (watcher != request.client.get())
       return request.reply.no(base::Refusal::machine_watched, {name, watcher->shown_name()});
   }
-  if (!under_way_.insert(name).second) return request.reply.no(base::Refusal::machine_leaving, {name});
+  if (!under_way_.insert(name).second)
+    return request.reply.no(base::Refusal::machine_leaving, {name});
   if (request.client->watched() == machine) leave_machine(*request.client);
   write(
       request.reply,

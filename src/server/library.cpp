@@ -134,10 +134,8 @@ Outcome<std::string> Library::read_revision(const std::string& name, std::int64_
   if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
   return guarded([&]() -> Outcome<std::string> {
     auto text = revisions_->text(name, number);
-    if (!text)
-      return refused(base::Refusal::no_revision, {name, std::to_string(number)});
-    if (text->size() > kMostReadBytes)
-      return refused(base::Refusal::revision_large, {name});
+    if (!text) return refused(base::Refusal::no_revision, {name, std::to_string(number)});
+    if (text->size() > kMostReadBytes) return refused(base::Refusal::revision_large, {name});
     return std::move(*text);
   });
 }

@@ -69,19 +69,19 @@ void interrupt(Hub& hub, const Request& request) {
 
 void set_input(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
-  hub.on_machine(
-      request, Pace::quick,
-      [&hub, machine = request.machine->name,
-       name = "#" + std::to_string(arguments.integer("input")),
-       value = arguments.number("value")](Runner& runner) {
-        auto set = done(runner.machine().set_input(name, value));
-        if (set) {
-          hub.to_sockets([&hub, machine] {
-            if (MachineRecord* const found = hub.find(machine)) found->is_preview_out_of_date = true;
-          });
-        }
-        return set;
-      });
+  hub.on_machine(request, Pace::quick,
+                 [&hub, machine = request.machine->name,
+                  name = "#" + std::to_string(arguments.integer("input")),
+                  value = arguments.number("value")](Runner& runner) {
+                   auto set = done(runner.machine().set_input(name, value));
+                   if (set) {
+                     hub.to_sockets([&hub, machine] {
+                       if (MachineRecord* const found = hub.find(machine))
+                         found->is_preview_out_of_date = true;
+                     });
+                   }
+                   return set;
+                 });
 }
 
 void override_dials(Hub& hub, const Request& request) {

@@ -53,10 +53,9 @@ class Preview::Run {
     machine_.add_sink(chunks_);
     machine_.add_point_sink(chunks_);
     machine_.observe_progress([this] { look_at_clock(); });
-    const auto status =
-        machine_.run_to_end({.seconds = kMostSeconds,
-                             .input_waits = false,
-                             .unwanted = preview_.unwanted_.get_token()});
+    const auto status = machine_.run_to_end({.seconds = kMostSeconds,
+                                             .input_waits = false,
+                                             .unwanted = preview_.unwanted_.get_token()});
     if (preview_.cancelled() && disk_error_.empty()) return;
     chunks_.finish();
     finish(error_of(status));

@@ -44,8 +44,7 @@ void BasicDialect::check(base::Findings& found) {
 
 base::Outcome<void> BasicDialect::set_variable(const std::string& name, double value) {
   const auto number = program_.find_variable(capitals(name));
-  if (!number)
-    return refused(base::Refusal::no_program_variable);
+  if (!number) return refused(base::Refusal::no_program_variable);
   if (started_) {
     control_.set_variable(*number, value);
   } else {

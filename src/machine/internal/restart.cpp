@@ -41,8 +41,7 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
     found = halt == control::Halt::gate;
     if (halt == control::Halt::end)
       why = base::refuse(Refusal::start_ends_before, {std::to_string(line)});
-    if (halt == control::Halt::alarm)
-      why = alarmed(*machine_->control().alarm());
+    if (halt == control::Halt::alarm) why = alarmed(*machine_->control().alarm());
     if (found || halt == control::Halt::end || halt == control::Halt::alarm) break;
   }
   stepper_->search_line(0);

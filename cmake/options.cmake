@@ -4,6 +4,10 @@ target_compile_options(kerf_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
   -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough
   -ffp-contract=off)  # the same sums on every compiler and target: same input, same bytes
+# x86 with 32 bits would compute doubles in registers of 80.
+if(CMAKE_SIZEOF_VOID_P EQUAL 4 AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86)")
+  target_compile_options(kerf_options INTERFACE -msse2 -mfpmath=sse)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # g++ 12 warns of its own std::string operator+ (GCC bug 105651).
   target_compile_options(kerf_options INTERFACE -Wno-restrict)

@@ -4,6 +4,7 @@
 A room may include itself and the rooms above it in ORDER, never a room beside it (SIDE_BY_SIDE), only
 rooms that its own kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The
 elementary functions of the C library stay out of all rooms: math has them, with the same bits everywhere.
+Text of numbers is read and written by base/decimal alone, or by fmt: both know no locale.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -42,6 +43,15 @@ ELEMENTARY = (
 )
 FROM_LIBRARY = re.compile(r"(?:\bstd|(?<![\w:>]))::" + ELEMENTARY)
 UNQUALIFIED = re.compile(r"(?:(\w+) )?(?<![\w:.>&*])" + ELEMENTARY + r"\(")
+# What goes by the locale, by the C library's rounding, or by how long its long double is; and what should be in one place.
+BORDER = "base/decimal.cpp"
+NUMBER_TEXT = re.compile(
+    r"\b(?:strto(?:[dfl]|ld|ll|ull?|[iu]max)|ato(?:[fil]|ll)|sto(?:[dfil]|ld|ll|ull?)|(?:from|to)_chars"
+    r"|[vfsw]*scanf|v?s[nw]?printf|setlocale|imbue)\s*\("
+    r"|#\s*include\s*<(?:sstream|strstream|iomanip|iostream|ostream|istream|locale|clocale|locale\.h)>"
+    r"|\w*printf\s*\((?:[^;](?!printf))*?%[-+ #0-9.*]*[hlLjzt]*[aAeEfFgG]"
+    r"|\{[^{}\"]*:[^{}\"]*L[a-zA-Z]?\}"
+)
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 KERF_ROOM = re.compile(r"\bkerf_room\s*\(\s*(\w+)([^)]*)\)")
 
@@ -152,6 +162,20 @@ def elementary_calls(file: Path) -> Iterator[str]:
             yield f"{file}:{number}: {call} differs by library and processor; math/math.hpp has it"
 
 
+def without_comments(text: str) -> str:
+    """The same lines, each up to its //."""
+    return "\n".join(line.split("//", 1)[0] for line in text.splitlines())
+
+
+def number_texts(file: Path) -> Iterator[str]:
+    """Places that read or write text of numbers in another way than base/decimal."""
+    code = without_comments(file.read_text(encoding="utf-8"))
+    for found in NUMBER_TEXT.finditer(code):
+        line = code.count("\n", 0, found.start()) + 1
+        what = " ".join(found[0].split()).rstrip("( ")
+        yield f"{file}:{line}: {what} may differ by locale and library; base/decimal.hpp reads and writes numbers"
+
+
 def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
     room = room_of(file.relative_to(src).as_posix())
     if room is None:
@@ -163,6 +187,8 @@ def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
             yield f"{file}:{include.line}: {finding}"
     if room != "math":
         yield from elementary_calls(file)
+    if file != src / BORDER:
+        yield from number_texts(file)
 
 
 def check(root: Path) -> tuple[int, list[str]]:

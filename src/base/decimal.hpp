@@ -2,11 +2,14 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 
 namespace kerf::base {
+
+/// Text of numbers, read and written here alone (tools/check_rooms.py): the same everywhere,
+/// whatever the locale, the C library and the length of its types are.
 
 /// `value` rounded to the nearest integer, ties away from zero; beyond ±2^62 that number.
 inline std::int64_t round_away(double value) {
@@ -37,11 +40,23 @@ void append_number(std::string& out, double value);
 
 [[nodiscard]] std::string number_text(double value);
 
+/// The same digits, but never with an exponent.
+void append_decimal(std::string& out, double value);
+
+/// Finite `value` rounded to `decimals` (0 to 20) behind the point, ties of the double to even,
+/// without zeros at the end; -0 is 0.
+[[nodiscard]] std::string rounded_text(double value, int decimals);
+
 void append_integer(std::string& out, std::int64_t value);
 
-/// The number that is all of `text`, with a sign or without. Nothing: it is no number, or not
-/// finite.
-[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+enum class NumberFault : std::uint8_t { no_number, too_large };
+
+/// The double nearest to the number that is all of `text`: [+|-] digits, perhaps with one point
+/// among them, and perhaps e [+|-] digits. What is too small for a double is 0.
+[[nodiscard]] tl::expected<double, NumberFault> read_number(std::string_view text);
+
+/// The number that is all of `text`: digits, no sign.
+[[nodiscard]] tl::expected<std::uint64_t, NumberFault> read_whole_number(std::string_view text);
 
 /// The double nearest to the fewest digits that read back to `value`: 33.3F is 33.3, not
 /// 33.29999923706055.

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <thread>
 
 #include "base/decimal.hpp"
@@ -17,18 +16,21 @@ namespace {
 // CLI11's own sentences about numbers print the largest double in full.
 const CLI::Validator kNotNegative(
     [](const std::string& text) -> std::string {
-      const auto value = base::parse_number(text);
+      const auto value = base::read_number(text);
       return value && *value >= 0 ? "" : "a number that is not negative is expected";
     },
     "");
 const CLI::Validator kWholeNumber(
     [](const std::string& text) -> std::string {
-      const auto value = base::parse_number(text);
+      const auto value = base::read_number(text);
       constexpr double kMost = 1e18;
       const bool whole = value && *value >= 0 && *value <= kMost && *value == std::floor(*value);
       return whole ? "" : "a whole number that is not negative is expected";
     },
     "");
+
+// CLI11 itself reads a long double, which is a double on some processors and more on others.
+double number_of(const std::string& text) { return base::read_number(text).value_or(0); }
 
 // One value a time: `--set A B` is no way to write two.
 CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(false); }
@@ -80,9 +82,12 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
   repeated(run.add_option("--skip-at", o.skip_at,
                           "the skip signal of G31 comes on there: X=7.2; may be repeated"))
       ->type_name("AXIS=VALUE");
-  repeated(run.add_option("--interrupt-at", o.interrupt_at,
-                          "the interrupt signal of M96 comes at this time of the run; may be "
-                          "repeated"))
+  repeated(run.add_option_function<std::vector<std::string>>(
+               "--interrupt-at",
+               [&times = o.interrupt_at](const std::vector<std::string>& texts) {
+                 std::transform(texts.begin(), texts.end(), std::back_inserter(times), number_of);
+               },
+               "the interrupt signal of M96 comes at this time of the run; may be repeated"))
       ->type_name("SECONDS")
       ->check(kNotNegative);
   run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
@@ -96,7 +101,9 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
 }
 
 void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
-  app.add_option("--max-seconds", seconds, "computing time allowed; default 60, 0: any")
+  app.add_option_function<std::string>(
+         "--max-seconds", [&seconds](const std::string& text) { seconds = number_of(text); },
+         "computing time allowed; default 60, 0: any")
       ->type_name("N")
       ->check(kNotNegative);
   app.add_option("--max-motions", motions, "motions allowed; default 50000000, 0: any number")
@@ -344,9 +351,8 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
     app.parse(reversed(words));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
-      std::ostringstream text;
-      app.exit(error, text, text);
-      return Answer{text.str()};
+      const bool version = error.get_name() == "CallForVersion";
+      return Answer{version ? error.what() + std::string("\n") : app.help()};
     }
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,

@@ -103,7 +103,7 @@ Outcome<void> set_variables(const RunOptions& options, machine::VirtualMachine& 
   for (const std::string& text : options.variables) {
     auto setting = split_setting(text, "--set");
     if (!setting) return tl::unexpected(setting.error());
-    const auto value = base::parse_number(setting->value);
+    const auto value = base::read_number(setting->value);
     if (!value) return usage("--set " + text + ": a number is expected behind '='");
     if (auto set = machine.set_variable(setting->key, *value); !set)
       return usage("--set " + text + ": " + set.error().message);
@@ -115,7 +115,7 @@ Outcome<void> set_contacts(const RunOptions& options, machine::VirtualMachine& m
   for (const std::string& text : options.skip_at) {
     auto setting = split_setting(text, "--skip-at");
     if (!setting) return tl::unexpected(setting.error());
-    const auto value = base::parse_number(setting->value);
+    const auto value = base::read_number(setting->value);
     const auto axis =
         setting->key.size() == 1 ? machine.definition().axes.find(setting->key[0]) : std::nullopt;
     if (!axis || !value)

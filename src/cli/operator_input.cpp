@@ -27,7 +27,7 @@ std::optional<std::string> read_line() {
 bool is_number(const std::string& line) {
   const std::size_t first = line.find_first_not_of(" \t\r");
   if (first == std::string::npos) return false;
-  return base::parse_number(line.substr(first, line.find_last_not_of(" \t\r") - first + 1))
+  return base::read_number(line.substr(first, line.find_last_not_of(" \t\r") - first + 1))
       .has_value();
 }
 

@@ -226,7 +226,7 @@ Verdict LaserControl::read_input(double& value) {
     alarms_.raise(Code::basic_input, "nothing is left to read");
     return Verdict::stop;
   }
-  const auto number = base::parse_number(trimmed(*line));
+  const auto number = base::read_number(trimmed(*line));
   if (!number) {
     alarms_.raise(Code::basic_input, "this is no number: " + line->substr(0, 40));
     return Verdict::stop;

@@ -1,9 +1,10 @@
 #include "control/parameters.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <span>
 #include <variant>
+
+#include "base/decimal.hpp"
 
 namespace kerf::control {
 namespace {
@@ -100,12 +101,6 @@ tl::unexpected<base::Failure> usage(std::string_view key, std::string_view value
                     "parameter " + std::string(key) + "=" + std::string(value) + ": " + what});
 }
 
-bool parse(std::string_view text, double& number) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
 struct Assign {
   Parameters& parameters;
   double number;
@@ -117,9 +112,9 @@ struct Assign {
 
 // 6050 and the like: codes that call programs.
 int* code_slot(Parameters& parameters, std::string_view key, double& scale) {
-  double number = 0;
-  if (key.size() != 4 || !parse(key, number)) return nullptr;
-  const int code = static_cast<int>(number);
+  const auto number = base::read_whole_number(key);
+  if (key.size() != 4 || !number) return nullptr;
+  const auto code = static_cast<int>(*number);
   scale = 1;
   if (code >= 6050 && code <= 6059) {
     scale = 10;
@@ -154,12 +149,12 @@ bool set_start_up_bit(Parameters& parameters, std::string_view key, std::string_
 
 base::Outcome<void> Parameters::set(std::string_view key, std::string_view value) {
   if (set_start_up_bit(*this, key, value)) return {};
-  double number = 0;
   double scale = 1;
   if (int* const slot = code_slot(*this, key, scale)) {
-    if (!parse(value, number) || number < 0 || number > 99999999)
+    const auto number = base::read_number(value);
+    if (!number || *number < 0 || *number > 99999999)
       return usage(key, value, "a code is expected");
-    *slot = static_cast<int>(std::lround(number * scale));
+    *slot = static_cast<int>(base::round_away(*number * scale));
     return {};
   }
   const Row* const row = find(key);
@@ -172,15 +167,17 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
     return {};
   }
   if (row->key == "unit") value = unit_value(value);
-  if (!parse(value, number) || number < row->low || number > row->high) {
+  const auto number = base::read_number(value);
+  if (!number || *number < row->low || *number > row->high) {
     return usage(key, value,
                  "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
                      std::to_string(static_cast<int>(row->high)) + " is expected");
   }
-  if (row->key == "shift_direction" && number == 0) return usage(key, value, "it is never 0");
+  if (row->key == "shift_direction" && *number == 0) return usage(key, value, "it is never 0");
   const bool whole = !std::holds_alternative<double Parameters::*>(row->member);
-  if (whole && number != std::floor(number)) return usage(key, value, "a whole number is expected");
-  std::visit(Assign{*this, number}, row->member);
+  if (whole && *number != std::floor(*number))
+    return usage(key, value, "a whole number is expected");
+  std::visit(Assign{*this, *number}, row->member);
   return {};
 }
 

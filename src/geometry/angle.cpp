@@ -8,6 +8,7 @@
 namespace kerf::geometry {
 
 SineCosine sine_cosine_deg(double angle_deg) {
+  if (!(std::fabs(angle_deg) < 0x1p44)) angle_deg = std::fmod(angle_deg, 360);
   const double quarters = std::nearbyint(angle_deg / 90);
   const double rest_rad = (angle_deg - quarters * 90) * std::numbers::pi / 180;
   const auto [s, c] = math::sine_cosine(rest_rad);

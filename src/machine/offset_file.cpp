@@ -2,8 +2,9 @@
 
 #include <toml++/toml.h>
 
-#include <charconv>
 #include <cmath>
+
+#include "base/decimal.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -25,13 +26,10 @@ double number(const toml::node& node) {
 }
 
 std::size_t offset_number(const toml::node& node, const std::string& text, const Memory& memory) {
-  unsigned value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 1 ||
-      value >= memory.tools.size()) {
+  const auto value = base::read_whole_number(text);
+  if (!value || *value < 1 || *value >= memory.tools.size())
     throw Wrong{&node, "there is no tool offset " + text};
-  }
-  return value;
+  return static_cast<std::size_t>(*value);
 }
 
 base::AxisVector* work_system(const std::string& name, Memory& memory) {
@@ -42,12 +40,10 @@ base::AxisVector* work_system(const std::string& name, Memory& memory) {
   if (!name.starts_with("G54.1")) return nullptr;
   const std::size_t p = name.find_first_of("0123456789", 5);
   if (p == std::string::npos) return nullptr;
-  unsigned n = 0;
-  const char* const end = name.data() + name.size();
-  const bool whole = std::from_chars(name.data() + p, end, n).ptr == end;
+  const auto n = base::read_whole_number(std::string_view(name).substr(p));
   const bool marked = name.find_first_not_of(" P", 5) == p;
-  return whole && marked && n >= 1 && n <= memory.extended.size() ? &memory.extended[n - 1]
-                                                                  : nullptr;
+  const bool there = n && *n >= 1 && *n <= memory.extended.size();
+  return marked && there ? &memory.extended[static_cast<std::size_t>(*n) - 1] : nullptr;
 }
 
 void read_work(const toml::table& table, const control::AxisSetup& axes, Memory& memory) {

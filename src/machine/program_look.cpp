@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 #include <optional>
 #include <string_view>
 
+#include "base/decimal.hpp"
 #include "base/text_window.hpp"
 #include "machine/language.hpp"
 
@@ -44,14 +44,13 @@ class Words {
 
  private:
   Word word() {
-    std::size_t end = 1;
-    while (end < rest_.size() && (std::isdigit(static_cast<unsigned char>(rest_[end])) != 0 ||
-                                  std::string_view("+-.").find(rest_[end]) != std::string::npos))
-      ++end;
+    const std::size_t sign = rest_.substr(1).find_first_not_of("+-") == 1 ? 1 : 0;
+    const std::size_t end =
+        std::min(rest_.find_first_not_of("0123456789.", 1 + sign), rest_.size());
     Word word;
     word.letter = static_cast<char>(std::toupper(static_cast<unsigned char>(rest_[0])));
     word.text = rest_.substr(0, end);
-    word.value = std::strtod(std::string(word.text.substr(1)).c_str(), nullptr);
+    word.value = base::read_number(word.text.substr(1)).value_or(0);
     rest_.remove_prefix(end);
     return word;
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/decimal.hpp"
 #include "base/output_file.hpp"
 #include "base/source_file.hpp"
 #include "lang/vm/value.hpp"
@@ -17,6 +18,7 @@ using nlohmann::json;
 
 constexpr std::size_t kLargestFile = 64 << 20;
 constexpr int kFirstRetained = 500;
+constexpr double kMostVariable = 4294967295.0;
 
 // What does not fit the format throws; read_state() turns it into a sentence.
 struct Unreadable {
@@ -30,16 +32,11 @@ double number(const json& value, const char* where) {
 }
 
 int index(const std::string& text, int low, int high, const char* where) {
-  int value = -1;
-  try {
-    std::size_t used = 0;
-    value = std::stoi(text, &used);
-    if (used != text.size()) value = -1;
-  } catch (const std::exception&) {
-    value = -1;
-  }
-  if (value < low || value > high) throw Unreadable{std::string(where) + " has no entry " + text};
-  return value;
+  const auto value = base::read_whole_number(text);
+  if (!value || *value < static_cast<std::uint64_t>(low) ||
+      *value > static_cast<std::uint64_t>(high))
+    throw Unreadable{std::string(where) + " has no entry " + text};
+  return static_cast<int>(*value);
 }
 
 json axes_json(const base::AxisVector& values) {
@@ -124,7 +121,10 @@ void from_json(const json& state, Memory& memory) {
   memory.parts_required = number(state.at("parts_required"), "parts_required");
   memory.running_hours = number(state.at("running_hours"), "running_hours");
   for (const auto& [name, value] : state.at("names").items()) {
-    memory.names[name] = static_cast<std::uint32_t>(number(value, "names"));
+    const double variable = number(value, "names");
+    if (!(variable >= 0 && variable <= kMostVariable && variable == std::floor(variable)))
+      throw Unreadable{"names has " + name + " for no variable"};
+    memory.names[name] = static_cast<std::uint32_t>(variable);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.hpp"
 #include "geometry/angle.hpp"
 #include "math/math.hpp"
 #include "output/internal/plot/display_list.hpp"
@@ -182,8 +183,9 @@ void Sheet::worst_mark(const View& view) {
 void Sheet::whole_path() {
   const double factor = magnification();
   const View view(plot::kFromAbove, extents(), kPath, kPath.shrunk(48));
-  frame(kPath, view,
-        fmt::format("From above; deviations of the wheel \u00d7 {}", plot::rounded(factor, 0)));
+  frame(
+      kPath, view,
+      fmt::format("From above; deviations of the wheel \u00d7 {}", base::rounded_text(factor, 0)));
   paths(view, factor);
   headings(view);
   worst_mark(view);
@@ -228,7 +230,7 @@ void Sheet::legend(double factor) {
   entry({kTrue, 2.5, false, {}}, "programmed path");
   entry({kWheel, 1, false, {}},
         fmt::format("wheel after every pulse; left: worst of a step \u00d7 {}",
-                    plot::rounded(factor, 0)));
+                    base::rounded_text(factor, 0)));
   entry({kHeadingColor, 1.2, false, {}}, "heading of the wheel");
   entry({plot::kFaintTravel, 1, true, {}}, "from cut to cut");
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
+
+#include "base/decimal.hpp"
 
 extern "C" {
 extern const char kerf_page_begin[];
@@ -15,7 +16,7 @@ namespace {
 
 struct Line {
   std::array<std::string_view, 4> fields;
-  std::size_t bytes = 0;
+  std::uint64_t bytes = 0;
 };
 
 std::optional<Line> parse_line(std::string_view text) {
@@ -25,10 +26,9 @@ std::optional<Line> parse_line(std::string_view text) {
     line.fields[i] = std::string_view(text.begin(), tab);
     text = std::string_view(tab == text.end() ? tab : tab + 1, text.end());
   }
-  const std::string_view bytes = line.fields[3];
-  const auto read = std::from_chars(bytes.data(), bytes.data() + bytes.size(), line.bytes);
-  if (bytes.empty() || read.ec != std::errc() || read.ptr != bytes.data() + bytes.size())
-    return std::nullopt;
+  const auto bytes = base::read_whole_number(line.fields[3]);
+  if (!bytes) return std::nullopt;
+  line.bytes = *bytes;
   return line;
 }
 
@@ -45,9 +45,10 @@ AssetTable::AssetTable(std::string_view pack) {
     const auto line = parse_line(lines.substr(0, end));
     lines.remove_prefix(end + 1);
     if (!line || line->bytes > blobs.size()) return;
+    const auto bytes = static_cast<std::size_t>(line->bytes);
     assets_.push_back({std::string(line->fields[0]), std::string(line->fields[1]),
-                       std::string(line->fields[2]), blobs.substr(0, line->bytes)});
-    blobs.remove_prefix(line->bytes);
+                       std::string(line->fields[2]), blobs.substr(0, bytes)});
+    blobs.remove_prefix(bytes);
   }
 }
 

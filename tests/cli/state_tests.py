@@ -55,6 +55,35 @@ def names(box):
     equal(run(box, "O1\n#512=[#WORKNO]+1\nM30\n")["variables"], {"#511": 7, "#512": 8}, "variables")
 
 
+def with_names(number):
+    return lambda state: state["names"].update(TOOLNO=number)
+
+
+def with_variable(key):
+    return lambda state: state["variables"].update({key: 1})
+
+
+NO_STATES = {
+    "a name for variable -5": with_names(-5),
+    "a name for half a variable": with_names(510.5),
+    "a name for a variable that no number of 32 bits reaches": with_names(1e10),
+    "a name for a variable beyond all numbers": with_names(1e300),
+    "a variable with a blank before it": with_variable(" 510"),
+    "a variable with a sign": with_variable("+510"),
+    "a variable and a word": with_variable("510th"),
+    "a variable beyond all numbers": with_variable("99999999999999999999"),
+}
+for what, spoil in NO_STATES.items():
+    @test(f"--state with {what} is refused and stays as it is")
+    def no_state_of_ours(box, spoil=spoil):
+        run(box, "O1\nSETVN510[TOOLNO]\nM30\n")
+        state = box.json("memory")
+        spoil(state)
+        box.write("memory", json.dumps(state))
+        refused(box.kerf("run", "part.nc", "--state", "memory"), 3)
+        equal(box.json("memory"), state, "state")
+
+
 @test("--state is written at an alarm and at a budget as well: those are whole runs")
 def other_ends(box):
     run(box, "O1\n#500=1\n#1=1/0\nM30\n", wanted=1)

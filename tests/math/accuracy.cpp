@@ -169,13 +169,13 @@ double exponent_of_power(Arguments& arguments) {
 }
 
 /// False where it is worse than promised.
-bool measure(const Subject& subject, long points, std::uint64_t seed) {
+bool measure(const Subject& subject, std::uint64_t points, std::uint64_t seed) {
   Arguments arguments(seed);
   Number exact;
   double worst = 0;
   double worst_tiny = 0;
   std::string worst_at;
-  for (long i = 0; i < points; ++i) {
+  for (std::uint64_t i = 0; i < points; ++i) {
     std::string where;
     const double got = subject.once(arguments, exact.get(), where);
     const double error = error_of(got, exact.get());
@@ -187,17 +187,25 @@ bool measure(const Subject& subject, long points, std::uint64_t seed) {
   const bool good = worst <= subject.bound && worst_tiny <= kTinyBound;
   std::printf("%-7s %.4f (promised %.2f)  below 2^-1022: %.4f  %s%s\n", subject.name, worst,
               subject.bound, worst_tiny, good ? "at " : "FAILS at ", worst_at.c_str());
+  std::fflush(stdout);
   return good;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  long points = 20000;
+  std::uint64_t points = 20000;
   std::uint64_t seed = 20260101;
-  for (int i = 1; i + 1 < argc; i += 2) {
-    if (std::strcmp(argv[i], "--points") == 0) points = std::atol(argv[i + 1]);
-    if (std::strcmp(argv[i], "--seed") == 0) seed = std::strtoull(argv[i + 1], nullptr, 10);
+  for (int i = 1; i < argc; i += 2) {
+    const bool is_points = std::strcmp(argv[i], "--points") == 0;
+    const bool is_known = is_points || std::strcmp(argv[i], "--seed") == 0;
+    char* end = nullptr;
+    const std::uint64_t value = i + 1 < argc ? std::strtoull(argv[i + 1], &end, 10) : 0;
+    if (!is_known || end == nullptr || *end != 0) {
+      std::fprintf(stderr, "usage: kerf_math_accuracy [--points N] [--seed S]\n");
+      return 2;
+    }
+    (is_points ? points : seed) = value;
   }
   namespace math = kerf::math;
   using A = Arguments;

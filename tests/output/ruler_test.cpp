@@ -43,13 +43,6 @@ TEST(Ruler, HasBoundedNumbersOfMarks) {
   }
 }
 
-TEST(Text, RoundsWithoutTrailingZeros) {
-  EXPECT_EQ(rounded(1.5, 3), "1.5");
-  EXPECT_EQ(rounded(-0.0001, 3), "0");
-  EXPECT_EQ(rounded(100, 0), "100");
-  EXPECT_EQ(rounded(33.33333, 3), "33.333");
-}
-
 TEST(Text, SignificantShowsTwoDigits) {
   EXPECT_EQ(significant(0.012195), "0.012");
   EXPECT_EQ(significant(0.5), "0.5");

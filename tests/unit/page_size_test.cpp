@@ -52,13 +52,13 @@ std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
   machine->set_optional_stop(options.optional_stop);
   for (const std::string& text : options.variables) {
     const auto setting = cli::split_setting(text, "--set");
-    const auto set = machine->set_variable(setting->key, *base::parse_number(setting->value));
+    const auto set = machine->set_variable(setting->key, *base::read_number(setting->value));
     EXPECT_TRUE(set) << text;
   }
   for (const std::string& text : options.skip_at) {
     const auto setting = cli::split_setting(text, "--skip-at");
     machine->add_skip_contact(
-        {*machine->definition().axes.find(setting->key[0]), *base::parse_number(setting->value)});
+        {*machine->definition().axes.find(setting->key[0]), *base::read_number(setting->value)});
   }
   return machine;
 }

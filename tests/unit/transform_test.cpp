@@ -175,6 +175,15 @@ TEST(SineCosine, IsExactAtMultiplesOfNinetyDegrees) {
   }
 }
 
+TEST(SineCosine, OfManyTurnsIsThatOfTheRest) {
+  for (const double angle : {1e15 + 0.5, 1e19, -1e22, 1e30, 1.7e308}) {
+    const SineCosine at = sine_cosine_deg(angle);
+    const SineCosine of_rest = sine_cosine_deg(std::fmod(angle, 360));
+    EXPECT_EQ(at.sine, of_rest.sine) << angle;
+    EXPECT_EQ(at.cosine, of_rest.cosine) << angle;
+  }
+}
+
 TEST(SineCosine, IsThatOfTheLibraryEverywhereElse) {
   SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
 
 #include "base/decimal.hpp"
@@ -77,13 +76,12 @@ class LineParser {
       result.negative = word[0] == '-';
       word.remove_prefix(1);
     }
-    const char* const end = word.data() + word.size();
-    const bool digits = !word.empty() && word[0] >= '0' && word[0] <= '9';
-    const auto [stop, error] = std::from_chars(word.data(), end, result.size);
-    if (!digits || stop != end || error == std::errc::invalid_argument)
+    const auto size = base::read_whole_number(word);
+    if (!size && size.error() == base::NumberFault::no_number)
       return wrong(of + " are expected, a whole number");
-    if (error != std::errc() || result.size > kMostListed)
+    if (!size || *size > kMostListed)
       return wrong(fmt::format("{}: at most {} stand in a line", of, kMostListed));
+    result.size = static_cast<std::int64_t>(*size);
     return result;
   }
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "base/decimal.hpp"
 
 namespace kerf::basic {
 namespace {
@@ -140,10 +141,9 @@ Token Lexer::number(Token token) {
   bool glued = false;
   for (; is_letter(peek().value) || is_digit(peek().value) || peek().value == '.'; advance())
     glued = true;
-  const char* const last = token.text.data() + token.text.size();
-  const auto [stop, error] = std::from_chars(token.text.data(), last, token.number);
-  if (bare_point || glued || error != std::errc() || stop != last)
-    return wrong(std::move(token), base::Code::basic_number);
+  const auto value = base::read_number(token.text);
+  if (bare_point || glued || !value) return wrong(std::move(token), base::Code::basic_number);
+  token.number = *value;
   return done(std::move(token));
 }
 

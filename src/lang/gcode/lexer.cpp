@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
+
+#include "base/decimal.hpp"
 
 namespace kerf::gcode {
 namespace {
@@ -133,7 +134,7 @@ NumberText Cursor::spaced_number(const char* begin) {
     result.digits = -1;
     return result;
   }
-  std::from_chars(digits.data(), digits.data() + digits.size(), result.value);
+  result.value = base::read_number(digits).value_or(0);  // too large has too many digits as well
   return result;
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 #include "base/decimal.hpp"
 
@@ -48,20 +46,16 @@ std::string text_of(const Range& range) {
 }
 
 Number parse_number(std::string_view word, const Range& range) {
-  double value = 0;
-  const char* begin = word.data();
-  const char* const end = begin + word.size();
-  if (word.size() > 1 && *begin == '+' && word[1] != '-') ++begin;
-  const auto [stop, error] = std::from_chars(begin, end, value);
-  const bool whole =
-      stop == end && (error == std::errc() || error == std::errc::result_out_of_range);
-  if (!whole || std::isnan(value) || std::isinf(value))
-    return wrong(Code::teach_number, "'" + shown(word) + "' is no number", word);
-  if (error != std::errc())
-    return wrong(Code::teach_number, "'" + shown(word) + "' is beyond what a number holds", word);
-  if (!is_in(value, range))
+  const auto value = base::read_number(word);
+  if (!value) {
+    const bool beyond = value.error() == base::NumberFault::too_large;
+    return wrong(
+        Code::teach_number,
+        "'" + shown(word) + "' is " + (beyond ? "beyond what a number holds" : "no number"), word);
+  }
+  if (!is_in(*value, range))
     return wrong(Code::teach_range, "'" + shown(word) + "' is not " + text_of(range), word);
-  return value;
+  return *value;
 }
 
 tl::expected<Pose, Mistake> parse_pose(const Words& words, std::size_t first) {

@@ -22,7 +22,7 @@ std::uint32_t number_of_common(std::size_t index) {
 
 std::optional<std::uint32_t> GcodeDialect::number_of_variable(const std::string& name) {
   if (name.size() < 2 || name[0] != '#') return std::nullopt;
-  const auto number = base::parse_number(name.substr(1));
+  const auto number = base::read_number(name.substr(1));
   if (!number || *number < 0 || *number > kMostVariable || *number != std::floor(*number))
     return std::nullopt;
   return static_cast<std::uint32_t>(*number);

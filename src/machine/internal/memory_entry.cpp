@@ -18,7 +18,7 @@ base::AxisVector* work_offset(control::Memory& memory, const std::string& name) 
   if (name == "EXT") return &memory.external;
   constexpr std::string_view kExtended = "G54.1 P";
   if (name.starts_with(kExtended)) {
-    const auto number = base::parse_number(name.substr(kExtended.size()));
+    const auto number = base::read_number(name.substr(kExtended.size()));
     if (!number || *number != std::floor(*number) || *number < 1 ||
         *number > static_cast<double>(memory.extended.size()))
       return nullptr;
@@ -35,7 +35,7 @@ double* tool_offset(control::Memory& memory, const std::string& name) {
   const std::size_t point = name.rfind('.');
   if (!name.starts_with(kTool) || point < kTool.size() || point == std::string::npos)
     return nullptr;
-  const auto number = base::parse_number(name.substr(kTool.size(), point - kTool.size()));
+  const auto number = base::read_number(name.substr(kTool.size(), point - kTool.size()));
   if (!number || *number != std::floor(*number) || *number < 1 ||
       *number >= static_cast<double>(memory.tools.size()))
     return nullptr;

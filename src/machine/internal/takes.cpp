@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/decimal.hpp"
@@ -13,13 +12,6 @@ namespace {
 using Form = Takes::Form;
 
 constexpr std::array<std::string_view, 2> kFlagWords = {"false", "true"};
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return number;
-}
 
 std::optional<double> place_of(std::string_view word, std::span<const std::string_view> words) {
   const auto found = std::find(words.begin(), words.end(), word);
@@ -53,8 +45,8 @@ bool admits(const Takes& takes, double value) {
 std::optional<double> value_of(const Takes& takes, std::string_view text) {
   if (takes.form == Form::word) return place_of(text, takes.words);
   if (takes.form == Form::flag) return place_of(text, kFlagWords);
-  const auto number = number_in(text);
-  return number && admits(takes, *number) ? number : std::nullopt;
+  const auto number = base::read_number(text);
+  return number && admits(takes, *number) ? std::optional(*number) : std::nullopt;
 }
 
 std::string in_words(const Takes& takes) {

@@ -1,6 +1,13 @@
 #pragma once
 
+#include <cfloat>
+
 namespace kerf::math {
+
+static_assert(FLT_EVAL_METHOD == 0, "doubles are computed in wider registers: use -mfpmath=sse");
+#ifdef __FAST_MATH__
+#error "-ffast-math reorders the sums that all of this rests on"
+#endif
 
 /// The exact sum of two doubles, high + low: some 106 bits. `low` is at most half of the last digit
 /// of `high` where not said otherwise.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/decimal.hpp"
 #include "output/internal/plot/text.hpp"
 
 namespace kerf::output::plot {
@@ -20,7 +21,8 @@ double SpeedOfCut::take(const CutPeriod& period) {
 }
 
 std::string SpeedOfCut::caption() const {
-  const std::string fastest = fastest_ < 10 ? significant(fastest_) : rounded(fastest_, 0);
+  const std::string fastest =
+      fastest_ < 10 ? significant(fastest_) : base::rounded_text(fastest_, 0);
   return "fastest cut " + fastest + " \u00b7 dots: short slow places";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.hpp"
 #include "output/internal/plot/marks.hpp"
 #include "output/internal/plot/palette.hpp"
 #include "output/internal/plot/ruler.hpp"
@@ -161,15 +162,16 @@ void draw_heads(DisplayList& sheet, Point corner, double right, const Subject& s
 
 void draw_cuts_range(DisplayList& sheet, Point row, double low, double high) {
   const int decimals = decimals_for(low, high);
-  draw_cell(sheet, {row.x + kCutColumns[0], row.y}, rounded(low, decimals), kDark);
-  draw_cell(sheet, {row.x + kCutColumns[1], row.y}, rounded(high, decimals), kDark);
-  draw_cell(sheet, {row.x + kCutColumns[2], row.y}, rounded(high - low, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[0], row.y}, base::rounded_text(low, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[1], row.y}, base::rounded_text(high, decimals), kDark);
+  draw_cell(sheet, {row.x + kCutColumns[2], row.y}, base::rounded_text(high - low, decimals),
+            kDark);
 }
 
 void draw_moves_range(DisplayList& sheet, Point row, double low, double high) {
   const int decimals = decimals_for(low, high);
-  draw_cell(sheet, {row.x + kMoveColumns[0], row.y}, rounded(low, decimals), kDark);
-  draw_cell(sheet, {row.x + kMoveColumns[1], row.y}, rounded(high, decimals), kDark);
+  draw_cell(sheet, {row.x + kMoveColumns[0], row.y}, base::rounded_text(low, decimals), kDark);
+  draw_cell(sheet, {row.x + kMoveColumns[1], row.y}, base::rounded_text(high, decimals), kDark);
 }
 
 // A row an axis: what the cuts span, and what all moves span with the start.

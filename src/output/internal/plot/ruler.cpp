@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.hpp"
 #include "output/internal/plot/text.hpp"
 
 namespace kerf::output::plot {
@@ -44,8 +45,9 @@ std::vector<Tick> ruler(double low, double high, double min_step, double label_f
   for (std::int64_t i = first; i <= last; ++i) {
     const double shown = step.times(static_cast<double>(i) / step.divisions);
     const bool major = i % step.divisions == 0;
-    ticks.push_back({shown / label_factor, major,
-                     major ? rounded(shown, std::max(0, -step.exponent)) : std::string()});
+    ticks.push_back(
+        {shown / label_factor, major,
+         major ? base::rounded_text(shown, std::max(0, -step.exponent)) : std::string()});
   }
   return ticks;
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
+
+#include "base/decimal.hpp"
 
 namespace kerf::output::plot {
 namespace {
@@ -92,22 +93,10 @@ std::string fitted(std::string text, double size, Weight weight, double width) {
   return text + ellipsis;
 }
 
-std::string rounded(double value, int decimals) {
-  std::array<char, 340> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                          std::chars_format::fixed, decimals);
-  std::string text(digits.data(), end);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
-
 std::string significant(double value) {
   int decimals = 1;
   for (double power = 1; decimals < 12 && value * power < 1; power *= 10) ++decimals;
-  return rounded(value, decimals);
+  return base::rounded_text(value, decimals);
 }
 
 std::string grouped(std::size_t count) {

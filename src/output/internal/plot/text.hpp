@@ -17,10 +17,7 @@ enum class Weight : bool { regular, bold };
 /// `text` cut short with an ellipsis so that it is no wider than `width`. `text` is valid UTF-8.
 [[nodiscard]] std::string fitted(std::string text, double size, Weight weight, double width);
 
-/// `value` rounded to `decimals` (0 to 12), without trailing zeros; -0 is 0.
-[[nodiscard]] std::string rounded(double value, int decimals);
-
-/// `value` > 0 rounded to two digits, if that is not finer than `rounded` gets.
+/// `value` > 0 rounded to two digits, if that is not finer than 12 decimals.
 [[nodiscard]] std::string significant(double value);
 
 /// A count with its digits in groups of three.

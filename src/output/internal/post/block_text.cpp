@@ -1,9 +1,9 @@
 #include "output/internal/post/block_text.hpp"
 
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
+
+#include "base/decimal.hpp"
 
 namespace kerf::output {
 namespace {
@@ -12,16 +12,9 @@ constexpr double kStep = 1e4;
 constexpr std::size_t kLongestComment = 60;
 constexpr std::string_view kCommands = "()!~?%;[]#{}";
 
-void append_digits(std::string& out, double value) {
-  std::array<char, 400> text;  // more than the longest double has
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
-  out.append(text.data(), end);
-}
-
 void append_number(std::string& out, double value) {
   const std::size_t begin = out.size();
-  append_digits(out, value);
+  base::append_decimal(out, value);
   if (out.find('.', begin) == std::string::npos) out += '.';
 }
 
@@ -57,7 +50,7 @@ BlockText& BlockText::number(char letter, double value) {
 }
 
 BlockText& BlockText::count(char letter, double value) {
-  append_digits(code({&letter, 1}).text_, value);
+  base::append_decimal(code({&letter, 1}).text_, value);
   return *this;
 }
 

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Holds tools/check_rooms.py against small trees of rooms: what each of its rules must find, and what none may.
+
+usage: check_rooms_test.py
+"""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+import check_rooms  # noqa: E402
+
+LINKS = """kerf_room(math SOURCES a.cpp)
+kerf_room(base SOURCES a.cpp)
+kerf_room(gcode SOURCES a.cpp LINKS kerf_base)
+kerf_room(basic SOURCES a.cpp LINKS kerf_base)
+kerf_room(control SOURCES a.cpp LINKS kerf_gcode kerf_base kerf_math)
+"""
+
+FOUND = {
+    "a room below": ("base/a.cpp", '#include "control/b.hpp"\n', "control stands below base"),
+    "a room beside": ("lang/basic/a.cpp", '#include "lang/gcode/b.hpp"\n', "stands beside"),
+    "a room that is not linked": ("lang/gcode/a.cpp", '#include "math/math.hpp"\n', "does not link kerf_math"),
+    "the inside of another room": ("control/a.cpp", '#include "base/internal/b.hpp"\n', "internal/ is for base"),
+    "a path from elsewhere": ("control/a.cpp", '#include "b.hpp"\n', "is in no room"),
+    "a folder that is no room": ("attic/a.cpp", "", "is no room"),
+    "a sine of the library": ("control/a.cpp", "double y = std::sin(x);\n", "std::sin"),
+    "a global one": ("control/a.cpp", "double y = ::pow(x, 2);\n", "::pow"),
+    "one without a name in front": ("control/a.cpp", "return hypot(x, y);\n", "hypot"),
+    "strtod": ("control/a.cpp", "const double x = std::strtod(text, nullptr);\n", "strtod"),
+    "strtol": ("control/a.cpp", "long n = strtol(text, &end, 10);\n", "strtol"),
+    "stod": ("control/a.cpp", "return std::stod(text);\n", "stod"),
+    "stoi": ("control/a.cpp", "return stoi (text);\n", "stoi"),
+    "atof": ("control/a.cpp", "x = atof(text);\n", "atof"),
+    "from_chars": ("control/a.cpp", "std::from_chars(begin, end, x);\n", "from_chars"),
+    "to_chars beside the border": ("base/a.cpp", "std::to_chars(begin, end, x);\n", "to_chars"),
+    "sscanf": ("control/a.cpp", 'std::sscanf(text, "%lf", &x);\n', "sscanf"),
+    "snprintf": ("control/a.cpp", 'std::snprintf(text, 9, "%d", n);\n', "snprintf"),
+    "a float of printf": ("control/a.cpp", 'std::fprintf(stderr,\n             "at %-8.3f", x);\n', "printf"),
+    "a stream of text": ("control/a.cpp", "#include <sstream>\n", "<sstream>"),
+    "manipulators": ("control/a.cpp", "# include <iomanip>\n", "<iomanip>"),
+    "the locale": ("control/a.cpp", 'std::setlocale(LC_ALL, "");\n', "setlocale"),
+    "the locale by fmt": ("control/a.cpp", 'fmt::format("{:.2Lf}", x);\n', "L"),
+    "behind another": ("control/a.cpp", 'std::printf("%d", n);\nstd::printf("%g", x);\n', "a.cpp:2"),
+}
+
+NOT_FOUND = {
+    "rooms above": ("control/a.cpp", '#include "base/b.hpp"\n#include "control/internal/c.hpp"\n'),
+    "headers of the library": ("control/a.cpp", "#include <cmath>\n#include <string>\n"),
+    "math's own sine": ("control/a.cpp", "double y = math::sin(x);\n"),
+    "a sine that is named": ("control/a.cpp", "using math::sin;\ndouble y = sin(x);\n"),
+    "what is exact everywhere": ("control/a.cpp", "std::sqrt(x) + std::floor(x) + std::fmod(x, y);\n"),
+    "math itself": ("math/a.cpp", "double y = std::log(x);\n"),
+    "the border": ("base/decimal.cpp", "std::from_chars(begin, end, x);\nstd::to_chars(begin, end, x);\n"),
+    "printf without floats": ("control/a.cpp", 'std::fprintf(stderr, "%s: %llu %d %%\\n", text, n, i);\nx = a % f;\n'),
+    "fmt": ("control/a.cpp", 'fmt::format("{:.2f} {:02X} {}: {}", x, n, text, text);\n'),
+    "comments": ("control/a.cpp", "// not by strtod(text) or std::sin(x)\n"),
+    "names that contain one": ("control/a.cpp", "restrtod(x); my_atoi(y); histoi(z);\n"),
+}
+
+
+def findings(path: str, text: str) -> list[str]:
+    with tempfile.TemporaryDirectory() as folder:
+        src = Path(folder) / "src"
+        (src / path).parent.mkdir(parents=True)
+        (src / "CMakeLists.txt").write_text(LINKS)
+        (src / path).write_text(text)
+        return check_rooms.check(Path(folder))[1]
+
+
+class Rules(unittest.TestCase):
+    def test_finds(self):
+        for name, (path, text, wanted) in FOUND.items():
+            with self.subTest(name):
+                found = findings(path, text)
+                self.assertEqual(len(found), 1, found)
+                self.assertIn(wanted, found[0])
+
+    def test_leaves_alone(self):
+        for name, (path, text) in NOT_FOUND.items():
+            with self.subTest(name):
+                self.assertEqual(findings(path, text), [])
+
+    def test_a_room_may_not_link_one_below(self):
+        with tempfile.TemporaryDirectory() as folder:
+            src = Path(folder) / "src"
+            src.mkdir()
+            (src / "CMakeLists.txt").write_text("kerf_room(base SOURCES a.cpp LINKS kerf_control)\n")
+            found = check_rooms.check(Path(folder))[1]
+        self.assertEqual(len(found), 1)
+        self.assertIn("base may not link control", found[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -2,10 +2,11 @@
 """Runs every example with all outputs twice and holds the bytes against each other: as it is, and as on a processor
 without fused multiplication and AVX, for which the C library has other code.
 
-usage: same_bytes.py --kerf PATH [--other PATH] [NAME ...]
+usage: same_bytes.py --kerf PATH [--other PATH] [--without-png] [NAME ...]
 
 --other: the second run is by that program (another compiler, another C library, another processor under an emulator),
-without the switches. NAME: only examples whose folder begins so.
+without the switches. --without-png: cairo draws those, and on another processor it shades a pixel by 1 of 255
+otherwise. NAME: only examples whose folder begins so.
 
 Exit status: 0 all the same, 1 something differs, 2 wrong usage.
 """
@@ -27,7 +28,7 @@ SOMEWHERE = ("--plot path.png", "--plot speed.svg --plot-speed", "--plot energy.
              "--pattern pattern.pat", "--pattern pattern.pat --pattern-plot wheel.svg")
 WITHOUT_VALUE = ("--plot-speed", "--plot-energy", "--optional-stop")
 USAGE = 2
-SECONDS = 300
+SECONDS = 1500  # an emulator takes its time
 
 
 def inputs_of(command: Path) -> list[str]:
@@ -47,7 +48,8 @@ def inputs_of(command: Path) -> list[str]:
 def run(kerf: str, words: list[str], environment: dict) -> dict:
     """Name of each thing that came out: its bytes."""
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([*shlex.split(kerf), "run", *words], cwd=folder, env={**os.environ, **environment},
+        done = subprocess.run([*shlex.split(kerf), "run", *words, "--max-seconds", "0"], cwd=folder,
+                              env={**os.environ, **environment},
                               stdin=subprocess.DEVNULL, capture_output=True, timeout=SECONDS, check=False)
         found = {path.name: path.read_bytes() for path in Path(folder).iterdir()}
     return {"exit status": str(done.returncode).encode(), "standard output": done.stdout,
@@ -74,6 +76,7 @@ def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--kerf", required=True)
     parser.add_argument("--other")
+    parser.add_argument("--without-png", action="store_true")
     parser.add_argument("names", nargs="*")
     arguments = parser.parse_args()
     kerf = str(Path(arguments.kerf).resolve())
@@ -84,6 +87,8 @@ def main() -> int:
             continue
         inputs = inputs_of(command)
         for options in runs_of(kerf, inputs):
+            if arguments.without_png and options[-1].endswith(".png"):
+                continue
             ours = run(kerf, [*inputs, *options], {})
             outputs += len(ours)
             for name in differences(ours, run(other, [*inputs, *options], environment)):

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cfloat>
+#include <limits>
 
 namespace kerf::math {
 
-static_assert(FLT_EVAL_METHOD == 0, "doubles are computed in wider registers: use -mfpmath=sse");
+static_assert(FLT_EVAL_METHOD == 0 && std::numeric_limits<double>::is_iec559,
+              "the bits of all results follow from doubles that are rounded once");
 #ifdef __FAST_MATH__
 #error "-ffast-math reorders the sums that all of this rests on"
 #endif

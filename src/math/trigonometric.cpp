@@ -171,9 +171,9 @@ Pair sine_of(const Quarters& angle) {
   return (angle.count & 2) != 0 ? minus(value) : value;
 }
 
-Pair cosine_of(Quarters angle) {
-  ++angle.count;
-  return sine_of(angle);
+Pair cosine_of(const Quarters& angle) {
+  const Pair value = (angle.count & 1) != 0 ? sine_of_rest(angle.rest) : cosine_of_rest(angle.rest);
+  return ((angle.count + 1) & 2) != 0 ? minus(value) : value;
 }
 
 // atan(n/d) for n in [0, d], d > 0: with c = k/64 near n/d it is atan(c) + atan((n - cd)/(d + cn)).

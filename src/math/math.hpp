@@ -14,7 +14,7 @@ namespace kerf::math {
 /// How: arguments are brought into a short interval around an entry of a table, computed as sums of
 /// two doubles (internal/pair.hpp); what lies between entries is a short series.
 
-/// Of an angle in radians, of any size. 0.53.
+/// Of an angle in radians, of any size. 0.55.
 [[nodiscard]] double sin(double angle_rad);
 [[nodiscard]] double cos(double angle_rad);
 

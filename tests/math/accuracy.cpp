@@ -210,8 +210,8 @@ int main(int argc, char** argv) {
   namespace math = kerf::math;
   using A = Arguments;
   const Subject subjects[] = {
-      unary("sin", 0.53, math::sin, mpfr_sin, &A::angle),
-      unary("cos", 0.53, math::cos, mpfr_cos, &A::angle),
+      unary("sin", 0.55, math::sin, mpfr_sin, &A::angle),
+      unary("cos", 0.55, math::cos, mpfr_cos, &A::angle),
       unary("tan", 0.53, math::tan, mpfr_tan, &A::angle),
       unary("asin", 0.51, math::asin, mpfr_asin, &A::share),
       unary("acos", 0.51, math::acos, mpfr_acos, &A::share),

@@ -16,8 +16,15 @@ using base::Outcome;
 // Where nothing else is asked for.
 constexpr machine::Language kMill{"fanuc-mill", "", "mill3"};
 
+// Those of texts: a replay runs the bytes of a pattern.
+std::vector<std::string_view> text_dialects() {
+  std::vector<std::string_view> all = machine::available_dialects();
+  std::erase(all, kPatternDialect);
+  return all;
+}
+
 bool is_available(std::string_view dialect) {
-  const std::vector<std::string_view> all = machine::available_dialects();
+  const std::vector<std::string_view> all = text_dialects();
   return std::find(all.begin(), all.end(), dialect) != all.end();
 }
 
@@ -51,7 +58,7 @@ bool is_pattern(const std::string& dialect, const std::string& path) {
 
 std::string dialect_list() {
   std::string text;
-  for (const std::string_view name : machine::available_dialects()) {
+  for (const std::string_view name : text_dialects()) {
     if (!text.empty()) text += ", ";
     text += name;
   }

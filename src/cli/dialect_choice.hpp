@@ -4,6 +4,7 @@
 
 #include "base/result.hpp"
 #include "base/source_file.hpp"
+#include "machine/language.hpp"
 
 namespace kerf::cli {
 
@@ -22,10 +23,10 @@ struct DialectChoice {
                                                           const std::string& dialect,
                                                           const base::SourceFile& program);
 
-/// The dialect of pattern bytes: a replay runs them, not a control.
-inline constexpr const char* kPatternDialect = "pattern";
+/// Here a replay runs it, and no control.
+using machine::kPatternDialect;
 
-/// Whether the file at `path` is such bytes: the dialect that was asked for says so, or its ending
+/// Whether the file at `path` is the bytes of a pattern: the dialect that was asked for says so, or its ending
 /// where none was.
 [[nodiscard]] bool is_pattern(const std::string& dialect, const std::string& path);
 

@@ -106,7 +106,7 @@ void ArmDrive::pulse(ArmAxis axis, Direction direction, std::int64_t rise, std::
   const std::int64_t width = settings_.clock.nanoseconds(fall) - rise_ns;
   constexpr std::int64_t kLongest = std::numeric_limits<std::uint32_t>::max();
   const auto width_ns = static_cast<std::uint32_t>(std::clamp<std::int64_t>(width, 1, kLongest));
-  sink_.take({rise_ns, width_ns, axis_of(axis), direction});
+  sink_->take({rise_ns, width_ns, axis_of(axis), direction});
   counters_[axis] += sign(direction);
 }
 

@@ -20,11 +20,11 @@ struct ArmSettings {
 
 /// Makes the pulses of the two-link arm (docs/drives.md, "The arm's timers"). Moves follow one
 /// another without a pause; each starts with every line low. Edges lie on ticks of the clock, times
-/// of pulses are those ticks in ns. Counters follow every pulse.
+/// of pulses are those ticks in ns. Counters follow every pulse. A value: a copy goes on by itself.
 class ArmDrive {
  public:
   /// The sink must outlive the drive.
-  ArmDrive(const ArmSettings& settings, PulseSink& sink) : settings_(settings), sink_(sink) {}
+  ArmDrive(const ArmSettings& settings, PulseSink& sink) : settings_(settings), sink_(&sink) {}
 
   /// A triplet: theta3 alone, then theta1 and theta2 together. At most kMostPulses an axis. The
   /// half period of the arms is the setting's, or `half_period_ticks`, from
@@ -69,7 +69,7 @@ class ArmDrive {
   void pulse(ArmAxis axis, Direction direction, std::int64_t rise, std::int64_t fall);
 
   ArmSettings settings_;
-  PulseSink& sink_;
+  PulseSink* sink_;
   ArmCounts counters_;
   std::int64_t now_ = 0;
 };

@@ -31,4 +31,10 @@ double FastProfile::edge_s(std::int64_t number) const {
   return ramp_time_s(ramp_pulses_) + (way - ramp_pulses_) / peak_hz_;
 }
 
+// Both ramps have the same way, and the one at the end begins behind `way`.
+std::int64_t FastProfile::fewest_pulses(double way) const {
+  const double fewest = std::ceil(way + std::min(way, ramp_pulses_));
+  return static_cast<std::int64_t>(std::clamp(fewest, 1.0, pulses_));
+}
+
 }  // namespace kerf::drive

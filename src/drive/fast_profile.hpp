@@ -22,6 +22,10 @@ class FastProfile {
   /// pulse from the profile; the last edge ends the move.
   [[nodiscard]] double edge_s(std::int64_t number) const;
 
+  /// The move of the fewest pulses whose edges are those of this one up to `way` pulses from the
+  /// start: who is on the way and wants to rest makes that one. At most the pulses of this one.
+  [[nodiscard]] std::int64_t fewest_pulses(double way) const;
+
  private:
   [[nodiscard]] double ramp_time_s(double way) const;
 

@@ -6,7 +6,9 @@
 
 #include "machine/internal/basic_dialect.hpp"
 #include "machine/internal/gcode_dialect.hpp"
+#include "machine/internal/pattern_dialect.hpp"
 #include "machine/internal/teach_dialect.hpp"
+#include "machine/language.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -22,7 +24,14 @@ struct Maker {
 };
 constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>},
                                 Maker{"laser-basic", make<BasicDialect>},
-                                Maker{"teach", make<TeachDialect>}};
+                                Maker{"teach", make<TeachDialect>},
+                                Maker{kPatternDialect, make<PatternDialect>}};
+
+const Maker* find_maker(std::string_view name) {
+  const auto maker = std::find_if(kMakers.begin(), kMakers.end(),
+                                  [&](const Maker& candidate) { return candidate.name == name; });
+  return maker == kMakers.end() ? nullptr : &*maker;
+}
 
 }  // namespace
 
@@ -39,10 +48,21 @@ std::vector<std::string_view> available_dialects() {
   return names;
 }
 
+base::Outcome<void> check_dialect(const MachineDefinition& machine, std::string_view dialect) {
+  if (find_maker(dialect) == nullptr) {
+    return tl::unexpected(
+        base::Failure{base::Failure::Kind::usage,
+                      "Kerf does not run the language '" + std::string(dialect) + "'"});
+  }
+  if (dialect != kPatternDialect) return {};
+  const auto counting = PatternMachine::of(machine);
+  if (!counting) return tl::unexpected(counting.error());
+  return {};
+}
+
 std::unique_ptr<Dialect> make_dialect(std::string_view name, const Dialect::Around& around) {
-  const auto maker = std::find_if(kMakers.begin(), kMakers.end(),
-                                  [&](const Maker& candidate) { return candidate.name == name; });
-  assert(maker != kMakers.end());
+  const Maker* const maker = find_maker(name);
+  assert(maker != nullptr);
   return maker->make(around);
 }
 

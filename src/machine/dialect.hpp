@@ -17,6 +17,7 @@
 #include "control/surroundings.hpp"
 #include "lang/vm/page_store.hpp"
 #include "machine/condition.hpp"
+#include "machine/internal/pattern_queue.hpp"
 #include "machine/machine_definition.hpp"
 #include "machine/signals.hpp"
 #include "machine/variable_listing.hpp"
@@ -42,6 +43,7 @@ class Dialect {
     control::Surroundings& surroundings;
     control::MotionSink& sink;
     vm::PageSettings pages;
+    PatternQueue& records;  ///< of a pattern
   };
 
   explicit Dialect(const base::SourceSet& sources) : sources_(sources) {}
@@ -126,7 +128,11 @@ class Dialect {
 /// Names of the dialects that Kerf runs, of kDialects.
 [[nodiscard]] std::vector<std::string_view> available_dialects();
 
-/// Precondition: the name is available.
+/// Failure (usage): the machine has no control for this dialect, or Kerf does not run it.
+[[nodiscard]] base::Outcome<void> check_dialect(const MachineDefinition& machine,
+                                                std::string_view dialect);
+
+/// Precondition: check_dialect() of that machine has nothing against it.
 [[nodiscard]] std::unique_ptr<Dialect> make_dialect(std::string_view name,
                                                     const Dialect::Around& around);
 

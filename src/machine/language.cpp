@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kLook = 4096;
 
 constexpr std::array kLanguages = {Language{"laser-basic", ".bas", "laser3"},
-                                   Language{"teach", ".tch", "laser5"}};
+                                   Language{"teach", ".tch", "laser5"},
+                                   Language{"pattern", ".pat", "arm4"}};
 
 // Words that begin a statement of laser BASIC and no block of G-code.
 constexpr std::array<std::string_view, 14> kBasicWords = {"LET",  "REM",  "PRINT",  "INPUT", "FOR",

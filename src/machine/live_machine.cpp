@@ -38,6 +38,10 @@ class LiveMachine::Impl {
   Outcome perform_at_axes(const Act& act, const Act& to_show, const Act& effect);
   /// Likewise; a run begins with it.
   Outcome begin(const Act& act);
+  /// Likewise, where axes moved by hand begin one.
+  Outcome move_by_hand(const Act& act) {
+    return core->would_begin_by_hand() ? begin(act) : perform(act);
+  }
   /// Likewise, where cycle start would begin the program.
   Outcome set_off(const Act& act) { return core->would_begin() ? begin(act) : perform(act); }
   [[nodiscard]] Outcome step_back();
@@ -273,14 +277,14 @@ LiveMachine::Outcome LiveMachine::set_dials(const OverrideDials& dials) {
 }
 
 LiveMachine::Outcome LiveMachine::jog(std::string_view axis, double speed_per_min) {
-  return impl_->perform([axis = std::string(axis), speed_per_min](LiveCore& core) {
+  return impl_->move_by_hand([axis = std::string(axis), speed_per_min](LiveCore& core) {
     return core.jog(axis, speed_per_min);
   });
 }
 
 LiveMachine::Outcome LiveMachine::jog_by(std::string_view axis, double distance,
                                          double speed_per_min) {
-  return impl_->perform([axis = std::string(axis), distance, speed_per_min](LiveCore& core) {
+  return impl_->move_by_hand([axis = std::string(axis), distance, speed_per_min](LiveCore& core) {
     return core.jog_by(axis, distance, speed_per_min);
   });
 }
@@ -290,7 +294,7 @@ LiveMachine::Outcome LiveMachine::jog_stop() {
 }
 
 LiveMachine::Outcome LiveMachine::home() {
-  return impl_->perform([](LiveCore& core) { return core.home(); });
+  return impl_->move_by_hand([](LiveCore& core) { return core.home(); });
 }
 
 LiveMachine::Outcome LiveMachine::mdi(std::string text) {

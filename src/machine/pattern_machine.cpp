@@ -47,6 +47,20 @@ base::Outcome<PatternMachine> PatternMachine::of(const MachineDefinition& machin
   return result;
 }
 
+bool PatternMachine::is_at_zero(const AxisVector& joints) const {
+  constexpr double kNothing = 0.01;  // of a pulse
+  for (std::size_t i = 0; i < drive::kArmAxes; ++i) {
+    if (std::fabs(joints.values[i] * steps_per_unit_[i]) > kNothing) return false;
+  }
+  return true;
+}
+
+MachineDefinition PatternMachine::at_zero(MachineDefinition machine) {
+  machine.start = {};
+  machine.axes.start = machine.make_kinematics()->forward({});
+  return machine;
+}
+
 AxisVector PatternMachine::joints_at(const std::array<double, drive::kArmAxes>& counts) const {
   AxisVector joints;
   for (std::size_t i = 0; i < counts.size(); ++i) joints.values[i] = counts[i] / steps_per_unit_[i];

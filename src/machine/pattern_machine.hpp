@@ -19,6 +19,11 @@ class PatternMachine {
   /// outlive the result.
   [[nodiscard]] static base::Outcome<PatternMachine> of(const MachineDefinition& machine);
 
+  /// Every motor stands where its counter is 0, to a hundredth of a pulse.
+  [[nodiscard]] bool is_at_zero(const base::AxisVector& joints) const;
+  /// The machine with its start there.
+  [[nodiscard]] static MachineDefinition at_zero(MachineDefinition machine);
+
   [[nodiscard]] const MachineDefinition& definition() const { return *definition_; }
   [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
 

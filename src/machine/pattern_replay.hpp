@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "control/motion.hpp"
-#include "drive/arm_drive.hpp"
 #include "drive/pattern/record.hpp"
 #include "machine/axis_point.hpp"
+#include "machine/internal/pattern_motors.hpp"
 #include "machine/internal/pulse_lines.hpp"
 #include "machine/pattern_machine.hpp"
 #include "machine/run_statistics.hpp"
@@ -54,8 +54,8 @@ class PatternReplay {
     std::uint64_t pulses = 0;
   };
   [[nodiscard]] const Totals& totals() const { return totals_; }
-  [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
-  [[nodiscard]] double time_s() const;
+  [[nodiscard]] const drive::ArmCounts& counters() const { return motors_.counters(); }
+  [[nodiscard]] double time_s() const { return motors_.time_s(); }
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
   /// A joint that has stood beyond its travel behind a record, from 1.
   struct BeyondTravel {
@@ -72,21 +72,18 @@ class PatternReplay {
     std::uint64_t count = 0;
   };
 
-  base::Result<void> make(const drive::FastRecord& record);
-  base::Result<void> make(const drive::Triplet& triplet);
-  void arrive(bool fast, std::int64_t begin_ticks);
+  [[nodiscard]] std::uint64_t records() const { return totals_.fast + totals_.triplets; }
+  void tell_motion();
   void sample(double begin_s, double end_s);
-  void look_at_travel(const base::AxisVector& joints);
-  [[nodiscard]] double seconds(std::int64_t ticks) const;
+  void look_at_travel();
 
   const PatternMachine& machine_;
   Fan pulses_;
-  drive::ArmDrive drive_;
+  PatternMotors motors_;
   PulseLines lines_;
   RunStatistics statistics_;
   std::vector<control::MotionSink*> motions_;
   std::vector<AxisPointSink*> points_;
-  base::AxisVector tip_;
   std::uint64_t period_ = 0;  // of the servo, made so far
   Totals totals_;
   std::vector<BeyondTravel> beyond_travel_;

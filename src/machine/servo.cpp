@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "machine/internal/joint_linkage.hpp"
+#include "machine/internal/pattern_source.hpp"
 #include "motion/interpolator.hpp"
 #include "motion/path_sampler.hpp"
 
@@ -30,14 +31,21 @@ constexpr std::uint64_t kBetweenQuestions = 1 << 14;
 
 }  // namespace
 
-Servo::Servo(const MachineDefinition& definition)
+Servo::Servo(const MachineDefinition& definition, PatternQueue* records)
     : kinematics_(definition.make_kinematics()),
       linkage_(make_linkage(definition, *kinematics_)),
-      source_(make_source(definition, linkage_.get())),
       joints_(definition.start),
       commanded_(definition.axes.start) {
   last_.tip = before_.tip = definition.axes.start;
   for (const control::AxisConfig& axis : definition.axes.axes) is_rotary_.push_back(axis.rotary);
+  if (records == nullptr) {
+    source_ = make_source(definition, linkage_.get());
+    return;
+  }
+  counting_ = std::make_unique<const PatternMachine>(*PatternMachine::of(definition));
+  auto pulses = std::make_unique<PatternSource>(*counting_, *records);
+  pulses_ = pulses.get();
+  source_ = std::move(pulses);
 }
 
 Servo::~Servo() = default;
@@ -101,8 +109,8 @@ bool Servo::fetch() {
   const bool made = source_->next(point);
   if (made) next_ = point;
   if (source_->held()) return made;
-  is_emptied_ = !made;
-  return made || goes_on();
+  is_emptied_ = !made && !goes_on();
+  return !is_emptied_;
 }
 
 Servo::Pace Servo::make_until(double until_s, std::uint64_t most_points) {
@@ -172,16 +180,22 @@ void Servo::make_points() {
   }
 }
 
+// Of the last point of the source.
+base::AxisVector Servo::joints_at(const base::AxisVector& tip) const {
+  if (pulses_ != nullptr) return pulses_->joints();
+  return linkage_ ? linkage_->joints(tip, joints_) : tip;
+}
+
 void Servo::start(const base::AxisVector& tip) {
   started_ = true;
   last_ = {source_->time_s(), tip, {}};
-  joints_ = linkage_ ? linkage_->joints(last_.tip, joints_) : last_.tip;
+  joints_ = joints_at(tip);
   for (AxisPointSink* const sink : sinks_) sink->start({last_, joints_, 0});
 }
 
 void Servo::hand_out(const motion::Setpoint& point) {
   if (!started_) start(last_.tip);
-  joints_ = linkage_ ? linkage_->joints(point.tip, joints_) : point.tip;
+  joints_ = joints_at(point.tip);
   before_ = last_;
   last_ = point;
   AxisPoint seen{point, joints_, power_percent()};

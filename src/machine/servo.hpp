@@ -10,11 +10,15 @@
 #include "control/motion.hpp"
 #include "kinematics/kinematics.hpp"
 #include "machine/axis_point.hpp"
+#include "machine/internal/pattern_queue.hpp"
 #include "machine/machine_definition.hpp"
 #include "motion/linkage.hpp"
 #include "motion/setpoint_source.hpp"
 
 namespace kerf::machine {
+
+class PatternMachine;
+class PatternSource;
 
 /// The servo side of a machine: puts the motions of a run into time, as the machine's interpolator
 /// samples them, and moves the driven axes.
@@ -29,7 +33,9 @@ namespace kerf::machine {
 /// emptied.
 class Servo : public control::MotionSink {
  public:
-  explicit Servo(const MachineDefinition& definition);
+  /// The definition must outlive the servo where `records` is given: then the motions are those of
+  /// these records, and their pulses say where the axes are.
+  explicit Servo(const MachineDefinition& definition, PatternQueue* records = nullptr);
   ~Servo() override;
 
   /// Precondition of the first motion: all sinks are there.
@@ -101,13 +107,16 @@ class Servo : public control::MotionSink {
   [[nodiscard]] bool fetch();
   void drain();
   void make_points();
+  [[nodiscard]] base::AxisVector joints_at(const base::AxisVector& tip) const;
   void start(const base::AxisVector& tip);
   void hand_out(const motion::Setpoint& point);
   [[nodiscard]] float power_percent() const;
 
   std::unique_ptr<const kinematics::Kinematics> kinematics_;
   std::unique_ptr<const motion::Linkage> linkage_;  // null: the driven axes are the program's
+  std::unique_ptr<const PatternMachine> counting_;  // null: no pulses are counted
   std::unique_ptr<motion::SetpointSource> source_;
+  const PatternSource* pulses_ = nullptr;  // source_, where pulses are counted
   std::vector<AxisPointSink*> sinks_;
   std::function<bool()> broken_off_when_;
   base::AxisVector joints_;

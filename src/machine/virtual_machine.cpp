@@ -9,6 +9,7 @@
 #include "base/program_name.hpp"
 #include "kinematics/fault.hpp"
 #include "machine/internal/reach.hpp"
+#include "machine/language.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -27,12 +28,14 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
       statistics_(definition_.axes),
       spindle_beam_(definition_.drive.laser),
       dotted_cut_(definition_.drive.laser),
-      servo_(definition_),
-      dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect) {
+      dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect),
+      servo_(definition_,
+             dialect_name_ == kPatternDialect && !settings.by_hand ? &records_ : nullptr) {
   if (definition_.axes.linked)
     reach_ = std::make_unique<Reach>(servo_.kinematics(), definition_.axes, definition_.start);
   dialect_ = make_dialect(dialect_name_,
-                          {definition_, memory_, sources_, signals_, *this, *this, settings.pages});
+                          {definition_, memory_, sources_, signals_, *this, *this, settings.pages,
+                           records_});
 }
 
 VirtualMachine::~VirtualMachine() = default;

@@ -60,7 +60,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
 
   struct Settings {
     vm::PageSettings pages;
-    std::string dialect;  ///< of available_dialects(); empty: the machine's own
+    std::string dialect;   ///< check_dialect() has nothing against it; empty: the machine's own
+    bool by_hand = false;  ///< what the operator commands moves the axes, and no program
   };
 
   VirtualMachine(const MachineDefinition& definition, control::Memory memory)
@@ -176,7 +177,10 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   }
   /// While on, motions go to `sink` and to nobody else: the control comes to a line without moving
   /// anything. Null: off.
-  void divert_motions(control::MotionSink* sink) { diverted_ = sink; }
+  void divert_motions(control::MotionSink* sink) {
+    diverted_ = sink;
+    records_.clear();
+  }
   /// The program that was begun will not go on.
   void abandon() { is_in_program_ = false; }
   /// Behind a diverted run: the program waits where it has halted. Joints are where they stand.
@@ -277,6 +281,8 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   control::Power beam_;       // as the program has it
   control::Power made_beam_;  // as the machine has it
   DottedCut dotted_cut_;
+  std::string dialect_name_;
+  PatternQueue records_;  // of a pattern, between control and servo
   Servo servo_;
   std::unique_ptr<Reach> reach_;  // null: the driven axes are the program's
   std::optional<base::Diagnostic> near_singular_;
@@ -286,7 +292,6 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   std::function<std::optional<std::string>()> input_;
   std::function<void()> progress_;
   std::deque<SkipContact> contacts_;
-  std::string dialect_name_;
   std::unique_ptr<Dialect> dialect_;
   std::optional<base::Diagnostic> alarm_;
   std::optional<base::Diagnostic> drive_alarm_;

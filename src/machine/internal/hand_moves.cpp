@@ -27,7 +27,7 @@ std::optional<base::Failure> LiveCore::keeps_from_hand() const {
   if (is_active()) return base::refuse(Refusal::moves_already);
   if (machine_->alarm() || panel_alarm_) return base::refuse(Refusal::alarm_is_on);
   if (machine_->is_in_program() && !machine_->control().can_be_moved())
-    return base::refuse(Refusal::corner_held);
+    return base::refuse(is_pattern() ? Refusal::pattern_counts : Refusal::corner_held);
   return std::nullopt;
 }
 
@@ -104,7 +104,15 @@ double LiveCore::reachable(const control::Motion& whole, base::Axis axis, double
   return good;
 }
 
+// The motors that count a pattern are left to the interpolator.
+void LiveCore::take_in_hand() {
+  if (!would_begin_by_hand()) return;
+  begin_anew();
+  static_cast<void>(open_program());
+}
+
 LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double speed_per_min) {
+  take_in_hand();
   const bool up = distance > 0;
   const control::AxisConfig& config = definition_.axes[axis];
   const double left = travel_left(axis, up);
@@ -150,6 +158,7 @@ LiveCore::Outcome LiveCore::jog_stop() {
 LiveCore::Outcome LiveCore::home() {
   if (panel_.mode != Mode::reference) return refused(Refusal::reference_mode);
   if (const auto why = keeps_from_hand()) return refused(*why);
+  take_in_hand();
   const base::AxisVector length = machine_->control().tool_length();
   base::AxisVector to = machine_->servo().commanded();
   control::Motion move;

@@ -6,6 +6,8 @@
 #include "lang/vm/value.hpp"
 #include "machine/internal/approach.hpp"
 #include "machine/internal/refused.hpp"
+#include "machine/language.hpp"
+#include "machine/pattern_machine.hpp"
 
 namespace kerf::machine {
 
@@ -29,7 +31,7 @@ LiveCore::LiveCore(RunStart start)
       panel_(start.panel),
       program_(std::move(start.program)) {
   machine_ = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
-                                              VirtualMachine::Settings{{}, dialect_});
+                                              VirtualMachine::Settings{{}, dialect_, true});
   machine_->language().set_shift(start.shift);
   machine_->set_signals(start.signals);
   printed_ = std::move(start.printed);
@@ -75,11 +77,14 @@ void LiveCore::tell_sinks() { machine_->servo().tell_sinks(); }
 void LiveCore::raise(const base::Diagnostic& alarm) { machine_->raise(alarm); }
 
 // A machine in the state of power-on, its axes where they stand.
-void LiveCore::begin_anew() {
+void LiveCore::begin_anew(MovedBy moved_by) {
   RunStart start = run_start();
-  definition_ = start.definition;
-  auto fresh = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
-                                                VirtualMachine::Settings{{}, dialect_});
+  moved_by_ = moved_by;
+  const bool counts = is_pattern() && moved_by == MovedBy::program;
+  definition_ = counts ? PatternMachine::at_zero(start.definition) : start.definition;
+  auto fresh = std::make_unique<VirtualMachine>(
+      definition_, std::move(start.memory),
+      VirtualMachine::Settings{{}, dialect_, moved_by == MovedBy::hand});
   fresh->language().set_shift(start.shift);
   fresh->set_signals(start.signals);
   auto trail = std::make_unique<BlockTrail>(fresh->language(), fresh->memory());
@@ -361,6 +366,7 @@ LiveCore::Outcome LiveCore::set_breakpoints(std::vector<Breakpoint> breakpoints)
 
 LiveCore::Outcome LiveCore::mdi(const std::string& text) {
   if (panel_.mode != Mode::mdi) return refused(Refusal::entry_mode);
+  if (is_pattern()) return refused(Refusal::pattern_entry);
   if (is_active()) return refused(Refusal::busy);
   if (panel_alarm_ || machine_->alarm()) return refused(Refusal::alarm_is_on);
   if (machine_->is_in_program() && !is_entry_) return refused(Refusal::interrupted);

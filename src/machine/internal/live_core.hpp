@@ -81,6 +81,8 @@ class LiveCore : private AxisPointSink {
   Outcome set_mode(Mode mode);
   /// Whether cycle start begins the program, on a machine made anew.
   [[nodiscard]] bool would_begin() const;
+  /// Whether axes moved by hand are moved on a machine made anew: behind a pattern.
+  [[nodiscard]] bool would_begin_by_hand() const;
   Outcome cycle_start();
   Outcome feed_hold();
   void reset();
@@ -169,7 +171,10 @@ class LiveCore : private AxisPointSink {
   void take(const AxisPoint& point) override;
 
   [[nodiscard]] std::string language_of(const std::string& dialect) const;
-  void begin_anew();
+  enum class MovedBy : std::uint8_t { hand, program };
+  void begin_anew(MovedBy moved_by = MovedBy::hand);
+  [[nodiscard]] bool is_pattern() const;
+  void tell_pattern_times();
   [[nodiscard]] base::Outcome<void> open_program();
   void apply_panel();
   void apply_switches();
@@ -185,6 +190,7 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] std::optional<base::Failure> keeps_from_start() const;
   [[nodiscard]] std::optional<base::Failure> keeps_from_hand() const;
   [[nodiscard]] std::optional<base::Axis> find_axis(const std::string& name) const;
+  void take_in_hand();
   Outcome jog_to(base::Axis axis, double distance, double speed_per_min);
   [[nodiscard]] double travel_left(base::Axis axis, bool up) const;
   [[nodiscard]] double reachable(const control::Motion& whole, base::Axis axis, double distance,
@@ -222,6 +228,7 @@ class LiveCore : private AxisPointSink {
   std::vector<AxisPointSink*> point_sinks_;
 
   Activity activity_ = Activity::none;
+  MovedBy moved_by_ = MovedBy::hand;
   bool is_entry_ = false;    // what runs, or has run, is an entry in MDI
   bool feed_hold_ = false;   // pressed
   bool block_hold_ = false;  // the feed holds behind the block: single block

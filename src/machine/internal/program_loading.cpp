@@ -1,8 +1,8 @@
 // How a live machine comes to its program.
-#include <algorithm>
-
 #include "machine/internal/live_core.hpp"
 #include "machine/internal/refused.hpp"
+#include "machine/language.hpp"
+#include "machine/pattern_machine.hpp"
 
 namespace kerf::machine {
 
@@ -13,10 +13,7 @@ std::string LiveCore::language_of(const std::string& dialect) const {
 
 LiveCore::Outcome LiveCore::can_load(const ProgramText& program, const std::string& dialect) const {
   if (is_active()) return refused(base::Refusal::load_busy);
-  const std::string language = language_of(dialect);
-  const auto known = available_dialects();
-  if (std::find(known.begin(), known.end(), language) == known.end())
-    return refused("Kerf does not run the language '" + language + "'");
+  if (auto known = check_dialect(definition_, language_of(dialect)); !known) return known;
   const auto file = program.open();
   if (!file) return tl::unexpected(file.error());
   return {};
@@ -40,12 +37,31 @@ base::Outcome<void> LiveCore::open_program() {
   return {};
 }
 
+bool LiveCore::is_pattern() const { return dialect_ == kPatternDialect; }
+
+bool LiveCore::would_begin_by_hand() const {
+  return is_pattern() && moved_by_ == MovedBy::program && !is_active() &&
+         !machine_->is_in_program();
+}
+
+// Nothing is accepted without effect.
+void LiveCore::tell_pattern_times() {
+  const bool changes =
+      panel_[Switch::dry_run] || panel_.dials.feed != 100 || panel_.dials.rapid != 100;
+  if (is_pattern() && changes)
+    say("the pulses of a pattern have their own times: dry run and the dials do not change them; "
+        "a dial at 0 holds");
+}
+
 LiveCore::Outcome LiveCore::begin_program() {
-  begin_anew();
+  if (is_pattern() && !PatternMachine::of(definition_)->is_at_zero(standing_joints()))
+    return refused(base::Refusal::pattern_not_at_zero);
+  begin_anew(MovedBy::program);
   if (auto opened = open_program(); !opened) return opened;
   stepper_->start();
   before_ = at_stop_ = values();
   messages_.clear();
+  tell_pattern_times();
   ++run_;
   return {};
 }

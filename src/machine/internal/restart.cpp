@@ -62,6 +62,7 @@ LiveCore::Outcome LiveCore::start_at(std::uint32_t line) {
 // The tool's axis goes last, or first where it goes away from the work.
 LiveCore::Outcome LiveCore::begin_approach() {
   std::vector<control::Motion> motions;
+  if (is_pattern()) approach_->to = machine_->servo().commanded();  // its motors go there by pulses
   for (const auto* const function : {&approach_->tool, &approach_->spindle, &approach_->coolant}) {
     if (*function) motions.push_back(**function);
   }

@@ -49,6 +49,7 @@ LiveCore::Outcome LiveCore::set_switch(Switch which, bool on) {
   if (which == Switch::machine_lock && (is_active() || machine_->is_in_program()))
     return refused(Refusal::lock_in_program);
   panel_.switches[static_cast<std::size_t>(which)] = on;
+  if (which == Switch::dry_run && machine_->is_in_program()) tell_pattern_times();
   if (which == Switch::machine_lock) {
     begin_anew();
     if (!on) say("machine lock is off: the position is that of the axes again");
@@ -96,6 +97,7 @@ LiveCore::Outcome LiveCore::set_dials(const OverrideDials& dials) {
   if (!within(dials.spindle, 50, 120)) return refused("the spindle override is 50 to 120 percent");
   panel_.dials = dials;
   apply_dials();
+  if (machine_->is_in_program()) tell_pattern_times();
   if (!dial_hold_) return {};
   const motion::MoveKind kind = machine_->servo().last().mark.kind;
   const int dial = kind == motion::MoveKind::rapid ? dials.rapid : dials.feed;

@@ -9,6 +9,7 @@
 #include "base/decimal.hpp"
 #include "base/text_window.hpp"
 #include "machine/language.hpp"
+#include "machine/pattern_machine.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -181,8 +182,8 @@ bool suits(const MachineDefinition& machine, ProgramKind kind) {
     case ProgramKind::laser: return beams;
     case ProgramKind::laser_basic: return beams && has_axes(machine, "XY");
     case ProgramKind::teach: return beams && has_axes(machine, "XYZAC");
-    case ProgramKind::lathe:
-    case ProgramKind::pattern: break;
+    case ProgramKind::pattern: return PatternMachine::of(machine).has_value();
+    case ProgramKind::lathe: break;
   }
   return false;
 }
@@ -194,8 +195,8 @@ std::string_view usual_machine(ProgramKind kind) {
     case ProgramKind::laser: return "laser3";
     case ProgramKind::laser_basic: return language_of("laser-basic")->machine;
     case ProgramKind::teach: return language_of("teach")->machine;
-    case ProgramKind::lathe:
-    case ProgramKind::pattern: break;
+    case ProgramKind::pattern: return language_of(kPatternDialect)->machine;
+    case ProgramKind::lathe: break;
   }
   return {};
 }

@@ -148,14 +148,17 @@ class Hub {
     machine::ProgramText text;
     LoadedProgram program;
   };
-  [[nodiscard]] base::Outcome<FoundProgram> found(const LoadedProgram& program) const;
+  [[nodiscard]] base::Outcome<FoundProgram> found(const LoadedProgram& program,
+                                                  const machine::MachineDefinition& machine) const;
   void keep_and_load(const std::string& machine, MachineThread& thread,
                      const std::shared_ptr<Runner>& held, const FoundProgram& found,
                      const Reply& reply);
   void loaded(const std::string& machine, const LoadedProgram& program,
               const machine::MachineDefinition& definition, const control::Memory& memory,
               const Reply& reply);
-  [[nodiscard]] base::Outcome<machine::ProgramText> text_of(const LoadedProgram& program) const;
+  /// As the machine runs it: of a pattern its listing.
+  [[nodiscard]] base::Outcome<machine::ProgramText> text_of(
+      const LoadedProgram& program, const machine::MachineDefinition& machine) const;
   [[nodiscard]] std::shared_ptr<Runner> make_runner(const StoredMachine& stored) const;
 
   ThreadCheck thread_{"that of the sockets"};

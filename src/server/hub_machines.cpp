@@ -1,6 +1,7 @@
 // Machines of a hub: how they are made, begun, replaced and removed.
 #include <algorithm>
 
+#include "machine/dialect.hpp"
 #include "machine/language.hpp"
 #include "output/diagnostic_text.hpp"
 #include "server/guarded.hpp"
@@ -95,7 +96,7 @@ void Hub::load_into(MachineRecord& machine) {
   machine.thread->post(
       machine.runner, Pace::slow,
       [this, program = *machine.program, breakpoints = machine.breakpoint_list](Runner& runner) {
-        const auto text = text_of(program);
+        const auto text = text_of(program, runner.machine().definition());
         if (!text) return tell(runner.name() + ": " + text.error().message);
         static_cast<void>(runner.machine().load(*text, program.dialect));
         static_cast<void>(runner.machine().set_breakpoints(breakpoints));
@@ -164,6 +165,8 @@ void Hub::replace_definition(const Request& request) {
   StoredMachine stored{machine.name, machine.kind, request.arguments().text("toml"), {}};
   auto definition = machine::MachineDefinition::parse(stored.toml, machine.name + ".toml");
   if (!definition) return request.reply.no(definition.error().message);
+  if (auto known = machine::check_dialect(*definition, definition->dialect); !known)
+    return request.reply.no(known.error().message);
   stored.definition = std::move(*definition);
   const auto replace = [this, stored, reply = request.reply](Runner& runner) {
     const auto kept = guarded([&] { return keep_definition(stored, runner); });

@@ -2,6 +2,7 @@
 #include "machine/language.hpp"
 #include "server/guarded.hpp"
 #include "server/hub.hpp"
+#include "server/pattern_text.hpp"
 #include "server/program_name.hpp"
 #include "server/shown_dialect.hpp"
 
@@ -9,11 +10,17 @@ namespace kerf::server {
 
 using base::Outcome;
 
-Outcome<machine::ProgramText> Hub::text_of(const LoadedProgram& program) const {
+Outcome<machine::ProgramText> Hub::text_of(const LoadedProgram& program,
+                                           const machine::MachineDefinition& machine) const {
   if (program.text) return machine::ProgramText::of(program.name, *program.text);
   auto path = library_->path_of(program.name);
   if (!path) return tl::unexpected(path.error());
-  return machine::ProgramText::at_path(*path);
+  if (!is_pattern(program.name)) return machine::ProgramText::at_path(*path);
+  const auto file = base::SourceFile::open(*path);
+  if (!file) return tl::unexpected(file.error());
+  auto listing = listing_of(**file, program.name, machine.pattern.byte_order);
+  if (!listing) return tl::unexpected(listing.error());
+  return machine::ProgramText::of(program.name, std::move(*listing));
 }
 
 void Hub::load(const Request& request) {
@@ -27,14 +34,12 @@ void Hub::load(const Request& request) {
   program.dialect = arguments.text("dialect");
   if (auto checked = check_program_name(program.name); !checked)
     return request.reply.no(checked.error());
-  if (const std::string why = not_for_the_panel(program.name); !why.empty())
-    return request.reply.no(why);
   MachineRecord& machine = *request.machine;
   machine.thread->post(machine.runner, Pace::slow,
                        [this, program, name = machine.name, reply = request.reply,
                         thread = machine.thread, held = machine.runner](Runner& runner) {
                          const auto made = guarded([&]() -> Outcome<FoundProgram> {
-                           auto ready = found(program);
+                           auto ready = found(program, runner.machine().definition());
                            if (!ready) return ready;
                            auto possible =
                                runner.machine().can_load(ready->text, ready->program.dialect);
@@ -47,8 +52,9 @@ void Hub::load(const Request& request) {
 }
 
 // Waits for the disk.
-Outcome<Hub::FoundProgram> Hub::found(const LoadedProgram& program) const {
-  auto text = text_of(program);
+Outcome<Hub::FoundProgram> Hub::found(const LoadedProgram& program,
+                                      const machine::MachineDefinition& machine) const {
+  auto text = text_of(program, machine);
   if (!text) return tl::unexpected(text.error());
   FoundProgram ready{*text, program};
   if (const auto file = text->open(); file && program.dialect.empty())
@@ -97,7 +103,9 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   machine.preview_began_ms = clock_.now_ms();
   if (!machine.program) return;
   PreviewOrder order{definition, memory,
-                     [this, program = *machine.program] { return text_of(program); },
+                     [this, program = *machine.program, definition] {
+                       return text_of(program, definition);
+                     },
                      machine.program->dialect, library_->folder()};
   order.run = ++machine.preview_run;
   if (machine.snapshot) {

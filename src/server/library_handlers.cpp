@@ -4,6 +4,7 @@
 #include "output/diagnostic_text.hpp"
 #include "server/diagnostic_json.hpp"
 #include "server/handlers.hpp"
+#include "server/pattern_text.hpp"
 
 namespace kerf::server {
 namespace {
@@ -42,6 +43,23 @@ Outcome<Json> text_json(const Outcome<std::string>& text) {
   return Json{{"text", *text}};
 }
 
+// In which the bytes of a count stand that a machine reads.
+drive::ByteOrder order_for(const MachineRecord* machine) {
+  return machine != nullptr ? machine->definition.pattern.byte_order : drive::ByteOrder::big;
+}
+
+// Answers what stands on the disk then: comments do not.
+Outcome<Json> write_pattern(Library& library, const std::string& name, const std::string& listing,
+                            drive::ByteOrder order) {
+  const auto bytes = bytes_of(listing, name, order);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto made = library.write(name, *bytes);
+  if (!made) return tl::unexpected(made.error());
+  const auto kept = listing_of(*bytes, name, order);
+  if (!kept) return tl::unexpected(kept.error());
+  return Json{{"revision", made->number}, {"text", *kept}};
+}
+
 // A program that was loaded as a text is in no library: the machine has it.
 void read(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
@@ -50,8 +68,11 @@ void read(Hub& hub, const Request& request) {
   if (machine != nullptr && machine->program && machine->program->text &&
       machine->program->name == name && !arguments.has("revision"))
     return request.reply.yes({{"text", *machine->program->text}});
-  hub.read_disk(request, [name, revision = arguments.integer("revision")](Library& library) {
-    return text_json(revision > 0 ? library.read_revision(name, revision) : library.read(name));
+  hub.read_disk(request, [name, revision = arguments.integer("revision"),
+                          order = order_for(machine)](Library& library) {
+    auto text = revision > 0 ? library.read_revision(name, revision) : library.read(name);
+    if (text && is_pattern(name)) text = listing_of(*text, name, order);
+    return text_json(text);
   });
 }
 
@@ -71,12 +92,16 @@ void recognise(Hub& hub, const Request& request) {
 }
 
 void write(Hub& hub, const Request& request) {
-  hub.change_disk(request, [body = request.body](Library& library) -> Outcome<Json> {
-    const Arguments arguments(*body);
-    const auto made = library.write(arguments.text("name"), arguments.text("text"));
-    if (!made) return tl::unexpected(made.error());
-    return Json{{"revision", made->number}};
-  });
+  const MachineRecord* const machine = hub.find(request.arguments().text("machine"));
+  hub.change_disk(
+      request, [body = request.body, order = order_for(machine)](Library& library) -> Outcome<Json> {
+        const Arguments arguments(*body);
+        const std::string name = arguments.text("name");
+        if (is_pattern(name)) return write_pattern(library, name, arguments.text("text"), order);
+        const auto made = library.write(name, arguments.text("text"));
+        if (!made) return tl::unexpected(made.error());
+        return Json{{"revision", made->number}};
+      });
 }
 
 void rename(Hub& hub, const Request& request) {

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "machine/language.hpp"
+#include "machine/pattern_machine.hpp"
 #include "machine/virtual_machine.hpp"
 #include "server/diagnostic_json.hpp"
 
@@ -21,6 +23,12 @@ Json failure_json(const std::string& code, const std::string& message) {
           {"cause", ""},         {"remedy", ""}};
 }
 
+// A pattern begins at the zero of its motors, wherever they stand now.
+machine::MachineDefinition definition_of(const PreviewOrder& order) {
+  if (order.dialect != machine::kPatternDialect) return order.definition;
+  return machine::PatternMachine::at_zero(order.definition);
+}
+
 std::vector<std::string> files_of(const base::SourceSet& sources) {
   std::vector<std::string> names;
   for (std::uint32_t i = 0; sources.contains(base::FileId{i}); ++i)
@@ -36,9 +44,9 @@ class Preview::Run {
   Run(Preview& preview, const Observer& observer)
       : preview_(preview),
         observer_(observer),
-        machine_(preview.order_.definition, preview.order_.memory,
+        machine_(definition_of(preview.order_), preview.order_.memory,
                  {.pages = {}, .dialect = preview.order_.dialect}),
-        chunks_(preview.order_.definition, output::PathChunks::Source::preview, preview.order_.run,
+        chunks_(machine_.definition(), output::PathChunks::Source::preview, preview.order_.run,
                 [this](const std::string& chunk) { keep(chunk); }) {}
 
   void go() {
@@ -139,7 +147,16 @@ class Preview::Run {
 };
 
 void Preview::run(const Observer& observer) {
-  if (!cancelled()) Run(*this, observer).go();
+  if (cancelled()) return;
+  const machine::MachineDefinition& machine = order_.definition;
+  const std::string& dialect = order_.dialect.empty() ? machine.dialect : order_.dialect;
+  const auto known = machine::check_dialect(machine, dialect);
+  if (known) return Run(*this, observer).go();
+  PreviewState state;
+  state.run = order_.run;
+  state.done = true;
+  state.error = failure_json("DIALECT", known.error().message);
+  observer(state);
 }
 
 }  // namespace kerf::server

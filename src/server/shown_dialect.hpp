@@ -13,13 +13,4 @@ namespace kerf::server {
   return language ? std::string(language->dialect) : std::string();
 }
 
-/// Why a program of this name is not run or checked here; empty: nothing speaks against it. The
-/// bytes and the listing of a pattern are no language of programs.
-[[nodiscard]] inline std::string not_for_the_panel(const std::string& name) {
-  if (!name.ends_with(".pat") && !name.ends_with(".PAT")) return {};
-  return name +
-         " is a pattern of the engraving arm, not a program: `kerf pattern replay` runs it on arm4 "
-         "or cartesian-step, and `kerf pattern decode` lists it";
-}
-
 }  // namespace kerf::server

@@ -1,6 +1,7 @@
 #include "machine/virtual_machine.hpp"
 #include "server/diagnostic_json.hpp"
 #include "server/handlers.hpp"
+#include "server/pattern_text.hpp"
 #include "server/shown_dialect.hpp"
 #include "server/speed_profile.hpp"
 #include "server/state_json.hpp"
@@ -46,24 +47,26 @@ void pulses(Hub& hub, const Request& request) {
 }
 
 // What stands in the way of a text shows without running it; the machine is one of its own.
-Json diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
-                    const std::string& text, const base::WorkLimit& limit) {
+Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
+                             const std::string& text, const base::WorkLimit& limit) {
   auto file = base::SourceFile::from_text(name, text);
+  const std::string shown = dialect_shown_by(*file);
+  const std::string& dialect = shown.empty() ? definition.dialect : shown;
+  if (auto known = machine::check_dialect(definition, dialect); !known)
+    return tl::unexpected(known.error());
   machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  {.pages = {}, .dialect = dialect_shown_by(*file)});
+                                  {.pages = {}, .dialect = dialect});
   machine.load(std::move(file));
   base::Findings found(limits::kDiagnostics, limit);
   machine.check(found);
   Json list = Json::array();
   for (const base::Diagnostic& each : found.list())
     list.push_back(diagnostic_json(each, machine.sources()));
-  return {{"diagnostics", std::move(list)}, {"more", found.more()}};
+  return Json{{"diagnostics", std::move(list)}, {"more", found.more()}};
 }
 
 void check(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
-  if (const std::string why = not_for_the_panel(arguments.text("name")); !why.empty())
-    return request.reply.no(why);
   const MachineRecord* machine = request.machine;
   if (arguments.has("machine")) {
     machine = hub.find(arguments.text("machine"));
@@ -72,7 +75,7 @@ void check(Hub& hub, const Request& request) {
   }
   const auto definition = machine != nullptr
                               ? Outcome<machine::MachineDefinition>(machine->definition)
-                              : machine::find_machine("mill3");
+                              : machine::find_machine(is_pattern(arguments.text("name")) ? "arm4" : "mill3");
   if (!definition) return request.reply.no(definition.error().message);
   hub.aside(request,
             [definition = *definition,

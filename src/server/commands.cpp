@@ -303,8 +303,8 @@ std::vector<Command> make_table() {
        Who::anyone,
        {name_of("name"), integer("revision", 1, 1e9, "otherwise as it is now", Need::optional),
         name_of("machine", "if it has loaded a program of this name, that one", Need::optional)},
-       "Reads a program of at most 4 MiB; of a pattern (`.pat`) the listing, as that machine reads "
-       "its bytes.",
+       "Reads a program of at most 4 MiB; of a pattern (`.pat`) its listing, as `machine` or the "
+       "watched one reads the bytes.",
        "`text`"},
       {"recognise",
        Who::anyone,
@@ -314,10 +314,9 @@ std::vector<Command> make_table() {
        "shows; `usual`: the built-in machine for it, or empty"},
       {"write",
        Who::anyone,
-       {name_of("name"), program_text,
-        name_of("machine", "in whose byte order a pattern is saved", Need::optional)},
+       {name_of("name"), program_text},
        "Saves a program. Answered when it is on the disk. Of a pattern (`.pat`) the text is its "
-       "listing, and the library gets the bytes.",
+       "listing, and the library gets the bytes, as the watched machine reads them.",
        "`revision`; of a pattern `text`, the listing of its bytes, which hold no comments"},
       {"rename", Who::anyone, {name_of("from"), name_of("to")}, "Renames a program."},
       {"delete", Who::anyone, {name_of("name")}, "Deletes a program; its revisions stay."},

@@ -1,5 +1,6 @@
 #include <ctime>
 
+#include "base/refusal.hpp"
 #include "machine/program_look.hpp"
 #include "output/diagnostic_text.hpp"
 #include "server/diagnostic_json.hpp"
@@ -43,9 +44,18 @@ Outcome<Json> text_json(const Outcome<std::string>& text) {
   return Json{{"text", *text}};
 }
 
-// In which the bytes of a count stand that a machine reads.
+// In which the bytes of a count stand that a machine reads; null: none is watched.
 drive::ByteOrder order_for(const MachineRecord* machine) {
   return machine != nullptr ? machine->definition.pattern.byte_order : drive::ByteOrder::big;
+}
+
+// As far as an answer can hold it.
+Outcome<std::string> shown_listing(const std::string& bytes, const std::string& name,
+                                   drive::ByteOrder order) {
+  auto listing = listing_of(bytes, name, order);
+  if (!listing || listing->size() <= Library::kMostReadBytes) return listing;
+  return tl::unexpected(base::refuse(
+      base::Refusal::pattern_unshown, {name, std::to_string(Library::kMostReadBytes >> 20U)}));
 }
 
 // Answers what stands on the disk then: comments do not.
@@ -53,10 +63,10 @@ Outcome<Json> write_pattern(Library& library, const std::string& name, const std
                             drive::ByteOrder order) {
   const auto bytes = bytes_of(listing, name, order);
   if (!bytes) return tl::unexpected(bytes.error());
+  const auto kept = shown_listing(*bytes, name, order);
+  if (!kept) return tl::unexpected(kept.error());
   const auto made = library.write(name, *bytes);
   if (!made) return tl::unexpected(made.error());
-  const auto kept = listing_of(*bytes, name, order);
-  if (!kept) return tl::unexpected(kept.error());
   return Json{{"revision", made->number}, {"text", *kept}};
 }
 
@@ -69,9 +79,9 @@ void read(Hub& hub, const Request& request) {
       machine->program->name == name && !arguments.has("revision"))
     return request.reply.yes({{"text", *machine->program->text}});
   hub.read_disk(request, [name, revision = arguments.integer("revision"),
-                          order = order_for(machine)](Library& library) {
+                          order = order_for(machine != nullptr ? machine : request.machine)](Library& library) {
     auto text = revision > 0 ? library.read_revision(name, revision) : library.read(name);
-    if (text && is_pattern(name)) text = listing_of(*text, name, order);
+    if (text && is_pattern(name)) text = shown_listing(*text, name, order);
     return text_json(text);
   });
 }
@@ -92,9 +102,8 @@ void recognise(Hub& hub, const Request& request) {
 }
 
 void write(Hub& hub, const Request& request) {
-  const MachineRecord* const machine = hub.find(request.arguments().text("machine"));
   hub.change_disk(
-      request, [body = request.body, order = order_for(machine)](Library& library) -> Outcome<Json> {
+      request, [body = request.body, order = order_for(request.machine)](Library& library) -> Outcome<Json> {
         const Arguments arguments(*body);
         const std::string name = arguments.text("name");
         if (is_pattern(name)) return write_pattern(library, name, arguments.text("text"), order);

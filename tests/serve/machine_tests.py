@@ -192,7 +192,7 @@ def _(place):
     equal(suits["mill"], ["mill"], "mill")
     check("laser-basic" in suits["laser"] and "mill" not in suits["laser"], f"laser: {suits}")
     equal(suits["five-axis"], ["laser", "laser-basic", "teach"], "five-axis")
-    equal(suits["arm"], [], "arm")
+    equal(suits["arm"], ["pattern"], "arm")
 
 
 @test("MDI executes, jog moves until it is let go, teaching captures")
@@ -313,17 +313,6 @@ def _(place):
     client.wait_for(lambda: client.state["status"] == "end", "the end")
     place_of = client.state["position"]["machine"]
     equal((round(place_of["X"], 6), round(place_of["Y"], 6)), (5, 2), "where it ends")
-
-
-@test("a pattern is no program, and says what runs it")
-def _(place):
-    client = place.serve().client().watch("arm")
-    before = client.do("programs")["programs"]
-    client.do("write", name="w.pat", text="F T1 10\n")
-    says(client.refused("load", program="w.pat"), "kerf pattern replay")
-    says(client.refused("load", text="F T1 10\n", name="w.pat"), "kerf pattern replay")
-    says(client.refused("check", text="F T1 10\n", name="w.pat"), "kerf pattern decode")
-    equal(len(client.do("programs")["programs"]), len(before) + 1, "programs")
 
 
 @test("the machine file can be replaced by a right one")

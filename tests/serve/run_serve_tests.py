@@ -26,6 +26,7 @@ import library_tests  # noqa: F401
 import link_tests  # noqa: F401
 import machine_tests  # noqa: F401
 import memory_tests  # noqa: F401
+import pattern_tests  # noqa: F401
 import training_tests  # noqa: F401
 
 

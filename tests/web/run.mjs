@@ -27,6 +27,7 @@ import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
 import { files } from './scenarios/files.mjs';
+import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
 import { phone } from './scenarios/phone.mjs';
 import { link } from './scenarios/link.mjs';
@@ -46,6 +47,7 @@ const ALL = [
   ...drafts,
   ...link,
   ...files,
+  ...patterns,
   ...phone,
   ...training,
   ...newcomer,

@@ -3,6 +3,7 @@ import { moved } from '../logic/breakpoints';
 import { DatabaseDrafts, DraftKeeper, type Draft } from '../logic/drafts';
 import { line_end_name, line_ends_of } from '../logic/line_ends';
 import { type LineMap, line_map } from '../logic/line_map';
+import { is_pattern } from '../logic/language/pattern';
 import { text_fits } from '../logic/message_size';
 import { MDI_ENTRY, type Breakpoint, type Diagnostic, type ProgramEntry } from '../logic/protocol';
 import {
@@ -17,6 +18,7 @@ import {
 } from '../logic/text_bytes';
 import { get_bytes, get_text, put_file } from './library_files';
 import { notices } from './notices.svelte';
+import { put_listing } from './pattern_files';
 import { panel } from './panel.svelte';
 import { question } from './question.svelte';
 import { upload } from './uploads';
@@ -187,8 +189,8 @@ class Documents {
     revision?: number,
     begins?: (first: Uint8Array) => void,
   ): Promise<boolean> {
-    const found =
-      revision === undefined ? await get_text(name, begins) : await this.asked(name, revision);
+    const is_file = revision === undefined && !is_pattern(name);
+    const found = is_file ? await get_text(name, begins) : await this.asked(name, revision);
     if (!found) return false;
     const { text, read_as } = found;
     const known = this.open.find((d) => d.name === name);
@@ -217,7 +219,7 @@ class Documents {
     });
     if (!is_read) return;
     const text = this.document?.saved ?? '';
-    loading ??= panel.act('load', { text, name });
+    loading ??= panel.act('load', is_pattern(name) ? { program: name } : { text, name });
     if (await loading) this.mark_loaded(name, text);
   }
 
@@ -261,7 +263,9 @@ class Documents {
   async show_what_is_loaded(): Promise<void> {
     const { file } = panel.state;
     if (!file || this.open.some((d) => d.name === file)) return;
-    if (!(await this.put_what_runs(file))) return;
+    const { current } = this;
+    // Whoever opens another program meanwhile wants to see that.
+    if (!(await this.put_what_runs(file, () => this.current === current))) return;
     this.show(file);
     await this.offer_draft(file);
   }
@@ -294,8 +298,9 @@ class Documents {
   async save(): Promise<void> {
     const document = this.document;
     if (!document) return;
-    const { name, text } = document;
+    const { name } = document;
     if (!(await this.write(document))) return;
+    const text = this.document?.saved ?? document.text;
     notices.say(t('notice.saved', { name }));
     if (panel.operates && !panel.moves && document.loaded !== null && document.loaded !== text) {
       if (await panel.act('load', { program: name })) this.mark_loaded(name, text);
@@ -347,6 +352,7 @@ class Documents {
 
   /** Saves a text in its encoding, by HTTP where a command cannot carry it. False: it was refused, and told. */
   private async write({ name, text, read_as }: TextDocument): Promise<boolean> {
+    if (is_pattern(name)) return this.keep(name, text, await put_listing(name, text));
     const made = encoded(text, read_as);
     if ('missing' in made) {
       const { missing: character } = made;
@@ -360,13 +366,24 @@ class Documents {
         ? (await panel.act('write', { name, text })) !== null
         : await put_file(name, new Blob([made.bytes]));
     if (!is_written) return false;
-    this.rebase(name, { saved: text, read_as: is_utf_8 ? 'utf-8' : read_as });
+    this.rebase(name, { read_as: is_utf_8 ? 'utf-8' : read_as });
+    return this.keep(name, text, text);
+  }
+
+  /** The library has what it could keep of a text, null: nothing. Whoever has not edited on since sees that. */
+  private async keep(name: string, text: string, saved: string | null): Promise<boolean> {
+    if (saved === null) return false;
+    this.rebase(name, { saved });
+    if (saved !== text && this.open.some((d) => d.name === name && d.text === text)) {
+      this.change(name, { text: saved });
+      this.revision++;
+    }
     drafts.keep(name, null);
     await this.refresh();
     return true;
   }
 
-  private async asked(name: string, revision: number): Promise<Decoded | null> {
+  private async asked(name: string, revision?: number): Promise<Decoded | null> {
     const answer = await panel.act('read', { name, revision });
     return answer ? { text: String(answer.text), read_as: 'utf-8' } : null;
   }
@@ -376,13 +393,15 @@ class Documents {
     const answer = await panel.ask('read', { name, machine: panel.machine }).catch(() => null);
     const text = answer ? String(answer.text) : null;
     // Too long for an answer, or not UTF-8: its bytes come by HTTP.
-    if (text === null || text.includes(REPLACEMENT) || text.includes('\0')) return get_text(name);
+    const is_whole = text !== null && !text.includes(REPLACEMENT) && !text.includes('\0');
+    if (!is_whole && !is_pattern(name)) return get_text(name);
+    if (text === null) return null;
     return { text, read_as: 'utf-8' };
   }
 
-  private async put_what_runs(name: string): Promise<boolean> {
+  private async put_what_runs(name: string, is_wanted = (): boolean => true): Promise<boolean> {
     const found = await this.text_of(name);
-    if (!found) return false;
+    if (!found || !is_wanted()) return false;
     this.put({ name, saved: found.text, loaded: found.text, ...found });
     tell_reading(name, found);
     return true;

@@ -1,5 +1,6 @@
 /** Files from this computer into the library: never over a program without a question, never what is no text. */
 import type { ProgramEntry } from '../logic/protocol';
+import { is_pattern } from '../logic/language/pattern';
 import { free_name, mended_name } from '../logic/program_name';
 import { get_bytes, is_text_file, put_file } from './library_files';
 import { notices } from './notices.svelte';
@@ -11,7 +12,7 @@ export async function upload(
   file: File,
   programs: readonly ProgramEntry[],
 ): Promise<string | null> {
-  if (!(await is_text_file(file))) {
+  if (!is_pattern(file.name) && !(await is_text_file(file))) {
     notices.say(t('notice.no-text', { name: file.name }), 'refused');
     return null;
   }

@@ -197,10 +197,14 @@ export const en = {
   'notice.no-text': '{name} is no text: it is not taken as a program.',
   'notice.not-in':
     '{encoding} has no character {character}: nothing was saved. Choose UTF-8 below the text.',
+  'notice.pattern-too-long':
+    '{name} has more records than a page can save: kerf pattern encode makes a pattern of any length.',
   'notice.read-as':
     '{name} is not UTF-8: it is read as {encoding}, and saved so. Another can be chosen below the text.',
   'notice.read-as-wide':
     '{name} is {encoding}, which no control reads: it is loaded as UTF-8, and saved so.',
+  'notice.records-kept':
+    '{name} is kept as the bytes of its records: comments and blank lines are gone.',
   'notice.redone': '{what} is changed again.',
   'notice.saved': '{name} is saved.',
   'notice.saved-and-loaded':

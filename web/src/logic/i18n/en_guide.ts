@@ -66,7 +66,6 @@ export const en_guide = {
   'stranger.make': 'Make a machine {definition}',
   'stranger.no-lathe':
     'There is no lathe here yet. What you see is what this machine would make of it, which is something else.',
-  'stranger.no-pattern': 'No machine runs it as a program; kerf pattern replay does.',
   'stranger.none-here': 'No machine of this server runs such programs; {definition} would.',
   'stranger.stay': 'Load it into {machine} all the same',
   'tab.problems': 'Problems',

@@ -194,8 +194,11 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'notice.mixed-ends': '{name} 混用多種換行字元；編輯並儲存後一律改為 {end}。',
   'notice.no-text': '{name} 不是文字檔，無法作為程式。',
   'notice.not-in': '{encoding} 沒有字元 {character}：未儲存。請於程式下方改選 UTF-8。',
+  'notice.pattern-too-long':
+    '{name} 的記錄數超過頁面可儲存的上限：kerf pattern encode 可處理任意長度的圖樣。',
   'notice.read-as': '{name} 不是 UTF-8：以 {encoding} 讀取並以同編碼儲存。可於程式下方改選。',
   'notice.read-as-wide': '{name} 為 {encoding}，控制器無法讀取：以 UTF-8 載入並儲存。',
+  'notice.records-kept': '{name} 以記錄的位元組儲存：註解與空行已移除。',
   'notice.redone': '{what} 已重做修改。',
   'notice.saved': '{name} 已儲存。',
   'notice.saved-and-loaded': '{name} 超過單一訊息上限：已儲存，並從程式庫載入。',

@@ -63,7 +63,6 @@ export const zh_hant_guide: Record<keyof typeof en_guide, string> = {
   'stranger.machine': '機台 {machine} 可執行此類程式。',
   'stranger.make': '新增機台 {definition}',
   'stranger.no-lathe': '目前尚無車床。畫面所示為本機台的解讀，與原意不同。',
-  'stranger.no-pattern': '沒有機台能將其當作程式執行；請用 kerf pattern replay。',
   'stranger.none-here': '此伺服器沒有可執行此類程式的機台；可新增 {definition}。',
   'stranger.stay': '仍載入 {machine}',
   'tab.problems': '問題',

@@ -26,8 +26,8 @@ struct DialectChoice {
 /// Here a replay runs it, and no control.
 using machine::kPatternDialect;
 
-/// Whether the file at `path` is the bytes of a pattern: the dialect that was asked for says so, or its ending
-/// where none was.
+/// Whether the file at `path` is the bytes of a pattern: the dialect that was asked for says so, or
+/// its ending where none was.
 [[nodiscard]] bool is_pattern(const std::string& dialect, const std::string& path);
 
 /// The dialects that programs can be in, for people: "fanuc-mill, laser-basic, teach".

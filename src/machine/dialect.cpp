@@ -22,10 +22,9 @@ struct Maker {
   std::string_view name;
   std::unique_ptr<Dialect> (*make)(const Dialect::Around& around);
 };
-constexpr std::array kMakers = {Maker{"fanuc-mill", make<GcodeDialect>},
-                                Maker{"laser-basic", make<BasicDialect>},
-                                Maker{"teach", make<TeachDialect>},
-                                Maker{kPatternDialect, make<PatternDialect>}};
+constexpr std::array kMakers = {
+    Maker{"fanuc-mill", make<GcodeDialect>}, Maker{"laser-basic", make<BasicDialect>},
+    Maker{"teach", make<TeachDialect>}, Maker{kPatternDialect, make<PatternDialect>}};
 
 const Maker* find_maker(std::string_view name) {
   const auto maker = std::find_if(kMakers.begin(), kMakers.end(),

@@ -33,9 +33,8 @@ VirtualMachine::VirtualMachine(const MachineDefinition& definition, control::Mem
              dialect_name_ == kPatternDialect && !settings.by_hand ? &records_ : nullptr) {
   if (definition_.axes.linked)
     reach_ = std::make_unique<Reach>(servo_.kinematics(), definition_.axes, definition_.start);
-  dialect_ = make_dialect(dialect_name_,
-                          {definition_, memory_, sources_, signals_, *this, *this, settings.pages,
-                           records_});
+  dialect_ = make_dialect(dialect_name_, {definition_, memory_, sources_, signals_, *this, *this,
+                                          settings.pages, records_});
 }
 
 VirtualMachine::~VirtualMachine() = default;

@@ -102,11 +102,10 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   machine.preview.reset();
   machine.preview_began_ms = clock_.now_ms();
   if (!machine.program) return;
-  PreviewOrder order{definition, memory,
-                     [this, program = *machine.program, definition] {
-                       return text_of(program, definition);
-                     },
-                     machine.program->dialect, library_->folder()};
+  PreviewOrder order{
+      definition, memory,
+      [this, program = *machine.program, definition] { return text_of(program, definition); },
+      machine.program->dialect, library_->folder()};
   order.run = ++machine.preview_run;
   if (machine.snapshot) {
     order.skip_levels = machine.snapshot->panel.skip_levels;

@@ -54,8 +54,8 @@ Outcome<std::string> shown_listing(const std::string& bytes, const std::string& 
                                    drive::ByteOrder order) {
   auto listing = listing_of(bytes, name, order);
   if (!listing || listing->size() <= Library::kMostReadBytes) return listing;
-  return tl::unexpected(base::refuse(
-      base::Refusal::pattern_unshown, {name, std::to_string(Library::kMostReadBytes >> 20U)}));
+  return tl::unexpected(base::refuse(base::Refusal::pattern_unshown,
+                                     {name, std::to_string(Library::kMostReadBytes >> 20U)}));
 }
 
 // Answers what stands on the disk then: comments do not.
@@ -79,7 +79,8 @@ void read(Hub& hub, const Request& request) {
       machine->program->name == name && !arguments.has("revision"))
     return request.reply.yes({{"text", *machine->program->text}});
   hub.read_disk(request, [name, revision = arguments.integer("revision"),
-                          order = order_for(machine != nullptr ? machine : request.machine)](Library& library) {
+                          order = order_for(machine != nullptr ? machine : request.machine)](
+                             Library& library) {
     auto text = revision > 0 ? library.read_revision(name, revision) : library.read(name);
     if (text && is_pattern(name)) text = shown_listing(*text, name, order);
     return text_json(text);
@@ -103,7 +104,8 @@ void recognise(Hub& hub, const Request& request) {
 
 void write(Hub& hub, const Request& request) {
   hub.change_disk(
-      request, [body = request.body, order = order_for(request.machine)](Library& library) -> Outcome<Json> {
+      request,
+      [body = request.body, order = order_for(request.machine)](Library& library) -> Outcome<Json> {
         const Arguments arguments(*body);
         const std::string name = arguments.text("name");
         if (is_pattern(name)) return write_pattern(library, name, arguments.text("text"), order);

@@ -14,8 +14,8 @@ using base::Refusal;
 constexpr base::FileId kFile{0};
 
 tl::unexpected<base::Failure> too_long(const std::string& name) {
-  return tl::unexpected(base::refuse(
-      Refusal::pattern_long, {name, std::to_string(kMostPatternBytes / (1U << 20U))}));
+  return tl::unexpected(
+      base::refuse(Refusal::pattern_long, {name, std::to_string(kMostPatternBytes / (1U << 20U))}));
 }
 
 // "PATTERN_FIELD no number of pulses: 1FH in the place of T1 …"
@@ -51,9 +51,9 @@ Outcome<std::string> listing_of(const base::SourceFile& pattern, const std::stri
     const auto record = reader.next();
     if (!record) {
       const base::Diagnostic& wrong = record.error();
-      return tl::unexpected(base::refuse(
-          Refusal::pattern_broken, {name, std::to_string(wrong.offset.value_or(0)),
-                                    std::to_string(reader.count() + 1), words_of(wrong)}));
+      return tl::unexpected(base::refuse(Refusal::pattern_broken,
+                                         {name, std::to_string(wrong.offset.value_or(0)),
+                                          std::to_string(reader.count() + 1), words_of(wrong)}));
     }
     if (!*record) return listing;
     drive::append_listing(listing, **record);
@@ -75,16 +75,15 @@ Outcome<std::string> bytes_of(const std::string& listing, const std::string& nam
     const auto move = reader.next();
     if (!move) {
       const base::Diagnostic& wrong = move.error();
-      return tl::unexpected(
-          base::refuse(Refusal::pattern_line, {name, std::to_string(wrong.place.line),
-                                               std::to_string(wrong.place.column), words_of(wrong)}));
+      return tl::unexpected(base::refuse(Refusal::pattern_line,
+                                         {name, std::to_string(wrong.place.line),
+                                          std::to_string(wrong.place.column), words_of(wrong)}));
     }
     if (!*move) return bytes;
     if (bytes.size() + records_of(**move) * drive::kRecordBytes > kMostPatternBytes)
       return too_long(name);
     drive::each_record(**move, [&](const drive::PatternRecord& record) {
-      for (const std::uint8_t byte : drive::encode(record, order))
-        bytes += static_cast<char>(byte);
+      for (const std::uint8_t byte : drive::encode(record, order)) bytes += static_cast<char>(byte);
     });
   }
 }

@@ -8,9 +8,9 @@
 
 namespace kerf::server {
 
-// Patterns at the border of the server (docs/pattern.md): the library has the bytes of the engraver,
-// whoever shows, edits or runs one has its listing. Both ways every bit is kept; what a listing has
-// besides its records, comments and blank lines, no bytes can hold.
+// Patterns at the border of the server (docs/pattern.md): the library has the bytes of the
+// engraver, whoever shows, edits or runs one has its listing. Both ways every bit is kept; what a
+// listing has besides its records, comments and blank lines, no bytes can hold.
 
 /// Longest one, in bytes: 1.4 million records, some hours of engraving.
 inline constexpr std::uint64_t kMostPatternBytes = 4U << 20U;

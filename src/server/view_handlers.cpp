@@ -73,9 +73,10 @@ void check(Hub& hub, const Request& request) {
     if (machine == nullptr)
       return request.reply.no("there is no machine " + arguments.text("machine"));
   }
-  const auto definition = machine != nullptr
-                              ? Outcome<machine::MachineDefinition>(machine->definition)
-                              : machine::find_machine(is_pattern(arguments.text("name")) ? "arm4" : "mill3");
+  const auto definition =
+      machine != nullptr
+          ? Outcome<machine::MachineDefinition>(machine->definition)
+          : machine::find_machine(is_pattern(arguments.text("name")) ? "arm4" : "mill3");
   if (!definition) return request.reply.no(definition.error().message);
   hub.aside(request,
             [definition = *definition,

@@ -57,8 +57,8 @@ bool PatternControl::command(const drive::PatternRecord& record, bool ends_block
   if (auto made = motors_.make(record); !made) return refuse(before, std::move(made.error()));
   for (std::size_t joint = 0; joint < drive::kArmAxes; ++joint) {
     if (!motors_.is_beyond_travel(joint)) continue;
-    return refuse(before, base::make_error(base::Code::joint_limit, {},
-                                           motors_.words_beyond_travel(joint)));
+    return refuse(
+        before, base::make_error(base::Code::joint_limit, {}, motors_.words_beyond_travel(joint)));
   }
   if (!motors_.motion()) return true;
   records_.push_back({record, before.counters(), ends_block});

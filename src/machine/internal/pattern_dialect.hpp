@@ -6,8 +6,8 @@
 
 namespace kerf::machine {
 
-/// The listing of a pattern (docs/pattern.md). It has no variables and calls nothing, and nothing of
-/// it is entered in MDI: a record goes on from where the last one ended.
+/// The listing of a pattern (docs/pattern.md). It has no variables and calls nothing, and nothing
+/// of it is entered in MDI: a record goes on from where the last one ended.
 class PatternDialect final : public Dialect {
  public:
   /// Precondition: the machine has a controller for patterns (PatternMachine::of()).

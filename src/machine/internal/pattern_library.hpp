@@ -43,7 +43,7 @@ class PatternLibrary : public vm::CodeSource {
   vm::PageSettings settings_;
   vm::PageStore<PatternPage> pages_;
   base::TextWindow window_;
-  std::uint32_t next_page_ = 0;  // behind the one that was compiled last
+  std::uint32_t next_page_ = 0;    // behind the one that was compiled last
   std::uint64_t next_offset_ = 0;  // where it begins
   std::uint32_t next_line_ = 1;
   base::FileId file_ = base::kNoFile;

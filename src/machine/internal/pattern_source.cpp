@@ -89,17 +89,15 @@ void PatternSource::approach(const Item& next) {
   const auto& lift = machine_.definition().driven[index(drive::axis_of(z))];
   const double high = machine_.joints_at(now)[drive::axis_of(z)];
   const double low = machine_.joints_at(to)[drive::axis_of(z)];
-  const double clear =
-      std::min(machine_.definition().pattern.travel_z_mm, lift.travel_high);
-  const bool arms_move = now[theta1] != to[theta1] || now[theta2] != to[theta2] ||
-                         now[theta3] != to[theta3];
+  const double clear = std::min(machine_.definition().pattern.travel_z_mm, lift.travel_high);
+  const bool arms_move =
+      now[theta1] != to[theta1] || now[theta2] != to[theta2] || now[theta3] != to[theta3];
   const double above = arms_move ? std::max({high, low, clear}) : low;
   const std::int64_t top = base::round_away(above * lift.steps_per_unit);
-  const std::array moves = {drive::FastMove{z, top - now[z]},
-                            drive::FastMove{theta2, to[theta2] - now[theta2]},
-                            drive::FastMove{theta1, to[theta1] - now[theta1]},
-                            drive::FastMove{theta3, to[theta3] - now[theta3]},
-                            drive::FastMove{z, to[z] - top}};
+  const std::array moves = {
+      drive::FastMove{z, top - now[z]}, drive::FastMove{theta2, to[theta2] - now[theta2]},
+      drive::FastMove{theta1, to[theta1] - now[theta1]},
+      drive::FastMove{theta3, to[theta3] - now[theta3]}, drive::FastMove{z, to[z] - top}};
   std::deque<Item> way;
   Item item = next;
   item.mark.kind = motion::MoveKind::rapid;
@@ -125,9 +123,9 @@ void PatternSource::cut_short() {
   const double begun = static_cast<double>(before_.counters().values[motor]);
   const double way = std::fabs(counts_at(time_of(tick_))[motor] - begun);
   // Up to the first pulse behind the last point.
-  const std::int64_t fewest = drive::FastProfile(machine_.definition().drive.arm.fast,
-                                                 whole->field.pulses)
-                                  .fewest_pulses(way + 1);
+  const std::int64_t fewest =
+      drive::FastProfile(machine_.definition().drive.arm.fast, whole->field.pulses)
+          .fewest_pulses(way + 1);
   if (fewest >= whole->field.pulses) return;
   drive::FastRecord part = *whole;
   Item left = under_way_;

@@ -79,9 +79,9 @@ class PatternSource final : public motion::SetpointSource {
 
   Item under_way_;  // or the one before, while there is none
   bool is_under_way_ = false;
-  double end_s_ = 0;         // of it
+  double end_s_ = 0;          // of it
   double motors_late_s_ = 0;  // time at a point, less that of the motors: they count no rests
-  bool is_resting_ = true;   // the last point is behind the end of the record
+  bool is_resting_ = true;    // the last point is behind the end of the record
   bool is_finished_ = true;
 
   Hold hold_ = Hold::none;

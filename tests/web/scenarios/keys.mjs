@@ -342,20 +342,23 @@ async function prepare(panel) {
   const now = panel.page.locator('.slider').getByRole('button', { name: 'Now', exact: true });
   await now.click();
   await panel.tab('Variables');
-  if ((await panel.page.locator('.file.current').innerText()) !== 'keys.nc') {
+  const is_shown = await panel.page.locator('.file.current', { hasText: 'keys.nc' }).count();
+  if (!is_shown || (await shown_text(panel)) !== LONG.trimEnd()) {
+    await drop_edits(panel);
     await panel.upload('keys.nc', LONG);
     await panel.open_program('keys.nc');
-  } else {
-    const text = await shown_text(panel);
-    if (text !== LONG.trimEnd()) {
-      await panel.upload('keys.nc', LONG);
-      await panel.open_program('keys.nc');
-    }
   }
-  // What a key before has edited is offered as a draft.
-  const discard = panel.page.locator('.draft').getByRole('button', { name: 'Discard' });
-  if (await discard.count()) await discard.click();
   await panel.has_path(4);
+}
+
+/** What a key before has edited goes by the × of its tab, so that nothing of it is offered again. */
+async function drop_edits(panel) {
+  const tab = panel.page.locator('li.file', { hasText: 'keys.nc' });
+  if (!(await tab.count())) return;
+  const is_edited = await tab.locator('.dirty').count();
+  await panel.page.getByRole('button', { name: 'Close: keys.nc' }).click();
+  if (is_edited) await panel.page.getByRole('button', { name: 'Drop the edits' }).click();
+  await tab.waitFor({ state: 'detached' });
 }
 
 async function stand(panel, place) {

@@ -187,6 +187,9 @@ export const phone = [
       await panel.go_to_line(2);
       await panel.page.keyboard.type('(E)');
       await panel.page.locator('.file.current .dirty').waitFor();
+      await panel.page.locator('.program footer .ahead').waitFor();
+      await in_reach(panel.page.locator('.program .bar .button').last());
+      await in_reach(panel.page.locator('.program footer > *').last());
       await panel.press('Cycle start');
       for (const choice of ['Load my edit and start', 'Start what the machine has', 'Close'])
         await in_reach(panel.page.getByRole('alertdialog').getByRole('button', { name: choice }));

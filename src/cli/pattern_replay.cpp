@@ -203,14 +203,8 @@ base::Result<void> Replay::take(const drive::PatternRecord& record, std::uint64_
 }
 
 base::Result<void> Replay::return_to_start(std::uint64_t offset) {
-  const double per_mm = definition_.driven[index(drive::axis_of(drive::ArmAxis::z))].steps_per_unit;
-  const std::int64_t up = per_mm > 0 ? 1 : -1;  // of a motor that turns the other way, up is less
-  drive::ArmCounts counters = replay_.counters();
-  counters[drive::ArmAxis::z] *= up;
-  const auto safe_z = up * base::round_away(definition_.pattern.travel_z_mm * per_mm);
   base::Result<void> made;
-  for (drive::FastMove move : drive::return_to_start(counters, safe_z)) {
-    if (move.axis == drive::ArmAxis::z) move.count *= up;
+  for (const drive::FastMove& move : replay_.machine().way_to_start(replay_.counters())) {
     drive::each_record(move, [&](const drive::FastRecord& record) {
       if (made && !spent(offset)) made = take(record, offset);
     });

@@ -294,7 +294,7 @@ LiveMachine::Outcome LiveMachine::jog_stop() {
 }
 
 LiveMachine::Outcome LiveMachine::home() {
-  return impl_->move_by_hand([](LiveCore& core) { return core.home(); });
+  return impl_->perform([](LiveCore& core) { return core.home(); });
 }
 
 LiveMachine::Outcome LiveMachine::mdi(std::string text) {

@@ -81,6 +81,18 @@ drive::ArmCounts PatternMachine::counts_at(const AxisVector& joints) const {
   return counts;
 }
 
+std::array<drive::FastMove, 5> PatternMachine::way_to_start(drive::ArmCounts counters) const {
+  const double per_mm = steps_per_unit_[index(drive::axis_of(drive::ArmAxis::z))];
+  const std::int64_t up = per_mm > 0 ? 1 : -1;  // of a motor that turns the other way, up is less
+  counters[drive::ArmAxis::z] *= up;
+  auto moves = drive::return_to_start(
+      counters, up * base::round_away(definition_->pattern.travel_z_mm * per_mm));
+  for (drive::FastMove& move : moves) {
+    if (move.axis == drive::ArmAxis::z) move.count *= up;
+  }
+  return moves;
+}
+
 std::int64_t PatternMachine::half_period_ticks(const drive::ArmCounts& from,
                                                const drive::SlowMove& triplet) const {
   const drive::ArmSettings& arm = definition_->drive.arm;

@@ -4,6 +4,7 @@
 
 #include "base/result.hpp"
 #include "drive/arm_axis.hpp"
+#include "drive/return_to_start.hpp"
 #include "drive/slow_move.hpp"
 #include "kinematics/kinematics.hpp"
 #include "machine/machine_definition.hpp"
@@ -39,6 +40,9 @@ class PatternMachine {
   [[nodiscard]] double step(drive::ArmAxis axis) const {
     return 1 / steps_per_unit_[index(drive::axis_of(axis))];
   }
+
+  /// The fast moves that bring every counter to 0: drive::return_to_start(), clear of the work.
+  [[nodiscard]] std::array<drive::FastMove, 5> way_to_start(drive::ArmCounts counters) const;
 
   /// Ticks with which the arms make a triplet from these counts: those of the drive, or more, so
   /// that the tip goes at pattern.cut_speed.

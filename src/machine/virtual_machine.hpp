@@ -138,6 +138,9 @@ class VirtualMachine : private control::Surroundings, private control::MotionSin
   /// has changed.
   [[nodiscard]] std::optional<control::Refusal> command(const control::Motion& motion);
   void finish_moves();
+  /// Brings the motors back to where every counter is 0, clear of the work; false: they are there.
+  /// Precondition: the machine makes patterns, and the axes rest.
+  bool command_way_to_start();
   /// How far a run has come, which does not depend on how time is cut.
   struct Moment {
     static constexpr std::uint64_t kAllTurns = ~std::uint64_t{0};

@@ -166,6 +166,50 @@ TEST(PatternOnThePanel, BeginsWhereEveryMotorStandsAtItsZero) {
   EXPECT_EQ(again.all.back().joints, replayed.points.all.back().joints);
 }
 
+// A stretched arm has no straight way of its tip: the motors go one by one, the lift first.
+TEST(PatternOnThePanel, GoesHomeByItsMotors) {
+  Bench bench("arm4");
+  with_pattern(bench, "F T3 -26\nF T2 -4\nF Z -46\nS 0 1 1\n");
+  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_DONE(bench->cycle_start());
+    ASSERT_EQ(bench.settle(), Status::stopped);
+  }
+  bench->reset();
+  bench->advance(1);
+  EXPECT_DONE(bench->set_mode(Mode::reference));
+  Points points;
+  bench->add_point_sink(points);
+  EXPECT_DONE(bench->home());
+  ASSERT_NE(bench.settle(), Status::alarm);
+  EXPECT_EQ(bench.now().joints, base::AxisVector{});
+  EXPECT_EQ(bench.now().messages.back(), "all axes are at their reference points");
+  for (const machine::AxisPoint& point : points.all) {
+    if (point.joints.values[1] > -0.02 && point.joints.values[1] < 0) {
+      EXPECT_DOUBLE_EQ(point.joints.values[3], 2);
+    }
+  }
+  EXPECT_DONE(bench->set_mode(Mode::automatic));
+  EXPECT_DONE(bench->set_switch(Switch::single_block, false));
+  EXPECT_DONE(bench->cycle_start());
+  EXPECT_EQ(bench.settle(), Status::end);
+}
+
+// A straight way that a stretched arm cannot go is no way to the reference points.
+TEST(PatternOnThePanel, ReferencePointsThatAreNotReachedAreAnAlarm) {
+  Bench bench("arm4");
+  with_pattern(bench, "F T3 -26\nF T2 -4\nF Z -46\n");
+  EXPECT_DONE(bench->cycle_start());
+  ASSERT_EQ(bench.settle(), Status::end);
+  EXPECT_DONE(bench->set_mode(Mode::jog));
+  EXPECT_DONE(bench->jog_by("Z", 0.1));
+  bench.settle();
+  EXPECT_DONE(bench->set_mode(Mode::reference));
+  EXPECT_DONE(bench->home());
+  ASSERT_EQ(bench.settle(), Status::alarm);
+  EXPECT_EQ(bench.now().alarm->code, "SINGULAR");
+}
+
 TEST(PatternOnThePanel, AxesAreMovedByHandBehindItAndNotWithinIt) {
   Bench bench("arm4");
   with_pattern(bench, "F T2 -2000\nF T1 4000\nF Z 300\n");

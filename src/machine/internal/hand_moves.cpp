@@ -40,6 +40,7 @@ LiveCore::Outcome LiveCore::queue_moves(const std::vector<control::Motion>& moti
       if (!any)
         return refused(base::refuse_for(std::string(base::text_of(refusal->code).number),
                                         Refusal::joints_cannot, {refusal->sentence}));
+      jog_end_ = JogEnd{refusal->code, refusal->sentence};
       break;
     }
     any = true;
@@ -155,10 +156,24 @@ LiveCore::Outcome LiveCore::jog_stop() {
   return {};
 }
 
+// Of a pattern.
+LiveCore::Outcome LiveCore::home_motors() {
+  trail_->settle();
+  if (!machine_->command_way_to_start()) {
+    say("all axes are at their reference points");
+    return {};
+  }
+  deadline_s_ = time_s();
+  activity_ = Activity::home;
+  ++run_;
+  return {};
+}
+
 LiveCore::Outcome LiveCore::home() {
   if (panel_.mode != Mode::reference) return refused(Refusal::reference_mode);
   if (const auto why = keeps_from_hand()) return refused(*why);
-  take_in_hand();
+  jog_end_.reset();
+  if (would_begin_by_hand()) return home_motors();
   const base::AxisVector length = machine_->control().tool_length();
   base::AxisVector to = machine_->servo().commanded();
   control::Motion move;

@@ -192,12 +192,21 @@ void LiveCore::after_activity() {
       }
       jog_end_.reset();
       break;
-    case Activity::home: say("all axes are at their reference points"); break;
+    case Activity::home:
+      if (!ended_early()) say("all axes are at their reference points");
+      break;
     case Activity::approach:
       approach_.reset();
-      go_on();
+      if (!ended_early()) go_on();
       break;
   }
+}
+
+// The joints could not follow the moves to their end.
+bool LiveCore::ended_early() {
+  const auto end = std::exchange(jog_end_, {});
+  if (end) raise_panel(end->code, end->sentence);
+  return end.has_value();
 }
 
 void LiveCore::finish_program() {

@@ -158,7 +158,7 @@ class LiveCore : private AxisPointSink {
  private:
   /// What is under way.
   enum class Activity : std::uint8_t { none, program, jog, home, approach };
-  /// The end of a jog that is not the operator's.
+  /// The end of a jog, or of other moves by hand, that is not the operator's.
   struct JogEnd {
     base::Code code{};
     std::string sentence;
@@ -190,7 +190,9 @@ class LiveCore : private AxisPointSink {
   [[nodiscard]] std::optional<base::Failure> keeps_from_start() const;
   [[nodiscard]] std::optional<base::Failure> keeps_from_hand() const;
   [[nodiscard]] std::optional<base::Axis> find_axis(const std::string& name) const;
+  [[nodiscard]] bool ended_early();
   void take_in_hand();
+  Outcome home_motors();
   Outcome jog_to(base::Axis axis, double distance, double speed_per_min);
   [[nodiscard]] double travel_left(base::Axis axis, bool up) const;
   [[nodiscard]] double reachable(const control::Motion& whole, base::Axis axis, double distance,

@@ -13,12 +13,12 @@ PatternControl::PatternControl(const PatternMachine& machine, PatternLibrary& li
     : machine_(machine),
       records_(records),
       sink_(sink),
-      motors_(machine, counting_),
+      motors_(machine, counted_),
       interpreter_(library, *this, {}) {}
 
 void PatternControl::start(std::string name) {
   name_ = std::move(name);
-  motors_ = PatternMotors(machine_, counting_);
+  motors_ = PatternMotors(machine_, counted_);
   interpreter_.start(PatternLibrary::kProgram);
   halt_ = Halt::none;
   is_open_ = true;

@@ -47,11 +47,6 @@ class PatternControl final : public control::ProgramControl, private vm::Host {
   void interrupt() override { miss_interrupt(); }
 
  private:
-  // A motor that makes no pulses, only counts.
-  struct Counting : drive::PulseSink {
-    void take(const drive::Pulse& /*pulse*/) override {}
-  };
-
   // vm::Host
   vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
                       const double* registers) override;
@@ -79,7 +74,7 @@ class PatternControl final : public control::ProgramControl, private vm::Host {
   const PatternMachine& machine_;
   PatternQueue& records_;
   control::MotionSink& sink_;
-  Counting counting_;
+  CountedOnly counted_;
   PatternMotors motors_;  // as the program has them
   vm::Interpreter interpreter_;
   std::string name_;

@@ -26,10 +26,13 @@ PatternStand stand_after(const PatternMachine& machine,
   return {joints, tidied(machine.kinematics().forward(joints))};
 }
 
-PatternMotors::PatternMotors(const PatternMachine& machine, drive::PulseSink& pulses)
+PatternMotors::PatternMotors(const PatternMachine& machine, drive::PulseSink& pulses,
+                             const drive::ArmCounts& from)
     : machine_(&machine),
       drive_(machine.definition().drive.arm, pulses),
-      tip_(tidied(machine.tip_at(drive::ArmCounts{}))) {}
+      tip_(tidied(machine.tip_at(from))) {
+  drive_.set_counters(from);
+}
 
 std::int64_t PatternMotors::nanoseconds(std::int64_t ticks) const {
   return machine_->definition().drive.arm.clock.nanoseconds(ticks);

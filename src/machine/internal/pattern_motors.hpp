@@ -12,12 +12,13 @@
 
 namespace kerf::machine {
 
-/// The four motors that make a pattern, record by record, from where every counter is 0. A value: a
-/// copy goes on by itself, into the same sink.
+/// The four motors that make a pattern, record by record. A value: a copy goes on by itself, into
+/// the same sink.
 class PatternMotors {
  public:
   /// Both must outlive the motors.
-  PatternMotors(const PatternMachine& machine, drive::PulseSink& pulses);
+  PatternMotors(const PatternMachine& machine, drive::PulseSink& pulses,
+                const drive::ArmCounts& from = {});
 
   /// Makes the next record. Error TIMER_OVERFLOW: nothing of it has moved.
   [[nodiscard]] base::Result<void> make(const drive::PatternRecord& record);
@@ -46,6 +47,11 @@ class PatternMotors {
   drive::ArmDrive drive_;
   base::AxisVector tip_;
   std::optional<control::Motion> motion_;
+};
+
+/// For motors of which only the counters are wanted.
+struct CountedOnly : drive::PulseSink {
+  void take(const drive::Pulse& /*pulse*/) override {}
 };
 
 /// Where joints and tip stand, each coordinate as it is told.

@@ -90,6 +90,7 @@ LiveCore::Outcome LiveCore::begin_approach() {
     go_on();
     return {};
   }
+  jog_end_.reset();
   activity_ = Activity::approach;
   return queue_moves(motions);
 }

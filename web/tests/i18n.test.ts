@@ -202,7 +202,6 @@ describe('refusals that stand in the code', () => {
     'a jog by a distance needs one, at most ',
     'this is no number',
     'times of a run begin with 0 s',
-    "Kerf does not run the language '",
     'the time of computing is over before the interrupt at ',
   ];
   const sources = ['machine', 'machine/internal', 'server'].flatMap((room) => {

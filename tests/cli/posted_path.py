@@ -265,9 +265,8 @@ class Comparison:
         if not self.begun:
             return
         axes = list(wanted["to"])
-        if self.next and distance(self.read[self.next - 1]["to"], wanted["to"], axes) <= self.digits_mm \
-                and (self.peek() is None or self.peek()["kind"] != "rapid"):
-            return  # less than a digit
+        if self.next and distance(self.read[self.next - 1]["to"], wanted["to"], axes) <= self.digits_mm:
+            return  # it stands there: less than a digit, or G53 to where the length had brought it
         while True:
             move = self.pull()
             check(move["kind"] == "rapid", f"{self.where}: the reader cuts to {move['to']}")

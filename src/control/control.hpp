@@ -32,6 +32,7 @@ struct ModalView {
   std::array<std::uint16_t, 24> codes{};
   double feed = 0;
   double speed = 0;
+  std::uint32_t further_system = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
   std::uint32_t length_offset = 0;
   std::uint32_t radius_offset = 0;
   friend bool operator==(const ModalView&, const ModalView&) = default;

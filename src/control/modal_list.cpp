@@ -12,6 +12,7 @@ ModalView Controller::modal() const {
   std::copy(state_.modal.codes().begin(), state_.modal.codes().end(), view.codes.begin());
   view.feed = state_.words.feed;
   view.speed = state_.words.speed;
+  view.further_system = state_.coordinates.work().extended;
   view.length_offset = static_cast<std::uint32_t>(state_.words.length_offset);
   view.radius_offset = static_cast<std::uint32_t>(state_.words.radius_offset);
   return view;
@@ -23,6 +24,8 @@ std::vector<std::string> Controller::modal_text(const ModalView& modal) const {
   for (std::size_t group = 1; group < kGroups; ++group) {
     const bool is_motion = group == static_cast<std::size_t>(Group::motion);
     if (modal.codes[group] != 0 || is_motion) list.push_back(name_of(modal.codes[group]));
+    if (group == static_cast<std::size_t>(Group::work) && modal.further_system != 0)
+      list.back() += " P" + std::to_string(modal.further_system);
   }
   if (modal.length_offset != 0) list.push_back("H" + std::to_string(modal.length_offset));
   if (modal.radius_offset != 0) list.push_back("D" + std::to_string(modal.radius_offset));

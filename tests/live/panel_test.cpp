@@ -1,4 +1,5 @@
 // The keys and switches of the panel, and the words with which they are refused.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -360,6 +361,24 @@ TEST(Panel, OffsetsAndToolsAreEntered) {
   EXPECT_EQ(bench.x(), 12.5);
   EXPECT_EQ(bench.now().machine.values[2], 30);
   EXPECT_EQ(bench.now().work.values[0], 0);
+}
+
+TEST(Panel, AFurtherSystemIsToldWithItsNumber) {
+  Bench bench;
+  const auto shows = [&bench](const std::string& code) {
+    const auto modal = bench.now().modal;
+    return std::find(modal.begin(), modal.end(), code) != modal.end();
+  };
+  EXPECT_DONE(bench->set_offset("G54.1 P3", "X", 7));
+  EXPECT_DONE(bench->set_mode(Mode::mdi));
+  EXPECT_DONE(bench->mdi("G54.1 P3"));
+  bench.settle();
+  EXPECT_TRUE(shows("G54.1 P3"));
+  EXPECT_EQ(bench.now().work.values[0], -7);
+  EXPECT_DONE(bench->mdi("G55"));
+  bench.settle();
+  EXPECT_TRUE(shows("G55"));
+  EXPECT_FALSE(shows("G54.1 P3"));
 }
 
 // A drive that cannot follow behind a place.

@@ -1,6 +1,13 @@
 import { expect, it } from 'vitest';
 import { in_order, is_quiet } from '../src/logic/modal';
-import { by_system, with_added } from '../src/logic/offsets';
+import {
+  type WorkOffset,
+  by_system,
+  further_system,
+  with_added,
+  with_systems,
+  zero_here,
+} from '../src/logic/offsets';
 import { scope_of } from '../src/logic/variables';
 
 it('modal codes have their place, whatever order they come in', () => {
@@ -51,4 +58,37 @@ it('a tool that was added has an empty row until the machine tells it', () => {
   expect(table.map((tool) => tool.number)).toEqual([2, 5, 7]);
   expect(table[1]).toBe(five);
   expect(table[2].length_geometry).toBe(0);
+});
+
+it('a further system has a row where it is looked for, also of 0', () => {
+  const systems: WorkOffset[] = [
+    { name: 'EXT', values: {} },
+    { name: 'G54', values: { X: 1 } },
+    { name: 'G54.1 P20', values: { X: 3 } },
+  ];
+  const table = with_systems(systems, ['G54', 'G54.1 P3', 'G54.1 P20', 'G54.1 P3']);
+  expect(table.map(({ name }) => name)).toEqual(['EXT', 'G54', 'G54.1 P3', 'G54.1 P20']);
+  expect(table[3]).toBe(systems[2]);
+  expect([1, 300, 0, 301, 1.5, NaN].map(further_system)).toEqual([
+    'G54.1 P1',
+    'G54.1 P300',
+    null,
+    null,
+    null,
+    null,
+  ]);
+});
+
+// The axis stands at 100 of the machine: EXT 10, G54 20, G52 5; the tool is 30 long.
+it('an offset makes the place of the axis the zero of its system', () => {
+  const ext = { name: 'EXT', values: { Z: 10 } };
+  const g54 = { name: 'G54', values: { Z: 20 } };
+  const g55 = { name: 'G55', values: { Z: -7 } };
+  const reads = 100 - 30 - (10 + 20 + 5);
+  expect(zero_here(g54, 'Z', g54, reads)).toBe(100 - 30 - 10 - 5);
+  expect(zero_here(g55, 'Z', g54, reads)).toBe(100 - 30 - 10 - 5);
+  expect(zero_here(ext, 'Z', g54, reads)).toBe(100 - 30 - 20 - 5);
+  expect(zero_here({ name: 'G54', values: {} }, 'X', { name: 'G54', values: {} }, 0.1 + 0.2)).toBe(
+    0.3,
+  );
 });

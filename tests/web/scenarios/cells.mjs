@@ -57,6 +57,41 @@ export const cells = [
     },
   },
   {
+    name: 'the place of an axis becomes the zero of a system, with EXT and the length of the tool in force',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.tab('Tools');
+      await panel.page.getByRole('textbox', { name: 'Tool', exact: true }).fill('88');
+      await panel.page.keyboard.press('Enter');
+      await set_cell(panel, 'T88 Length', '3');
+      await shows(panel, 'T88 Length', '3.000');
+      await panel.tab('Offsets');
+      await set_cell(panel, 'EXT X', '2');
+      await set_cell(panel, 'EXT Z', '4');
+      await panel.page.getByRole('textbox', { name: 'G54.1 P', exact: true }).fill('3');
+      await panel.page.keyboard.press('Enter');
+      await set_cell(panel, 'G54.1 P3 X', '5');
+      await shows(panel, 'G54.1 P3 X', '5.000');
+      await executes(panel, 'G54.1 P3 G90 G43 H88 G01 X9. Z-9. F6000');
+      await panel.tab('Offsets');
+      await panel.page.locator('tr.current', { hasText: 'G54.1 P3' }).waitFor();
+      for (const axis of ['X', 'Z']) {
+        await panel.page.getByRole('button', { name: `${axis}0, G54.1 P3:` }).click();
+        await panel.position_is(axis, 0);
+      }
+      // One that is not in force reads 0 there as soon as it is.
+      await panel.page.getByRole('button', { name: 'X0, G59:' }).click();
+      await executes(panel, 'G59');
+      await panel.position_is('X', 0);
+      await panel.tab('Offsets');
+      for (const name of ['EXT X', 'EXT Z', 'G59 X', 'G54.1 P3 X', 'G54.1 P3 Z']) {
+        await set_cell(panel, name, '0');
+        await shows(panel, name, '0.000'); // the row stays
+      }
+    },
+  },
+  {
     name: 'an entry is set, added, goes to the next row, and is asked about where it is far off',
     async run({ open }) {
       const panel = await open();
@@ -106,6 +141,16 @@ export const cells = [
   },
 ];
 
+/** In MDI, to its end. */
+async function executes(panel, blocks) {
+  await panel.press('MDI');
+  const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
+  await entry.fill(blocks);
+  await entry.press('Enter');
+  await panel.has_status('RUN', 'END', 'IDLE');
+  await panel.has_status('END', 'IDLE');
+  await panel.press('AUTO');
+}
 async function set_cell(panel, name, value) {
   const cell = panel.page.getByRole('textbox', { name, exact: true });
   await cell.click();

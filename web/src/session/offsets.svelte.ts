@@ -5,6 +5,7 @@ import {
   type WorkOffset,
   by_system,
   with_added,
+  with_systems,
 } from '../logic/offsets';
 import { panel } from './panel.svelte';
 
@@ -13,11 +14,17 @@ export type ToolValue = Exclude<keyof Tool, 'number'>;
 const MOST_OFTEN_MS = 400;
 
 class Offsets {
+  /** What the machine tells, and the rows that stand already: one that becomes all 0, or is to be filled in, stays. */
   work = $state.raw<WorkOffset[]>([]);
-  /** Those that the machine tells, and the rows that stand already: one that becomes all 0, or is to be filled in, stays. */
   tools = $state.raw<Tool[]>([]);
-  private machine = '';
+  /** Whose tables these are. */
+  private machine = $state('');
   private timer: ReturnType<typeof setTimeout> | null = null;
+
+  /** Those of the machine before are still shown while this is false. */
+  get are_of_this_machine(): boolean {
+    return this.machine === panel.machine;
+  }
 
   refresh(): void {
     if (this.timer !== null) return;
@@ -33,6 +40,11 @@ class Offsets {
 
   set_tool(number: number, key: ToolValue, value: number, before: number): Promise<void> {
     return this.change(`T${number} ${key}`, { offset: `tool.${number}.${key}` }, value, before);
+  }
+
+  /** A row for a system of which nothing is known yet. */
+  add_system(name: string): void {
+    this.work = with_systems(this.work, [name]);
   }
 
   /** A row for a tool of which nothing is known yet. */
@@ -60,11 +72,13 @@ class Offsets {
     const { machine } = panel;
     const work = await panel.ask('offsets').catch(() => null);
     const tools = await panel.ask('tools').catch(() => null);
-    if (machine !== panel.machine) return;
-    const rows = machine === this.machine ? this.tools.map((tool) => tool.number) : [];
-    if (work) this.work = by_system(work.offsets as OffsetRow[]);
-    if (tools) this.tools = with_added(tools.tools as Tool[], rows);
-    if (tools) this.machine = machine;
+    if (!work || !tools || machine !== panel.machine) return;
+    if (!this.are_of_this_machine) [this.work, this.tools] = [[], []];
+    const systems = this.work.map(({ name }) => name);
+    const numbers = this.tools.map(({ number }) => number);
+    this.work = with_systems(by_system(work.offsets as OffsetRow[]), systems);
+    this.tools = with_added(tools.tools as Tool[], numbers);
+    this.machine = machine;
   }
 }
 

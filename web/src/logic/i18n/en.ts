@@ -213,6 +213,7 @@ export const en = {
   'notice.uploaded': '{name} is in the library.',
   'notice.will-write': '{name} will be saved in {encoding}.',
   'notices.title': 'Notices',
+  'offsets.add': 'Add system',
   'offsets.in-force': 'in force',
   'offsets.none': 'This machine has no work offsets.',
   'offsets.system': 'System',

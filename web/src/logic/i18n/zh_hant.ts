@@ -206,6 +206,7 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'notice.uploaded': '{name} 已存入程式庫。',
   'notice.will-write': '{name} 將以 {encoding} 儲存。',
   'notices.title': '通知',
+  'offsets.add': '新增座標系',
   'offsets.in-force': '使用中',
   'offsets.none': '本機台沒有工件座標偏置。',
   'offsets.system': '座標系',

@@ -227,6 +227,23 @@ export const newcomer = [
     },
   },
   {
+    name: 'a text that was edited and not run yet is not said to be without errors',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      const footer = (text) => panel.page.locator('.program footer', { hasText: text }).waitFor();
+      await panel.run_text('divides.nc', 'O1\n#100=0\n#101=1/#100\nM30\n');
+      await footer('Errors: 1');
+      await panel.go_to_line(1);
+      await panel.page.keyboard.type('(A)');
+      await footer('Syntax correct, not run yet');
+      await panel.page.keyboard.press('F5');
+      await footer('Errors: 1');
+      await panel.run_text('whole.nc', 'O2\nG91 G01 X1. F6000\nM30\n');
+      await footer('No errors');
+    },
+  },
+  {
     name: 'F8 holds the feed while something moves',
     async run({ open }) {
       const panel = await open();

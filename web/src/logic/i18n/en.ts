@@ -270,6 +270,7 @@ export const en = {
   'program.not-checked': 'Not checked',
   'program.not-checked-why':
     'The text is too long to be checked while it is edited (1 MB), or the server does not answer.',
+  'program.reads-well': 'Syntax correct, not run yet',
   'program.run-to': 'Run to the line of the cursor',
   'program.save': 'Save',
   'program.start-at': 'Start at the line of the cursor, modal state rebuilt',

@@ -261,6 +261,7 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'program.none': '尚未開啟程式。',
   'program.not-checked': '未檢查',
   'program.not-checked-why': '程式過長（超過 1 MB），編輯時無法檢查；或伺服器沒有回應。',
+  'program.reads-well': '語法正確，尚未執行',
   'program.run-to': '執行到游標所在行',
   'program.save': '儲存',
   'program.start-at': '從游標所在行開始，並重建模態',

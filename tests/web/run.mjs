@@ -70,7 +70,7 @@ const { values } = parseArgs({
     only: { type: 'string', multiple: true },
     part: { type: 'string', default: '1/1' },
     soak: { type: 'string' },
-    chromium: { type: 'string', default: '/usr/bin/chromium' },
+    chromium: { type: 'string', default: '/usr/bin/chromium-headless-shell' },
   },
 });
 const [part, parts] = values.part.split('/').map(Number);

@@ -25,7 +25,7 @@ SHAPES = {
     "gotos.nc": lambda n: "O1\n" + "".join(f"N{i % 99999 + 1}GOTO{i * 7919 % n + 1}\n" for i in range(n)) + "M30\n",
     "one line.nc": lambda n: "O1\n" + "".join(f"N{i};GOTO{n - i};" for i in range(1, n // 2)) + "\nM30\n",
     "one line of loops.nc": lambda n: "O1\n" + "DO1;" * (n // 2) + "END1;" * (n // 2) + "\nM30\n",
-    "programs.nc": lambda n: "".join(f"O{i % 9999 + 1}\nM99\n" for i in range(n // 2)),
+    "programs.nc": lambda n: "".join(f"O{i % 999 + 1}\nM99\n" for i in range(n // 2)),
     "programs by name.nc": lambda n: "".join(f"O<A{i}>\nM99\n" for i in range(n // 2)),
     "then.nc": lambda n: "O1\n" + "IF[#1EQ1]THEN#2=3\n" * n + "M30\n",
     "names.nc": lambda n: "O1\n" + "".join(f"SETVN{500 + i % 400}[V{i % 9999}]\n" for i in range(n)) + "M30\n",

@@ -49,11 +49,15 @@ def _(place):
 @test("more commands than the server takes are refused in words")
 def _(place):
     client = place.serve().client()
+    began = time.monotonic()
     numbers = [client.post("machines") for _ in range(900)]
     answers = [client.answer(n) for n in numbers]
+    seconds = time.monotonic() - began
     refused = [a for a in answers if not a["ok"]]
-    check(300 < len(refused) < 900, f"{len(refused)} are refused")
-    says(refused[0]["error"], "200 commands a second")
+    check(900 - len(refused) <= 200 * (seconds + 2), f"{len(refused)} are refused in {seconds:.1f} s")
+    check(refused or seconds > 2.5, f"none is refused in {seconds:.1f} s")  # a slow computer sends no more than 200 itself
+    for answer in refused:
+        says(answer["error"], "200 commands a second")
     time.sleep(1)
     client.do("machines")
 

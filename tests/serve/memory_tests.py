@@ -49,6 +49,17 @@ class Disk:
         resource.prlimit(self.pid, resource.RLIMIT_FSIZE, self.usual)
 
 
+def refused_start_on_a_full_disk(place):
+    def full():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (0, resource.RLIM_INFINITY))
+
+    result = subprocess.run([place.kerf, "serve", "--port", "0", "--data", str(place.data)], stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE, text=True, preexec_fn=full, restore_signals=False, timeout=60 * harness.PATIENCE)
+    equal(result.returncode, 3, "exit status")
+    says(result.stderr, str(place.data))
+
+
 @test("what a program wrote and a command put back is on the disk")
 def _(place):
     server = place.serve()
@@ -154,6 +165,19 @@ def _(place):
     disk.free()
     equal(server.stop(), 0, "exit status")
     equal(first(place)[:2], (10, 42), "on the disk")
+
+
+@test("a full disk: a start says so and leaves what is there")
+def _(place):
+    server = place.serve()
+    client = server.client().watch("mill")
+    client.do("write", name="kept.nc", text="O1\nM30\n")
+    client.do("set-variable", name="#500", value=7)
+    equal(server.stop(), 0, "exit status")
+    refused_start_on_a_full_disk(place)
+    client = place.serve().client().watch("mill")
+    equal(client.do("read", name="kept.nc")["text"], "O1\nM30\n", "the program")
+    equal(first(place)[1], 7, "the variable")
 
 
 @test("a full disk: a command that is refused has no effect")
@@ -335,14 +359,7 @@ def _(place):
 
 @test("a first start on a full disk ends with a sentence, and the next one makes all machines")
 def _(place):
-    def full():
-        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-        resource.setrlimit(resource.RLIMIT_FSIZE, (0, resource.RLIM_INFINITY))
-
-    result = subprocess.run([place.kerf, "serve", "--port", "0", "--data", str(place.data)], stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE, text=True, preexec_fn=full, restore_signals=False, timeout=60 * harness.PATIENCE)
-    equal(result.returncode, 3, "exit status")
-    says(result.stderr, str(place.data))
+    refused_start_on_a_full_disk(place)
     equal(len(place.serve().client().do("machines")["machines"]), 5, "machines")
 
 

@@ -227,7 +227,11 @@ TEST(CornerRounder, ReachesNoFartherThanTheFeedNeeds) {
     if (made.kind == Corner::Kind::none) continue;
     ASSERT_EQ(made.kind, Corner::Kind::rounded) << i;
     const double reach = made.rounding.reach;
-    const CellBounds bounds{made.rounding.curve.bounds(0, 2 * reach), 0, 0, false};
+    const CellBounds bounds{.driven = made.rounding.curve.bounds(0, 2 * reach),
+                            .curvature = 0,
+                            .linkage = {},
+                            .tip_acceleration = 0,
+                            .at_border = false};
     ASSERT_NEAR(corner.limits.of(bounds, corner.feed, CellLimits::Use::corner).velocity,
                 corner.feed, 1e-9 * corner.feed)
         << i;

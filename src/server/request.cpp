@@ -35,9 +35,7 @@ std::string Reply::text_of(const base::Outcome<Json>& outcome) const {
   answer.update(*outcome);
   std::string text = dumped(answer);
   if (text.size() <= limits::kAnswerBytes) return text;
-  return refusal({base::Failure::Kind::usage, "the answer would have " +
-                                                  std::to_string(text.size()) +
-                                                  " bytes; an answer has at most 6 MiB"});
+  return refusal(base::refuse(base::Refusal::answer_too_long, {std::to_string(text.size())}));
 }
 
 void Reply::send(std::string text) const {

@@ -35,8 +35,7 @@ void speeds(Hub& hub, const Request& request) {
                 const base::WorkLimit& limit) -> Outcome<Json> {
               auto profile = speed_profile(*chunks, question, limit);
               if (!limit.reached()) return profile;
-              return tl::unexpected(base::Failure{
-                  base::Failure::Kind::usage, "speeds: the path is too long to be looked through"});
+              return tl::unexpected(base::refuse(base::Refusal::path_too_long, {}));
             });
 }
 

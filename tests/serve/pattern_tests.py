@@ -160,3 +160,15 @@ def _(place):
     client.do("mode", mode="auto")
     client.do("cycle-start")
     client.wait_for(lambda: client.state.get("text") == "F T2 4000", "the second record")
+
+
+@test("what a pattern does not have is refused with a code, as all that operators meet")
+def _(place):
+    server = place.serve()
+    put(server, BYTES)
+    client = server.client().watch("arm")
+    client.do("load", program="w.pat")
+    answer = client.ask("set-variable", name="#500", value=1)
+    equal((answer["ok"], answer.get("code")), (False, "pattern-variables"))
+    answer = client.ask("breakpoints", list=[{"file": "w.pat", "line": 1, "condition": "#500EQ1"}])
+    says(answer["error"], "breakpoint in line 1", "a pattern has no variables, and so no conditions")

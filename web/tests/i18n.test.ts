@@ -202,6 +202,11 @@ describe('refusals that stand in the code', () => {
     'a jog by a distance needs one, at most ',
     'this is no number',
     'times of a run begin with 0 s',
+    "Kerf does not run the language '",
+    '--machine-set ',
+    '--host ',
+    "'#NUMBER=VALUE' is expected",
+    "at_ms must be a number: ms of the server's clock",
     'the time of computing is over before the interrupt at ',
   ];
   const sources = ['machine', 'machine/internal', 'server'].flatMap((room) => {
@@ -213,7 +218,9 @@ describe('refusals that stand in the code', () => {
 
   it('have a code, so that they have Chinese words', () => {
     const said = sources.flatMap((source) =>
-      [...source.matchAll(/\b(?:refused|no)\(\s*"([^"]+)"/g)].map(([, sentence]) => sentence),
+      [...source.matchAll(/(?:\b(?:refused|no)\(|Failure::Kind::usage,)\s*"([^"]+)"/g)].map(
+        ([, sentence]) => sentence,
+      ),
     );
     expect(said.filter((sentence) => !OF_OTHER_CLIENTS.includes(sentence))).toEqual([]);
     expect(OF_OTHER_CLIENTS.filter((sentence) => !said.includes(sentence))).toEqual([]);

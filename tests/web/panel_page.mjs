@@ -181,8 +181,14 @@ export class PanelPage {
     }
     assert.equal(seen, value, `the value of ${name}`);
   }
+  /** Each notice answers once: a sentence that still stands from before is not said again. */
   async says(text) {
-    await this.page.locator('.notices p', { hasText: text }).first().waitFor();
+    await this.until((wanted) => {
+      const fresh = [...document.querySelectorAll('.notices p:not([data-heard])')];
+      const notice = fresh.find((p) => p.textContent.includes(wanted));
+      if (notice) notice.dataset.heard = '';
+      return Boolean(notice);
+    }, text);
   }
 
   async says_nothing(text) {

@@ -162,6 +162,8 @@ def _(place):
     client.close()
     other = server.client()
     ask_soon(other, 10, "watch", machine="mill")
+    # That he has left is learned from his connection: until then he operates.
+    other.wait_for(lambda: other.state.get("operator", 1) is None, "the operator has left")
     other.do("operate", take=True)
     ask_soon(other, 10, "mode", mode="auto")
 

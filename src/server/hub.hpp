@@ -153,8 +153,15 @@ class Hub {
   void keep_and_load(const std::string& machine, MachineThread& thread,
                      const std::shared_ptr<Runner>& held, const FoundProgram& found,
                      const Reply& reply);
-  void loaded(const std::string& machine, const LoadedProgram& program,
-              const machine::MachineDefinition& definition, const control::Memory& memory,
+  /// A machine at one moment, as a preview begins with it.
+  struct PreviewBasis {
+    machine::MachineDefinition definition;
+    control::Memory memory;
+    std::shared_ptr<const machine::Snapshot> snapshot;
+  };
+  [[nodiscard]] static PreviewBasis basis_of(Runner& runner);
+  void preview_from(MachineRecord& machine, const PreviewBasis& basis);
+  void loaded(const std::string& machine, const LoadedProgram& program, const PreviewBasis& basis,
               const Reply& reply);
   /// As the machine runs it: of a pattern its listing.
   [[nodiscard]] base::Outcome<machine::ProgramText> text_of(

@@ -70,10 +70,8 @@ void Hub::keep_and_load(const std::string& machine, MachineThread& thread,
     const auto done =
         guarded([&] { return runner.machine().load(found.text, found.program.dialect); });
     if (!done) return answer(reply, tl::unexpected(done.error()));
-    to_sockets_([this, machine, program = found.program, reply,
-                 definition = runner.machine().definition_of_run(),
-                 memory = runner.machine().memory()] {
-      loaded(machine, program, definition, memory, reply);
+    to_sockets_([this, machine, program = found.program, reply, basis = basis_of(runner)] {
+      loaded(machine, program, basis, reply);
     });
   };
   const auto keep = [this, load, found, machine, reply, &thread, held](Runner& /*runner*/) {
@@ -84,13 +82,23 @@ void Hub::keep_and_load(const std::string& machine, MachineThread& thread,
   thread.lend(held, *machine_disk_, keep);
 }
 
-void Hub::loaded(const std::string& name, const LoadedProgram& program,
-                 const machine::MachineDefinition& definition, const control::Memory& memory,
+Hub::PreviewBasis Hub::basis_of(Runner& runner) {
+  machine::LiveMachine& machine = runner.machine();
+  return {machine.definition_of_run(), machine.memory(), machine.snapshot()};
+}
+
+// The newest snapshot that has come by itself may be older than what the operator has set since.
+void Hub::preview_from(MachineRecord& machine, const PreviewBasis& basis) {
+  machine.snapshot = basis.snapshot;
+  start_preview(machine, basis.definition, basis.memory);
+}
+
+void Hub::loaded(const std::string& name, const LoadedProgram& program, const PreviewBasis& basis,
                  const Reply& reply) {
   MachineRecord* const machine = find(name);
   if (machine == nullptr) return reply.no(base::Refusal::machine_removed, {name});
   machine->program = program;
-  start_preview(*machine, definition, memory);
+  preview_from(*machine, basis);
   tell_machines();
   reply.yes(Json{{"program", program.name}});
 }
@@ -135,12 +143,8 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
 
 void Hub::renew_preview(MachineRecord& machine) {
   machine.thread->post(machine.runner, Pace::quick, [this, name = machine.name](Runner& runner) {
-    to_sockets_([this, name, definition = runner.machine().definition_of_run(),
-                 memory = runner.machine().memory(), snapshot = runner.machine().snapshot()] {
-      MachineRecord* const found = find(name);
-      if (found == nullptr) return;
-      found->snapshot = snapshot;
-      start_preview(*found, definition, memory);
+    to_sockets_([this, name, basis = basis_of(runner)] {
+      if (MachineRecord* const found = find(name)) preview_from(*found, basis);
     });
   });
 }

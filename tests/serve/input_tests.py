@@ -50,6 +50,15 @@ def _(place):
         )
 
 
+@test("the preview of what is loaded has the inputs that were set before it")
+def _(place):
+    client = place.serve().client().watch("mill")
+    for i in range(40):
+        client.do("set-input", input=1003, value=i % 2)
+        error = client.load(WAITS, name="waits.nc")["error"]
+        equal(error and error["code"], None if i % 2 else "INPUT_WAIT", f"the preview of load {i}")
+
+
 @test("many inputs make few previews, and a program that reads none has its preview once")
 def _(place):
     client = place.serve().client().watch("mill")

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 
 const SLOW_MS = 40_000;
 const POLL_MS = 30;
+const STATUSES = new Set('ALARM END HOLD IDLE RUNNING STEP STOPPED'.split(' ').concat('NO LINK'));
 
 export class PanelPage {
   static async open(
@@ -111,6 +112,7 @@ export class PanelPage {
     return this.page.locator('header .status').innerText();
   }
   async has_status(...words) {
+    for (const word of words) assert.ok(STATUSES.has(word), `${word} is no status`);
     await this.until(
       (wanted) =>
         wanted.includes(document.querySelector('header .status')?.textContent?.trim() ?? ''),

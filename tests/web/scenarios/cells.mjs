@@ -147,7 +147,8 @@ async function executes(panel, blocks) {
   const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
   await entry.fill(blocks);
   await entry.press('Enter');
-  await panel.has_status('RUN', 'END', 'IDLE');
+  // The status before is as good as the one after: the entry is emptied once the machine has taken the blocks.
+  await panel.until(() => document.querySelector('#dock-mdi textarea')?.value === '');
   await panel.has_status('END', 'IDLE');
   await panel.press('AUTO');
 }

@@ -138,6 +138,29 @@ export const operating = [
     },
   },
   {
+    name: 'a tab that was chosen stays while entered blocks run, and turning the switch opens the entry',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.tab('Offsets');
+      await panel.press('MDI');
+      const entry = panel.page.getByRole('textbox', { name: 'Blocks to execute' });
+      await entry.fill('G91 G01 X60. F600');
+      await entry.press('Enter');
+      await panel.has_status('RUNNING');
+      await panel.tab('Offsets');
+      const start = await panel.position('X');
+      await panel.passes('X', start + 1); // the machine has told where it is many times by then
+      await panel.page.locator('#dock-offsets').waitFor();
+      assert.equal(await entry.count(), 0);
+      await panel.press('Reset');
+      await panel.press('AUTO');
+      await panel.press('MDI');
+      await entry.waitFor();
+      await panel.press('AUTO');
+    },
+  },
+  {
     name: 'the call stack of an instant is that of the block that moved the axes then',
     async run({ open }) {
       const panel = await open();

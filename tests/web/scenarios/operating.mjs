@@ -161,6 +161,29 @@ export const operating = [
     },
   },
   {
+    name: 'while it runs another program can be looked at, and the one that runs can be closed',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('beside.nc', '%\nO0300 (BESIDE)\nM30\n%\n');
+      await panel.run_text('long.nc', LONG);
+      await panel.has_path(4);
+      await panel.press('Cycle start');
+      await panel.has_status('RUNNING');
+      await panel.executes_line(4);
+      const tab = (name) => panel.page.locator('li.file', { hasText: name });
+      const moves_on = async () => panel.passes('X', (await panel.position('X')) + 1);
+      await tab('beside.nc').getByRole('button').first().click();
+      await moves_on(); // the machine has told where it is many times by then
+      await panel.page.locator('li.file.current', { hasText: 'beside.nc' }).waitFor();
+      await tab('long.nc').getByRole('button', { name: 'Close: long.nc' }).click();
+      await moves_on();
+      assert.equal(await tab('long.nc').count(), 0);
+      assert.equal(await panel.page.locator('li.file.current').innerText(), 'beside.nc');
+      await panel.press('Reset');
+    },
+  },
+  {
     name: 'the call stack of an instant is that of the block that moved the axes then',
     async run({ open }) {
       const panel = await open();

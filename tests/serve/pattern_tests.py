@@ -19,6 +19,13 @@ def get(server, name="w.pat"):
     return body
 
 
+def arm_with_pattern(place):
+    """A server with the pattern in its library, and a client that operates the arm."""
+    server = place.serve()
+    put(server, BYTES)
+    return server, server.client().watch("arm")
+
+
 def path_of_load(client, **arguments):
     client.chunks.clear()
     client.events.clear()
@@ -36,9 +43,7 @@ def replayed(place, data):
 
 @test("a pattern is loaded, shown and previewed as its listing, and ends where a replay ends")
 def _(place):
-    server = place.serve()
-    put(server, BYTES)
-    client = server.client().watch("arm")
+    server, client = arm_with_pattern(place)
     equal(client.do("recognise", name="w.pat")["usual"], "arm4")
     equal(client.do("read", name="w.pat")["text"], LISTING)
     path = path_of_load(client, program="w.pat")
@@ -61,9 +66,7 @@ def _(place):
 
 @test("the library gives back the bytes of a pattern, and saves a listing as bytes")
 def _(place):
-    server = place.serve()
-    put(server, BYTES)
-    client = server.client().watch("arm")
+    server, client = arm_with_pattern(place)
     client.do("load", program="w.pat")
     equal(get(server), BYTES)
     equal(client.do("write", name="w.pat", text=LISTING)["text"], LISTING)
@@ -149,9 +152,7 @@ def _(place):
 
 @test("a pattern that was loaded is there after the server comes again")
 def _(place):
-    server = place.serve()
-    put(server, BYTES)
-    client = server.client().watch("arm")
+    server, client = arm_with_pattern(place)
     client.do("load", program="w.pat")
     client.close()
     server.stop()
@@ -164,9 +165,7 @@ def _(place):
 
 @test("what a pattern does not have is refused with a code, as all that operators meet")
 def _(place):
-    server = place.serve()
-    put(server, BYTES)
-    client = server.client().watch("arm")
+    server, client = arm_with_pattern(place)
     client.do("load", program="w.pat")
     answer = client.ask("set-variable", name="#500", value=1)
     equal((answer["ok"], answer.get("code")), (False, "pattern-variables"))

@@ -154,7 +154,8 @@ class Way:
         self.sweep = (part or 2 * math.pi) + 2 * math.pi * move["turns"]
         self.radii = [math.hypot(p[first] - u, p[second] - v) for p in (self.start, self.end)]
         beside = [axis for axis in self.axes if axis not in self.in_plane]
-        self.length = math.hypot(self.sweep * max(self.radii), distance(self.start, self.end, beside))
+        self.length = math.hypot(self.sweep * max(self.radii), self.radii[1] - self.radii[0],
+                                 distance(self.start, self.end, beside))
 
     def space_arc(self, move):
         self.centre, normal = move["center"], move["normal"]
@@ -198,12 +199,16 @@ class Way:
         return self.nearer(point, min(1.0, max(0.0, angle / self.sweep)))
 
     def nearer(self, point, share):
-        """On a steep helix the nearest place is not that of the same angle."""
-        step = 1e-4
-        a, b = self.at(share - step), self.at(share + step)
-        ways = {axis: (b[axis] - a[axis]) / (2 * step) for axis in self.axes}
+        """On a steep helix the nearest place is not that of the same angle, and at a point where the rates of
+        the rotary axes change at once each side has rates of its own."""
+        off = lambda place: distance(point, self.at(place), self.axes)
+        return min((share, *(self.moved(point, share, step) for step in (-1e-4, 1e-4))), key=off)
+
+    def moved(self, point, share, step):
+        """Nearer, by the rates between there and a step further."""
+        here, there = self.at(share), self.at(share + step)
+        ways = {axis: (there[axis] - here[axis]) / step for axis in self.axes}
         square = sum(way * way for way in ways.values())
-        here = self.at(share)
         back = sum((point[axis] - here[axis]) * way for axis, way in ways.items())
         return min(1.0, max(0.0, share + back / square)) if square else share
 

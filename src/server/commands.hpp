@@ -17,6 +17,8 @@ inline constexpr std::size_t kTextBytes = 1'000'000;  ///< a program in a comman
 /// A WebSocket message to the server: such a program with each character escaped by a backslash.
 inline constexpr std::size_t kMessageBytes = 2 * kTextBytes + (64U << 10U);
 inline constexpr std::size_t kHeaderBytes = 16U << 10U;  ///< of an HTTP request
+/// What the kernel holds of a connection's answers; it counts twice as much for them.
+inline constexpr int kSocketBytes = 192 << 10;
 /// Answers and events that wait for a client.
 inline constexpr std::size_t kQueueBytes = 8U << 20U;
 inline constexpr int kCommandsPerSecond = 200;  ///< of a connection, on average

@@ -49,6 +49,8 @@ HttpSession::HttpSession(tcp::socket socket, Site& site, std::unique_ptr<Connect
       delay_(stream_.get_executor()) {
   error_code ignored;
   stream_.socket().set_option(tcp::no_delay(true), ignored);
+  // By itself the kernel takes up to 4 MiB for whoever reads nothing, as it sees fit.
+  stream_.socket().set_option(tcp::socket::send_buffer_size(limits::kSocketBytes), ignored);
 }
 
 std::string HttpSession::target() const { return text_of(parser_->get().target()); }

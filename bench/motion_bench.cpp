@@ -13,27 +13,27 @@
 
 #include "drive/pulse_counter.hpp"
 #include "drive/step_generator.hpp"
-#include "motion/interpolator.hpp"
 #include "optimum.hpp"
+#include "planner/interpolator.hpp"
 
 namespace {
 
 using kerf::base::AxisVector;
-using kerf::control::Motion;
-using kerf::motion::Interpolator;
+using kerf::motion::Motion;
 using kerf::motion::Setpoint;
+using kerf::planner::Interpolator;
 
 constexpr double kNoJerkLimit = std::numeric_limits<double>::infinity();
 constexpr std::size_t kSegments = 1'000'000;
 
-kerf::control::AxisSetup three_axes() {
-  kerf::control::AxisSetup axes;
+kerf::motion::AxisSetup three_axes() {
+  kerf::motion::AxisSetup axes;
   for (const char letter : {'X', 'Y', 'Z'}) axes.axes.push_back({.letter = letter});
   return axes;
 }
 
-kerf::motion::AxisLimits limits(double jerk) {
-  kerf::motion::AxisLimits limits;
+kerf::planner::AxisLimits limits(double jerk) {
+  kerf::planner::AxisLimits limits;
   for (std::size_t m = 0; m < kerf::base::kMaxAxes; ++m) {
     limits.velocity.values[m] = 500;
     limits.acceleration.values[m] = 2000;
@@ -45,7 +45,7 @@ kerf::motion::AxisLimits limits(double jerk) {
 Motion line_to(const AxisVector& to, double feed_mm_min, std::size_t number) {
   Motion motion;
   motion.line = static_cast<std::uint32_t>(number + 1);
-  motion.action = kerf::control::Line{to, {feed_mm_min}};
+  motion.action = kerf::motion::Line{to, {feed_mm_min}};
   return motion;
 }
 

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/path_builder.hpp"
+#include "planner/path_builder.hpp"
 
 namespace kerf::bench {
 namespace {
 
-using motion::PathPiece;
+using planner::PathPiece;
 
 constexpr double kGrid_mm = 0.002;
 
@@ -28,7 +28,7 @@ struct Range {
 
 class Grid {
  public:
-  Grid(const motion::AxisLimits& limits, std::size_t axes) : limits_(limits), axes_(axes) {}
+  Grid(const planner::AxisLimits& limits, std::size_t axes) : limits_(limits), axes_(axes) {}
 
   void add(const PathPiece& piece) {
     const double length = piece.end - piece.begin;
@@ -98,27 +98,27 @@ class Grid {
     return std::max(0.0, std::min({most, range.high}));
   }
 
-  const motion::AxisLimits& limits_;
+  const planner::AxisLimits& limits_;
   std::size_t axes_;
   std::vector<Interval> intervals_;
 };
 
 }  // namespace
 
-double optimal_time_s(const control::AxisSetup& axes, const motion::AxisLimits& limits,
-                      const motion::Settings& settings,
-                      const std::vector<control::Motion>& motions) {
+double optimal_time_s(const motion::AxisSetup& axes, const planner::AxisLimits& limits,
+                      const planner::Settings& settings,
+                      const std::vector<motion::Motion>& motions) {
   std::array<bool, base::kMaxAxes> linear{};
   for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
-  const motion::CellLimits cell_limits(limits, settings, axes.count(), linear);
-  motion::Path path;
-  motion::PathBuilder builder(axes, cell_limits, settings, path);
+  const planner::CellLimits cell_limits(limits, settings, axes.count(), linear);
+  planner::Path path;
+  planner::PathBuilder builder(axes, cell_limits, settings, path);
   Grid grid(limits, axes.count());
   const auto drain = [&] {
     for (; !path.pieces.empty(); path.pieces.pop()) grid.add(path.pieces.front());
     path.marks.clear();
   };
-  for (const control::Motion& motion : motions) {
+  for (const motion::Motion& motion : motions) {
     if (!builder.room()) drain();
     builder.take(motion);
   }

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "control/axis_setup.hpp"
-#include "control/motion.hpp"
-#include "motion/settings.hpp"
+#include "motion/axis_setup.hpp"
+#include "motion/motion.hpp"
+#include "planner/settings.hpp"
 
 namespace kerf::bench {
 
@@ -17,9 +17,9 @@ namespace kerf::bench {
 /// Parameterization Based on Reachability Analysis, IEEE Transactions on Robotics 34 (2018): with z
 /// = v² and u = dz/ds / 2 every limit |q' u + q" z| <= A is linear; backwards the largest z of each
 /// grid point from which the next can be reached, forwards the largest u that stays below.
-[[nodiscard]] double optimal_time_s(const control::AxisSetup& axes,
-                                    const motion::AxisLimits& limits,
-                                    const motion::Settings& settings,
-                                    const std::vector<control::Motion>& motions);
+[[nodiscard]] double optimal_time_s(const motion::AxisSetup& axes,
+                                    const planner::AxisLimits& limits,
+                                    const planner::Settings& settings,
+                                    const std::vector<motion::Motion>& motions);
 
 }  // namespace kerf::bench

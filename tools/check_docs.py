@@ -119,7 +119,7 @@ def check_rules(root: Path) -> Iterator[str]:
 def check_parameters(root: Path) -> Iterator[str]:
     document = root / "docs/parameters.md"
     text = document.read_text(encoding="utf-8")
-    for key, number in PARAMETER_ROW.findall((root / "src/control/parameters.cpp").read_text(encoding="utf-8")):
+    for key, number in PARAMETER_ROW.findall((root / "src/control/core/parameters.cpp").read_text(encoding="utf-8")):
         row = next((line for line in text.splitlines() if line.startswith("| ") and f"`{key}`" in line), None)
         if row is None or number not in row:
             yield f"{document}:1: no row for {key} {number}"
@@ -128,7 +128,7 @@ def check_parameters(root: Path) -> Iterator[str]:
 def check_machine_keys(root: Path) -> Iterator[str]:
     document = root / "docs/machine-file.md"
     rows = document.read_text(encoding="utf-8").splitlines()
-    source = root / "src/machine/internal/machine_keys.cpp"
+    source = root / "src/machine/definition/internal/machine_keys.cpp"
     for table, key in MACHINE_ROW.findall(source.read_text(encoding="utf-8")):
         if not any(row.startswith(f"| {table} | `{key}` |") for row in rows):
             yield f"{document}:1: no row for {table} {key}"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds the #include lines of src/ against the order of the rooms.
+"""Holds the #include lines of src/ against the rooms and what each may use.
 
-A room may include itself and the rooms above it in ORDER, never a room beside it (SIDE_BY_SIDE), only
-rooms that its own kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The
-elementary functions of the C library stay out of all rooms: math has them, with the same bits everywhere.
-Text of numbers is read and written by base/decimal alone, or by fmt: both know no locale.
+A room may include itself and what ROOMS lets it use, with all that this uses in turn; only rooms that its own
+kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The elementary functions of the C
+library stay out of all rooms: math has them, with the same bits everywhere. Text of numbers is read and written
+by base/decimal alone, or by fmt: both know no locale.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -14,27 +14,51 @@ import sys
 from pathlib import Path
 from typing import Iterator, NamedTuple, Optional
 
-ORDER = [
-    "math",
-    "base",
-    "geometry",
-    "lang/vm",
-    "lang/gcode",
-    "lang/basic",
-    "lang/teach",
-    "control",
-    "motion",
-    "kinematics",
-    "drive",
-    "stock",
-    "features",
-    "machine",
-    "training",
-    "output",
-    "server",
-    "cli",
-]
-SIDE_BY_SIDE = [{"lang/gcode", "lang/basic", "lang/teach"}]
+# Each room below src/, top to bottom, with those that it may use; what they use is allowed as well. A room inside of
+# another one's folder is not part of that: control/gcode is what drives control/gcode/path.
+ROOMS = {
+    "math": [],
+    "base": [],
+    "geometry": ["math", "base"],
+    "motion": ["geometry"],
+    "lang/vm": ["base"],
+    "lang/gcode": ["lang/vm", "math"],
+    "lang/basic": ["lang/vm", "math"],
+    "lang/teach": ["lang/vm", "geometry"],
+    "control/core": ["motion", "lang/vm"],
+    "control/gcode/codes": ["control/core", "lang/gcode"],
+    "control/gcode/words": ["control/gcode/codes"],
+    "control/gcode/frames": ["control/core"],
+    "control/gcode/path": ["control/gcode/frames", "control/gcode/words"],
+    "control/gcode/acts": ["control/gcode/path"],
+    "control/gcode/cycles": ["control/gcode/acts"],
+    "control/gcode/macro": ["control/gcode/acts"],
+    "control/gcode": ["control/gcode/cycles", "control/gcode/macro"],
+    "control/laser": ["control/core", "lang/basic"],
+    "control/teach": ["control/core", "lang/teach"],
+    "planner": ["motion"],
+    "kinematics": ["base", "geometry"],
+    "drive": ["base", "geometry"],
+    "drive/pattern": ["drive"],
+    "machine/definition": ["control/core", "planner", "kinematics", "drive/pattern"],
+    "machine/dialect": ["control/gcode", "control/laser", "control/teach", "machine/definition"],
+    "machine/run": ["machine/dialect"],
+    "machine/panel": ["machine/run"],
+    "output/writing": ["motion", "machine/definition"],
+    "output/picture/drawing": ["output/writing"],
+    "output/picture": ["output/picture/drawing"],
+    "output/programs": ["output/writing", "lang/teach"],
+    "output/records": ["output/picture", "output/programs"],
+    "output/reports": ["output/writing"],
+    "engraver": ["machine/run", "output/picture", "output/reports"],
+    "job": ["machine/run", "output/records", "output/reports"],
+    "training": ["machine/run"],
+    "face/server/protocol": ["machine/panel", "output/writing"],
+    "face/server/store": ["face/server/protocol"],
+    "face/server/hub": ["face/server/store", "training", "output/records"],
+    "face/server/transport": ["face/server/hub"],
+    "face/cli": ["engraver", "job", "face/server/transport"],
+}
 
 SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
 # Each library rounds them in its own way, and one may choose by the processor. What is exact everywhere, as sqrt, is not here.
@@ -53,7 +77,7 @@ NUMBER_TEXT = re.compile(
     r"|\{[^{}\"]*:[^{}\"]*L[a-zA-Z]?\}"
 )
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
-KERF_ROOM = re.compile(r"\bkerf_room\s*\(\s*(\w+)([^)]*)\)")
+KERF_ROOM = re.compile(r"\bkerf_room\s*\(([^)]*)\)")
 
 
 class Include(NamedTuple):
@@ -71,24 +95,40 @@ class Links(NamedTuple):
 
 
 def room_of(path: str) -> Optional[str]:
-    """The room that a path below src/ lies in."""
-    return next((room for room in ORDER if path.startswith(room + "/")), None)
+    """The room that a path below src/ lies in: of nested ones the inner one."""
+    inside = [room for room in ROOMS if path.startswith(room + "/")]
+    return max(inside, key=len, default=None)
 
 
-def room_named(target: str) -> Optional[str]:
-    """The room whose target is kerf_<target>: its folder's last name."""
-    return next((room for room in ORDER if room.rsplit("/", 1)[-1] == target), None)
+def target_of(room: str) -> str:
+    return "kerf_" + room.replace("/", "_")
+
+
+ROOM_OF_TARGET = {target_of(room): room for room in ROOMS}
+
+
+def reach_of(room: str) -> set[str]:
+    """The rooms that a room may use, the ones behind them included."""
+    reach: set[str] = set()
+    ahead = list(ROOMS[room])
+    while ahead:
+        used = ahead.pop()
+        if used not in reach:
+            reach.add(used)
+            ahead += ROOMS[used]
+    return reach
+
+
+REACH = {room: reach_of(room) for room in ROOMS}
 
 
 def objection(user: str, used: str) -> Optional[str]:
     """Why the room `user` may not know the room `used`; None when it may."""
-    if user == used:
+    if user == used or used in REACH[user]:
         return None
-    if any({user, used} <= rooms for rooms in SIDE_BY_SIDE):
-        return f"{used} stands beside {user}"
-    if ORDER.index(used) > ORDER.index(user):
+    if user in REACH[used]:
         return f"{used} stands below {user}"
-    return None
+    return f"{used} is not among what {user} uses"
 
 
 def includes_of(file: Path) -> Iterator[Include]:
@@ -101,21 +141,20 @@ def includes_of(file: Path) -> Iterator[Include]:
 def linked_targets(arguments: str) -> list[str]:
     words = arguments.split()
     after = words[words.index("LINKS") + 1 :] if "LINKS" in words else []
-    return [word for word in after if word != "SOURCES"]
+    return [word for word in after if word not in ("SOURCES", "EXCEPT")]
 
 
 def read_links(src: Path) -> dict[str, Links]:
-    """The LINKS of every room that has a kerf_room(…) call."""
+    """The LINKS of every room: its folder's kerf_room(…) call."""
     links = {}
     for file in sorted(src.rglob("CMakeLists.txt")):
         text = re.sub(r"#[^\n]*", "", file.read_text(encoding="utf-8"))
         for call in KERF_ROOM.finditer(text):
-            room = room_named(call[1])
-            if room is None:
-                raise SystemExit(f"{file}: kerf_room({call[1]}) is not in the ORDER of {__file__}")
-            targets = [t[len("kerf_") :] for t in linked_targets(call[2]) if t.startswith("kerf_")]
-            line = text.count("\n", 0, call.start()) + 1
-            links[room] = Links(file, line, [r for r in map(room_named, targets) if r])
+            room = file.parent.relative_to(src).as_posix()
+            if room not in ROOMS:
+                raise SystemExit(f"{file}: {room} is not among the ROOMS of {__file__}")
+            named = [ROOM_OF_TARGET[t] for t in linked_targets(call[1]) if t in ROOM_OF_TARGET]
+            links[room] = Links(file, text.count("\n", 0, call.start()) + 1, named)
     return links
 
 
@@ -140,7 +179,7 @@ def check_include(room: str, include: Include, links: dict[str, Links]) -> Optio
         return f'{room} may not include "{include.path}": {reason}'
     if "internal" in include.path[len(used) :].split("/"):
         return f'{room} may not include "{include.path}": internal/ is for {used} alone'
-    target = "kerf_" + used.rsplit("/", 1)[-1]
+    target = target_of(used)
     if room not in links:
         return f'{room} includes "{include.path}" but has no kerf_room(… LINKS {target})'
     if used not in links[room].rooms:
@@ -179,7 +218,7 @@ def number_texts(file: Path) -> Iterator[str]:
 def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
     room = room_of(file.relative_to(src).as_posix())
     if room is None:
-        yield f"{file}:1: this folder is no room; rooms stand in the ORDER of {__file__}"
+        yield f"{file}:1: this folder is no room; rooms stand in the ROOMS of {__file__}"
         return
     for include in includes_of(file):
         finding = check_include(room, include, links)

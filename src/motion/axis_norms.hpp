@@ -6,14 +6,14 @@
 #include <cstddef>
 
 #include "base/axes.hpp"
-#include "control/axis_setup.hpp"
+#include "motion/axis_setup.hpp"
 
 namespace kerf::motion {
 
 /// Which axes count mm; the others count degrees.
 using LinearAxes = std::array<bool, base::kMaxAxes>;
 
-[[nodiscard]] inline LinearAxes linear_axes(const control::AxisSetup& axes) {
+[[nodiscard]] inline LinearAxes linear_axes(const AxisSetup& axes) {
   LinearAxes linear{};
   for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
   return linear;

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "base/place.hpp"
-#include "control/motion.hpp"
+#include "motion/motion.hpp"
 
 namespace kerf::motion {
 
@@ -11,7 +11,7 @@ enum class MoveKind : std::uint8_t { rapid, cut, dwell };
 
 /// Which motion a stretch of the path or of time belongs to.
 struct Mark {
-  control::ProgramNumber program{};
+  ProgramNumber program{};
   std::uint32_t line = 0;  ///< in its file, from 1
   base::FileId file = base::kNoFile;
   MoveKind kind = MoveKind::cut;

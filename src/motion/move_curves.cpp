@@ -5,25 +5,25 @@
 #include <cstdint>
 #include <numbers>
 
-#include "control/plane_axes.hpp"
-#include "control/space_arc_path.hpp"
 #include "geometry/arc.hpp"
 #include "math/math.hpp"
+#include "motion/plane_axes.hpp"
+#include "motion/space_arc_path.hpp"
 
 namespace kerf::motion {
 
 using base::AxisVector;
 using geometry::Vec2;
 
-std::span<const Curve> MoveCurves::of(const AxisVector& from, const control::Motion& motion) {
+std::span<const Curve> MoveCurves::of(const AxisVector& from, const Motion& motion) {
   at_ = from;
   count_ = 0;
-  if (const auto* const arc = std::get_if<control::Arc>(&motion.action)) {
+  if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
     add_arc(*arc);
-  } else if (const auto* const space_arc = std::get_if<control::SpaceArc>(&motion.action)) {
+  } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
     add_space_arc(*space_arc);
-  } else if (const AxisVector* const to = control::target_of(motion)) {
-    const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+  } else if (const AxisVector* const to = target_of(motion)) {
+    const auto* const rapid = std::get_if<Rapid>(&motion.action);
     if (rapid != nullptr && !rapid->linear) add_legs(*to);
     add_line(*to);
   }
@@ -57,13 +57,13 @@ void MoveCurves::add_line(const AxisVector& to) {
   if (length > 0) add(Curve::line(at_, to, length, axes_.count()));
 }
 
-void MoveCurves::add_arc(const control::Arc& arc) {
-  const auto plane = control::plane_axes(arc.plane, axes_);
+void MoveCurves::add_arc(const Arc& arc) {
+  const auto plane = plane_axes(arc.plane, axes_);
   if (!plane) return;
   const Vec2 centre{arc.center[0], arc.center[1]};
   const Vec2 from = plane->project(at_);
   const Vec2 to = plane->project(arc.to);
-  const bool clockwise = arc.direction == control::Direction::clockwise;
+  const bool clockwise = arc.direction == Direction::clockwise;
   const double sweep =
       geometry::sweep_rad(from, to, centre, clockwise) + 2 * std::numbers::pi * arc.turns;
   const double start_radius = geometry::length(from - centre);
@@ -87,8 +87,8 @@ void MoveCurves::add_arc(const control::Arc& arc) {
 }
 
 // At each of its points the rates of the rotary axes change.
-void MoveCurves::add_space_arc(const control::SpaceArc& arc) {
-  const control::SpaceArcPath path(axes_, at_, arc);
+void MoveCurves::add_space_arc(const SpaceArc& arc) {
+  const SpaceArcPath path(axes_, at_, arc);
   const geometry::SpaceArc& circle = path.circle();
   ArcShape shape;
   place(shape.origin, circle.centre());

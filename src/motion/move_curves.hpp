@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <span>
 
-#include "control/axis_setup.hpp"
-#include "control/motion.hpp"
 #include "geometry/vec3.hpp"
 #include "motion/axis_norms.hpp"
+#include "motion/axis_setup.hpp"
 #include "motion/curve.hpp"
+#include "motion/motion.hpp"
 
 namespace kerf::motion {
 
@@ -16,25 +16,24 @@ namespace kerf::motion {
 class MoveCurves {
  public:
   /// The axes must outlive this.
-  explicit MoveCurves(const control::AxisSetup& axes)
+  explicit MoveCurves(const AxisSetup& axes)
       : axes_(axes), norms_{linear_axes(axes), axes.count()} {}
 
   /// The curves of a move in their order, until the next call: one; of an arc in space one from
   /// each point given to the next; of a rapid whose axes keep their own rates one until each of
   /// them is done; none when it goes nowhere. `from` is where the tip stands. A motion without a
   /// target goes nowhere.
-  [[nodiscard]] std::span<const Curve> of(const base::AxisVector& from,
-                                          const control::Motion& motion);
+  [[nodiscard]] std::span<const Curve> of(const base::AxisVector& from, const Motion& motion);
 
  private:
   void add_legs(const base::AxisVector& to);
   void add_line(const base::AxisVector& to);
-  void add_arc(const control::Arc& arc);
-  void add_space_arc(const control::SpaceArc& arc);
+  void add_arc(const Arc& arc);
+  void add_space_arc(const SpaceArc& arc);
   void add(const Curve& curve);
   void place(base::AxisVector& vector, geometry::Vec3 xyz) const;
 
-  const control::AxisSetup& axes_;
+  const AxisSetup& axes_;
   AxisNorms norms_;
   base::AxisVector at_;  // where the next curve begins
   std::array<Curve, base::kMaxAxes> curves_;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "machine/language.hpp"
-#include "machine/virtual_machine.hpp"
+#include "machine/dialect/language.hpp"
+#include "machine/run/virtual_machine.hpp"
 #include "math/math.hpp"
 #include "training/code_lines.hpp"
 #include "training/cut_grid.hpp"

@@ -11,8 +11,8 @@ using geometry::Vec3;
 // Nearer to the top of the work than this is on it.
 constexpr double kTouch_mm = 1e-6;
 
-bool is_rapid(const control::Motion& motion) {
-  return std::holds_alternative<control::Rapid>(motion.action);
+bool is_rapid(const motion::Motion& motion) {
+  return std::holds_alternative<motion::Rapid>(motion.action);
 }
 
 }  // namespace
@@ -42,23 +42,23 @@ bool CutRecorder::cuts(Vec3 from, Vec3 to) const {
   return std::min(from.z, to.z) < -kTouch_mm;
 }
 
-void CutRecorder::take(const control::Motion& motion) {
+void CutRecorder::take(const motion::Motion& motion) {
   if (is_full()) return;
-  if (control::target_of(motion) != nullptr) {
+  if (motion::target_of(motion) != nullptr) {
     move(motion);
-  } else if (const auto* const change = std::get_if<control::ToolChange>(&motion.action)) {
+  } else if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     with_.tool = change->tool;
-  } else if (const auto* const power = std::get_if<control::Power>(&motion.action)) {
+  } else if (const auto* const power = std::get_if<motion::Power>(&motion.action)) {
     with_.power_percent = power->beam_percent();
-  } else if (const auto* const spindle = std::get_if<control::Spindle>(&motion.action)) {
-    using Turning = control::Spindle::Turning;
+  } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
+    using Turning = motion::Spindle::Turning;
     with_.spindle_turns = spindle->speed > 0 && (spindle->turning == Turning::clockwise ||
                                                  spindle->turning == Turning::counterclockwise);
   }
 }
 
-void CutRecorder::move(const control::Motion& motion) {
-  const base::AxisVector end = *control::target_of(motion);
+void CutRecorder::move(const motion::Motion& motion) {
+  const base::AxisVector end = *motion::target_of(motion);
   base::AxisVector from = at_;
   if (is_rapid(motion)) {
     strokes_.push_back({in_work(at_), in_work(end), motion.file, motion.line, cuts_.size()});
@@ -72,7 +72,7 @@ void CutRecorder::move(const control::Motion& motion) {
 }
 
 void CutRecorder::feed_along(const motion::Curve& curve, const base::AxisVector& begin,
-                             const control::Motion& motion) {
+                             const motion::Motion& motion) {
   fed_mm_ += curve.length();
   if (is_full()) return full_();
   const double pieces = std::max(1.0, std::ceil(curve.length() / kPiece_mm));

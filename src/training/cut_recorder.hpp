@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "machine/machine_definition.hpp"
+#include "machine/definition/machine_definition.hpp"
 #include "motion/move_curves.hpp"
 #include "training/cut.hpp"
 
@@ -13,7 +13,7 @@ namespace kerf::training {
 inline constexpr double kPiece_mm = 0.2;
 
 /// Keeps where a run cuts and where it goes at rapid, in work coordinates.
-class CutRecorder : public control::MotionSink {
+class CutRecorder : public motion::MotionSink {
  public:
   /// What cuts: a beam where it is on; a mill at feed wherever it is in the work, whose top is Z0.
   enum class Process : std::uint8_t { beam, milling };
@@ -23,7 +23,7 @@ class CutRecorder : public control::MotionSink {
   CutRecorder(const machine::MachineDefinition& machine, Process process, geometry::Vec3 zero,
               double most_mm, std::function<void()> full);
 
-  void take(const control::Motion& motion) override;
+  void take(const motion::Motion& motion) override;
 
   [[nodiscard]] const std::vector<Cut>& cuts() const { return cuts_; }
   [[nodiscard]] const std::vector<Stroke>& strokes() const { return strokes_; }
@@ -34,9 +34,9 @@ class CutRecorder : public control::MotionSink {
   [[nodiscard]] bool is_full() const { return fed_mm_ > most_mm_; }
 
  private:
-  void move(const control::Motion& motion);
+  void move(const motion::Motion& motion);
   void feed_along(const motion::Curve& curve, const base::AxisVector& from,
-                  const control::Motion& motion);
+                  const motion::Motion& motion);
   [[nodiscard]] bool cuts(geometry::Vec3 from, geometry::Vec3 to) const;
   [[nodiscard]] geometry::Vec3 in_work(const base::AxisVector& at) const;
 

@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "endless_program.hpp"
-#include "machine/axis_point.hpp"
-#include "machine/language.hpp"
-#include "machine/virtual_machine.hpp"
+#include "machine/dialect/language.hpp"
+#include "machine/run/virtual_machine.hpp"
+#include "motion/axis_point.hpp"
 
 namespace kerf::test {
 namespace {
@@ -28,9 +28,9 @@ double seconds_of(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
 
-struct NoSink : machine::AxisPointSink {
-  void start(const machine::AxisPoint& /*at*/) override {}
-  void take(const machine::AxisPoint& /*point*/) override {}
+struct NoSink : motion::AxisPointSink {
+  void start(const motion::AxisPoint& /*at*/) override {}
+  void take(const motion::AxisPoint& /*point*/) override {}
 };
 
 // How a run is begun and looked at.

@@ -1,5 +1,5 @@
 """The laser: its pulses and the registers of their timer, and what spindle codes do to its beam.
-With motions made by hand: tests/unit/laser_pulses_test.cpp, spindle_beam_test.cpp."""
+With motions made by hand: tests/unit/output/records/laser_pulses_test.cpp, spindle_beam_test.cpp."""
 
 import csv
 import io

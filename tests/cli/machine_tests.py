@@ -1,5 +1,5 @@
 """Machine files and --machine-set as a user meets them; each key by itself is in
-tests/unit/machine_definition_test.cpp."""
+tests/unit/machine/definition/machine_definition_test.cpp."""
 
 from harness import equal, near, refused, status, test
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "machine/virtual_machine.hpp"
+#include "machine/run/virtual_machine.hpp"
 
 namespace {
 
@@ -26,17 +26,17 @@ void require(bool condition) {
 }
 
 /// Writes down where a run goes.
-class Trace : public control::MotionSink {
+class Trace : public motion::MotionSink {
  public:
-  void take(const control::Motion& motion) override {
+  void take(const motion::Motion& motion) override {
     ++motions;
-    if (const base::AxisVector* const to = control::target_of(motion)) {
+    if (const base::AxisVector* const to = motion::target_of(motion)) {
       for (const double value : to->values) {
         require(std::isfinite(value));
         sum = sum * 0.5 + value;
       }
     }
-    if (const auto* const power = std::get_if<control::Power>(&motion.action))
+    if (const auto* const power = std::get_if<motion::Power>(&motion.action))
       beam = power->beam_percent();
   }
   std::uint64_t motions = 0;

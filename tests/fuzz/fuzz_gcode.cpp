@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "machine/virtual_machine.hpp"
+#include "machine/run/virtual_machine.hpp"
 
 namespace {
 

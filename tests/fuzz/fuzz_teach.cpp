@@ -10,7 +10,7 @@
 
 #include "lang/teach/record_reader.hpp"
 #include "lang/teach/record_writer.hpp"
-#include "machine/virtual_machine.hpp"
+#include "machine/run/virtual_machine.hpp"
 
 namespace {
 

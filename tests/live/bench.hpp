@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "machine/live_machine.hpp"
+#include "machine/panel/live_machine.hpp"
 
 namespace kerf::test {
 
@@ -16,12 +16,12 @@ using machine::Status;
 using machine::Switch;
 
 /// Keeps all set-points, and where sinks were told that the axes stand.
-class Points : public machine::AxisPointSink {
+class Points : public motion::AxisPointSink {
  public:
-  void start(const machine::AxisPoint& at) override { starts.push_back(at); }
-  void take(const machine::AxisPoint& point) override { all.push_back(point); }
-  std::vector<machine::AxisPoint> starts;
-  std::vector<machine::AxisPoint> all;
+  void start(const motion::AxisPoint& at) override { starts.push_back(at); }
+  void take(const motion::AxisPoint& point) override { all.push_back(point); }
+  std::vector<motion::AxisPoint> starts;
+  std::vector<motion::AxisPoint> all;
 };
 
 /// A live machine on the bench, with what an operator does.

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "bench.hpp"
-#include "machine/virtual_machine.hpp"
+#include "machine/run/virtual_machine.hpp"
 
 namespace kerf::test {
 namespace {
@@ -45,9 +45,9 @@ struct Result {
   std::string end;
 };
 
-class Fingerprint : public machine::AxisPointSink {
+class Fingerprint : public motion::AxisPointSink {
  public:
-  void take(const machine::AxisPoint& point) override {
+  void take(const motion::AxisPoint& point) override {
     ++result.count;
     add(point.tip.time_s);
     for (const double value : point.tip.tip.values) add(value);

@@ -280,7 +280,7 @@ TEST(Panel, TheSpindleDialIsInTheSpeedThatIsShown) {
   EXPECT_DONE(bench->cycle_start());
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.now().spindle_rpm, 1200);
-  EXPECT_EQ(bench.now().spindle, control::Spindle::Turning::clockwise);
+  EXPECT_EQ(bench.now().spindle, motion::Spindle::Turning::clockwise);
 }
 
 TEST(Panel, MdiExecutesBlocksAndRemembersModesUntilReset) {
@@ -382,10 +382,10 @@ TEST(Panel, AFurtherSystemIsToldWithItsNumber) {
 }
 
 // A drive that cannot follow behind a place.
-class Weak : public machine::AxisPointSink {
+class Weak : public motion::AxisPointSink {
  public:
   explicit Weak(Bench& bench) : bench_(bench) {}
-  void take(const machine::AxisPoint& point) override {
+  void take(const motion::AxisPoint& point) override {
     at = point.joints;
     if (point.tip.tip.values[0] < 12 || raised) return;
     raised = true;

@@ -8,12 +8,12 @@
 #include "base/source_file.hpp"
 #include "bench.hpp"
 #include "drive/pattern/listing_reader.hpp"
-#include "machine/pattern_replay.hpp"
+#include "engraver/pattern_replay.hpp"
 
 namespace kerf::test {
 
+using engraver::PatternReplay;
 using machine::PatternMachine;
-using machine::PatternReplay;
 
 /// What `kerf pattern replay` makes of a listing.
 struct Replayed {
@@ -26,7 +26,7 @@ inline void replay(const machine::MachineDefinition& definition, const std::stri
                    Replayed& into) {
   const auto counting = PatternMachine::of(definition);
   ASSERT_TRUE(counting);
-  PatternReplay replay(*counting);
+  engraver::PatternReplay replay(*counting);
   replay.add_sink(into.points);
   const auto file = base::SourceFile::from_text("w.txt", listing);
   drive::ListingReader reader(*file, base::FileId{0});

@@ -2,7 +2,7 @@
 // the way.
 #include <cmath>
 
-#include "machine/virtual_machine.hpp"
+#include "machine/run/virtual_machine.hpp"
 #include "pattern_bench.hpp"
 
 namespace kerf::test {
@@ -184,7 +184,7 @@ TEST(PatternOnThePanel, GoesHomeByItsMotors) {
   ASSERT_NE(bench.settle(), Status::alarm);
   EXPECT_EQ(bench.now().joints, base::AxisVector{});
   EXPECT_EQ(bench.now().messages.back(), "all axes are at their reference points");
-  for (const machine::AxisPoint& point : points.all) {
+  for (const motion::AxisPoint& point : points.all) {
     if (point.joints.values[1] > -0.02 && point.joints.values[1] < 0) {
       EXPECT_DOUBLE_EQ(point.joints.values[3], 2);
     }
@@ -333,7 +333,7 @@ TEST(PatternOnThePanel, StartsAtALine) {
   replay(bench->definition(), listing, replayed);
   EXPECT_EQ(bench.now().joints, replayed.points.all.back().joints);
   double highest = 0;
-  for (const machine::AxisPoint& point : points.all) {
+  for (const motion::AxisPoint& point : points.all) {
     const bool arms_move = point.joints.values[0] != 0 && point.joints.values[0] < 1.6;
     if (arms_move) {
       EXPECT_DOUBLE_EQ(point.joints.values[3], 2);
@@ -350,7 +350,7 @@ TEST(PatternOnThePanel, IsSeenAtAnyTimeOfItsRun) {
   Replayed replayed;
   replay(bench->definition(), listing, replayed);
   const std::size_t middle = replayed.points.all.size() / 2;
-  const machine::AxisPoint& expected = replayed.points.all[middle];
+  const motion::AxisPoint& expected = replayed.points.all[middle];
   const auto ahead = bench->state_at(expected.tip.time_s);
   ASSERT_TRUE(ahead);
   EXPECT_EQ((*ahead)->joints, expected.joints);

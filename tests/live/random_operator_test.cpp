@@ -14,20 +14,20 @@ constexpr int kOperators = 40;
 constexpr int kActions = 120;
 
 /// Holds speeds and accelerations of all axes against what the machine file allows.
-class LimitCheck : public machine::AxisPointSink {
+class LimitCheck : public motion::AxisPointSink {
  public:
   explicit LimitCheck(const machine::MachineDefinition& definition)
       : limits_(definition.joint_limits()),
         axes_(definition.driven.size()),
         period_s_(definition.interpolator.period_s) {}
 
-  void start(const machine::AxisPoint& at) override {
+  void start(const motion::AxisPoint& at) override {
     last_ = at.joints;
     speed_ = {};
     time_s_ = at.tip.time_s;
     seen_ = 0;
   }
-  void take(const machine::AxisPoint& point) override {
+  void take(const motion::AxisPoint& point) override {
     const double dt_s = point.tip.time_s - time_s_;
     EXPECT_NEAR(dt_s, period_s_, 1e-9);
     for (std::size_t i = 0; i < axes_; ++i) {
@@ -48,7 +48,7 @@ class LimitCheck : public machine::AxisPointSink {
   [[nodiscard]] const base::AxisVector& at() const { return last_; }
 
  private:
-  motion::AxisLimits limits_;
+  planner::AxisLimits limits_;
   std::size_t axes_;
   double period_s_;
   base::AxisVector last_;

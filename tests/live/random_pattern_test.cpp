@@ -8,21 +8,21 @@ namespace kerf::test {
 namespace {
 
 /// No motor is faster than its limit, beyond its travel, or skips a period.
-class TravelCheck : public machine::AxisPointSink {
+class TravelCheck : public motion::AxisPointSink {
  public:
   explicit TravelCheck(const machine::MachineDefinition& definition) : machine_(definition) {}
 
   /// A step back leads to where the axes have been.
   void expect_jump() { may_jump_ = true; }
   void expect_no_jump() { may_jump_ = false; }
-  void start(const machine::AxisPoint& at) override {
+  void start(const motion::AxisPoint& at) override {
     for (std::size_t i = 0; !may_jump_ && i < machine_.driven.size(); ++i)
       EXPECT_NEAR(at.joints.values[i], last_.values[i], 1e-4) << "axis " << i << " has jumped";
     may_jump_ = false;
     last_ = at.joints;
     time_s_ = at.tip.time_s;
   }
-  void take(const machine::AxisPoint& point) override {
+  void take(const motion::AxisPoint& point) override {
     const double dt_s = point.tip.time_s - time_s_;
     EXPECT_NEAR(dt_s, machine_.interpolator.period_s, 1e-9);
     for (std::size_t i = 0; i < machine_.driven.size(); ++i) {

@@ -141,10 +141,10 @@ std::string rows() {
 }
 
 /// Sees in which rows the dwell behind the slash was made.
-class Slashes : public machine::AxisPointSink {
+class Slashes : public motion::AxisPointSink {
  public:
-  void start(const machine::AxisPoint& /*at*/) override {}
-  void take(const machine::AxisPoint& point) override {
+  void start(const motion::AxisPoint& /*at*/) override {}
+  void take(const motion::AxisPoint& point) override {
     const std::uint32_t line = point.tip.mark.line;
     if (line < 3) return;
     if (line % 3 == 0 && arrived.size() < line / 3) arrived.push_back(point.tip.time_s);

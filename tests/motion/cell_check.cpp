@@ -3,37 +3,32 @@
 #include <cmath>
 #include <cstdio>
 
-#include "motion/cell_maker.hpp"
-#include "motion/path_builder.hpp"
+#include "motion/axis_norms.hpp"
+#include "planner/cell_maker.hpp"
+#include "planner/path_builder.hpp"
 
 namespace kerf::test {
 namespace {
 
 using base::AxisVector;
-using motion::Cell;
+using planner::Cell;
 
 constexpr int kPlaces = 37;
 // Of derivatives beside the largest one, and what a derivative may hide of the value over a cell.
 constexpr double kRounding = 1e-9;
 constexpr double kHidden = 1e-10;
 
-std::array<bool, base::kMaxAxes> linear_axes(const control::AxisSetup& axes) {
-  std::array<bool, base::kMaxAxes> linear{};
-  for (std::size_t m = 0; m < axes.count(); ++m) linear[m] = !axes.axes[m].rotary;
-  return linear;
-}
-
 class CellCheck {
  public:
-  CellCheck(const RandomPath& path, const motion::Linkage& linkage)
+  CellCheck(const RandomPath& path, const planner::Linkage& linkage)
       : linkage_(linkage),
-        limits_(path.limits, path.settings, linkage.size(), linear_axes(path.axes)),
+        limits_(path.limits, path.settings, linkage.size(), motion::linear_axes(path.axes)),
         builder_(path.axes, limits_, path.settings, path_, &linkage),
         maker_(limits_, &linkage),
         joints_(linkage.start()) {}
 
-  std::string run(const std::vector<control::Motion>& motions) {
-    for (const control::Motion& motion : motions) {
+  std::string run(const std::vector<motion::Motion>& motions) {
+    for (const motion::Motion& motion : motions) {
       if (!builder_.room()) look();
       builder_.take(motion);
     }
@@ -86,19 +81,19 @@ class CellCheck {
     problem_ = text;
   }
 
-  const motion::Linkage& linkage_;
-  motion::CellLimits limits_;
-  motion::Path path_;
-  motion::PathBuilder builder_;
-  motion::CellMaker maker_;
-  motion::Ring<Cell> cells_{motion::CellMaker::kCells};
+  const planner::Linkage& linkage_;
+  planner::CellLimits limits_;
+  planner::Path path_;
+  planner::PathBuilder builder_;
+  planner::CellMaker maker_;
+  planner::Ring<Cell> cells_{planner::CellMaker::kCells};
   AxisVector joints_;
   std::string problem_;
 };
 
 }  // namespace
 
-std::string check_cells(const RandomPath& path, const motion::Linkage& linkage) {
+std::string check_cells(const RandomPath& path, const planner::Linkage& linkage) {
   return CellCheck(path, linkage).run(path.motions);
 }
 

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include "control/plane_axes.hpp"
 #include "geometry/arc.hpp"
 #include "geometry/space_arc.hpp"
+#include "motion/plane_axes.hpp"
 
 namespace kerf::test {
 namespace {
@@ -39,9 +39,9 @@ double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisV
 /// A programmed arc as a function of the part of it that is behind, 0 to 1.
 class ProgrammedArc {
  public:
-  ProgrammedArc(const AxisVector& from, const control::Arc& arc, const control::AxisSetup& axes)
-      : from_(from), arc_(arc), plane_(*control::plane_axes(arc.plane, axes)) {
-    const bool clockwise = arc.direction == control::Direction::clockwise;
+  ProgrammedArc(const AxisVector& from, const motion::Arc& arc, const motion::AxisSetup& axes)
+      : from_(from), arc_(arc), plane_(*motion::plane_axes(arc.plane, axes)) {
+    const bool clockwise = arc.direction == motion::Direction::clockwise;
     const Vec2 start = plane_.project(from) - centre();
     sweep_ =
         geometry::sweep_rad(plane_.project(from), plane_.project(arc.to), centre(), clockwise) +
@@ -90,8 +90,8 @@ class ProgrammedArc {
   }
 
   AxisVector from_;
-  const control::Arc& arc_;
-  control::PlaneAxes plane_;
+  const motion::Arc& arc_;
+  motion::PlaneAxes plane_;
   double sweep_ = 0;
   double angle_ = 0;
   double radius_ = 0;
@@ -100,7 +100,7 @@ class ProgrammedArc {
 
 Vec3 place_of(const AxisVector& p) { return {p.values[0], p.values[1], p.values[2]}; }
 
-double distance_to(const AxisVector& p, const AxisVector& from, const control::SpaceArc& arc) {
+double distance_to(const AxisVector& p, const AxisVector& from, const motion::SpaceArc& arc) {
   const auto circle =
       *geometry::SpaceArc::through(place_of(from), place_of(arc.via), place_of(arc.to));
   const Vec3 at = place_of(p) - circle.centre();
@@ -139,25 +139,25 @@ bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double m
 }
 
 double ProgrammedPath::distance(const AxisVector& tip, std::size_t line, Way way) const {
-  const control::Motion& motion = path_.motions[line - 1];
-  const auto* const rapid = std::get_if<control::Rapid>(&motion.action);
+  const motion::Motion& motion = path_.motions[line - 1];
+  const auto* const rapid = std::get_if<motion::Rapid>(&motion.action);
   if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
-  const AxisVector* const to = control::target_of(motion);
+  const AxisVector* const to = motion::target_of(motion);
   if (to == nullptr) return std::numeric_limits<double>::infinity();
   const AxisVector from = start_of(line - 1);
-  if (const auto* const arc = std::get_if<control::Arc>(&motion.action)) {
+  if (const auto* const arc = std::get_if<motion::Arc>(&motion.action)) {
     const ProgrammedArc programmed(from, *arc, path_.axes);
     return way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip);
   }
   if (way == Way::searched) return std::numeric_limits<double>::infinity();
-  if (const auto* const space_arc = std::get_if<control::SpaceArc>(&motion.action))
+  if (const auto* const space_arc = std::get_if<motion::SpaceArc>(&motion.action))
     return distance_to(tip, from, *space_arc);
   return distance_to_segment(tip, from, *to);
 }
 
 AxisVector ProgrammedPath::start_of(std::size_t motion) const {
   while (motion-- > 0) {
-    if (const AxisVector* const to = control::target_of(path_.motions[motion])) return *to;
+    if (const AxisVector* const to = motion::target_of(path_.motions[motion])) return *to;
   }
   return path_.axes.start;
 }

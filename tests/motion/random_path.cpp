@@ -12,8 +12,8 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
-using control::Motion;
 using geometry::Vec3;
+using motion::Motion;
 
 // Of a piece at its feed: most paths are short, so that there can be many.
 constexpr double kMostPeriods = 200;
@@ -34,7 +34,7 @@ class Writer {
     const double most = kMostPeriods * path_.settings.period_s * feed_ / 60;  // mm
     switch (random_.count(0, 11)) {
       case 0: rapid(); break;
-      case 1: add(control::Dwell{random_.in(0.001, 0.02)}); break;
+      case 1: add(motion::Dwell{random_.in(0.001, 0.02)}); break;
       case 2: lines(random_.count(1, 4), random_.size(0.001, 1) * most); break;
       case 3: lines(random_.count(2, 30), random_.size(0.0001, 0.1) * most); break;
       case 4: arc(random_.size(0.001, 0.3) * most); break;
@@ -55,7 +55,7 @@ class Writer {
     motion.action = action;
     if (!stays_in_workspace(motion)) return false;
     path_.motions.push_back(motion);
-    if (const AxisVector* const to = control::target_of(motion)) at_ = *to;
+    if (const AxisVector* const to = motion::target_of(motion)) at_ = *to;
     return true;
   }
   [[nodiscard]] bool stays_in_workspace(const Motion& motion) const {
@@ -70,9 +70,9 @@ class Writer {
       return true;
     });
   }
-  [[nodiscard]] control::Feed feed() const { return {feed_, control::FeedMode::per_minute}; }
+  [[nodiscard]] motion::Feed feed() const { return {feed_, motion::FeedMode::per_minute}; }
   void line_to(const AxisVector& to) {
-    if (to != at_) add(control::Line{to, feed()});
+    if (to != at_) add(motion::Line{to, feed()});
   }
   AxisVector near(double distance) {
     AxisVector to = at_;
@@ -84,7 +84,7 @@ class Writer {
 
   void rapid() {
     const AxisVector to = near(random_.size(0.01, 50));
-    if (to != at_) add(control::Rapid{to, random_.coin()});
+    if (to != at_) add(motion::Rapid{to, random_.coin()});
   }
   void lines(int count, double size) {
     for (int i = 0; i < count; ++i) line_to(near(size));
@@ -115,10 +115,9 @@ class Writer {
     const double begin = random_.in(0, 2 * std::numbers::pi);
     const double sweep = random_.size(0.001, 6.2);
     const bool clockwise = random_.coin();
-    control::Arc arc;
-    arc.plane = static_cast<control::Plane>(random_.count(0, 2));
-    arc.direction =
-        clockwise ? control::Direction::clockwise : control::Direction::counterclockwise;
+    motion::Arc arc;
+    arc.plane = static_cast<motion::Plane>(random_.count(0, 2));
+    arc.direction = clockwise ? motion::Direction::clockwise : motion::Direction::counterclockwise;
     arc.feed = feed();
     arc.turns = static_cast<std::uint16_t>(random_.count(0, 9) == 0 ? 1 : 0);
     const std::size_t first = static_cast<std::size_t>(arc.plane) == 0   ? 0
@@ -150,7 +149,7 @@ class Writer {
       for (std::size_t m = 3; m < path_.axes.count(); ++m) to.values[m] += random_.in(-20, 20);
       return to;
     };
-    control::SpaceArc arc;
+    motion::SpaceArc arc;
     arc.via = point(random_.in(0.2, 0.8) * sweep);
     arc.to = point(sweep);
     arc.feed = feed();
@@ -171,9 +170,9 @@ class Writer {
       const bool clockwise = random_.coin();
       const double side = clockwise ? -1 : 1;
       const double turned = side * length / radius;
-      control::Arc arc;
+      motion::Arc arc;
       arc.direction =
-          clockwise ? control::Direction::clockwise : control::Direction::counterclockwise;
+          clockwise ? motion::Direction::clockwise : motion::Direction::counterclockwise;
       arc.feed = feed();
       arc.center = {at_.values[0] - side * radius * std::sin(heading),
                     at_.values[1] + side * radius * std::cos(heading)};

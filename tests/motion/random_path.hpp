@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "control/axis_setup.hpp"
-#include "control/motion.hpp"
 #include "kinematics/settings.hpp"
-#include "motion/settings.hpp"
+#include "motion/axis_setup.hpp"
+#include "motion/motion.hpp"
+#include "planner/settings.hpp"
 #include "random_machine.hpp"
 #include "seeded_random.hpp"
 
@@ -14,11 +14,11 @@ namespace kerf::test {
 
 /// A machine with random limits and a random program for it, all from one seed.
 struct RandomPath {
-  control::AxisSetup axes;
+  motion::AxisSetup axes;
   std::optional<RandomMachine> machine;  ///< none: the driven axes are the program's
-  motion::AxisLimits limits;             ///< of the driven axes
-  motion::Settings settings;
-  std::vector<control::Motion> motions;
+  planner::AxisLimits limits;            ///< of the driven axes
+  planner::Settings settings;
+  std::vector<motion::Motion> motions;
 };
 
 /// Lines, arcs, helices, arcs in space, chains of 0.1 mm arcs, curves written as points, 5-axis

@@ -14,8 +14,8 @@
 
 #include "cell_check.hpp"
 #include "kinematics/make.hpp"
-#include "machine/internal/joint_linkage.hpp"
-#include "motion/interpolator.hpp"
+#include "machine/run/internal/joint_linkage.hpp"
+#include "planner/interpolator.hpp"
 #include "programmed_path.hpp"
 #include "random_path.hpp"
 
@@ -41,8 +41,8 @@ class Checker {
   /// A sentence about the first broken promise, or nothing.
   std::string run() {
     if (linkage_) problem_ = check_cells(path_, *linkage_);
-    motion::Interpolator interpolator(path_.axes, path_.limits, path_.settings, linkage_.get());
-    for (const control::Motion& motion : path_.motions) {
+    planner::Interpolator interpolator(path_.axes, path_.limits, path_.settings, linkage_.get());
+    for (const motion::Motion& motion : path_.motions) {
       if (!interpolator.room()) drain(interpolator);
       interpolator.take(motion);
     }
@@ -63,8 +63,8 @@ class Checker {
 
  private:
   [[nodiscard]] bool is_slower_than_with_stops(double time_s) const {
-    motion::Interpolator stopping(path_.axes, path_.limits, path_.settings, linkage_.get());
-    for (control::Motion motion : path_.motions) {
+    planner::Interpolator stopping(path_.axes, path_.limits, path_.settings, linkage_.get());
+    for (motion::Motion motion : path_.motions) {
       motion.exact_stop = true;
       if (!stopping.room()) stopping.skip();
       stopping.take(motion);
@@ -75,7 +75,7 @@ class Checker {
     return time_s > 1.1 * stopping.time_s() + 4 * path_.settings.period_s;
   }
 
-  void drain(motion::Interpolator& interpolator) {
+  void drain(planner::Interpolator& interpolator) {
     motion::Setpoint point;
     while (problem_.empty() && !was_reset_) {
       if (operator_) act(interpolator);
@@ -86,7 +86,7 @@ class Checker {
   }
 
   // At one of some periods the operator holds, turns an override, or resets.
-  void act(motion::Interpolator& interpolator) {
+  void act(planner::Interpolator& interpolator) {
     if (random_.count(0, 30) != 0) return;
     ++wishes_;
     switch (random_.count(0, 5)) {
@@ -100,7 +100,7 @@ class Checker {
     }
   }
 
-  void held(motion::Interpolator& interpolator) {
+  void held(planner::Interpolator& interpolator) {
     motion::Setpoint point;
     for (int i = random_.count(1, 5); i > 0 && interpolator.next(point); --i) {
       const AxisVector before = tip_;
@@ -113,12 +113,12 @@ class Checker {
 
   // After a reset: a line from where the tool is, through a linkage one that stays in its
   // workspace.
-  void go_on(motion::Interpolator& interpolator) {
+  void go_on(planner::Interpolator& interpolator) {
     new_end_ = tip_;
     new_end_.values[linkage_ ? 2 : 0] += 1;
-    control::Motion motion;
+    motion::Motion motion;
     motion.line = 1;
-    motion.action = control::Line{new_end_, {1000, control::FeedMode::per_minute}};
+    motion.action = motion::Line{new_end_, {1000, motion::FeedMode::per_minute}};
     interpolator.take(motion);
     interpolator.finish();
     motion::Setpoint point;
@@ -147,7 +147,7 @@ class Checker {
   [[nodiscard]] bool may_bend(const motion::Setpoint& point) const {
     if (point.mark.line == 0) return false;
     const auto& action = path_.motions[point.mark.line - 1].action;
-    return line_ != line_before_ || !std::holds_alternative<control::Line>(action);
+    return line_ != line_before_ || !std::holds_alternative<motion::Line>(action);
   }
 
   void follow(const AxisVector& tip) {
@@ -211,7 +211,7 @@ class Checker {
 
   const RandomPath& path_;
   ProgrammedPath programmed_;
-  std::unique_ptr<motion::Linkage> linkage_;
+  std::unique_ptr<planner::Linkage> linkage_;
   AxisVector tip_;
   std::array<AxisVector, 4> joints_{};  // the newest first
   bool operator_;

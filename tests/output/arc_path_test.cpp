@@ -1,4 +1,4 @@
-#include "output/internal/plot/arc_path.hpp"
+#include "output/picture/internal/arc_path.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 namespace kerf::output::plot {
 namespace {
 
-using control::Direction;
-using control::Plane;
+using motion::Direction;
+using motion::Plane;
 
-control::Arc arc(Plane plane, Direction direction, std::uint16_t turns = 0) {
-  control::Arc result;
+motion::Arc arc(Plane plane, Direction direction, std::uint16_t turns = 0) {
+  motion::Arc result;
   result.plane = plane;
   result.direction = direction;
   result.turns = turns;

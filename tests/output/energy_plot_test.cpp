@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "output/internal/plot/energy_of_cut.hpp"
+#include "output/picture/internal/energy_of_cut.hpp"
 
 namespace kerf::output::plot {
 namespace {

@@ -1,4 +1,4 @@
-#include "output/internal/plot/hole_finder.hpp"
+#include "output/picture/internal/hole_finder.hpp"
 
 #include <gtest/gtest.h>
 

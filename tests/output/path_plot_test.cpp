@@ -1,4 +1,4 @@
-#include "output/path_plot.hpp"
+#include "output/picture/path_plot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -177,7 +177,7 @@ TEST(PathPlot, HolesAreCounted) {
 
 TEST(PathPlot, AMachineWithoutYShowsZToTheRightAndXUpward) {
   PathPlot plot(axes("XZ"), "lathe");
-  plot.take(motion(control::Line{at(40, -30), {}}));
+  plot.take(motion(motion::Line{at(40, -30), {}}));
   const std::string svg = plot.svg();
   EXPECT_NE(svg.find(">Z mm<"), std::string::npos);
   EXPECT_NE(svg.find(">X mm<"), std::string::npos);
@@ -187,7 +187,7 @@ TEST(PathPlot, AMachineWithoutYShowsZToTheRightAndXUpward) {
 
 TEST(PathPlot, DiametersAreDrawnInTrueShapeAndNamedAsDiameters) {
   PathPlot plot(axes("XZ"), "lathe", PlotColors::tools, XMeasure::diameter);
-  plot.take(motion(control::Line{at(40, -40), {}}));  // 20 mm by 40 mm
+  plot.take(motion(motion::Line{at(40, -40), {}}));  // 20 mm by 40 mm
   const std::string svg = plot.svg();
   EXPECT_NE(svg.find(">X \u2300 mm<"), std::string::npos);
   EXPECT_NE(svg.find(">40<"), std::string::npos);  // the extent of X, as programmed
@@ -198,7 +198,7 @@ TEST(PathPlot, RotaryAxesAreNotDrawn) {
   plain.take(line(10, 10, 0));
   base::AxisVector to = at(10, 10, 0);
   to.values[3] = 90;
-  turning.take(motion(control::Line{to, {}}));
+  turning.take(motion(motion::Line{to, {}}));
   EXPECT_EQ(plain.svg(), turning.svg());
 }
 

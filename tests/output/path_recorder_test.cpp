@@ -1,4 +1,4 @@
-#include "output/internal/plot/path_recorder.hpp"
+#include "output/picture/internal/path_recorder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,9 +50,9 @@ TEST(PathRecorder, WithTheBeamOffAFeedMoveIsTravelling) {
 
 TEST(PathRecorder, ThreadsAreCutsAndProbingIsTravelling) {
   PathRecorder recorder(axes("XYZ"), 1);
-  recorder.take(motion(control::Probe{at(10, 0), {}, true}));
+  recorder.take(motion(motion::Probe{at(10, 0), {}, true}));
   EXPECT_TRUE(recorder.cut_extents().empty());
-  recorder.take(motion(control::Thread{at(20, 0), 1.5}));
+  recorder.take(motion(motion::Thread{at(20, 0), 1.5}));
   EXPECT_FALSE(recorder.cut_extents().empty());
 }
 
@@ -69,15 +69,15 @@ TEST(PathRecorder, StartsWhereTheFirstCutStartsAndEndsWhereTheLastOneEnds) {
 
 TEST(PathRecorder, FindsAxesByTheirLetters) {
   PathRecorder recorder(axes("ZAXY"), 1);
-  recorder.take(motion(control::Line{{{-3, 90, 1, 2}}, {}}));
+  recorder.take(motion(motion::Line{{{-3, 90, 1, 2}}, {}}));
   EXPECT_EQ(recorder.end(), (Point3{1, 2, -3}));
 }
 
 TEST(PathRecorder, HalvesDiametersAlsoInArcs) {
   PathRecorder recorder(axes("XZ"), 0.5);
-  control::Arc ball;  // a ball end of radius 10
-  ball.plane = control::Plane::zx;
-  ball.direction = control::Direction::counterclockwise;
+  motion::Arc ball;  // a ball end of radius 10
+  ball.plane = motion::Plane::zx;
+  ball.direction = motion::Direction::counterclockwise;
   ball.to = at(20, -10);
   ball.center = {-10, 0};
   recorder.take(motion(ball));
@@ -89,7 +89,7 @@ TEST(PathRecorder, HalvesDiametersAlsoInArcs) {
 
 TEST(PathRecorder, AnArcInAPlaneTheMachineLacksIsItsChord) {
   PathRecorder recorder(axes("XZ"), 1);
-  control::Arc arc;
+  motion::Arc arc;
   arc.to = at(10, 5);
   recorder.take(motion(arc));
   EXPECT_TRUE(recorder.store().path().arcs.empty());
@@ -97,7 +97,7 @@ TEST(PathRecorder, AnArcInAPlaneTheMachineLacksIsItsChord) {
 }
 
 // From where the tool stands through `via` to `to`.
-control::SpaceArc space_arc(const base::AxisVector& via, const base::AxisVector& to) {
+motion::SpaceArc space_arc(const base::AxisVector& via, const base::AxisVector& to) {
   return {.to = to, .via = via, .feed = {}};
 }
 
@@ -118,7 +118,7 @@ TEST(PathRecorder, AnArcInSpaceIsDrawnInChordsOfItsCircle) {
 
 TEST(PathRecorder, AFullCircleInSpaceComesBack) {
   PathRecorder recorder(axes("XYZ"), 1);
-  control::SpaceArc circle = space_arc(at(30, 0, 40), at(0, 0, 0));
+  motion::SpaceArc circle = space_arc(at(30, 0, 40), at(0, 0, 0));
   circle.second_via = at(60, 0, 0);
   circle.full_circle = true;
   recorder.take(motion(circle));

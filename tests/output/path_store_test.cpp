@@ -1,4 +1,4 @@
-#include "output/internal/plot/path_store.hpp"
+#include "output/picture/internal/path_store.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST(PathStore, KeepsASmallPathExactly) {
 
 TEST(PathStore, KeepsArcsWhileTheyAreFew) {
   PathStore store;
-  control::Arc arc;
+  motion::Arc arc;
   store.arc(kCut, ArcPath({10, 0, 0}, arc, {-10, 0, 0}, {0, 0}));
   EXPECT_EQ(store.path().arcs.size(), 1U);
   for (std::size_t i = 0; i < PathStore::kBudget; ++i) {

@@ -3,9 +3,9 @@
 
 #include <cstring>
 
-#include "output/internal/plot/label_placer.hpp"
-#include "output/internal/plot/png_writer.hpp"
-#include "output/internal/plot/svg_writer.hpp"
+#include "output/picture/drawing/label_placer.hpp"
+#include "output/picture/drawing/png_writer.hpp"
+#include "output/picture/drawing/svg_writer.hpp"
 
 // What fontconfig keeps for the whole process is no leak of ours. Only LeakSanitizer calls this.
 extern "C" const char* __lsan_default_suppressions();

@@ -3,16 +3,16 @@
 #include <cstdint>
 #include <string_view>
 
-#include "control/axis_setup.hpp"
-#include "control/motion.hpp"
+#include "motion/axis_setup.hpp"
+#include "motion/motion.hpp"
 
 namespace kerf::output::testing {
 
 /// Axes with these letters, in this order; A, B and C are rotary.
-inline control::AxisSetup axes(std::string_view letters) {
-  control::AxisSetup setup;
+inline motion::AxisSetup axes(std::string_view letters) {
+  motion::AxisSetup setup;
   for (const char letter : letters) {
-    control::AxisConfig axis;
+    motion::AxisConfig axis;
     axis.letter = letter;
     axis.rotary = letter == 'A' || letter == 'B' || letter == 'C';
     setup.axes.push_back(axis);
@@ -20,8 +20,8 @@ inline control::AxisSetup axes(std::string_view letters) {
   return setup;
 }
 
-inline control::Motion motion(const control::Motion::Action& action) {
-  control::Motion result;
+inline motion::Motion motion(const motion::Motion::Action& action) {
+  motion::Motion result;
   result.action = action;
   return result;
 }
@@ -29,18 +29,18 @@ inline control::Motion motion(const control::Motion::Action& action) {
 // Of a machine whose axes are X, Y and Z, or, with two coordinates, X and Z.
 inline base::AxisVector at(double a, double b, double c = 0) { return {{a, b, c}}; }
 
-inline control::Motion rapid(double x, double y, double z = 0) {
-  return motion(control::Rapid{at(x, y, z)});
+inline motion::Motion rapid(double x, double y, double z = 0) {
+  return motion(motion::Rapid{at(x, y, z)});
 }
-inline control::Motion line(double x, double y, double z = 0) {
-  return motion(control::Line{at(x, y, z), {}});
+inline motion::Motion line(double x, double y, double z = 0) {
+  return motion(motion::Line{at(x, y, z), {}});
 }
-inline control::Motion tool(std::uint32_t number) { return motion(control::ToolChange{number}); }
-inline control::Motion power(double percent) { return motion(control::Power{percent}); }
+inline motion::Motion tool(std::uint32_t number) { return motion(motion::ToolChange{number}); }
+inline motion::Motion power(double percent) { return motion(motion::Power{percent}); }
 
 /// Counterclockwise in XY.
-inline control::Motion arc(double x, double y, double z, double center_x, double center_y) {
-  control::Arc result;
+inline motion::Motion arc(double x, double y, double z, double center_x, double center_y) {
+  motion::Arc result;
   result.to = at(x, y, z);
   result.center = {center_x, center_y};
   return motion(result);

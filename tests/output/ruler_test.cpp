@@ -1,8 +1,8 @@
-#include "output/internal/plot/ruler.hpp"
+#include "output/picture/drawing/ruler.hpp"
 
 #include <gtest/gtest.h>
 
-#include "output/internal/plot/text.hpp"
+#include "output/picture/drawing/text.hpp"
 
 namespace kerf::output::plot {
 namespace {

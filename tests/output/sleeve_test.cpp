@@ -1,4 +1,4 @@
-#include "output/internal/plot/sleeve.hpp"
+#include "output/picture/internal/sleeve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "output/internal/plot/cut_recorder.hpp"
-#include "output/internal/plot/cut_tracer.hpp"
-#include "output/internal/plot/palette.hpp"
-#include "output/internal/plot/subject.hpp"
-#include "output/path_plot.hpp"
+#include "output/picture/internal/cut_recorder.hpp"
+#include "output/picture/internal/cut_tracer.hpp"
+#include "output/picture/drawing/palette.hpp"
+#include "output/picture/path_plot.hpp"
+#include "output/picture/internal/subject.hpp"
 #include "plot_motions.hpp"
 
 namespace kerf::output::plot {
@@ -84,7 +84,7 @@ struct Drawing {
     return Machine([this](const motion::Setpoint& point) {
       speeds.take(point, 0);
       if (point.mark.kind == motion::MoveKind::cut)
-        motions.take(motion(control::Line{point.tip, {}}));
+        motions.take(motion(motion::Line{point.tip, {}}));
     });
   }
 
@@ -265,11 +265,11 @@ TEST(CutScale, ShadesAreEqualStepsFromZeroToTheFastest) {
 class Sheet {
  public:
   void line(const Point3& from, const Point3& to) {
-    plot.take(motion(control::Line{at(to[kX], to[kY], to[kZ]), {}}));
+    plot.take(motion(motion::Line{at(to[kX], to[kY], to[kZ]), {}}));
     machine_.line(from, to);
   }
   void rapid(const Point3& from, const Point3& to) {
-    plot.take(motion(control::Rapid{at(to[kX], to[kY], to[kZ])}));
+    plot.take(motion(motion::Rapid{at(to[kX], to[kY], to[kZ])}));
     machine_.line(from, to, motion::MoveKind::rapid);
   }
 
@@ -279,7 +279,7 @@ class Sheet {
   struct Forward {
     PathPlot& plot;
     void operator()(const motion::Setpoint& point) const {
-      plot.take(machine::AxisPoint{point, point.tip});
+      plot.take(motion::AxisPoint{point, point.tip});
     }
   };
   Machine<Forward> machine_{Forward{plot}};
@@ -337,8 +337,8 @@ TEST(SpeedPlot, ALatheIsDrawnInItsPlane) {
   PathPlot plot(axes("XZ"), "lathe", PlotColors::speeds, XMeasure::diameter);
   plot.start({});
   Machine machine([&](const motion::Setpoint& point) {
-    plot.take(machine::AxisPoint{point, point.tip});
-    plot.take(motion(control::Line{point.tip, {}}));
+    plot.take(motion::AxisPoint{point, point.tip});
+    plot.take(motion(motion::Line{point.tip, {}}));
   });
   machine.move(1, [](double time_s) { return at(40 * time_s, -15 * time_s); });  // 25 mm/s
   const std::string svg = plot.svg();

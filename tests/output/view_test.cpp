@@ -1,4 +1,4 @@
-#include "output/internal/plot/view.hpp"
+#include "output/picture/drawing/view.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "control/controller.hpp"
-#include "machine/virtual_machine.hpp"
+#include "control/gcode/controller.hpp"
+#include "machine/run/virtual_machine.hpp"
 
 namespace kerf::test {
 

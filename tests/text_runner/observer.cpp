@@ -8,7 +8,7 @@
 namespace kerf::test {
 namespace {
 
-using namespace control;
+using namespace motion;
 
 constexpr double kTolerance = 6e-4;  // half an increment and a little
 

@@ -9,9 +9,9 @@
 #include <iterator>
 
 #include "base/decimal.hpp"
-#include "cli/arguments.hpp"
-#include "cli/machine_setup.hpp"
 #include "expectations.hpp"
+#include "face/cli/arguments.hpp"
+#include "face/cli/machine_setup.hpp"
 #include "fanuc.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
@@ -247,9 +247,9 @@ void TextTest::check_counts() {
   for (const Observed& item : recorder_->observed()) {
     if (!item.moves) continue;
     ++counts[item.text.substr(0, item.text.find(' '))];
-    const base::AxisVector to = *control::target_of(item.motion);
+    const base::AxisVector to = *motion::target_of(item.motion);
     const base::AxisVector way = to - from;
-    if (std::holds_alternative<control::Line>(item.motion.action))
+    if (std::holds_alternative<motion::Line>(item.motion.action))
       lines_mm += std::hypot(way.values[0], way.values[1], way.values[2]);
     from = to;
   }

@@ -1,0 +1,190 @@
+#include "control/core/parameters.hpp"
+
+#include <cmath>
+#include <span>
+#include <variant>
+
+#include "base/decimal.hpp"
+
+namespace kerf::control {
+namespace {
+
+using Member =
+    std::variant<bool Parameters::*, int Parameters::*, double Parameters::*, char Parameters::*>;
+
+struct Row {
+  std::string_view key;
+  std::string_view number;
+  Member member;
+  double low;
+  double high;
+  std::string_view choices;  // of a letter
+  std::string_view meaning;
+};
+
+constexpr Row kRows[] = {
+    {"DPI", "3401#0", &Parameters::calculator_point, 0, 1, "",
+     "numbers without a point count whole units"},
+    {"unit", "0000#2", &Parameters::power_on_inch, 0, 1, "",
+     "power-on unit: 0 mm (G21), 1 inch (G20)"},
+    {"G01_default", "3402#0", &Parameters::power_on_line, 0, 1, "",
+     "power-on motion: 0 G00, 1 G01"},
+    {"LRP", "1401#1", &Parameters::linear_rapid, 0, 1, "",
+     "rapid: 0 each axis at its own rate, 1 linear"},
+    {"offset_memory", "", &Parameters::offset_memory, 0, 0, "ABC", "tool offset memory"},
+    {"n_offsets", "", &Parameters::n_offsets, 1, 999, "", "number of tool offsets"},
+    {"V15", "6000#3", &Parameters::offset_numbering_15, 0, 1, "",
+     "numbering of the tool offset variables"},
+    {"macro_levels", "", &Parameters::macro_levels, 0, 99, "", "macro calls inside each other"},
+    {"sub_levels", "", &Parameters::sub_levels, 0, 99, "", "subprograms inside each other"},
+    {"total_levels", "", &Parameters::total_levels, 0, 199, "", "macros and subprograms together"},
+    {"CLV", "6001#7", &Parameters::keep_locals, 0, 1, "", "1: local variables survive the reset"},
+    {"CCV", "6001#6", &Parameters::keep_commons, 0, 1, "", "1: #100 to #199 survive the reset"},
+    {"PRT", "6001#1", &Parameters::print_without_blanks, 0, 1, "",
+     "DPRNT: 1 without leading blanks"},
+    {"print_cr", "", &Parameters::print_cr, 0, 1, "", "DPRNT: 1 ends its lines with CR LF"},
+    {"NAT", "6004#0", &Parameters::signed_angles, 0, 1, "",
+     "1: ATAN gives -180 to 180, ASIN -90 to 90"},
+    {"MFZ", "6004#1", &Parameters::small_is_zero, 0, 1, "", "1: SIN, COS, TAN below 1e-8 are 0"},
+    {"MCA", "6008#1", &Parameters::alarm_number_itself, 0, 1, "",
+     "1: #3000=n shows n instead of 3000+n"},
+    {"IJK", "6008#7", &Parameters::single_ijk, 0, 1, "", "1: I, J, K are always #4, #5, #6"},
+    {"G67", "6000#0", &Parameters::ignore_lone_g67, 0, 1, "",
+     "1: G67 without a modal call is ignored"},
+    {"SBM", "6000#5", &Parameters::stop_at_macro, 0, 1, "",
+     "1: single block stops at macro statements"},
+    {"TCS", "6001#5", &Parameters::t_calls_program, 0, 1, "", "1: T calls O9000"},
+    {"SCS", "", &Parameters::s_calls_program, 0, 1, "", "1: S calls O9029"},
+    {"BCS", "", &Parameters::b_calls_program, 0, 1, "", "1: B calls O9028"},
+    {"long_program_numbers", "", &Parameters::long_program_numbers, 0, 1, "",
+     "1: P of M98 is a program number of up to 8 digits"},
+    {"SUP/SUV", "5003#0", &Parameters::start_up, 0, 0, "ABC", "cutter compensation start-up"},
+    {"CCC", "19607#2", &Parameters::corner_arc, 0, 1, "", "outer corners: 0 straight, 1 arc"},
+    {"CRE", "3410", &Parameters::arc_tolerance, 0, 100, "", "arc radius tolerance, mm"},
+    {"d_G73", "5114", &Parameters::d_g73, 0, 1000, "", "retract of G73, mm"},
+    {"d_G83", "5115", &Parameters::d_g83, 0, 1000, "", "clearance of G83, mm"},
+    {"SCR", "5400#7", &Parameters::scale_thousandth, 0, 1, "", "G51 P counts 0.001 (0: 0.00001)"},
+    {"rotation_angle", "5410", &Parameters::rotation_default, -360, 360, "",
+     "G68 without R, degrees"},
+    {"shift_direction", "5148", &Parameters::shift_direction, -2, 2, "",
+     "G76, G87 shift: 1 +X, -1 -X, 2 +Y, -2 -Y"},
+    {"drilling_axis", "5101#0", &Parameters::drill_along_normal, 0, 1, "",
+     "cycles drill along: 0 Z, 1 the plane's normal"},
+    {"simultaneous_axes", "", &Parameters::simultaneous_axes, 1, 8, "",
+     "axes that one block may move"},
+    {"feed_per_revolution", "", &Parameters::feed_per_revolution, 0, 1, "",
+     "0: the spindle cannot be measured, G95 raises PS0014"},
+    {"spindle_max_rpm", "3772", &Parameters::spindle_max_rpm, 0, 99999, "",
+     "largest S; 0 no limit"},
+    {"stroke_check", "", &Parameters::stroke_check, 0, 1, "",
+     "1: stored stroke limits are checked"},
+    {"invert_y", "", &Parameters::invert_y, 0, 1, "",
+     "laser BASIC: 1 turns the picture upside down, Y of programs points down"},
+    {"statement_limit", "", &Parameters::statement_limit, 0, 2e9, "",
+     "laser BASIC: statements that a program may execute; 0 any number"},
+    {"length_axis", "5001#0", &Parameters::length_axis_type, 0, 1, "",
+     "tool length: 0 Z, 1 the axis of the block"},
+    {"external_call", "6030", &Parameters::external_call_m, 0, 99999999, "",
+     "M code that calls an external subprogram"}};
+
+const Row* find(std::string_view key) {
+  for (const Row& row : kRows) {
+    if (row.key == key || (!row.number.empty() && row.number == key)) return &row;
+  }
+  return nullptr;
+}
+
+tl::unexpected<base::Failure> usage(std::string_view key, std::string_view value,
+                                    const std::string& what) {
+  return tl::unexpected(
+      base::Failure{base::Failure::Kind::usage,
+                    "parameter " + std::string(key) + "=" + std::string(value) + ": " + what});
+}
+
+struct Assign {
+  Parameters& parameters;
+  double number;
+  void operator()(bool Parameters::*member) const { parameters.*member = number != 0; }
+  void operator()(int Parameters::*member) const { parameters.*member = static_cast<int>(number); }
+  void operator()(double Parameters::*member) const { parameters.*member = number; }
+  void operator()(char Parameters::*) const {}
+};
+
+// 6050 and the like: codes that call programs.
+int* code_slot(Parameters& parameters, std::string_view key, double& scale) {
+  const auto number = base::read_whole_number(key);
+  if (key.size() != 4 || !number) return nullptr;
+  const auto code = static_cast<int>(*number);
+  scale = 1;
+  if (code >= 6050 && code <= 6059) {
+    scale = 10;
+    return &parameters.g_macro[static_cast<std::size_t>(code - 6050)];
+  }
+  if (code >= 6080 && code <= 6089)
+    return &parameters.m_macro[static_cast<std::size_t>(code - 6080)];
+  if (code >= 6071 && code <= 6079) return &parameters.m_sub[static_cast<std::size_t>(code - 6071)];
+  return nullptr;
+}
+
+std::string_view unit_value(std::string_view value) {
+  if (value == "mm" || value == "G21") return "0";
+  if (value == "inch" || value == "G20") return "1";
+  return value;
+}
+
+// 5003#0 and 5003#1 (SUP, SUV) together are the letter of the start-up: A, B, or C with SUV.
+bool set_start_up_bit(Parameters& parameters, std::string_view key, std::string_view value) {
+  if ((key != "5003#0" && key != "5003#1") || (value != "0" && value != "1")) return false;
+  if (key == "5003#0") {
+    parameters.start_up = value == "1" ? 'B' : 'A';
+  } else if (value == "1") {
+    parameters.start_up = 'C';
+  } else if (parameters.start_up == 'C') {
+    parameters.start_up = 'A';
+  }
+  return true;
+}
+
+}  // namespace
+
+base::Outcome<void> Parameters::set(std::string_view key, std::string_view value) {
+  if (set_start_up_bit(*this, key, value)) return {};
+  double scale = 1;
+  if (int* const slot = code_slot(*this, key, scale)) {
+    const auto number = base::read_number(value);
+    if (!number || *number < 0 || *number > 99999999)
+      return usage(key, value, "a code is expected");
+    *slot = static_cast<int>(base::round_away(*number * scale));
+    return {};
+  }
+  const Row* const row = find(key);
+  if (row == nullptr) return usage(key, value, "there is no such parameter");
+  if (const auto* const letter = std::get_if<char Parameters::*>(&row->member)) {
+    if (value.size() != 1 || row->choices.find(value[0]) == std::string_view::npos) {
+      return usage(key, value, "one of the letters " + std::string(row->choices) + " is expected");
+    }
+    this->*(*letter) = value[0];
+    return {};
+  }
+  if (row->key == "unit") value = unit_value(value);
+  const auto number = base::read_number(value);
+  if (!number || *number < row->low || *number > row->high) {
+    return usage(key, value,
+                 "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
+                     std::to_string(static_cast<int>(row->high)) + " is expected");
+  }
+  if (row->key == "shift_direction" && *number == 0) return usage(key, value, "it is never 0");
+  const bool whole = !std::holds_alternative<double Parameters::*>(row->member);
+  if (whole && *number != std::floor(*number))
+    return usage(key, value, "a whole number is expected");
+  std::visit(Assign{*this, *number}, row->member);
+  return {};
+}
+
+bool Parameters::is_key(std::string_view key) {
+  Parameters scratch;
+  double scale = 1;
+  return find(key) != nullptr || key == "5003#1" || code_slot(scratch, key, scale) != nullptr;
+}
+
+}  // namespace kerf::control

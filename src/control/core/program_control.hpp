@@ -1,0 +1,81 @@
+#pragma once
+
+#include "control/core/alarms.hpp"
+#include "control/core/assumptions.hpp"
+#include "control/core/control.hpp"
+#include "lang/vm/interpreter.hpp"
+
+namespace kerf::control {
+
+/// What all controls share whose programs run in the virtual machine: alarm, halt, who is asked
+/// before a block, where the program stands.
+class ProgramControl : public Control, protected Whereabouts {
+ public:
+  // Control
+  [[nodiscard]] Halt halt() const override { return halt_; }
+  [[nodiscard]] const std::optional<base::Diagnostic>& alarm() const override {
+    return alarms_.alarm();
+  }
+  [[nodiscard]] const Assumptions& assumptions() const override { return assumptions_; }
+  [[nodiscard]] std::uint64_t blocks() const override { return blocks_; }
+  [[nodiscard]] base::Place standing_at() override { return place(); }
+  [[nodiscard]] std::string running_program() const override { return program_name(); }
+  [[nodiscard]] std::vector<OpenCall> open_calls() override;
+  [[nodiscard]] std::uint64_t slashes() override;
+  [[nodiscard]] std::uint64_t interrupts_missed() const override { return interrupts_missed_; }
+  void miss_interrupt() override;
+  void set_single_block(bool on) override;
+  void observe_blocks(BlockObserver observer) override;
+  void set_gate(BlockGate* gate) override;
+  void allow_passing() override { may_pass_ = true; }
+  [[nodiscard]] bool pass_alarm() override;
+
+  /// Open programs and subroutines; 0 before the start.
+  [[nodiscard]] std::size_t levels();
+  /// Registers of the program's local variables at a level, 0: main. Precondition: it is open.
+  [[nodiscard]] std::span<double> locals_of(std::size_t level);
+
+  /// Notes what was found in the program's text, outside of what the control sees of it.
+  void assume(std::uint32_t key, std::uint32_t line, const std::string& what) {
+    if (assumptions_.is_new(key)) assumptions_.add(line, what);
+  }
+
+ protected:
+  ProgramControl() : alarms_(*this) {}
+
+  /// Null before the first start.
+  [[nodiscard]] virtual vm::Interpreter* interpreter() = 0;
+  /// The name of the program at a level, 0: main.
+  [[nodiscard]] virtual std::string name_of_level(std::size_t level) const = 0;
+  /// Whether single block stops where a block begins, and not where one ends.
+  [[nodiscard]] virtual bool single_block_traces() const = 0;
+  /// What the block has changed that raised an alarm and is left out.
+  virtual void undo_block() = 0;
+
+  // Whereabouts
+  base::Place place() override;
+
+  /// The interpreter tells of blocks only where somebody asks.
+  void learn_tracing();
+  /// A block begins: tells whoever asked. Anything but go_on: the control has halted.
+  vm::Verdict announce(const vm::CodePage& page, const vm::BlockMark& mark);
+  vm::Verdict halt_with(Halt halt, vm::Verdict verdict) {
+    halt_ = halt;
+    return verdict;
+  }
+
+  Alarms alarms_;
+  Assumptions assumptions_;
+  Halt halt_ = Halt::none;
+  std::uint64_t blocks_ = 0;
+  bool single_block_ = false;
+  bool in_statement_ = false;  // a statement has begun that single block stops behind
+  bool may_pass_ = false;      // allow_passing()
+
+ private:
+  BlockObserver observer_;
+  BlockGate* gate_ = nullptr;
+  std::uint64_t interrupts_missed_ = 0;
+};
+
+}  // namespace kerf::control

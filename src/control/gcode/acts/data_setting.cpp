@@ -1,0 +1,135 @@
+// G10: work offsets, tool offsets, parameters (docs/dialect.md §7.4).
+#include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
+#include "control/gcode/acts/settings.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisSet;
+using base::AxisVector;
+using base::Code;
+
+constexpr double kMostToolOffset = 9999.999;  // mm
+
+// What the L of a tool offset names in each memory: 0 geometry length, 1 wear length, 2 geometry
+// radius, 3 wear radius; -1: no such L.
+int tool_part(char memory, std::int64_t l) {
+  if (memory == 'A') return l == 11 || l == 1 ? 0 : -1;
+  if (memory == 'B') return l == 10 ? 0 : l == 11 || l == 1 ? 1 : -1;
+  if (l < 10 || l > 13) return l == 1 ? 1 : -1;
+  return static_cast<int>(l - 10);
+}
+
+}  // namespace
+
+bool Settings::set_data(const Words& words) {
+  std::int64_t l = 0;
+  if (!words.has('L')) return state_.alarms.raise(Code::g10_format, "L is missing");
+  if (!state_.values.integer(words['L'], 0, 99999999, l)) return false;
+  if (l == 2 || l == 20) return set_work_offset(words);
+  if (l == 50 || l == 52) {
+    state_.parameter_entry = true;
+    return true;
+  }
+  if (tool_part(state_.parameters.offset_memory, l) < 0) {
+    return state_.alarms.raise(Code::g10_format, words['L'].text,
+                               "this L does not exist with offset memory " +
+                                   std::string(1, state_.parameters.offset_memory));
+  }
+  return set_tool_offset(words, l);
+}
+
+bool Settings::set_work_offset(const Words& words) {
+  std::int64_t p = 0;
+  if (!words.has('P')) return state_.alarms.raise(Code::g10_format, "P is missing");
+  if (!state_.values.integer(words['P'], 0, 99999999, p)) return false;
+  const bool extended = base::round_away(words['L'].value) == 20;
+  const auto most = static_cast<std::int64_t>(extended ? kExtendedSystems : kWorkSystems);
+  if (p < (extended ? 1 : 0) || p > most) {
+    return state_.alarms.raise(Code::g10_format, words['P'].text,
+                               "there is no such work coordinate system");
+  }
+  AxisVector values;
+  AxisSet named = 0;
+  if (!targets_.values(words, values, named)) return false;
+  AxisVector& target = extended ? state_.memory.extended[static_cast<std::size_t>(p - 1)]
+                       : p == 0 ? state_.memory.external
+                                : state_.memory.work[static_cast<std::size_t>(p - 1)];
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (!base::contains(named, axis)) continue;
+    target[axis] =
+        state_.modal.incremental() ? base::tidy(target[axis] + values[axis]) : values[axis];
+  }
+  ++state_.memory.revision;
+  state_.coordinates.offsets_changed();
+  return true;
+}
+
+bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
+  std::int64_t p = 0;
+  double value = 0;
+  if (!words.has('P') || !words.has('R')) {
+    return state_.alarms.raise(Code::g10_format, words.has('P') ? "R is missing" : "P is missing");
+  }
+  if (!state_.values.integer(words['P'], 0, 99999999, p) ||
+      !state_.values.length(words['R'], value))
+    return false;
+  if (p < 1 || p > state_.parameters.n_offsets) {
+    return state_.alarms.raise(
+        Code::illegal_offset_number, words['P'].text,
+        "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
+  }
+  ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(p)];
+  double* const parts[] = {&tool.length_geometry, &tool.length_wear, &tool.radius_geometry,
+                           &tool.radius_wear};
+  double& part = *parts[tool_part(state_.parameters.offset_memory, l)];
+  if (state_.modal.incremental()) value = base::tidy(part + value);
+  if (value > kMostToolOffset || value < -kMostToolOffset) {
+    return state_.alarms.raise(Code::offset_too_large, words['R'].text);
+  }
+  part = value;
+  ++state_.memory.revision;
+  return true;
+}
+
+// A parameter of eight bits: R is their pattern, bit 7 first.
+bool Settings::enter_bits(const gcode::Word& word, std::uint32_t number) {
+  const auto key = [&](int bit) { return std::to_string(number) + "#" + std::to_string(bit); };
+  std::int64_t pattern = -1;
+  for (int bit = 0; bit < 8; ++bit) {
+    if (!Parameters::is_key(key(bit))) continue;
+    if (pattern < 0 && !state_.values.integer(word, 0, 11111111, pattern)) return false;
+    std::int64_t digits = pattern;
+    for (int i = 0; i < bit; ++i) digits /= 10;
+    const auto set = state_.parameters.set(key(bit), std::to_string(digits % 10));
+    if (!set) return state_.alarms.raise(Code::parameter_entry, word.text, set.error().message);
+  }
+  if (pattern < 0) {
+    state_.assume(Assumed::parameter_entry,
+                  "parameter entry by G10 L50: Kerf does not have this parameter");
+  }
+  return true;
+}
+
+bool Settings::enter_parameter(const Words& words, std::uint32_t number) {
+  double value = 0;
+  if (number == 0 || !words.has('R')) {
+    return state_.alarms.raise(Code::parameter_entry, "parameter entry needs N and R");
+  }
+  if (!state_.values.plain(words['R'], value)) return false;
+  const std::string key = std::to_string(number);
+  if (words.has('P')) {
+    state_.assume(
+        Assumed::parameter_of_axis,
+        "parameter entry by G10 L50: no parameter of Kerf belongs to an axis or spindle, P "
+        "is ignored");
+  }
+  if (!Parameters::is_key(key)) return enter_bits(words['R'], number);
+  const auto set = state_.parameters.set(key, base::number_text(value));
+  return set || state_.alarms.raise(Code::parameter_entry, words['R'].text, set.error().message);
+}
+
+}  // namespace kerf::control

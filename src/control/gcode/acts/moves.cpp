@@ -1,0 +1,259 @@
+#include "control/gcode/acts/moves.hpp"
+
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
+#include "geometry/arc.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisVector;
+using base::Code;
+using geometry::Vec2;
+
+// For messages: to 0.0001 mm.
+std::string millimetres(double value) { return base::number_text(std::round(value * 1e4) / 1e4); }
+
+constexpr double kMostCoordinate = 999999.999;
+constexpr int kMostHelixAxes = 2;
+constexpr std::uint32_t kCentreLetters = Words::mask('I') | Words::mask('J') | Words::mask('K');
+
+}  // namespace
+
+bool Moves::feed(const Words* words, motion::Feed& feed) {
+  feed.mode = state_.modal.feed_mode();
+  if (feed.mode == motion::FeedMode::inverse_time && words != nullptr && !words->has('F')) {
+    return state_.alarms.raise(Code::no_feed_inverse_time);
+  }
+  feed.value = state_.words.feed;
+  if (feed.value > 0) return true;
+  return state_.alarms.raise(
+      Code::feed_zero, words != nullptr && words->has('F') ? "F is 0" : "no F has been commanded");
+}
+
+void Moves::apply_length(base::AxisSet named) {
+  if (base::contains(named, state_.length_axis)) {
+    state_.set_length(state_.length_axis, state_.wanted_length);
+  }
+}
+
+bool Moves::check_limits(const AxisVector& target) {
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (!(target[axis] <= kMostCoordinate && target[axis] >= -kMostCoordinate)) {
+      return state_.alarms.raise(Code::position_overflow, std::string(1, state_.axes[axis].letter) +
+                                                              base::number_text(target[axis]));
+    }
+    if (const auto beyond = state_.strokes.refusal(axis, target[axis]))
+      return state_.alarms.raise(beyond->code, beyond->sentence);
+  }
+  return true;
+}
+
+bool Moves::finish(const Target& target, const AxisVector& path) {
+  state_.coordinates.move_to(target.program, path);
+  state_.moved_since_m29 = true;
+  return true;
+}
+
+bool Moves::rapid_to(const AxisVector& program) {
+  const AxisVector path = state_.coordinates.path_of(program);
+  if (!check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
+  return finish({program, 0}, path);
+}
+
+bool Moves::line_to(const AxisVector& program, const motion::Feed& feed) {
+  const AxisVector path = state_.coordinates.path_of(program);
+  if (!check_limits(path) || !state_.path.straight(motion::Line{path, feed})) return false;
+  return finish({program, 0}, path);
+}
+
+// G01 without axes: the beam of a laser goes on where it stands (docs/drives.md, M03, M04 and S).
+void Moves::cut_standing(const Words& words) {
+  constexpr GCode kLine = 10;
+  const motion::Spindle::Turning turning = state_.words.turning;
+  if (!state_.axes.beam || !words.has_g(kLine) ||
+      (turning != motion::Spindle::Turning::clockwise &&
+       turning != motion::Spindle::Turning::counterclockwise))
+    return;
+  motion::Spindle spindle = state_.spindle();
+  spindle.cuts_standing = true;
+  state_.path.act(spindle);
+}
+
+bool Moves::execute(const Words& words, bool& moved) {
+  const GCode mode = state_.modal[Group::motion];
+  const bool circular = mode == 20 || mode == 30;
+  const bool centre_alone = circular && words.has_any(kCentreLetters | Words::mask('R'));
+  if (!words.has_any(targets_.letters()) && !centre_alone) {
+    cut_standing(words);
+    return true;
+  }
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (state_.axes.count() > static_cast<std::size_t>(state_.parameters.simultaneous_axes) &&
+      std::popcount(target.named) > state_.parameters.simultaneous_axes) {  // G-4
+    return state_.alarms.raise(
+        Code::too_many_axes,
+        std::to_string(state_.parameters.simultaneous_axes) + " axes can move together");
+  }
+  moved = true;
+  apply_length(target.named);
+  if (circular) return arc(words, mode == 20, target);
+  if (mode == 330) return thread(words, target);
+  const AxisVector path = state_.coordinates.path_of(target.program);
+  if (!check_limits(path)) return false;
+  if (mode == 0) {
+    if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(path))) return false;
+  } else {
+    motion::Feed rate;
+    if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate))
+      return false;
+  }
+  return finish(target, path);
+}
+
+bool Moves::centre_offset(const Words& words, char letter, double& mm) {
+  mm = 0;
+  return !words.has(letter) || state_.values.length(words[letter], mm);
+}
+
+// The centre in programmed coordinates. `nothing`: R with an end equal to the start (ARC-4).
+bool Moves::read_centre(const Words& words, const motion::PlaneAxes& plane, const Target& target,
+                        bool clockwise, Vec2& centre, bool& nothing) {
+  const Vec2 from = plane.project(state_.coordinates.program());
+  const Vec2 to = plane.project(target.program);
+  if (words.has('R')) {
+    double radius = 0;
+    if (!state_.values.length(words['R'], radius)) return false;
+    nothing = from == to;
+    if (nothing) return true;
+    const auto found =
+        geometry::centre_from_radius(from, to, radius, clockwise, state_.parameters.arc_tolerance);
+    if (!found) {
+      return state_.alarms.raise(Code::arc_radius_tolerance, words['R'].text,
+                                 "the chord is " + millimetres(geometry::length(to - from)) +
+                                     " mm long, the diameter " +
+                                     millimetres(2 * std::fabs(radius)));
+    }
+    centre = *found;
+    return true;
+  }
+  if (!words.has(plane.first_offset) && !words.has(plane.second_offset)) {
+    if (!words.has_any(kCentreLetters)) return state_.alarms.raise(Code::arc_without_centre);
+    return state_.alarms.raise(Code::illegal_plane_axis,
+                               "I, J or K belongs to an axis outside of the plane");
+  }
+  Vec2 offset;
+  if (!centre_offset(words, plane.first_offset, offset.u) ||
+      !centre_offset(words, plane.second_offset, offset.v)) {
+    return false;
+  }
+  centre = from + offset;
+  const double start_radius = geometry::length(offset);
+  const double end_radius = geometry::length(to - centre);
+  if (std::fabs(start_radius - end_radius) > state_.parameters.arc_tolerance) {
+    return state_.alarms.raise(Code::arc_radius_tolerance,
+                               "radius " + millimetres(start_radius) + " at the start, " +
+                                   millimetres(end_radius) + " at the end");
+  }
+  return true;
+}
+
+// An arc stays a circle when the factors of its plane differ: its ends are scaled each by their
+// factor, its radius by the larger one (docs/dialect.md §8.5).
+bool Moves::unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target& target,
+                                   Vec2 centre, bool clockwise, Vec2& image) {
+  state_.assume(Assumed::scaled_arc,
+                "an arc with unequal scaling factors is a circle by the larger factor");
+  const Transform& transform = state_.coordinates.transform();
+  const Vec2 from = plane.project(state_.coordinates.program());
+  const Vec2 to = plane.project(target.program);
+  const Vec2 image_from = plane.project(state_.coordinates.path());
+  const Vec2 image_to = plane.project(state_.coordinates.path_of(target.program));
+  const double radius = geometry::length(from - centre) * transform.radius_factor(plane);
+  if (from == to) {
+    AxisVector centre_point = target.program;
+    plane.place(centre_point, centre);
+    const Vec2 arm = plane.project(state_.coordinates.path_of(centre_point)) - image_from;
+    image = image_from + radius * geometry::unit(arm);
+    return true;
+  }
+  const bool long_way = geometry::sweep_rad(from, to, centre, clockwise) > std::numbers::pi;
+  const auto found = geometry::centre_from_radius(image_from, image_to, long_way ? -radius : radius,
+                                                  clockwise != transform.reverses(plane),
+                                                  state_.parameters.arc_tolerance);
+  if (!found) {
+    return state_.alarms.raise(Code::arc_radius_tolerance,
+                               "the scaled end points do not lie on a circle of the scaled radius");
+  }
+  image = *found;
+  return true;
+}
+
+bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
+  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  if (!plane)
+    return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
+  const Transform& transform = state_.coordinates.transform();
+  if (transform.rotated() && !transform.rotates(*plane)) {
+    return state_.alarms.raise(Code::illegal_transform_plane);
+  }
+  const auto outside =
+      static_cast<unsigned>(target.named & ~(base::only(plane->first) | base::only(plane->second)));
+  if (std::popcount(outside) > kMostHelixAxes) return state_.alarms.raise(Code::helix_axes);
+  if (words.has('F') && state_.words.feed == 0)
+    return state_.alarms.raise(Code::arc_in_rapid, words['F'].text);
+  motion::Feed rate;
+  Vec2 centre;
+  bool nothing = false;
+  if (!feed(&words, rate) || !read_centre(words, *plane, target, clockwise, centre, nothing))
+    return false;
+  const AxisVector path = state_.coordinates.path_of(target.program);
+  if (!check_limits(path)) return false;
+  const AxisVector from = state_.coordinates.path();
+  if (nothing) return (outside == 0 || state_.path.line(from, path, rate)) && finish(target, path);
+  const bool image_clockwise = clockwise != transform.reverses(*plane);
+  Vec2 image;
+  if (transform.scales_evenly(*plane)) {
+    AxisVector centre_point = target.program;
+    plane->place(centre_point, centre);
+    image = plane->project(state_.coordinates.path_of(centre_point));
+  } else if (!unevenly_scaled_centre(*plane, target, centre, clockwise, image)) {
+    return false;
+  }
+  const ArcShape shape{
+      state_.modal.plane(),
+      *plane,
+      {base::tidy(image.u), base::tidy(image.v)},
+      image_clockwise ? motion::Direction::clockwise : motion::Direction::counterclockwise,
+      0};
+  return state_.path.arc(from, path, shape, rate) && finish(target, path);
+}
+
+// G33: the lead is F, or E where it is used.
+bool Moves::thread(const Words& words, const Target& target) {
+  if (!words.has('F') && state_.words.feed == 0)
+    return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
+  if (state_.words.speed == 0)
+    return state_.alarms.raise(Code::speed_zero, "a thread needs a turning spindle");
+  double lead = state_.words.feed;
+  if (words.has('F')) {
+    lead = words['F'].value;
+    const bool bare =
+        words['F'].has(gcode::WordFlag::literal) && !words['F'].has(gcode::WordFlag::point);
+    if (bare && !state_.parameters.calculator_point) lead *= state_.modal.inch() ? 0.0001 : 0.01;
+    if (state_.modal.inch()) lead = base::tidy(lead * 25.4);
+    state_.words.feed = lead;
+  }
+  const AxisVector path = state_.coordinates.path_of(target.program);
+  return check_limits(path) && state_.path.straight(motion::Thread{path, base::tidy(lead)}) &&
+         finish(target, path);
+}
+
+}  // namespace kerf::control

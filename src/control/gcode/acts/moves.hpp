@@ -1,0 +1,46 @@
+#pragma once
+
+#include "control/gcode/acts/state.hpp"
+#include "control/gcode/acts/targets.hpp"
+
+namespace kerf::control {
+
+/// Programmed moves: G00, G01, G02, G03, G33 and what they share: tool length, stroke limits, feed
+/// (docs/dialect.md §8.1, §8.2).
+class Moves {
+ public:
+  Moves(State& state, Targets& targets) : state_(state), targets_(targets) {}
+
+  /// Executes the move of a block in the active motion mode. `moved` tells whether the block
+  /// commands axis movement, be it of length zero. False: an alarm was raised, nothing has
+  /// happened.
+  [[nodiscard]] bool execute(const Words& words, bool& moved);
+
+  /// The feed of a cutting move; alarm PS0011 without one, PS1202 in G93 without F in the block.
+  [[nodiscard]] bool feed(const Words* words, motion::Feed& feed);
+
+  /// The active length offset takes effect on its axis if that is among `named`.
+  void apply_length(base::AxisSet named);
+  /// Stored stroke limits and the largest coordinate. `target` without tool length.
+  [[nodiscard]] bool check_limits(const base::AxisVector& target);
+  /// Straight move, fast or at feed, to a programmed point; the programmed point is there
+  /// afterwards.
+  [[nodiscard]] bool rapid_to(const base::AxisVector& program);
+  [[nodiscard]] bool line_to(const base::AxisVector& program, const motion::Feed& feed);
+
+ private:
+  bool unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target& target,
+                              geometry::Vec2 centre, bool clockwise, geometry::Vec2& image);
+  bool arc(const Words& words, bool clockwise, const Target& target);
+  void cut_standing(const Words& words);
+  bool thread(const Words& words, const Target& target);
+  bool read_centre(const Words& words, const motion::PlaneAxes& plane, const Target& target,
+                   bool clockwise, geometry::Vec2& centre, bool& nothing);
+  bool centre_offset(const Words& words, char letter, double& mm);
+  bool finish(const Target& target, const base::AxisVector& path);
+
+  State& state_;
+  Targets& targets_;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,213 @@
+#include "control/gcode/acts/references.hpp"
+
+#include <cmath>
+
+#include "base/decimal.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisSet;
+using base::AxisVector;
+using base::Code;
+
+constexpr double kReferenceWindow_mm = 0.0005;  // half an increment
+
+}  // namespace
+
+bool References::execute(const Words::G& g, const Words& words, bool& moved) {
+  const bool reference = g.code >= 270 && g.code <= 300;
+  if (reference && state_.modal.in_cycle())
+    return state_.alarms.raise(Code::reference_in_cycle, g.word->text);  // REF-4
+  switch (g.code) {
+    case 270: return check_reference(words, moved);
+    case 280: return return_to_reference(words, 0, moved);
+    case 290: return return_from_reference(words, moved);
+    case 300: {
+      std::int64_t p = 2;
+      if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, p)) return false;
+      if (p < 2 || p > 4)
+        return state_.alarms.raise(Code::illegal_reference, words['P'].text, "P is 2, 3 or 4");
+      return return_to_reference(words, static_cast<std::size_t>(p - 1), moved);
+    }
+    case 310: return skip(words, moved);
+    case 450:
+    case 460:
+    case 470:
+    case 480: return offset_move(g.code, words, moved);
+    case 530: return machine_position(words, moved);
+    default: return true;
+  }
+}
+
+// G53 and the way to a reference point are not linear, whatever LRP says.
+bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
+  AxisVector tip = state_.path.tip();
+  AxisVector programmed = state_.coordinates.path();
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (!base::contains(named, axis)) continue;
+    state_.set_length(axis, 0);
+    tip[axis] = programmed[axis] = machine[axis];
+  }
+  if (!moves_.check_limits(tip) || !state_.path.straight(motion::Rapid{tip, false})) return false;
+  state_.coordinates.arrive_at(programmed);
+  state_.moved_since_m29 = true;
+  return true;
+}
+
+// REF-1, REF-2: to the intermediate point, then the named axes to their reference point.
+bool References::return_to_reference(const Words& words, std::size_t point, bool& moved) {
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (target.named == 0) return true;
+  moved = true;
+  const AxisVector middle = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(middle) || !state_.path.straight(state_.rapid(middle))) return false;
+  state_.coordinates.move_to(target.program, middle);
+  AxisVector intermediate = state_.intermediate.value_or(AxisVector{});
+  AxisVector reference;
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    reference[axis] = state_.axes[axis].reference[point];
+    if (base::contains(target.named, axis)) intermediate[axis] = target.program[axis];
+  }
+  state_.intermediate = intermediate;
+  state_.intermediate_axes = static_cast<AxisSet>(state_.intermediate_axes | target.named);
+  return rapid_to_machine(reference, target.named);
+}
+
+// REF-3
+bool References::return_from_reference(const Words& words, bool& moved) {
+  if (!state_.intermediate) return state_.alarms.raise(Code::no_intermediate_point);
+  AxisVector middle = state_.coordinates.program();
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const bool named = words.has(state_.axes[axis].letter);
+    if (named && base::contains(state_.intermediate_axes, axis))
+      middle[axis] = (*state_.intermediate)[axis];
+  }
+  const AxisVector before = state_.coordinates.program();
+  if (!state_.path.interrupt_compensation()) return false;
+  if (state_.modal.incremental()) {
+    // an incremental G29 counts from the intermediate point
+    state_.coordinates.move_to(middle, state_.coordinates.path_of(middle));
+  }
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (target.named == 0) {
+    state_.coordinates.move_to(before, state_.coordinates.path_of(before));
+    return true;
+  }
+  moved = true;
+  moves_.apply_length(target.named);
+  const AxisVector middle_path = state_.coordinates.path_of(middle);
+  const AxisVector path = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(middle_path) || !moves_.check_limits(path)) return false;
+  if (!state_.path.straight(state_.rapid(middle_path)) || !state_.path.straight(state_.rapid(path)))
+    return false;
+  state_.coordinates.move_to(target.program, path);
+  return true;
+}
+
+bool References::check_reference(const Words& words, bool& moved) {
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (target.named == 0) return true;
+  moved = true;
+  moves_.apply_length(target.named);
+  const AxisVector path = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
+  state_.coordinates.move_to(target.program, path);
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (!base::contains(target.named, axis)) continue;
+    const double machine = path[axis] + state_.coordinates.length()[axis];
+    if (std::fabs(machine - state_.axes[axis].reference[0]) > kReferenceWindow_mm) {
+      return state_.alarms.raise(Code::reference_check, std::string(1, state_.axes[axis].letter) +
+                                                            " stands at " +
+                                                            base::number_text(base::tidy(machine)));
+    }
+  }
+  return true;
+}
+
+// WCS-6: absolute machine coordinates; ignored in G91.
+bool References::machine_position(const Words& words, bool& moved) {
+  if (!words.has_any(targets_.letters())) return true;
+  moved = true;
+  if (state_.modal.incremental()) return true;
+  AxisVector machine;
+  AxisSet named = 0;
+  return targets_.values(words, machine, named) && rapid_to_machine(machine, named);
+}
+
+// REF-5
+bool References::skip(const Words& words, bool& moved) {
+  if (state_.modal.compensating() || state_.path.compensating())
+    return state_.alarms.raise(Code::skip_in_compensation);
+  std::int64_t signal = 1;
+  if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, signal)) return false;
+  if (signal > 99) return state_.alarms.raise(Code::skip_format, words['P'].text);
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (target.named == 0) return true;
+  moved = true;
+  motion::Feed rate;
+  if (!moves_.feed(&words, rate)) return false;
+  moves_.apply_length(target.named);
+  const AxisVector from = state_.coordinates.path();
+  AxisVector path = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(path) || !state_.path.admits(motion::Probe{path, rate, false}))
+    return false;
+  const AxisVector& length = state_.coordinates.length();
+  const std::optional<double> contact = state_.surroundings.contact(from + length, path + length);
+  if (contact) {
+    for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+      const Axis axis{static_cast<std::uint8_t>(i)};
+      path[axis] = base::tidy(from[axis] + *contact * (path[axis] - from[axis]));
+    }
+  }
+  if (!state_.path.straight(motion::Probe{path, rate, contact.has_value()})) return false;
+  if (contact) {
+    state_.coordinates.arrive_at(path);
+  } else {
+    state_.coordinates.move_to(target.program, path);
+  }
+  state_.skip_position = path + length;
+  state_.moved_since_m29 = true;
+  return true;
+}
+
+// G45 +D, G46 -D, G47 +2D, G48 -2D along each named axis, in the direction of its move.
+bool References::offset_move(GCode code, const Words& words, bool& moved) {
+  if (state_.modal.compensating() || state_.path.compensating()) {
+    return state_.alarms.raise(Code::offset_move_in_compensation);
+  }
+  Target target;
+  if (!targets_.read(words, target)) return false;
+  if (target.named == 0) return true;
+  moved = true;
+  const ToolOffset& tool =
+      state_.memory.tools[static_cast<std::size_t>(state_.words.radius_offset)];
+  const double offset = state_.parameters.offset_memory == 'C'
+                            ? tool.radius_geometry + tool.radius_wear
+                            : tool.length_geometry + tool.length_wear;
+  const double amount = offset * (code == 450 ? 1 : code == 460 ? -1 : code == 470 ? 2 : -2);
+  AxisVector program = target.program;
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const gcode::Word* const word = words.find(state_.axes[axis].letter);
+    if (word == nullptr || state_.axes[axis].rotary) continue;
+    const double distance = target.program[axis] - state_.coordinates.program()[axis];
+    const bool negative = distance < 0 || (distance == 0 && word->has(gcode::WordFlag::minus));
+    program[axis] = base::tidy(program[axis] + (negative ? -amount : amount));
+  }
+  moves_.apply_length(target.named);
+  if (state_.modal[Group::motion] == 0) return moves_.rapid_to(program);
+  motion::Feed rate;
+  return moves_.feed(&words, rate) && moves_.line_to(program, rate);
+}
+
+}  // namespace kerf::control

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "control/core/alarms.hpp"
+#include "control/core/assumptions.hpp"
+#include "control/core/memory.hpp"
+#include "control/core/parameters.hpp"
+#include "control/core/surroundings.hpp"
+#include "control/gcode/codes/modal_state.hpp"
+#include "control/gcode/frames/coordinates.hpp"
+#include "control/gcode/path/toolpath.hpp"
+#include "control/gcode/words/word_values.hpp"
+#include "control/gcode/words/words.hpp"
+
+namespace kerf::control {
+
+/// Spindle, tool and the other words that stay until they are changed.
+struct ModalWords {
+  double feed = 0;             ///< mm/min, mm/rev or 1/min by the active feed mode; 0: none
+  double feed_programmed = 0;  ///< as written, in the program's unit (#4109)
+  double speed = 0;            ///< S
+  double max_rpm = 0;          ///< G92 S
+  motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
+  std::int64_t tool = 0;           ///< last T (#4120)
+  std::int64_t length_offset = 0;  ///< H (#4111)
+  std::int64_t radius_offset = 0;  ///< D (#4107)
+  std::int64_t last_m = 0;         ///< #4113
+  double second_auxiliary = 0;     ///< B (#4102)
+  double e = 0;                    ///< #4108
+  std::int64_t extended_work = 1;  ///< P of the last G54.1 (#4130)
+};
+
+/// The state that the parts of the control share. Each part changes what its header says.
+struct State {
+  State(Parameters& parameters_in, const motion::AxisSetup& axes_in, Memory& memory_in,
+        Alarms& alarms_in, Assumptions& assumptions_in, Surroundings& surroundings_in,
+        motion::MotionSink& sink)
+      : parameters(parameters_in),
+        axes(axes_in),
+        memory(memory_in),
+        alarms(alarms_in),
+        assumptions(assumptions_in),
+        surroundings(surroundings_in),
+        values(alarms_in),
+        modal(parameters_in),
+        before(parameters_in),
+        coordinates(axes_in, memory_in),
+        strokes(axes_in, parameters_in.stroke_check, &coordinates.length()),
+        outlet(alarms_in, surroundings_in,
+               axes_in.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, &strokes,
+               sink),
+        path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in.start) {
+    refresh_format();
+  }
+
+  Parameters& parameters;
+  const motion::AxisSetup& axes;
+  Memory& memory;
+  Alarms& alarms;
+  Assumptions& assumptions;
+  Surroundings& surroundings;
+  WordValues values;
+  ModalState modal;
+  ModalState before;  ///< as the previous block left it (#4001…)
+  ModalWords words;
+  Coordinates coordinates;
+  StrokeLimits strokes;
+  Outlet outlet;  ///< of `path`
+  Toolpath path;
+  std::uint32_t line = 0;          ///< of the executing block
+  base::AxisVector skip_position;  ///< #5061: machine coordinates, tool length included
+  std::uint32_t outputs[4] = {};   ///< #1100 to #1135
+  std::optional<base::AxisVector> intermediate;  ///< of the last G28 or G30, programmed coordinates
+  base::AxisSet intermediate_axes = 0;
+  double wanted_length = 0;    ///< offset that G43 or G44 asks for; in force from the next move on
+  base::Axis length_axis{};    ///< its axis
+  bool rigid_tapping = false;  ///< M29
+  bool moved_since_m29 = false;
+  bool parameter_entry = false;  ///< between G10 L50 and G11
+  double block_control = 0;      ///< #3003
+  double feed_control = 0;       ///< #3004, bits of FeedControl
+
+  /// What turns now.
+  [[nodiscard]] motion::Spindle spindle() const {
+    const bool css = modal[Group::speed] == 960;
+    return {
+        .turning = words.turning,
+        .mode = css ? motion::Spindle::Mode::constant_surface_speed : motion::Spindle::Mode::rpm,
+        .speed = words.speed,
+        .max_rpm = css ? words.max_rpm : 0};
+  }
+  /// The tool length of an axis is in force from the next move on.
+  void set_length(base::Axis axis, double mm) {
+    coordinates.set_length(axis, mm);
+    if (axis != length_axis) return;
+    const auto number = mm != 0 ? static_cast<std::uint32_t>(words.length_offset) : 0U;
+    path.set_length({.mm = mm, .offset = number, .axis = axis});
+  }
+  /// A rapid as parameter LRP wants it.
+  [[nodiscard]] motion::Rapid rapid(const base::AxisVector& to) const {
+    return {to, parameters.linear_rapid};
+  }
+  /// After a change of the unit or of the parameters.
+  void refresh_format() { values.set_format({modal.inch(), parameters.calculator_point}); }
+  /// Says once per `key` that something was accepted without effect or read in a surprising way.
+  void assume(std::uint32_t key, const char* what) {
+    if (assumptions.is_new(key)) assumptions.add(line, what);
+  }
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,75 @@
+#include "control/gcode/frames/coordinates.hpp"
+
+#include "base/decimal.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Axis;
+using base::AxisVector;
+
+}  // namespace
+
+AxisVector Coordinates::tidied(AxisVector point) const {
+  for (std::size_t i = 0; i < axes_->count(); ++i) point.values[i] = base::tidy(point.values[i]);
+  return point;
+}
+
+AxisVector Coordinates::image_of(const AxisVector& program) const {
+  return transform_.identity() ? program : transform_.apply(program);
+}
+
+AxisVector Coordinates::program_of(const AxisVector& image) const {
+  return tidied(transform_.identity() ? image : transform_.invert(image));
+}
+
+AxisVector Coordinates::path_of(const AxisVector& program) const {
+  if (plain_) return program;
+  return tidied(image_of(program) + origin_);
+}
+
+void Coordinates::arrive_at(const AxisVector& path) {
+  path_ = path;
+  program_ = program_of(path - origin_);
+}
+
+void Coordinates::refresh_origin() {
+  const AxisVector& offset =
+      work_.extended != 0 ? memory_->extended[work_.extended - 1] : memory_->work[work_.index];
+  const AxisVector before = origin_;
+  origin_ = tidied(memory_->external + offset + local_ + shift_);
+  if (before != origin_) program_ = program_of(image_of(program_) + before - origin_);
+  plain_ = transform_.identity() && origin_ == AxisVector{};
+}
+
+void Coordinates::select(const WorkSystem& work) {
+  work_ = work;
+  refresh_origin();
+}
+
+void Coordinates::offsets_changed() { refresh_origin(); }
+
+void Coordinates::set_local(Axis axis, double shift) {
+  local_[axis] = shift;
+  refresh_origin();
+}
+
+void Coordinates::preset(const AxisVector& program) {
+  shift_ = tidied(shift_ + image_of(program_) - image_of(program));
+  refresh_origin();
+  program_ = program;
+}
+
+void Coordinates::clear_shifts(Axis axis) {
+  local_[axis] = 0;
+  shift_[axis] = 0;
+  refresh_origin();
+}
+
+void Coordinates::set_transform(const Transform& transform) {
+  transform_ = transform;
+  plain_ = transform_.identity() && origin_ == AxisVector{};
+  program_ = program_of(path_ - origin_);
+}
+
+}  // namespace kerf::control

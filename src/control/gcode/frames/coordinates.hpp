@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+
+#include "control/core/memory.hpp"
+#include "control/gcode/frames/transform.hpp"
+#include "motion/axis_setup.hpp"
+
+namespace kerf::control {
+
+/// Which work coordinate system is active.
+struct WorkSystem {
+  std::uint32_t index = 0;     ///< 0 to 5: G54 to G59
+  std::uint32_t extended = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
+};
+
+/// Where the programmed point is, in every coordinate system at once (docs/dialect.md §8.3):
+///
+///   path = transform(program) + origin,     origin = EXT + work offset + G52 shift + G92 shift
+///   machine = path + length offset
+///
+/// `program` is what the words of the program say (#5001), `path` the same point in the machine's
+/// coordinate system without tool length. mm and degrees.
+class Coordinates {
+ public:
+  /// At power-on G54 is in force with the offset that the memory has kept.
+  Coordinates(const motion::AxisSetup& axes, const Memory& memory)
+      : axes_(&axes), memory_(&memory), program_(axes.start), path_(axes.start) {
+    refresh_origin();
+  }
+
+  [[nodiscard]] const base::AxisVector& program() const { return program_; }
+  [[nodiscard]] const base::AxisVector& path() const { return path_; }
+  [[nodiscard]] const base::AxisVector& length() const { return length_; }
+  [[nodiscard]] const base::AxisVector& origin() const { return origin_; }
+  [[nodiscard]] const WorkSystem& work() const { return work_; }
+  [[nodiscard]] const Transform& transform() const { return transform_; }
+
+  /// The point of the machine's coordinate system where a programmed point lies.
+  [[nodiscard]] base::AxisVector path_of(const base::AxisVector& program) const;
+  /// The programmed point moves.
+  void move_to(const base::AxisVector& program, const base::AxisVector& path) {
+    program_ = program;
+    path_ = path;
+  }
+  /// The tool has come to a point of the machine's coordinate system by other means than a
+  /// programmed target (G28, G53, G31): the programmed point follows.
+  void arrive_at(const base::AxisVector& path);
+  void set_length(base::Axis axis, double offset) { length_[axis] = offset; }
+
+  // Each of these leaves the tool where it is and gives the programmed point its new coordinates.
+  void select(const WorkSystem& work);
+  /// After a change of the offsets in memory.
+  void offsets_changed();
+  void set_local(base::Axis axis, double shift);
+  /// G92: the programmed point reads `program` from now on.
+  void preset(const base::AxisVector& program);
+  /// G92.1: drops the G52 and G92 shifts of an axis.
+  void clear_shifts(base::Axis axis);
+  /// What presets have left: the shift of G92.
+  [[nodiscard]] const base::AxisVector& shift() const { return shift_; }
+  void set_shift(const base::AxisVector& shift) {
+    shift_ = shift;
+    refresh_origin();
+  }
+  void set_transform(const Transform& transform);
+
+ private:
+  void refresh_origin();
+  [[nodiscard]] base::AxisVector image_of(const base::AxisVector& program) const;
+  [[nodiscard]] base::AxisVector program_of(const base::AxisVector& image) const;
+  [[nodiscard]] base::AxisVector tidied(base::AxisVector point) const;
+
+  const motion::AxisSetup* axes_;
+  const Memory* memory_;
+  base::AxisVector program_;
+  base::AxisVector path_;
+  base::AxisVector length_;
+  base::AxisVector local_;
+  base::AxisVector shift_;
+  base::AxisVector origin_;
+  WorkSystem work_;
+  Transform transform_;
+  bool plain_ = true;  // no transform, origin at machine zero: programmed points are machine points
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "motion/motion.hpp"
+
+namespace kerf::control {
+
+/// Holds back what a block emits until the block is known to be right: an alarm drops what it would
+/// have switched (a block is checked whole before it has any effect).
+class BlockBuffer : public motion::MotionSink {
+ public:
+  explicit BlockBuffer(motion::MotionSink& sink) : sink_(sink) {}
+
+  void take(const motion::Motion& motion) override {
+    if (pass_through_) {
+      sink_.take(motion);
+    } else {
+      held_.push_back(motion);
+    }
+  }
+  /// Holds nothing back while on.
+  void pass_through(bool on) { pass_through_ = on; }
+  [[nodiscard]] bool ready() const override { return sink_.ready(); }
+
+  void release() {
+    for (const motion::Motion& motion : held_) sink_.take(motion);
+    held_.clear();
+  }
+  /// Drops what is no move and comes from a line of a program.
+  void drop_functions_of(motion::ProgramNumber program, std::uint32_t line) {
+    std::erase_if(held_, [&](const motion::Motion& motion) {
+      return motion::target_of(motion) == nullptr && motion.line == line &&
+             motion.program == program;
+    });
+  }
+
+ private:
+  motion::MotionSink& sink_;
+  std::vector<motion::Motion> held_;
+  bool pass_through_ = false;
+};
+
+}  // namespace kerf::control

@@ -1,0 +1,34 @@
+#include "control/gcode/path/move_rules.hpp"
+
+#include "base/decimal.hpp"
+
+namespace kerf::control {
+
+bool has_bit(double variable, unsigned bit) {
+  return (static_cast<std::uint64_t>(base::round_away(variable)) & bit) != 0;
+}
+
+MoveRules move_rules(const Words& words, const ModalState& modal, double feed_control) {
+  const GCode mode = modal[Group::stop_mode];
+  const bool stops = !has_bit(feed_control, FeedControl::no_exact_stop);
+  return {.every_move_stops = stops && (words.has_g(90) || words.has_g(600)),
+          .every_cut_stops = stops && mode == 610,
+          .fixed_override = mode == 630 || has_bit(feed_control, FeedControl::no_override)};
+}
+
+bool is_cut(const motion::Motion& motion) {
+  return motion::target_of(motion) != nullptr &&
+         !std::holds_alternative<motion::Rapid>(motion.action) &&
+         !std::holds_alternative<motion::Probe>(motion.action);
+}
+
+void mark(motion::Motion& motion, const MoveRules& rules) {
+  const bool cut = is_cut(motion);
+  const bool probe = std::holds_alternative<motion::Probe>(motion.action);
+  const bool moves = cut || probe || std::holds_alternative<motion::Rapid>(motion.action);
+  motion.exact_stop = probe || (moves && rules.every_move_stops) || (cut && rules.every_cut_stops);
+  motion.fixed_override = probe || std::holds_alternative<motion::Thread>(motion.action) ||
+                          (cut && rules.fixed_override);
+}
+
+}  // namespace kerf::control

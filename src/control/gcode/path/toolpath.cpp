@@ -1,0 +1,168 @@
+#include "control/gcode/path/toolpath.hpp"
+
+namespace kerf::control {
+
+using base::AxisVector;
+
+Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
+                   const AxisVector& start)
+    : alarms_(alarms),
+      outlet_(outlet),
+      corners_(
+          alarms, [this](const PathStep& step) { return compensate(step); },
+          [this](const motion::Motion& motion) { pass(motion); }),
+      compensation_(alarms, outlet, settings),
+      tip_(start) {
+  compensation_.set_tip(tip_);
+}
+
+void Toolpath::begin_block(const Source& source) {
+  source_ = source;
+  ending_ = false;
+  moved_in_plane_ = false;
+  corner_at_end_.reset();
+}
+
+bool Toolpath::end_block() {
+  if (!corners_.end_block()) return false;
+  if (!compensation_.active()) return true;
+  if (ending_ && !moved_in_plane_) {
+    compensation_.end();
+    ending_ = false;
+    return !alarms_.alarm();
+  }
+  return moved_in_plane_ || compensation_.idle_block();
+}
+
+void Toolpath::end_compensation(std::optional<geometry::Vec2> wall) {
+  ending_ = true;
+  wall_ = wall;
+}
+
+bool Toolpath::interrupt_compensation() {
+  return corners_.refuse() && (!compensation_.active() || compensation_.interrupt());
+}
+
+bool Toolpath::release() {
+  return corners_.refuse() && (!compensation_.active() || compensation_.release());
+}
+
+void Toolpath::reset() {
+  outlet_.reset();
+  tip_ = tip();
+  corners_.reset();
+  compensation_.reset();
+  compensation_.set_tip(tip_);
+}
+
+AxisVector Toolpath::tip() const {
+  if (corners_.holding()) return *motion::target_of(corners_.held().motion);
+  return compensation_.active() ? compensation_.tip() : tip_;
+}
+
+motion::Motion Toolpath::make(const motion::Motion::Action& action) const {
+  motion::Motion motion{.program = source_.program,
+                        .line = source_.line,
+                        .file = source_.file,
+                        .length = length_,
+                        .action = action};
+  mark(motion, rules_);
+  return motion;
+}
+
+bool Toolpath::rapid(const AxisVector& from, const motion::Rapid& rapid) {
+  return move(from, make(rapid), nullptr);
+}
+
+bool Toolpath::line(const AxisVector& from, const AxisVector& to, const motion::Feed& feed) {
+  return move(from, make(motion::Line{to, feed}), nullptr);
+}
+
+bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape& shape,
+                   const motion::Feed& feed) {
+  const motion::Arc arc{
+      to, {shape.centre.u, shape.centre.v}, feed, shape.turns, shape.plane, shape.direction};
+  return move(from, make(arc), &shape);
+}
+
+bool Toolpath::straight(const motion::Motion::Action& action) {
+  if (!interrupt_compensation()) return false;
+  if (compensation_.active()) tip_ = compensation_.tip();
+  return emit(make(action));
+}
+
+bool Toolpath::admits(const motion::Motion::Action& action) {
+  return outlet_.admits(make(action), tip());
+}
+
+void Toolpath::act(const motion::Motion::Action& action) {
+  if (corners_.holding()) {
+    corners_.beside(make(action));
+  } else {
+    pass(make(action));
+  }
+}
+
+// What is no move in the plane keeps its place among the moves.
+bool Toolpath::pass(const motion::Motion& motion) {
+  return compensation_.active() ? compensation_.beside(motion) : emit(motion);
+}
+
+// Most moves meet neither a corner nor compensation.
+bool Toolpath::move(const AxisVector& from, const motion::Motion& motion, const ArcShape* shape) {
+  const bool rounds = corner_at_end_.has_value() || corners_.holding();
+  if (!compensation_.active() && !rounds) return emit(motion);
+  const motion::PlaneAxes plane = compensation_.active() ? compensation_.plane()
+                                  : corner_at_end_       ? corner_at_end_->axes
+                                                         : corners_.axes();
+  const AxisVector& to = *motion::target_of(motion);
+  PathStep step{.motion = motion,
+                .piece = {.from = plane.project(from), .to = plane.project(to)},
+                .every_part_stops = rules_.every_cut_stops && is_cut(motion)};
+  if (shape != nullptr) {
+    step.piece.is_arc = true;
+    step.piece.clockwise = shape->direction == motion::Direction::clockwise;
+    step.piece.centre = shape->centre;
+  }
+  if (shape == nullptr && step.piece.from == step.piece.to) return move_beside_plane(motion);
+  moved_in_plane_ = true;
+  step.place = alarms_.place();
+  return rounds ? round(step) : compensate(step);
+}
+
+bool Toolpath::move_beside_plane(const motion::Motion& motion) {
+  if (corner_at_end_)
+    return alarms_.raise(base::Code::corner_missing_move, "this block does not move in the plane");
+  return corners_.refuse() && pass(motion);
+}
+
+bool Toolpath::round(const PathStep& step) {
+  if (!corner_at_end_) return corners_.move(step, corners_.plane(), corners_.axes(), std::nullopt);
+  if (ending_ || compensation_.starting()) {
+    return alarms_.raise_at(base::Code::corner_in_compensation, step.place);
+  }
+  return corners_.move(step, corner_at_end_->plane, corner_at_end_->axes, corner_at_end_->request);
+}
+
+bool Toolpath::compensate(const PathStep& step) {
+  if (!compensation_.active()) return emit(step.motion, &step.place);
+  const bool good = ending_ ? compensation_.end_with(step, wall_) : compensation_.move(step);
+  if (!compensation_.active()) tip_ = compensation_.tip();
+  return good;
+}
+
+// A rapid or line that goes nowhere is no motion; an arc that ends where it begins is a full
+// circle.
+bool Toolpath::emit(const motion::Motion& motion, const base::Place* place) {
+  const AxisVector* const to = motion::target_of(motion);
+  const bool straight_line = std::holds_alternative<motion::Rapid>(motion.action) ||
+                             std::holds_alternative<motion::Line>(motion.action);
+  if (straight_line && *to == tip_) return true;
+  if (!outlet_.let_out(motion, tip_, place)) return false;
+  if (to == nullptr) return true;
+  tip_ = *to;
+  compensation_.set_tip(tip_);
+  return true;
+}
+
+}  // namespace kerf::control

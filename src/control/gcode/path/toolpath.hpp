@@ -1,0 +1,120 @@
+#pragma once
+
+#include <optional>
+
+#include "control/core/outlet.hpp"
+#include "control/gcode/frames/coordinates.hpp"
+#include "control/gcode/path/corner_rounding.hpp"
+#include "control/gcode/path/cutter_compensation.hpp"
+#include "control/gcode/path/move_rules.hpp"
+
+namespace kerf::control {
+
+/// Where the motions of the executing block come from.
+struct Source {
+  motion::ProgramNumber program{};
+  std::uint32_t line = 0;
+  base::FileId file = base::kNoFile;
+};
+
+/// An arc as programmed: about a centre in the plane, both in machine coordinates.
+struct ArcShape {
+  motion::Plane plane = motion::Plane::xy;
+  motion::PlaneAxes axes;
+  geometry::Vec2 centre;
+  motion::Direction direction = motion::Direction::counterclockwise;
+  std::uint16_t turns = 0;
+};
+
+/// A corner that the block's move asks for at its end, and the plane in which it lies.
+struct CornerAtEnd {
+  CornerRounding::Request request;
+  motion::Plane plane = motion::Plane::xy;
+  motion::PlaneAxes axes;
+};
+
+/// The last stations before the motions leave the control: chamfers and corner radii, then cutter
+/// compensation. Knows where the tool stands and leaves out moves that go nowhere.
+class Toolpath {
+ public:
+  /// The tool stands at `start`.
+  Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
+           const base::AxisVector& start);
+
+  /// A block begins: what it emits comes from `source`.
+  void begin_block(const Source& source);
+  /// How the moves end that come from now on.
+  void obey(const MoveRules& rules) { rules_ = rules; }
+  /// The tool length of the moves that come from now on.
+  void set_length(const motion::ToolLength& length) { length_ = length; }
+  /// The block's cuts are those of a tapping cycle.
+  void fix_override() { rules_.fixed_override = true; }
+  /// The block's move ends in a corner.
+  void round_corner(const CornerAtEnd& corner) { corner_at_end_ = corner; }
+  /// The block is over. False: an alarm was raised.
+  [[nodiscard]] bool end_block();
+
+  // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was
+  // raised.
+  [[nodiscard]] bool rapid(const base::AxisVector& from, const motion::Rapid& rapid);
+  [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to,
+                          const motion::Feed& feed);
+  [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to,
+                         const ArcShape& shape, const motion::Feed& feed);
+  /// A move that knows no cutter compensation: reference returns, G53, cycles.
+  [[nodiscard]] bool straight(const motion::Motion::Action& action);
+  /// Whether such a move could be made now. False: an alarm was raised.
+  [[nodiscard]] bool admits(const motion::Motion::Action& action);
+  /// Anything that is not a move.
+  void act(const motion::Motion::Action& action);
+
+  void configure(const CutterCompensation::Settings& settings) {
+    compensation_.configure(settings);
+  }
+  void compensate(const motion::PlaneAxes& plane, double offset) {
+    compensation_.begin(plane, offset);
+  }
+  /// G40: with the move of this block, or with the next one when it has none.
+  void end_compensation(std::optional<geometry::Vec2> wall);
+  [[nodiscard]] bool compensating() const { return compensation_.active(); }
+  [[nodiscard]] bool interrupt_compensation();
+  /// Emits everything that waits for a move to come.
+  [[nodiscard]] bool release();
+  /// Forgets what is held: the reset button.
+  void reset();
+
+  [[nodiscard]] const Source& source() const { return source_; }
+  /// The tool was brought to `tip` by hand. Precondition: !holds_moves().
+  void stand_at(const base::AxisVector& tip) {
+    tip_ = tip;
+    compensation_.set_tip(tip);
+  }
+  [[nodiscard]] bool holds_corner() const { return corners_.holding(); }
+  [[nodiscard]] bool holds_moves() const { return compensation_.active() || corners_.holding(); }
+  /// Where the tool stands, machine coordinates without tool length.
+  [[nodiscard]] base::AxisVector tip() const;
+
+ private:
+  bool move(const base::AxisVector& from, const motion::Motion& motion, const ArcShape* shape);
+  bool move_beside_plane(const motion::Motion& motion);
+  bool round(const PathStep& step);
+  bool compensate(const PathStep& step);
+  bool pass(const motion::Motion& motion);
+  bool emit(const motion::Motion& motion, const base::Place* place = nullptr);
+  [[nodiscard]] motion::Motion make(const motion::Motion::Action& action) const;
+
+  Alarms& alarms_;
+  Outlet& outlet_;
+  CornerRounding corners_;
+  CutterCompensation compensation_;
+  Source source_;
+  MoveRules rules_;
+  motion::ToolLength length_;
+  base::AxisVector tip_;
+  std::optional<CornerAtEnd> corner_at_end_;
+  bool ending_ = false;  // G40 stands in this block
+  std::optional<geometry::Vec2> wall_;
+  bool moved_in_plane_ = false;
+};
+
+}  // namespace kerf::control

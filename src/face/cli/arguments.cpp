@@ -1,0 +1,371 @@
+#include "face/cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "base/decimal.hpp"
+#include "face/cli/dialect_choice.hpp"
+#include "face/cli/machine_setup.hpp"
+#include "face/server/transport/notices.hpp"
+
+namespace kerf::cli {
+namespace {
+
+// CLI11's own sentences about numbers print the largest double in full.
+const CLI::Validator kNotNegative(
+    [](const std::string& text) -> std::string {
+      const auto value = base::read_number(text);
+      return value && *value >= 0 ? "" : "a number that is not negative is expected";
+    },
+    "");
+const CLI::Validator kWholeNumber(
+    [](const std::string& text) -> std::string {
+      const auto value = base::read_number(text);
+      constexpr double kMost = 1e18;
+      const bool whole = value && *value >= 0 && *value <= kMost && *value == std::floor(*value);
+      return whole ? "" : "a whole number that is not negative is expected";
+    },
+    "");
+
+// CLI11 itself reads a long double, which is a double on some processors and more on others.
+double number_of(const std::string& text) { return base::read_number(text).value_or(0); }
+
+// One value a time: `--set A B` is no way to write two.
+CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(false); }
+
+std::string built_in_machines() {
+  std::string text;
+  for (const machine::BuiltinMachine& machine : machine::builtin_machines()) {
+    if (!text.empty()) text += ", ";
+    text += machine.name;
+  }
+  return text;
+}
+
+enum class Patterns : std::uint8_t { run, not_run };
+
+void add_machine(CLI::App& app, std::string& machine, std::string& dialect, Patterns patterns) {
+  const std::string pattern = std::string(", ") + kPatternDialect;
+  const bool run = patterns == Patterns::run;
+  app.add_option("--machine", machine,
+                 "machine file or built-in machine: " + built_in_machines() + "; default " +
+                     usual_machines() + (run ? ", arm4 for pattern" : ""))
+      ->type_name("NAME|FILE.toml");
+  app.add_option("--dialect", dialect,
+                 "language: " + dialect_list() + (run ? pattern : "") +
+                     "; default what the file's ending or its first lines tell, else that of the "
+                     "machine")
+      ->type_name("NAME");
+}
+
+void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
+  add_machine(run, o.machine, o.dialect, patterns);
+  repeated(run.add_option("--library", o.libraries, "folder of further programs; may be repeated"))
+      ->type_name("FOLDER");
+  repeated(run.add_option("--set", o.variables,
+                          "sets a variable before the start: '#100=5', in laser BASIC x=5; may be "
+                          "repeated"))
+      ->type_name("NAME=VALUE");
+  repeated(run.add_option("--param", o.parameters,
+                          "changes a parameter of the control: DPI=1; may be repeated"))
+      ->type_name("KEY=VALUE");
+  repeated(run.add_option("--machine-set", o.machine_keys,
+                          "changes a key of the machine: axis.X.velocity=12000; may be repeated"))
+      ->type_name("KEY=VALUE");
+  run.add_option("--decimal-point", o.decimal_point,
+                 "X20 without a point is 0.020 mm (increment) or 20 mm (calculator); default that "
+                 "of the machine")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"increment", "calculator"}));
+  repeated(run.add_option("--skip-at", o.skip_at,
+                          "the skip signal of G31 comes on there: X=7.2; may be repeated"))
+      ->type_name("AXIS=VALUE");
+  repeated(run.add_option_function<std::vector<std::string>>(
+               "--interrupt-at",
+               [&times = o.interrupt_at](const std::vector<std::string>& texts) {
+                 std::transform(texts.begin(), texts.end(), std::back_inserter(times), number_of);
+               },
+               "the interrupt signal of M96 comes at this time of the run; may be repeated"))
+      ->type_name("SECONDS")
+      ->check(kNotNegative);
+  run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
+  run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
+  run.add_option("--state", o.state,
+                 "permanent memory of the control, read before and written after the run")
+      ->type_name("FILE");
+  run.add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all")
+      ->type_name("LIST");
+  run.add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
+}
+
+void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
+  app.add_option_function<std::string>(
+         "--max-seconds", [&seconds](const std::string& text) { seconds = number_of(text); },
+         "computing time allowed; default 60, 0: any")
+      ->type_name("N")
+      ->check(kNotNegative);
+  app.add_option("--max-motions", motions, "motions allowed; default 50000000, 0: any number")
+      ->type_name("N")
+      ->check(kWholeNumber);
+}
+
+void add_diagnostics(CLI::App& app, DiagnosticFormat& diagnostics) {
+  app.add_option_function<std::string>(
+         "--diagnostics",
+         [&diagnostics](const std::string& form) {
+           diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
+         },
+         "alarms and warnings as text or as one JSON object a line; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
+}
+
+void add_outputs(CLI::App& run, RunOptions& o) {
+  const auto file = [&](const char* name, std::string& path, const char* what) {
+    run.add_option(name, path, what)->type_name("FILE");
+  };
+  file("--summary", o.summary, "summary as JSON");
+  file("--motion", o.motion, "motions as JSON Lines");
+  file("--points", o.points, "where the axes are at every period of the servo, as CSV");
+  file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
+  file("--pwm", o.pwm, "changes of a laser's pulses and their timer, as CSV");
+  file("--rows", o.rows, "moves and tool changes as rows of feature recognition, as CSV");
+  file("--pattern", o.pattern, "the pattern of an engraving arm that cuts the path");
+  file("--pattern-plot", o.pattern_plot,
+       "picture of the wheel's path on the true one: .svg or .png");
+  file("--plot", o.plot, "picture of the path: .svg or .png");
+  run.add_flag("--plot-speed", o.plot_speed,
+               "colours the cuts of --plot by the speed that was really reached");
+  run.add_flag("--plot-energy", o.plot_energy,
+               "colours the cuts of --plot by the energy of the laser on each millimetre");
+  file("--dprnt", o.dprnt, "what the program prints; default standard output");
+  file("--post", o.post, "the path as plain G-code without macros");
+  file("--teach", o.teach, "the path as taught points, a .tch file");
+  file("--coverage", o.coverage, "how often each source line ran, as CSV");
+  run.add_flag(
+      "--keep-partial", o.keep_partial,
+      "writes --post, --pattern, --teach and --pulses also when the run does not reach its "
+      "end");
+  add_diagnostics(run, o.diagnostics);
+}
+
+void add_run(CLI::App& app, RunOptions& o) {
+  CLI::App* run =
+      app.add_subcommand("run", "runs a program on a virtual machine and prints a summary");
+  run->group("Commands");
+  run->add_option("program", o.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  run->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*run, o, Patterns::run);
+  run->option_defaults()->group("Limits");
+  add_budget(*run, o.max_seconds, o.max_motions);
+  run->option_defaults()->group("Outputs (- is standard output)");
+  add_outputs(*run, o);
+  run->footer("Example: kerf run part.nc --plot part.svg --set '#100=5'");
+}
+
+void add_time(CLI::App& app, TimeOptions& o) {
+  CLI::App* time = app.add_subcommand("time", "runs a program and prints where its time goes");
+  time->group("Commands");
+  time->add_option("program", o.run.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  time->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*time, o.run, Patterns::not_run);
+  time->option_defaults()->group("Limits");
+  add_budget(*time, o.run.max_seconds, o.run.max_motions);
+  time->option_defaults()->group("Output");
+  time->add_option("--format", o.format, "text or json; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
+  time->footer("Example: kerf time part.nc --machine-set axis.X.acceleration=1500");
+}
+
+void add_check(CLI::App& app, CheckOptions& o) {
+  CLI::App* check =
+      app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
+  check->group("Commands");
+  check->add_option("files", o.files, "program files")->type_name("FILE")->required();
+  add_machine(*check, o.machine, o.dialect, Patterns::run);
+  repeated(
+      check->add_option("--library", o.libraries, "folder of further programs; may be repeated"))
+      ->type_name("FOLDER");
+  repeated(check->add_option("--param", o.parameters,
+                             "changes a parameter of the control: DPI=1; may be repeated"))
+      ->type_name("KEY=VALUE");
+  add_budget(*check, o.max_seconds, o.max_motions);
+  check->add_option("--jobs", o.jobs, "files checked at the same time; default one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 256U));
+  check->add_option("--format", o.format, "text, json, sarif or junit; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json", "sarif", "junit"}));
+}
+
+CLI::App* add_pattern_action(CLI::App& pattern, PatternOptions& o, PatternOptions::Action action,
+                             const char* name, const char* what) {
+  CLI::App* app = pattern.add_subcommand(name, what);
+  app->group("Commands");
+  app->callback([&o, action] { o.action = action; });
+  app->add_option("file", o.file, "pattern file; - is standard input")
+      ->type_name("FILE")
+      ->required();
+  app->add_option("--byte-order", o.byte_order, "of the counts of fast records")
+      ->type_name("ORDER")
+      ->check(CLI::IsMember({"big", "little"}));
+  add_diagnostics(*app, o.diagnostics);
+  return app;
+}
+
+void add_lenient(CLI::App& app, PatternOptions& o) {
+  app.add_flag("--lenient", o.lenient, "does not look at the axis bits of triplets");
+}
+
+void add_replay(CLI::App& pattern, PatternOptions& o) {
+  CLI::App* replay = add_pattern_action(pattern, o, PatternOptions::Action::replay, "replay",
+                                        "runs a pattern on the machine and prints a summary");
+  add_lenient(*replay, o);
+  replay->option_defaults()->group("Machine");
+  replay
+      ->add_option("--machine", o.machine,
+                   "machine file or built-in machine, arm4 or cartesian-step; default arm4")
+      ->type_name("NAME|FILE.toml");
+  repeated(replay->add_option("--machine-set", o.machine_keys,
+                              "changes a key of the machine: drive.split=integer; may be repeated"))
+      ->type_name("KEY=VALUE");
+  replay->add_flag("--return-to-start", o.return_to_start,
+                   "goes on with the records that bring every counter to 0, also behind an alarm");
+  replay->option_defaults()->group("Limits");
+  add_budget(*replay, o.max_seconds, o.max_motions);
+  replay->option_defaults()->group("Outputs (- is standard output)");
+  const auto file = [&](const char* name, std::string& path, const char* what) {
+    replay->add_option(name, path, what)->type_name("FILE");
+  };
+  file("--output", o.output, "the records that were run, as a pattern");
+  file("--summary", o.summary, "summary as JSON");
+  file("--motion", o.motion, "motions of the tip as JSON Lines");
+  file("--points", o.points, "where the axes are at every period of the servo, as CSV");
+  file("--pulses", o.pulses, "step pulses of the motors: .csv or .vcd");
+  file("--pwm", o.pwm, "pulses of a laser, which a pattern never switches on, as CSV");
+  file("--rows", o.rows, "moves as rows of feature recognition, as CSV");
+  file("--post", o.post, "the path of the tip as plain G-code without macros");
+  file("--plot", o.plot, "picture of the path: .svg or .png");
+  replay->add_flag(
+      "--keep-partial", o.keep_partial,
+      "writes --output, --post and --pulses also when the replay does not reach its end");
+}
+
+void add_pattern(CLI::App& app, PatternOptions& o) {
+  using Action = PatternOptions::Action;
+  CLI::App* pattern =
+      app.add_subcommand("pattern", "reads, writes and runs patterns of the engraving arm");
+  pattern->group("Commands")->require_subcommand(1);
+  pattern->get_formatter()->label("SUBCOMMAND", "COMMAND");
+  CLI::App* decode = add_pattern_action(*pattern, o, Action::decode, "decode",
+                                        "prints the records of a pattern, a line each");
+  add_lenient(*decode, o);
+  decode->add_option("--output", o.output, "the listing; default standard output")
+      ->type_name("FILE");
+  CLI::App* encode = add_pattern_action(*pattern, o, Action::encode, "encode",
+                                        "makes a pattern of such a listing");
+  encode->add_option("--output", o.output, "the pattern; - is standard output")
+      ->type_name("FILE")
+      ->required();
+  add_replay(*pattern, o);
+}
+
+void add_serve(CLI::App& app, ServeOptions& o) {
+  CLI::App* serve = app.add_subcommand("serve", "serves the panel for a browser");
+  serve->group("Commands");
+  serve->add_option("--host", o.host, "address to listen at; default 127.0.0.1, this computer only")
+      ->type_name("ADDRESS");
+  serve->add_option("--port", o.port, "port to listen at; default 8080, 0: any free one")
+      ->type_name("N");
+  CLI::Option* const token =
+      serve
+          ->add_option("--token", o.token,
+                       "what visitors must know, 16 characters or more; needed with any other "
+                       "--host; default $KERF_TOKEN")
+          ->type_name("TEXT");
+  serve->add_option("--token-file", o.token_file, "a file that holds the token")
+      ->type_name("FILE")
+      ->excludes(token);
+  serve
+      ->add_option("--data", o.data,
+                   "folder of programs and machines; default $XDG_DATA_HOME/kerf or "
+                   "~/.local/share/kerf")
+      ->type_name("FOLDER");
+  serve->add_option("--threads", o.threads, "threads that machines run on; default one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 64U));
+  serve->add_flag("--protocol", o.protocol, "prints the protocol of the panel, and serves nothing");
+  serve->footer("Example: kerf serve --port 8090");
+}
+
+// CLI11 wants the words in reverse order.
+std::vector<std::string> reversed(std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+}  // namespace
+
+base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
+  CLI::App app(
+      "Kerf runs CNC programs: FANUC G-code with Custom Macro B, laser BASIC, taught points, "
+      "patterns",
+      "kerf");
+  app.require_subcommand(1);
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.set_version_flag("--version", "kerf 0.1.0");
+  RunOptions run_options;
+  TimeOptions time_options;
+  CheckOptions check_options;
+  check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  PatternOptions pattern_options;
+  MachinesOptions machines_options;
+  ServeOptions serve_options;
+  add_run(app, run_options);
+  add_time(app, time_options);
+  add_check(app, check_options);
+  add_pattern(app, pattern_options);
+  add_serve(app, serve_options);
+  app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
+      ->group("Commands")
+      ->add_option("name", machines_options.name, "the machine whose file is printed")
+      ->type_name("NAME");
+  app.add_subcommand("notices", "prints the licences of what others wrote and is part of Kerf")
+      ->group("Commands");
+  app.footer(
+      "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
+      "written, 4 a fault of Kerf, 5 a budget used up.");
+  if (words.empty()) {
+    return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                        "a command is needed: run, time, check, pattern, serve, "
+                                        "machines or notices; `kerf --help` lists them"});
+  }
+  try {
+    app.parse(reversed(words));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      const bool version = error.get_name() == "CallForVersion";
+      return Answer{version ? error.what() + std::string("\n") : app.help()};
+    }
+    return tl::unexpected(
+        base::Failure{base::Failure::Kind::usage,
+                      std::string(error.what()) +
+                          "; `kerf --help` and `kerf COMMAND --help` list what there is"});
+  }
+  if (app.got_subcommand("run")) return run_options;
+  if (app.got_subcommand("time")) return time_options;
+  if (app.got_subcommand("check")) return check_options;
+  if (app.got_subcommand("pattern")) return pattern_options;
+  if (app.got_subcommand("serve")) return serve_options;
+  if (app.got_subcommand("notices")) return Answer{std::string(server::notices().front().text)};
+  return machines_options;
+}
+
+}  // namespace kerf::cli

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "face/cli/exit_status.hpp"
+
+namespace kerf::cli {
+
+enum class DiagnosticFormat : std::uint8_t { text, json };
+
+/// What the options of `kerf run` ask for; paths are empty when not asked for.
+struct RunOptions {
+  std::string program;
+  std::string machine;
+  std::string dialect;
+  std::vector<std::string> libraries;
+  std::vector<std::string> variables;     ///< "#100=5"
+  std::vector<std::string> parameters;    ///< "KEY=VALUE"
+  std::vector<std::string> machine_keys;  ///< "KEY=VALUE"
+  std::string decimal_point;
+  std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
+  std::vector<double> interrupt_at;  ///< s of the run, each >= 0
+  std::string tools;
+  std::string offsets;
+  std::string state;
+  std::string block_skip;
+  bool optional_stop = false;
+  double max_seconds = 60;
+  std::uint64_t max_motions = 50'000'000;
+  bool keep_partial = false;
+  std::string summary;
+  std::string motion;
+  std::string points;
+  std::string pulses;
+  std::string pwm;
+  std::string rows;
+  std::string pattern;
+  std::string pattern_plot;
+  std::string plot;
+  bool plot_speed = false;
+  bool plot_energy = false;
+  std::string dprnt;
+  std::string post;
+  std::string teach;
+  std::string coverage;
+  DiagnosticFormat diagnostics = DiagnosticFormat::text;
+};
+
+/// A run whose time is looked at; outputs are not asked for.
+struct TimeOptions {
+  RunOptions run;
+  std::string format = "text";
+};
+
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::string machine;
+  std::string dialect;
+  std::vector<std::string> libraries;
+  std::vector<std::string> parameters;
+  double max_seconds = 60;  ///< for each file
+  std::uint64_t max_motions = 50'000'000;
+  unsigned jobs = 1;
+  std::string format = "text";
+};
+
+/// Patterns of the engraving arm as bytes, as text and on the machine; paths are empty when not
+/// asked for.
+struct PatternOptions {
+  enum class Action : std::uint8_t { decode, encode, replay };
+
+  Action action = Action::decode;
+  std::string file;
+  std::string output;
+  std::string byte_order;  ///< empty: that of the machine, else high byte first
+  bool lenient = false;
+  DiagnosticFormat diagnostics = DiagnosticFormat::text;
+  // Of a replay
+  std::string machine = "arm4";
+  std::vector<std::string> machine_keys{};  ///< "KEY=VALUE"
+  bool return_to_start = false;
+  double max_seconds = 60;
+  std::uint64_t max_motions = 50'000'000;
+  bool keep_partial = false;
+  std::string summary;
+  std::string motion;
+  std::string points;
+  std::string pulses;
+  std::string pwm;
+  std::string rows;
+  std::string post;
+  std::string plot;
+};
+
+/// The panel in the browser.
+struct ServeOptions {
+  std::string host = "127.0.0.1";
+  std::uint16_t port = 8080;
+  std::string token;
+  std::string token_file;
+  std::string data;       ///< folder; empty: the usual one
+  unsigned threads = 0;   ///< that machines run on; 0: one a processor
+  bool protocol = false;  ///< prints the protocol instead
+};
+
+[[nodiscard]] ExitStatus run(const RunOptions& options);
+[[nodiscard]] ExitStatus time(const TimeOptions& options);
+[[nodiscard]] ExitStatus check(const CheckOptions& options);
+[[nodiscard]] ExitStatus pattern(const PatternOptions& options);
+[[nodiscard]] ExitStatus serve(const ServeOptions& options);
+/// Lists the built-in machines, or prints the file of one.
+[[nodiscard]] ExitStatus machines(const std::string& name);
+
+}  // namespace kerf::cli

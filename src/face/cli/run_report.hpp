@@ -1,0 +1,11 @@
+#pragma once
+
+#include "face/cli/commands.hpp"
+#include "face/cli/machine_setup.hpp"
+
+namespace kerf::cli {
+
+/// What a run has to say besides its results, on standard error: warnings, the alarm, the budget.
+void report_diagnostics(const ReadyMachine& ready, DiagnosticFormat format);
+
+}  // namespace kerf::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string_view>
+
+#include "face/server/hub/hub.hpp"
+
+namespace kerf::server {
+
+/// What serves a command of the table.
+using Handler = void (*)(Hub& hub, const Request& request);
+using Handlers = std::map<std::string_view, Handler>;
+
+[[nodiscard]] const Handlers& hub_handlers();       ///< machines and who is at them
+[[nodiscard]] const Handlers& panel_handlers();     ///< the keys of the panel
+[[nodiscard]] const Handlers& memory_handlers();    ///< variables, offsets, tools, settings
+[[nodiscard]] const Handlers& view_handlers();      ///< what is looked at: instants, speeds, pulses
+[[nodiscard]] const Handlers& library_handlers();   ///< the programs on disk
+[[nodiscard]] const Handlers& training_handlers();  ///< exercises and what a program is worth
+
+/// Null: nothing serves this command.
+[[nodiscard]] Handler find_handler(std::string_view command);
+
+}  // namespace kerf::server

@@ -1,0 +1,145 @@
+#include <cmath>
+
+#include "face/server/hub/handlers.hpp"
+#include "face/server/protocol/state_json.hpp"
+
+namespace kerf::server {
+namespace {
+
+using base::Outcome;
+
+std::optional<std::size_t> level_of(const Arguments& arguments) {
+  if (!arguments.has("level")) return std::nullopt;
+  return static_cast<std::size_t>(arguments.integer("level"));
+}
+
+void variables(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::quick, [body = request.body](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    if (!arguments.has("names"))
+      return variables_json(runner.machine().variables(level_of(arguments)));
+    return variables_json(
+        runner.machine().variables_named(arguments.texts("names"), level_of(arguments)));
+  });
+}
+
+std::optional<double> not_vacant(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
+}
+
+// Where the control has read ahead the run is made again, which may take a while.
+void set_variable(Hub& hub, const Request& request) {
+  const auto before = std::make_shared<double>(std::nan(""));
+  const auto act = [body = request.body, before](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    const std::string name = arguments.text("name");
+    const auto old = runner.machine().variables_named({name}, level_of(arguments));
+    if (!old.rows.empty()) *before = old.rows[0].value;
+    auto set = runner.machine().set_variable(name, not_vacant(arguments.nullable("value")),
+                                             level_of(arguments));
+    if (!set) return tl::unexpected(set.error());
+    return Json::object();
+  };
+  const auto undo = [body = request.body, before](machine::LiveMachine& machine) {
+    const Arguments arguments(*body);
+    static_cast<void>(
+        machine.set_variable(arguments.text("name"), not_vacant(*before), level_of(arguments)));
+  };
+  hub.on_machine_durably(request, {act, undo, {}}, Pace::slow);
+}
+
+// Rows of one work coordinate system, an axis each.
+void add_system(Json& rows, const std::string& name, const base::AxisVector& origin,
+                const motion::AxisSetup& axes) {
+  for (std::size_t i = 0; i < axes.count(); ++i)
+    rows.push_back({{"offset", name},
+                    {"axis", std::string(1, axes.axes[i].letter)},
+                    {"value", origin.values[i]}});
+}
+
+// Of the 300 further systems only those that somebody has set.
+Json offsets_json(const control::Memory& memory, const motion::AxisSetup& axes) {
+  Json rows = Json::array();
+  add_system(rows, "EXT", memory.external, axes);
+  for (std::size_t i = 0; i < memory.work.size(); ++i)
+    add_system(rows, "G" + std::to_string(54 + i), memory.work[i], axes);
+  for (std::size_t i = 0; i < memory.extended.size(); ++i) {
+    if (memory.extended[i] != base::AxisVector{})
+      add_system(rows, "G54.1 P" + std::to_string(i + 1), memory.extended[i], axes);
+  }
+  return rows;
+}
+
+void offsets(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
+    const auto& machine = runner.machine();
+    return Json{{"offsets", offsets_json(machine.memory(), machine.definition().axes)}};
+  });
+}
+
+// The path of the preview is another one now.
+void renew_preview(Hub& hub, const std::string& name) {
+  if (MachineRecord* const machine = hub.find(name)) hub.renew_preview(*machine);
+}
+
+void set_offset(Hub& hub, const Request& request) {
+  const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    auto set = runner.machine().set_offset(arguments.text("offset"), arguments.text("axis"),
+                                           arguments.number("value"));
+    if (!set) return tl::unexpected(set.error());
+    return Json::object();
+  };
+  hub.on_machine_durably(
+      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
+}
+
+void tools(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
+    Json rows = Json::array();
+    const auto table = runner.machine().memory().tools;
+    for (std::size_t i = 1; i < table.size(); ++i) {
+      if (table[i] == control::ToolOffset{}) continue;
+      rows.push_back({{"number", i},
+                      {"length_geometry", table[i].length_geometry},
+                      {"length_wear", table[i].length_wear},
+                      {"radius_geometry", table[i].radius_geometry},
+                      {"radius_wear", table[i].radius_wear}});
+    }
+    return Json{{"tools", std::move(rows)}, {"count", table.empty() ? 0 : table.size() - 1}};
+  });
+}
+
+void set_tool(Hub& hub, const Request& request) {
+  const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
+    const Arguments arguments(*body);
+    const std::string tool = "tool." + std::to_string(arguments.integer("number")) + ".";
+    for (const char* const part :
+         {"length_geometry", "length_wear", "radius_geometry", "radius_wear"}) {
+      if (!arguments.has(part)) continue;
+      auto set = runner.machine().set_offset(tool + part, "", arguments.number(part));
+      if (!set) return tl::unexpected(set.error());
+    }
+    return Json::object();
+  };
+  hub.on_machine_durably(
+      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
+}
+
+void settings(Hub& /*hub*/, const Request& request) {
+  request.reply.yes({{"toml", request.machine->toml}});
+}
+
+}  // namespace
+
+const Handlers& memory_handlers() {
+  static const Handlers handlers = {
+      {"variables", variables}, {"set-variable", set_variable},
+      {"offsets", offsets},     {"set-offset", set_offset},
+      {"tools", tools},         {"set-tool", set_tool},
+      {"settings", settings},
+  };
+  return handlers;
+}
+
+}  // namespace kerf::server

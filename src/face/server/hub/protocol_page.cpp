@@ -1,0 +1,172 @@
+#include "face/server/hub/protocol_page.hpp"
+
+#include <fmt/format.h>
+
+#include "face/server/hub/commands.hpp"
+
+namespace kerf::server {
+namespace {
+
+constexpr std::string_view kPreface =
+    R"md(<!-- Made by `kerf serve --protocol` from src/server/commands.cpp: change that, run this. -->
+
+# The panel's protocol
+
+What a page or another program says to `kerf serve`, and hears from it. Version {version}. Units stand in the keys: mm, degrees,
+seconds, mm/min.
+
+## Frames
+`/ws` is a WebSocket. Its text frames are JSON, its binary frames are chunks of a path.
+
+A command is `{{"id":7,"do":"NAME",…}}`; it is answered by `{{"id":7,"ok":true,…}}` or `{{"id":7,"ok":false,"error":"sentence"}}`.
+A refusal that operators meet has `code` and `values` as well, for who says it in another language: [base/refusals.def](../src/base/refusals.def).
+Answers come when they are ready, not in the order of the commands. `id` may be any number or text; without one it is null.
+
+A command may carry `at_ms`, the time at which it was given, by the clock that `ping` tells: one that has become older
+than {late} s before it is carried out is refused. So nothing moves because a key was pressed long ago and the line was hung.
+
+| who | may send a command |
+| --- | --- |
+| anyone | who is connected |
+| watcher | who has sent `watch` |
+| operator | who operates the machine that he watches: `operate` |
+
+## Limits
+A message has at most {message} bytes, a connection sends at most {rate} commands a second on average and {burst} at once, a server has
+at most {machines} machines. When more than {queue} MiB of answers wait for a client, or he takes nothing for {stalled} s, his
+connection is closed. Who has sent a `ping` and then nothing for {silent} s lets go of the jog
+keys. A client gets at most {states} states a second, the newest each time; chunks and answers are never left out.
+
+## Commands
+| do | who | arguments | what it does, and the answer |
+| --- | --- | --- | --- |
+)md";
+
+constexpr std::string_view kRest = R"md(
+## Events
+`{"event":"NAME",…}`.
+
+`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1"}`, the first of all. `server` is another text each
+time the server begins, `began_ms` when that was, since 1970.
+
+`request-refused`: `{"event":"request-refused","machine"}`, to who has asked to operate it.
+
+`state`: of the machine that is watched. The first has every key, the others only those whose value has changed.
+`{"event":"state","machine","status":"idle|running|held|stopped|step|end|alarm","mode","program","file","line","text","time_s",
+"total_s","run","motion","motions","position":{"machine":{},"work":{},"distance":{}},"joints":{},"modal":["G01",…],
+"feed":{"programmed_mm_min","actual_mm_min"},"spindle":{"speed_rpm","direction","load"},"tool","coolant","power_percent","beam",
+"override":{"feed","rapid","spindle"},"switches":{},"skip":[],"alarm":null|{"code","message","program","file","line","column",
+"length","cause","remedy"},"messages":[],"stack":[{"program","file","line","level"}],"variables_revision","printed",
+"waits_for_input","inputs":[bits,word,word,word],"breakpoint":null|{…},"preview_run","operator":null|"client-1",
+"clients":["client-1",…],
+"people":{"client-1":"Lee"},"request":null|{"client","until_ms"},"fault":null|"sentence",
+"unsaved":null|"sentence"}`. `unsaved`: why the memory cannot be written to the disk; the server goes on trying.
+`inputs` are the signals #1000 to #1015 as bits of one number, and #1033 to #1035 as words of 32 bits.
+`total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
+
+`path`: `{"event":"path","machine","run","done","motions","vertices","time_s","bounds":null|{"min":[x,y,z],"max":[x,y,z]},
+"files":["O1.nc",…],"error":null|{…},"findings":[{…},…],"stop":null|{"motion","time_s"},"cut_short"}`, when the preview of a
+program begins, whenever it has gone further, and when it ends. The preview goes on behind alarms, without their blocks:
+`findings` are all of them, each code once a line, the first one being `error`; `stop` is the last motion that a machine
+would make and the time when it rests behind that. `cut_short`: of what comes behind the stop, not everything was looked at.
+`error` may be a warning, where a preview ends though the machine would go on: BUDGET, or INPUT_WAIT of a program that waits for an
+input signal. `set-input` renews the preview of a program that reads inputs, at most twice a second.
+
+`machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
+
+`definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced.
+
+## Chunks
+A binary frame, little endian:
+
+| bytes | type | what |
+| --- | --- | --- |
+| 0 | 4 bytes | `KPTH` |
+| 4 | u16 | version 1; bit 8 set: with rotary axes |
+| 6 | u16 | source: 0 preview |
+| 8 | u32 | run, as in `path` |
+| 12 | u32 | number of the chunk, from 0 |
+| 16 | u32 | motion of the first segment |
+| 20 | u32 | n: vertices, 2 to 65,536 |
+| 24 | f64 | time base, s |
+
+Then arrays, each padded to 4 bytes: f32 `xyz[3n]` (tool tip, machine coordinates, mm), f32 `time_s[n]` (from the time base on),
+f32 `feed_mm_min[n]` (programmed; of rapids 0), f32 `speed_mm_min[n]` (mean over the segment, as the axes reach it), u32 `motion[n]`
+(from 1, in the order of the run), u32 `line[n]`, u16 `file[n]` (of `files`), u8 `kind[n]` (0 rapid, 1 cut, 2 dwell, 3 thread,
+4 probe), u8 `tool[n]`, u8 `power_percent[n]`, and with rotary axes f32 `rotary[2n]` (the first two, degrees).
+
+Vertex 0 is where the first segment begins, the last vertex of the chunk before; vertex i is the end of segment i. Arcs are cut into
+chords that leave them by at most 0.01 mm.
+
+## HTTP
+`GET /` and what it refers to: the page. `GET /api`: this document. `GET /notices`: licences. `GET /health`. `GET /library/NAME`: a program.
+`PUT /library/NAME`: saves the body as a program of at most 256 MiB; the answer is `{"name","bytes","revision"}`, or 413 with a
+sentence, and then nothing is kept. An `Origin` must be the host that was asked for; without a token that host must be this
+computer. The token is given once as `/?token=…`, which sets a cookie.
+)md";
+
+const char* name_of(Command::Who who) {
+  switch (who) {
+    case Command::Who::anyone: return "anyone";
+    case Command::Who::watcher: return "watcher";
+    case Command::Who::op: return "operator";
+  }
+  return "";
+}
+
+std::string argument_text(const Argument& argument) {
+  std::string text = "`" + std::string(argument.name) + "`";
+  if (argument.need == Argument::Need::optional) text += "?";
+  text += ": " + kind_text(argument);
+  if (!argument.fields.empty()) {
+    text += " with ";
+    for (const Argument& field : argument.fields)
+      text += (&field == &argument.fields.front() ? "" : ", ") + argument_text(field);
+  }
+  if (!argument.note.empty()) text += " (" + std::string(argument.note) + ")";
+  return text;
+}
+
+std::string row_of(const Command& command) {
+  std::string arguments;
+  for (const Argument& argument : command.arguments)
+    arguments += (arguments.empty() ? "" : "<br>") + argument_text(argument);
+  std::string what(command.sentence);
+  if (!command.answer.empty()) what += " Answer: " + std::string(command.answer) + ".";
+  return fmt::format("| `{}` | {} | {} | {} |\n", command.name, name_of(command.who), arguments,
+                     what);
+}
+
+std::string escaped(const std::string& text) {
+  std::string html;
+  for (const char c : text) {
+    if (c == '&')
+      html += "&amp;";
+    else if (c == '<')
+      html += "&lt;";
+    else
+      html += c;
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string protocol_markdown() {
+  std::string text = fmt::format(
+      kPreface, fmt::arg("version", kProtocol), fmt::arg("message", limits::kMessageBytes),
+      fmt::arg("rate", limits::kCommandsPerSecond), fmt::arg("burst", limits::kCommandBurst),
+      fmt::arg("machines", limits::kMachines), fmt::arg("queue", limits::kQueueBytes >> 20U),
+      fmt::arg("stalled", limits::kStalledSeconds), fmt::arg("silent", limits::kSilentSeconds),
+      fmt::arg("late", limits::kLateMs / 1000), fmt::arg("states", limits::kStatesPerSecond));
+  for (const Command& command : commands()) text += row_of(command);
+  return text + std::string(kRest);
+}
+
+std::string protocol_html() {
+  return "<!doctype html><html lang=en><meta charset=utf-8><title>The panel's protocol</title>"
+         "<pre style=\"white-space:pre-wrap;max-width:60rem;margin:2rem auto\">" +
+         escaped(protocol_markdown()) + "</pre></html>\n";
+}
+
+}  // namespace kerf::server

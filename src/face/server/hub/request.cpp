@@ -1,0 +1,46 @@
+#include "face/server/hub/request.hpp"
+
+#include "output/writing/diagnostic_text.hpp"
+
+namespace kerf::server {
+namespace {
+
+std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void Reply::no(const std::string& sentence) const {
+  no(base::Failure{base::Failure::Kind::usage, sentence});
+}
+
+void Reply::no(const base::Failure& failure) const { send(refusal(failure)); }
+
+// With its code and values, where it has them.
+std::string Reply::refusal(const base::Failure& failure) const {
+  Json answer = {{"id", id_}, {"ok", false}, {"error", output::printable(failure.message)}};
+  if (!failure.code.empty()) {
+    Json values = Json::object();
+    for (const auto& [name, text] : failure.values) values[name] = output::printable(text);
+    answer["code"] = failure.code;
+    answer["values"] = std::move(values);
+  }
+  return dumped(answer);
+}
+
+std::string Reply::text_of(const base::Outcome<Json>& outcome) const {
+  if (!outcome) return refusal(outcome.error());
+  Json answer = {{"id", id_}, {"ok", true}};
+  answer.update(*outcome);
+  std::string text = dumped(answer);
+  if (text.size() <= limits::kAnswerBytes) return text;
+  return refusal(base::refuse(base::Refusal::answer_too_long, {std::to_string(text.size())}));
+}
+
+void Reply::send(std::string text) const {
+  tickets_->clear();
+  if (const auto client = client_.lock()) client->send_text(std::move(text));
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,96 @@
+#include "face/server/hub/handlers.hpp"
+#include "face/server/hub/speed_profile.hpp"
+#include "face/server/protocol/diagnostic_json.hpp"
+#include "face/server/protocol/pattern_text.hpp"
+#include "face/server/protocol/shown_dialect.hpp"
+#include "face/server/protocol/state_json.hpp"
+#include "machine/run/virtual_machine.hpp"
+
+namespace kerf::server {
+namespace {
+
+using base::Outcome;
+
+void instant(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::slow,
+                 [time_s = request.arguments().number("time_s")](Runner& runner) -> Outcome<Json> {
+                   auto& machine = runner.machine();
+                   const auto snapshot = machine.state_at(time_s);
+                   if (!snapshot) return tl::unexpected(snapshot.error());
+                   Json json = state_json(**snapshot, machine.definition());
+                   json.update(variables_json(machine.variables_at_state()));
+                   return json;
+                 });
+}
+
+void speeds(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const SpeedQuestion question{arguments.number("from_s"), arguments.number("to_s"),
+                               static_cast<std::size_t>(arguments.integer("points"))};
+  if (question.to_s < question.from_s)
+    return request.reply.no("speeds: `to_s` comes before `from_s`");
+  if (!request.machine->preview) return request.reply.no(base::Refusal::no_program);
+  hub.aside(request,
+            [question, chunks = request.machine->preview->chunks()](
+                const base::WorkLimit& limit) -> Outcome<Json> {
+              auto profile = speed_profile(*chunks, question, limit);
+              if (!limit.reached()) return profile;
+              return tl::unexpected(base::refuse(base::Refusal::path_too_long, {}));
+            });
+}
+
+void pulses(Hub& hub, const Request& request) {
+  hub.on_machine(request, Pace::slow,
+                 [seconds = request.arguments().number("seconds")](
+                     Runner& runner) -> Outcome<Json> { return runner.pulses().edges(seconds); });
+}
+
+// What stands in the way of a text shows without running it; the machine is one of its own.
+Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
+                             const std::string& text, const base::WorkLimit& limit) {
+  auto file = base::SourceFile::from_text(name, text);
+  const std::string shown = dialect_shown_by(*file);
+  const std::string& dialect = shown.empty() ? definition.dialect : shown;
+  if (auto known = machine::check_dialect(definition, dialect); !known)
+    return tl::unexpected(known.error());
+  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
+                                  {.pages = {}, .dialect = dialect});
+  machine.load(std::move(file));
+  base::Findings found(limits::kDiagnostics, limit);
+  machine.check(found);
+  Json list = Json::array();
+  for (const base::Diagnostic& each : found.list())
+    list.push_back(diagnostic_json(each, machine.sources()));
+  return Json{{"diagnostics", std::move(list)}, {"more", found.more()}};
+}
+
+void check(Hub& hub, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const MachineRecord* machine = request.machine;
+  if (arguments.has("machine")) {
+    machine = hub.find(arguments.text("machine"));
+    if (machine == nullptr)
+      return request.reply.no("there is no machine " + arguments.text("machine"));
+  }
+  const auto definition =
+      machine != nullptr
+          ? Outcome<machine::MachineDefinition>(machine->definition)
+          : machine::find_machine(is_pattern(arguments.text("name")) ? "arm4" : "mill3");
+  if (!definition) return request.reply.no(definition.error().message);
+  hub.aside(request,
+            [definition = *definition,
+             body = request.body](const base::WorkLimit& limit) -> Outcome<Json> {
+              const Arguments asked(*body);
+              return diagnostics_of(definition, asked.text("name"), asked.text("text"), limit);
+            });
+}
+
+}  // namespace
+
+const Handlers& view_handlers() {
+  static const Handlers handlers = {
+      {"instant", instant}, {"speeds", speeds}, {"pulses", pulses}, {"check", check}};
+  return handlers;
+}
+
+}  // namespace kerf::server

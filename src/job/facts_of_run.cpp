@@ -1,0 +1,101 @@
+#include "job/facts_of_run.hpp"
+
+#include "output/writing/diagnostic_text.hpp"
+#include "output/writing/drive_alarm.hpp"
+#include "output/writing/title.hpp"
+
+namespace kerf::job {
+namespace {
+
+using machine::VirtualMachine;
+using output::RunFacts;
+
+RunFacts::Status status_of(VirtualMachine::Status status) {
+  switch (status) {
+    case VirtualMachine::Status::idle: return RunFacts::Status::idle;
+    case VirtualMachine::Status::running:
+    case VirtualMachine::Status::stopped: return RunFacts::Status::stopped;
+    case VirtualMachine::Status::end: return RunFacts::Status::end;
+    case VirtualMachine::Status::alarm: return RunFacts::Status::alarm;
+    case VirtualMachine::Status::budget: return RunFacts::Status::budget;
+  }
+  return RunFacts::Status::idle;
+}
+
+std::string main_file(const VirtualMachine& machine) {
+  const base::FileId first{0};
+  return machine.sources().contains(first) ? machine.sources()[first].name() : std::string();
+}
+
+RunFacts::Alarm alarm_facts(const base::Diagnostic& alarm, const base::SourceSet& sources) {
+  return {.number = alarm.number,
+          .message = alarm.message,
+          .file = output::file_name(alarm, sources),
+          .program = alarm.program,
+          .line = alarm.place.line,
+          .column = alarm.place.column};
+}
+
+std::vector<RunFacts::Axis> axes_of(const VirtualMachine& machine) {
+  const motion::AxisSetup& axes = machine.definition().axes;
+  const base::AxisVector at = machine.position();
+  const base::AxisVector work = at - machine.control().work_origin();
+  std::vector<RunFacts::Axis> list;
+  for (std::size_t i = 0; i < axes.count(); ++i) {
+    list.push_back({.letter = axes.axes[i].letter,
+                    .low = machine.statistics().low().values[i],
+                    .high = machine.statistics().high().values[i],
+                    .work = work.values[i],
+                    .machine = at.values[i]});
+  }
+  return list;
+}
+
+std::vector<control::Assumption> assumed_by(const VirtualMachine& machine) {
+  std::vector<control::Assumption> list = machine.control().assumptions().list();
+  if (const std::uint32_t line = machine.statistics().untimed_line(); line != 0) {
+    list.push_back({line, "feed per revolution without a spindle speed: its time is not counted"});
+  }
+  return list;
+}
+
+}  // namespace
+
+RunFacts facts_of(VirtualMachine& machine) {
+  RunFacts facts;
+  facts.program = machine.program_name();
+  facts.title = title_of(machine);
+  facts.file = main_file(machine);
+  facts.machine = machine.definition().name;
+  facts.dialect = machine.dialect();
+  facts.status = status_of(machine.status());
+  if (machine.alarm()) facts.alarm = alarm_facts(*machine.alarm(), machine.sources());
+  facts.blocks = machine.control().blocks();
+  const machine::RunStatistics& run = machine.statistics();
+  facts.motions = run.motions();
+  facts.time_s = machine.time_s();
+  facts.feed_s = run.feed_seconds();
+  facts.dwell_s = run.dwell_seconds();
+  facts.rapid_mm = run.rapid_mm();
+  facts.cut_mm = run.cut_mm();
+  facts.axes = axes_of(machine);
+  facts.tools = run.tools();
+  facts.messages = run.messages();
+  facts.parts = machine.memory().parts;
+  facts.assumed = assumed_by(machine);
+  for (const machine::Variable& variable : machine.variables())
+    facts.variables.emplace_back(variable.name, variable.value);
+  return facts;
+}
+
+std::string title_of(const VirtualMachine& machine) {
+  return output::program_title(machine.program_name(), main_file(machine));
+}
+
+output::DriveFault alarm_of(VirtualMachine& machine) {
+  return [&machine](const base::Diagnostic& alarm, const motion::Mark& mark) {
+    machine.raise(output::at_mark(alarm, mark, machine.sources()));
+  };
+}
+
+}  // namespace kerf::job

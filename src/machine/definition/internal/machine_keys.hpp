@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "machine/definition/machine_definition.hpp"
+#include "machine/definition/internal/takes.hpp"
+
+namespace kerf::machine {
+
+/// A key that takes a number or a word, and what it changes in its owner.
+template <typename Owner>
+struct Key {
+  std::string_view table;
+  std::string_view name;
+  Takes takes;
+  void (*assign)(Owner&, double);
+  bool (*belongs_to)(kinematics::Kind) = [](kinematics::Kind) { return true; };
+};
+using MachineKey = Key<MachineDefinition>;
+using AxisKey = Key<DrivenAxis>;
+
+/// Null when there is no such key. Those of tables that hold more than such keys (the names of
+/// axes, the type of the kinematics) are not among them.
+[[nodiscard]] const MachineKey* find_machine_key(std::string_view table, std::string_view name);
+[[nodiscard]] const AxisKey* find_axis_key(std::string_view name);
+
+/// What is wrong with keys that must fit each other, a sentence, or nothing.
+[[nodiscard]] std::string drive_objection(const DriveSettings& drive);
+
+/// For a sentence: "a machine of the type arm".
+[[nodiscard]] std::string type_in_words(const MachineDefinition& machine);
+
+}  // namespace kerf::machine

@@ -1,0 +1,233 @@
+#include "machine/definition/internal/machine_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "kinematics/make.hpp"
+#include "machine/definition/internal/program_axes.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr std::array<std::string_view, 10> kTables = {
+    "name",       "description", "dialect", "axis",         "tip",
+    "kinematics", "pattern",     "drive",   "interpolator", "control"};
+constexpr std::array<std::string_view, 5> kTablesOfKeys = {"kinematics", "tip", "interpolator",
+                                                           "drive", "pattern"};
+constexpr std::array<std::string_view, 3> kJointNames = {"T1", "T2", "T3"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_letter(std::string_view name) {
+  return name.size() == 1 && std::string_view("XYZABCUVW").find(name) != std::string_view::npos;
+}
+
+std::string text_of(const toml::node& node) {
+  if (const auto text = node.value<std::string>()) return *text;
+  if (const auto flag = node.as_boolean()) return flag->get() ? "1" : "0";
+  if (const auto number = node.value<double>()) return base::number_text(*number);
+  return {};
+}
+
+std::optional<double> value_of(const Takes& takes, const toml::node& node) {
+  switch (takes.form) {
+    case Takes::Form::word: return value_of(takes, std::string_view(text_of(node)));
+    case Takes::Form::flag:
+      if (!node.is_boolean()) return {};
+      return node.as_boolean()->get() ? 1 : 0;
+    case Takes::Form::number:
+    case Takes::Form::whole_number: break;
+  }
+  const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+  return number && admits(takes, *number) ? number : std::nullopt;
+}
+
+}  // namespace
+
+tl::unexpected<base::Failure> MachineReader::wrong(const toml::node* node,
+                                                   const std::string& what) const {
+  std::string where = source_;
+  if (node != nullptr) where += ":" + std::to_string(node->source().begin.line);
+  return tl::unexpected(base::Failure{base::Failure::Kind::input, where + ": " + what});
+}
+
+base::Outcome<MachineDefinition> MachineReader::read() {
+  using Step = Outcome (MachineReader::*)();
+  constexpr std::array<Step, 6> kSteps = {&MachineReader::read_head, &MachineReader::read_linkage,
+                                          &MachineReader::read_axes, &MachineReader::read_tables,
+                                          &MachineReader::finish,    &MachineReader::read_control};
+  for (const Step step : kSteps) {
+    if (auto done = (this->*step)(); !done) return tl::unexpected(done.error());
+  }
+  return std::move(machine_);
+}
+
+MachineReader::Outcome MachineReader::read_head() {
+  for (const auto& [key, node] : file_) {
+    if (!is_one_of(key.str(), kTables))
+      return wrong(&node, "a machine has no key " + std::string(key.str()));
+  }
+  machine_.name = file_["name"].value_or(std::string());
+  if (machine_.name.empty()) return wrong(nullptr, "a machine needs a name");
+  machine_.description = file_["description"].value_or(std::string());
+  machine_.dialect = kDialects[0];
+  const toml::node* const dialect = file_.get("dialect");
+  if (dialect == nullptr) return {};
+  const auto word = dialect->value<std::string>();
+  if (!word || !is_one_of(*word, kDialects))
+    return wrong(dialect, "there is no dialect " + word.value_or("of this kind"));
+  machine_.dialect = *word;
+  return {};
+}
+
+// The type comes first: it says which names axes may have, and which keys there are.
+MachineReader::Outcome MachineReader::read_linkage() {
+  const toml::table* const table = file_["kinematics"].as_table();
+  const toml::node* const type = table != nullptr ? table->get("type") : nullptr;
+  if (type == nullptr) return {};
+  const auto word = type->value<std::string>();
+  const auto kind = word ? kinematics::kind_named(*word) : std::nullopt;
+  if (!kind) return wrong(type, "there is no kinematics " + word.value_or("of this type"));
+  machine_.linkage = *word;
+  machine_.kinematics.kind = *kind;
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_axes() {
+  const toml::array* const axes = file_["axis"].as_array();
+  if (axes == nullptr || axes->empty() || axes->size() > base::kMaxAxes) {
+    return wrong(file_.get("axis"),
+                 "a machine has 1 to " + std::to_string(base::kMaxAxes) + " [[axis]] tables");
+  }
+  for (const toml::node& node : *axes) {
+    if (!node.is_table()) return wrong(&node, "axis must be a table");
+    if (auto r = read_axis(*node.as_table()); !r) return r;
+  }
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_axis(const toml::table& table) {
+  DrivenAxis axis;
+  if (auto r = read_name(table, axis); !r) return r;
+  for (const auto& [key, node] : table) {
+    if (auto r = read_axis_item(std::string(key.str()), node, axis); !r) return r;
+  }
+  if (table.get("velocity") == nullptr) return wrong(&table, "an axis needs its velocity");
+  machine_.driven.push_back(std::move(axis));
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_name(const toml::table& table, DrivenAxis& axis) const {
+  axis.name = table["name"].value_or(std::string());
+  const bool joint = has_own_tip(machine_.kinematics.kind) && is_one_of(axis.name, kJointNames);
+  if (!is_letter(axis.name) && !joint) {
+    return wrong(&table,
+                 "an axis needs a name: one of X Y Z A B C U V W, or on linkages of the "
+                 "type arm or x-theta-z one of T1 T2 T3");
+  }
+  for (const DrivenAxis& other : machine_.driven) {
+    if (other.name == axis.name) return wrong(&table, "axis " + axis.name + " stands twice");
+  }
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_axis_item(const std::string& key, const toml::node& node,
+                                                     DrivenAxis& axis) const {
+  if (key == "name") return {};
+  if (key == "rotary") return read_rotary(node, axis);
+  if (key == "travel") return read_travel(node, axis);
+  if (key == "reference") return read_numbers(node, key, axis.reference);
+  const AxisKey* const known = find_axis_key(key);
+  if (known == nullptr) return wrong(&node, "an axis has no key " + key);
+  return read_value(*known, node, axis);
+}
+
+MachineReader::Outcome MachineReader::read_rotary(const toml::node& node, DrivenAxis& axis) const {
+  if (!node.is_boolean()) return wrong(&node, "rotary must be true or false");
+  axis.rotary = node.as_boolean()->get();
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_travel(const toml::node& node, DrivenAxis& axis) const {
+  std::array<double, 2> travel{};
+  if (auto r = read_numbers(node, "travel", travel); !r) return r;
+  if (!(travel[0] < travel[1])) return wrong(&node, "travel takes its lower end first");
+  axis.travel_low = travel[0];
+  axis.travel_high = travel[1];
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_numbers(const toml::node& node, const std::string& key,
+                                                   std::span<double> into) const {
+  const std::string expected = key + " takes " + std::to_string(into.size()) + " numbers";
+  const toml::array* const list = node.as_array();
+  if (list == nullptr || list->size() != into.size()) return wrong(&node, expected);
+  for (std::size_t i = 0; i < into.size(); ++i) {
+    const auto value = value_of(any_number(), (*list)[i]);
+    if (!value) return wrong(&node, expected);
+    into[i] = *value;
+  }
+  return {};
+}
+
+template <typename Owner>
+MachineReader::Outcome MachineReader::read_value(const Key<Owner>& key, const toml::node& node,
+                                                 Owner& owner) const {
+  const auto value = value_of(key.takes, node);
+  if (!value) return wrong(&node, std::string(key.name) + " must be " + in_words(key.takes));
+  key.assign(owner, *value);
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_tables() {
+  for (const std::string_view name : kTablesOfKeys) {
+    const toml::node* const node = file_.get(name);
+    if (node == nullptr) continue;
+    if (!node->is_table()) return wrong(node, std::string(name) + " must be a table");
+    for (const auto& [key, item] : *node->as_table()) {
+      if (auto r = read_item(name, std::string(key.str()), item); !r) return r;
+    }
+  }
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_item(std::string_view table, const std::string& key,
+                                                const toml::node& node) {
+  if (table == "kinematics" && key == "type") return {};
+  const MachineKey* const known = find_machine_key(table, key);
+  const std::string name = std::string(table) + "." + key;
+  if (known == nullptr) return wrong(&node, "there is no key " + name);
+  if (!known->belongs_to(machine_.kinematics.kind))
+    return wrong(&node, type_in_words(machine_) + " has no key " + name);
+  return read_value(*known, node, machine_);
+}
+
+MachineReader::Outcome MachineReader::finish() {
+  if (const std::string text = drive_objection(machine_.drive); !text.empty())
+    return wrong(file_.get("drive"), text);
+  const std::string text = complete(machine_);
+  if (text.empty()) return {};
+  const toml::node* const linkage = file_.get("kinematics");
+  return wrong(linkage != nullptr ? linkage : file_.get("axis"), text);
+}
+
+// What leaves the travel of a mill or lathe is told by its limit switches; a laser burns its frame.
+MachineReader::Outcome MachineReader::read_control() {
+  machine_.parameters.stroke_check =
+      !machine_.axes.linked && (machine_.drive.laser.fitted() || file_.contains("pattern"));
+  const toml::node* const node = file_.get("control");
+  if (node == nullptr) return {};
+  if (!node->is_table()) return wrong(node, "control must be a table");
+  for (const auto& [key, value] : *node->as_table()) {
+    auto set = machine_.parameters.set(key.str(), text_of(value));
+    if (!set) return wrong(&value, set.error().message);
+  }
+  return {};
+}
+
+}  // namespace kerf::machine

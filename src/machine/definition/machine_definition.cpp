@@ -1,0 +1,129 @@
+#include "machine/definition/machine_definition.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/source_file.hpp"
+#include "kinematics/make.hpp"
+#include "machine/definition/internal/machine_keys.hpp"
+#include "machine/definition/internal/machine_reader.hpp"
+#include "machine/definition/internal/program_axes.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr std::size_t kLargestFile = 1 << 20;
+constexpr double kSecondsPerMinute = 60;
+
+std::string first_line(std::string_view text) {
+  return std::string(text.substr(0, text.find('\n')));
+}
+
+/// "name" and what stands behind its dot; the second is empty without one.
+struct Path {
+  std::string_view head;
+  std::string_view rest;
+};
+Path split_path(std::string_view text) {
+  const std::size_t dot = text.find('.');
+  if (dot == std::string_view::npos) return {text, {}};
+  return {text.substr(0, dot), text.substr(dot + 1)};
+}
+
+/// Why not, or nothing when it is done.
+template <typename Owner>
+std::string change(const Key<Owner>* key, std::string_view text, Owner& owner) {
+  if (key == nullptr) return "there is no such key";
+  const auto value = value_of(key->takes, text);
+  if (!value) return in_words(key->takes) + " is expected";
+  key->assign(owner, *value);
+  return {};
+}
+
+std::string change_axis(MachineDefinition& machine, std::string_view path, std::string_view text) {
+  const Path at = split_path(path);
+  const auto axis = std::find_if(machine.driven.begin(), machine.driven.end(),
+                                 [&](const DrivenAxis& a) { return a.name == at.head; });
+  if (axis == machine.driven.end()) return "the machine has no such axis";
+  return change(find_axis_key(at.rest), text, *axis);
+}
+
+std::string change_any(MachineDefinition& machine, std::string_view path, std::string_view text) {
+  const auto [table, item] = split_path(path);
+  if (table == "axis") return change_axis(machine, item, text);
+  const MachineKey* const key = find_machine_key(table, item);
+  if (key != nullptr && !key->belongs_to(machine.kinematics.kind))
+    return type_in_words(machine) + " has no such key";
+  return change(key, text, machine);
+}
+
+}  // namespace
+
+base::Outcome<MachineDefinition> MachineDefinition::parse(std::string_view text,
+                                                          const std::string& source) {
+  try {
+    const toml::table file = toml::parse(text);
+    return MachineReader(file, source).read();
+  } catch (const toml::parse_error& error) {
+    return tl::unexpected(base::Failure{base::Failure::Kind::input,
+                                        source + ":" + std::to_string(error.source().begin.line) +
+                                            ": " + first_line(error.description())});
+  }
+}
+
+base::Outcome<void> MachineDefinition::set(std::string_view key, std::string_view value) {
+  MachineDefinition changed = *this;
+  std::string objection = change_any(changed, key, value);
+  if (objection.empty()) objection = drive_objection(changed.drive);
+  if (objection.empty()) objection = complete(changed);
+  if (!objection.empty()) {
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage,
+        "--machine-set " + std::string(key) + "=" + std::string(value) + ": " + objection});
+  }
+  *this = std::move(changed);
+  return {};
+}
+
+std::unique_ptr<const kinematics::Kinematics> MachineDefinition::make_kinematics() const {
+  auto made = kinematics::make_kinematics(kinematics);
+  assert(made);
+  return std::move(*made);
+}
+
+planner::AxisLimits MachineDefinition::joint_limits() const {
+  planner::AxisLimits limits;
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    limits.velocity.values[i] = driven[i].velocity_per_min / kSecondsPerMinute;
+    limits.acceleration.values[i] = driven[i].acceleration;
+    limits.jerk.values[i] = driven[i].jerk;
+  }
+  return limits;
+}
+
+std::vector<drive::StepAxis> MachineDefinition::step_axes() const {
+  std::vector<drive::StepAxis> motors;
+  for (const DrivenAxis& axis : driven) {
+    motors.push_back({axis.name, axis.steps_per_unit, axis.most_rate_hz});
+  }
+  return motors;
+}
+
+base::Outcome<MachineDefinition> find_machine(const std::string& name_or_path) {
+  for (const BuiltinMachine& machine : builtin_machines()) {
+    if (machine.name == name_or_path) return MachineDefinition::parse(machine.toml, name_or_path);
+  }
+  if (name_or_path.find('.') == std::string::npos && name_or_path.find('/') == std::string::npos) {
+    std::string names;
+    for (const BuiltinMachine& machine : builtin_machines())
+      names += " " + std::string(machine.name);
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage, "there is no machine " + name_or_path + "; built in:" + names +
+                                        "; a machine file ends in .toml"});
+  }
+  const auto text = base::read_whole(name_or_path, kLargestFile, "a machine file");
+  if (!text) return tl::unexpected(text.error());
+  return MachineDefinition::parse(*text, name_or_path);
+}
+
+}  // namespace kerf::machine

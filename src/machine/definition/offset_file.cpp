@@ -1,0 +1,154 @@
+#include "machine/definition/offset_file.hpp"
+
+#include <toml++/toml.h>
+
+#include <cmath>
+
+#include "base/decimal.hpp"
+
+namespace kerf::machine {
+namespace {
+
+using control::Memory;
+using control::ToolOffset;
+
+struct Wrong {
+  Wrong(const toml::node* node, std::string text)
+      : line(node->source().begin.line), what(std::move(text)) {}
+  std::uint32_t line;  // the document is gone when this is caught
+  std::string what;
+};
+
+double number(const toml::node& node) {
+  const auto value = node.value<double>();
+  if (!value || !std::isfinite(*value)) throw Wrong{&node, "a number is expected"};
+  return *value;
+}
+
+std::size_t offset_number(const toml::node& node, const std::string& text, const Memory& memory) {
+  const auto value = base::read_whole_number(text);
+  if (!value || *value < 1 || *value >= memory.tools.size())
+    throw Wrong{&node, "there is no tool offset " + text};
+  return static_cast<std::size_t>(*value);
+}
+
+base::AxisVector* work_system(const std::string& name, Memory& memory) {
+  if (name == "EXT") return &memory.external;
+  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') {
+    return &memory.work[static_cast<std::size_t>(name[2] - '4')];
+  }
+  if (!name.starts_with("G54.1")) return nullptr;
+  const std::size_t p = name.find_first_of("0123456789", 5);
+  if (p == std::string::npos) return nullptr;
+  const auto n = base::read_whole_number(std::string_view(name).substr(p));
+  const bool marked = name.find_first_not_of(" P", 5) == p;
+  const bool there = n && *n >= 1 && *n <= memory.extended.size();
+  return marked && there ? &memory.extended[static_cast<std::size_t>(*n) - 1] : nullptr;
+}
+
+void read_work(const toml::table& table, const motion::AxisSetup& axes, Memory& memory) {
+  for (const auto& [key, node] : table) {
+    base::AxisVector* const system = work_system(std::string(key.str()), memory);
+    if (system == nullptr || !node.is_table())
+      throw Wrong{&node, "there is no work coordinate system " + std::string(key.str())};
+    for (const auto& [letter, value] : *node.as_table()) {
+      const auto axis = letter.str().size() == 1 ? axes.find(letter.str()[0]) : std::nullopt;
+      if (!axis) throw Wrong{&value, "the machine has no axis " + std::string(letter.str())};
+      (*system)[*axis] = number(value);
+    }
+  }
+}
+
+void read_offset(const toml::table& table, ToolOffset& offset) {
+  for (const auto& [key, value] : table) {
+    if (key.str() == "length_geometry") {
+      offset.length_geometry = number(value);
+    } else if (key.str() == "length_wear") {
+      offset.length_wear = number(value);
+    } else if (key.str() == "radius_geometry") {
+      offset.radius_geometry = number(value);
+    } else if (key.str() == "radius_wear") {
+      offset.radius_wear = number(value);
+    } else {
+      throw Wrong{&value, "a tool offset has no key " + std::string(key.str())};
+    }
+  }
+}
+
+void read_offset_tables(const toml::table& table, Memory& memory) {
+  for (const auto& [key, node] : table) {
+    if (!node.is_table()) throw Wrong{&node, "a table is expected"};
+    read_offset(*node.as_table(),
+                memory.tools[offset_number(node, std::string(key.str()), memory)]);
+  }
+}
+
+// A tool sets the offsets of its own number. With memory A the one value is the radius when only a
+// diameter is given, else the length.
+void read_tool(const toml::table& table, const control::Parameters& parameters, Memory& memory) {
+  const auto n = table["number"].value<std::int64_t>();
+  if (!n) throw Wrong{&table, "a tool needs its number"};
+  ToolOffset& offset = memory.tools[offset_number(table, std::to_string(*n), memory)];
+  for (const auto& [key, value] : table) {
+    if (key.str() == "number" || key.str() == "name" || key.str() == "corner_radius" ||
+        key.str() == "flutes" || key.str() == "type" || key.str() == "comment") {
+      continue;
+    }
+    if (key.str() == "length") {
+      offset.length_geometry = number(value);
+    } else if (key.str() == "diameter") {
+      offset.radius_geometry = number(value) / 2;
+      if (parameters.offset_memory != 'C' && table.get("length") == nullptr)
+        offset.length_geometry = number(value) / 2;
+    } else {
+      throw Wrong{&value, "a tool has no key " + std::string(key.str())};
+    }
+  }
+}
+
+void read_all(const toml::table& table, const motion::AxisSetup& axes,
+              const control::Parameters& parameters, Memory& memory) {
+  for (const auto& [key, node] : table) {
+    if (key.str() == "work" && node.is_table()) {
+      read_work(*node.as_table(), axes, memory);
+    } else if (key.str() == "tool" && node.is_array_of_tables()) {
+      for (const toml::node& tool : *node.as_array())
+        read_tool(*tool.as_table(), parameters, memory);
+    } else if ((key.str() == "tool" || key.str() == "tool_offset") && node.is_table()) {
+      read_offset_tables(*node.as_table(), memory);
+    } else {
+      throw Wrong{&node, "there is no table " + std::string(key.str())};
+    }
+  }
+}
+
+}  // namespace
+
+bool looks_like_toml(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos &&
+         (text[first] == '[' || text[first] == '#' || text.find(" = ") != std::string::npos) &&
+         text.find('[') != std::string::npos;
+}
+
+base::Outcome<void> read_offsets(const std::string& text, const std::string& source,
+                                 const motion::AxisSetup& axes,
+                                 const control::Parameters& parameters, Memory& memory) {
+  const auto failure = [&](std::uint32_t line, const std::string& what) {
+    return tl::unexpected(base::Failure{base::Failure::Kind::input,
+                                        source + ":" + std::to_string(line) + ": " + what});
+  };
+  Memory read = memory;
+  try {
+    const toml::table table = toml::parse(text);
+    read_all(table, axes, parameters, read);
+  } catch (const toml::parse_error& error) {
+    return failure(error.source().begin.line, std::string(error.description()));
+  } catch (const Wrong& wrong) {
+    return failure(wrong.line, wrong.what);
+  }
+  memory = read;
+  return {};
+}
+
+}  // namespace kerf::machine

@@ -1,0 +1,92 @@
+#include "machine/dialect/pattern_motors.hpp"
+
+#include <cmath>
+
+#include "base/decimal.hpp"
+#include "math/math.hpp"
+
+namespace kerf::machine {
+namespace {
+
+using base::AxisVector;
+
+constexpr double kNanoseconds = 1e9;
+constexpr double kSecondsPerMinute = 60;
+
+AxisVector tidied(AxisVector v) {
+  for (double& value : v.values) value = base::tidy(value);
+  return v;
+}
+
+}  // namespace
+
+PatternStand stand_after(const PatternMachine& machine,
+                         const std::array<double, drive::kArmAxes>& counts) {
+  const AxisVector joints = tidied(machine.joints_at(counts));
+  return {joints, tidied(machine.kinematics().forward(joints))};
+}
+
+PatternMotors::PatternMotors(const PatternMachine& machine, drive::PulseSink& pulses,
+                             const drive::ArmCounts& from)
+    : machine_(&machine),
+      drive_(machine.definition().drive.arm, pulses),
+      tip_(tidied(machine.tip_at(from))) {
+  drive_.set_counters(from);
+}
+
+std::int64_t PatternMotors::nanoseconds(std::int64_t ticks) const {
+  return machine_->definition().drive.arm.clock.nanoseconds(ticks);
+}
+
+double PatternMotors::time_s() const { return static_cast<double>(time_ns()) / kNanoseconds; }
+
+base::Result<void> PatternMotors::make(const drive::PatternRecord& record) {
+  const std::int64_t begin = drive_.now_ticks();
+  auto made = std::visit([this](const auto& r) { return make_moves(r); }, record);
+  if (!made) return made;
+  const AxisVector to = tidied(machine_->tip_at(drive_.counters()));
+  const AxisVector way = to - tip_;
+  tip_ = to;
+  motion_.reset();
+  if (way == AxisVector{}) return {};
+  motion_.emplace();
+  if (std::holds_alternative<drive::FastRecord>(record)) {
+    motion_->action = motion::Rapid{to, false};
+    return {};
+  }
+  const double mm = math::hypot(way[machine_->x()], way[machine_->y()]);
+  const double ns = static_cast<double>(nanoseconds(drive_.now_ticks() - begin));
+  const double minutes = ns / kNanoseconds / kSecondsPerMinute;
+  const double length = mm > 0 ? mm : std::fabs(way[machine_->c()]);
+  motion_->action = motion::Line{to, {length / minutes, motion::FeedMode::per_minute}};
+  return {};
+}
+
+base::Result<void> PatternMotors::make_moves(const drive::FastRecord& record) {
+  drive_.fast(record.move());
+  return {};
+}
+
+base::Result<void> PatternMotors::make_moves(const drive::Triplet& triplet) {
+  const drive::SlowMove move = triplet.move();
+  return drive_.slow(move, machine_->half_period_ticks(drive_.counters(), move));
+}
+
+double PatternMotors::joint_at(std::size_t joint) const {
+  return machine_->joints_at(drive_.counters()).values[joint];
+}
+
+bool PatternMotors::is_beyond_travel(std::size_t joint) const {
+  const DrivenAxis& axis = machine_->definition().driven[joint];
+  const double at = joint_at(joint);
+  return at < axis.travel_low || at > axis.travel_high;
+}
+
+std::string PatternMotors::words_beyond_travel(std::size_t joint) const {
+  const DrivenAxis& axis = machine_->definition().driven[joint];
+  return axis.name + " goes to " + base::number_text(base::tidy(joint_at(joint))) +
+         ", beyond its travel of " + base::number_text(axis.travel_low) + " to " +
+         base::number_text(axis.travel_high);
+}
+
+}  // namespace kerf::machine

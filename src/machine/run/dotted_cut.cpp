@@ -1,0 +1,38 @@
+#include "machine/run/dotted_cut.hpp"
+
+#include <fmt/format.h>
+
+#include "base/program_name.hpp"
+
+namespace kerf::machine {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a feed that was converted on the way
+
+}  // namespace
+
+void DottedCut::take(const motion::Motion& motion) {
+  if (!laser_.fitted() || warning_) return;
+  if (const auto* const power = std::get_if<motion::Power>(&motion.action))
+    percent_ = power->beam_percent();
+  if (!(percent_ > 0) || !(percent_ < 100)) return;
+  std::visit(
+      [&](const auto& action) {
+        if constexpr (requires { action.feed.mode; }) look_at(motion, action.feed);
+      },
+      motion.action);
+}
+
+void DottedCut::look_at(const motion::Motion& motion, const motion::Feed& feed) {
+  if (feed.mode != motion::FeedMode::per_minute) return;
+  const double pitch_mm = feed.value / 60 / laser_.pwm_frequency_hz;
+  if (!(pitch_mm > laser_.spot_mm * (1 + kRounding))) return;
+  warning_ = base::make_error(
+      base::Code::dotted_cut, {.file = motion.file, .line = motion.line, .column = 1},
+      fmt::format("{:.6g} Hz at {:.6g} mm/s: a pulse every {:.6g} mm, the spot has {:.6g} mm",
+                  laser_.pwm_frequency_hz, feed.value / 60, pitch_mm, laser_.spot_mm));
+  warning_->program = base::program_name(static_cast<std::uint32_t>(motion.program));
+  warning_->severity = base::Severity::warning;
+}
+
+}  // namespace kerf::machine

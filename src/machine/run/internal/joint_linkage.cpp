@@ -1,0 +1,25 @@
+#include "machine/run/internal/joint_linkage.hpp"
+
+namespace kerf::machine {
+
+base::AxisVector JointLinkage::joints(const base::AxisVector& tip,
+                                      const base::AxisVector& previous) const {
+  const auto joints = kinematics_.follow(tip, previous);
+  return joints ? *joints : previous;
+}
+
+std::optional<base::PathJet> JointLinkage::along(const base::PathJet& tip,
+                                                 const base::AxisVector& joints) const {
+  const auto jet = kinematics_.along(tip, joints);
+  return jet ? std::optional(*jet) : std::nullopt;
+}
+
+double JointLinkage::tip_way_mm(const base::AxisVector& joints, const base::AxisVector& way) const {
+  return geometry::length(kinematics_.tip_rates(joints, way));
+}
+
+double JointLinkage::swing_mm(const base::AxisVector& joints, const base::AxisVector& rates) const {
+  return kinematics_.swing_bound_mm(joints, rates);
+}
+
+}  // namespace kerf::machine

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "kinematics/kinematics.hpp"
+#include "planner/linkage.hpp"
+
+namespace kerf::machine {
+
+/// What the planner asks of a linkage, answered by the machine's kinematics.
+class JointLinkage : public planner::Linkage {
+ public:
+  /// The kinematics must outlive this.
+  JointLinkage(const kinematics::Kinematics& kinematics, const base::AxisVector& start)
+      : kinematics_(kinematics), start_(start) {}
+
+  [[nodiscard]] std::size_t size() const override { return kinematics_.size(); }
+  [[nodiscard]] base::AxisVector start() const override { return start_; }
+  /// Limits of joints are not looked at: rounded corners may leave them by their tolerance.
+  [[nodiscard]] base::AxisVector joints(const base::AxisVector& tip,
+                                        const base::AxisVector& previous) const override;
+  [[nodiscard]] std::optional<base::PathJet> along(const base::PathJet& tip,
+                                                   const base::AxisVector& joints) const override;
+  [[nodiscard]] double tip_way_mm(const base::AxisVector& joints,
+                                  const base::AxisVector& way) const override;
+  [[nodiscard]] double swing_mm(const base::AxisVector& joints,
+                                const base::AxisVector& rates) const override;
+
+ private:
+  const kinematics::Kinematics& kinematics_;
+  base::AxisVector start_;
+};
+
+}  // namespace kerf::machine

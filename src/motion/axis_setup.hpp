@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "base/axes.hpp"
+
+namespace kerf::motion {
+
+/// What the control knows of one axis.
+struct AxisConfig {
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+  char letter = 'X';
+  bool rotary = false;         ///< degrees instead of millimetres
+  double rapid_per_min = 0;    ///< mm/min or degrees/min, > 0
+  double acceleration = 1000;  ///< mm/s² or degrees/s², > 0
+  double jerk = kNoLimit;      ///< mm/s³ or degrees/s³, > 0
+  double travel_min = 0;       ///< machine coordinates; used when min < max
+  double travel_max = 0;
+  std::array<double, 4> reference{};  ///< 1st to 4th reference point, machine coordinates
+};
+
+/// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
+struct AxisSetup {
+  std::vector<AxisConfig> axes;
+  base::AxisVector start;  ///< where they stand at power-on, machine coordinates
+  bool linked = false;     ///< others move them through a linkage, which not every move suits
+  bool beam = false;       ///< for a spindle there is the beam of a laser
+
+  [[nodiscard]] std::size_t count() const { return axes.size(); }
+  [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }
+  [[nodiscard]] std::optional<base::Axis> find(char letter) const {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (axes[i].letter == letter) return base::Axis{static_cast<std::uint8_t>(i)};
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace kerf::motion

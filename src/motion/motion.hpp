@@ -1,0 +1,210 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "base/axes.hpp"
+#include "base/place.hpp"
+
+namespace kerf::motion {
+
+/// Number of a program: 1 to 99999999; 0 for text without an O number.
+enum class ProgramNumber : std::uint32_t {};
+
+/// Text of bounded length that copies like a number; longer text is cut off.
+class ShortText {
+ public:
+  static constexpr std::size_t kCapacity = 95;
+  ShortText() = default;
+  explicit ShortText(std::string_view text)
+      : size_(static_cast<std::uint8_t>(std::min(text.size(), kCapacity))) {
+    std::copy_n(text.data(), size_, bytes_.data());
+  }
+  [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
+
+ private:
+  std::array<char, kCapacity> bytes_{};
+  std::uint8_t size_ = 0;
+};
+
+/// What F counts.
+enum class FeedMode : std::uint8_t {
+  per_minute,      ///< mm/min (degrees/min when only rotary axes move)
+  per_revolution,  ///< mm per spindle revolution
+  inverse_time     ///< 1/min: the move takes 1/feed minutes
+};
+
+struct Feed {
+  double value = 0;
+  FeedMode mode = FeedMode::per_minute;
+};
+
+/// A plane and the order of its axes: first, second; the normal completes a right-handed frame.
+enum class Plane : std::uint8_t { xy, zx, yz };
+
+/// Seen from the positive end of the plane's normal.
+enum class Direction : std::uint8_t { clockwise, counterclockwise };
+
+// Every target is the tool tip in machine coordinates: all offsets, scaling, mirror image, rotation
+// and cutter compensation applied, tool length left out (units-and-frames.md). mm and degrees.
+
+/// Without cutting, as fast as the axes can.
+struct Rapid {
+  base::AxisVector to;
+  bool linear = true;  ///< else each axis at its own rate: only the end point is promised
+};
+
+/// Straight line at feed.
+struct Line {
+  base::AxisVector to;
+  Feed feed;
+};
+
+/// Circular arc in `plane` about `center`, from where the tool stands to `to`. The radius may
+/// change linearly with the angle within the control's tolerance; axes outside of the plane move
+/// linearly with the angle (helix). An end equal to the start is a full circle.
+struct Arc {
+  base::AxisVector to;
+  std::array<double, 2> center{};  ///< in the order of the plane's axes
+  Feed feed;
+  std::uint16_t turns = 0;  ///< whole circles more than the arc from start to end
+  Plane plane = Plane::xy;
+  Direction direction = Direction::counterclockwise;
+};
+
+/// Arc in space along the circle through the tips of three points, from where the tool stands
+/// through `via` to `to`; all other axes move linearly with the angle from point to point
+/// (SpaceArcPath). A full circle goes through `via` and `second_via`, and `to` is where it starts.
+/// The points carry an arc: whoever makes one has asked geometry::SpaceArc, and commands two lines
+/// instead where the points are `straight`.
+struct SpaceArc {
+  base::AxisVector to;
+  base::AxisVector via;
+  base::AxisVector second_via{};  ///< of a full circle
+  Feed feed;
+  bool full_circle = false;
+};
+
+struct Dwell {
+  double seconds = 0;
+};
+
+/// The tool is in the spindle now.
+struct ToolChange {
+  std::uint32_t tool = 0;
+};
+
+struct Spindle {
+  enum class Turning : std::uint8_t { clockwise, counterclockwise, stopped, oriented };
+  enum class Mode : std::uint8_t { rpm, constant_surface_speed };
+  Turning turning = Turning::stopped;
+  Mode mode = Mode::rpm;
+  double speed = 0;    ///< rpm, or m/min with constant surface speed
+  double max_rpm = 0;  ///< with constant surface speed; 0: no limit
+  /// A cut without a way, where it is the beam of a laser: that goes on where it stands. Only for
+  /// AxisSetup::beam.
+  bool cuts_standing = false;
+};
+
+struct Coolant {
+  enum class State : std::uint8_t { off, mist, flood };
+  State state = State::off;
+};
+
+/// Laser power in percent of full, 0 to 100; the beam has it where it is on.
+struct Power {
+  double percent = 0;
+  bool on = true;  ///< else the power is set, and the beam stays off until the next Power
+  /// `percent` is that of the programmed feed, and where the tip is slower or faster the beam has
+  /// so much less or more of it, at most 100.
+  bool follows_speed = false;
+
+  bool operator==(const Power&) const = default;
+
+  [[nodiscard]] double beam_percent() const { return on ? percent : 0; }
+};
+
+/// Line at feed that a signal may end early; `to` is where it ended.
+struct Probe {
+  base::AxisVector to;
+  Feed feed;
+  bool contact = false;
+};
+
+/// Thread cut from here to `to`, synchronised with the spindle.
+struct Thread {
+  base::AxisVector to;
+  double lead = 0;  ///< mm per revolution along the longer axis
+};
+
+/// M code without a meaning of its own for the control.
+struct AuxiliaryCode {
+  std::uint32_t code = 0;
+};
+
+/// Program stop: M00, M01, #3006. The axes come to rest.
+struct Stop {
+  bool optional = false;
+  bool passed = false;  ///< M01 with its switch off: the program goes on by itself
+};
+
+/// Text for the operator.
+struct Message {
+  ShortText text;
+};
+
+/// End of the program: M02, M30.
+struct End {};
+
+/// How far the machine's axis stands beyond the tip: the tool length in force (G43, G44).
+struct ToolLength {
+  double mm = 0;
+  std::uint32_t offset = 0;  ///< its number, H
+  base::Axis axis{};
+
+  bool operator==(const ToolLength&) const = default;
+};
+
+/// One item of what the machine must do, in the order in which it happens. Plain value: no
+/// pointers, copies bytewise.
+struct Motion {
+  using Action = std::variant<Rapid, Line, Arc, SpaceArc, Dwell, ToolChange, Spindle, Coolant,
+                              Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
+  ProgramNumber program{};
+  std::uint32_t line = 0;  ///< in its file, from 1
+  base::FileId file = base::kNoFile;
+  /// Of a move: the axes come to rest at `to`, because the program says so. Otherwise they may go
+  /// on into the next one.
+  bool exact_stop = false;
+  bool fixed_override = false;  ///< of a move: the operator cannot change its feed
+  ToolLength length{};          ///< of a move; its targets leave it out
+  Action action;
+};
+
+/// Receives motions in order.
+class MotionSink {
+ public:
+  virtual ~MotionSink() = default;
+  virtual void take(const Motion& motion) = 0;
+  /// False while the receiver would rather not be given more: whoever can, pauses. A few motions
+  /// more are always taken.
+  [[nodiscard]] virtual bool ready() const { return true; }
+};
+
+/// The target of a moving action, or nullptr.
+[[nodiscard]] inline const base::AxisVector* target_of(const Motion& motion) {
+  return std::visit(
+      [](const auto& action) -> const base::AxisVector* {
+        if constexpr (requires { action.to; }) {
+          return &action.to;
+        } else {
+          return nullptr;
+        }
+      },
+      motion.action);
+}
+
+}  // namespace kerf::motion

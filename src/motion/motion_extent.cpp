@@ -1,0 +1,76 @@
+#include "motion/motion_extent.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/arc.hpp"
+#include "motion/plane_axes.hpp"
+#include "motion/space_arc_path.hpp"
+
+namespace kerf::motion {
+namespace {
+
+using base::AxisVector;
+using geometry::Vec2;
+using geometry::Vec3;
+
+// The quadrant points that an arc passes.
+void reach_quadrants(const AxisSetup& axes, const AxisVector& at, const Arc& arc,
+                     MotionExtent& extent) {
+  const auto plane = plane_axes(arc.plane, axes);
+  if (!plane) return;
+  const bool clockwise = arc.direction == Direction::clockwise;
+  const Vec2 from = plane->project(at);
+  const Vec2 to = plane->project(arc.to);
+  const Vec2 centre{arc.center[0], arc.center[1]};
+  const double sweep =
+      arc.turns > 0 ? 2 * std::numbers::pi : geometry::sweep_rad(from, to, centre, clockwise);
+  const double radius = std::max(geometry::length(from - centre), geometry::length(to - centre));
+  constexpr Vec2 kQuadrants[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (const Vec2 quadrant : kQuadrants) {
+    const Vec2 point = centre + radius * quadrant;
+    if (point == from || geometry::sweep_rad(from, point, centre, clockwise) > sweep) continue;
+    AxisVector reached = arc.to;
+    reached[plane->first] = point.u;
+    reached[plane->second] = point.v;
+    extent.reach(reached);
+  }
+}
+
+// Where the circle goes farthest along X, Y and Z. The other axes have their extremes at the points
+// given.
+void reach_farthest(const AxisSetup& axes, const SpaceArcPath& path, MotionExtent& extent) {
+  for (const auto& knot : path.knots().subspan(1)) extent.reach(knot.point);
+  constexpr Vec3 kDirections[] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                  {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+  for (const Vec3 direction : kDirections) {
+    const double angle = path.circle().farthest_rad(direction);
+    if (angle <= 0 || angle >= path.circle().sweep_rad()) continue;
+    AxisVector reached = path.at(angle);
+    for (std::size_t i = 0; i < axes.count(); ++i) {
+      if (axes.axes[i].rotary) reached.values[i] = path.knots().back().point.values[i];
+    }
+    extent.reach(reached);
+  }
+}
+
+}  // namespace
+
+void MotionExtent::reach(const AxisVector& point) {
+  for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
+    low.values[i] = std::min(low.values[i], point.values[i]);
+    high.values[i] = std::max(high.values[i], point.values[i]);
+  }
+}
+
+MotionExtent extent_of(const AxisSetup& axes, const AxisVector& from, const Motion& motion) {
+  const AxisVector& to = *target_of(motion);
+  MotionExtent extent{to, to};
+  if (const auto* const arc = std::get_if<Arc>(&motion.action))
+    reach_quadrants(axes, from, *arc, extent);
+  if (const auto* const arc = std::get_if<SpaceArc>(&motion.action))
+    reach_farthest(axes, SpaceArcPath(axes, from, *arc), extent);
+  return extent;
+}
+
+}  // namespace kerf::motion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "machine/definition/machine_definition.hpp"
+#include "motion/axis_setup.hpp"
+#include "motion/motion_extent.hpp"
+#include "output/programs/internal/lost_things.hpp"
+
+namespace kerf::output {
+
+/// What a posted program is, known when all of it is made.
+struct PostFacts {
+  std::string program;  ///< as people call it
+  const machine::MachineDefinition& machine;
+  std::optional<motion::MotionExtent> travel;  ///< nothing: nothing moves
+  bool has_lengths = false;                    ///< tool lengths are in its coordinates
+  const LostThings& lost;
+};
+
+/// Comments for who sends the program to a machine, then the blocks before its first one: units,
+/// planes and modes, and no beam or spindle (M5).
+[[nodiscard]] std::string post_head(const PostFacts& facts);
+
+/// Rapids that bring every axis to `first` from wherever the machine stands: Z alone to `level`,
+/// the other axes there, rotary ones first, then Z to where it begins.
+[[nodiscard]] std::string positioning(const motion::AxisSetup& axes, const base::AxisVector& first,
+                                      double level_mm);
+
+}  // namespace kerf::output

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/output_file.hpp"
+#include "base/scratch_file.hpp"
+#include "geometry/space_arc.hpp"
+#include "machine/definition/machine_definition.hpp"
+#include "motion/motion.hpp"
+#include "motion/motion_extent.hpp"
+#include "motion/plane_axes.hpp"
+#include "output/programs/internal/block_text.hpp"
+#include "output/programs/internal/lost_things.hpp"
+
+namespace kerf::output {
+
+/// Writes the executed path as plain G-code for controllers without macros: no variables, no
+/// cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
+/// G94), arcs with I, J, K, numbers with a point, dwell in seconds. Arcs in space that lie in XY,
+/// ZX or YZ while nothing else moves are arcs as well; others are chords that leave them by at most
+/// kChordTolerance_mm, rounding of the coordinates apart, and so are arcs whose radius changes by
+/// more than kRadiusTolerance_mm. Whole circles more are full circles before their arc.
+///
+/// The machine may stand anywhere when the program begins: nothing turns or burns, and before that
+/// and the first cut every axis is brought to where the path begins, Z first to the highest level
+/// of all rapids (decision 40). Tool lengths are added to the coordinates of their axis, and told:
+/// they are those of the machine's axes, not of the tip. A rapid behind a change of length goes up
+/// before it goes across, and down behind. The head of a linkage has its own length, which is lost.
+///
+/// The beam of a laser is its M3 or M4 with S, and M5 - M4 where the power follows the speed, or
+/// LaserSettings::post_beam says so; S is percent of full power times
+/// LaserSettings::s_of_full_power. It is off in every rapid and at the end. What plain G-code
+/// cannot say - M codes of the machine, messages, that a move probes or cuts a thread, power on a
+/// machine without a laser - is a comment with its source line.
+///
+/// The head tells what is known only behind the last motion: nothing is in the file before
+/// finish().
+class Post : public motion::MotionSink {
+ public:
+  static constexpr double kChordTolerance_mm = 0.001;
+  static constexpr double kRadiusTolerance_mm = 0.0005;
+
+  /// Machine and file must outlive this. `program` as people call it.
+  Post(const machine::MachineDefinition& machine, std::string program, base::OutputFile& file);
+  void take(const motion::Motion& motion) override;
+  /// Writes the file, with an end if the program had none. The last call.
+  void finish();
+  /// How much was only a comment, for people: an indented line, or nothing.
+  [[nodiscard]] std::string remark() const;
+  /// `{"lost":[…]}`: what was only a comment, for the summary.
+  [[nodiscard]] std::string json() const;
+
+ private:
+  void act(const motion::Rapid& rapid);
+  void act(const motion::Line& line);
+  void act(const motion::Arc& arc);
+  void act(const motion::SpaceArc& arc);
+  void act(const motion::Dwell& dwell);
+  void act(const motion::ToolChange& change);
+  void act(const motion::Spindle& spindle);
+  void act(const motion::Coolant& coolant);
+  void act(const motion::Power& power);
+  void act(const motion::Probe& probe);
+  void act(const motion::Thread& thread);
+  void act(const motion::AuxiliaryCode& code);
+  void act(const motion::Stop& stop);
+  void act(const motion::Message& message);
+  void act(const motion::End& end);
+
+  void block(std::string_view text);
+  void comment(const std::string& text);
+  void lose(const std::string& what, const std::string& text);
+  void tell_override(const motion::Motion& motion);
+
+  void move(const motion::Motion& motion);
+  void place(const base::AxisVector& first);
+  void stand();
+  void begin_place();
+  void set_length(const motion::ToolLength& length);
+  [[nodiscard]] base::AxisVector beyond_tip(base::AxisVector tip) const;
+  [[nodiscard]] motion::Motion beyond_tip(const motion::Motion& motion) const;
+  void travel(const base::AxisVector& to);
+
+  void rapid(const base::AxisVector& to);
+  void words(const char* code, const base::AxisVector& to);
+  void feed(double per_minute);
+  void line(const base::AxisVector& to, double per_minute);
+  void straight(const base::AxisVector& to, const motion::Feed& rate);
+  void end_block();
+  [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;
+
+  // Arcs: post_arcs.cpp
+  [[nodiscard]] std::optional<double> flat_rise(const motion::Arc& arc,
+                                                const motion::PlaneAxes& plane) const;
+  void flat_arc(const motion::Arc& arc, const motion::PlaneAxes& plane, double rise);
+  struct Posted;
+  void spiral(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
+  void rest_of_turn(const motion::Arc& arc, const motion::PlaneAxes& plane, double sweep_rad,
+                    double per_minute);
+  void full_circles(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
+  void sweep(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
+  [[nodiscard]] std::optional<motion::Arc> plane_arc(const motion::SpaceArc& arc,
+                                                     const geometry::SpaceArc& circle,
+                                                     motion::Plane plane) const;
+  void select_plane(motion::Plane plane);
+
+  const machine::MachineDefinition& machine_;
+  const motion::AxisSetup& axes_;
+  const machine::LaserSettings& laser_;
+  std::string program_;
+  base::OutputFile& file_;
+  base::ScratchFile body_;  // the blocks behind the head
+  BlockText block_;
+  std::uint32_t source_line_ = 0;
+  LostThings lost_;
+  bool ended_ = false;
+
+  // Where the posted program stands, in its own coordinates.
+  base::AxisVector at_;
+  base::AxisVector tip_;                   // of the run
+  std::optional<base::AxisVector> first_;  // where every axis is brought first
+  bool approaches_ = true;                 // nothing but rapids so far
+  std::optional<std::uint64_t> place_at_;  // byte of the body where that is done
+  double highest_mm_ = -std::numeric_limits<double>::infinity();  // level of the rapids
+  std::optional<motion::MotionExtent> travel_;
+  motion::ToolLength length_;
+  double added_mm_ = 0;      // of it, in the coordinates of its axis
+  std::string told_length_;  // last comment about it
+  bool has_lengths_ = false;
+  std::uint32_t tool_ = 0;
+
+  // What is modal there.
+  std::string modal_;
+  motion::Plane plane_ = motion::Plane::xy;
+  double feed_ = -1;
+  double s_ = -1;  // of the laser
+
+  double speed_rpm_ = 0;
+  std::string turning_;   // the block that switched spindle or beam on; empty: off
+  bool fixed_ = false;    // the last move had a feed without override
+  bool css_ = false;      // G96 is on
+  bool beam_on_ = false;  // also where only a comment can say so
+  bool cuts_ = false;     // a cut or G1 has turned on the beam
+};
+
+}  // namespace kerf::output

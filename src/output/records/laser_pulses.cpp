@@ -1,0 +1,36 @@
+#include "output/records/laser_pulses.hpp"
+
+#include <utility>
+
+#include "base/decimal.hpp"
+
+namespace kerf::output {
+
+LaserPulses::LaserPulses(const machine::LaserSettings& laser, DriveFault fault,
+                         base::OutputFile& file)
+    : laser_(laser), fault_(std::move(fault)), csv_(file) {}
+
+void LaserPulses::start(const motion::AxisPoint& at) { last_ = at.tip; }
+
+void LaserPulses::take(const motion::AxisPoint& point) {
+  const motion::Mark& mark = point.tip.mark;
+  if (point.power_percent != power_percent_) change(base::decimal_of(point.power_percent), mark);
+  power_percent_ = point.power_percent;
+  last_ = point.tip;
+}
+
+void LaserPulses::change(double power_percent, const motion::Mark& mark) {
+  const drive::PulseTrain train{laser_.pwm_frequency_hz, base::tidy(power_percent / 100)};
+  const auto registers = drive::pwm_registers(laser_.timer, train);
+  if (registers) {
+    csv_.take(base::tidy(last_.time_s), mark.line, train, *registers);
+  } else {
+    fault_(registers.error(), mark);
+  }
+}
+
+void LaserPulses::finish() {
+  if (power_percent_ > 0) change(0, last_.mark);
+}
+
+}  // namespace kerf::output

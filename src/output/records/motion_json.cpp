@@ -1,0 +1,210 @@
+#include "output/records/motion_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "base/decimal.hpp"
+#include "base/program_name.hpp"
+#include "geometry/angle.hpp"
+#include "motion/space_arc_path.hpp"
+#include "output/writing/json_object.hpp"
+
+namespace kerf::output {
+namespace {
+
+using namespace motion;
+
+void append_vector(std::string& out, const char* name, geometry::Vec3 vector) {
+  out += name;
+  base::append_number(out, base::tidy(vector.x));
+  out += ',';
+  base::append_number(out, base::tidy(vector.y));
+  out += ',';
+  base::append_number(out, base::tidy(vector.z));
+  out += ']';
+}
+
+void append_member(std::string& out, const char* name, double value) {
+  out += name;
+  base::append_number(out, value);
+}
+
+const char* plane_name(Plane plane) {
+  switch (plane) {
+    case Plane::xy: return "XY";
+    case Plane::zx: return "ZX";
+    case Plane::yz: return "YZ";
+  }
+  return "";
+}
+
+const char* turning_name(Spindle::Turning turning) {
+  switch (turning) {
+    case Spindle::Turning::clockwise: return "cw";
+    case Spindle::Turning::counterclockwise: return "ccw";
+    case Spindle::Turning::stopped: return "stop";
+    case Spindle::Turning::oriented: return "orient";
+  }
+  return "";
+}
+
+const char* coolant_name(Coolant::State state) {
+  switch (state) {
+    case Coolant::State::off: return "off";
+    case Coolant::State::mist: return "mist";
+    case Coolant::State::flood: return "flood";
+  }
+  return "";
+}
+
+const char* feed_mode_name(FeedMode mode) {
+  switch (mode) {
+    case FeedMode::per_minute: return "per-minute";
+    case FeedMode::per_revolution: return "per-revolution";
+    case FeedMode::inverse_time: return "inverse-time";
+  }
+  return "";
+}
+
+}  // namespace
+
+MotionJson::MotionJson(const AxisSetup& axes, const base::SourceSet* sources,
+                       base::OutputFile& file)
+    : axes_(axes), sources_(sources), file_(file), at_(axes.start) {
+  for (const AxisConfig& axis : axes.axes) {
+    keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
+  }
+}
+
+void MotionJson::name_file(base::FileId id) {
+  constexpr base::FileId kMain{0};
+  source_id_ = id;
+  source_.clear();
+  if (id == kMain || sources_ == nullptr || !sources_->contains(id)) return;
+  source_ = ",\"file\":" + quoted((*sources_)[id].name());
+}
+
+void MotionJson::begin(const char* kind, const Motion& motion) {
+  if (motion.program != program_number_) {
+    program_number_ = motion.program;
+    program_ = "\",\"program\":\"" +
+               base::program_name(static_cast<std::uint32_t>(motion.program)) + "\",\"line\":";
+  }
+  line_ = "{\"kind\":\"";
+  line_ += kind;
+  line_ += program_;
+  base::append_integer(line_, motion.line);
+  if (motion.file != source_id_) name_file(motion.file);
+  line_ += source_;
+}
+
+void MotionJson::point(const char* name, const base::AxisVector& at) {
+  line_ += name;
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    line_ += keys_[i];
+    base::append_number(line_, at.values[i]);
+  }
+  line_ += '}';
+}
+
+void MotionJson::feed(const Feed& feed) {
+  append_member(line_, ",\"feed\":", feed.value);
+  line_ += ",\"feed_mode\":\"";
+  line_ += feed_mode_name(feed.mode);
+  line_ += '"';
+}
+
+void MotionJson::space_arc(const SpaceArc& arc) {
+  const geometry::SpaceArc circle = SpaceArcPath(axes_, at_, arc).circle();
+  target(arc.to);
+  point(",\"via\":{", arc.via);
+  if (arc.full_circle) point(",\"second_via\":{", arc.second_via);
+  append_vector(line_, ",\"center\":[", circle.centre());
+  append_vector(line_, ",\"normal\":[", circle.e3());
+  append_member(line_, ",\"sweep_deg\":", base::tidy(geometry::degrees(circle.sweep_rad())));
+  feed(arc.feed);
+}
+
+void MotionJson::take(const Motion& motion) {
+  const auto* const stop = std::get_if<Stop>(&motion.action);
+  if (stop != nullptr && stop->passed) return;
+  write(motion);
+  line_ += "}\n";
+  file_.write(line_);
+  if (const base::AxisVector* const to = target_of(motion)) at_ = *to;
+}
+
+void MotionJson::write(const Motion& motion) {
+  const auto record = [&](const auto& action) {
+    using Action = std::decay_t<decltype(action)>;
+    if constexpr (std::is_same_v<Action, Rapid>) {
+      begin("rapid", motion);
+      target(action.to);
+    } else if constexpr (std::is_same_v<Action, Line>) {
+      begin("line", motion);
+      target(action.to);
+      feed(action.feed);
+    } else if constexpr (std::is_same_v<Action, Arc>) {
+      begin("arc", motion);
+      target(action.to);
+      line_ += ",\"plane\":\"";
+      line_ += plane_name(action.plane);
+      append_member(line_, "\",\"center\":[", action.center[0]);
+      append_member(line_, ",", action.center[1]);
+      line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\""
+                                                        : "],\"direction\":\"ccw\"";
+      line_ += ",\"turns\":";
+      base::append_integer(line_, action.turns);
+      feed(action.feed);
+    } else if constexpr (std::is_same_v<Action, SpaceArc>) {
+      begin("space-arc", motion);
+      space_arc(action);
+    } else if constexpr (std::is_same_v<Action, Dwell>) {
+      begin("dwell", motion);
+      append_member(line_, ",\"seconds\":", action.seconds);
+    } else if constexpr (std::is_same_v<Action, ToolChange>) {
+      begin("tool", motion);
+      line_ += ",\"tool\":";
+      base::append_integer(line_, action.tool);
+    } else if constexpr (std::is_same_v<Action, Spindle>) {
+      begin("spindle", motion);
+      const bool css = action.mode == Spindle::Mode::constant_surface_speed;
+      line_ += std::string(",\"direction\":\"") + turning_name(action.turning) + '"';
+      append_member(line_, ",\"speed\":", action.speed);
+      line_ += css ? ",\"mode\":\"css\"" : ",\"mode\":\"rpm\"";
+      if (css && action.max_rpm > 0) append_member(line_, ",\"max_rpm\":", action.max_rpm);
+    } else if constexpr (std::is_same_v<Action, Coolant>) {
+      begin("coolant", motion);
+      line_ += std::string(",\"state\":\"") + coolant_name(action.state) + '"';
+    } else if constexpr (std::is_same_v<Action, Power>) {
+      begin("power", motion);
+      append_member(line_, ",\"percent\":", action.percent);
+      if (!action.on) line_ += ",\"beam\":false";
+      if (action.follows_speed) line_ += ",\"follows_speed\":true";
+    } else if constexpr (std::is_same_v<Action, Probe>) {
+      begin("probe", motion);
+      target(action.to);
+      feed(action.feed);
+      line_ += action.contact ? ",\"contact\":true" : ",\"contact\":false";
+    } else if constexpr (std::is_same_v<Action, Thread>) {
+      begin("thread", motion);
+      target(action.to);
+      append_member(line_, ",\"lead\":", action.lead);
+    } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
+      begin("mcode", motion);
+      line_ += ",\"code\":";
+      base::append_integer(line_, action.code);
+    } else if constexpr (std::is_same_v<Action, Stop>) {
+      begin("stop", motion);
+      line_ += action.optional ? ",\"optional\":true" : ",\"optional\":false";
+    } else if constexpr (std::is_same_v<Action, Message>) {
+      begin("message", motion);
+      const nlohmann::json text = std::string(action.text.view());
+      line_ += ",\"text\":" + text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    } else {
+      begin("end", motion);
+    }
+  };
+  std::visit(record, motion.action);
+}
+
+}  // namespace kerf::output

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/output_file.hpp"
+#include "base/source_file.hpp"
+#include "motion/axis_setup.hpp"
+#include "motion/motion.hpp"
+
+namespace kerf::output {
+
+/// Writes motions as JSON Lines (docs/command-line.md): one object a line, in order. mm,
+/// degrees, mm/min.
+class MotionJson : public motion::MotionSink {
+ public:
+  /// `sources`: of the motions; those that are not of the first one, the main file, name theirs.
+  /// Null: the motions are of one file. All must outlive this.
+  MotionJson(const motion::AxisSetup& axes, const base::SourceSet* sources, base::OutputFile& file);
+  void take(const motion::Motion& motion) override;
+
+ private:
+  void name_file(base::FileId id);
+  void begin(const char* kind, const motion::Motion& motion);
+  void point(const char* name, const base::AxisVector& at);
+  void target(const base::AxisVector& to) { point(",\"to\":{", to); }
+  void space_arc(const motion::SpaceArc& arc);
+  void feed(const motion::Feed& feed);
+  void write(const motion::Motion& motion);
+
+  const motion::AxisSetup& axes_;
+  const base::SourceSet* sources_;
+  base::OutputFile& file_;
+  base::AxisVector at_;
+  std::vector<std::string> keys_;  // per axis: what stands before its value
+  std::string line_;
+  std::string program_;  // text of the newest program number
+  motion::ProgramNumber program_number_{0xffffffffU};
+  std::string source_;  // text of the newest file's name; none for the main file
+  base::FileId source_id_ = base::kNoFile;
+};
+
+}  // namespace kerf::output

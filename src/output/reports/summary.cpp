@@ -1,0 +1,137 @@
+#include "output/reports/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "base/decimal.hpp"
+#include "output/writing/diagnostic_text.hpp"
+#include "output/writing/json_object.hpp"
+
+namespace kerf::output {
+namespace {
+
+using Status = RunFacts::Status;
+
+const char* status_name(Status status) {
+  switch (status) {
+    case Status::idle: return "idle";
+    case Status::stopped: return "stopped";
+    case Status::end: return "end";
+    case Status::alarm: return "alarm";
+    case Status::budget: return "budget";
+  }
+  return "";
+}
+
+std::string join(const std::vector<std::string>& items) {
+  std::string list = "[";
+  for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
+  return list + "]";
+}
+
+std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
+  if (!alarm) return "null";
+  JsonObject object;
+  object.text("code", alarm->number).text("message", alarm->message).text("file", alarm->file);
+  object.number("line", alarm->line)
+      .number("column", alarm->column)
+      .text("program", alarm->program);
+  return object.done();
+}
+
+std::string axes_json(const RunFacts& run, double RunFacts::Axis::*value) {
+  JsonObject object;
+  for (const RunFacts::Axis& axis : run.axes)
+    object.number(std::string(1, axis.letter), base::tidy(axis.*value));
+  return object.done();
+}
+
+std::string extents_json(const RunFacts& run) {
+  JsonObject object;
+  for (const RunFacts::Axis& axis : run.axes) {
+    object.raw(std::string(1, axis.letter), "[" + base::number_text(base::tidy(axis.low)) + "," +
+                                                base::number_text(base::tidy(axis.high)) + "]");
+  }
+  return object.done();
+}
+
+std::string position_json(const RunFacts& run) {
+  return JsonObject()
+      .raw("work", axes_json(run, &RunFacts::Axis::work))
+      .raw("machine", axes_json(run, &RunFacts::Axis::machine))
+      .done();
+}
+
+std::string assumed_json(const RunFacts& run) {
+  std::vector<std::string> items;
+  for (const control::Assumption& assumption : run.assumed) {
+    items.push_back(
+        JsonObject().number("line", assumption.line).text("what", assumption.what).done());
+  }
+  return join(items);
+}
+
+std::string variables_json(const RunFacts& run) {
+  JsonObject object;
+  for (const auto& [name, value] : run.variables) object.number(name, value);
+  return object.done();
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds);
+  if (whole < 60) return fmt::format("{:.1f} s", seconds);
+  return fmt::format("{}:{:02}:{:02} ({:.1f} s)", whole / 3600, whole / 60 % 60, whole % 60,
+                     seconds);
+}
+
+}  // namespace
+
+std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
+  std::vector<std::string> tools;
+  for (const std::uint32_t tool : run.tools) tools.push_back(std::to_string(tool));
+  std::vector<std::string> messages;
+  for (const std::string& message : run.messages) messages.push_back(quoted(message));
+  JsonObject object;
+  object.text("program", run.program).text("file", run.file);
+  object.text("machine", run.machine)
+      .text("dialect", run.dialect)
+      .text("status", status_name(run.status));
+  object.raw("alarm", alarm_json(run.alarm));
+  object.number("blocks", static_cast<double>(run.blocks))
+      .number("motions", static_cast<double>(run.motions));
+  object.number("time_s", base::tidy(run.time_s))
+      .number("time_feed_s", base::tidy(run.feed_s))
+      .number("dwell_s", base::tidy(run.dwell_s));
+  object.number("rapid_mm", base::tidy(run.rapid_mm)).number("cut_mm", base::tidy(run.cut_mm));
+  object.raw("extents", extents_json(run)).raw("position", position_json(run));
+  object.raw("tools", join(tools)).raw("messages", join(messages)).number("parts", run.parts);
+  if (!outputs.pattern.empty()) object.raw("pattern", outputs.pattern);
+  if (!outputs.post.empty()) object.raw("post", outputs.post);
+  object.raw("assumed", assumed_json(run)).raw("variables", variables_json(run));
+  return object.done() + "\n";
+}
+
+std::string summary_text(const RunFacts& run) {
+  std::string text = fmt::format("{} on {} ({}): {}\n", printable(run.title), run.machine,
+                                 run.dialect, status_name(run.status));
+  text += fmt::format("  {} blocks, {} motions, {}; without acceleration {}\n", run.blocks,
+                      run.motions, duration_text(run.time_s), duration_text(run.feed_s));
+  text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm, run.cut_mm);
+  const char* before = "\n  extents";
+  for (const RunFacts::Axis& axis : run.axes) {
+    if (run.motions == 0) break;
+    text +=
+        fmt::format("{} {} {} to {}", before, axis.letter, base::number_text(base::tidy(axis.low)),
+                    base::number_text(base::tidy(axis.high)));
+    before = ",";
+  }
+  text += "\n";
+  for (const std::string& message : run.messages) text += "  message: " + printable(message) + "\n";
+  for (const control::Assumption& assumption : run.assumed) {
+    text += assumption.line > 0
+                ? fmt::format("  assumed, line {}: {}\n", assumption.line, assumption.what)
+                : fmt::format("  assumed: {}\n", assumption.what);
+  }
+  return text;
+}
+
+}  // namespace kerf::output

@@ -1,0 +1,277 @@
+#include "planner/path_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf::planner {
+namespace {
+
+using base::AxisVector;
+using motion::Motion;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+// Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
+constexpr double kChainShare = 0.25;
+// Length per second: slower than any control moves. It keeps times finite.
+constexpr double kSlowest = 1e-9;
+// A corner takes less than half of a curve, so that something is left between two of them.
+constexpr double kMostOfCurve = 0.49;
+// What one motion may add: a chain's worth of curves with their roundings.
+constexpr std::size_t kPiecesOfMotion = 600;
+constexpr std::size_t kMarksOfMotion = 600;
+
+}  // namespace
+
+PathBuilder::PathBuilder(const motion::AxisSetup& axes, const CellLimits& limits,
+                         const Settings& settings, Path& path, const Linkage* linkage)
+    : axes_(axes),
+      norms_{motion::linear_axes(axes), axes.count()},
+      tolerance_mm_(settings.tolerance_mm),
+      follower_(linkage),
+      corners_(limits, axes.count(), norms_.linear, follower_),
+      chain_(kChainShare * settings.tolerance_mm, axes.count(), norms_.linear, follower_),
+      curves_(axes),
+      path_(path),
+      at_(axes.start) {}
+
+bool PathBuilder::room() const {
+  return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
+}
+
+// Length of the path per second. A feed that cannot be told is no limit.
+double PathBuilder::speed_of(const motion::Feed& feed, double length) const {
+  double speed = 0;
+  switch (feed.mode) {
+    case motion::FeedMode::per_minute: speed = feed.value / 60; break;
+    case motion::FeedMode::inverse_time: speed = length * feed.value / 60; break;
+    case motion::FeedMode::per_revolution:
+      speed = feed.value * speed_rpm_ * spindle_override_ / 60;
+      break;
+  }
+  return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
+}
+
+motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, double speed) const {
+  return {motion.program,
+          motion.line,
+          motion.file,
+          kind,
+          static_cast<float>(power_.beam_percent()),
+          power_.follows_speed,
+          std::isfinite(speed) ? static_cast<float>(speed) : 0,
+          tool_,
+          motions_};
+}
+
+void PathBuilder::take(const Motion& motion) {
+  using namespace motion;
+  ++motions_;
+  if (const auto* const line = std::get_if<Line>(&motion.action)) {
+    add_line(motion, line->to, line->feed);
+  } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
+    add_arc(motion, arc->to, arc->feed);
+  } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
+    add_arc(motion, space_arc->to, space_arc->feed);
+  } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
+    add_rapid(motion, *rapid);
+  } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
+    stop();
+    add_line(motion, probe->to, probe->feed);
+  } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
+    add_line(motion, thread->to, {thread->lead, FeedMode::per_revolution});
+  } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
+    add_dwell(motion, dwell->seconds);
+  } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
+    power_ = *power;
+  } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
+    stop();
+    speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+  } else if (const auto* const change = std::get_if<ToolChange>(&motion.action)) {
+    stop();
+    tool_ = change->tool;
+  } else if (!std::holds_alternative<Message>(motion.action)) {
+    stop();
+  }
+  if (motion.exact_stop) stop();
+}
+
+void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const motion::Feed& feed) {
+  const double linear = norms_.mm(to - at_);
+  const bool rotary_only = linear == 0;
+  const double length = rotary_only ? norms_.degrees(to - at_) : linear;
+  if (length == 0) return;
+  if (rotary_only != rotary_only_) stop();
+  rotary_only_ = rotary_only;
+  if (!chain_.empty() && !chain_.accepts(to, length)) drain_chain(true);
+  if (chain_.empty()) chain_.start(at_);
+  const double speed = speed_of(feed, length);
+  chain_.add(to, length, speed, motion.fixed_override,
+             mark_of(motion, motion::MoveKind::cut, speed));
+  at_ = to;
+  drain_chain(tolerance_mm_ == 0);
+}
+
+// Where one leg of it meets the next only the slowing down of an axis that is done shapes the way.
+void PathBuilder::add_rapid(const Motion& motion, const motion::Rapid& rapid) {
+  stop();
+  rapid_ = true;
+  add_curves(curves_.of(at_, motion), mark_of(motion, motion::MoveKind::rapid), kInfinite, false);
+  at_ = rapid.to;
+  stop();
+  rapid_ = false;
+}
+
+void PathBuilder::add_arc(const Motion& motion, const AxisVector& to, const motion::Feed& feed) {
+  const auto curves = curves_.of(at_, motion);
+  if (curves.empty()) return;
+  if (rotary_only_) stop();
+  rotary_only_ = false;
+  drain_chain(true);
+  double length = 0;
+  for (const motion::Curve& curve : curves) length += curve.length();
+  const double speed = speed_of(feed, length);
+  add_curves(curves, mark_of(motion, motion::MoveKind::cut, speed), speed, motion.fixed_override);
+  at_ = to;
+}
+
+// The mark belongs to the last one.
+void PathBuilder::add_curves(std::span<const motion::Curve> curves,
+                             const motion::Mark& mark_of_last, double speed, bool fixed_override) {
+  for (const motion::Curve& curve : curves) {
+    if (&curve == &curves.back()) mark(curve.length(), mark_of_last);
+    add_curve(curve, speed, fixed_override, false);
+  }
+}
+
+void PathBuilder::add_dwell(const Motion& motion, double seconds) {
+  stop();
+  if (seconds <= 0) return;
+  mark(0, mark_of(motion, motion::MoveKind::dwell));
+  place_marks(path_.marks.end(), 0, 0);
+  PathPiece& piece = emit(motion::Curve::line(at_, at_, 1, axes_.count()), 0, 1, 1);
+  piece.dwell_s = seconds;
+  piece.stop = true;
+}
+
+void PathBuilder::drain_chain(bool ended) {
+  if (chain_.empty()) return;
+  ChainSmoother::Piece piece;
+  while (chain_.next(ended, piece)) add_piece(piece);
+}
+
+void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
+  const double begin = chain_.point(piece.first).way;
+  for (std::uint64_t n = piece.first + 1; n <= piece.last; ++n)
+    mark(chain_.point(n).way - begin, chain_.point(n).mark);
+  const ChainSmoother::Point& first = chain_.point(piece.first + 1);
+  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_off_mm,
+            piece.begin_turn, piece.end_turn);
+}
+
+// The marks of the curve stand already behind those of the open one.
+void PathBuilder::add_curve(const motion::Curve& curve, double feed, bool fixed_override,
+                            bool joined, double begin_off_mm, double begin_turn, double end_turn) {
+  Open next{curve, 0, feed, begin_turn, end_turn, fixed_override, path_.marks.end()};
+  if (is_open_ && joined) {
+    close_open(false);
+  } else if (is_open_) {
+    const double most = kMostOfCurve * std::min(open_.curve.length(), curve.length());
+    const double slower = std::min(open_.feed, feed);
+    // What a smoothed chain leaves its lines near their end.
+    const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
+    const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
+    // Between the legs of a rapid the axes may go anywhere, if it is they that are driven.
+    const bool free = rapid_ && !follower_.linked();
+    const Passage passage{open_.feed, feed, most, free ? kInfinite : tolerance_mm_ - used};
+    const Corner corner = corners_.between(open_.curve, curve, passage);
+    if (corner.kind == Corner::Kind::rounded) {
+      round(corner.rounding, slower * std::max(pitch_of(open_.curve), pitch_of(curve)));
+      next.begin = corner.rounding.reach;
+    } else {
+      close_open(corner.kind == Corner::Kind::sharp);
+    }
+  }
+  open_ = next;
+  is_open_ = true;
+}
+
+void PathBuilder::close_open(bool with_stop) {
+  place_marks(open_.last_mark, open_.curve.length(), 0);
+  PathPiece& piece = emit(open_.curve, open_.begin, open_.curve.length(), open_.feed);
+  piece.fixed_override = open_.fixed_override;
+  piece.stop = with_stop;
+  is_open_ = false;
+}
+
+void PathBuilder::round(const Rounding& rounding, double feed) {
+  const double end = open_.curve.length() - rounding.reach;
+  place_marks(open_.last_mark, end, 0);
+  emit(open_.curve, open_.begin, end, open_.feed).fixed_override = open_.fixed_override;
+  place_marks(open_.last_mark, open_.curve.length(), -end);
+  place_marks(path_.marks.end(), rounding.reach, rounding.reach);
+  PathPiece& piece = emit(rounding.curve, 0, rounding.curve.length(), feed);
+  piece.use = CellLimits::Use::corner;
+  piece.fixed_override = open_.fixed_override;
+}
+
+// Gives the next marks, up to number `last` and parameter `up_to`, to the piece that comes next.
+void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
+  for (; placed_ < last && path_.marks[placed_].way <= up_to; ++placed_) {
+    path_.marks[placed_].piece = path_.pieces.end();
+    path_.marks[placed_].way += shift;
+  }
+}
+
+// How much longer than its parameter a smooth curve is at most: its parameter counts the length of
+// the lines that it stands for.
+double PathBuilder::length_per_parameter(const motion::Curve& curve, double begin,
+                                         double end) const {
+  if (curve.is_line() || curve.is_arc() || rotary_only_) return 1;
+  constexpr int kPlaces = 8;
+  double most = 1;
+  for (int i = 0; i <= kPlaces; ++i)
+    most = std::max(most, way_in_space(curve, begin + (end - begin) * i / kPlaces));
+  return most;
+}
+
+// Way in space for a small step of the parameter.
+double PathBuilder::way_in_space(const motion::Curve& curve, double at) const {
+  return norms_.mm(curve.jet(at).first);
+}
+
+// The feed of a helix is that of its circle: its length in space for that of the circle.
+double PathBuilder::pitch_of(const motion::Curve& curve) const {
+  return curve.is_arc() ? std::max(1.0, way_in_space(curve, 0)) : 1;
+}
+
+PathPiece& PathBuilder::emit(const motion::Curve& curve, double begin, double end, double feed) {
+  PathPiece& piece = path_.pieces.push();
+  piece.curve = curve;
+  piece.begin = begin;
+  piece.end = end;
+  piece.feed = feed / length_per_parameter(curve, begin, end);
+  piece.dwell_s = 0;
+  piece.use = CellLimits::Use::path;
+  piece.rapid = rapid_;
+  piece.fixed_override = piece.stop = false;
+  return piece;
+}
+
+void PathBuilder::mark(double way, const motion::Mark& mark) {
+  path_.marks.push({std::numeric_limits<std::uint64_t>::max(), way, mark});
+}
+
+void PathBuilder::clear(const AxisVector& at) {
+  at_ = at;
+  chain_.start(at);
+  is_open_ = rapid_ = false;
+  placed_ = path_.marks.end();
+}
+
+void PathBuilder::stop() {
+  drain_chain(true);
+  if (is_open_) close_open(true);
+}
+
+}  // namespace kerf::planner

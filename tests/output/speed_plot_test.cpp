@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "output/picture/drawing/palette.hpp"
 #include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/internal/cut_tracer.hpp"
-#include "output/picture/drawing/palette.hpp"
-#include "output/picture/path_plot.hpp"
 #include "output/picture/internal/subject.hpp"
+#include "output/picture/path_plot.hpp"
 #include "plot_motions.hpp"
 
 namespace kerf::output::plot {

@@ -1,5 +1,6 @@
 // Program calls that stand among the words of a block: macro calls, subprograms, calls by code.
 #include <algorithm>
+#include <limits>
 
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
@@ -25,6 +26,19 @@ constexpr std::size_t kSecondAuxiliaryCommon = 146 - 100;
 
 }  // namespace
 
+Controller::BlockCall::Kind Controller::call_of(int code) const {
+  using Kind = BlockCall::Kind;
+  if (code < 0 || code > std::numeric_limits<GCode>::max()) return Kind::none;
+  const CodeRow* const row = state_.codes.find(static_cast<GCode>(code));
+  switch (row == nullptr ? Meaning::none : row->meaning) {
+    case Meaning::macro_call: return Kind::macro;
+    case Meaning::modal_call: return Kind::modal;
+    case Meaning::modal_call_every_block: return Kind::every_block;
+    case Meaning::modal_call_off: return Kind::ends;
+    default: return Kind::none;
+  }
+}
+
 bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
   using Kind = BlockCall::Kind;
   const bool every_block = calls_.every_block();
@@ -42,16 +56,14 @@ bool Controller::find_call(std::span<const Word> block, BlockCall& call) {
     }
     if (word.letter != 'G') continue;
     const auto code = static_cast<int>(base::round_away(word.value * 10));
-    if (code == 670) return true;
-    if (code == 650 || code == 660 || code == 661) {
+    const Kind kind = call_of(code);
+    if (kind == Kind::ends) return true;
+    if (kind != Kind::none) {
       if (call.kind != Kind::none) {
         const bool macro_word = call.kind != Kind::code_macro;
         return alarms_.raise(macro_word ? Code::two_macro_calls : Code::argument_g, word.text);
       }
-      call = {code == 650   ? Kind::macro
-              : code == 660 ? Kind::modal
-                            : Kind::every_block,
-              i + 1, 0, &word};
+      call = {kind, i + 1, 0, &word};
     } else if (codes_call_macros_ && call.kind == Kind::none && !ordinary && code != 0) {
       const auto g = std::find(parameters_.g_macro.begin(), parameters_.g_macro.end(), code);
       if (g == parameters_.g_macro.end()) continue;
@@ -100,16 +112,17 @@ bool Controller::call_program(std::span<const Word> block, const BlockCall& call
       break;
     case Kind::modal:
       good = calls_.push_modal(arguments, name, false);
-      state_.modal.set(Group::modal_call, 660);
+      state_.modal.set(Meaning::modal_call);
       break;
     case Kind::every_block:
       if (call.word != nullptr) {
         good = calls_.push_modal(arguments, name, true);
-        state_.modal.set(Group::modal_call, 661);
+        state_.modal.set(Meaning::modal_call_every_block);
       }
       good = good && calls_.call_every_block(arguments);
       break;
-    case Kind::none: break;
+    case Kind::none:
+    case Kind::ends: break;
   }
   transferred_ = interpreter_.depth() != depth;
   return good;

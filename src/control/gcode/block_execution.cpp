@@ -19,29 +19,6 @@ using base::Code;
 using gcode::Word;
 using vm::Verdict;
 
-// The block's axis words belong to this one-shot code, not to a motion.
-bool takes_over(GCode code) {
-  switch (code) {
-    case 40:
-    case 100:
-    case 110:
-    case 520:
-    case 920:
-    case 921:
-    case 270:
-    case 280:
-    case 290:
-    case 300:
-    case 310:
-    case 450:
-    case 460:
-    case 470:
-    case 480:
-    case 530: return true;
-    default: return false;
-  }
-}
-
 }  // namespace
 
 void Controller::begin(const gcode::GcodePage& page, const gcode::Statement& statement) {
@@ -87,12 +64,11 @@ bool Controller::is_plain_move() const {
       state_.modal.in_cycle() || state_.parameter_entry)
     return false;
   return std::all_of(words_.g_begin(), words_.g_end(),
-                     [](const Words::G& g) { return group_of(g.code) == Group::motion; });
+                     [](const Words::G& g) { return g.group() == Group::motion; });
 }
 
 bool Controller::plain_move() {
-  for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g)
-    state_.modal.set(Group::motion, g->code);
+  for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) state_.modal.set(*g->row);
   if (!auxiliary_.read_feed(words_) || !tell_idle_words()) return false;
   state_.path.obey(move_rules(words_, state_.modal, state_.feed_control));
   buffer_.pass_through(
@@ -107,11 +83,11 @@ bool Controller::plain_move() {
 bool Controller::execute_block(const std::string& name) {
   call_name_ = name;
   const Words::G* one_shot = nullptr;
-  const GCode cycle_before = state_.modal[Group::cycle];
+  const bool was_in_cycle = state_.modal.in_cycle();
   const bool parameter_entry = state_.parameter_entry;
   if (!settings_.read_codes(words_, one_shot)) return false;
   if (parameter_entry) {
-    if (one_shot != nullptr && one_shot->code == 110) {
+    if (one_shot != nullptr && one_shot->meaning() == Meaning::data_setting_end) {
       state_.parameter_entry = false;
       return true;
     }
@@ -129,35 +105,35 @@ bool Controller::execute_block(const std::string& name) {
   }
   if (!settings_.apply_codes(words_)) return false;
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) {
-    if (g->code != 670) continue;
+    if (g->meaning() != Meaning::modal_call_off) continue;
     if (!calls_.pop_modal()) return false;
-    state_.modal.set(Group::modal_call, calls_.modal_active() ? 660 : 670);
+    state_.modal.set(calls_.modal_active() ? Meaning::modal_call : Meaning::modal_call_off);
   }
   if (!tell_idle_words()) return false;
   auxiliary_.before_motion(words_);
-  if (cycle_before != 800 && state_.modal[Group::cycle] == 800) cycle_.cancel();
+  if (was_in_cycle && !state_.modal.in_cycle()) cycle_.cancel();
   state_.path.obey(move_rules(words_, state_.modal, state_.feed_control));
   return move(one_shot, moved_);
 }
 
 // Words that may not stand beside a one-shot code.
 bool Controller::check_block(const Words::G* one_shot) {
-  for (const Word* const* m = words_.m_begin(); m != words_.m_end(); ++m) {
-    if (code_of(**m) == 29 && state_.before.in_cycle()) {
-      return alarms_.raise(Code::tap_order, (*m)->text,
+  for (const Words::M* m = words_.m_begin(); m != words_.m_end(); ++m) {
+    if (m->function() == Function::rigid_tapping && state_.before.in_cycle()) {
+      return alarms_.raise(Code::tap_order, m->word->text,
                            "M29 stands before the tapping cycle, not in it");
     }
   }
   if (one_shot == nullptr || !words_.has('T')) return true;
-  if (one_shot->code == 40 || one_shot->code == 100)
+  if (one_shot->meaning() == Meaning::dwell || one_shot->meaning() == Meaning::data_setting)
     return alarms_.raise(Code::tool_not_allowed, words_['T'].text);
   return true;
 }
 
 bool Controller::move(const Words::G* one_shot_code, bool& moved) {
-  if (one_shot_code != nullptr && takes_over(one_shot_code->code))
+  if (one_shot_code != nullptr && one_shot_code->row->axis_words == AxisWords::own)
     return one_shot(*one_shot_code, moved);
-  if (one_shot_code != nullptr && one_shot_code->code == 80) {
+  if (one_shot_code != nullptr && one_shot_code->meaning() == Meaning::look_ahead) {
     std::int64_t p = 0;
     if (words_.has('P') && !state_.values.integer(words_['P'], 0, 99999999, p)) return false;
     if (p > 1) return alarms_.raise(Code::look_ahead_format, words_['P'].text);
@@ -167,18 +143,18 @@ bool Controller::move(const Words::G* one_shot_code, bool& moved) {
   if (!select_cycle(plain)) return false;
   if (!plain) return true;
   if (corner_ != nullptr && !request_corner()) return false;
-  const bool single_direction = one_shot_code != nullptr && one_shot_code->code == 600;
-  const GCode mode = state_.modal[Group::motion];
-  if (single_direction) state_.modal.set(Group::motion, 0);
+  const bool single_direction =
+      one_shot_code != nullptr && one_shot_code->meaning() == Meaning::single_direction;
+  const CodeRow& mode = *state_.modal.row(Group::motion);
+  if (single_direction) state_.modal.set(Meaning::rapid);
   const bool good = moves_.execute(words_, moved);
-  state_.modal.set(Group::motion, mode);
+  state_.modal.set(mode);
   return good;
 }
 
 // A chamfer or corner radius at the end of a G01, G02 or G03 move.
 bool Controller::request_corner() {
-  const GCode mode = state_.modal[Group::motion];
-  if (mode != 10 && mode != 20 && mode != 30) {
+  if (state_.modal[Group::motion] != Meaning::line && !state_.modal.circular()) {
     return alarms_.raise(Code::corner_second, corner_->text, "it needs a G01, G02 or G03 move");
   }
   const auto plane = motion::plane_axes(state_.modal.plane(), axes_);
@@ -200,31 +176,30 @@ bool Controller::select_cycle(bool& plain) {
   const Words::G* cycle = nullptr;
   const Words::G* motion = nullptr;
   for (const Words::G* g = words_.g_begin(); g != words_.g_end(); ++g) {
-    const Group group = group_of(g->code);
-    if (group == Group::cycle) cycle = g;
-    if (group == Group::motion) motion = g;
+    if (g->group() == Group::cycle) cycle = g;
+    if (g->group() == Group::motion) motion = g;
   }
   if (motion != nullptr && motion > cycle) {
-    const bool both = cycle != nullptr && cycle->code != 800;
-    state_.modal.set(Group::cycle, 800);
+    const bool both = cycle != nullptr && cycle->meaning() != Meaning::cycle_off;
+    state_.modal.set(Meaning::cycle_off);
     cycle_.cancel();
     if (both) words_.forget('Z');
     return true;
   }
   if (!state_.modal.in_cycle()) return true;
   plain = false;
-  const bool starts = state_.before[Group::cycle] == 800;
+  const bool starts = !state_.before.in_cycle();
   return cycle_.begin(words_, starts, moved_);
 }
 
 bool Controller::one_shot(const Words::G& g, bool& moved) {
-  switch (g.code) {
-    case 40: return dwell();
-    case 100: return settings_.set_data(words_);
-    case 110: return true;
-    case 520: return settings_.local_system(words_);
-    case 920: return settings_.preset(words_);
-    case 921: return settings_.clear_shifts(words_);
+  switch (g.meaning()) {
+    case Meaning::dwell: return dwell();
+    case Meaning::data_setting: return settings_.set_data(words_);
+    case Meaning::data_setting_end: return true;
+    case Meaning::local_system: return settings_.local_system(words_);
+    case Meaning::preset: return settings_.preset(words_);
+    case Meaning::clear_shifts: return settings_.clear_shifts(words_);
     default: return references_.execute(g, words_, moved);
   }
 }

@@ -31,7 +31,7 @@ class BlockMemory {
   /// The programmed point is where the tool is: a block that has moved before its alarm has moved.
   /// Compensation and a held corner end.
   static void settle(State& state) {
-    if (state.path.holds_moves()) state.modal.set(Group::compensation, 400);
+    if (state.path.holds_moves()) state.modal.set(Meaning::compensation_off);
     state.path.reset();
     if (state.coordinates.path() != state.path.tip()) state.coordinates.arrive_at(state.path.tip());
   }

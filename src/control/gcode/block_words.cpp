@@ -51,7 +51,8 @@ bool Controller::collect_g(const Word& word) {
     return alarms_.raise(Code::improper_g_code, word.text,
                          "G" + base::number_text(word.value) + " does not exist");
   }
-  return words_.put_g(static_cast<GCode>(rounded), word) ||
+  const auto code = static_cast<GCode>(rounded);
+  return words_.put_g(code, state_.codes.find(code), word) ||
          alarms_.raise(Code::improper_g_code, word.text, "more than 16 G codes in one block");
 }
 
@@ -62,6 +63,16 @@ bool Controller::calls_subprogram(const Word& word) const {
   const auto code = code_of(word);
   return code != 0 && std::find(parameters_.m_sub.begin(), parameters_.m_sub.end(), code) !=
                           parameters_.m_sub.end();
+}
+
+// The number of the external call is a parameter, and 0 there the dialect's own.
+const FunctionRow* Controller::function_of(const Word& word) const {
+  const std::int64_t code = code_of(word);
+  const int external = parameters_.external_call_m;
+  if (external != 0 && code == external) return state_.codes.external_call();
+  const FunctionRow* const row = state_.codes.find_function(code);
+  const bool is_free = external != 0 && row != nullptr && row->function == Function::external_call;
+  return is_free ? nullptr : row;
 }
 
 // ",C" and ",R".
@@ -89,7 +100,7 @@ bool Controller::collect(std::span<const Word> block) {
       if (called_m_ != nullptr) return alarms_.raise(Code::two_sub_calls, word.text);
       called_m_ = &word;
     } else if (word.letter == 'M') {
-      if (!words_.put_m(word))
+      if (!words_.put_m(function_of(word), word))
         return alarms_.raise(Code::improper_address_word, word.text, "a block takes three M codes");
     } else {
       words_.put(word);
@@ -104,9 +115,7 @@ bool Controller::check_addresses(std::span<const Word> block) {
   if (parameters_.b_calls_program) allowed |= Words::mask('B');
   if ((words_.present() & ~allowed) == 0) return true;
   // G04 takes its time under X or U.
-  const bool is_dwell =
-      std::any_of(words_.g_begin(), words_.g_end(), [](const Words::G& g) { return g.code == 40; });
-  if (is_dwell) allowed |= Words::mask('X') | Words::mask('U');
+  if (words_.has_g(Meaning::dwell)) allowed |= Words::mask('X') | Words::mask('U');
   if ((words_.present() & ~allowed) == 0) return true;
   const auto bad = std::find_if(block.begin(), block.end(), [&](const Word& word) {
     return (Words::mask(word.letter) & ~allowed) != 0;

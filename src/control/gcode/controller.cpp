@@ -64,7 +64,8 @@ Controller::Controller(const Parameters& parameters, const motion::AxisSetup& ax
       surroundings_(surroundings),
       math_{parameters.signed_angles, parameters.small_is_zero, 1000},
       buffer_(sink),
-      state_(parameters_, axes_, memory, alarms_, assumptions_, surroundings, buffer_),
+      state_(mill_codes(), parameters_, axes_, memory, alarms_, assumptions_, surroundings,
+             buffer_),
       interpreter_(library, *this, {gcode::kLocals, memory.commons, &math_}),
       targets_(state_),
       moves_(state_, targets_),
@@ -130,7 +131,7 @@ void Controller::reset() {
   state_.set_length(state_.length_axis, 0);
   state_.coordinates.select({});
   state_.wanted_length = 0;
-  state_.modal = ModalState(parameters_);
+  state_.modal = ModalState(state_.codes, parameters_);
   state_.before = state_.modal;
   state_.refresh_format();
   state_.words = {};

@@ -108,7 +108,8 @@ class Controller : public ProgramControl, public vm::Host {
       macro,
       modal,
       every_block,
-      code_macro
+      code_macro,
+      ends  ///< G67: what stands in the block is no call
     } kind = Kind::none;
     std::size_t first_argument = 0;  ///< index behind the call's own word
     std::uint32_t program = 0;       ///< of a call by code
@@ -126,8 +127,10 @@ class Controller : public ProgramControl, public vm::Host {
   bool collect_g(const gcode::Word& word);
   bool collect_corner(const gcode::Word& word);
   bool request_corner();
+  [[nodiscard]] const FunctionRow* function_of(const gcode::Word& word) const;
   [[nodiscard]] bool calls_subprogram(const gcode::Word& word) const;
   bool check_addresses(std::span<const gcode::Word> block);
+  [[nodiscard]] BlockCall::Kind call_of(int code) const;
   bool find_call(std::span<const gcode::Word> block, BlockCall& call);
   bool call_program(std::span<const gcode::Word> block, const BlockCall& call,
                     const std::string& name);

@@ -9,7 +9,8 @@ namespace kerf::control {
 ModalView Controller::modal() const {
   ModalView view;
   static_assert(kGroups <= std::tuple_size_v<decltype(view.codes)>);
-  std::copy(state_.modal.codes().begin(), state_.modal.codes().end(), view.codes.begin());
+  const auto codes = state_.modal.codes();
+  std::copy(codes.begin(), codes.end(), view.codes.begin());
   view.feed = state_.words.feed;
   view.speed = state_.words.speed;
   view.further_system = state_.coordinates.work().extended;

@@ -6,9 +6,9 @@
 
 #include "machine/dialect/internal/basic_dialect.hpp"
 #include "machine/dialect/internal/gcode_dialect.hpp"
-#include "machine/dialect/language.hpp"
 #include "machine/dialect/internal/pattern_dialect.hpp"
 #include "machine/dialect/internal/teach_dialect.hpp"
+#include "machine/dialect/language.hpp"
 
 namespace kerf::machine {
 namespace {

@@ -8,8 +8,8 @@
 #include "machine/panel/internal/forecast.hpp"
 #include "machine/panel/internal/journal.hpp"
 #include "machine/panel/internal/live_core.hpp"
-#include "machine/panel/point_capture.hpp"
 #include "machine/panel/internal/read_again.hpp"
+#include "machine/panel/point_capture.hpp"
 
 namespace kerf::machine {
 

@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/drawing/png_writer.hpp"
 #include "output/picture/drawing/svg_writer.hpp"
 #include "output/picture/drawing/text.hpp"
+#include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/internal/energy_of_cut.hpp"
 #include "output/picture/internal/path_recorder.hpp"
 #include "output/picture/internal/sheet.hpp"

@@ -6,8 +6,8 @@
 #include "geometry/arc.hpp"
 #include "motion/feed.hpp"
 #include "motion/space_arc_path.hpp"
-#include "output/programs/post.hpp"
 #include "output/programs/internal/round_way.hpp"
+#include "output/programs/post.hpp"
 
 namespace kerf::output {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "base/source_file.hpp"
 #include "motion/axis_point.hpp"
+#include "motion/axis_setup.hpp"
 #include "output/reports/line_runs.hpp"
 #include "output/reports/run_facts.hpp"
 

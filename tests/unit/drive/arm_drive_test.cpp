@@ -1,4 +1,6 @@
 // The arm's pulses: numbers of motor and timer, splitting of moves, edges, ramps, the way home.
+#include "drive/arm_drive.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <string>
 
 #include "allocation_count.hpp"
-#include "drive/arm_drive.hpp"
 #include "drive/arm_motor.hpp"
 #include "drive/pulse_counter.hpp"
 #include "drive_recorder.hpp"

@@ -1,9 +1,10 @@
+#include "drive/pwm.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "drive/pwm.hpp"
 #include "drive/pwm_csv.hpp"
 #include "temporary_folder.hpp"
 

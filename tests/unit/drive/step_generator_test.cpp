@@ -1,10 +1,11 @@
+#include "drive/step_generator.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "allocation_count.hpp"
 #include "drive/pulse_counter.hpp"
-#include "drive/step_generator.hpp"
 #include "drive_recorder.hpp"
 #include "seeded_random.hpp"
 

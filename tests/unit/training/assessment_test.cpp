@@ -1,10 +1,11 @@
 // The training mode: what a program of an exercise is worth, and why.
+#include "training/assessment.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "training/assessment.hpp"
 #include "training/code_lines.hpp"
 
 namespace kerf::training {

@@ -1,5 +1,7 @@
 #include "control/gcode/acts/auxiliary.hpp"
 
+#include <utility>
+
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
 
@@ -10,19 +12,10 @@ using base::Code;
 using gcode::Word;
 using gcode::WordFlag;
 
-constexpr GCode kPreset = 920;
 constexpr std::int64_t kMostCode = 99999999;
 constexpr std::int64_t kMostSpeed = 99999;
 constexpr double kMostFeed = 240000;  // mm/min
 constexpr int kMostMCodes = 3;        // M3B
-
-bool before_the_move(std::int64_t code) {
-  return code == 3 || code == 4 || code == 6 || code == 7 || code == 8 || code == 19 || code == 29;
-}
-
-bool flow_code(std::int64_t code) {
-  return code <= 2 || code == 30 || (code >= 96 && code <= 99) || code == 198;
-}
 
 }  // namespace
 
@@ -30,13 +23,13 @@ bool Auxiliary::read(const Words& words) {
   State& s = state_;
   std::int64_t value = 0;
   if (!read_feed(words)) return false;
-  if (words.has('S') && words.has_g(kPreset)) {  // G92 S: the highest speed of G96
+  if (words.has('S') && words.has_g(Meaning::preset)) {  // G92 S: the highest speed of G96
     if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
     s.words.max_rpm = static_cast<double>(value);
   } else if (words.has('S')) {
     if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
     const int most = s.parameters.spindle_max_rpm;
-    if (most > 0 && value > most && s.modal[Group::speed] == 970) {
+    if (most > 0 && value > most && s.modal[Group::speed] == Meaning::constant_rpm) {
       return s.alarms.raise(Code::speed_over_max, words['S'].text,
                             "the spindle turns at most " + std::to_string(most) + " rpm");
     }
@@ -94,29 +87,32 @@ bool Auxiliary::read_offset(const Words& words, char letter, std::int64_t& numbe
 
 bool Auxiliary::read_codes(const Words& words, Codes& codes) {
   int count = 0;
-  for (const Word* const* m = words.m_begin(); m != words.m_end(); ++m) {
+  for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
     std::int64_t code = 0;
-    if (!state_.values.integer(**m, 0, kMostCode, code)) return false;
+    if (!state_.values.integer(*m->word, 0, kMostCode, code)) return false;
     if (++count > kMostMCodes) {
-      return state_.alarms.raise(Code::improper_address_word, (*m)->text,
+      return state_.alarms.raise(Code::improper_address_word, m->word->text,
                                  "a block takes three M codes");
     }
     state_.words.last_m = code;
-    codes.stop |= code == 0;
-    codes.optional_stop |= code == 1;
-    codes.end |= code == 2 || code == 30;
-    codes.rewind |= code == 30;
-    codes.interrupt_on |= code == 96;
-    codes.interrupt_off |= code == 97;
-    if ((code == 98 && codes.call) ||
-        (code == state_.parameters.external_call_m && codes.external_call)) {
-      return state_.alarms.raise(Code::two_sub_calls, (*m)->text);
-    }
-    codes.call |= code == 98;
-    codes.external_call |= code == state_.parameters.external_call_m;
-    codes.return_ |= code == 99;
+    if (!codes.add(m->function())) return state_.alarms.raise(Code::two_sub_calls, m->word->text);
   }
   return true;
+}
+
+bool Auxiliary::Codes::add(Function function) {
+  switch (function) {
+    case Function::stop: stop = true; return true;
+    case Function::optional_stop: optional_stop = true; return true;
+    case Function::end_and_rewind: rewind = end = true; return true;
+    case Function::end: end = true; return true;
+    case Function::interrupt_on: interrupt_on = true; return true;
+    case Function::interrupt_off: interrupt_off = true; return true;
+    case Function::call: return !std::exchange(call, true);
+    case Function::external_call: return !std::exchange(external_call, true);
+    case Function::return_: return_ = true; return true;
+    default: return true;
+  }
 }
 
 void Auxiliary::turn(motion::Spindle::Turning turning) {
@@ -125,43 +121,51 @@ void Auxiliary::turn(motion::Spindle::Turning turning) {
 }
 
 void Auxiliary::before_motion(const Words& words) {
+  using Turning = motion::Spindle::Turning;
   bool told = false;
-  for (const Word* const* m = words.m_begin(); m != words.m_end(); ++m) {
-    const std::int64_t code = code_of(**m);
-    if (code == 3 || code == 4) {
-      turn(code == 3 ? motion::Spindle::Turning::clockwise
-                     : motion::Spindle::Turning::counterclockwise);
-      told = true;
-    } else if (code == 6) {
-      state_.path.act(motion::ToolChange{static_cast<std::uint32_t>(state_.words.tool)});
-    } else if (code == 7 || code == 8) {
-      state_.path.act(motion::Coolant{code == 7 ? motion::Coolant::State::mist
-                                                : motion::Coolant::State::flood});
-    } else if (code == 19) {
-      turn(motion::Spindle::Turning::oriented);
-    } else if (code == 29) {
-      state_.rigid_tapping = true;
-      state_.moved_since_m29 = false;
-      state_.path.act(motion::AuxiliaryCode{29});
-    }
+  for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
+    const Function function = m->function();
+    if (m->row != nullptr && m->row->moment == Moment::before_motion) act(*m->row);
+    told |=
+        function == Function::spindle_clockwise || function == Function::spindle_counterclockwise;
   }
-  const bool turning = state_.words.turning == motion::Spindle::Turning::clockwise ||
-                       state_.words.turning == motion::Spindle::Turning::counterclockwise;
-  const bool changes_speed = !words.has_g(kPreset) || state_.modal[Group::speed] == 960;
+  const bool turning = state_.words.turning == Turning::clockwise ||
+                       state_.words.turning == Turning::counterclockwise;
+  const bool changes_speed =
+      !words.has_g(Meaning::preset) || state_.modal[Group::speed] == Meaning::surface_speed;
   if (words.has('S') && turning && !told && changes_speed) state_.path.act(state_.spindle());
 }
 
 void Auxiliary::after_motion(const Words& words) {
-  for (const Word* const* m = words.m_begin(); m != words.m_end(); ++m) {
-    const std::int64_t code = code_of(**m);
-    if (code == 5) {
-      turn(motion::Spindle::Turning::stopped);
-    } else if (code == 9) {
-      state_.path.act(motion::Coolant{motion::Coolant::State::off});
-    } else if (!before_the_move(code) && !flow_code(code) &&
-               code != state_.parameters.external_call_m) {
-      state_.path.act(motion::AuxiliaryCode{static_cast<std::uint32_t>(code)});
+  for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
+    if (m->row == nullptr) {
+      state_.path.act(motion::AuxiliaryCode{static_cast<std::uint32_t>(code_of(*m->word))});
+    } else if (m->row->moment == Moment::behind_motion) {
+      act(*m->row);
     }
+  }
+}
+
+void Auxiliary::act(const FunctionRow& code) {
+  using Turning = motion::Spindle::Turning;
+  using Flow = motion::Coolant::State;
+  switch (code.function) {
+    case Function::spindle_clockwise: turn(Turning::clockwise); break;
+    case Function::spindle_counterclockwise: turn(Turning::counterclockwise); break;
+    case Function::spindle_stop: turn(Turning::stopped); break;
+    case Function::spindle_orient: turn(Turning::oriented); break;
+    case Function::tool_change:
+      state_.path.act(motion::ToolChange{static_cast<std::uint32_t>(state_.words.tool)});
+      break;
+    case Function::mist: state_.path.act(motion::Coolant{Flow::mist}); break;
+    case Function::flood: state_.path.act(motion::Coolant{Flow::flood}); break;
+    case Function::coolant_off: state_.path.act(motion::Coolant{Flow::off}); break;
+    case Function::rigid_tapping:
+      state_.rigid_tapping = true;
+      state_.moved_since_m29 = false;
+      state_.path.act(motion::AuxiliaryCode{code.number});
+      break;
+    default: break;  // of the program's flow
   }
 }
 

@@ -22,6 +22,9 @@ class Auxiliary {
     bool return_ = false;        ///< M99
     bool interrupt_on = false;   ///< M96
     bool interrupt_off = false;  ///< M97
+
+    /// False: a block calls one program of a kind.
+    [[nodiscard]] bool add(Function function);
   };
 
   /// Checks the words and takes their values over; emits nothing.
@@ -38,6 +41,7 @@ class Auxiliary {
  private:
   bool read_offset(const Words& words, char letter, std::int64_t& number);
   void turn(motion::Spindle::Turning turning);
+  void act(const FunctionRow& code);
 
   State& state_;
 };

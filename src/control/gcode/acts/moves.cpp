@@ -75,9 +75,8 @@ bool Moves::line_to(const AxisVector& program, const motion::Feed& feed) {
 
 // G01 without axes: the beam of a laser goes on where it stands (docs/drives.md, M03, M04 and S).
 void Moves::cut_standing(const Words& words) {
-  constexpr GCode kLine = 10;
   const motion::Spindle::Turning turning = state_.words.turning;
-  if (!state_.axes.beam || !words.has_g(kLine) ||
+  if (!state_.axes.beam || !words.has_g(Meaning::line) ||
       (turning != motion::Spindle::Turning::clockwise &&
        turning != motion::Spindle::Turning::counterclockwise))
     return;
@@ -87,8 +86,8 @@ void Moves::cut_standing(const Words& words) {
 }
 
 bool Moves::execute(const Words& words, bool& moved) {
-  const GCode mode = state_.modal[Group::motion];
-  const bool circular = mode == 20 || mode == 30;
+  const Meaning mode = state_.modal[Group::motion];
+  const bool circular = state_.modal.circular();
   const bool centre_alone = circular && words.has_any(kCentreLetters | Words::mask('R'));
   if (!words.has_any(targets_.letters()) && !centre_alone) {
     cut_standing(words);
@@ -104,11 +103,11 @@ bool Moves::execute(const Words& words, bool& moved) {
   }
   moved = true;
   apply_length(target.named);
-  if (circular) return arc(words, mode == 20, target);
-  if (mode == 330) return thread(words, target);
+  if (circular) return arc(words, mode == Meaning::arc_clockwise, target);
+  if (mode == Meaning::thread) return thread(words, target);
   const AxisVector path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
-  if (mode == 0) {
+  if (mode == Meaning::rapid) {
     if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(path))) return false;
   } else {
     motion::Feed rate;

@@ -14,31 +14,34 @@ using base::Code;
 
 constexpr double kReferenceWindow_mm = 0.0005;  // half an increment
 
+bool is_reference(Meaning meaning) {
+  return meaning == Meaning::reference_check || meaning == Meaning::reference_return ||
+         meaning == Meaning::way_from_reference || meaning == Meaning::further_reference_return;
+}
+
 }  // namespace
 
 bool References::execute(const Words::G& g, const Words& words, bool& moved) {
-  const bool reference = g.code >= 270 && g.code <= 300;
-  if (reference && state_.modal.in_cycle())
+  if (is_reference(g.meaning()) && state_.modal.in_cycle())
     return state_.alarms.raise(Code::reference_in_cycle, g.word->text);  // REF-4
-  switch (g.code) {
-    case 270: return check_reference(words, moved);
-    case 280: return return_to_reference(words, 0, moved);
-    case 290: return return_from_reference(words, moved);
-    case 300: {
-      std::int64_t p = 2;
-      if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, p)) return false;
-      if (p < 2 || p > 4)
-        return state_.alarms.raise(Code::illegal_reference, words['P'].text, "P is 2, 3 or 4");
-      return return_to_reference(words, static_cast<std::size_t>(p - 1), moved);
-    }
-    case 310: return skip(words, moved);
-    case 450:
-    case 460:
-    case 470:
-    case 480: return offset_move(g.code, words, moved);
-    case 530: return machine_position(words, moved);
+  switch (g.meaning()) {
+    case Meaning::reference_check: return check_reference(words, moved);
+    case Meaning::reference_return: return return_to_reference(words, 0, moved);
+    case Meaning::way_from_reference: return return_from_reference(words, moved);
+    case Meaning::further_reference_return: return return_to_further_reference(words, moved);
+    case Meaning::skip: return skip(words, moved);
+    case Meaning::offset_move: return offset_move(g.row->value, words, moved);
+    case Meaning::machine_system: return machine_position(words, moved);
     default: return true;
   }
+}
+
+bool References::return_to_further_reference(const Words& words, bool& moved) {
+  std::int64_t p = 2;
+  if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, p)) return false;
+  if (p < 2 || p > 4)
+    return state_.alarms.raise(Code::illegal_reference, words['P'].text, "P is 2, 3 or 4");
+  return return_to_reference(words, static_cast<std::size_t>(p - 1), moved);
 }
 
 // G53 and the way to a reference point are not linear, whatever LRP says.
@@ -180,8 +183,8 @@ bool References::skip(const Words& words, bool& moved) {
   return true;
 }
 
-// G45 +D, G46 -D, G47 +2D, G48 -2D along each named axis, in the direction of its move.
-bool References::offset_move(GCode code, const Words& words, bool& moved) {
+// The offset so many times longer along each named axis, in the direction of its move.
+bool References::offset_move(int times, const Words& words, bool& moved) {
   if (state_.modal.compensating() || state_.path.compensating()) {
     return state_.alarms.raise(Code::offset_move_in_compensation);
   }
@@ -194,7 +197,7 @@ bool References::offset_move(GCode code, const Words& words, bool& moved) {
   const double offset = state_.parameters.offset_memory == 'C'
                             ? tool.radius_geometry + tool.radius_wear
                             : tool.length_geometry + tool.length_wear;
-  const double amount = offset * (code == 450 ? 1 : code == 460 ? -1 : code == 470 ? 2 : -2);
+  const double amount = offset * times;
   AxisVector program = target.program;
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
@@ -205,7 +208,7 @@ bool References::offset_move(GCode code, const Words& words, bool& moved) {
     program[axis] = base::tidy(program[axis] + (negative ? -amount : amount));
   }
   moves_.apply_length(target.named);
-  if (state_.modal[Group::motion] == 0) return moves_.rapid_to(program);
+  if (state_.modal[Group::motion] == Meaning::rapid) return moves_.rapid_to(program);
   motion::Feed rate;
   return moves_.feed(&words, rate) && moves_.line_to(program, rate);
 }

@@ -18,11 +18,12 @@ class References {
 
  private:
   bool return_to_reference(const Words& words, std::size_t point, bool& moved);
+  bool return_to_further_reference(const Words& words, bool& moved);
   bool return_from_reference(const Words& words, bool& moved);
   bool check_reference(const Words& words, bool& moved);
   bool machine_position(const Words& words, bool& moved);
   bool skip(const Words& words, bool& moved);
-  bool offset_move(GCode code, const Words& words, bool& moved);
+  bool offset_move(int times, const Words& words, bool& moved);
   /// Fast move of some axes to machine coordinates, without tool length and cutter compensation.
   bool rapid_to_machine(const base::AxisVector& machine, base::AxisSet named);
 

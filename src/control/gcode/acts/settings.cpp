@@ -1,5 +1,6 @@
 #include "control/gcode/acts/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/decimal.hpp"
@@ -17,43 +18,40 @@ using gcode::WordFlag;
 
 constexpr double kMostOffset = 9999.999;  // mm, geometry and wear together
 
-// Codes that are accepted and change nothing here, with what to say about them.
-struct WithoutEffect {
-  GCode code;
-  const char* what;
-};
-constexpr WithoutEffect kWithoutEffect[] = {{41, "G04.1 (look-ahead stop) has no effect"},
-                                            {50, "G05 (high-speed machining) has no effect"},
-                                            {51, "G05.1 (look-ahead) has no effect"},
-                                            {80, "G08 (look-ahead) has no effect"},
-                                            {220, "G22 (stroke check area) has no effect"},
-                                            {230, "G23 (stroke check area) has no effect"},
-                                            {600, "G60 (single direction positioning) runs as G00"},
-                                            {620, "G62 (corner override) has no effect"},
-                                            {630, "G63 (tapping mode) does not lock the feed hold"},
-                                            {1610, "G161 (in-feed control) has no effect"}};
+// It would leave the coordinate system that a transformation is part of.
+bool leaves_system(const State& state, const CodeRow& row) {
+  switch (row.meaning) {
+    case Meaning::reference_check:
+    case Meaning::reference_return:
+    case Meaning::way_from_reference:
+    case Meaning::further_reference_return:
+    case Meaning::machine_system:
+    case Meaning::further_work_system: return true;
+    case Meaning::work_system: return state.modal.row(Group::work) != &row;
+    default: return false;
+  }
+}
 
-bool is_reference(GCode code) { return code >= 270 && code <= 300; }
+bool is_straight(Meaning motion) { return motion == Meaning::rapid || motion == Meaning::line; }
 
-// Another work coordinate system than the active one.
-bool changes_work(const State& state, GCode code) {
-  return code >= 540 && code <= 590 && (code == 541 || state.modal[Group::work] != code);
+bool shifts_system(Meaning meaning) {
+  return meaning == Meaning::local_system || meaning == Meaning::preset ||
+         meaning == Meaning::clear_shifts;
 }
 
 }  // namespace
 
 bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
-    const Group group = group_of(g->code);
-    if (group == Group::none) {
+    if (g->row == nullptr) {
       return state_.alarms.raise(Code::improper_g_code, g->word->text,
                                  "G" + base::number_text(g->code / 10.0) + " is not available");
     }
-    if (!check_code(words, *g, group)) return false;
-    if (group == Group::one_shot) {
+    if (!check_code(words, *g)) return false;
+    if (g->group() == Group::one_shot) {
       one_shot = g;
     } else {
-      state_.modal.set(group, g->code);
+      state_.modal.set(*g->row);
     }
   }
   state_.refresh_format();
@@ -83,17 +81,17 @@ bool Settings::check_parallel_axes(const Words& words) {
   return true;
 }
 
-bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
+bool Settings::check_code(const Words& words, const Words::G& g) {
+  const Group group = g.group();
   if (group == Group::motion) return true;
   const Transform& transform = state_.coordinates.transform();
-  const bool leaves_system = is_reference(g.code) || g.code == 530 || changes_work(state_, g.code);
-  const bool shifts_system = g.code == 520 || g.code == 920 || g.code == 921;
-  if (transform.scaled() && (leaves_system || shifts_system)) {  // TRF-2
+  const bool leaves = leaves_system(state_, *g.row);
+  if (transform.scaled() && (leaves || shifts_system(g.meaning()))) {  // TRF-2
     return state_.alarms.raise(Code::illegal_in_scaling, g.word->text);
   }
-  if (transform.rotated() && leaves_system)
+  if (transform.rotated() && leaves)
     return state_.alarms.raise(Code::illegal_rotation, g.word->text);
-  if (group == Group::plane && g.code != state_.modal[Group::plane]) {
+  if (group == Group::plane && g.row != state_.modal.row(group)) {
     if (state_.path.compensating() || state_.modal.compensating()) {
       return state_.alarms.raise(Code::plane_change_in_compensation, g.word->text);
     }
@@ -101,29 +99,20 @@ bool Settings::check_code(const Words& words, const Words::G& g, Group group) {
       return state_.alarms.raise(Code::tap_plane, g.word->text);
   }
   if (group == Group::plane && !check_parallel_axes(words)) return false;
-  const bool repeated = group != Group::one_shot && state_.modal[group] == g.code;
-  if (group == Group::motion || (repeated && g.code != 220)) return true;
-  if (g.code == 950 && !state_.parameters.feed_per_revolution)
+  const bool repeated = group != Group::one_shot && state_.modal.row(group) == g.row;
+  if (repeated && g.meaning() != Meaning::stroke_check_on) return true;
+  if (g.meaning() == Meaning::per_revolution && !state_.parameters.feed_per_revolution)
     return state_.alarms.raise(Code::no_feed_per_revolution, g.word->text);
-  if (g.code == 960 && words.has('P') && !check_css_axis(words['P'])) return false;
-  for (const WithoutEffect& entry : kWithoutEffect) {
-    if (entry.code == g.code) state_.assume(Assumed::g_code + g.code, entry.what);
-  }
+  if (g.meaning() == Meaning::surface_speed && words.has('P') && !check_css_axis(words['P']))
+    return false;
+  if (*g.row->effect != '\0') state_.assume(Assumed::g_code + g.code, g.row->effect);
   return true;
 }
 
 bool Settings::takes_axis_words(const Words& words) const {
-  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
-    switch (g->code) {
-      case 220:
-      case 510:
-      case 501:
-      case 511:
-      case 680: return true;
-      default: break;
-    }
-  }
-  return false;
+  return std::any_of(words.g_begin(), words.g_end(), [](const Words::G& g) {
+    return g.row != nullptr && g.row->axis_words == AxisWords::data;
+  });
 }
 
 bool Settings::apply_codes(const Words& words) {
@@ -131,31 +120,31 @@ bool Settings::apply_codes(const Words& words) {
   bool compensation = false;
   bool feed_mode = false;
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
-    const Group group = group_of(g->code);
+    const Group group = g->group();
     length |= group == Group::length;
     compensation |= group == Group::compensation;
     feed_mode |= group == Group::feed;
     bool good = true;
-    switch (g->code) {
-      case 500: {
+    switch (g->meaning()) {
+      case Meaning::scaling_off: {
         Transform transform = state_.coordinates.transform();
         transform.cancel_scaling();
         state_.coordinates.set_transform(transform);
         break;
       }
-      case 690: {
+      case Meaning::rotation_off: {
         Transform transform = state_.coordinates.transform();
         transform.cancel_rotation();
         state_.coordinates.set_transform(transform);
         break;
       }
-      case 510: good = set_scaling(words); break;
-      case 501:
-      case 511: good = set_mirror(words, g->code == 511); break;
-      case 680: good = set_rotation(words); break;
-      case 160: targets_.begin_polar(); break;
+      case Meaning::scaling_on: good = set_scaling(words); break;
+      case Meaning::mirror_off:
+      case Meaning::mirror_on: good = set_mirror(words, g->meaning() == Meaning::mirror_on); break;
+      case Meaning::rotation_on: good = set_rotation(words); break;
+      case Meaning::polar_on: targets_.begin_polar(); break;
       default:
-        if (group == Group::work) good = select_work(words, g->code);
+        if (group == Group::work) good = select_work(words, *g->row);
         break;
     }
     if (!good) return false;
@@ -167,9 +156,10 @@ bool Settings::apply_codes(const Words& words) {
 }
 
 // WCS-1, WCS-2
-bool Settings::select_work(const Words& words, GCode code) {
+bool Settings::select_work(const Words& words, const CodeRow& row) {
   WorkSystem work;
-  const bool extended = code == 541 || (code == 540 && words.has('P'));
+  const bool first = row.meaning == Meaning::work_system && row.value == 0;
+  const bool extended = row.meaning == Meaning::further_work_system || (first && words.has('P'));
   if (extended) {
     std::int64_t number = 1;
     if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, number)) return false;
@@ -179,9 +169,9 @@ bool Settings::select_work(const Words& words, GCode code) {
     }
     work.extended = static_cast<std::uint32_t>(number);
     state_.words.extended_work = number;
-    state_.modal.set(Group::work, 541);
+    state_.modal.set(Meaning::further_work_system);
   } else {
-    work.index = (code - 540U) / 10U;
+    work.index = static_cast<std::uint32_t>(row.value);
   }
   state_.coordinates.select(work);
   return true;
@@ -219,10 +209,10 @@ bool Settings::find_length_axis(const Words& words, Axis& axis) const {
 // TLC-1 to TLC-4. The offset moves the axis at once (TLC-2); its motion shows in the machine
 // coordinates only, because targets leave the tool length out.
 bool Settings::set_length(const Words& words, bool switched) {
-  const GCode mode = state_.modal[Group::length];
-  if (!switched && !(words.has('H') && mode != 490)) return true;
+  const Meaning mode = state_.modal[Group::length];
+  if (!switched && !(words.has('H') && mode != Meaning::length_off)) return true;
   Axis axis = state_.length_axis;
-  if (switched && mode != 490) {
+  if (switched && mode != Meaning::length_off) {
     if (!find_length_axis(words, axis)) return state_.alarms.raise(Code::no_length_axis);
     if (axis != state_.length_axis) state_.set_length(state_.length_axis, 0);
     state_.length_axis = axis;
@@ -232,8 +222,10 @@ bool Settings::set_length(const Words& words, bool switched) {
     return state_.alarms.raise(
         Code::illegal_offset_value,
         "H" + std::to_string(state_.words.length_offset) + " is " + base::number_text(offset));
-  state_.wanted_length = mode == 490 ? 0 : mode == 430 ? offset : -offset;
-  if (switched && mode != 490 && state_.words.length_offset == 0) {
+  state_.wanted_length = mode == Meaning::length_off    ? 0
+                         : mode == Meaning::length_plus ? offset
+                                                        : -offset;
+  if (switched && mode != Meaning::length_off && state_.words.length_offset == 0) {
     state_.assume(Assumed::no_offset, "G43 or G44 without an offset number: length offset 0");
   }
   moves_.apply_length(base::only(axis));
@@ -241,13 +233,13 @@ bool Settings::set_length(const Words& words, bool switched) {
 }
 
 bool Settings::set_compensation(const Words& words, bool switched) {
-  const GCode mode = state_.modal[Group::compensation];
-  if (mode == 400) {
+  const Meaning mode = state_.modal[Group::compensation];
+  if (mode == Meaning::compensation_off) {
     if (!switched || !state_.path.compensating()) return true;
     std::optional<geometry::Vec2> wall;
     const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
     if (plane && (words.has(plane->first_offset) || words.has(plane->second_offset)) &&
-        state_.modal[Group::motion] < 20) {
+        is_straight(state_.modal[Group::motion])) {
       geometry::Vec2 direction;
       if (words.has(plane->first_offset) &&
           !state_.values.length(words[plane->first_offset], direction.u))
@@ -257,8 +249,7 @@ bool Settings::set_compensation(const Words& words, bool switched) {
         return false;
       if (geometry::length(direction) > 0) wall = direction;
     }
-    const GCode motion = state_.modal[Group::motion];
-    if (motion != 0 && motion != 10 && words.has_any(targets_.letters())) {
+    if (!is_straight(state_.modal[Group::motion]) && words.has_any(targets_.letters())) {
       return state_.alarms.raise(Code::arc_at_start_up);
     }
     state_.path.end_compensation(wall);
@@ -283,7 +274,7 @@ bool Settings::set_compensation(const Words& words, bool switched) {
     if (state_.path.compensating()) state_.path.end_compensation(std::nullopt);
     return true;
   }
-  const bool left = (mode == 410) != transform.reverses(*plane);
+  const bool left = (mode == Meaning::compensation_left) != transform.reverses(*plane);
   state_.path.compensate(*plane, left ? radius : -radius);
   return true;
 }
@@ -334,7 +325,7 @@ bool Settings::set_mirror(const Words& words, bool on) {
     if (!on && (named == 0 || base::contains(named, axis))) transform.cancel_mirror(axis);
   }
   state_.coordinates.set_transform(transform);
-  state_.modal.set(Group::mirror, transform.mirrored() != 0 ? 511 : 501);
+  state_.modal.set(transform.mirrored() != 0 ? Meaning::mirror_on : Meaning::mirror_off);
   return true;
 }
 

@@ -37,8 +37,8 @@ class Settings {
   bool enter_bits(const gcode::Word& word, std::uint32_t number);
   bool check_parallel_axes(const Words& words);
   bool check_css_axis(const gcode::Word& word);
-  bool check_code(const Words& words, const Words::G& g, Group group);
-  bool select_work(const Words& words, GCode code);
+  bool check_code(const Words& words, const Words::G& g);
+  bool select_work(const Words& words, const CodeRow& row);
   bool find_length_axis(const Words& words, base::Axis& axis) const;
   bool set_length(const Words& words, bool switched);
   bool set_compensation(const Words& words, bool switched);

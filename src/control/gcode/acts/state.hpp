@@ -37,18 +37,19 @@ struct ModalWords {
 
 /// The state that the parts of the control share. Each part changes what its header says.
 struct State {
-  State(Parameters& parameters_in, const motion::AxisSetup& axes_in, Memory& memory_in,
-        Alarms& alarms_in, Assumptions& assumptions_in, Surroundings& surroundings_in,
-        motion::MotionSink& sink)
-      : parameters(parameters_in),
+  State(const CodeTable& codes_in, Parameters& parameters_in, const motion::AxisSetup& axes_in,
+        Memory& memory_in, Alarms& alarms_in, Assumptions& assumptions_in,
+        Surroundings& surroundings_in, motion::MotionSink& sink)
+      : codes(codes_in),
+        parameters(parameters_in),
         axes(axes_in),
         memory(memory_in),
         alarms(alarms_in),
         assumptions(assumptions_in),
         surroundings(surroundings_in),
         values(alarms_in),
-        modal(parameters_in),
-        before(parameters_in),
+        modal(codes_in, parameters_in),
+        before(codes_in, parameters_in),
         coordinates(axes_in, memory_in),
         strokes(axes_in, parameters_in.stroke_check, &coordinates.length()),
         outlet(alarms_in, surroundings_in,
@@ -58,6 +59,7 @@ struct State {
     refresh_format();
   }
 
+  const CodeTable& codes;
   Parameters& parameters;
   const motion::AxisSetup& axes;
   Memory& memory;
@@ -87,7 +89,7 @@ struct State {
 
   /// What turns now.
   [[nodiscard]] motion::Spindle spindle() const {
-    const bool css = modal[Group::speed] == 960;
+    const bool css = modal[Group::speed] == Meaning::surface_speed;
     return {
         .turning = words.turning,
         .mode = css ? motion::Spindle::Mode::constant_surface_speed : motion::Spindle::Mode::rpm,

@@ -44,7 +44,7 @@ bool Targets::read(const Words& words, Target& target) {
   target.program = state_.coordinates.program();
   target.named = 0;
   if (!words.has_any(letters_)) return true;
-  if (state_.modal[Group::polar] == 160) return read_polar(words, target);
+  if (state_.modal[Group::polar] == Meaning::polar_on) return read_polar(words, target);
   const bool incremental = state_.modal.incremental();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};

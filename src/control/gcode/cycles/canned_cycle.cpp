@@ -50,8 +50,9 @@ bool CannedCycle::begin(const Words& words, bool starts_mode, bool& moved) {
   holes_left_ = repeats;
   first_ = true;
   stage_ = Stage::position;
-  code_ = state_.modal[Group::cycle];
-  to_initial_ = state_.modal[Group::cycle_return] == 980 || code_ == 870;
+  cycle_ = state_.modal[Group::cycle];
+  to_initial_ = state_.modal[Group::cycle_return] == Meaning::return_to_initial ||
+                cycle_ == Meaning::back_bore;
   return true;
 }
 
@@ -109,8 +110,8 @@ bool CannedCycle::read_counts(const Words& words, std::int64_t& repeats) {
 }
 
 bool CannedCycle::check(const Words& words) {
-  const GCode code = state_.modal[Group::cycle];
-  if ((code == 730 || code == 830) && q_ <= 0) {
+  const Meaning cycle = state_.modal[Group::cycle];
+  if ((cycle == Meaning::peck_chip_break || cycle == Meaning::peck) && q_ <= 0) {
     return words.has('Q') ? state_.alarms.raise(Code::peck_missing, words['Q'].text)
                           : state_.alarms.raise(Code::peck_missing);
   }
@@ -139,12 +140,12 @@ bool CannedCycle::step() {
     stage_ = Stage::hole;
     return true;
   }
-  switch (code_) {
-    case 730:
-    case 830: return peck();
-    case 740:
-    case 840: return tap();
-    case 870: return back_bore();
+  switch (cycle_) {
+    case Meaning::peck_chip_break:
+    case Meaning::peck: return peck();
+    case Meaning::tap_left:
+    case Meaning::tap_right: return tap();
+    case Meaning::back_bore: return back_bore();
     default: return bore();
   }
 }
@@ -152,7 +153,7 @@ bool CannedCycle::step() {
 // Over the hole, then down to R; G87 orients and shifts before it goes down beside the bore.
 bool CannedCycle::position() {
   if (!moves_.rapid_to(hole_)) return false;
-  if (code_ != 870) return rapid_z(r_);
+  if (cycle_ != Meaning::back_bore) return rapid_z(r_);
   spindle(motion::Spindle::Turning::oriented);
   return shift(-q_) && rapid_z(r_) && shift(q_);
 }
@@ -189,8 +190,8 @@ bool CannedCycle::shift(double distance) {
 }
 
 bool CannedCycle::tapping() const {
-  const GCode code = state_.modal[Group::cycle];
-  return code == 740 || code == 840;
+  const Meaning cycle = state_.modal[Group::cycle];
+  return cycle == Meaning::tap_left || cycle == Meaning::tap_right;
 }
 
 void CannedCycle::dwell() {
@@ -206,29 +207,29 @@ void CannedCycle::spindle(motion::Spindle::Turning turning) {
 bool CannedCycle::bore() {
   if (!feed_z(z_)) return false;
   bool out = true;
-  switch (code_) {
-    case 820:
+  switch (cycle_) {
+    case Meaning::counterbore:
       dwell();
       out = rapid_z(return_level());
       break;
-    case 850: out = feed_z(r_) && rapid_z(return_level()); break;
-    case 860:
+    case Meaning::bore: out = feed_z(r_) && rapid_z(return_level()); break;
+    case Meaning::bore_spindle_stop:
       spindle(motion::Spindle::Turning::stopped);
       out = rapid_z(return_level());
       spindle(motion::Spindle::Turning::clockwise);
       break;
-    case 880:
+    case Meaning::bore_by_hand:
       dwell();
       spindle(motion::Spindle::Turning::stopped);
       state_.path.act(motion::Stop{false});
       out = rapid_z(return_level());
       spindle(motion::Spindle::Turning::clockwise);
       break;
-    case 890:
+    case Meaning::bore_dwell:
       dwell();
       out = feed_z(r_) && rapid_z(return_level());
       break;
-    case 760:
+    case Meaning::fine_bore:
       dwell();
       spindle(motion::Spindle::Turning::oriented);
       out = shift(q_) && rapid_z(return_level()) && shift(-q_);
@@ -242,7 +243,7 @@ bool CannedCycle::bore() {
 // CYC-3, CYC-4: one peck. The last one ends exactly at Z.
 bool CannedCycle::peck() {
   const double sign = z_ < r_ ? -1 : 1;
-  const bool chip_break = code_ == 730;
+  const bool chip_break = cycle_ == Meaning::peck_chip_break;
   // Scaling leaves the peck and its clearance alone, and only them.
   const double factor = state_.coordinates.transform().factor(drill_);
   const double clearance =
@@ -262,7 +263,7 @@ bool CannedCycle::peck() {
 
 // CYC-5: G84 in clockwise and out counterclockwise, G74 the other way.
 bool CannedCycle::tap() {
-  const bool right = code_ == 840;
+  const bool right = cycle_ == Meaning::tap_right;
   const auto in =
       right ? motion::Spindle::Turning::clockwise : motion::Spindle::Turning::counterclockwise;
   const auto out =

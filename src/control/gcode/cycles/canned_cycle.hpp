@@ -60,7 +60,7 @@ class CannedCycle {
   bool r_given_ = false;
 
   // of the holes that are being made
-  GCode code_ = 800;
+  Meaning cycle_ = Meaning::cycle_off;
   std::int64_t holes_left_ = 0;
   base::AxisVector increment_;
   base::AxisVector hole_;

@@ -9,11 +9,13 @@ bool has_bit(double variable, unsigned bit) {
 }
 
 MoveRules move_rules(const Words& words, const ModalState& modal, double feed_control) {
-  const GCode mode = modal[Group::stop_mode];
+  const Meaning mode = modal[Group::stop_mode];
   const bool stops = !has_bit(feed_control, FeedControl::no_exact_stop);
-  return {.every_move_stops = stops && (words.has_g(90) || words.has_g(600)),
-          .every_cut_stops = stops && mode == 610,
-          .fixed_override = mode == 630 || has_bit(feed_control, FeedControl::no_override)};
+  return {.every_move_stops =
+              stops && (words.has_g(Meaning::exact_stop) || words.has_g(Meaning::single_direction)),
+          .every_cut_stops = stops && mode == Meaning::exact_stop_mode,
+          .fixed_override =
+              mode == Meaning::tapping_mode || has_bit(feed_control, FeedControl::no_override)};
 }
 
 bool is_cut(const motion::Motion& motion) {

@@ -3,41 +3,18 @@
 namespace kerf::control {
 namespace {
 
-constexpr std::uint32_t kParts = Words::mask('I') | Words::mask('J') | Words::mask('K');
-constexpr std::uint32_t kOfACode =
-    kParts | Words::mask('P') | Words::mask('L') | Words::mask('Q') | Words::mask('R');
-
-// Letters that a G code gives a meaning to in its block.
-std::uint32_t letters_of(GCode code) {
-  switch (code) {
-    case 40:   // dwell
-    case 41:   // look-ahead
-    case 50:   // high-speed machining
-    case 80:   // look-ahead
-    case 300:  // number of the reference point
-    case 310:  // skip signal
-    case 540:
-    case 541:  // number of the work system
-    case 960: return Words::mask('P');
-    case 51: return Words::mask('P') | Words::mask('Q') | Words::mask('R');
-    case 100:
-    case 110: return kOfACode;
-    case 220:
-    case 400: return kParts;
-    case 510: return kParts | Words::mask('P');
-    case 680: return Words::mask('R');
-    case 330: return Words::mask('Q');
-    default: return 0;
-  }
-}
+// Those that belong to some codes only.
+constexpr std::uint32_t kOfACode = Words::mask("PLQRIJK");
+constexpr std::uint32_t kOfACall = Words::mask("PLQ");
 
 // The centre of an arc lies in its plane.
 std::uint32_t letters_of_arc(motion::Plane plane) {
   switch (plane) {
-    case motion::Plane::zx: return Words::mask('I') | Words::mask('K');
-    case motion::Plane::yz: return Words::mask('J') | Words::mask('K');
-    default: return Words::mask('I') | Words::mask('J');
+    case motion::Plane::xy: return Words::mask("IJR");
+    case motion::Plane::zx: return Words::mask("IKR");
+    case motion::Plane::yz: return Words::mask("JKR");
   }
+  return 0;
 }
 
 }  // namespace
@@ -45,12 +22,13 @@ std::uint32_t letters_of_arc(motion::Plane plane) {
 std::uint32_t idle_words(const Words& words, const ModalState& modal, bool calls) {
   std::uint32_t rest = words.present() & kOfACode;
   if (rest == 0) return 0;
-  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) rest &= ~letters_of(g->code);
-  const GCode motion = modal[Group::motion];
-  if (motion == 20 || motion == 30) rest &= ~(letters_of_arc(modal.plane()) | Words::mask('R'));
-  if (motion == 330) rest &= ~Words::mask('Q');
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
+    if (g->row != nullptr) rest &= ~Words::mask(g->row->letters);
+  }
+  if (modal.circular()) rest &= ~letters_of_arc(modal.plane());
+  if (const CodeRow* const motion = modal.row(Group::motion)) rest &= ~Words::mask(motion->letters);
   if (modal.in_cycle()) rest = 0;
-  if (calls) rest &= ~(Words::mask('P') | Words::mask('L') | Words::mask('Q'));
+  if (calls) rest &= ~kOfACall;
   return rest;
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "machine/definition/machine_definition.hpp"
 #include "machine/definition/internal/takes.hpp"
+#include "machine/definition/machine_definition.hpp"
 
 namespace kerf::machine {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "machine/definition/machine_definition.hpp"
 #include "machine/definition/internal/machine_keys.hpp"
+#include "machine/definition/machine_definition.hpp"
 
 namespace kerf::machine {
 

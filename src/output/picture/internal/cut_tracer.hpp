@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "output/picture/internal/cut_scale.hpp"
 #include "output/picture/drawing/display_list.hpp"
 #include "output/picture/drawing/view.hpp"
+#include "output/picture/internal/cut_scale.hpp"
 #include "output/picture/internal/path_store.hpp"
 #include "output/picture/internal/segment_set.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "output/picture/internal/cut_tracer.hpp"
 #include "output/picture/drawing/palette.hpp"
+#include "output/picture/internal/cut_tracer.hpp"
 #include "output/picture/internal/path_tracer.hpp"
 
 namespace kerf::output::plot {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "output/picture/internal/arc_path.hpp"
 #include "output/picture/drawing/space.hpp"
+#include "output/picture/internal/arc_path.hpp"
 #include "output/picture/internal/knot.hpp"
 #include "output/picture/internal/segment_set.hpp"
 #include "output/picture/internal/sleeve.hpp"

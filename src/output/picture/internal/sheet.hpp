@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/drawing/display_list.hpp"
+#include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/internal/path_recorder.hpp"
 
 namespace kerf::output::plot {

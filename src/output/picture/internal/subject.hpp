@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "output/picture/drawing/display_list.hpp"
 #include "output/picture/internal/cut_recorder.hpp"
 #include "output/picture/internal/cut_scale.hpp"
-#include "output/picture/drawing/display_list.hpp"
 #include "output/picture/internal/path_recorder.hpp"
 
 namespace kerf::output::plot {

@@ -1,12 +1,13 @@
 // The bytes of the pattern database: the tables of its description, errors with their offsets, and
 // random bytes there and back.
+#include "drive/pattern/codec.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
 #include "base/output_file.hpp"
-#include "drive/pattern/codec.hpp"
 #include "drive/pattern/reader.hpp"
 #include "drive/pattern/split.hpp"
 #include "seeded_random.hpp"

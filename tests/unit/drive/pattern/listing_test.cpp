@@ -1,10 +1,11 @@
 // The text form of patterns: lines there and back, moves that are split, errors with their column.
+#include "drive/pattern/listing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "drive/pattern/listing.hpp"
 #include "drive/pattern/listing_reader.hpp"
 #include "seeded_random.hpp"
 

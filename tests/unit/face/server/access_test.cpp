@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "face/server/transport/access.hpp"
+
+#include <gtest/gtest.h>
 
 namespace kerf::server {
 namespace {

@@ -1,3 +1,5 @@
+#include "face/server/store/library.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -7,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "face/server/store/chunk_store.hpp"
-#include "face/server/store/library.hpp"
 #include "face/server/store/program_name.hpp"
 
 namespace kerf::server {

@@ -1,11 +1,11 @@
 // Who knows what of a machine's memory is on the disk, with a disk that fails.
+#include "face/server/store/memory_keeper.hpp"
+
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <random>
 #include <thread>
-
-#include "face/server/store/memory_keeper.hpp"
 
 namespace kerf::server {
 namespace {

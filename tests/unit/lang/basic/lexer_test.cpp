@@ -1,8 +1,8 @@
+#include "lang/basic/lexer.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "lang/basic/lexer.hpp"
 
 namespace kerf::basic {
 namespace {

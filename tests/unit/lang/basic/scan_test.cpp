@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "lang/basic/scan.hpp"
+
+#include <gtest/gtest.h>
 
 namespace kerf::basic {
 namespace {

@@ -12,60 +12,63 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
 import check_rooms  # noqa: E402
 
-LINKS = """kerf_room(math SOURCES a.cpp)
-kerf_room(base SOURCES a.cpp)
-kerf_room(gcode SOURCES a.cpp LINKS kerf_base)
-kerf_room(basic SOURCES a.cpp LINKS kerf_base)
-kerf_room(control SOURCES a.cpp LINKS kerf_gcode kerf_base kerf_math)
-"""
+LINKS = {
+    "math": "kerf_room()",
+    "base": "kerf_room(SOURCES made.cpp)",
+    "lang/gcode": "kerf_room(LINKS kerf_base)",
+    "lang/basic": "kerf_room(LINKS kerf_base)",
+    "control/gcode": "kerf_room(\n  LINKS kerf_lang_gcode kerf_base kerf_math fmt::fmt)",
+}
 
 FOUND = {
-    "a room below": ("base/a.cpp", '#include "control/b.hpp"\n', "control stands below base"),
-    "a room beside": ("lang/basic/a.cpp", '#include "lang/gcode/b.hpp"\n', "stands beside"),
+    "a room below": ("base/a.cpp", '#include "control/gcode/b.hpp"\n', "control/gcode stands below base"),
+    "a room beside": ("lang/basic/a.cpp", '#include "lang/gcode/b.hpp"\n', "is not among what lang/basic uses"),
     "a room that is not linked": ("lang/gcode/a.cpp", '#include "math/math.hpp"\n', "does not link kerf_math"),
-    "the inside of another room": ("control/a.cpp", '#include "base/internal/b.hpp"\n', "internal/ is for base"),
-    "a path from elsewhere": ("control/a.cpp", '#include "b.hpp"\n', "is in no room"),
+    "the inside of another room": ("control/gcode/a.cpp", '#include "base/internal/b.hpp"\n', "internal/ is for base"),
+    "a path from elsewhere": ("control/gcode/a.cpp", '#include "b.hpp"\n', "is in no room"),
     "a folder that is no room": ("attic/a.cpp", "", "is no room"),
-    "a sine of the library": ("control/a.cpp", "double y = std::sin(x);\n", "std::sin"),
-    "a global one": ("control/a.cpp", "double y = ::pow(x, 2);\n", "::pow"),
-    "one without a name in front": ("control/a.cpp", "return hypot(x, y);\n", "hypot"),
-    "strtod": ("control/a.cpp", "const double x = std::strtod(text, nullptr);\n", "strtod"),
-    "strtol": ("control/a.cpp", "long n = strtol(text, &end, 10);\n", "strtol"),
-    "stod": ("control/a.cpp", "return std::stod(text);\n", "stod"),
-    "stoi": ("control/a.cpp", "return stoi (text);\n", "stoi"),
-    "atof": ("control/a.cpp", "x = atof(text);\n", "atof"),
-    "from_chars": ("control/a.cpp", "std::from_chars(begin, end, x);\n", "from_chars"),
+    "a sine of the library": ("control/gcode/a.cpp", "double y = std::sin(x);\n", "std::sin"),
+    "a global one": ("control/gcode/a.cpp", "double y = ::pow(x, 2);\n", "::pow"),
+    "one without a name in front": ("control/gcode/a.cpp", "return hypot(x, y);\n", "hypot"),
+    "strtod": ("control/gcode/a.cpp", "const double x = std::strtod(text, nullptr);\n", "strtod"),
+    "strtol": ("control/gcode/a.cpp", "long n = strtol(text, &end, 10);\n", "strtol"),
+    "stod": ("control/gcode/a.cpp", "return std::stod(text);\n", "stod"),
+    "stoi": ("control/gcode/a.cpp", "return stoi (text);\n", "stoi"),
+    "atof": ("control/gcode/a.cpp", "x = atof(text);\n", "atof"),
+    "from_chars": ("control/gcode/a.cpp", "std::from_chars(begin, end, x);\n", "from_chars"),
     "to_chars beside the border": ("base/a.cpp", "std::to_chars(begin, end, x);\n", "to_chars"),
-    "sscanf": ("control/a.cpp", 'std::sscanf(text, "%lf", &x);\n', "sscanf"),
-    "snprintf": ("control/a.cpp", 'std::snprintf(text, 9, "%d", n);\n', "snprintf"),
-    "a float of printf": ("control/a.cpp", 'std::fprintf(stderr,\n             "at %-8.3f", x);\n', "printf"),
-    "a stream of text": ("control/a.cpp", "#include <sstream>\n", "<sstream>"),
-    "manipulators": ("control/a.cpp", "# include <iomanip>\n", "<iomanip>"),
-    "the locale": ("control/a.cpp", 'std::setlocale(LC_ALL, "");\n', "setlocale"),
-    "the locale by fmt": ("control/a.cpp", 'fmt::format("{:.2Lf}", x);\n', "L"),
-    "behind another": ("control/a.cpp", 'std::printf("%d", n);\nstd::printf("%g", x);\n', "a.cpp:2"),
+    "sscanf": ("control/gcode/a.cpp", 'std::sscanf(text, "%lf", &x);\n', "sscanf"),
+    "snprintf": ("control/gcode/a.cpp", 'std::snprintf(text, 9, "%d", n);\n', "snprintf"),
+    "a float of printf": ("control/gcode/a.cpp", 'std::fprintf(stderr,\n             "at %-8.3f", x);\n', "printf"),
+    "a stream of text": ("control/gcode/a.cpp", "#include <sstream>\n", "<sstream>"),
+    "manipulators": ("control/gcode/a.cpp", "# include <iomanip>\n", "<iomanip>"),
+    "the locale": ("control/gcode/a.cpp", 'std::setlocale(LC_ALL, "");\n', "setlocale"),
+    "the locale by fmt": ("control/gcode/a.cpp", 'fmt::format("{:.2Lf}", x);\n', "L"),
+    "behind another": ("control/gcode/a.cpp", 'std::printf("%d", n);\nstd::printf("%g", x);\n', "a.cpp:2"),
 }
 
 NOT_FOUND = {
-    "rooms above": ("control/a.cpp", '#include "base/b.hpp"\n#include "control/internal/c.hpp"\n'),
-    "headers of the library": ("control/a.cpp", "#include <cmath>\n#include <string>\n"),
-    "math's own sine": ("control/a.cpp", "double y = math::sin(x);\n"),
-    "a sine that is named": ("control/a.cpp", "using math::sin;\ndouble y = sin(x);\n"),
-    "what is exact everywhere": ("control/a.cpp", "std::sqrt(x) + std::floor(x) + std::fmod(x, y);\n"),
+    "rooms above": ("control/gcode/a.cpp", '#include "base/b.hpp"\n#include "control/gcode/internal/c.hpp"\n'),
+    "headers of the library": ("control/gcode/a.cpp", "#include <cmath>\n#include <string>\n"),
+    "math's own sine": ("control/gcode/a.cpp", "double y = math::sin(x);\n"),
+    "a sine that is named": ("control/gcode/a.cpp", "using math::sin;\ndouble y = sin(x);\n"),
+    "what is exact everywhere": ("control/gcode/a.cpp", "std::sqrt(x) + std::floor(x) + std::fmod(x, y);\n"),
     "math itself": ("math/a.cpp", "double y = std::log(x);\n"),
     "the border": ("base/decimal.cpp", "std::from_chars(begin, end, x);\nstd::to_chars(begin, end, x);\n"),
-    "printf without floats": ("control/a.cpp", 'std::fprintf(stderr, "%s: %llu %d %%\\n", text, n, i);\nx = a % f;\n'),
-    "fmt": ("control/a.cpp", 'fmt::format("{:.2f} {:02X} {}: {}", x, n, text, text);\n'),
-    "comments": ("control/a.cpp", "// not by strtod(text) or std::sin(x)\n"),
-    "names that contain one": ("control/a.cpp", "restrtod(x); my_atoi(y); histoi(z);\n"),
+    "printf without floats": ("control/gcode/a.cpp", 'std::fprintf(stderr, "%s: %llu %d %%\\n", text, n, i);\nx = a % f;\n'),
+    "fmt": ("control/gcode/a.cpp", 'fmt::format("{:.2f} {:02X} {}: {}", x, n, text, text);\n'),
+    "comments": ("control/gcode/a.cpp", "// not by strtod(text) or std::sin(x)\n"),
+    "names that contain one": ("control/gcode/a.cpp", "restrtod(x); my_atoi(y); histoi(z);\n"),
 }
 
 
 def findings(path: str, text: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         src = Path(folder) / "src"
-        (src / path).parent.mkdir(parents=True)
-        (src / "CMakeLists.txt").write_text(LINKS)
+        for room, links in LINKS.items():
+            (src / room).mkdir(parents=True)
+            (src / room / "CMakeLists.txt").write_text(links)
+        (src / path).parent.mkdir(parents=True, exist_ok=True)
         (src / path).write_text(text)
         return check_rooms.check(Path(folder))[1]
 
@@ -85,12 +88,12 @@ class Rules(unittest.TestCase):
 
     def test_a_room_may_not_link_one_below(self):
         with tempfile.TemporaryDirectory() as folder:
-            src = Path(folder) / "src"
-            src.mkdir()
-            (src / "CMakeLists.txt").write_text("kerf_room(base SOURCES a.cpp LINKS kerf_control)\n")
+            room = Path(folder) / "src/base"
+            room.mkdir(parents=True)
+            (room / "CMakeLists.txt").write_text("kerf_room(LINKS kerf_control_gcode)\n")
             found = check_rooms.check(Path(folder))[1]
         self.assertEqual(len(found), 1)
-        self.assertIn("base may not link control", found[0])
+        self.assertIn("base may not link control/gcode", found[0])
 
 
 if __name__ == "__main__":

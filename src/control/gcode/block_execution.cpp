@@ -91,7 +91,7 @@ bool Controller::execute_block(const std::string& name) {
       state_.parameter_entry = false;
       return true;
     }
-    const bool entered = settings_.enter_parameter(words_, block_number_);
+    const bool entered = data_setting_.enter_parameter(words_, block_number_);
     learn_parameters();
     return entered;
   }
@@ -195,7 +195,7 @@ bool Controller::select_cycle(bool& plain) {
 bool Controller::one_shot(const Words::G& g, bool& moved) {
   switch (g.meaning()) {
     case Meaning::dwell: return dwell();
-    case Meaning::data_setting: return settings_.set_data(words_);
+    case Meaning::data_setting: return data_setting_.execute(words_);
     case Meaning::data_setting_end: return true;
     case Meaning::local_system: return settings_.local_system(words_);
     case Meaning::preset: return settings_.preset(words_);

@@ -70,6 +70,7 @@ Controller::Controller(const Parameters& parameters, const motion::AxisSetup& ax
       targets_(state_),
       moves_(state_, targets_),
       settings_(state_, targets_, moves_),
+      data_setting_(state_, targets_),
       references_(state_, targets_, moves_),
       auxiliary_(state_),
       cycle_(state_, targets_, moves_),

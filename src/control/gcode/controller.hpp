@@ -7,6 +7,7 @@
 
 #include "control/core/program_control.hpp"
 #include "control/gcode/acts/auxiliary.hpp"
+#include "control/gcode/acts/data_setting.hpp"
 #include "control/gcode/acts/references.hpp"
 #include "control/gcode/acts/settings.hpp"
 #include "control/gcode/acts/state.hpp"
@@ -175,6 +176,7 @@ class Controller : public ProgramControl, public vm::Host {
   Targets targets_;
   Moves moves_;
   Settings settings_;
+  DataSetting data_setting_;
   References references_;
   Auxiliary auxiliary_;
   CannedCycle cycle_;

@@ -124,11 +124,11 @@ bool LaserMoves::circle(std::span<const double> a) {
 }
 
 bool LaserMoves::arc(std::span<const double> arguments) {
-  switch (arguments.size()) {
-    case 4: return arc_by_radius(arguments);
-    case 5: return arc_by_angles(arguments);
-    default: return arc_through(arguments);
-  }
+  constexpr std::size_t kCentreRadiusEnd = 4;
+  constexpr std::size_t kCentreRadiusAngles = 5;
+  if (arguments.size() == kCentreRadiusEnd) return arc_by_radius(arguments);
+  if (arguments.size() == kCentreRadiusAngles) return arc_by_angles(arguments);
+  return arc_through(arguments);
 }
 
 // Through P1 to P2; in a plane of constant Z it is an arc of that plane.

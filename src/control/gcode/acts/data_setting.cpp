@@ -1,7 +1,7 @@
-// G10: work offsets, tool offsets, parameters (docs/dialect.md §7.4).
+#include "control/gcode/acts/data_setting.hpp"
+
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
-#include "control/gcode/acts/settings.hpp"
 
 namespace kerf::control {
 namespace {
@@ -24,7 +24,7 @@ int tool_part(char memory, std::int64_t l) {
 
 }  // namespace
 
-bool Settings::set_data(const Words& words) {
+bool DataSetting::execute(const Words& words) {
   std::int64_t l = 0;
   if (!words.has('L')) return state_.alarms.raise(Code::g10_format, "L is missing");
   if (!state_.values.integer(words['L'], 0, 99999999, l)) return false;
@@ -41,7 +41,7 @@ bool Settings::set_data(const Words& words) {
   return set_tool_offset(words, l);
 }
 
-bool Settings::set_work_offset(const Words& words) {
+bool DataSetting::set_work_offset(const Words& words) {
   std::int64_t p = 0;
   if (!words.has('P')) return state_.alarms.raise(Code::g10_format, "P is missing");
   if (!state_.values.integer(words['P'], 0, 99999999, p)) return false;
@@ -68,7 +68,7 @@ bool Settings::set_work_offset(const Words& words) {
   return true;
 }
 
-bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
+bool DataSetting::set_tool_offset(const Words& words, std::int64_t l) {
   std::int64_t p = 0;
   double value = 0;
   if (!words.has('P') || !words.has('R')) {
@@ -96,7 +96,7 @@ bool Settings::set_tool_offset(const Words& words, std::int64_t l) {
 }
 
 // A parameter of eight bits: R is their pattern, bit 7 first.
-bool Settings::enter_bits(const gcode::Word& word, std::uint32_t number) {
+bool DataSetting::enter_bits(const gcode::Word& word, std::uint32_t number) {
   const auto key = [&](int bit) { return std::to_string(number) + "#" + std::to_string(bit); };
   std::int64_t pattern = -1;
   for (int bit = 0; bit < 8; ++bit) {
@@ -114,7 +114,7 @@ bool Settings::enter_bits(const gcode::Word& word, std::uint32_t number) {
   return true;
 }
 
-bool Settings::enter_parameter(const Words& words, std::uint32_t number) {
+bool DataSetting::enter_parameter(const Words& words, std::uint32_t number) {
   double value = 0;
   if (number == 0 || !words.has('R')) {
     return state_.alarms.raise(Code::parameter_entry, "parameter entry needs N and R");

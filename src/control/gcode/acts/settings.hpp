@@ -7,8 +7,8 @@
 namespace kerf::control {
 
 /// What blocks set without moving: modal codes and everything that they switch (coordinate systems,
-/// tool length, cutter compensation, scaling, mirror image, rotation), and the one-shot codes G10,
-/// G52, G92 (docs/dialect.md §7.4, §8.3 to §8.5, §9).
+/// tool length, cutter compensation, scaling, mirror image, rotation), and the one-shot codes G52,
+/// G92 (docs/dialect.md §8.3 to §8.5, §9).
 class Settings {
  public:
   Settings(State& state, Targets& targets, Moves& moves)
@@ -22,9 +22,6 @@ class Settings {
   [[nodiscard]] bool local_system(const Words& words);  ///< G52
   [[nodiscard]] bool preset(const Words& words);        ///< G92
   [[nodiscard]] bool clear_shifts(const Words& words);  ///< G92.1
-  [[nodiscard]] bool set_data(const Words& words);      ///< G10
-  [[nodiscard]] bool enter_parameter(const Words& words,
-                                     std::uint32_t number);  ///< between G10 L50 and G11: N, R
 
   /// True when the words X, Y, … of the block are data of its codes, not a move.
   [[nodiscard]] bool takes_axis_words(const Words& words) const;
@@ -34,7 +31,6 @@ class Settings {
   [[nodiscard]] double radius_of(std::int64_t number) const;
 
  private:
-  bool enter_bits(const gcode::Word& word, std::uint32_t number);
   bool check_parallel_axes(const Words& words);
   bool check_css_axis(const gcode::Word& word);
   bool check_code(const Words& words, const Words::G& g);
@@ -46,8 +42,6 @@ class Settings {
   bool scale_factor(const Words& words, char letter, double& factor);
   bool set_mirror(const Words& words, bool on);
   bool set_rotation(const Words& words);
-  bool set_work_offset(const Words& words);
-  bool set_tool_offset(const Words& words, std::int64_t kind);
 
   State& state_;
   Targets& targets_;

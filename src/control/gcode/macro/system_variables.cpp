@@ -4,6 +4,7 @@
 
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
+#include "control/gcode/macro/system_number.hpp"
 #include "lang/gcode/page.hpp"
 #include "lang/vm/value.hpp"
 
@@ -139,27 +140,29 @@ bool SystemVariables::read_clock(std::uint32_t number, double& value) {
   const auto wrapped = [](double amount, double wrap) {
     return amount - wrap * std::floor(amount / wrap);
   };
-  switch (number) {
-    case 3000:
-    case 3006: return state_.alarms.raise(Code::read_protected);
-    case 3001:
+  switch (static_cast<SystemNumber>(number)) {
+    case SystemNumber::alarm:
+    case SystemNumber::message: return state_.alarms.raise(Code::read_protected);
+    case SystemNumber::milliseconds:
       value = std::floor(
           wrapped((state_.surroundings.seconds() - clock_start_s_) * 1000, kClockWrap_ms));
       return true;
-    case 3002:
+    case SystemNumber::hours:
       value = wrapped(
           state_.memory.running_hours + (state_.surroundings.seconds() - hours_start_s_) / 3600,
           kHoursWrap);
       return true;
-    case 3003: value = state_.block_control; return true;
-    case 3004: value = state_.feed_control; return true;
-    case 3005: value = settings_ + (state_.modal.inch() ? kInchBit : 0); return true;
-    case 3007: value = state_.coordinates.transform().mirrored(); return true;
-    case 3008: value = 0; return true;
-    case 3011: value = state_.surroundings.date(); return true;
-    case 3012: value = state_.surroundings.time_of_day(); return true;
-    case 3901: value = state_.memory.parts; return true;
-    case 3902: value = state_.memory.parts_required; return true;
+    case SystemNumber::block_control: value = state_.block_control; return true;
+    case SystemNumber::feed_control: value = state_.feed_control; return true;
+    case SystemNumber::settings:
+      value = settings_ + (state_.modal.inch() ? kInchBit : 0);
+      return true;
+    case SystemNumber::mirrored: value = state_.coordinates.transform().mirrored(); return true;
+    case SystemNumber::restarting: value = 0; return true;
+    case SystemNumber::date: value = state_.surroundings.date(); return true;
+    case SystemNumber::time_of_day: value = state_.surroundings.time_of_day(); return true;
+    case SystemNumber::parts: value = state_.memory.parts; return true;
+    case SystemNumber::parts_required: value = state_.memory.parts_required; return true;
     default: return missing(number);
   }
 }
@@ -176,18 +179,24 @@ bool SystemVariables::read_modal(std::uint32_t number, double& value) {
     return value >= 0 || missing(number);
   }
   if (!words) return missing(number);
-  switch (item) {
-    case 2: value = state_.words.second_auxiliary; return true;
-    case 7: value = static_cast<double>(state_.words.radius_offset); return true;
-    case 8: value = state_.words.e; return true;
-    case 9: value = state_.words.feed_programmed; return true;
-    case 11: value = static_cast<double>(state_.words.length_offset); return true;
-    case 13: value = static_cast<double>(state_.words.last_m); return true;
-    case 14: value = interpreter_->note(); return true;
-    case 15: value = program_number_(); return true;
-    case 19: value = state_.words.speed; return true;
-    case 20: value = static_cast<double>(state_.words.tool); return true;
-    case 30: value = static_cast<double>(state_.words.extended_work); return true;
+  switch (static_cast<ModalWord>(item)) {
+    case ModalWord::second_auxiliary: value = state_.words.second_auxiliary; return true;
+    case ModalWord::radius_offset:
+      value = static_cast<double>(state_.words.radius_offset);
+      return true;
+    case ModalWord::e: value = state_.words.e; return true;
+    case ModalWord::feed: value = state_.words.feed_programmed; return true;
+    case ModalWord::length_offset:
+      value = static_cast<double>(state_.words.length_offset);
+      return true;
+    case ModalWord::m: value = static_cast<double>(state_.words.last_m); return true;
+    case ModalWord::sequence_number: value = interpreter_->note(); return true;
+    case ModalWord::program_number: value = program_number_(); return true;
+    case ModalWord::speed: value = state_.words.speed; return true;
+    case ModalWord::tool: value = static_cast<double>(state_.words.tool); return true;
+    case ModalWord::extended_work:
+      value = static_cast<double>(state_.words.extended_work);
+      return true;
     default: return missing(number);
   }
 }
@@ -199,15 +208,17 @@ bool SystemVariables::read_position(std::uint32_t number, double& value) {
   const Axis axis{static_cast<std::uint8_t>(axis_number)};
   const bool linear = is_linear(axis_number);
   const Coordinates& c = state_.coordinates;
-  switch ((number - 5001) / kAxesPerRow) {
-    case 0: value = c.program()[axis]; break;
-    case 1: value = state_.path.tip()[axis] + c.length()[axis]; break;
-    case 2: value = state_.path.tip()[axis] + c.length()[axis] - c.origin()[axis]; break;
-    case 3: value = state_.skip_position[axis] - c.origin()[axis]; break;
-    case 4: value = c.length()[axis]; break;
-    case 5:
-    case 6:
-    case 9: value = 0; break;
+  switch (static_cast<PositionRow>((number - 5001) / kAxesPerRow)) {
+    case PositionRow::end_of_block: value = c.program()[axis]; break;
+    case PositionRow::machine: value = state_.path.tip()[axis] + c.length()[axis]; break;
+    case PositionRow::work:
+      value = state_.path.tip()[axis] + c.length()[axis] - c.origin()[axis];
+      break;
+    case PositionRow::skip: value = state_.skip_position[axis] - c.origin()[axis]; break;
+    case PositionRow::tool_length: value = c.length()[axis]; break;
+    case PositionRow::following_error:
+    case PositionRow::handle_interrupt:
+    case PositionRow::distance_to_go: value = 0; break;
     default: return missing(number);
   }
   const double per_unit = linear && state_.modal.inch() ? 10000 : 1000;
@@ -294,31 +305,35 @@ void SystemVariables::assume(std::uint32_t key, const char* what) {
 
 bool SystemVariables::write_clock(std::uint32_t number, double value, Event& event) {
   const double amount = vm::zero_if_null(value);
-  switch (number) {
-    case 3000: event = {Event::Kind::alarm, value}; return true;
-    case 3006: event = {Event::Kind::message, value}; return true;
-    case 3001: clock_start_s_ = state_.surroundings.seconds() - amount / 1000; return true;
-    case 3002:
+  switch (static_cast<SystemNumber>(number)) {
+    case SystemNumber::alarm: event = {Event::Kind::alarm, value}; return true;
+    case SystemNumber::message: event = {Event::Kind::message, value}; return true;
+    case SystemNumber::milliseconds:
+      clock_start_s_ = state_.surroundings.seconds() - amount / 1000;
+      return true;
+    case SystemNumber::hours:
       state_.memory.running_hours = amount;
       ++state_.memory.revision;
       hours_start_s_ = state_.surroundings.seconds();
       return true;
-    case 3003:
+    case SystemNumber::block_control:
       if (amount != 0)
         assume(Assumed::block_control, "#3003 (single block, M S T functions) has no effect");
       state_.block_control = amount;
       return true;
-    case 3004:
+    case SystemNumber::feed_control:
       if (has_bit(amount, FeedControl::no_feed_hold))
         assume(Assumed::feed_hold, "#3004 does not switch the feed hold off");
       state_.feed_control = amount;
       return true;
-    case 3005: settings_ = amount; return true;
-    case 3901:
-    case 3902:
+    case SystemNumber::settings: settings_ = amount; return true;
+    case SystemNumber::parts:
+    case SystemNumber::parts_required:
       if (amount < 0)
         return state_.alarms.raise(Code::argument_range, "a part count is not negative");
-      (number == 3901 ? state_.memory.parts : state_.memory.parts_required) = amount;
+      (static_cast<SystemNumber>(number) == SystemNumber::parts ? state_.memory.parts
+                                                                : state_.memory.parts_required) =
+          amount;
       ++state_.memory.revision;
       return true;
     default: {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "control/gcode/controller.hpp"
+#include "control/gcode/gcode_control.hpp"
 #include "machine/run/virtual_machine.hpp"
 
 namespace kerf::test {
 
 /// The control of a machine whose dialect is G-code.
-inline control::Controller& fanuc(machine::VirtualMachine& machine) {
-  return dynamic_cast<control::Controller&>(machine.control());
+inline control::GcodeControl& fanuc(machine::VirtualMachine& machine) {
+  return dynamic_cast<control::GcodeControl&>(machine.control());
 }
 
 }  // namespace kerf::test

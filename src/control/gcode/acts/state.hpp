@@ -8,6 +8,7 @@
 
 #include "control/core/alarms.hpp"
 #include "control/core/assumptions.hpp"
+#include "control/core/control.hpp"
 #include "control/core/memory.hpp"
 #include "control/core/parameters.hpp"
 #include "control/core/surroundings.hpp"
@@ -96,6 +97,11 @@ struct State {
         .speed = words.speed,
         .max_rpm = css ? words.max_rpm : 0};
   }
+  /// The reset button: modes as at power-on. The tool stays where it is, offsets and the shift of
+  /// G92 stay.
+  void reset();
+  /// The modes as whoever shows them gets them.
+  [[nodiscard]] ModalView modal_view() const;
   /// The tool length of an axis is in force from the next move on.
   void set_length(base::Axis axis, double mm) {
     coordinates.set_length(axis, mm);

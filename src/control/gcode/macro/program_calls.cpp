@@ -266,4 +266,13 @@ bool ProgramCalls::return_from_program(std::optional<std::uint32_t> label) {
                              "the program has no N" + std::to_string(*label));
 }
 
+std::string ProgramCalls::callers() const {
+  std::string text;
+  for (std::size_t depth = interpreter_.depth(); depth-- > 1;) {
+    text += (text.empty() ? "called from line " : ", line ") +
+            std::to_string(interpreter_.place_of_call(depth).line) + " of " + name_at(depth - 1);
+  }
+  return text;
+}
+
 }  // namespace kerf::control

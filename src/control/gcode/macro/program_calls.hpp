@@ -83,6 +83,8 @@ class ProgramCalls {
   }
   /// The name of the program at a level, 0: main.
   [[nodiscard]] std::string name_at(std::size_t level) const;
+  /// "called from line 5 of O0001", from the nearest caller to the main program; empty there.
+  [[nodiscard]] std::string callers() const;
 
  private:
   struct Level {

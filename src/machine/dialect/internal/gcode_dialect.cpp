@@ -93,7 +93,7 @@ std::optional<base::Diagnostic> GcodeDialect::start_entry(base::FileId file) {
   if (library_.findings().size() > findings) return library_.findings().back();
   if (library_.program_count() == before)
     return base::make_error(base::Code::empty_program, {.file = file, .line = 1, .column = 1});
-  controller_.start(vm::CodeId(before), control::Controller::Ends::with_text);
+  controller_.start(vm::CodeId(before), control::GcodeControl::Ends::with_text);
   started_ = true;
   return std::nullopt;
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "control/gcode/controller.hpp"
+#include "control/gcode/gcode_control.hpp"
 #include "lang/gcode/code_library.hpp"
 #include "machine/dialect/dialect.hpp"
 #include "machine/dialect/program_shelf.hpp"
@@ -43,7 +43,7 @@ class GcodeDialect final : public Dialect {
   void check(base::Findings& found) override;
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) override;
   [[nodiscard]] std::vector<Variable> variables() override;
-  [[nodiscard]] control::Controller& control() override { return controller_; }
+  [[nodiscard]] control::GcodeControl& control() override { return controller_; }
   [[nodiscard]] const control::Control& control() const override { return controller_; }
 
   /// The number behind '#', or nothing.
@@ -57,7 +57,7 @@ class GcodeDialect final : public Dialect {
   Signals& signals_;
   gcode::CodeLibrary library_;
   ProgramShelf shelf_;
-  control::Controller controller_;
+  control::GcodeControl controller_;
   std::array<double, gcode::kLocals> first_locals_;  // of the main program, from outside
   bool started_ = false;
 };

@@ -1,0 +1,231 @@
+#include "control/gcode/block_acts.hpp"
+
+#include <algorithm>
+
+#include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
+#include "control/gcode/words/idle_words.hpp"
+
+namespace kerf::control {
+namespace {
+
+using base::Code;
+using gcode::Word;
+using gcode::WordFlag;
+
+}  // namespace
+
+BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer)
+    : state_(state),
+      calls_(calls),
+      buffer_(buffer),
+      targets_(state),
+      moves_(state, targets_),
+      settings_(state, targets_, moves_),
+      data_setting_(state, targets_),
+      references_(state, targets_, moves_),
+      auxiliary_(state),
+      cycle_(state, targets_, moves_) {
+  targets_.learn_letters();
+}
+
+bool BlockActs::execute(ReadBlock& block) {
+  entered_parameters_ = false;
+  return is_plain_move(block) ? plain_move(block) : execute_in_full(block);
+}
+
+// Most blocks of most programs command a motion and nothing else: group 01 codes, axes, F.
+bool BlockActs::is_plain_move(const ReadBlock& block) const {
+  constexpr std::uint32_t kPlain = Words::mask("GFNIJKR");
+  const Words& words = block.words;
+  if (block.corner != nullptr || (words.present() & ~(kPlain | targets_.letters())) != 0 ||
+      state_.modal.in_cycle() || state_.parameter_entry)
+    return false;
+  return std::all_of(words.g_begin(), words.g_end(),
+                     [](const Words::G& g) { return g.group() == Group::motion; });
+}
+
+bool BlockActs::plain_move(const ReadBlock& block) {
+  const Words& words = block.words;
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) state_.modal.set(*g->row);
+  if (!auxiliary_.read_feed(words) || !tell_idle_words(block)) return false;
+  state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
+  buffer_.pass_through(
+      !state_.path.compensating());  // a move is checked whole before it is emitted
+  const bool good = moves_.execute(words, moved_);
+  buffer_.pass_through(false);
+  return good;
+}
+
+bool BlockActs::execute_in_full(ReadBlock& block) {
+  const Words& words = block.words;
+  const Words::G* one_shot = nullptr;
+  const bool was_in_cycle = state_.modal.in_cycle();
+  const bool parameter_entry = state_.parameter_entry;
+  if (!settings_.read_codes(words, one_shot)) return false;
+  if (parameter_entry) return enter_parameter(block, one_shot);
+  if (!check_block(words, one_shot) || !auxiliary_.read(words) ||
+      !auxiliary_.read_codes(words, codes_) || !check_return(words))
+    return false;
+  if (!settings_.apply_codes(words) || !end_modal_calls(words) || !tell_idle_words(block))
+    return false;
+  auxiliary_.before_motion(words);
+  if (was_in_cycle && !state_.modal.in_cycle()) cycle_.cancel();
+  state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
+  return move(block, one_shot);
+}
+
+// Between G10 L50 and G11.
+bool BlockActs::enter_parameter(const ReadBlock& block, const Words::G* one_shot) {
+  if (one_shot != nullptr && one_shot->meaning() == Meaning::data_setting_end) {
+    state_.parameter_entry = false;
+    return true;
+  }
+  entered_parameters_ = true;
+  return data_setting_.enter_parameter(block.words, block.number);
+}
+
+bool BlockActs::check_return(const Words& words) {
+  if (!codes_.return_ || !calls_.modal_active()) return true;
+  const bool alone =
+      words.m_end() - words.m_begin() <= 1 && (words.present() & ~Words::mask("MPNL")) == 0;
+  return alone || state_.alarms.raise(Code::words_with_return, "M99 must stand alone here");
+}
+
+// Words that may not stand beside a one-shot code.
+bool BlockActs::check_block(const Words& words, const Words::G* one_shot) {
+  for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
+    if (m->function() == Function::rigid_tapping && state_.before.in_cycle()) {
+      return state_.alarms.raise(Code::tap_order, m->word->text,
+                                 "M29 stands before the tapping cycle, not in it");
+    }
+  }
+  if (one_shot == nullptr || !words.has('T')) return true;
+  if (one_shot->meaning() == Meaning::dwell || one_shot->meaning() == Meaning::data_setting)
+    return state_.alarms.raise(Code::tool_not_allowed, words['T'].text);
+  return true;
+}
+
+bool BlockActs::end_modal_calls(const Words& words) {
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
+    if (g->meaning() != Meaning::modal_call_off) continue;
+    if (!calls_.pop_modal()) return false;
+    state_.modal.set(calls_.modal_active() ? Meaning::modal_call : Meaning::modal_call_off);
+  }
+  return true;
+}
+
+// Accepted, but not acted upon. What its address never takes is an alarm all the same.
+bool BlockActs::tell_idle_words(const ReadBlock& block) {
+  const bool calls = codes_.call || codes_.external_call || codes_.return_ || codes_.interrupt_on ||
+                     block.called_m != nullptr;
+  const std::uint32_t idle = idle_words(block.words, state_.modal, calls);
+  if (idle == 0) return true;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if ((idle & Words::mask(letter)) == 0) continue;
+    const Word& word = block.words[letter];
+    const bool whole = letter == 'L' || letter == 'P';
+    if (whole && word.value < 0) return state_.alarms.raise(Code::illegal_minus, word.text);
+    if (whole && word.has(WordFlag::point))
+      return state_.alarms.raise(Code::illegal_decimal_point, word.text);
+    if (!state_.assumptions.is_new(Assumed::idle_word + 1U + static_cast<unsigned>(letter - 'A')))
+      continue;
+    state_.assumptions.add(state_.line, std::string(1, letter) + base::number_text(word.value) +
+                                            " is ignored: no code of its block takes " + letter);
+  }
+  return true;
+}
+
+bool BlockActs::check_look_ahead(const Words& words) {
+  std::int64_t p = 0;
+  if (words.has('P') && !state_.values.integer(words['P'], 0, 99999999, p)) return false;
+  return p <= 1 || state_.alarms.raise(Code::look_ahead_format, words['P'].text);
+}
+
+bool BlockActs::move(ReadBlock& block, const Words::G* one_shot_code) {
+  const Meaning meaning = one_shot_code == nullptr ? Meaning::none : one_shot_code->meaning();
+  if (one_shot_code != nullptr && one_shot_code->row->axis_words == AxisWords::own)
+    return one_shot(block.words, *one_shot_code);
+  if (meaning == Meaning::look_ahead && !check_look_ahead(block.words)) return false;
+  if (settings_.takes_axis_words(block.words)) return true;
+  bool plain = true;
+  if (!select_cycle(block.words, plain)) return false;
+  if (!plain) return true;
+  if (block.corner != nullptr && !request_corner(block)) return false;
+  const CodeRow& mode = *state_.modal.row(Group::motion);
+  if (meaning == Meaning::single_direction) state_.modal.set(Meaning::rapid);
+  const bool good = moves_.execute(block.words, moved_);
+  state_.modal.set(mode);
+  return good;
+}
+
+// A chamfer or corner radius at the end of a G01, G02 or G03 move.
+bool BlockActs::request_corner(const ReadBlock& block) {
+  const Word& corner = *block.corner;
+  if (state_.modal[Group::motion] != Meaning::line && !state_.modal.circular()) {
+    return state_.alarms.raise(Code::corner_second, corner.text, "it needs a G01, G02 or G03 move");
+  }
+  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  if (!plane) return state_.alarms.raise(Code::illegal_plane_axis);
+  if (!block.words.has_any(targets_.letters()))
+    return state_.alarms.raise(Code::corner_missing_move, corner.text, "this block does not move");
+  double size = 0;
+  if (!state_.values.length(corner, size)) return false;
+  if (size < 0) return state_.alarms.raise(Code::illegal_minus, corner.text);
+  const auto kind =
+      corner.letter == 'C' ? CornerRounding::Kind::chamfer : CornerRounding::Kind::radius;
+  state_.path.round_corner({{kind, size}, state_.modal.plane(), *plane});
+  return true;
+}
+
+// CYC-15: of a cycle code and a group 01 code in one block the last one counts. `plain` is false
+// when the block belongs to the cycle.
+bool BlockActs::select_cycle(Words& words, bool& plain) {
+  const Words::G* cycle = nullptr;
+  const Words::G* motion = nullptr;
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
+    if (g->group() == Group::cycle) cycle = g;
+    if (g->group() == Group::motion) motion = g;
+  }
+  if (motion != nullptr && motion > cycle) {
+    const bool both = cycle != nullptr && cycle->meaning() != Meaning::cycle_off;
+    state_.modal.set(Meaning::cycle_off);
+    cycle_.cancel();
+    if (both) words.forget('Z');
+    return true;
+  }
+  if (!state_.modal.in_cycle()) return true;
+  plain = false;
+  const bool starts = !state_.before.in_cycle();
+  return cycle_.begin(words, starts, moved_);
+}
+
+bool BlockActs::one_shot(const Words& words, const Words::G& g) {
+  switch (g.meaning()) {
+    case Meaning::dwell: return dwell(words);
+    case Meaning::data_setting: return data_setting_.execute(words);
+    case Meaning::data_setting_end: return true;
+    case Meaning::local_system: return settings_.local_system(words);
+    case Meaning::preset: return settings_.preset(words);
+    case Meaning::clear_shifts: return settings_.clear_shifts(words);
+    default: return references_.execute(g, words, moved_);
+  }
+}
+
+// NUM-7, NUM-8: X and U count seconds, P milliseconds.
+bool BlockActs::dwell(const Words& words) {
+  double seconds = 0;
+  const Word* const time = words.has('X') ? &words['X'] : words.find('U');
+  if (time != nullptr) {
+    if (time->value < 0) return state_.alarms.raise(Code::illegal_minus, time->text);
+    if (!state_.values.angle(*time, seconds)) return false;
+  } else if (words.has('P')) {
+    std::int64_t milliseconds = 0;
+    if (!state_.values.integer(words['P'], 0, 99999999, milliseconds)) return false;
+    seconds = static_cast<double>(milliseconds) / 1000;
+  }
+  if (seconds > 0) state_.path.act(motion::Dwell{seconds});
+  return true;
+}
+
+}  // namespace kerf::control

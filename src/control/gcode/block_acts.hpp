@@ -1,0 +1,79 @@
+#pragma once
+
+#include "control/gcode/acts/auxiliary.hpp"
+#include "control/gcode/acts/data_setting.hpp"
+#include "control/gcode/acts/references.hpp"
+#include "control/gcode/acts/settings.hpp"
+#include "control/gcode/block_reader.hpp"
+#include "control/gcode/cycles/canned_cycle.hpp"
+#include "control/gcode/path/block_buffer.hpp"
+
+namespace kerf::control {
+
+/// What one block does, in this order (docs/dialect/motion.md §8):
+///   1. modal codes, F, S, T, D, H are taken over
+///   2. S, T and the M codes that come before the motion act
+///   3. the one-shot code or the motion of the block; of a cycle its holes, one step() at a time
+///   4. the other M codes
+/// Stops, ends, calls and returns are the control's.
+class BlockActs {
+ public:
+  /// All must outlive this.
+  BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer);
+
+  /// A block begins: nothing of the one before it is left.
+  void begin() {
+    moved_ = false;
+    codes_ = {};
+  }
+  /// Steps 1 to 3. False: an alarm was raised.
+  [[nodiscard]] bool execute(ReadBlock& block);
+  /// Holes are left of the block's cycle.
+  [[nodiscard]] bool has_holes() const { return cycle_.running(); }
+  [[nodiscard]] bool make_hole() { return cycle_.step(); }
+  void finish(const Words& words) { auxiliary_.after_motion(words); }
+  /// The holes that are left are not made.
+  void stop() { cycle_.stop(); }
+  /// The data of a cycle are forgotten.
+  void cancel_cycle() { cycle_.cancel(); }
+
+  /// The block has commanded axis movement.
+  [[nodiscard]] bool moved() const { return moved_; }
+  /// What its M codes ask of the control.
+  [[nodiscard]] const Auxiliary::Codes& codes() const { return codes_; }
+  /// Parameters were entered by the block: whoever keeps some of them ready looks anew.
+  [[nodiscard]] bool has_entered_parameters() const { return entered_parameters_; }
+  [[nodiscard]] const Targets& targets() const { return targets_; }
+
+ private:
+  [[nodiscard]] bool is_plain_move(const ReadBlock& block) const;
+  bool plain_move(const ReadBlock& block);
+  bool execute_in_full(ReadBlock& block);
+  bool enter_parameter(const ReadBlock& block, const Words::G* one_shot);
+  bool check_return(const Words& words);
+  bool check_block(const Words& words, const Words::G* one_shot);
+  bool end_modal_calls(const Words& words);
+  bool tell_idle_words(const ReadBlock& block);
+  bool check_look_ahead(const Words& words);
+  bool move(ReadBlock& block, const Words::G* one_shot);
+  bool request_corner(const ReadBlock& block);
+  bool select_cycle(Words& words, bool& plain);
+  bool one_shot(const Words& words, const Words::G& g);
+  bool dwell(const Words& words);
+
+  State& state_;
+  ProgramCalls& calls_;
+  BlockBuffer& buffer_;
+  Targets targets_;
+  Moves moves_;
+  Settings settings_;
+  DataSetting data_setting_;
+  References references_;
+  Auxiliary auxiliary_;
+  CannedCycle cycle_;
+  Auxiliary::Codes codes_;
+  bool moved_ = false;
+  bool entered_parameters_ = false;
+};
+
+}  // namespace kerf::control

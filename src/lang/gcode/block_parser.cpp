@@ -99,9 +99,9 @@ void BlockParser::block(Cursor& cursor, const BlockText&) {
     const char next = cursor.peek();
     if (match.keyword != Keyword::none) {
       cursor.advance(match.length);
-      statement(cursor, match);
+      statements_.statement(cursor, match);
     } else if (next == '#' || next == '[') {
-      assignment(cursor);
+      statements_.assignment(cursor);
     } else {
       words(cursor);
     }
@@ -345,11 +345,6 @@ void BlockParser::program_name(Cursor& cursor, Statement& statement) {
   statement.name = static_cast<std::int32_t>(page_.names.size());
   page_.names.emplace_back(begin + 1, close);
   cursor.move_to(close + 1);
-}
-
-void BlockParser::host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count) {
-  page_.statements.push_back({.kind = kind, .first = first, .count = count, .line = line_});
-  emitter_.emit({Op::do_block, 0, 0, 0, static_cast<std::uint32_t>(page_.statements.size() - 1)});
 }
 
 }  // namespace kerf::gcode

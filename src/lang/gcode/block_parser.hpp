@@ -9,6 +9,7 @@
 #include "lang/gcode/keywords.hpp"
 #include "lang/gcode/lexer.hpp"
 #include "lang/gcode/name_table.hpp"
+#include "lang/gcode/statement_parser.hpp"
 
 namespace kerf::gcode {
 
@@ -27,7 +28,8 @@ struct BlockText {
 /// when the block is reached, as on the control.
 class BlockParser {
  public:
-  BlockParser(GcodePage& page, NameTable& names) : page_(page), emitter_(page), names_(names) {}
+  BlockParser(GcodePage& page, NameTable& names)
+      : page_(page), emitter_(page), names_(names), statements_(page, emitter_, names) {}
 
   void compile(const BlockText& block);
 
@@ -60,24 +62,10 @@ class BlockParser {
   void do_words(Statement statement, std::uint32_t count);
   void finish_mid_skips(const Statement& statement, const std::vector<MidSkip>& skips);
 
-  void statement(Cursor& cursor, const KeywordMatch& match);
-  void assignment(Cursor& cursor);
-  void if_statement(Cursor& cursor);
-  void go_to(Cursor& cursor);
-  void while_statement(Cursor& cursor);
-  void do_statement(Cursor& cursor, std::uint32_t head, bool conditional, const Operand& condition);
-  void end_statement(Cursor& cursor);
-  std::uint8_t loop_number(Cursor& cursor);
-  void print(Cursor& cursor, StatementKind kind);
-  void print_variable(Cursor& cursor);
-  void name_variables(Cursor& cursor);
-  std::string variable_name(Cursor& cursor);
-  void host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count);
-  void expect_end(Cursor& cursor, std::string_view hint = "put it into a block of its own");
-
   GcodePage& page_;
   Emitter emitter_;
   NameTable& names_;
+  StatementParser statements_;
   const char* line_begin_ = nullptr;
   std::uint32_t line_ = 0;
   std::uint32_t number_ = 0;     // of the block (N)

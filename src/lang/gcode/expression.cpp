@@ -9,6 +9,7 @@ using base::Code;
 using vm::Op;
 
 constexpr int kBracketLevels = 5;  // docs/dialect.md §4.1
+constexpr int kVariableDigits = 9;
 
 bool is_comparison(Keyword keyword) { return keyword >= Keyword::eq && keyword <= Keyword::le; }
 bool is_product(Keyword keyword) { return keyword == Keyword::and_ || keyword == Keyword::mod; }
@@ -56,6 +57,15 @@ Function function_of(Keyword keyword) {
 }
 
 Operand constant(double value) { return {.is_constant = true, .value = value}; }
+
+Variable classify(std::uint32_t number) {
+  if (number >= 1 && number < kLocals) return {Variable::Kind::local, number};
+  if (number >= 100 && number <= 199) return {Variable::Kind::global, number - 100};
+  if (number >= 500 && number <= 999) {
+    return {Variable::Kind::global, number - 500 + kVolatileCommons};
+  }
+  return {Variable::Kind::fixed, number};
+}
 
 }  // namespace
 
@@ -123,7 +133,7 @@ Operand Expression::comparison() {
   require_number(right);
   const std::uint8_t x = in_register(left);
   const std::uint8_t y = in_register(right);
-  const std::uint8_t result = result_register({.reg = x}, {.reg = y});
+  const std::uint8_t result = result_register(emitter_, {.reg = x}, {.reg = y});
   stand_at(left.begin);
   emitter_.emit({comparison_op(match.keyword), result, x, y, 0});
   return temporary(result, left.begin, true);
@@ -187,7 +197,7 @@ Operand Expression::negated(const Operand& operand, const char* begin) {
   result.begin = begin;
   result.value = -operand.value;
   if (operand.is_constant) return result;
-  result.reg = result_register(operand, operand);
+  result.reg = result_register(emitter_, operand, operand);
   stand_at(begin);
   emitter_.emit({Op::negate, result.reg, operand.reg, 0, 0});
   return result;
@@ -319,7 +329,7 @@ Operand Expression::parameter(const char* begin) {
     suffix = arithmetic('+', bracketed_number(), constant(50));
   }
   const Operand address = call(Function::parameter, number_operand, suffix);
-  const std::uint8_t result = result_register(address, address);
+  const std::uint8_t result = result_register(emitter_, address, address);
   stand_at(begin);
   emitter_.emit({Op::read, result, address.reg, 0, 0});
   return temporary(result, begin);
@@ -327,7 +337,7 @@ Operand Expression::parameter(const char* begin) {
 
 Operand Expression::call(Function function, const Operand& argument, const char* begin) {
   const std::uint8_t reg = in_register(argument);
-  const std::uint8_t result = result_register({.reg = reg}, {.reg = reg});
+  const std::uint8_t result = result_register(emitter_, {.reg = reg}, {.reg = reg});
   stand_at(begin);
   emitter_.emit({Op::call_builtin, result, reg, 0, number_of(function)});
   return temporary(result, begin);
@@ -343,7 +353,7 @@ Operand Expression::call(Function function, const Operand& first, const Operand&
     emitter_.emit({Op::move, arguments, x, 0, 0});
     emitter_.emit({Op::move, emitter_.allocate(), y, 0, 0});
   }
-  const std::uint8_t result = result_register({.reg = x}, {.reg = y});
+  const std::uint8_t result = result_register(emitter_, {.reg = x}, {.reg = y});
   stand_at(begin);
   emitter_.emit({Op::call_builtin, result, arguments, 0, number_of(function)});
   return temporary(result, begin);
@@ -375,30 +385,13 @@ Operand Expression::arithmetic(char sign, const Operand& left, const Operand& ri
   } else {
     instruction.c = right.reg;
   }
-  instruction.a = result_register({.reg = x}, right);
+  instruction.a = result_register(emitter_, {.reg = x}, right);
   stand_at(left.begin);
   emitter_.emit(instruction);
   return temporary(instruction.a, left.begin);
 }
 
 // The lower of the operands that are temporaries, or a new register; everything above it is free.
-std::uint8_t Expression::result_register(const Operand& left, const Operand& right) {
-  const bool left_free = !left.is_constant && Emitter::is_temporary(left.reg);
-  const bool right_free = !right.is_constant && Emitter::is_temporary(right.reg);
-  if (!left_free && !right_free) return emitter_.allocate();
-  std::uint8_t result = left_free ? left.reg : right.reg;
-  if (left_free && right_free && right.reg < result) result = right.reg;
-  emitter_.release_from(result + 1U);
-  return result;
-}
-
-std::uint8_t Expression::in_register(const Operand& operand) {
-  if (!operand.is_constant) return operand.reg;
-  const std::uint8_t reg = emitter_.allocate();
-  emitter_.emit({Op::load_constant, reg, 0, 0, emitter_.constant(operand.value)});
-  return reg;
-}
-
 // variable = "#" ( digits | "[" expression "]" )
 std::uint32_t Expression::branch(const Operand& condition, bool when) {
   vm::Instruction& last = emitter_.page().instructions.back();
@@ -409,6 +402,30 @@ std::uint32_t Expression::branch(const Operand& condition, bool when) {
     return emitter_.here() - 1;
   }
   return emitter_.emit({Op::branch, expected, condition.reg, 0, 0});
+}
+
+Variable Expression::variable() {
+  const char* const begin = cursor_.at();
+  cursor_.advance();
+  if (is_digit(cursor_.peek())) {
+    const NumberText text = cursor_.number();
+    if (text.point)
+      fail_since(Code::illegal_decimal_point, begin, "a variable number is an integer");
+    if (text.digits > kVariableDigits) fail_since(Code::variable_range, begin);
+    Variable result = classify(static_cast<std::uint32_t>(text.value));
+    result.begin = begin;
+    result.end = cursor_.behind();
+    return result;
+  }
+  if (cursor_.peek() != '[') {
+    fail(Code::expression_format, "a variable number or '[' belongs behind '#'",
+         cursor_.peek() == '#' ? "write #[#5] instead of ##5" : "");
+  }
+  const char address = address_;
+  address_ = 0;
+  const Operand index = bracketed_number();
+  address_ = address;
+  return {Variable::Kind::computed, 0, in_register(index), begin, cursor_.behind()};
 }
 
 }  // namespace kerf::gcode

@@ -7,27 +7,10 @@
 #include "lang/gcode/keywords.hpp"
 #include "lang/gcode/lexer.hpp"
 #include "lang/gcode/name_table.hpp"
+#include "lang/gcode/named_variable.hpp"
+#include "lang/gcode/operand.hpp"
 
 namespace kerf::gcode {
-
-/// The result of a part of an expression: a constant or a register, a number or a truth value.
-struct Operand {
-  bool is_constant = false;
-  bool is_truth = false;
-  double value = 0;             ///< of a constant
-  std::uint8_t reg = 0;         ///< otherwise
-  const char* begin = nullptr;  ///< the text that it was made from
-  const char* end = nullptr;
-};
-
-/// A variable as it stands on the left of '=' or as an operand.
-struct Variable {
-  enum class Kind : std::uint8_t { local, global, fixed, computed } kind = Kind::fixed;
-  std::uint32_t number = 0;  ///< register, global or host's number
-  std::uint8_t reg = 0;      ///< computed: holds the number
-  const char* begin = nullptr;
-  const char* end = nullptr;
-};
 
 /// The longest literal of a macro statement (VAR-4).
 inline constexpr int kLiteralDigits = 12;
@@ -55,13 +38,17 @@ class Expression {
   /// "#…", standing on the '#'.
   [[nodiscard]] Variable variable();
   /// "[#NAME]", standing on the bracket.
-  [[nodiscard]] Variable named_variable();
-  [[nodiscard]] bool at_named_variable() const;
+  [[nodiscard]] Variable named_variable() { return NamedVariable(cursor_, names_).read(); }
+  [[nodiscard]] bool at_named_variable() const { return NamedVariable(cursor_, names_).is_next(); }
 
-  [[nodiscard]] Operand load(const Variable& variable);
-  [[nodiscard]] std::uint8_t in_register(const Operand& operand);
+  [[nodiscard]] Operand load(const Variable& variable) { return load_variable(emitter_, variable); }
+  [[nodiscard]] std::uint8_t in_register(const Operand& operand) {
+    return gcode::in_register(emitter_, operand);
+  }
   /// Emits `variable = operand`.
-  void store(const Variable& variable, const Operand& operand);
+  void store(const Variable& variable, const Operand& operand) {
+    store_variable(emitter_, variable, operand);
+  }
   /// Emits a branch, to be landed by the caller, taken when the truth of `condition` is `when`.
   [[nodiscard]] std::uint32_t branch(const Operand& condition, bool when);
   /// Emits a call of a function with one or two arguments.
@@ -84,13 +71,11 @@ class Expression {
   Operand parameter(const char* begin);
   Operand logic(Keyword keyword, const Operand& left, const Operand& right);
   Operand arithmetic(char sign, const Operand& left, const Operand& right);
-  std::uint32_t system_variable(const std::string& name, const char* begin);
   void require_number(const Operand& operand) const;
   void open_bracket();
   void close_bracket();
   [[nodiscard]] KeywordMatch next_operator() const;
   [[nodiscard]] Operand temporary(std::uint8_t reg, const char* begin, bool truth = false) const;
-  [[nodiscard]] std::uint8_t result_register(const Operand& left, const Operand& right);
   void stand_at(const char* begin) { emitter_.stand_at(begin, cursor_.behind()); }
   [[noreturn]] void fail(base::Code code, std::string_view detail = {},
                          std::string_view hint = {}) const;

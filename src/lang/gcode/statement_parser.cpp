@@ -1,7 +1,6 @@
-// The macro statements of a block: assignments, jumps, loops, output (docs/dialect.md §5, §7).
-#include <cmath>
+#include "lang/gcode/statement_parser.hpp"
 
-#include "lang/gcode/block_parser.hpp"
+#include <cmath>
 
 namespace kerf::gcode {
 namespace {
@@ -39,7 +38,7 @@ bool nameable(double number) {
 
 }  // namespace
 
-void BlockParser::statement(Cursor& cursor, const KeywordMatch& match) {
+void StatementParser::statement(Cursor& cursor, const KeywordMatch& match) {
   switch (match.keyword) {
     case Keyword::if_: return if_statement(cursor);
     case Keyword::go_to:
@@ -61,7 +60,7 @@ void BlockParser::statement(Cursor& cursor, const KeywordMatch& match) {
 }
 
 // What may not follow a macro statement in its block.
-void BlockParser::expect_end(Cursor& cursor, std::string_view hint) {
+void StatementParser::expect_end(Cursor& cursor, std::string_view hint) {
   if (cursor.done()) return;
   const char next = cursor.peek();
   if (next == ']') fail(cursor, Code::missing_open_bracket);
@@ -75,7 +74,7 @@ void BlockParser::expect_end(Cursor& cursor, std::string_view hint) {
 }
 
 // assignment = variable "=" expression
-void BlockParser::assignment(Cursor& cursor) {
+void StatementParser::assignment(Cursor& cursor) {
   Expression expression(cursor, emitter_, names_);
   if (cursor.peek() == '[' && !expression.at_named_variable()) {
     fail(cursor, Code::expression_format, "a bracket cannot begin a block");
@@ -97,7 +96,7 @@ void BlockParser::assignment(Cursor& cursor) {
 }
 
 // if = "IF" "[" condition "]" ( "GOTO" n | "THEN" ( assignment | "GOTO" n ) )
-void BlockParser::if_statement(Cursor& cursor) {
+void StatementParser::if_statement(Cursor& cursor) {
   Expression expression(cursor, emitter_, names_);
   const Operand condition = expression.bracketed_condition(Code::if_format);
   const std::uint32_t skip = expression.branch(condition, false);
@@ -121,7 +120,7 @@ void BlockParser::if_statement(Cursor& cursor) {
 }
 
 // goto = "GOTO" ( n | variable | "[" expression "]" )
-void BlockParser::go_to(Cursor& cursor) {
+void StatementParser::go_to(Cursor& cursor) {
   const char* const begin = cursor.at();
   const char next = cursor.peek();
   Expression expression(cursor, emitter_, names_);
@@ -144,7 +143,7 @@ void BlockParser::go_to(Cursor& cursor) {
 }
 
 // while = "WHILE" "[" condition "]" "DO" m
-void BlockParser::while_statement(Cursor& cursor) {
+void StatementParser::while_statement(Cursor& cursor) {
   const std::uint32_t head = emitter_.here();
   Expression expression(cursor, emitter_, names_);
   const Operand condition = expression.bracketed_condition(Code::while_format);
@@ -156,8 +155,8 @@ void BlockParser::while_statement(Cursor& cursor) {
   expect_end(cursor);
 }
 
-void BlockParser::do_statement(Cursor& cursor, std::uint32_t head, bool conditional,
-                               const Operand& condition) {
+void StatementParser::do_statement(Cursor& cursor, std::uint32_t head, bool conditional,
+                                   const Operand& condition) {
   Expression expression(cursor, emitter_, names_);
   const std::uint32_t enter = conditional ? expression.branch(condition, true) : 0;
   const std::uint8_t slot = loop_number(cursor);
@@ -171,13 +170,13 @@ void BlockParser::do_statement(Cursor& cursor, std::uint32_t head, bool conditio
   emitter_.emit({Op::enter_region, slot, 0, 0, region});
 }
 
-void BlockParser::end_statement(Cursor& cursor) {
+void StatementParser::end_statement(Cursor& cursor) {
   const std::uint8_t slot = loop_number(cursor);
   page_.loop_marks.push_back({slot, true, emitter_.here()});
   emitter_.emit({Op::repeat_region, slot, 0, 0, 0});
 }
 
-std::uint8_t BlockParser::loop_number(Cursor& cursor) {
+std::uint8_t StatementParser::loop_number(Cursor& cursor) {
   const char* const begin = cursor.at();
   if (!is_digit(cursor.peek())) {
     fail(cursor, Code::illegal_loop_number, "1, 2 or 3 is expected here");
@@ -191,7 +190,7 @@ std::uint8_t BlockParser::loop_number(Cursor& cursor) {
 }
 
 // print = ("DPRNT"|"BPRNT") "[" { character | variable "[" digits "]" } "]"
-void BlockParser::print(Cursor& cursor, StatementKind kind) {
+void StatementParser::print(Cursor& cursor, StatementKind kind) {
   if (!cursor.take('[')) fail(cursor, Code::print_format, "'[' is expected here");
   const auto first = static_cast<std::uint32_t>(page_.print_items.size());
   while (cursor.peek() != ']') {
@@ -210,7 +209,7 @@ void BlockParser::print(Cursor& cursor, StatementKind kind) {
   host_statement(kind, first, static_cast<std::uint32_t>(page_.print_items.size()) - first);
 }
 
-void BlockParser::print_variable(Cursor& cursor) {
+void StatementParser::print_variable(Cursor& cursor) {
   Expression expression(cursor, emitter_, names_);
   const Operand value = expression.load(expression.variable());
   if (!cursor.take('[')) fail(cursor, Code::print_format, "the number of digits is missing");
@@ -235,7 +234,7 @@ void BlockParser::print_variable(Cursor& cursor) {
 }
 
 // setvn = "SETVN" n "[" name { "," name } "]"
-void BlockParser::name_variables(Cursor& cursor) {
+void StatementParser::name_variables(Cursor& cursor) {
   if (!is_digit(cursor.peek()))
     fail(cursor, Code::setvn_format, "a variable number is expected here");
   const double number = cursor.number().value;
@@ -254,7 +253,7 @@ void BlockParser::name_variables(Cursor& cursor) {
   host_statement(StatementKind::setvn, first, count);
 }
 
-std::string BlockParser::variable_name(Cursor& cursor) {
+std::string StatementParser::variable_name(Cursor& cursor) {
   const char* const begin = cursor.at();
   std::string name;
   for (char c = cursor.peek(); c != ',' && c != ']' && c != Cursor::kEnd; c = cursor.peek()) {
@@ -268,6 +267,12 @@ std::string BlockParser::variable_name(Cursor& cursor) {
   if (name.size() > kLongestVariableName)
     throw SyntaxError{Code::setvn_length, begin, length, {}, {}};
   return name;
+}
+
+void StatementParser::host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count) {
+  page_.statements.push_back(
+      {.kind = kind, .first = first, .count = count, .line = page_.marks.back().line});
+  emitter_.emit({Op::do_block, 0, 0, 0, static_cast<std::uint32_t>(page_.statements.size() - 1)});
 }
 
 }  // namespace kerf::gcode

@@ -347,7 +347,7 @@ LiveMachine::Outcome LiveMachine::set_variable(const std::string& name, std::opt
                                                std::optional<std::size_t> level) {
   LiveCore& core = *impl_->core;
   const auto act = [=](LiveCore& at) { return at.set_variable(name, value, level); };
-  if (!core.is_ahead() || !core.stands() || core.machine().language().is_input(name))
+  if (!core.is_ahead() || !core.stands() || core.machine().language().variables().is_input(name))
     return impl_->perform(act);
   const std::size_t wanted = level.value_or(core.shown_level());
   return impl_->perform_at_axes(

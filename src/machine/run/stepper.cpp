@@ -43,12 +43,12 @@ base::Outcome<std::vector<Condition>> Stepper::compile(const std::vector<Breakpo
     const bool of_variable = !breakpoint.variable.empty();
     if (of_variable == (breakpoint.line != 0))
       return refused(breakpoint, "it has either a line or a variable");
-    if (of_variable && !dialect_->variable(breakpoint.variable, 0))
+    if (of_variable && !dialect_->variables().value(breakpoint.variable, 0))
       return tl::unexpected(
           base::refuse(base::Refusal::breakpoint_variable, {breakpoint.variable}));
     conditions.emplace_back();
     if (breakpoint.condition.empty()) continue;
-    auto condition = dialect_->compile_condition(breakpoint.condition);
+    auto condition = dialect_->variables().compile_condition(breakpoint.condition);
     if (!condition) return tl::unexpected(with_place(breakpoint, condition.error()));
     conditions.back() = std::move(*condition);
   }
@@ -79,7 +79,7 @@ void Stepper::attach(Dialect& dialect) {
   for (const Breakpoint& breakpoint : breakpoints_) {
     conditions_.emplace_back();
     if (breakpoint.condition.empty()) continue;
-    if (auto condition = dialect_->compile_condition(breakpoint.condition))
+    if (auto condition = dialect_->variables().compile_condition(breakpoint.condition))
       conditions_.back() = std::move(*condition);
   }
   blocks_ = 0;
@@ -160,7 +160,7 @@ void Stepper::go_on() { hit_.reset(); }
 
 // A variable that all levels share is known once.
 std::size_t Stepper::depth_of(std::size_t number, std::size_t depth) const {
-  return dialect_->is_local(breakpoints_[number].variable) ? depth : 1;
+  return dialect_->variables().is_local(breakpoints_[number].variable) ? depth : 1;
 }
 
 // Values of the watched variables in the innermost of `depth` calls; those of the callers stay.
@@ -169,7 +169,8 @@ void Stepper::remember(std::size_t depth) {
   for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
     if (breakpoints_[i].variable.empty() || depth == 0) continue;
     known_[i].resize(depth_of(i, depth), vm::kNull);
-    known_[i].back() = dialect_->variable(breakpoints_[i].variable, depth - 1).value_or(vm::kNull);
+    known_[i].back() =
+        dialect_->variables().value(breakpoints_[i].variable, depth - 1).value_or(vm::kNull);
   }
 }
 
@@ -189,7 +190,7 @@ bool Stepper::reached(const control::BlockStart& block) const {
 
 bool Stepper::is_met(std::size_t number, BreakpointHit hit) {
   if (conditions_[number].code) {
-    const std::optional<bool> holds = dialect_->holds(conditions_[number]);
+    const std::optional<bool> holds = dialect_->variables().holds(conditions_[number]);
     if (!holds) hit.trouble = "the condition has no value here";
     if (holds && !*holds) return false;
   } else if (!breakpoints_[number].condition.empty()) {
@@ -214,7 +215,7 @@ bool Stepper::has_changed(const control::BlockStart& block) {
   known_.resize(breakpoints_.size());
   for (std::size_t i = 0; i < breakpoints_.size(); ++i) {
     if (breakpoints_[i].variable.empty()) continue;
-    const auto now = dialect_->variable(breakpoints_[i].variable, block.depth - 1);
+    const auto now = dialect_->variables().value(breakpoints_[i].variable, block.depth - 1);
     const std::size_t depth = depth_of(i, block.depth);
     const bool entered = known_[i].size() < depth;
     known_[i].resize(depth, now.value_or(vm::kNull));

@@ -106,7 +106,7 @@ class VirtualMachine : private control::Surroundings, private motion::MotionSink
   /// A variable by its name in the program's language ("#100"). Before the start local ones are
   /// those of the main program. Failure (usage).
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) {
-    return dialect_->set_variable(name, value);
+    return dialect_->variables().set(name, value);
   }
 
   // The panel
@@ -230,7 +230,7 @@ class VirtualMachine : private control::Surroundings, private motion::MotionSink
   /// Name of the loaded program: "O0001", "<NAME>" without its brackets, "O0000" without a number.
   [[nodiscard]] std::string program_name() const { return dialect_->program_name(); }
   /// The program's variables that are not null, in the order of its language.
-  [[nodiscard]] std::vector<Variable> variables() { return dialect_->variables(); }
+  [[nodiscard]] std::vector<Variable> variables() { return dialect_->variables().all(); }
   /// Mistakes of the loaded programs that show without running them. A check whose limit is reached
   /// ends in the warning BUDGET.
   void check(base::Findings& found);

@@ -3,8 +3,7 @@
 namespace kerf::machine {
 
 PatternDialect::PatternDialect(const Around& around)
-    : DialectWithoutVariables(around.sources, base::Refusal::pattern_variables,
-                              base::Refusal::pattern_conditions),
+    : Dialect(around.sources),
       machine_(*PatternMachine::of(around.definition)),
       library_(around.sources, around.pages),
       control_(machine_, library_, around.records, around.sink) {}

@@ -5,8 +5,7 @@
 namespace kerf::machine {
 
 TeachDialect::TeachDialect(const Around& around)
-    : DialectWithoutVariables(around.sources, base::Refusal::taught_variables,
-                              base::Refusal::taught_conditions),
+    : Dialect(around.sources),
       library_(around.sources, around.pages),
       control_(around.definition.axes, taught_for(around.definition), library_, around.surroundings,
                around.sink) {}

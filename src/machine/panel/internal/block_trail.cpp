@@ -32,7 +32,7 @@ void BlockTrail::refresh() {
 void BlockTrail::refresh_program() {
   now_.calls = control_.open_calls();
   if (!now_.calls.empty()) now_.calls.back().place = {};
-  language_.read_variables(values_);
+  language_.variables().read(values_);
   auto variables = VariableImage::of(values_, now_.variables);
   auto tables = TableImage::of(memory_, now_.tables);
   if (variables == now_.variables && tables == now_.tables) return;
@@ -85,7 +85,7 @@ void BlockTrail::enter(const std::string& name, double value, std::size_t level,
     if (state.variables != before) {
       before = state.variables;
       std::vector<double> values = before->values();
-      language_.put_variable(values, name, value, level);
+      language_.variables().put(values, name, value, level);
       after = VariableImage::of(values, before);
     }
     state.variables = after;

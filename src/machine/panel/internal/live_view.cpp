@@ -165,10 +165,10 @@ LiveCore::Values LiveCore::values() {
   Dialect& language = machine_->language();
   const std::size_t levels = std::max<std::size_t>(machine_->control().open_calls().size(), 1);
   std::vector<double> numbers;
-  language.read_variables(numbers);
+  language.variables().read(numbers);
   for (std::size_t level = 0; level < levels; ++level) {
     bool any_local = false;
-    for (const VariableRow& row : language.list_variables(numbers, level).rows) {
+    for (const VariableRow& row : language.variables().list(numbers, level).rows) {
       const bool local = row.scope == VariableScope::local;
       any_local |= local;
       all[{row.name, local ? level : 0}] = row.value;
@@ -198,9 +198,9 @@ VariableListing LiveCore::list_named(const std::vector<std::string>& names,
                                      [&](const VariableRow& row) { return row.name == name; });
     if (listed != all.rows.end()) {
       listing.rows.push_back(*listed);
-    } else if (image_made() != nullptr && machine_->language().is_listed(name)) {
+    } else if (image_made() != nullptr && machine_->language().variables().is_listed(name)) {
       listing.rows.push_back({name, "", vm::kNull, VariableScope::program, wanted, false});
-    } else if (const auto value = machine_->language().variable(name, wanted)) {
+    } else if (const auto value = machine_->language().variables().value(name, wanted)) {
       listing.rows.push_back({name, "", *value, VariableScope::program, wanted, false});
     }
   }
@@ -213,11 +213,12 @@ VariableListing LiveCore::list_variables(std::optional<std::size_t> level) {
   if (made) {
     numbers = made->variables->values();
   } else {
-    machine_->language().read_variables(numbers);
+    machine_->language().variables().read(numbers);
   }
   const std::size_t levels = made ? made->calls.size() : machine_->control().open_calls().size();
   const std::size_t innermost = levels == 0 ? 0 : levels - 1;
-  VariableListing listing = machine_->language().list_variables(numbers, level.value_or(innermost));
+  VariableListing listing =
+      machine_->language().variables().list(numbers, level.value_or(innermost));
   listing.levels = levels;
   for (VariableRow& row : listing.rows) {
     const bool local = row.scope == VariableScope::local;

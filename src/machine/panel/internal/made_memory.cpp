@@ -13,7 +13,7 @@ const BlockState* LiveCore::image_made() {
 }
 
 void LiveCore::put_back(const BlockState& made, control::Memory& memory) const {
-  machine_->language().put_back(made.variables->values(), memory);
+  machine_->language().variables().put_back(made.variables->values(), memory);
   made.tables->put_back(memory);
 }
 

@@ -52,7 +52,7 @@ double* tool_offset(control::Memory& memory, const std::string& name) {
 
 LiveCore::Outcome LiveCore::set_variable(const std::string& name, std::optional<double> value,
                                          std::optional<std::size_t> level) {
-  if (machine_->language().is_input(name)) return set_input(name, value.value_or(0));
+  if (machine_->language().variables().is_input(name)) return set_input(name, value.value_or(0));
   if (!stands()) return refused(Refusal::variables_moving);
   const std::size_t wanted = level.value_or(shown_level());
   if (auto set = enter_variable(name, value, level); !set) return set;
@@ -64,8 +64,8 @@ LiveCore::Outcome LiveCore::enter_variable(const std::string& name, std::optiona
   if (value && !std::isfinite(*value)) return refused("this is no number");
   const std::size_t levels = machine_->control().open_calls().size();
   const std::size_t innermost = levels == 0 ? 0 : levels - 1;
-  auto set = machine_->language().set_variable_at(name, value.value_or(vm::kNull),
-                                                  level.value_or(innermost));
+  auto set = machine_->language().variables().set_at(name, value.value_or(vm::kNull),
+                                                     level.value_or(innermost));
   if (!set) return set;
   entered_[name] = trail_->motions() + 1;
   stepper_->forget_values();
@@ -82,9 +82,9 @@ LiveCore::Outcome LiveCore::show_variable(const std::string& name, std::optional
 }
 
 LiveCore::Outcome LiveCore::set_input(const std::string& name, double value) {
-  if (!machine_->language().is_input(name)) return refused(Refusal::no_input, {name});
+  if (!machine_->language().variables().is_input(name)) return refused(Refusal::no_input, {name});
   if (!std::isfinite(value)) return refused("this is no number");
-  return machine_->language().set_variable(name, value);
+  return machine_->language().variables().set(name, value);
 }
 
 LiveCore::Outcome LiveCore::set_offset(const std::string& offset, const std::string& axis,

@@ -4,6 +4,8 @@
 
 namespace kerf::motion {
 
+inline constexpr double kMillimetresPerInch = 25.4;
+
 /// mm/min of a move of this length while the spindle has this speed.
 inline double feed_per_minute(const Feed& feed, double length_mm, double speed_rpm) {
   switch (feed.mode) {

@@ -107,6 +107,13 @@ struct Spindle {
   /// A cut without a way, where it is the beam of a laser: that goes on where it stands. Only for
   /// AxisSetup::beam.
   bool cuts_standing = false;
+
+  [[nodiscard]] static constexpr bool turns(Turning turning) {
+    return turning == Turning::clockwise || turning == Turning::counterclockwise;
+  }
+  [[nodiscard]] bool turns() const { return turns(turning); }
+  /// The speed as far as it is known without the tool's place: of a surface speed its limit.
+  [[nodiscard]] double known_rpm() const { return mode == Mode::rpm ? speed : max_rpm; }
 };
 
 struct Coolant {
@@ -205,6 +212,18 @@ class MotionSink {
         }
       },
       motion.action);
+}
+
+/// A line or an arc, whose feed the program gives.
+[[nodiscard]] inline bool is_cut_at_feed(const Motion& motion) {
+  return std::holds_alternative<Line>(motion.action) ||
+         std::holds_alternative<Arc>(motion.action) ||
+         std::holds_alternative<SpaceArc>(motion.action);
+}
+
+/// A move at feed that nothing ends early: line, arc, thread.
+[[nodiscard]] inline bool is_cut(const Motion& motion) {
+  return is_cut_at_feed(motion) || std::holds_alternative<Thread>(motion.action);
 }
 
 }  // namespace kerf::motion

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/feed.hpp"
+
 namespace kerf::planner {
 namespace {
 
@@ -41,14 +43,9 @@ bool PathBuilder::room() const {
 
 // Length of the path per second. A feed that cannot be told is no limit.
 double PathBuilder::speed_of(const motion::Feed& feed, double length) const {
-  double speed = 0;
-  switch (feed.mode) {
-    case motion::FeedMode::per_minute: speed = feed.value / 60; break;
-    case motion::FeedMode::inverse_time: speed = length * feed.value / 60; break;
-    case motion::FeedMode::per_revolution:
-      speed = feed.value * speed_rpm_ * spindle_override_ / 60;
-      break;
-  }
+  const bool turned = feed.mode == motion::FeedMode::per_revolution;
+  const double speed =
+      motion::feed_per_minute(feed, length, speed_rpm_) * (turned ? spindle_override_ : 1) / 60;
   return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
 }
 
@@ -86,7 +83,7 @@ void PathBuilder::take(const Motion& motion) {
     power_ = *power;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
     stop();
-    speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+    speed_rpm_ = spindle->known_rpm();
   } else if (const auto* const change = std::get_if<ToolChange>(&motion.action)) {
     stop();
     tool_ = change->tool;

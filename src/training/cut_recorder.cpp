@@ -51,9 +51,7 @@ void CutRecorder::take(const motion::Motion& motion) {
   } else if (const auto* const power = std::get_if<motion::Power>(&motion.action)) {
     with_.power_percent = power->beam_percent();
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    using Turning = motion::Spindle::Turning;
-    with_.spindle_turns = spindle->speed > 0 && (spindle->turning == Turning::clockwise ||
-                                                 spindle->turning == Turning::counterclockwise);
+    with_.spindle_turns = spindle->speed > 0 && spindle->turns();
   }
 }
 

@@ -135,7 +135,7 @@ void RunStatistics::take(const motion::Motion& motion) {
     seconds_ += dwell->seconds;
     dwell_seconds_ += dwell->seconds;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
-    speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+    speed_rpm_ = spindle->known_rpm();
   } else if (const auto* const tool = std::get_if<ToolChange>(&motion.action)) {
     if (std::find(tools_.begin(), tools_.end(), tool->tool) == tools_.end())
       tools_.push_back(tool->tool);

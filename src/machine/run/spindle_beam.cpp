@@ -58,8 +58,7 @@ std::span<const Motion> SpindleBeam::translated(const Motion& motion) {
 void SpindleBeam::reset() { turns_ = lit_ = false; }
 
 void SpindleBeam::turn(const Motion& motion, const Spindle& spindle) {
-  turns_ = spindle.turning == Spindle::Turning::clockwise ||
-           spindle.turning == Spindle::Turning::counterclockwise;
+  turns_ = spindle.turns();
   if (spindle.cuts_standing) return light(motion, turns_);
   if (!turns_) return light(motion, false);
   power_ = {.percent = percent_of(motion, spindle.speed),

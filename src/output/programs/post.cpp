@@ -278,8 +278,7 @@ void Post::act(const ToolChange& change) {
 
 // G96 stays what it is: its speed follows from where the tool stands.
 void Post::act(const Spindle& spindle) {
-  const bool turns = spindle.turning == Spindle::Turning::clockwise ||
-                     spindle.turning == Spindle::Turning::counterclockwise;
+  const bool turns = spindle.turns();
   const bool css = turns && spindle.mode == Spindle::Mode::constant_surface_speed;
   speed_rpm_ = css ? spindle.max_rpm : spindle.speed;
   turning_.clear();

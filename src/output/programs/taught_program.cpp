@@ -201,10 +201,8 @@ void TaughtProgram::act(const Power& power) {
 }
 
 void TaughtProgram::act(const Spindle& spindle) {
-  const bool turns = spindle.turning == Spindle::Turning::clockwise ||
-                     spindle.turning == Spindle::Turning::counterclockwise;
-  speed_rpm_ = spindle.mode == Spindle::Mode::rpm ? spindle.speed : spindle.max_rpm;
-  comment(turns ? " spindle on, " + number_text(speed_rpm_) + " rpm" : " spindle off");
+  speed_rpm_ = spindle.known_rpm();
+  comment(spindle.turns() ? " spindle on, " + number_text(speed_rpm_) + " rpm" : " spindle off");
 }
 
 void TaughtProgram::act(const ToolChange& change) {

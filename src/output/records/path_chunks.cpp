@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "math/math.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::output {
 namespace {
@@ -39,12 +40,7 @@ double programmed_feed(const motion::Motion& motion, double length, double speed
         if constexpr (requires { action.lead; }) {
           return action.lead * speed_rpm;
         } else if constexpr (requires { action.feed; }) {
-          switch (action.feed.mode) {
-            case motion::FeedMode::per_minute: return action.feed.value;
-            case motion::FeedMode::per_revolution: return action.feed.value * speed_rpm;
-            case motion::FeedMode::inverse_time: return action.feed.value * length;
-          }
-          return 0;
+          return motion::feed_per_minute(action.feed, length, speed_rpm);
         } else {
           return 0;
         }
@@ -117,8 +113,7 @@ void PathChunks::take(const motion::Motion& motion) {
   } else if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     tool_ = change->tool;
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    const bool constant_rpm = spindle->mode == motion::Spindle::Mode::rpm;
-    speed_rpm_ = constant_rpm ? spindle->speed : spindle->max_rpm;
+    speed_rpm_ = spindle->known_rpm();
   }
 }
 

@@ -123,7 +123,7 @@ void RowCsv::take(const Motion& motion) {
     tool_ = change->tool;
     write("T", xyz_of(at_), {}, feed_, kToolChange_deg);
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
-    speed_rpm_ = spindle->mode == Spindle::Mode::rpm ? spindle->speed : spindle->max_rpm;
+    speed_rpm_ = spindle->known_rpm();
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -63,7 +64,8 @@ bool Auxiliary::read_feed(const Words& words) {
              "F without a decimal point counts 0.01 (per revolution, or inch per minute)");
   }
   s.words.feed_programmed = value;
-  if (mode != motion::FeedMode::inverse_time && inch) value = base::tidy(value * 25.4);
+  if (mode != motion::FeedMode::inverse_time && inch)
+    value = base::tidy(value * motion::kMillimetresPerInch);
   if (value > kMostFeed) {
     return s.alarms.raise(Code::improper_address_word, word.text,
                           "the largest feed is 240000 mm/min");
@@ -121,7 +123,6 @@ void Auxiliary::turn(motion::Spindle::Turning turning) {
 }
 
 void Auxiliary::before_motion(const Words& words) {
-  using Turning = motion::Spindle::Turning;
   bool told = false;
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
     const Function function = m->function();
@@ -129,8 +130,7 @@ void Auxiliary::before_motion(const Words& words) {
     told |=
         function == Function::spindle_clockwise || function == Function::spindle_counterclockwise;
   }
-  const bool turning = state_.words.turning == Turning::clockwise ||
-                       state_.words.turning == Turning::counterclockwise;
+  const bool turning = motion::Spindle::turns(state_.words.turning);
   const bool changes_speed =
       !words.has_g(Meaning::preset) || state_.modal[Group::speed] == Meaning::surface_speed;
   if (words.has('S') && turning && !told && changes_speed) state_.path.act(state_.spindle());

@@ -7,6 +7,7 @@
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
 #include "geometry/arc.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -75,10 +76,8 @@ bool Moves::line_to(const AxisVector& program, const motion::Feed& feed) {
 
 // G01 without axes: the beam of a laser goes on where it stands (docs/drives.md, M03, M04 and S).
 void Moves::cut_standing(const Words& words) {
-  const motion::Spindle::Turning turning = state_.words.turning;
   if (!state_.axes.beam || !words.has_g(Meaning::line) ||
-      (turning != motion::Spindle::Turning::clockwise &&
-       turning != motion::Spindle::Turning::counterclockwise))
+      !motion::Spindle::turns(state_.words.turning))
     return;
   motion::Spindle spindle = state_.spindle();
   spindle.cuts_standing = true;
@@ -247,7 +246,7 @@ bool Moves::thread(const Words& words, const Target& target) {
     const bool bare =
         words['F'].has(gcode::WordFlag::literal) && !words['F'].has(gcode::WordFlag::point);
     if (bare && !state_.parameters.calculator_point) lead *= state_.modal.inch() ? 0.0001 : 0.01;
-    if (state_.modal.inch()) lead = base::tidy(lead * 25.4);
+    if (state_.modal.inch()) lead = base::tidy(lead * motion::kMillimetresPerInch);
     state_.words.feed = lead;
   }
   const AxisVector path = state_.coordinates.path_of(target.program);

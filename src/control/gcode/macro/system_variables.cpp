@@ -7,6 +7,7 @@
 #include "control/gcode/macro/system_number.hpp"
 #include "lang/gcode/page.hpp"
 #include "lang/vm/value.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -18,7 +19,8 @@ using base::Code;
 static_assert(kVolatileCommons == gcode::kVolatileCommons && kCommons == gcode::kGlobals,
               "the compiler's globals are the memory's common variables");
 
-constexpr double kMillimetresPerInch = 25.4;
+using motion::kMillimetresPerInch;
+
 constexpr double kClockWrap_ms = 2147483648.0;
 constexpr double kHoursWrap = 9544.371767;
 constexpr double kMostToolOffset_mm = 9999.999;

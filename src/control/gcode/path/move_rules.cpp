@@ -18,14 +18,8 @@ MoveRules move_rules(const Words& words, const ModalState& modal, double feed_co
               mode == Meaning::tapping_mode || has_bit(feed_control, FeedControl::no_override)};
 }
 
-bool is_cut(const motion::Motion& motion) {
-  return motion::target_of(motion) != nullptr &&
-         !std::holds_alternative<motion::Rapid>(motion.action) &&
-         !std::holds_alternative<motion::Probe>(motion.action);
-}
-
 void mark(motion::Motion& motion, const MoveRules& rules) {
-  const bool cut = is_cut(motion);
+  const bool cut = motion::is_cut(motion);
   const bool probe = std::holds_alternative<motion::Probe>(motion.action);
   const bool moves = cut || probe || std::holds_alternative<motion::Rapid>(motion.action);
   motion.exact_stop = probe || (moves && rules.every_move_stops) || (cut && rules.every_cut_stops);

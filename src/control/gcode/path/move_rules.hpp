@@ -27,9 +27,6 @@ struct MoveRules {
 [[nodiscard]] MoveRules move_rules(const Words& words, const ModalState& modal,
                                    double feed_control);
 
-/// A move at feed that nothing ends early: line, arc, thread.
-[[nodiscard]] bool is_cut(const motion::Motion& motion);
-
 /// Marks a motion by the rules of its block. Probes stop in any case, and neither their feed nor
 /// that of threads can be changed.
 void mark(motion::Motion& motion, const MoveRules& rules);

@@ -118,7 +118,7 @@ bool Toolpath::move(const AxisVector& from, const motion::Motion& motion, const 
   const AxisVector& to = *motion::target_of(motion);
   PathStep step{.motion = motion,
                 .piece = {.from = plane.project(from), .to = plane.project(to)},
-                .every_part_stops = rules_.every_cut_stops && is_cut(motion)};
+                .every_part_stops = rules_.every_cut_stops && motion::is_cut(motion)};
   if (shape != nullptr) {
     step.piece.is_arc = true;
     step.piece.clockwise = shape->direction == motion::Direction::clockwise;

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t kMostMessages = 50;
 
-bool is_cut(const motion::Motion& motion) {
-  return std::holds_alternative<motion::Line>(motion.action) ||
-         std::holds_alternative<motion::Arc>(motion.action) ||
-         std::holds_alternative<motion::SpaceArc>(motion.action);
-}
-
 }  // namespace
 
 LiveCore::LiveCore(RunStart start)
@@ -130,7 +124,8 @@ void LiveCore::begin_anew(MovedBy moved_by) {
 
 // Dry run: cuts at the jog speed.
 motion::Motion LiveCore::altered(const motion::Motion& motion) const {
-  if (!panel_[Switch::dry_run] || activity_ != Activity::program || !is_cut(motion)) return motion;
+  if (!panel_[Switch::dry_run] || activity_ != Activity::program || !motion::is_cut_at_feed(motion))
+    return motion;
   motion::Motion dry = motion;
   const motion::Feed feed{settings_.jog_mm_min, motion::FeedMode::per_minute};
   std::visit(

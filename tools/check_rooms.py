@@ -4,7 +4,8 @@
 A room may include itself and what ROOMS lets it use, with all that this uses in turn; only rooms that its own
 kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The elementary functions of the C
 library stay out of all rooms: math has them, with the same bits everywhere. Text of numbers is read and written
-by base/decimal alone, or by fmt: both know no locale.
+by base/decimal alone, or by fmt: both know no locale. Code numbers stand in the tables of control/gcode/codes and in
+no switch. A folder holds at most MOST_CLASSES classes, a source and its header counted once.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -60,6 +61,7 @@ ROOMS = {
     "face/cli": ["engraver", "job", "face/server/transport"],
 }
 
+MOST_CLASSES = 30
 SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
 # Each library rounds them in its own way, and one may choose by the processor. What is exact everywhere, as sqrt, is not here.
 ELEMENTARY = (
@@ -76,6 +78,7 @@ NUMBER_TEXT = re.compile(
     r"|\w*printf\s*\((?:[^;](?!printf))*?%[-+ #0-9.*]*[hlLjzt]*[aAeEfFgG]"
     r"|\{[^{}\"]*:[^{}\"]*L[a-zA-Z]?\}"
 )
+CODE_NUMBER = re.compile(r"\bcase\s+[GM]?\d+\s*:")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 KERF_ROOM = re.compile(r"\bkerf_room\s*\(([^)]*)\)")
 
@@ -215,6 +218,22 @@ def number_texts(file: Path) -> Iterator[str]:
         yield f"{file}:{line}: {what} may differ by locale and library; base/decimal.hpp reads and writes numbers"
 
 
+def code_numbers(file: Path) -> Iterator[str]:
+    """Cases of a switch that are numbers: in a control they are codes."""
+    for number, line in enumerate(without_comments(file.read_text(encoding="utf-8")).splitlines(), start=1):
+        for found in CODE_NUMBER.finditer(line):
+            yield f"{file}:{number}: {found[0]} is a number; a code has a row in control/gcode/codes, and a meaning"
+
+
+def full_folders(files: list[Path]) -> Iterator[str]:
+    folders: dict[Path, set[str]] = {}
+    for file in files:
+        folders.setdefault(file.parent, set()).add(file.stem)
+    for folder, classes in sorted(folders.items()):
+        if len(classes) > MOST_CLASSES:
+            yield f"{folder}:1: {len(classes)} classes in a folder, more than {MOST_CLASSES}: nobody finds one"
+
+
 def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
     room = room_of(file.relative_to(src).as_posix())
     if room is None:
@@ -228,6 +247,8 @@ def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
         yield from elementary_calls(file)
     if file != src / BORDER:
         yield from number_texts(file)
+    if room.startswith("control/"):
+        yield from code_numbers(file)
 
 
 def check(root: Path) -> tuple[int, list[str]]:
@@ -235,7 +256,7 @@ def check(root: Path) -> tuple[int, list[str]]:
     src = root / "src"
     links = read_links(src)
     files = sorted(f for f in src.rglob("*") if f.suffix in SOURCE_SUFFIXES)
-    findings = list(check_links(links))
+    findings = [*check_links(links), *full_folders(files)]
     for file in files:
         findings += check_file(src, file, links)
     return len(files), findings

@@ -44,6 +44,8 @@ FOUND = {
     "manipulators": ("control/gcode/a.cpp", "# include <iomanip>\n", "<iomanip>"),
     "the locale": ("control/gcode/a.cpp", 'std::setlocale(LC_ALL, "");\n', "setlocale"),
     "the locale by fmt": ("control/gcode/a.cpp", 'fmt::format("{:.2Lf}", x);\n', "L"),
+    "a code in a switch": ("control/gcode/a.cpp", "    case 540: return work(0);\n", "case 540:"),
+    "one with its letter": ("control/gcode/a.cpp", "  case M30: break;\n", "case M30:"),
     "behind another": ("control/gcode/a.cpp", 'std::printf("%d", n);\nstd::printf("%g", x);\n', "a.cpp:2"),
 }
 
@@ -58,6 +60,7 @@ NOT_FOUND = {
     "printf without floats": ("control/gcode/a.cpp", 'std::fprintf(stderr, "%s: %llu %d %%\\n", text, n, i);\nx = a % f;\n'),
     "fmt": ("control/gcode/a.cpp", 'fmt::format("{:.2f} {:02X} {}: {}", x, n, text, text);\n'),
     "comments": ("control/gcode/a.cpp", "// not by strtod(text) or std::sin(x)\n"),
+    "a number in another room": ("base/a.cpp", "    case 2: return 1;\n"),
     "names that contain one": ("control/gcode/a.cpp", "restrtod(x); my_atoi(y); histoi(z);\n"),
 }
 
@@ -85,6 +88,17 @@ class Rules(unittest.TestCase):
         for name, (path, text) in NOT_FOUND.items():
             with self.subTest(name):
                 self.assertEqual(findings(path, text), [])
+
+    def test_a_folder_holds_so_many_classes(self):
+        for count, found in ((check_rooms.MOST_CLASSES, 0), (check_rooms.MOST_CLASSES + 1, 1)):
+            with tempfile.TemporaryDirectory() as folder:
+                room = Path(folder) / "src/base"
+                room.mkdir(parents=True)
+                (room / "CMakeLists.txt").write_text("kerf_room()")
+                for i in range(count):
+                    for suffix in ("cpp", "hpp"):
+                        (room / f"class_{i}.{suffix}").write_text("")
+                self.assertEqual(len(check_rooms.check(Path(folder))[1]), found)
 
     def test_a_room_may_not_link_one_below(self):
         with tempfile.TemporaryDirectory() as folder:

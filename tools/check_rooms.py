@@ -58,7 +58,8 @@ ROOMS = {
     "face/server/store": ["face/server/protocol"],
     "face/server/hub": ["face/server/store", "training", "output/records"],
     "face/server/transport": ["face/server/hub"],
-    "face/cli": ["engraver", "job", "face/server/transport"],
+    "face/cli": ["engraver", "job"],
+    "face": ["face/cli", "face/server/transport"],
 }
 
 MOST_CLASSES = 30

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "base/decimal.hpp"
+#include "base/notices.hpp"
 #include "face/cli/dialect_choice.hpp"
 #include "face/cli/machine_setup.hpp"
-#include "face/server/transport/notices.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -364,7 +364,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;
-  if (app.got_subcommand("notices")) return Answer{std::string(server::notices().front().text)};
+  if (app.got_subcommand("notices")) return Answer{std::string(base::notices().front().text)};
   return machines_options;
 }
 

@@ -95,7 +95,7 @@ struct PatternOptions {
   std::string plot;
 };
 
-/// The panel in the browser.
+/// The panel in the browser: whoever has a server serves it.
 struct ServeOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = 8080;
@@ -110,7 +110,6 @@ struct ServeOptions {
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
-[[nodiscard]] ExitStatus serve(const ServeOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

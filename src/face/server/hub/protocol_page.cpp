@@ -8,7 +8,7 @@ namespace kerf::server {
 namespace {
 
 constexpr std::string_view kPreface =
-    R"md(<!-- Made by `kerf serve --protocol` from src/server/commands.cpp: change that, run this. -->
+    R"md(<!-- Made by `kerf serve --protocol` from src/face/server/hub/commands.cpp: change that, run this. -->
 
 # The panel's protocol
 

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <limits>
 
+#include "base/notices.hpp"
 #include "face/server/hub/protocol_page.hpp"
 #include "face/server/transport/download.hpp"
 #include "face/server/transport/http_rules.hpp"
-#include "face/server/transport/notices.hpp"
 #include "face/server/transport/upload.hpp"
 #include "face/server/transport/websocket_session.hpp"
 
@@ -177,7 +177,7 @@ void HttpSession::route_get(const std::string& path) {
     return answer(http::status::upgrade_required, kText, "A WebSocket is served here.\n");
   }
   if (path == "/notices")
-    return answer(http::status::ok, kText, std::string(notices().front().text));
+    return answer(http::status::ok, kText, std::string(base::notices().front().text));
   if (path == "/api") return answer(http::status::ok, kHtml, protocol_html());
   serve_page(path);
 }

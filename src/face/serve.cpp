@@ -1,3 +1,5 @@
+#include "face/serve.hpp"
+
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -9,13 +11,16 @@
 #include <thread>
 
 #include "base/source_file.hpp"
-#include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
 #include "face/server/hub/protocol_page.hpp"
 #include "face/server/transport/server.hpp"
 
-namespace kerf::cli {
+namespace kerf {
 namespace {
+
+using cli::ExitStatus;
+using cli::fail;
+using cli::ServeOptions;
 
 std::string environment(const char* name) {
   const char* const value = std::getenv(name);
@@ -39,7 +44,8 @@ base::Outcome<std::string> token_of(const ServeOptions& options) {
   if (!text)
     return tl::unexpected(base::Failure{text.error().kind, "--token-file " + text.error().message});
   text->erase(text->find_last_not_of(" \t\r\n") + 1);
-  if (text->empty()) return usage("--token-file " + options.token_file + ": the file is empty");
+  if (text->empty())
+    return cli::usage("--token-file " + options.token_file + ": the file is empty");
   return text;
 }
 
@@ -77,4 +83,4 @@ ExitStatus serve(const ServeOptions& options) {
   return ExitStatus::well;
 }
 
-}  // namespace kerf::cli
+}  // namespace kerf

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace kerf::server {
+namespace kerf::base {
 
 /// A file of licences that is compiled in.
 struct Notice {
@@ -14,4 +14,4 @@ struct Notice {
 /// THIRD_PARTY_NOTICES: what others wrote and Kerf is made with, its only entry.
 [[nodiscard]] const std::vector<Notice>& notices();
 
-}  // namespace kerf::server
+}  // namespace kerf::base

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <stop_token>
+#include <string>
 #include <utility>
 
 namespace kerf::base {
@@ -25,7 +26,8 @@ class WorkLimit {
   }
   [[nodiscard]] bool reached() const { return unwanted() || out_of_time(); }
   [[nodiscard]] const std::stop_token& token() const { return unwanted_; }
-  [[nodiscard]] double seconds() const { return seconds_; }
+  /// Why it is reached, as the end of a sentence: "60 s of computing are over".
+  [[nodiscard]] std::string reason() const;
 
  private:
   Clock::time_point begin_{};

@@ -42,7 +42,7 @@ constexpr bool is_cut = std::is_same_v<T, motion::Line> || std::is_same_v<T, mot
 
 }  // namespace
 
-PatternMaker::PatternMaker(machine::VirtualMachine& machine, const machine::PatternMachine& motors,
+PatternMaker::PatternMaker(machine::BatchRun& machine, const machine::PatternMachine& motors,
                            drive::PatternWriter& writer)
     : machine_(machine),
       motors_(motors),

@@ -10,7 +10,7 @@
 #include "engraver/internal/path_gauge.hpp"
 #include "engraver/pattern_report.hpp"
 #include "machine/definition/pattern_machine.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "motion/motion.hpp"
 #include "motion/move_curves.hpp"
 
@@ -42,7 +42,7 @@ class PatternMaker : public motion::MotionSink {
  public:
   /// All must outlive the maker, which becomes the machine's judge. The motors stand where the
   /// machine is at power-on.
-  PatternMaker(machine::VirtualMachine& machine, const machine::PatternMachine& motors,
+  PatternMaker(machine::BatchRun& machine, const machine::PatternMachine& motors,
                drive::PatternWriter& writer);
 
   void watch(PatternWatcher& watcher) { watcher_ = &watcher; }
@@ -82,7 +82,7 @@ class PatternMaker : public motion::MotionSink {
   void raise(const kinematics::Fault& fault);
   [[nodiscard]] const drive::ArmCounts& counts() const { return drive_.counters(); }
 
-  machine::VirtualMachine& machine_;
+  machine::BatchRun& machine_;
   const machine::PatternMachine& motors_;
   drive::PatternWriter& writer_;
   PatternWatcher* watcher_ = nullptr;

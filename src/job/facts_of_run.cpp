@@ -7,22 +7,23 @@
 namespace kerf::job {
 namespace {
 
-using machine::VirtualMachine;
+using machine::BatchRun;
+using machine::RunStatus;
 using output::RunFacts;
 
-RunFacts::Status status_of(VirtualMachine::Status status) {
+RunFacts::Status status_of(RunStatus status) {
   switch (status) {
-    case VirtualMachine::Status::idle: return RunFacts::Status::idle;
-    case VirtualMachine::Status::running:
-    case VirtualMachine::Status::stopped: return RunFacts::Status::stopped;
-    case VirtualMachine::Status::end: return RunFacts::Status::end;
-    case VirtualMachine::Status::alarm: return RunFacts::Status::alarm;
-    case VirtualMachine::Status::budget: return RunFacts::Status::budget;
+    case RunStatus::idle: return RunFacts::Status::idle;
+    case RunStatus::running:
+    case RunStatus::stopped: return RunFacts::Status::stopped;
+    case RunStatus::end: return RunFacts::Status::end;
+    case RunStatus::alarm: return RunFacts::Status::alarm;
+    case RunStatus::budget: return RunFacts::Status::budget;
   }
   return RunFacts::Status::idle;
 }
 
-std::string main_file(const VirtualMachine& machine) {
+std::string main_file(const BatchRun& machine) {
   const base::FileId first{0};
   return machine.sources().contains(first) ? machine.sources()[first].name() : std::string();
 }
@@ -36,7 +37,7 @@ RunFacts::Alarm alarm_facts(const base::Diagnostic& alarm, const base::SourceSet
           .column = alarm.place.column};
 }
 
-std::vector<RunFacts::Axis> axes_of(const VirtualMachine& machine) {
+std::vector<RunFacts::Axis> axes_of(const BatchRun& machine) {
   const motion::AxisSetup& axes = machine.definition().axes;
   const base::AxisVector at = machine.position();
   const base::AxisVector work = at - machine.control().work_origin();
@@ -51,7 +52,7 @@ std::vector<RunFacts::Axis> axes_of(const VirtualMachine& machine) {
   return list;
 }
 
-std::vector<control::Assumption> assumed_by(const VirtualMachine& machine) {
+std::vector<control::Assumption> assumed_by(const BatchRun& machine) {
   std::vector<control::Assumption> list = machine.control().assumptions().list();
   if (const std::uint32_t line = machine.statistics().untimed_line(); line != 0) {
     list.push_back({line, "feed per revolution without a spindle speed: its time is not counted"});
@@ -61,7 +62,7 @@ std::vector<control::Assumption> assumed_by(const VirtualMachine& machine) {
 
 }  // namespace
 
-RunFacts facts_of(VirtualMachine& machine) {
+RunFacts facts_of(BatchRun& machine) {
   RunFacts facts;
   facts.program = machine.program_name();
   facts.title = title_of(machine);
@@ -88,11 +89,11 @@ RunFacts facts_of(VirtualMachine& machine) {
   return facts;
 }
 
-std::string title_of(const VirtualMachine& machine) {
+std::string title_of(const BatchRun& machine) {
   return output::program_title(machine.program_name(), main_file(machine));
 }
 
-output::DriveFault alarm_of(VirtualMachine& machine) {
+output::DriveFault alarm_of(BatchRun& machine) {
   return [&machine](const base::Diagnostic& alarm, const motion::Mark& mark) {
     machine.raise(output::at_mark(alarm, mark, machine.sources()));
   };

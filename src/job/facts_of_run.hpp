@@ -2,20 +2,20 @@
 
 #include <string>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "output/reports/run_facts.hpp"
 #include "output/writing/drive_fault.hpp"
 
 namespace kerf::job {
 
 /// What the machine's run came to, for reports.
-[[nodiscard]] output::RunFacts facts_of(machine::VirtualMachine& machine);
+[[nodiscard]] output::RunFacts facts_of(machine::BatchRun& machine);
 
 /// What a person calls the program of the machine: its name, else that of its file.
-[[nodiscard]] std::string title_of(const machine::VirtualMachine& machine);
+[[nodiscard]] std::string title_of(const machine::BatchRun& machine);
 
 /// Has the machine end in the alarm of whoever cannot follow it, at the line of the motion that was
 /// under way. The machine must outlive what this returns.
-[[nodiscard]] output::DriveFault alarm_of(machine::VirtualMachine& machine);
+[[nodiscard]] output::DriveFault alarm_of(machine::BatchRun& machine);
 
 }  // namespace kerf::job

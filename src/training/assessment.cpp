@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "job/run.hpp"
 #include "machine/dialect/language.hpp"
-#include "machine/run/virtual_machine.hpp"
 #include "math/math.hpp"
 #include "training/code_lines.hpp"
 #include "training/cut_grid.hpp"
@@ -16,10 +16,10 @@ namespace kerf::training {
 namespace {
 
 using geometry::Vec3;
-using machine::VirtualMachine;
+using machine::BatchRun;
 using Finding = Criterion::Finding;
 using Kind = Criterion::Kind;
-using Status = VirtualMachine::Status;
+using Status = machine::RunStatus;
 
 // A program of an exercise is done in a part of these.
 machine::Budget budget_of_run(const std::stop_token& unwanted) {
@@ -86,15 +86,23 @@ void keep_diagnostic(Run& run, const std::optional<base::Diagnostic>& told) {
 
 Run run_of(const Exercise& exercise, const machine::MachineDefinition& definition,
            const std::string& program, double most_mm, const std::stop_token& unwanted) {
-  VirtualMachine machine(definition, memory_of(exercise, definition),
-                         {.pages = {}, .dialect = dialect_of(exercise, definition)});
+  const auto made = job::Run::of({.definition = definition,
+                                  .memory = memory_of(exercise, definition),
+                                  .settings = {.dialect = dialect_of(exercise, definition)},
+                                  .program = base::ProgramText::of(exercise.file, program),
+                                  .budget = budget_of_run(unwanted)});
+  Run run;
+  if (!made) {
+    run.status = Status::alarm;
+    run.message = made.error().message;
+    return run;
+  }
+  BatchRun& machine = (*made)->machine();
   const auto& [x, y, z] = exercise.zero_mm;
   CutRecorder recorder(definition, process_of(exercise), Vec3{x, y, z}, most_mm,
                        [&] { machine.raise(base::make_error(base::Code::budget_spent, {})); });
   machine.add_sink(recorder);
-  machine.load(base::SourceFile::from_text(exercise.file, program));
-  Run run;
-  run.status = machine.run_to_end(budget_of_run(unwanted));
+  run.status = (*made)->go();
   run.fed_too_far = recorder.is_full();
   keep_diagnostic(run, run.status == Status::alarm ? machine.alarm() : machine.notice());
   if (run.line > 0) run.file = exercise.file;

@@ -11,13 +11,13 @@
 
 #include "endless_program.hpp"
 #include "machine/dialect/language.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "motion/axis_point.hpp"
 
 namespace kerf::test {
 namespace {
 
-using machine::VirtualMachine;
+using machine::BatchRun;
 
 // Of computing, not of the clock on the wall: other processes do not count.
 constexpr double kMost_s = 1;
@@ -41,7 +41,7 @@ struct Manner {
 };
 
 struct Result {
-  VirtualMachine::Status status{};
+  machine::RunStatus status{};
   double late_s = 0;  // of computing, behind the cancellation
 };
 
@@ -50,10 +50,10 @@ Result run_cancelled(const EndlessProgram& program, const Manner& manner) {
   const auto language = machine::language_by_ending(program.name);
   const std::string dialect = language ? std::string(language->dialect) : "fanuc-mill";
   NoSink sink;
-  VirtualMachine machine(*definition, control::Memory(definition->parameters.n_offsets),
-                         {.pages = {}, .dialect = dialect});
+  BatchRun machine(*definition, control::Memory(definition->parameters.n_offsets),
+                   {.dialect = dialect});
   machine.set_input([] { return std::optional<std::string>("1"); });
-  machine.set_single_block(manner.single_block);
+  machine.control().set_single_block(manner.single_block);
   if (manner.with_points) machine.add_point_sink(sink);
   machine.load(base::SourceFile::from_text(program.name, program.text));
   std::stop_source unwanted;
@@ -95,7 +95,7 @@ int main(int count, char** words) {
     const EndlessProgram program = endless_program(random);
     const Manner manner{random.coin(), random.count(0, 3) == 0, random.count(0, 20)};
     const Result result = run_cancelled(program, manner);
-    if (result.status != kerf::machine::VirtualMachine::Status::budget) ++by_themselves;
+    if (result.status != kerf::machine::RunStatus::budget) ++by_themselves;
     latest_s = std::max(latest_s, result.late_s);
     if (result.late_s <= kMost_s) continue;
     std::printf("seed %lu computes for %.2f s behind its cancellation:\n%s\n", seed + i,

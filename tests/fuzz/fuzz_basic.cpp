@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace {
 
@@ -45,7 +45,7 @@ class Trace : public motion::MotionSink {
 };
 
 struct Story {
-  machine::VirtualMachine::Status status{};
+  machine::RunStatus status{};
   std::string alarm;
   std::string printed;
   std::uint64_t motions = 0;
@@ -63,7 +63,7 @@ std::string told(const std::optional<base::Diagnostic>& alarm, std::size_t size)
          std::to_string(alarm->place.column) + " " + alarm->message;
 }
 
-Story run(machine::VirtualMachine& machine, Trace& trace, std::size_t size) {
+Story run(machine::BatchRun& machine, Trace& trace, std::size_t size) {
   Story story;
   int left = 20;
   machine.set_input([&]() -> std::optional<std::string> {
@@ -77,7 +77,7 @@ Story run(machine::VirtualMachine& machine, Trace& trace, std::size_t size) {
   story.sum = trace.sum;
   for (const machine::Variable& variable : machine.variables())
     story.variables.emplace_back(variable.name, variable.value);
-  using Status = machine::VirtualMachine::Status;
+  using Status = machine::RunStatus;
   if (story.status == Status::end || story.status == Status::alarm) require(trace.beam == 0);
   return story;
 }
@@ -88,17 +88,16 @@ Story run_cut_by(const std::string& text, std::uint32_t lines, std::uint8_t choi
     laser.parameters.statement_limit = kMostStatements;
     return laser;
   }();
-  machine::VirtualMachine::Settings settings{{}, "laser-basic"};
+  machine::Machine::Settings settings{.dialect = "laser-basic"};
   settings.pages.lines_per_page = lines;
   settings.pages.fresh_pages = 2;
   settings.pages.most_pages = 64;
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  settings);
+  machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets), settings);
   Trace trace;
   machine.add_sink(trace);
   machine.load(base::SourceFile::from_text("-", text));
   for (const base::Diagnostic& mistake : machine.check()) told(mistake, text.size());
-  machine.set_single_block((choice & 16U) != 0);
+  machine.control().set_single_block((choice & 16U) != 0);
   const Story story = run(machine, trace, text.size());
   if ((choice & 32U) == 0) return story;
   machine.reset();
@@ -112,7 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data + 1), size - 1);
   const Story story = run_cut_by(text, 256, data[0]);
-  if (story.status == machine::VirtualMachine::Status::budget) return 0;
+  if (story.status == machine::RunStatus::budget) return 0;
   if ((data[0] & 16U) != 0) return 0;
   require(run_cut_by(text, 1U << (data[0] & 7U), data[0]) == story);
   return 0;

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace {
 
@@ -30,17 +30,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::uint8_t choice = data[0];
   static const auto definition = *machine::find_machine("laser3");
-  machine::VirtualMachine::Settings settings;
+  machine::Machine::Settings settings;
   settings.pages.lines_per_page = 1U << (choice & 7U);
   settings.pages.fresh_pages = 2;
   settings.pages.most_pages = 64;
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  settings);
+  machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets), settings);
   machine.load(
       base::SourceFile::from_text("-", {reinterpret_cast<const char*>(data + 1), size - 1}));
-  machine.set_block_skip((choice & 8U) != 0 ? 0x3feU : 0);
-  machine.set_optional_stop((choice & 16U) != 0);
-  machine.set_single_block((choice & 32U) != 0);
+  machine.control().set_block_skip((choice & 8U) != 0 ? 0x3feU : 0);
+  machine.control().set_optional_stop((choice & 16U) != 0);
+  machine.control().set_single_block((choice & 32U) != 0);
   const machine::Budget budget{0, kMostMotions, kMostSteps};
   machine.run_to_end(budget);
   if (machine.alarm()) check_alarm(*machine.alarm(), size);

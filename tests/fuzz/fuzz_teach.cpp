@@ -10,7 +10,7 @@
 
 #include "lang/teach/record_reader.hpp"
 #include "lang/teach/record_writer.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace {
 
@@ -60,15 +60,14 @@ void check_writer(const std::string& text) {
 void check_run(const std::string& text, std::uint8_t choice) {
   static const auto head = *machine::find_machine("laser5");
   static const auto mill = *machine::find_machine("mill5");
-  machine::VirtualMachine::Settings settings{{}, "teach"};
+  machine::Machine::Settings settings{.dialect = "teach"};
   settings.pages.lines_per_page = 1U << (choice & 7U);
   settings.pages.fresh_pages = 2;
   const machine::MachineDefinition& definition = (choice & 8U) != 0 ? mill : head;
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  settings);
+  machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets), settings);
   machine.load(base::SourceFile::from_text("-", text));
   static_cast<void>(machine.check());
-  machine.set_single_block((choice & 16U) != 0);
+  machine.control().set_single_block((choice & 16U) != 0);
   const machine::Budget budget{kMostSeconds, kMostMotions, kMostSteps};
   machine.run_to_end(budget);
   if (machine.alarm()) {

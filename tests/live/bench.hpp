@@ -41,7 +41,7 @@ class Bench {
 
   Bench& load(const std::string& text, const std::string& name = "part.nc",
               const std::string& dialect = {}) {
-    const auto loaded = machine_->load(machine::ProgramText::of(name, text), dialect);
+    const auto loaded = machine_->load(base::ProgramText::of(name, text), dialect);
     EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
     return *this;
   }

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "bench.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace kerf::test {
 namespace {
@@ -73,12 +73,12 @@ std::string text_of(const std::vector<std::pair<std::string, double>>& values) {
 }
 
 Result run_batch(const machine::MachineDefinition& definition, const Program& program) {
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  {{}, program.dialect});
+  machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets),
+                            {.dialect = program.dialect});
   Fingerprint print;
   machine.add_point_sink(print);
   machine.load(std::move(*base::SourceFile::open(program.path)));
-  using BatchStatus = machine::VirtualMachine::Status;
+  using BatchStatus = machine::RunStatus;
   BatchStatus status = BatchStatus::running;
   while (status == BatchStatus::running || status == BatchStatus::stopped)
     status = machine.cycle_start({.seconds = 0});
@@ -100,7 +100,7 @@ Result run_live(const machine::MachineDefinition& definition, const Program& pro
   LiveMachine machine(definition, control::Memory(definition.parameters.n_offsets), settings);
   Fingerprint print;
   machine.add_point_sink(print);
-  EXPECT_DONE(machine.load(machine::ProgramText::at_path(program.path)));
+  EXPECT_DONE(machine.load(base::ProgramText::at_path(program.path)));
   EXPECT_DONE(machine.cycle_start());
   for (Status status = Status::running; status == Status::running || status == Status::stopped;) {
     if (status == Status::stopped) {

@@ -46,7 +46,7 @@ TEST(Panel, WhileItRunsItRefusesWhatWouldDisturb) {
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_REFUSED(bench->set_mode(Mode::jog), "while the machine is running");
   EXPECT_REFUSED(bench->cycle_start(), "running");
-  EXPECT_REFUSED(bench->load(machine::ProgramText::of("b.nc", kLong)), "busy");
+  EXPECT_REFUSED(bench->load(base::ProgramText::of("b.nc", kLong)), "busy");
   EXPECT_REFUSED(bench->set_variable("#100", 1), "while nothing moves");
   EXPECT_REFUSED(bench->set_offset("G54", "X", 1), "while nothing moves");
   EXPECT_REFUSED(bench->set_switch(Switch::dry_run, true), "while nothing moves");

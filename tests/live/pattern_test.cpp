@@ -2,7 +2,7 @@
 // the way.
 #include <cmath>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "pattern_bench.hpp"
 
 namespace kerf::test {
@@ -32,12 +32,12 @@ TEST(PatternOnThePanel, MakesThePointsOfAReplay) {
 TEST(PatternOnThePanel, RunsWithoutPanelAsAReplayDoes) {
   const auto definition = *machine::find_machine("arm4");
   const std::string listing = random_listing(7, 60);
-  machine::VirtualMachine batch(definition, control::Memory(definition.parameters.n_offsets),
-                                {.pages = {}, .dialect = "pattern"});
+  machine::BatchRun batch(definition, control::Memory(definition.parameters.n_offsets),
+                          {.dialect = "pattern"});
   Points points;
   batch.add_point_sink(points);
   batch.load(base::SourceFile::from_text("w.pat", listing));
-  EXPECT_EQ(batch.run_to_end(), machine::VirtualMachine::Status::end);
+  EXPECT_EQ(batch.run_to_end(), machine::RunStatus::end);
   Replayed replayed;
   replay(definition, listing, replayed);
   expect_same_points(points, replayed.points);
@@ -277,7 +277,7 @@ TEST(PatternOnThePanel, ALineOfManyRecordsIsOneBlock) {
 TEST(PatternOnThePanel, IsNotForMachinesThatCountNoPulses) {
   for (const char* const name : {"mill3", "laser3", "laser5"}) {
     Bench bench(name);
-    EXPECT_REFUSED(bench->load(machine::ProgramText::of("w.pat", kListing), "pattern"),
+    EXPECT_REFUSED(bench->load(base::ProgramText::of("w.pat", kListing), "pattern"),
                    "has no controller for patterns");
     EXPECT_FALSE(bench->program());
   }

@@ -82,7 +82,7 @@ RunResult run_program(const std::string& program, const RunSetup& setup) {
   }
   control::Memory memory(definition.parameters.n_offsets);
   memory.tools[1].radius_geometry = setup.radius_of_d1;
-  machine::VirtualMachine machine(definition, std::move(memory));
+  machine::BatchRun machine(definition, std::move(memory));
   RunResult result;
   Collector collector(result.motions);
   machine.add_sink(collector);

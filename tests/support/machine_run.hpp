@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "motion/motion.hpp"
 
 namespace kerf::test {
@@ -21,7 +21,7 @@ struct RunSetup {
 
 /// What a program did.
 struct RunResult {
-  machine::VirtualMachine::Status status{};
+  machine::RunStatus status{};
   std::string alarm{};  ///< "PS0010 in line 3", or empty
   std::vector<motion::Motion> motions{};
   double cut_mm = 0;

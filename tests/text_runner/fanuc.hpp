@@ -1,12 +1,12 @@
 #pragma once
 
 #include "control/gcode/gcode_control.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace kerf::test {
 
 /// The control of a machine whose dialect is G-code.
-inline control::GcodeControl& fanuc(machine::VirtualMachine& machine) {
+inline control::GcodeControl& fanuc(machine::BatchRun& machine) {
   return dynamic_cast<control::GcodeControl&>(machine.control());
 }
 

@@ -11,7 +11,7 @@
 #include "base/decimal.hpp"
 #include "expectations.hpp"
 #include "face/cli/arguments.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "face/cli/ready_run.hpp"
 #include "fanuc.hpp"
 #include "lang/vm/value.hpp"
 #include "observer.hpp"
@@ -21,8 +21,8 @@ namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using machine::VirtualMachine;
-using Status = VirtualMachine::Status;
+using machine::BatchRun;
+using Status = machine::RunStatus;
 
 constexpr double kVariableTolerance = 1e-6;
 
@@ -46,7 +46,7 @@ std::string capitals(std::string text) {
   return text;
 }
 
-double named_variable(VirtualMachine& machine, const std::string& name) {
+double named_variable(BatchRun& machine, const std::string& name) {
   for (const machine::Variable& variable : machine.variables()) {
     if (variable.name == capitals(name)) return variable.value;
   }
@@ -54,7 +54,7 @@ double named_variable(VirtualMachine& machine, const std::string& name) {
 }
 
 // #1 to #33 of the main program's level, #100 to #199, #500 to #999; of laser BASIC by name.
-double variable(VirtualMachine& machine, const std::string& name) {
+double variable(BatchRun& machine, const std::string& name) {
   if (name[0] != '#') return named_variable(machine, name);
   const auto number = static_cast<std::size_t>(std::stoul(name.substr(1)));
   if (number < gcode::kLocals) return fanuc(machine).first_level_locals()[number];
@@ -91,7 +91,8 @@ class TextTest : public testing::Test {
   fs::path path_;
   Expectations expected_;
   cli::RunOptions options_;
-  std::unique_ptr<VirtualMachine> machine_;
+  std::unique_ptr<job::Run> run_;
+  BatchRun* machine_ = nullptr;  // of the run
   std::unique_ptr<Recorder> recorder_;
   std::string printed_;
   TemporaryFolder folder_;
@@ -113,7 +114,8 @@ void TextTest::prepare() {
   options_ = std::get<cli::RunOptions>(*request);
   auto ready = cli::make_ready(options_);
   ASSERT_TRUE(ready) << ready.error().message;
-  machine_ = std::move(ready->machine);
+  run_ = std::move(ready->run);
+  machine_ = &run_->machine();
   recorder_ = std::make_unique<Recorder>(machine_->definition().axes);
   machine_->add_sink(*recorder_);
   machine_->set_input(reader_of(expected_.input));
@@ -128,7 +130,7 @@ void TextTest::run() {
       check_variables(wanted->second, "after line " + std::to_string(line_));
     line_ = line;
   });
-  machine_->run_to_end({options_.max_seconds, options_.max_motions});
+  run_->go();
   const auto wanted = expected_.variables_after_line.find(line_);
   if (wanted != expected_.variables_after_line.end())
     check_variables(wanted->second, "after line " + std::to_string(line_));

@@ -8,7 +8,7 @@
 #include "base/decimal.hpp"
 #include "base/notices.hpp"
 #include "face/cli/dialect_choice.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "machine/definition/machine_definition.hpp"
 
 namespace kerf::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "face/cli/commands.hpp"
 #include "face/cli/dialect_choice.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "face/cli/ready_run.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 
@@ -19,7 +19,7 @@ namespace kerf::cli {
 namespace {
 
 using base::Diagnostic;
-using machine::VirtualMachine;
+using machine::BatchRun;
 
 bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
   return a.place.file == b.place.file && a.place.line == b.place.line && a.number == b.number;
@@ -27,13 +27,12 @@ bool same_mistake(const Diagnostic& a, const Diagnostic& b) {
 
 // What shows without running, reached or not, then what the run itself raises, also behind the
 // first alarm, at which a control would stop.
-std::vector<Diagnostic> find_all(ReadyMachine& ready, const machine::Budget& budget) {
-  VirtualMachine& machine = *ready.machine;
-  base::Findings checked(base::Findings::kAll, base::WorkLimit(budget.seconds));
+std::vector<Diagnostic> find_all(const ReadyRun& ready, double max_seconds) {
+  BatchRun& machine = ready.machine();
+  base::Findings checked(base::Findings::kAll, base::WorkLimit(max_seconds));
   machine.check(checked);
   std::vector<Diagnostic> found = checked.list();
-  machine.search_alarms();
-  machine.run_to_end(budget);
+  ready.run->go();
   const auto add = [&](const std::optional<Diagnostic>& told) {
     if (!told) return;
     const auto same = [&](const Diagnostic& d) { return same_mistake(d, *told); };
@@ -49,19 +48,6 @@ std::vector<Diagnostic> find_all(ReadyMachine& ready, const machine::Budget& bud
   return found;
 }
 
-base::Outcome<ReadyMachine> make_ready(const std::string& path, const CheckOptions& options) {
-  auto file = base::SourceFile::open(path, {.seconds = options.max_seconds});
-  if (!file) return tl::unexpected(file.error());
-  auto ready = set_up(
-      {.machine = options.machine, .dialect = options.dialect, .parameters = options.parameters},
-      **file);
-  if (!ready) return ready;
-  if (auto added = add_libraries(options.libraries, *ready->machine); !added)
-    return tl::unexpected(added.error());
-  ready->machine->load(std::move(*file));
-  return ready;
-}
-
 FileReport check_file(const std::string& path, const CheckOptions& options) {
   if (is_pattern(options.dialect, path)) return check_pattern(path, options);
   FileReport report;
@@ -71,10 +57,8 @@ FileReport check_file(const std::string& path, const CheckOptions& options) {
     report.failure = ready.error();
     return report;
   }
-  VirtualMachine& machine = *ready->machine;
-  for (const Diagnostic& diagnostic :
-       find_all(*ready, {options.max_seconds, options.max_motions, 0}))
-    report.add(diagnostic, machine.sources());
+  for (const Diagnostic& diagnostic : find_all(*ready, options.max_seconds))
+    report.add(diagnostic, ready->machine().sources());
   report.budget_spent =
       std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
         return finding.object["code"] == base::text_of(base::Code::budget_spent).number;

@@ -232,7 +232,7 @@ Outcome<void> Outputs::open() {
 }
 
 Outcome<void> Outputs::commit() {
-  const bool at_end = machine_.status() == machine::VirtualMachine::Status::end;
+  const bool at_end = machine_.status() == machine::RunStatus::end;
   return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
                                                        : OutputFiles::Which::records_only);
 }

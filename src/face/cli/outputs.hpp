@@ -10,7 +10,7 @@
 #include "engraver/pattern_plot.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/output_files.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "motion/axis_point.hpp"
 #include "output/picture/path_plot.hpp"
 #include "output/reports/coverage.hpp"
@@ -22,7 +22,7 @@ namespace kerf::cli {
 class Outputs {
  public:
   /// Both must outlive the outputs, which the machine must not run without.
-  Outputs(const RunOptions& options, machine::VirtualMachine& machine)
+  Outputs(const RunOptions& options, machine::BatchRun& machine)
       : options_(options), machine_(machine) {}
 
   /// Opens what the options ask for and has the machine write into it. Failure (usage): an option
@@ -58,7 +58,7 @@ class Outputs {
   void add(std::unique_ptr<motion::AxisPointSink> sink);
 
   const RunOptions& options_;
-  machine::VirtualMachine& machine_;
+  machine::BatchRun& machine_;
   OutputFiles files_;
   std::vector<std::unique_ptr<motion::MotionSink>> motion_sinks_;
   std::vector<std::unique_ptr<motion::AxisPointSink>> point_sinks_;

@@ -12,9 +12,9 @@
 #include "engraver/replay_plot.hpp"
 #include "engraver/replay_summary.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/machine_setup.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/pattern_files.hpp"
+#include "face/cli/setting.hpp"
 #include "output/picture/path_plot.hpp"
 #include "output/programs/post.hpp"
 #include "output/records/laser_pulses.hpp"
@@ -36,12 +36,8 @@ constexpr auto kDrives = OutputFiles::Kind::drives_a_machine;
 Outcome<machine::MachineDefinition> machine_of(const PatternOptions& options) {
   auto machine = machine::find_machine(options.machine);
   if (!machine) return machine;
-  for (const std::string& text : options.machine_keys) {
-    auto setting = split_setting(text, "--machine-set");
-    if (!setting) return tl::unexpected(setting.error());
-    if (auto set = machine->set(setting->key, setting->value); !set)
-      return tl::unexpected(set.error());
-  }
+  if (auto set = set_machine_keys(options.machine_keys, *machine); !set)
+    return tl::unexpected(set.error());
   return machine;
 }
 

@@ -3,11 +3,11 @@
 #include "face/cli/commands.hpp"
 #include "face/cli/dialect_choice.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/machine_setup.hpp"
 #include "face/cli/operator_input.hpp"
 #include "face/cli/outputs.hpp"
 #include "face/cli/pattern_run.hpp"
 #include "face/cli/progress.hpp"
+#include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "job/facts_of_run.hpp"
 #include "machine/definition/state_file.hpp"
@@ -17,23 +17,23 @@
 namespace kerf::cli {
 namespace {
 
-using machine::VirtualMachine;
-using Status = VirtualMachine::Status;
+using machine::BatchRun;
+using Status = machine::RunStatus;
 
 void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
-void report(const RunOptions& options, VirtualMachine& machine, const ReadyMachine& ready,
-            const Outputs& outputs) {
+void report(const RunOptions& options, const ReadyRun& ready, const Outputs& outputs) {
   report_diagnostics(ready, options.diagnostics);
   if (options.diagnostics == DiagnosticFormat::json) return;
-  tell(output::summary_text(job::facts_of(machine)));
+  tell(output::summary_text(job::facts_of(ready.machine())));
   if (!ready.why.empty()) tell("  " + ready.why + "\n");
   tell(outputs.remarks());
   for (const std::string& path : outputs.written())
     tell("  wrote " + output::printable(path) + "\n");
 }
 
-Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) {
+Status run_showing_progress(job::Run& run) {
+  BatchRun& machine = run.machine();
   Progress progress;
   if (progress.wanted()) {
     machine.observe_progress([&] {
@@ -44,7 +44,7 @@ Status run_showing_progress(const RunOptions& options, VirtualMachine& machine) 
                     machine.statistics().motions());
     });
   }
-  const Status status = machine.run_to_end({options.max_seconds, options.max_motions, 0});
+  const Status status = run.go();
   machine.observe_progress(nullptr);
   return status;
 }
@@ -55,17 +55,17 @@ ExitStatus run(const RunOptions& options) {
   if (is_pattern(options.dialect, options.program)) return run_pattern(options);
   auto ready = make_ready(options);
   if (!ready) return fail(ready.error());
-  VirtualMachine& machine = *ready->machine;
+  BatchRun& machine = ready->machine();
   machine.set_input(operator_input);
   Outputs outputs(options, machine);
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
-  const Status status = run_showing_progress(options, machine);
+  const Status status = run_showing_progress(*ready->run);
   if (auto committed = outputs.commit(); !committed) return fail(committed.error());
   if (!options.state.empty()) {
     if (auto written = machine::write_state(options.state, machine.memory()); !written)
       return fail(written.error());
   }
-  report(options, machine, *ready, outputs);
+  report(options, *ready, outputs);
   return exit_status_of(status);
 }
 

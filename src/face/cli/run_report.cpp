@@ -7,8 +7,8 @@
 
 namespace kerf::cli {
 
-void report_diagnostics(const ReadyMachine& ready, DiagnosticFormat format) {
-  machine::VirtualMachine& machine = *ready.machine;
+void report_diagnostics(const ReadyRun& ready, DiagnosticFormat format) {
+  machine::BatchRun& machine = ready.machine();
   const auto tell = [&](const base::Diagnostic& diagnostic) {
     const std::string text = format == DiagnosticFormat::json
                                  ? output::diagnostic_json(diagnostic, machine.sources())

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "face/cli/commands.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "face/cli/ready_run.hpp"
 
 namespace kerf::cli {
 
 /// What a run has to say besides its results, on standard error: warnings, the alarm, the budget.
-void report_diagnostics(const ReadyMachine& ready, DiagnosticFormat format);
+void report_diagnostics(const ReadyRun& ready, DiagnosticFormat format);
 
 }  // namespace kerf::cli

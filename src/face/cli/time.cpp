@@ -1,7 +1,7 @@
 #include "base/output_file.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "job/facts_of_run.hpp"
 #include "output/reports/time_report.hpp"
@@ -10,13 +10,13 @@ namespace kerf::cli {
 ExitStatus time(const TimeOptions& options) {
   auto ready = make_ready(options.run);
   if (!ready) return fail(ready.error());
-  machine::VirtualMachine& machine = *ready->machine;
+  machine::BatchRun& machine = ready->machine();
   const machine::MachineDefinition& definition = machine.definition();
   output::TimeReport times(definition.axes, definition.interpolator.period_s);
   machine.add_point_sink(times);
   machine.observe_blocks(
       [&times](base::FileId file, std::uint32_t line) { times.line_begins(file, line); });
-  const auto status = machine.run_to_end({options.run.max_seconds, options.run.max_motions, 0});
+  const auto status = ready->run->go();
   const output::RunFacts facts = job::facts_of(machine);
   auto file = base::OutputFile::create("-");
   if (!file) return fail(file.error());

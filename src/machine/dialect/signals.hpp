@@ -20,6 +20,8 @@ class Signals {
 
   /// Bits #1000 to #1015 are word 0, #1033 to #1035 words 1 to 3.
   [[nodiscard]] std::uint32_t inputs(std::size_t word) const { return inputs_[word]; }
+  [[nodiscard]] const std::array<std::uint32_t, 4>& inputs() const { return inputs_; }
+  void set_inputs(const std::array<std::uint32_t, 4>& words) { inputs_ = words; }
   /// yyyymmdd and hhmmss, `seconds` after power-on.
   [[nodiscard]] double date(double seconds) const;
   [[nodiscard]] double time_of_day(double seconds) const;

@@ -210,18 +210,20 @@ std::shared_ptr<const Snapshot> LiveMachine::snapshot() {
 
 // The program
 
-LiveMachine::Outcome LiveMachine::load(ProgramText program, std::string dialect) {
+LiveMachine::Outcome LiveMachine::load(base::ProgramText program, std::string dialect) {
   return impl_->begin([program = std::move(program), dialect = std::move(dialect)](LiveCore& core) {
     return core.load(program, dialect);
   });
 }
 
-LiveMachine::Outcome LiveMachine::can_load(const ProgramText& program,
+LiveMachine::Outcome LiveMachine::can_load(const base::ProgramText& program,
                                            const std::string& dialect) const {
   return impl_->core->can_load(program, dialect);
 }
 
-const std::optional<ProgramText>& LiveMachine::program() const { return impl_->core->program(); }
+const std::optional<base::ProgramText>& LiveMachine::program() const {
+  return impl_->core->program();
+}
 const std::string& LiveMachine::dialect() const { return impl_->core->dialect(); }
 std::vector<base::Diagnostic> LiveMachine::check() { return impl_->core->machine().check(); }
 

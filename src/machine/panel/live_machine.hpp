@@ -7,13 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "base/program_text.hpp"
 #include "base/result.hpp"
 #include "base/work_limit.hpp"
 #include "control/core/memory.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "machine/dialect/variable_listing.hpp"
 #include "machine/panel/panel.hpp"
-#include "machine/panel/program_text.hpp"
 #include "machine/panel/snapshot.hpp"
 #include "machine/run/breakpoint.hpp"
 #include "machine/run/stepper.hpp"
@@ -21,7 +21,7 @@
 
 namespace kerf::machine {
 
-/// A machine as its operator has it: a VirtualMachine that is run by simulated time, with the
+/// A machine as its operator has it: a PacedRun that is run by simulated time, with the
 /// modes, switches and keys of a panel.
 ///
 ///   LiveMachine machine(definition, memory);
@@ -31,7 +31,7 @@ namespace kerf::machine {
 ///
 /// It has neither threads nor clocks: who calls advance() decides how fast time goes.
 /// Deterministic: the same commands behind the same set-points give the same bytes, however the
-/// time between them is cut, and a run without any is that of VirtualMachine::run_to_end().
+/// time between them is cut, and a run without any is that of PacedRun::run_to_end().
 ///
 /// What an operator cannot do now is refused in words (Failure, usage), and changes nothing.
 /// Each program, and each MDI entry after a reset, begins in the state of power-on but for memory,
@@ -74,10 +74,11 @@ class LiveMachine {
 
   /// Loads a program; mode edit, auto, or any other while nothing runs. The program's language is
   /// `dialect`, one of available_dialects(); empty: that of the settings.
-  Outcome load(ProgramText program, std::string dialect = {});
+  Outcome load(base::ProgramText program, std::string dialect = {});
   /// What load() would say; it changes nothing.
-  [[nodiscard]] Outcome can_load(const ProgramText& program, const std::string& dialect) const;
-  [[nodiscard]] const std::optional<ProgramText>& program() const;
+  [[nodiscard]] Outcome can_load(const base::ProgramText& program,
+                                 const std::string& dialect) const;
+  [[nodiscard]] const std::optional<base::ProgramText>& program() const;
   [[nodiscard]] const std::string& dialect() const;
   /// Mistakes of the loaded program that show without running it.
   [[nodiscard]] std::vector<base::Diagnostic> check();

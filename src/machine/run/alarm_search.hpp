@@ -8,7 +8,7 @@
 
 namespace kerf::machine {
 
-/// What a run finds that goes on behind its alarms (VirtualMachine::search_alarms()). Each code
+/// What a run finds that goes on behind its alarms (BatchRun::search_alarms()). Each code
 /// counts once a line, in the order of the run. Value type.
 class AlarmSearch {
  public:

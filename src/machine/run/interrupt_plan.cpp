@@ -22,16 +22,15 @@ constexpr double kLook_s = 10;
 /// The run up to a time, as its axes have it.
 class Probe : private motion::AxisPointSink {
  public:
-  Probe(std::unique_ptr<VirtualMachine> machine, const std::vector<std::uint64_t>& blocks)
+  Probe(std::unique_ptr<PacedRun> machine, const std::vector<std::uint64_t>& blocks)
       : machine_(std::move(machine)),
         stepper_(machine_->language()),
         read_ahead_(machine_->control(), stepper_) {
-    machine_->pace();
     machine_->add_sink(read_ahead_);
     machine_->add_point_sink(*this);
     stepper_.count_blocks(true);
     for (const std::uint64_t block : blocks)
-      stepper_.before_block(block, [this] { machine_->interrupt(); });
+      stepper_.before_block(block, [this] { machine_->control().interrupt(); });
   }
 
   /// False: the time is spent.
@@ -49,7 +48,7 @@ class Probe : private motion::AxisPointSink {
   void take(const motion::AxisPoint& point) override { latest_.take(point.tip); }
   void go_on();
 
-  std::unique_ptr<VirtualMachine> machine_;
+  std::unique_ptr<PacedRun> machine_;
   Stepper stepper_;
   ReadAhead read_ahead_;
   LatestPoints latest_;
@@ -58,7 +57,7 @@ class Probe : private motion::AxisPointSink {
 
 // As a batch run goes on behind M00, #3006 and single block.
 void Probe::go_on() {
-  using Status = VirtualMachine::Status;
+  using Status = RunStatus;
   const Status status = machine_->status();
   is_over_ = status == Status::end || status == Status::alarm || status == Status::stopped ||
              !machine_->set_off();
@@ -72,7 +71,7 @@ bool Probe::go_to(double time_s, double budget_s) {
     if (!machine_->is_active()) go_on();
     if (is_over_) return true;
     const std::uint64_t before = machine_->servo().points();
-    const bool reached = machine_->advance(until_s, VirtualMachine::kNever);
+    const bool reached = machine_->advance(until_s, PacedRun::kNever);
     if (reached && until_s == time_s) return true;
     if (reached) until_s = std::min(time_s, until_s + kLook_s);
     idle = reached || before != machine_->servo().points() ? 0 : idle + 1;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/paced_run.hpp"
 
 namespace kerf::machine {
 
@@ -18,7 +18,7 @@ struct InterruptPlan {
 };
 
 /// Makes the machine of the run anew: loaded, and nothing has run.
-using MakeMachine = std::function<base::Outcome<std::unique_ptr<VirtualMachine>>()>;
+using MakeMachine = std::function<base::Outcome<std::unique_ptr<PacedRun>>()>;
 
 /// Signals at these times of the run, s >= 0, ascending. Each is answered behind the block that the
 /// axes are in then, or behind the first one that they can still come to rest at or turn off from.

@@ -1,10 +1,8 @@
-// A run by simulated time. The servo makes points up to a time; when it has made all that it can of
-// what it has, the control executes blocks until the servo has no room for more. So both do the
-// same things in the same order as in a batch run, however time is cut.
+#include "machine/run/paced_run.hpp"
+
 #include <utility>
 
-#include "machine/run/internal/reach.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/internal/pattern_return.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -18,69 +16,124 @@ constexpr int kMostSlices = 4;
 
 }  // namespace
 
-void VirtualMachine::pace() {
-  is_paced_ = true;
-  servo_.pace();
-  most_motions_ = 0;
+PacedRun::PacedRun(const MachineDefinition& definition, control::Memory memory,
+                   const Settings& settings)
+    : Machine(definition, std::move(memory), settings) {
+  servo().pace();
 }
 
-bool VirtualMachine::begin_activity(std::optional<base::Diagnostic> alarm) {
-  if (alarm && alarm->program.empty()) alarm->program = program_name();
-  alarm_ = std::move(alarm);
-  is_in_program_ = is_active_ = executes_ = !alarm_;
-  status_ = alarm_ ? Status::alarm : Status::running;
-  return !alarm_;
+// What the control asks
+
+bool PacedRun::ready() const {
+  return diverted_ != nullptr || (servo().has_room() && !servo().broken_off());
 }
 
-bool VirtualMachine::set_off() {
-  if (!is_in_program_) return begin_activity(dialect_->start());
+bool PacedRun::axes_have_arrived() {
+  if (diverted_ != nullptr || servo().at_rest()) return true;
+  servo().finish();
+  return false;
+}
+
+bool PacedRun::input_can_be_read() {
+  waits_for_input_ = input_ready_ && !input_ready_();
+  return !waits_for_input_;
+}
+
+bool PacedRun::admits(const motion::Motion& motion) {
+  if (diverted_ == nullptr) return true;
+  diverted_->take(motion);
+  return false;
+}
+
+void PacedRun::drive(const motion::Motion& motion) {
+  servo().take(alter_ ? alter_(motion) : motion);
+}
+
+// Programs
+
+bool PacedRun::begin(std::optional<base::Diagnostic> alarm) {
+  set_alarm(named(std::move(alarm)));
+  is_in_program_ = is_active_ = executes_ = !this->alarm();
+  set_status(executes_ ? RunStatus::running : RunStatus::alarm);
+  return executes_;
+}
+
+bool PacedRun::set_off() {
+  if (!is_in_program_) return begin(language().start());
   is_active_ = executes_ = true;
   return true;
 }
 
-bool VirtualMachine::set_off_entry(std::unique_ptr<base::SourceFile> file) {
-  return begin_activity(dialect_->start_entry(sources_.add(std::move(file))));
+bool PacedRun::set_off_entry(std::unique_ptr<base::SourceFile> file) {
+  return begin(language().start_entry(add_source(std::move(file))));
 }
 
-std::optional<control::Refusal> VirtualMachine::command(const motion::Motion& motion) {
-  if (auto refused = refusal(servo_.commanded(), motion, Intent::make)) return refused;
-  if (made_beam_.beam_percent() > 0) switch_beam({}, motion);
+void PacedRun::drop_ahead() {
+  servo().drop_waiting();
+  is_active_ = is_by_hand_ = executes_ = waits_for_input_ = false;
+  settle_by_hand();
+  joints().stand_at(servo().joints());
+}
+
+// By hand
+
+std::optional<control::Refusal> PacedRun::command(const motion::Motion& motion) {
+  if (auto refused = refusal(servo().commanded(), motion, JointWatch::Intent::make)) return refused;
+  switch_beam_off(motion);
   make(motion);
   is_active_ = is_by_hand_ = true;
   return std::nullopt;
 }
 
-void VirtualMachine::finish_moves() { servo_.finish(); }
+bool PacedRun::command_way_to_start() {
+  each_move_of_return(*PatternMachine::of(definition()), servo().joints(),
+                      [this](const QueuedRecord& record, const motion::Motion& motion) {
+                        records().push_back(record);
+                        make(motion);
+                        is_active_ = is_by_hand_ = true;
+                      });
+  servo().finish();
+  return is_active_;
+}
 
-VirtualMachine::Moment VirtualMachine::moment() const {
-  const std::uint64_t points = servo_.points();
-  if (servo_.has_point()) return {points, Moment::kAllTurns};
+// To a line
+
+void PacedRun::divert_motions(motion::MotionSink* sink) {
+  diverted_ = sink;
+  records().clear();
+}
+
+bool PacedRun::execute(std::uint64_t steps) { return control().run(steps) != Halt::none; }
+
+void PacedRun::stand_by() {
+  is_active_ = executes_ = false;
+  joints().stand_at(servo().joints());
+}
+
+// Time
+
+PacedRun::Moment PacedRun::moment() const {
+  const std::uint64_t points = servo().points();
+  if (servo().has_point()) return {points, Moment::kAllTurns};
   return {points, points == turns_at_ ? turns_ : 0};
 }
 
-void VirtualMachine::execute_ahead() {
-  if (std::exchange(turns_at_, servo_.points()) != servo_.points()) turns_ = 0;
+void PacedRun::execute_ahead() {
+  if (std::exchange(turns_at_, servo().points()) != servo().points()) turns_ = 0;
   ++turns_;
   const Halt halt = control().run(kSlice);
   executes_ = halt == Halt::none;
-  if (!executes_ || waits_for_input_) servo_.finish();
+  if (!executes_ || waits_for_input_) servo().finish();
 }
 
-void VirtualMachine::stand_by() {
-  is_active_ = executes_ = false;
-  if (reach_) reach_->set_joints(servo_.joints());
-}
-
-bool VirtualMachine::execute(std::uint64_t steps) { return control().run(steps) != Halt::none; }
-
-bool VirtualMachine::advance(double until_s, const Moment& last) {
-  std::uint64_t points = servo_.points();
+bool PacedRun::advance(double until_s, const Moment& last) {
+  std::uint64_t points = servo().points();
   for (int slices = 0; is_active_;) {
-    const Servo::Pace pace = servo_.make_until(until_s, last.points);
+    const Servo::Pace pace = servo().make_until(until_s, last.points);
     if (pace == Servo::Pace::reached) return true;
-    if (std::exchange(points, servo_.points()) != servo_.points()) slices = 0;
+    if (std::exchange(points, servo().points()) != servo().points()) slices = 0;
     const bool rests = pace == Servo::Pace::at_rest;
-    if (servo_.broken_off() || servo_.source().at_reset() || (rests && !executes_)) {
+    if (servo().broken_off() || servo().source().at_reset() || (rests && !executes_)) {
       settle();
     } else if (executes_) {
       if (slices++ == kMostSlices || moment() == last) return false;
@@ -89,49 +142,48 @@ bool VirtualMachine::advance(double until_s, const Moment& last) {
       if (rests && at_rest_) at_rest_();
       execute_ahead();
     } else {
-      servo_.finish();
+      servo().finish();
     }
   }
   return false;
 }
 
 // Everything is made: what the control has halted for is now.
-void VirtualMachine::settle() {
+void PacedRun::settle() {
   is_active_ = executes_ = waits_for_input_ = false;
-  if (drive_alarm_) {
-    alarm_ = drive_alarm_;
-    is_in_program_ = false;
-    status_ = Status::alarm;
-    return;
+  if (drive_alarm()) {
+    set_alarm(drive_alarm());
+    end_program(RunStatus::alarm);
+  } else if (std::exchange(is_by_hand_, false) || !is_in_program_) {
+    settle_by_hand();
+  } else {
+    settle_in_program();
   }
-  if (std::exchange(is_by_hand_, false) || !is_in_program_) {
-    if (control().can_be_moved()) control().stand_at(servo_.source().tip());
-    return;
-  }
+}
+
+void PacedRun::settle_by_hand() {
+  if (control().can_be_moved()) control().stand_at(servo().source().tip());
+}
+
+void PacedRun::end_program(RunStatus status) {
+  is_in_program_ = false;
+  set_status(status);
+}
+
+void PacedRun::settle_in_program() {
   switch (control().halt()) {
     case Halt::alarm:
-      alarm_ = control().alarm();
-      is_in_program_ = false;
-      status_ = Status::alarm;
+      set_alarm(control().alarm());
+      end_program(RunStatus::alarm);
       break;
-    case Halt::end:
-      is_in_program_ = false;
-      status_ = Status::end;
-      break;
-    case Halt::optional_stop: status_ = Status::stopped; break;
+    case Halt::end: end_program(RunStatus::end); break;
+    case Halt::optional_stop: set_status(RunStatus::stopped); break;
     case Halt::none:
     case Halt::single_block:
     case Halt::program_stop:
     case Halt::message:
-    case Halt::gate: status_ = Status::running; break;
+    case Halt::gate: set_status(RunStatus::running); break;
   }
-}
-
-void VirtualMachine::drop_ahead() {
-  servo_.drop_waiting();
-  is_active_ = is_by_hand_ = executes_ = waits_for_input_ = false;
-  if (control().can_be_moved()) control().stand_at(servo_.source().tip());
-  if (reach_) reach_->set_joints(servo_.joints());
 }
 
 }  // namespace kerf::machine

@@ -16,7 +16,7 @@
 #include "drive_recorder.hpp"
 #include "engraver/pattern_replay.hpp"
 #include "geometry/angle.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "seeded_random.hpp"
 
 namespace kerf::engraver {
@@ -58,7 +58,7 @@ std::vector<PatternRecord> records_in(const std::string& path) {
 
 Made made_of(const std::string& program, const machine::MachineDefinition& definition) {
   const std::string path = testing::TempDir() + "kerf_pattern_maker_test.pat";
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets));
+  machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets));
   machine.load(base::SourceFile::from_text("test.nc", "O1\nG21G90G17\n" + program + "M30\n"));
   const auto motors = PatternMachine::of(machine.definition());
   auto file = base::OutputFile::create(path);
@@ -68,7 +68,7 @@ Made made_of(const std::string& program, const machine::MachineDefinition& defin
   maker.finish();
   EXPECT_TRUE((*file)->commit());
   Made made{records_in(path), maker.report(), machine.alarm()};
-  EXPECT_EQ(status == machine::VirtualMachine::Status::alarm, made.alarm.has_value());
+  EXPECT_EQ(status == machine::RunStatus::alarm, made.alarm.has_value());
   std::remove(path.c_str());
   return made;
 }

@@ -11,7 +11,7 @@
 #include "drive/pulse_csv.hpp"
 #include "drive/pulse_vcd.hpp"
 #include "job/facts_of_run.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "output/programs/post.hpp"
 #include "output/programs/taught_program.hpp"
 #include "output/records/motion_json.hpp"
@@ -86,7 +86,7 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   const machine::MachineDefinition definition = *machine::find_machine(outputs.machine);
   control::Memory memory(definition.parameters.n_offsets);
   memory.tools[1].radius_geometry = 3;
-  machine::VirtualMachine machine(definition, std::move(memory), {{}, outputs.dialect});
+  machine::BatchRun machine(definition, std::move(memory), {.dialect = outputs.dialect});
   Watch watch(least_motions / 4);
   const auto nowhere = std::move(*base::OutputFile::create("/dev/null"));
   output::MotionJson motion(machine.definition().axes, &machine.sources(), *nowhere);
@@ -117,7 +117,7 @@ void expect_no_allocation(const std::string& program, const Outputs& outputs = {
   machine.add_sink(watch);
   machine.load(base::SourceFile::from_text("part.nc", program));
   const auto status = machine.run_to_end({.seconds = 0, .motions = 0});
-  ASSERT_EQ(status, machine::VirtualMachine::Status::end)
+  ASSERT_EQ(status, machine::RunStatus::end)
       << (machine.alarm() ? machine.alarm()->number + " " + machine.alarm()->message : "");
   ASSERT_GE(watch.motions(), least_motions);
   EXPECT_LE(watch.allocated(), kConstant)

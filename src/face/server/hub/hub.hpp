@@ -118,6 +118,9 @@ class Hub {
   /// Where machines are kept; then `done` on the thread of the sockets, or the reply is why not.
   void write(const Reply& reply, Writing action, std::function<void(base::Outcome<void>)> done);
   /// From where `definition` says that the axes stand.
+  [[nodiscard]] job::Job job_of(const MachineRecord& machine,
+                                const machine::MachineDefinition& definition,
+                                const control::Memory& memory) const;
   void start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
                      const control::Memory& memory);
   void load_into(MachineRecord& machine);
@@ -145,7 +148,7 @@ class Hub {
   void tell(const std::string& sentence) const;
   /// A program that can be opened, with its dialect.
   struct FoundProgram {
-    machine::ProgramText text;
+    base::ProgramText text;
     LoadedProgram program;
   };
   [[nodiscard]] base::Outcome<FoundProgram> found(const LoadedProgram& program,
@@ -164,7 +167,7 @@ class Hub {
   void loaded(const std::string& machine, const LoadedProgram& program, const PreviewBasis& basis,
               const Reply& reply);
   /// As the machine runs it: of a pattern its listing.
-  [[nodiscard]] base::Outcome<machine::ProgramText> text_of(
+  [[nodiscard]] base::Outcome<base::ProgramText> text_of(
       const LoadedProgram& program, const machine::MachineDefinition& machine) const;
   [[nodiscard]] std::shared_ptr<Runner> make_runner(const StoredMachine& stored) const;
 

@@ -4,23 +4,24 @@
 #include "face/server/protocol/pattern_text.hpp"
 #include "face/server/protocol/shown_dialect.hpp"
 #include "face/server/store/program_name.hpp"
+#include "machine/definition/pattern_machine.hpp"
 #include "machine/dialect/language.hpp"
 
 namespace kerf::server {
 
 using base::Outcome;
 
-Outcome<machine::ProgramText> Hub::text_of(const LoadedProgram& program,
-                                           const machine::MachineDefinition& machine) const {
-  if (program.text) return machine::ProgramText::of(program.name, *program.text);
+Outcome<base::ProgramText> Hub::text_of(const LoadedProgram& program,
+                                        const machine::MachineDefinition& machine) const {
+  if (program.text) return base::ProgramText::of(program.name, *program.text);
   auto path = library_->path_of(program.name);
   if (!path) return tl::unexpected(path.error());
-  if (!is_pattern(program.name)) return machine::ProgramText::at_path(*path);
+  if (!is_pattern(program.name)) return base::ProgramText::at_path(*path);
   const auto file = base::SourceFile::open(*path);
   if (!file) return tl::unexpected(file.error());
   auto listing = listing_of(**file, program.name, machine.pattern.byte_order);
   if (!listing) return tl::unexpected(listing.error());
-  return machine::ProgramText::of(program.name, std::move(*listing));
+  return base::ProgramText::of(program.name, std::move(*listing));
 }
 
 void Hub::load(const Request& request) {
@@ -103,6 +104,23 @@ void Hub::loaded(const std::string& name, const LoadedProgram& program, const Pr
   reply.yes(Json{{"program", program.name}});
 }
 
+// The loaded program as cycle start would begin it now. A pattern begins at the zero of its motors,
+// wherever they stand.
+job::Job Hub::job_of(const MachineRecord& machine, const machine::MachineDefinition& definition,
+                     const control::Memory& memory) const {
+  const std::string& dialect = machine.program->dialect;
+  job::Job job{.definition = dialect == machine::kPatternDialect
+                                 ? machine::PatternMachine::at_zero(definition)
+                                 : definition,
+               .memory = memory,
+               .settings = {.dialect = dialect, .library_folders = {library_->folder()}}};
+  if (!machine.snapshot) return job;
+  job.settings.signals.set_inputs(machine.snapshot->inputs);
+  job.settings.block_skip = machine.snapshot->panel.skip_levels;
+  job.settings.optional_stop = machine.snapshot->panel[machine::Switch::optional_stop];
+  return job;
+}
+
 void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition& definition,
                         const control::Memory& memory) {
   thread_.here();
@@ -110,16 +128,10 @@ void Hub::start_preview(MachineRecord& machine, const machine::MachineDefinition
   machine.preview.reset();
   machine.preview_began_ms = clock_.now_ms();
   if (!machine.program) return;
-  PreviewOrder order{
-      definition, memory,
-      [this, program = *machine.program, definition] { return text_of(program, definition); },
-      machine.program->dialect, library_->folder()};
-  order.run = ++machine.preview_run;
-  if (machine.snapshot) {
-    order.skip_levels = machine.snapshot->panel.skip_levels;
-    order.inputs = machine.snapshot->inputs;
-    order.optional_stop = machine.snapshot->panel[machine::Switch::optional_stop];
-  }
+  PreviewOrder order{.job = job_of(machine, definition, memory),
+                     .program = [this, program = *machine.program,
+                                 definition] { return text_of(program, definition); },
+                     .run = ++machine.preview_run};
   const auto preview = std::make_shared<Preview>(
       std::move(order), std::make_shared<ChunkStore>(settings_.data, chunk_budget_));
   machine.preview = preview;

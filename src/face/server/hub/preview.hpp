@@ -9,26 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "base/diagnostic.hpp"
-#include "control/core/memory.hpp"
+#include "base/program_text.hpp"
 #include "face/server/protocol/argument.hpp"
 #include "face/server/store/chunk_store.hpp"
-#include "machine/definition/machine_definition.hpp"
-#include "machine/panel/program_text.hpp"
+#include "job/job.hpp"
+#include "job/run.hpp"
 #include "output/records/path_chunks.hpp"
 
 namespace kerf::server {
 
 /// What a preview runs: a program as the machine would run it that was asked, with its memory.
 struct PreviewOrder {
-  machine::MachineDefinition definition;
-  control::Memory memory;
-  std::function<base::Outcome<machine::ProgramText>()> program;  ///< may wait for the disk
-  std::string dialect;                                           ///< empty: that of the machine
-  std::string library_folder;
-  std::uint32_t skip_levels = 0;
-  std::array<std::uint32_t, 4> inputs{};  ///< as Snapshot has them
-  bool optional_stop = false;
+  job::Job job;  ///< but for its program, which may have to wait for the disk:
+  std::function<base::Outcome<base::ProgramText>()> program;
   std::uint32_t run = 0;
 };
 
@@ -69,6 +62,8 @@ class Preview {
 
  private:
   class Run;
+
+  [[nodiscard]] base::Outcome<std::unique_ptr<job::Run>> make_run();
 
   PreviewOrder order_;
   std::shared_ptr<ChunkStore> chunks_;

@@ -4,7 +4,7 @@
 #include "face/server/protocol/pattern_text.hpp"
 #include "face/server/protocol/shown_dialect.hpp"
 #include "face/server/protocol/state_json.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "job/run.hpp"
 
 namespace kerf::server {
 namespace {
@@ -49,13 +49,12 @@ void pulses(Hub& hub, const Request& request) {
 Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
                              const std::string& text, const base::WorkLimit& limit) {
   auto file = base::SourceFile::from_text(name, text);
-  const std::string shown = dialect_shown_by(*file);
-  const std::string& dialect = shown.empty() ? definition.dialect : shown;
-  if (auto known = machine::check_dialect(definition, dialect); !known)
-    return tl::unexpected(known.error());
-  machine::VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets),
-                                  {.pages = {}, .dialect = dialect});
-  machine.load(std::move(file));
+  auto run = job::Run::of({.definition = definition,
+                           .memory = control::Memory(definition.parameters.n_offsets),
+                           .settings = {.dialect = dialect_shown_by(*file)}},
+                          std::move(file));
+  if (!run) return tl::unexpected(run.error());
+  machine::Machine& machine = (*run)->machine();
   base::Findings found(limits::kDiagnostics, limit);
   machine.check(found);
   Json list = Json::array();

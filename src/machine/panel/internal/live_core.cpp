@@ -24,10 +24,10 @@ LiveCore::LiveCore(RunStart start)
       dialect_(std::move(start.dialect)),
       panel_(start.panel),
       program_(std::move(start.program)) {
-  machine_ = std::make_unique<VirtualMachine>(definition_, std::move(start.memory),
-                                              VirtualMachine::Settings{{}, dialect_, true});
+  machine_ = std::make_unique<PacedRun>(
+      definition_, std::move(start.memory),
+      Machine::Settings{.dialect = dialect_, .signals = start.signals, .by_hand = true});
   machine_->language().set_shift(start.shift);
-  machine_->set_signals(start.signals);
   printed_ = std::move(start.printed);
   printed_bytes_ = start.printed_bytes;
   stepper_ = std::make_unique<Stepper>(machine_->language());
@@ -76,14 +76,14 @@ void LiveCore::begin_anew(MovedBy moved_by) {
   moved_by_ = moved_by;
   const bool counts = is_pattern() && moved_by == MovedBy::program;
   definition_ = counts ? PatternMachine::at_zero(start.definition) : start.definition;
-  auto fresh = std::make_unique<VirtualMachine>(
-      definition_, std::move(start.memory),
-      VirtualMachine::Settings{{}, dialect_, moved_by == MovedBy::hand});
+  auto fresh =
+      std::make_unique<PacedRun>(definition_, std::move(start.memory),
+                                 Machine::Settings{.dialect = dialect_,
+                                                   .library_folders = settings_.library_folders,
+                                                   .signals = start.signals,
+                                                   .by_hand = moved_by == MovedBy::hand});
   fresh->language().set_shift(start.shift);
-  fresh->set_signals(start.signals);
   auto trail = std::make_unique<BlockTrail>(fresh->language(), fresh->memory());
-  fresh->pace();
-  for (const std::string& folder : settings_.library_folders) fresh->add_library_folder(folder);
   auto read_ahead = std::make_unique<ReadAhead>(fresh->control(), *stepper_);
   fresh->add_sink(*trail);
   fresh->add_sink(*read_ahead);

@@ -14,8 +14,8 @@
 #include "machine/panel/internal/line_finder.hpp"
 #include "machine/panel/live_machine.hpp"
 #include "machine/run/latest_points.hpp"
+#include "machine/run/paced_run.hpp"
 #include "machine/run/read_ahead.hpp"
-#include "machine/run/virtual_machine.hpp"
 
 namespace kerf::machine {
 
@@ -26,7 +26,7 @@ struct RunStart {
   LiveMachine::Settings settings;
   std::string dialect;
   PanelSettings panel{};
-  std::optional<ProgramText> program{};
+  std::optional<base::ProgramText> program{};
   std::vector<Breakpoint> breakpoints{};
   base::AxisVector shift{};  ///< of G92
   Signals signals{};
@@ -37,7 +37,7 @@ struct RunStart {
 /// The machine behind the panel: what the keys do, and what is to be seen. It remembers nothing of
 /// what was (LiveMachine does).
 ///
-/// Each program runs on a VirtualMachine made anew (begin_anew()). What an operator does takes
+/// Each program runs on a PacedRun made anew (begin_anew()). What an operator does takes
 /// effect between two set-points; whatever follows depends on the number of points before it, and
 /// on no clock.
 class LiveCore : private motion::AxisPointSink {
@@ -56,8 +56,8 @@ class LiveCore : private motion::AxisPointSink {
 
   // Time
   void advance(double seconds);
-  using Moment = VirtualMachine::Moment;
-  static constexpr Moment kNever = VirtualMachine::kNever;
+  using Moment = PacedRun::Moment;
+  static constexpr Moment kNever = PacedRun::kNever;
   [[nodiscard]] Moment moment() const { return machine_->moment(); }
   /// Up to a time of this run, and not beyond `last`.
   void advance_to(double until_s, const Moment& last);
@@ -76,8 +76,9 @@ class LiveCore : private motion::AxisPointSink {
   [[nodiscard]] bool is_broken_off() const { return machine_->servo().broken_off(); }
 
   // The panel, as in LiveMachine
-  [[nodiscard]] Outcome can_load(const ProgramText& program, const std::string& dialect) const;
-  Outcome load(ProgramText program, std::string dialect);
+  [[nodiscard]] Outcome can_load(const base::ProgramText& program,
+                                 const std::string& dialect) const;
+  Outcome load(base::ProgramText program, std::string dialect);
   Outcome set_mode(Mode mode);
   /// Whether cycle start begins the program, on a machine made anew.
   [[nodiscard]] bool would_begin() const;
@@ -127,11 +128,11 @@ class LiveCore : private motion::AxisPointSink {
   [[nodiscard]] VariableListing variables_named(const std::vector<std::string>& names,
                                                 std::optional<std::size_t> level);
   [[nodiscard]] const PanelSettings& panel() const { return panel_; }
-  [[nodiscard]] const std::optional<ProgramText>& program() const { return program_; }
+  [[nodiscard]] const std::optional<base::ProgramText>& program() const { return program_; }
   [[nodiscard]] const std::string& dialect() const { return dialect_; }
   [[nodiscard]] Stepper& stepper() { return *stepper_; }
-  [[nodiscard]] VirtualMachine& machine() { return *machine_; }
-  [[nodiscard]] const VirtualMachine& machine() const { return *machine_; }
+  [[nodiscard]] PacedRun& machine() { return *machine_; }
+  [[nodiscard]] const PacedRun& machine() const { return *machine_; }
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] std::uint64_t run() const { return run_; }
   void set_run(std::uint64_t run) { run_ = run; }
@@ -221,8 +222,8 @@ class LiveCore : private motion::AxisPointSink {
   LiveMachine::Settings settings_;
   std::string dialect_;
   PanelSettings panel_;
-  std::optional<ProgramText> program_;
-  std::unique_ptr<VirtualMachine> machine_;
+  std::optional<base::ProgramText> program_;
+  std::unique_ptr<PacedRun> machine_;
   std::unique_ptr<BlockTrail> trail_;
   std::unique_ptr<Stepper> stepper_;
   std::unique_ptr<ReadAhead> read_ahead_;

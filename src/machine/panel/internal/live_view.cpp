@@ -18,11 +18,11 @@ std::string name_of_program(motion::ProgramNumber program, const std::string& wi
   return "O" + digits;
 }
 
-std::string file_of(const VirtualMachine& machine, base::FileId file) {
+std::string file_of(const PacedRun& machine, base::FileId file) {
   return machine.sources().contains(file) ? machine.sources()[file].name() : std::string();
 }
 
-AlarmText words_of(const base::Diagnostic& alarm, const VirtualMachine& machine) {
+AlarmText words_of(const base::Diagnostic& alarm, const PacedRun& machine) {
   const base::CodeText& text = base::text_of(alarm.code);
   AlarmText words;
   words.code = alarm.number;
@@ -49,7 +49,7 @@ Status LiveCore::status() const {
   }
   if (machine_->is_in_program())
     return machine_->halt() == control::Halt::gate ? Status::step : Status::stopped;
-  return machine_->status() == VirtualMachine::Status::end ? Status::end : Status::idle;
+  return machine_->status() == RunStatus::end ? Status::end : Status::idle;
 }
 
 // While axes move: where they are; at rest: where the control is.
@@ -154,8 +154,7 @@ Snapshot LiveCore::snapshot() {
       printed_.size() > kShownPrint ? printed_.substr(printed_.size() - kShownPrint) : printed_;
   shown.printed_bytes = printed_bytes_;
   shown.waits_for_input = machine_->waits_for_input();
-  for (std::size_t word = 0; word < shown.inputs.size(); ++word)
-    shown.inputs[word] = machine_->signals().inputs(word);
+  shown.inputs = machine_->signals().inputs();
   if (shown.status == Status::step) shown.breakpoint = stepper_->hit();
   return shown;
 }

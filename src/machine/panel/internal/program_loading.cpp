@@ -11,7 +11,8 @@ std::string LiveCore::language_of(const std::string& dialect) const {
   return settings_.dialect.empty() ? definition_.dialect : settings_.dialect;
 }
 
-LiveCore::Outcome LiveCore::can_load(const ProgramText& program, const std::string& dialect) const {
+LiveCore::Outcome LiveCore::can_load(const base::ProgramText& program,
+                                     const std::string& dialect) const {
   if (is_active()) return refused(base::Refusal::load_busy);
   if (auto known = check_dialect(definition_, language_of(dialect)); !known) return known;
   const auto file = program.open();
@@ -19,7 +20,7 @@ LiveCore::Outcome LiveCore::can_load(const ProgramText& program, const std::stri
   return {};
 }
 
-LiveCore::Outcome LiveCore::load(ProgramText program, std::string dialect) {
+LiveCore::Outcome LiveCore::load(base::ProgramText program, std::string dialect) {
   if (auto possible = can_load(program, dialect); !possible) return possible;
   dialect_ = language_of(dialect);
   program_ = std::move(program);

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 #include "observer.hpp"
 
 namespace kerf::test {
 namespace {
 
-using machine::VirtualMachine;
-using Status = VirtualMachine::Status;
+using machine::BatchRun;
+using Status = machine::RunStatus;
 
 constexpr const char* kProgram =
     "TEACH 1\nRADII 150 80\nPOINT 10 0 0 0 0 start\nFEED 600\nLASER ON 50\n"
@@ -18,7 +18,7 @@ constexpr const char* kProgram =
 /// A machine on its panel.
 struct Panel {
   explicit Panel(const std::string& text)
-      : machine(*machine::find_machine("laser5"), control::Memory(1), {{}, "teach"}),
+      : machine(*machine::find_machine("laser5"), control::Memory(1), {.dialect = "teach"}),
         recorder(machine.definition().axes) {
     machine.add_sink(recorder);
     machine.load(base::SourceFile::from_text("folder/part.v2.tch", text));
@@ -29,13 +29,13 @@ struct Panel {
     return list;
   }
 
-  VirtualMachine machine;
+  BatchRun machine;
   Recorder recorder;
 };
 
 TEST(TeachControl, StopsBehindEachRecordInSingleBlock) {
   Panel panel(kProgram);
-  panel.machine.set_single_block(true);
+  panel.machine.control().set_single_block(true);
   std::vector<std::uint32_t> lines;
   while (panel.machine.cycle_start() == Status::running)
     lines.push_back(panel.machine.control().standing_at().line);

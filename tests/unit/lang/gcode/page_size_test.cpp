@@ -10,7 +10,7 @@
 #include "base/decimal.hpp"
 #include "expectations.hpp"
 #include "face/cli/arguments.hpp"
-#include "face/cli/machine_setup.hpp"
+#include "face/cli/ready_run.hpp"
 #include "observer.hpp"
 #include "temporary_folder.hpp"
 
@@ -18,7 +18,7 @@ namespace kerf::test {
 namespace {
 
 namespace fs = std::filesystem;
-using machine::VirtualMachine;
+using machine::BatchRun;
 using Settings = vm::PageSettings;
 
 // Long enough for every program of the text tests that ends, short for those that do not.
@@ -30,37 +30,21 @@ std::string read_file(const fs::path& path) {
 }
 
 // A machine as the options of the program want it, with pages of its own.
-std::unique_ptr<VirtualMachine> make_machine(const cli::RunOptions& options,
-                                             const Settings& settings) {
-  auto ready =
-      cli::set_up({options.machine, options.dialect, options.parameters, options.machine_keys,
-                   options.decimal_point, options.tools, options.offsets, options.state},
-                  **base::SourceFile::open(options.program));
-  if (!ready) {
-    ADD_FAILURE() << ready.error().message;
+std::unique_ptr<job::Run> make_run(const cli::RunOptions& options, const Settings& settings) {
+  auto program = *base::SourceFile::open(options.program);
+  auto ordered = cli::job_of(options, *program);
+  if (!ordered) {
+    ADD_FAILURE() << ordered.error().message;
     return nullptr;
   }
-  auto machine = std::make_unique<VirtualMachine>(
-      ready->machine->definition(), ready->machine->memory(),
-      VirtualMachine::Settings{settings, ready->machine->dialect()});
-  machine->load(std::move(*base::SourceFile::open(options.program)));
-  std::uint32_t levels = 0;
-  for (const char c : options.block_skip) {
-    if (c >= '1' && c <= '9') levels |= 1U << (c - '0');
+  ordered->job.settings.pages = settings;
+  ordered->job.budget = kBudget;
+  auto run = job::Run::of(ordered->job, std::move(program));
+  if (!run) {
+    ADD_FAILURE() << run.error().message;
+    return nullptr;
   }
-  machine->set_block_skip(options.block_skip == "all" ? 0x3feU : levels);
-  machine->set_optional_stop(options.optional_stop);
-  for (const std::string& text : options.variables) {
-    const auto setting = cli::split_setting(text, "--set");
-    const auto set = machine->set_variable(setting->key, *base::read_number(setting->value));
-    EXPECT_TRUE(set) << text;
-  }
-  for (const std::string& text : options.skip_at) {
-    const auto setting = cli::split_setting(text, "--skip-at");
-    machine->add_skip_contact(
-        {*machine->definition().axes.find(setting->key[0]), *base::read_number(setting->value)});
-  }
-  return machine;
+  return std::move(*run);
 }
 
 struct Program {
@@ -71,17 +55,18 @@ struct Program {
 // Everything that a run shows, as text.
 std::vector<std::string> story_of(const Program& program, const Settings& settings, bool tracing) {
   std::vector<std::string> story;
-  auto machine = make_machine(program.options, settings);
-  if (machine == nullptr) return story;
+  const auto run = make_run(program.options, settings);
+  if (run == nullptr) return story;
+  BatchRun* const machine = &run->machine();
   Recorder recorder(machine->definition().axes);
   std::string printed;
   machine->add_sink(recorder);
   machine->set_input(reader_of(program.input));
   machine->set_print_output([&](std::string_view text) { printed += text; });
   if (tracing) machine->observe_blocks([](base::FileId, std::uint32_t) {});
-  const auto status = machine->run_to_end(kBudget);
+  const auto status = run->go();
   // Where a budget ends a run depends on the pages: only the way there is compared.
-  const bool ended = status != VirtualMachine::Status::budget;
+  const bool ended = status != machine::RunStatus::budget;
   for (const Observed& observed : recorder.observed())
     story.push_back("line " + std::to_string(observed.line) + ": " + observed.text);
   if (!ended) {

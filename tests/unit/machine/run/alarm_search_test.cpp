@@ -4,22 +4,22 @@
 #include <gtest/gtest.h>
 
 #include "machine/definition/machine_definition.hpp"
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace kerf::test {
 namespace {
 
 using machine::AlarmSearch;
-using machine::VirtualMachine;
-using Status = VirtualMachine::Status;
+using machine::BatchRun;
+using Status = machine::RunStatus;
 
 class Search : public ::testing::Test {
  protected:
-  VirtualMachine& run(const std::string& program, const std::string& machine = "mill3",
-                      const std::string& dialect = "") {
+  BatchRun& run(const std::string& program, const std::string& machine = "mill3",
+                const std::string& dialect = "") {
     const machine::MachineDefinition definition = *machine::find_machine(machine);
     machine_.emplace(definition, control::Memory(definition.parameters.n_offsets),
-                     VirtualMachine::Settings{.pages = {}, .dialect = dialect});
+                     machine::Machine::Settings{.dialect = dialect});
     machine_->load(base::SourceFile::from_text("part.nc", program));
     machine_->search_alarms();
     status_ = machine_->run_to_end();
@@ -36,7 +36,7 @@ class Search : public ::testing::Test {
     return machine_->control().machine_position()[*machine_->definition().axes.find(axis)];
   }
 
-  std::optional<VirtualMachine> machine_;
+  std::optional<BatchRun> machine_;
   Status status_{};
 };
 
@@ -50,7 +50,7 @@ TEST_F(Search, GoesOnBehindEveryAlarmAndStatusIsThatOfTheFirst) {
 
 TEST_F(Search, APlainRunStopsAtTheFirst) {
   const machine::MachineDefinition definition = *machine::find_machine("mill3");
-  VirtualMachine machine(definition, control::Memory(definition.parameters.n_offsets));
+  BatchRun machine(definition, control::Memory(definition.parameters.n_offsets));
   machine.load(base::SourceFile::from_text("part.nc", "O1\nG04P1.0\nG01X10.F100\nM30\n"));
   EXPECT_EQ(machine.run_to_end(), Status::alarm);
   EXPECT_EQ(machine.alarm_search(), nullptr);
@@ -150,7 +150,7 @@ TEST_F(Search, AThousandFindingsAreEnough) {
 TEST_F(Search, TellsWhereAndWhenAControlStops) {
   const std::string program = "O1\nG01X10.F600\nG04P1.0\nG01X0.\nM30\n";
   const machine::MachineDefinition definition = *machine::find_machine("mill3");
-  VirtualMachine plain(definition, control::Memory(definition.parameters.n_offsets));
+  BatchRun plain(definition, control::Memory(definition.parameters.n_offsets));
   plain.load(base::SourceFile::from_text("part.nc", program));
   plain.run_to_end();
   run(program);

@@ -4,14 +4,14 @@
 #include <functional>
 #include <optional>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace kerf::test {
 namespace {
 
-using machine::VirtualMachine;
+using machine::BatchRun;
 using motion::AxisPoint;
-using Status = VirtualMachine::Status;
+using Status = machine::RunStatus;
 
 /// Keeps what comes; may answer it.
 class Watcher : public motion::AxisPointSink {
@@ -35,7 +35,7 @@ class Watcher : public motion::AxisPointSink {
 
 class Drives : public ::testing::Test {
  protected:
-  VirtualMachine& load(const std::string& blocks, const std::string& name = "mill3") {
+  BatchRun& load(const std::string& blocks, const std::string& name = "mill3") {
     const machine::MachineDefinition definition = *machine::find_machine(name);
     machine_.emplace(definition, control::Memory(definition.parameters.n_offsets));
     machine_->add_point_sink(watcher_);
@@ -53,11 +53,11 @@ class Drives : public ::testing::Test {
   }
 
   Watcher watcher_;
-  std::optional<VirtualMachine> machine_;
+  std::optional<BatchRun> machine_;
 };
 
 TEST_F(Drives, TheStartComesBeforeThePointsAndIsWhereTheJointsStand) {
-  VirtualMachine& machine = load("G00X1.\n", "laser5");
+  BatchRun& machine = load("G00X1.\n", "laser5");
   EXPECT_EQ(machine.run_to_end(), Status::end);
   ASSERT_EQ(watcher_.starts.size(), 1U);
   EXPECT_EQ(watcher_.points_before_start[0], 0U);
@@ -71,7 +71,7 @@ TEST_F(Drives, TheStartComesBeforeThePointsAndIsWhereTheJointsStand) {
 }
 
 TEST_F(Drives, AnAlarmOfADriveEndsTheRunWhereTheAxesAre) {
-  VirtualMachine& machine = load("G01X10.F600\nX20.\nX30.\n");
+  BatchRun& machine = load("G01X10.F600\nX20.\nX30.\n");
   raise_behind(12);
   EXPECT_EQ(machine.run_to_end(), Status::alarm);
   ASSERT_TRUE(machine.alarm());
@@ -83,21 +83,21 @@ TEST_F(Drives, AnAlarmOfADriveEndsTheRunWhereTheAxesAre) {
 }
 
 TEST_F(Drives, AnAlarmOfADriveEndsAnEndlessProgram) {
-  VirtualMachine& machine = load("G91G01F600\nN1X1.\nX-1.\nX2.\nGOTO1\n");
+  BatchRun& machine = load("G91G01F600\nN1X1.\nX-1.\nX2.\nGOTO1\n");
   raise_behind(500);
   EXPECT_EQ(machine.run_to_end({.seconds = 0, .motions = 0}), Status::alarm);
   EXPECT_LT(machine.statistics().motions(), 5000U);
 }
 
 TEST_F(Drives, AnAlarmOfADriveComesBeforeThatOfABlockBehindIt) {
-  VirtualMachine& machine = load("G01X10.F600\n#1=1/0\n");
+  BatchRun& machine = load("G01X10.F600\n#1=1/0\n");
   raise_behind(5);
   EXPECT_EQ(machine.run_to_end(), Status::alarm);
   EXPECT_EQ(machine.alarm()->number, "STEP_RATE");
 }
 
 TEST_F(Drives, ResetGoesOnFromTheEndOfWhatWasCommanded) {
-  VirtualMachine& machine = load("G91G01X10.F600\n");
+  BatchRun& machine = load("G91G01X10.F600\n");
   raise_behind(5);
   EXPECT_EQ(machine.run_to_end(), Status::alarm);
   watcher_.answer = nullptr;
@@ -110,7 +110,7 @@ TEST_F(Drives, ResetGoesOnFromTheEndOfWhatWasCommanded) {
 }
 
 TEST_F(Drives, TheBudgetOfTimeEndsALongMotionToo) {
-  VirtualMachine& machine = load("G00X1.\nG04X90000.\n");
+  BatchRun& machine = load("G00X1.\nG04X90000.\n");
   EXPECT_EQ(machine.run_to_end({.seconds = 0.05}), Status::budget);
   ASSERT_TRUE(machine.notice());
   EXPECT_EQ(machine.notice()->number, "BUDGET");

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "machine/run/batch_run.hpp"
 #include "machine/run/servo.hpp"
-#include "machine/run/virtual_machine.hpp"
 #include "output/writing/drive_alarm.hpp"
 #include "temporary_folder.hpp"
 
@@ -57,10 +57,10 @@ class Laser {
     EXPECT_EQ(text.substr(0, header.size()), header);
     return text.substr(header.size());
   }
-  machine::VirtualMachine& machine() { return *machine_; }
+  machine::BatchRun& machine() { return *machine_; }
 
  private:
-  std::optional<machine::VirtualMachine> machine_;
+  std::optional<machine::BatchRun> machine_;
 };
 
 // Whole milliseconds of a move from rest to rest that reaches its velocity; 3000 mm/s².
@@ -131,7 +131,7 @@ TEST(LaserPulses, APowerThatNoTimerMakesIsAnAlarmAtItsLine) {
   Laser laser;
   const std::string rows = laser.rows({Rapid{{{10}}}, Power{120}, motion::Dwell{0.5}});
   EXPECT_EQ(rows.find("1.2"), std::string::npos) << rows;
-  EXPECT_EQ(laser.machine().run_to_end(), machine::VirtualMachine::Status::alarm);
+  EXPECT_EQ(laser.machine().run_to_end(), machine::RunStatus::alarm);
   const base::Diagnostic& alarm = *laser.machine().alarm();
   EXPECT_EQ(alarm.number, "PWM_RANGE");
   EXPECT_EQ(alarm.place.line, 3U);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 namespace kerf::output {
 namespace {
@@ -81,7 +81,7 @@ struct Ran {
 
 Ran run(const std::string& text, const std::string& machine_name = "mill3") {
   const auto definition = machine::find_machine(machine_name);
-  machine::VirtualMachine machine(*definition, control::Memory(definition->parameters.n_offsets));
+  machine::BatchRun machine(*definition, control::Memory(definition->parameters.n_offsets));
   Ran ran;
   PathChunks chunks(*definition, PathChunks::Source::preview, 7,
                     [&](const std::string& bytes) { ran.chunks.push_back(read(bytes)); });

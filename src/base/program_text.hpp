@@ -6,7 +6,7 @@
 #include "base/result.hpp"
 #include "base/source_file.hpp"
 
-namespace kerf::machine {
+namespace kerf::base {
 
 /// A program as it is given to a machine: its text, or a file to be read from disk. It can be
 /// opened again and again. Cheap to copy.
@@ -18,7 +18,7 @@ struct ProgramText {
   [[nodiscard]] static ProgramText at_path(std::string path) { return {std::move(path), nullptr}; }
 
   /// Failure (input): the file cannot be read.
-  [[nodiscard]] base::Outcome<std::unique_ptr<base::SourceFile>> open() const;
+  [[nodiscard]] Outcome<std::unique_ptr<SourceFile>> open() const;
 };
 
-}  // namespace kerf::machine
+}  // namespace kerf::base

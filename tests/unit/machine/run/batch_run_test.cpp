@@ -1,5 +1,5 @@
 // The panel of the machine: cycle start, single block, stops, block skip, reset.
-#include "machine/run/virtual_machine.hpp"
+#include "machine/run/batch_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,15 @@
 namespace kerf::test {
 namespace {
 
-using machine::VirtualMachine;
-using Status = VirtualMachine::Status;
+using machine::BatchRun;
+using Status = machine::RunStatus;
 
 class Panel : public ::testing::Test {
  protected:
   // Powers a machine on with a program in its memory.
-  VirtualMachine& load(const std::string& program,
-                       const std::vector<std::pair<std::string, std::string>>& parameters = {},
-                       const std::string& name = "mill3") {
+  BatchRun& load(const std::string& program,
+                 const std::vector<std::pair<std::string, std::string>>& parameters = {},
+                 const std::string& name = "mill3") {
     machine::MachineDefinition definition = *machine::find_machine(name);
     for (const auto& [key, value] : parameters) {
       EXPECT_TRUE(definition.parameters.set(key, value));
@@ -29,21 +29,21 @@ class Panel : public ::testing::Test {
   double x() { return machine_->control().machine_position().values[0]; }
   std::uint32_t line() { return machine_->control().standing_at().line; }
 
-  std::optional<VirtualMachine> machine_;
+  std::optional<BatchRun> machine_;
 };
 
 constexpr const char* kThreeMoves = "O1\nG91G00X1.\n#1=5\n#2=6\nX1.\nX1.\nM30\n";
 
 TEST_F(Panel, CycleStartRunsToTheEnd) {
-  VirtualMachine& machine = load(kThreeMoves);
+  BatchRun& machine = load(kThreeMoves);
   EXPECT_EQ(machine.status(), Status::idle);
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 3);
 }
 
 TEST_F(Panel, SingleBlockStopsBehindEachNcBlock) {
-  VirtualMachine& machine = load(kThreeMoves);
-  machine.set_single_block(true);
+  BatchRun& machine = load(kThreeMoves);
+  machine.control().set_single_block(true);
   EXPECT_EQ(machine.cycle_start(), Status::running);
   EXPECT_EQ(x(), 1);
   EXPECT_EQ(machine.halt(), control::Halt::single_block);
@@ -54,8 +54,8 @@ TEST_F(Panel, SingleBlockStopsBehindEachNcBlock) {
 }
 
 TEST_F(Panel, SingleBlockStopsBehindMacroStatementsWhereAParameterSaysSo) {
-  VirtualMachine& machine = load(kThreeMoves, {{"SBM", "1"}});
-  machine.set_single_block(true);
+  BatchRun& machine = load(kThreeMoves, {{"SBM", "1"}});
+  machine.control().set_single_block(true);
   const std::vector<double> wanted = {1, 1, 1, 2, 3};
   for (const double x_wanted : wanted) {
     EXPECT_EQ(machine.cycle_start(), Status::running);
@@ -65,23 +65,23 @@ TEST_F(Panel, SingleBlockStopsBehindMacroStatementsWhereAParameterSaysSo) {
 }
 
 TEST_F(Panel, SingleBlockMayBeTurnedOffInTheMiddle) {
-  VirtualMachine& machine = load(kThreeMoves, {{"SBM", "1"}});
-  machine.set_single_block(true);
+  BatchRun& machine = load(kThreeMoves, {{"SBM", "1"}});
+  machine.control().set_single_block(true);
   EXPECT_EQ(machine.cycle_start(), Status::running);
-  machine.set_single_block(false);
+  machine.control().set_single_block(false);
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 3);
 }
 
 TEST_F(Panel, ARunToTheEndPassesOverStops) {
-  VirtualMachine& machine = load("O1\nG91G00X1.\nM00\nX1.\n#3006=1(LOOK)\nX1.\nM30\n");
-  machine.set_single_block(true);
+  BatchRun& machine = load("O1\nG91G00X1.\nM00\nX1.\n#3006=1(LOOK)\nX1.\nM30\n");
+  machine.control().set_single_block(true);
   EXPECT_EQ(machine.run_to_end(), Status::end);
   EXPECT_EQ(x(), 3);
 }
 
 TEST_F(Panel, ProgramStopAndMessageWaitForCycleStart) {
-  VirtualMachine& machine = load("O1\nG91G00X1.\nM00\nX1.\n#3006=1(LOOK)\nX1.\nM30\n");
+  BatchRun& machine = load("O1\nG91G00X1.\nM00\nX1.\n#3006=1(LOOK)\nX1.\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::running);
   EXPECT_EQ(machine.halt(), control::Halt::program_stop);
   EXPECT_EQ(x(), 1);
@@ -93,8 +93,8 @@ TEST_F(Panel, ProgramStopAndMessageWaitForCycleStart) {
 
 TEST_F(Panel, OptionalStopStopsOnlyWithItsSwitch) {
   const char* const program = "O1\nG91G00X1.\nM01\nX1.\nM30\n";
-  VirtualMachine& with = load(program);
-  with.set_optional_stop(true);
+  BatchRun& with = load(program);
+  with.control().set_optional_stop(true);
   EXPECT_EQ(with.cycle_start(), Status::stopped);
   EXPECT_EQ(x(), 1);
   EXPECT_EQ(with.cycle_start(), Status::end);
@@ -106,14 +106,14 @@ TEST_F(Panel, BlockSkipHasASwitchForEachLevel) {
   const char* const program = "O1\nG91G00X1.\n/X10.\n/2X100.\n/3X500.\nM30\n";
   EXPECT_EQ(load(program).cycle_start(), Status::end);
   EXPECT_EQ(x(), 611);
-  VirtualMachine& machine = load(program);
-  machine.set_block_skip(1U << 1 | 1U << 3);
+  BatchRun& machine = load(program);
+  machine.control().set_block_skip(1U << 1 | 1U << 3);
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 101);
 }
 
 TEST_F(Panel, ResetLeavesTheToolAndForgetsTheProgramState) {
-  VirtualMachine& machine = load("O1\nG91G01F100X1.\n#1=5\n#100=6\n#500=7\nM00\nX1.\nM30\n");
+  BatchRun& machine = load("O1\nG91G01F100X1.\n#1=5\n#100=6\n#500=7\nM00\nX1.\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::running);
   machine.reset();
   EXPECT_EQ(machine.status(), Status::idle);
@@ -125,7 +125,7 @@ TEST_F(Panel, ResetLeavesTheToolAndForgetsTheProgramState) {
 }
 
 TEST_F(Panel, ResetSwitchesTheExactStopOnAgain) {
-  VirtualMachine& machine = load("O1\n#500=#3004\n#3004=4\nM00\nM30\n");
+  BatchRun& machine = load("O1\n#500=#3004\n#3004=4\nM00\nM30\n");
   for (int run = 0; run < 2; ++run) {
     EXPECT_EQ(machine.cycle_start(), Status::running);
     EXPECT_EQ(machine.memory().commons[100], 0);
@@ -134,7 +134,7 @@ TEST_F(Panel, ResetSwitchesTheExactStopOnAgain) {
 }
 
 TEST_F(Panel, AnAlarmHoldsTheMachineUntilReset) {
-  VirtualMachine& machine = load("O1\nG91G00X1.\n#3000=1(STOP)\nM30\n");
+  BatchRun& machine = load("O1\nG91G00X1.\n#3000=1(STOP)\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::alarm);
   EXPECT_EQ(machine.alarm()->number, "MC3001");
   EXPECT_EQ(machine.cycle_start(), Status::alarm);
@@ -147,8 +147,7 @@ TEST_F(Panel, AnAlarmHoldsTheMachineUntilReset) {
 
 // Where a refused move leaves the tool, the next program begins.
 TEST_F(Panel, AMoveOutOfReachHoldsTheMachineUntilReset) {
-  VirtualMachine& machine =
-      load("O1\nG91G01F6000.X-50.\n#500=#5021\nY200.\nX-50.\nM30\n", {}, "arm4");
+  BatchRun& machine = load("O1\nG91G01F6000.X-50.\n#500=#5021\nY200.\nX-50.\nM30\n", {}, "arm4");
   EXPECT_EQ(machine.cycle_start(), Status::alarm);  // X214 Y200
   ASSERT_TRUE(machine.alarm());
   EXPECT_EQ(machine.alarm()->number, "OUT_OF_REACH");
@@ -167,7 +166,7 @@ TEST_F(Panel, AMoveOutOfReachHoldsTheMachineUntilReset) {
 
 // What is refused behind a move under compensation is not driven later either.
 TEST_F(Panel, ResetForgetsTheMoveThatWasRefusedUnderCompensation) {
-  VirtualMachine& machine = load(
+  BatchRun& machine = load(
       "O1\nG10L12P1R10.\nG01X200.Y50.F6000.\nIF[#500EQ1]GOTO9\n#500=1\nG41D1X200.Y100.\n"
       "X150.Y150.\nX250.\nX100.Y20.\nG40X100.Y50.\nN9X180.\nM30\n",
       {}, "arm4");
@@ -184,14 +183,14 @@ TEST_F(Panel, ResetForgetsTheMoveThatWasRefusedUnderCompensation) {
 }
 
 TEST_F(Panel, TheEndResetsModesAndVariables) {
-  VirtualMachine& machine = load("O1\nIF[#1EQ#0]GOTO1\nG00X90.\nN1G00X10.\n#1=5\nG91\nM30\n");
+  BatchRun& machine = load("O1\nIF[#1EQ#0]GOTO1\nG00X90.\nN1G00X10.\n#1=5\nG91\nM30\n");
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 10);  // G90 again, and no X90.
 }
 
 TEST_F(Panel, LocalVariablesSurviveTheResetWhereAParameterSaysSo) {
-  VirtualMachine& machine = load("O1\n#1=#1+1\nG00X[#1*10]\nM30\n", {{"CLV", "1"}});
+  BatchRun& machine = load("O1\n#1=#1+1\nG00X[#1*10]\nM30\n", {{"CLV", "1"}});
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 10);
   EXPECT_EQ(machine.cycle_start(), Status::end);
@@ -202,18 +201,18 @@ TEST_F(Panel, LocalVariablesSurviveTheResetWhereAParameterSaysSo) {
 }
 
 TEST_F(Panel, AnInterruptRunsItsProgramBetweenTwoBlocks) {
-  VirtualMachine& machine =
+  BatchRun& machine =
       load("O1\n#1=5\nM96P2\nG91G00X1.\nM00\nX[#1]\nM97\nM30\nO2\n#1=99\nX100.\nM99\n");
   EXPECT_EQ(machine.cycle_start(), Status::running);
-  machine.interrupt();
+  machine.control().interrupt();
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 106);  // its local variables are its own
 }
 
 TEST_F(Panel, AnInterruptCountsForNothingWithoutM96) {
-  VirtualMachine& machine = load("O1\nG91G00X1.\nM00\nX1.\nM30\nO2\nX100.\nM99\n");
+  BatchRun& machine = load("O1\nG91G00X1.\nM00\nX1.\nM30\nO2\nX100.\nM99\n");
   EXPECT_EQ(machine.cycle_start(), Status::running);
-  machine.interrupt();
+  machine.control().interrupt();
   EXPECT_EQ(machine.cycle_start(), Status::end);
   EXPECT_EQ(x(), 2);
 }

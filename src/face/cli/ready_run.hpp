@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/diagnostic.hpp"
+#include "base/result.hpp"
+#include "base/source_file.hpp"
+#include "face/cli/commands.hpp"
+#include "job/job.hpp"
+#include "job/run.hpp"
+
+namespace kerf::cli {
+
+/// What the words of a command line come to: a job, and how its machine was chosen.
+struct OrderedJob {
+  job::Job job;
+  std::string why;  ///< sentence for the summary
+  /// LATHE_PROGRAM, where nobody named a machine or dialect.
+  std::optional<base::Diagnostic> hint{};
+};
+
+/// The job that `kerf run` makes of its options. Failure (usage): an option is wrong; (input): a
+/// file of settings cannot be read. `program` is the one that the options name.
+[[nodiscard]] base::Outcome<OrderedJob> job_of(const RunOptions& options,
+                                               const base::SourceFile& program);
+
+/// A run with the program loaded, and how its machine was chosen.
+struct ReadyRun {
+  std::unique_ptr<job::Run> run;
+  std::string why{};
+  std::optional<base::Diagnostic> hint{};
+
+  [[nodiscard]] machine::BatchRun& machine() const { return run->machine(); }
+};
+
+[[nodiscard]] base::Outcome<ReadyRun> make_ready(const RunOptions& options);
+/// Of one file of a check, which goes on behind its alarms.
+[[nodiscard]] base::Outcome<ReadyRun> make_ready(const std::string& path,
+                                                 const CheckOptions& options);
+
+/// How the command ends when the run ended so.
+[[nodiscard]] ExitStatus exit_status_of(machine::RunStatus status);
+
+}  // namespace kerf::cli

@@ -86,11 +86,11 @@ void keep_diagnostic(Run& run, const std::optional<base::Diagnostic>& told) {
 
 Run run_of(const Exercise& exercise, const machine::MachineDefinition& definition,
            const std::string& program, double most_mm, const std::stop_token& unwanted) {
-  const auto made = job::Run::of({.definition = definition,
-                                  .memory = memory_of(exercise, definition),
-                                  .settings = {.dialect = dialect_of(exercise, definition)},
-                                  .program = base::ProgramText::of(exercise.file, program),
-                                  .budget = budget_of_run(unwanted)});
+  job::Job job{.definition = definition, .memory = memory_of(exercise, definition)};
+  job.settings.dialect = dialect_of(exercise, definition);
+  job.program = base::ProgramText::of(exercise.file, program);
+  job.budget = budget_of_run(unwanted);
+  const auto made = job::Run::of(job);
   Run run;
   if (!made) {
     run.status = Status::alarm;

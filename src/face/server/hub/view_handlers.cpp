@@ -49,10 +49,10 @@ void pulses(Hub& hub, const Request& request) {
 Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const std::string& name,
                              const std::string& text, const base::WorkLimit& limit) {
   auto file = base::SourceFile::from_text(name, text);
-  auto run = job::Run::of({.definition = definition,
-                           .memory = control::Memory(definition.parameters.n_offsets),
-                           .settings = {.dialect = dialect_shown_by(*file)}},
-                          std::move(file));
+  const job::Job job{.definition = definition,
+                     .memory = control::Memory(definition.parameters.n_offsets),
+                     .settings = {.dialect = dialect_shown_by(*file)}};
+  auto run = job::Run::of(job, std::move(file));
   if (!run) return tl::unexpected(run.error());
   machine::Machine& machine = (*run)->machine();
   base::Findings found(limits::kDiagnostics, limit);

@@ -209,9 +209,10 @@ describe('refusals that stand in the code', () => {
     "at_ms must be a number: ms of the server's clock",
     'the time of computing is over before the interrupt at ',
   ];
-  const sources = ['machine', 'machine/internal', 'server'].flatMap((room) => {
-    const folder = join(__dirname, '../../src', room);
-    return readdirSync(folder)
+  const sources = ['machine', 'face/server'].flatMap((rooms) => {
+    const folder = join(__dirname, '../../src', rooms);
+    return readdirSync(folder, { recursive: true })
+      .map(String)
       .filter((file) => file.endsWith('.cpp'))
       .map((file) => readFileSync(join(folder, file), 'utf8'));
   });

@@ -19,6 +19,7 @@
 namespace {
 
 using kerf::base::AxisVector;
+using kerf::base::TipPoint;
 using kerf::motion::Motion;
 using kerf::motion::Setpoint;
 using kerf::planner::Interpolator;
@@ -42,7 +43,7 @@ kerf::planner::AxisLimits limits(double jerk) {
   return limits;
 }
 
-Motion line_to(const AxisVector& to, double feed_mm_min, std::size_t number) {
+Motion line_to(const TipPoint& to, double feed_mm_min, std::size_t number) {
   Motion motion;
   motion.line = static_cast<std::uint32_t>(number + 1);
   motion.action = kerf::motion::Line{to, {feed_mm_min}};
@@ -191,7 +192,7 @@ void StepPulses(benchmark::State& state) {
   const auto& motions = surface(12000);
   std::vector<kerf::drive::StepAxis> axes(3);
   for (auto& axis : axes) axis.steps_per_unit = static_cast<double>(state.range(0));
-  std::vector<kerf::drive::JointPoint> points;
+  std::vector<kerf::drive::JointMoment> points;
   Interpolator interpolator(three_axes(), limits(kNoJerkLimit), {});
   interpolate(interpolator, motions, [&](const Setpoint& point) {
     points.push_back({point.time_s, point.tip});

@@ -34,7 +34,7 @@ class Grid {
     const double length = piece.end - piece.begin;
     const int count = std::max(4, static_cast<int>(std::ceil(length / kGrid_mm)));
     for (int i = 0; i < count; ++i) {
-      const base::PathJet jet = piece.curve.jet(piece.begin + length * (i + 0.5) / count);
+      const base::TipJet jet = piece.curve.jet(piece.begin + length * (i + 0.5) / count);
       Interval interval{length / count, jet.first, jet.second, 0, piece.stop && i + 1 == count};
       double speed = piece.feed;
       for (std::size_t m = 0; m < axes_; ++m)

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
+
 #include "base/axes.hpp"
 
 namespace kerf::base {
@@ -23,15 +26,23 @@ struct Joints {};
 }  // namespace frame
 
 /// A point of one coordinate system. Points of two systems do not mix, and numbers are a point only
-/// where somebody says so: what leads from one system to the other has a name. The difference of two
-/// points, and what is added to one, is a way: a plain AxisVector. What is the same in every system
-/// takes points as such.
+/// where somebody says so: what leads from one system to the other has a name. The difference of
+/// two points, and what is added to one, is a way: a plain AxisVector. What is the same in every
+/// system takes points as such.
 template <typename Frame>
 struct Point : AxisVector {
   constexpr Point() = default;
   constexpr explicit Point(const AxisVector& at) : AxisVector(at) {}
+  /// Numbers that are written out are a point of the system that is asked for. At most kMaxAxes.
+  constexpr Point(std::initializer_list<double> numbers) {
+    std::copy(numbers.begin(), numbers.end(), values.begin());
+  }
   template <typename Other>
   Point(const Point<Other>&) = delete;
+
+  /// The numbers alone. Where they are the same in another system, as those of joints and tip on a
+  /// machine without a linkage, that is said with them: TipPoint(joints.numbers()).
+  [[nodiscard]] constexpr const AxisVector& numbers() const { return *this; }
 
   friend constexpr bool operator==(const Point& a, const Point& b) {
     return static_cast<const AxisVector&>(a) == static_cast<const AxisVector&>(b);
@@ -60,5 +71,13 @@ using PathPoint = Point<frame::Path>;
 using TipPoint = Point<frame::Tip>;
 using MachinePoint = Point<frame::Machine>;
 using JointPoint = Point<frame::Joints>;
+
+/// Where the tip is in machine coordinates while `length` of the tool is in force, and back.
+[[nodiscard]] constexpr MachinePoint machine_of(const TipPoint& tip, const AxisVector& length) {
+  return MachinePoint(tip.numbers() + length);
+}
+[[nodiscard]] constexpr TipPoint tip_of(const MachinePoint& machine, const AxisVector& length) {
+  return TipPoint(machine.numbers() - length);
+}
 
 }  // namespace kerf::base

@@ -36,7 +36,7 @@ StepGenerator::StepGenerator(std::vector<StepAxis> axes, const StepTiming& timin
   assert(timing.band_steps >= 0 && timing.band_steps <= 0.25);
 }
 
-void StepGenerator::start(const JointPoint& point) {
+void StepGenerator::start(const JointMoment& point) {
   now_ns_ = nanoseconds(point.time_s);
   state_ = {};
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -45,7 +45,7 @@ void StepGenerator::start(const JointPoint& point) {
   }
 }
 
-base::Result<void> StepGenerator::move_to(const JointPoint& point) {
+base::Result<void> StepGenerator::move_to(const JointMoment& point) {
   const std::int64_t end_ns = nanoseconds(point.time_s);
   assert(end_ns >= now_ns_);
   const auto duration_ns = static_cast<double>(end_ns - now_ns_);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 #include "base/result.hpp"
 #include "drive/pulse_sink.hpp"
 
@@ -31,9 +31,9 @@ struct StepTiming {
 };
 
 /// Where the joints must be at a moment, in the units of the axes (mm, degrees).
-struct JointPoint {
+struct JointMoment {
   double time_s = 0;
-  base::AxisVector joints;
+  base::JointPoint joints;
 };
 
 /// Turns set-points into step pulses (docs/drives.md, "Steps along a line").
@@ -54,14 +54,14 @@ class StepGenerator {
   StepGenerator(std::vector<StepAxis> axes, const StepTiming& timing, PulseSink& sink);
 
   /// The machine stands here: sets the counters to the nearest steps, makes no pulse.
-  void start(const JointPoint& point);
+  void start(const JointMoment& point);
 
   /// Makes the pulses of the line from the last set-point to this one, whose time is not before.
   /// Error STEP_RATE, naming axis, time and rate: steps would follow one another faster than the
   /// axis or its amplifier takes them (to within 1 ns), a reversal leaves no time for the direction
   /// to settle, or a position lies beyond 2^40 steps. Then no pulse of this line is made, and
   /// the generator stands where it stood.
-  [[nodiscard]] base::Result<void> move_to(const JointPoint& point);
+  [[nodiscard]] base::Result<void> move_to(const JointMoment& point);
 
   /// Steps from joint position 0, after the pulses made so far.
   [[nodiscard]] std::int64_t count(base::Axis axis) const { return state_[index(axis)].count; }

@@ -14,7 +14,8 @@
 namespace kerf::engraver {
 namespace {
 
-using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using drive::ArmAxis;
 using motion::Curve;
 
@@ -78,7 +79,7 @@ void PatternMaker::take(const motion::Motion& motion) {
         }
       },
       motion.action);
-  if (const AxisVector* const to = motion::target_of(motion)) tip_ = *to;
+  if (const TipPoint* const to = motion::target_of(motion)) tip_ = *to;
   motion_ = nullptr;
 }
 
@@ -87,7 +88,7 @@ void PatternMaker::finish() {
 }
 
 // Whether the arms have to move for the tip to get there.
-bool PatternMaker::moves_arms(const AxisVector& to) const {
+bool PatternMaker::moves_arms(const TipPoint& to) const {
   return std::fabs(to[motors_.x()] - tip_[motors_.x()]) > kStands ||
          std::fabs(to[motors_.y()] - tip_[motors_.y()]) > kStands;
 }
@@ -116,10 +117,10 @@ std::int64_t PatternMaker::clear_z() const {
 
 // Lift up, upper arm, forearm; the wheel turns and comes down when it is known where it will cut.
 void PatternMaker::travel(const motion::Motion& motion) {
-  const AxisVector& to = *motion::target_of(motion);
+  const TipPoint& to = *motion::target_of(motion);
   const std::int64_t z = z_pulses(to[motors_.z()]);
   if (!moves_arms(to)) return lift_due(z, Due::travel);
-  AxisVector joints = joints_;
+  JointPoint joints = joints_;
   for (const Curve& curve : curves_.of(tip_, motion)) {
     for (int i = 1; i <= kTravelSamples; ++i) {
       auto found =
@@ -213,26 +214,26 @@ void PatternMaker::cut(const motion::Motion& motion) {
   }
 }
 
-void PatternMaker::turn_on_the_spot(const AxisVector& to) {
+void PatternMaker::turn_on_the_spot(const TipPoint& to) {
   const base::Axis z = motors_.z();
   if (std::fabs(to[z] - tip_[z]) > kStands) lift_due(z_pulses(to[z]), Due::cut);
   const bool turns = std::fabs(to[motors_.c()] - tip_[motors_.c()]) > kStands;
   if (!turns || machine_.definition().pattern.heading != machine::PatternSettings::Heading::program)
     return;
   lower();
-  base::PathJet at;
+  base::TipJet at;
   at.value = to;
   slow({base::round_away(heading_error_deg(at) / motors_.step(ArmAxis::theta3)), 0, 0});
 }
 
 // How far the wheel has to turn at a place of the path.
-double PatternMaker::heading_error_deg(const base::PathJet& at) const {
+double PatternMaker::heading_error_deg(const base::TipJet& at) const {
   const bool tangent =
       machine_.definition().pattern.heading == machine::PatternSettings::Heading::tangent;
   const double wanted =
       tangent ? geometry::degrees(math::atan2(at.first[motors_.y()], at.first[motors_.x()]))
               : at.value[motors_.c()];
-  AxisVector joints = joints_;
+  JointPoint joints = joints_;
   const base::Axis wheel = drive::axis_of(ArmAxis::theta3);
   joints[wheel] = motors_.joints_at(counts())[wheel];
   return half_turned(wanted - motors_.kinematics().forward(joints)[motors_.c()]);
@@ -256,7 +257,7 @@ void PatternMaker::begin_cut(double error_deg) {
 }
 
 void PatternMaker::cut_along(const Curve& curve) {
-  const base::PathJet start = curve.jet(0);
+  const base::TipJet start = curve.jet(0);
   begin_cut(heading_error_deg(start));
   if (failed_) return;
   on_work_ = true;
@@ -300,7 +301,7 @@ bool PatternMaker::step_along(const Curve& curve, double& s) {
 }
 
 void PatternMaker::tell_watcher(const Curve& curve, double s, const PathGauge::Worst& worst) {
-  const AxisVector at = curve.at(s);
+  const TipPoint at = curve.at(s);
   watcher_->step({at[motors_.x()], at[motors_.y()], worst.x - worst.path_x, worst.y - worst.path_y,
                   worst.mm, motors_.tip_at(counts())[motors_.c()], gauge_.places()});
 }
@@ -311,7 +312,7 @@ void PatternMaker::note(const CutSample& sample, const Curve& curve, bool split)
   const double pulses_mm = (split ? 4 : 2) * sample.half_pulse_mm;
   const double mm = pulses_mm + sample.joints_mm + sample.chord_mm;
   if (mm <= report_.bound.mm) return;
-  const AxisVector at = curve.at(sample.s);
+  const TipPoint at = curve.at(sample.s);
   report_.bound = {mm, motion_->line, at[motors_.x()], at[motors_.y()]};
   report_.bound_pulses_mm = pulses_mm;
 }

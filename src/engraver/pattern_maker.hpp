@@ -59,15 +59,15 @@ class PatternMaker : public motion::MotionSink {
   void cut(const motion::Motion& motion);
   void cut_along(const motion::Curve& curve);
   bool step_along(const motion::Curve& curve, double& s);
-  void turn_on_the_spot(const base::AxisVector& to);
+  void turn_on_the_spot(const base::TipPoint& to);
   bool refused(const motion::Curve& curve);
   void lift_for_travel(std::int64_t programmed_z);
   void lift_to(std::int64_t z);
   void lift_due(std::int64_t z, Due why);
   void lower();
   void begin_cut(double error_deg);
-  [[nodiscard]] bool moves_arms(const base::AxisVector& to) const;
-  [[nodiscard]] double heading_error_deg(const base::PathJet& at) const;
+  [[nodiscard]] bool moves_arms(const base::TipPoint& to) const;
+  [[nodiscard]] double heading_error_deg(const base::TipJet& at) const;
   [[nodiscard]] std::int64_t z_pulses(double z_mm) const;
   [[nodiscard]] std::int64_t higher(std::int64_t a, std::int64_t b) const;
   [[nodiscard]] bool is_above(std::int64_t a, std::int64_t b) const;
@@ -91,8 +91,8 @@ class PatternMaker : public motion::MotionSink {
   PathGauge gauge_;
   drive::ArmDrive drive_;
   const motion::Motion* motion_ = nullptr;  // the present one
-  base::AxisVector tip_;                    // where the programmed path is
-  base::AxisVector joints_;  // of the path, not rounded; the wheel's is that of the counters
+  base::TipPoint tip_;                      // where the programmed path is
+  base::JointPoint joints_;  // of the path, not rounded; the wheel's is that of the counters
   Due due_ = Due::nothing;   // why the lift has still to go to z_due_
   std::int64_t z_due_ = 0;
   bool on_work_ = false;  // the lift stands where the wheel has cut

@@ -50,7 +50,7 @@ std::string extents_json(const PatternReplay& replay) {
 }
 
 std::string position_json(const PatternReplay& replay) {
-  const base::AxisVector tip = replay.machine().tip_at(replay.counters());
+  const base::TipPoint tip = replay.machine().tip_at(replay.counters());
   const auto& axes = replay.machine().definition().axes.axes;
   output::JsonObject object;
   for (std::size_t i = 0; i < axes.size(); ++i)

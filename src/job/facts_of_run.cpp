@@ -39,8 +39,8 @@ RunFacts::Alarm alarm_facts(const base::Diagnostic& alarm, const base::SourceSet
 
 std::vector<RunFacts::Axis> axes_of(const BatchRun& machine) {
   const motion::AxisSetup& axes = machine.definition().axes;
-  const base::AxisVector at = machine.position();
-  const base::AxisVector work = at - machine.control().work_origin();
+  const base::MachinePoint at = machine.position();
+  const base::AxisVector work = at.numbers() - machine.control().work_origin();
   std::vector<RunFacts::Axis> list;
   for (std::size_t i = 0; i < axes.count(); ++i) {
     list.push_back({.letter = axes.axes[i].letter,

@@ -17,7 +17,10 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
+using base::JointPoint;
+using base::TipJet;
+using base::TipPoint;
 using geometry::nearest_turn;
 using geometry::Vec2;
 
@@ -88,20 +91,20 @@ Arm::Pose Arm::pose_at(const AxisVector& joints) const {
                                  : Pose{upper, upper + forearm, forearm};
 }
 
-AxisVector Arm::forward(const AxisVector& joints) const {
+TipPoint Arm::forward(const JointPoint& joints) const {
   const Pose pose = pose_at(joints);
   const Vec2 tip = links_.upper_arm_mm * direction_deg(pose.upper_deg) +
                    links_.forearm_mm * direction_deg(pose.forearm_deg);
-  return {{tip.u, tip.v, joints[kLift], pose.forearm_deg + joints[kWheel]}};
+  return TipPoint{{tip.u, tip.v, joints[kLift], pose.forearm_deg + joints[kWheel]}};
 }
 
-Branch Arm::branch_at(const AxisVector& joints) const {
+Branch Arm::branch_at(const JointPoint& joints) const {
   const double sine = geometry::sine_cosine_deg(pose_at(joints).elbow_deg).sine;
   const bool minus = sine < 0 || (sine == 0 && links_.elbow_minus);
   return minus ? Branch::minus : Branch::plus;
 }
 
-std::optional<Fault> Arm::out_of_reach(const AxisVector& tip, double radius_mm) const {
+std::optional<Fault> Arm::out_of_reach(const TipPoint& tip, double radius_mm) const {
   const double most = links_.upper_arm_mm + links_.forearm_mm;
   const double least = std::fabs(links_.upper_arm_mm - links_.forearm_mm);
   if (radius_mm <= most + kReachTolerance_mm && radius_mm >= least - kReachTolerance_mm) return {};
@@ -111,7 +114,7 @@ std::optional<Fault> Arm::out_of_reach(const AxisVector& tip, double radius_mm) 
                                               shown(least) + " to " + shown(most) + " mm"};
 }
 
-Result<AxisVector> Arm::solve(const AxisVector& tip, const AxisVector& previous,
+Result<JointPoint> Arm::solve(const TipPoint& tip, const JointPoint& previous,
                               Branch branch) const {
   Polar<double> at = polar(tip[kX], tip[kY]);
   if (auto fault = out_of_reach(tip, at.radius)) return base::unexpected(*std::move(fault));
@@ -119,12 +122,12 @@ Result<AxisVector> Arm::solve(const AxisVector& tip, const AxisVector& previous,
   at.radius = std::clamp(at.radius, std::fabs(links_.upper_arm_mm - links_.forearm_mm),
                          links_.upper_arm_mm + links_.forearm_mm);
   const auto [forearm, upper, wheel] = angles_at(links_, at, tip[kHeading], sign_of(branch));
-  return AxisVector{{nearest_turn(forearm, previous[kForearm]),
+  return JointPoint{{nearest_turn(forearm, previous[kForearm]),
                      nearest_turn(upper, previous[kUpper]),
                      nearest_turn(wheel, previous[kWheel], kHalfTurn_deg), tip[kZ]}};
 }
 
-Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
+Result<JointJet> Arm::along(const TipJet& tip, const JointPoint& joints) const {
   if (stands(tip, kX) && stands(tip, kY)) return lifting(tip, joints);
   const Pose pose = pose_at(joints);
   const double sine = geometry::sine_cosine_deg(pose.elbow_deg).sine;
@@ -133,7 +136,7 @@ Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
   }
   const auto [forearm, upper, wheel] = angles_at(links_, polar(jet_of(tip, kX), jet_of(tip, kY)),
                                                  jet_of(tip, kHeading), sine >= 0 ? 1 : -1);
-  PathJet result;
+  JointJet result;
   set_jet(result, kForearm, forearm);
   set_jet(result, kUpper, upper);
   set_jet(result, kWheel, wheel);
@@ -143,8 +146,8 @@ Result<PathJet> Arm::along(const PathJet& tip, const AxisVector& joints) const {
 }
 
 // The links stand, also where no rates are determined for other moves.
-PathJet Arm::lifting(const PathJet& tip, const AxisVector& joints) {
-  PathJet result;
+JointJet Arm::lifting(const TipJet& tip, const JointPoint& joints) {
+  JointJet result;
   set_jet(result, kWheel, jet_of(tip, kHeading));
   set_jet(result, kLift, jet_of(tip, kZ));
   result.value = joints;
@@ -152,7 +155,7 @@ PathJet Arm::lifting(const PathJet& tip, const AxisVector& joints) {
 }
 
 // The angles of the links are linear in those of the joints.
-geometry::Vec3 Arm::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+geometry::Vec3 Arm::tip_rates(const JointPoint& joints, const AxisVector& rates) const {
   const Pose pose = pose_at(joints);
   const Pose turn = pose_at(rates);
   const Vec2 upper =
@@ -163,12 +166,12 @@ geometry::Vec3 Arm::tip_rates(const AxisVector& joints, const AxisVector& rates)
   return {-both.v, both.u, rates[kLift]};
 }
 
-double Arm::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& rates) const {
+double Arm::swing_bound_mm(const JointPoint& /*joints*/, const AxisVector& rates) const {
   const Pose turn = pose_at(rates);
   return 8 * arm_deviation_mm(links_, turn.upper_deg, turn.forearm_deg);
 }
 
-std::optional<std::string> Arm::caution(const AxisVector& joints) const {
+std::optional<std::string> Arm::caution(const JointPoint& joints) const {
   const Pose pose = pose_at(joints);
   if (std::fabs(geometry::sine_cosine_deg(pose.elbow_deg).sine) >= kCautionSine) return {};
   return in_words(pose);

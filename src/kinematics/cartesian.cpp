@@ -6,25 +6,26 @@
 namespace kerf::kinematics {
 
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
+using base::JointPoint;
+using base::TipJet;
+using base::TipPoint;
 
 // Also a rotary axis keeps the program's turn: nothing of it is computed.
 Cartesian::Cartesian(std::vector<Joint> joints) : Kinematics(std::move(joints), Turns{}) {}
 
-AxisVector Cartesian::forward(const AxisVector& joints) const { return joints; }
+TipPoint Cartesian::forward(const JointPoint& joints) const { return TipPoint(joints.numbers()); }
 
-Result<AxisVector> Cartesian::solve(const AxisVector& tip, const AxisVector& /*previous*/,
+Result<JointPoint> Cartesian::solve(const TipPoint& tip, const JointPoint& /*previous*/,
                                     Branch /*branch*/) const {
-  return tip;
+  return JointPoint(tip.numbers());
 }
 
-Result<PathJet> Cartesian::along(const PathJet& tip, const AxisVector& joints) const {
-  PathJet result = tip;
-  result.value = joints;
-  return result;
+Result<JointJet> Cartesian::along(const TipJet& tip, const JointPoint& joints) const {
+  return JointJet{joints, tip.first, tip.second, tip.third};
 }
 
-geometry::Vec3 Cartesian::tip_rates(const AxisVector& /*joints*/, const AxisVector& rates) const {
+geometry::Vec3 Cartesian::tip_rates(const JointPoint& /*joints*/, const AxisVector& rates) const {
   const auto rate_of = [&](const char* name) {
     for (std::size_t m = 0; m < size(); ++m) {
       if (this->joints()[m].name == name) return rates.values[m];
@@ -34,7 +35,7 @@ geometry::Vec3 Cartesian::tip_rates(const AxisVector& /*joints*/, const AxisVect
   return {rate_of("X"), rate_of("Y"), rate_of("Z")};
 }
 
-double Cartesian::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& /*rates*/) const {
+double Cartesian::swing_bound_mm(const JointPoint& /*joints*/, const AxisVector& /*rates*/) const {
   return 0;
 }
 

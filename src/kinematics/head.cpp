@@ -13,7 +13,10 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
+using base::JointPoint;
+using base::TipJet;
+using base::TipPoint;
 using geometry::Jet;
 using geometry::nearest_turn;
 using geometry::sine_cosine_deg;
@@ -41,7 +44,7 @@ Offset<Number> offset_at(const HeadRadii& radii, const Number& a_deg, const Numb
 }
 
 /// Whether the joints hold the beam as the tip's own angles say, and not turned over.
-bool as_programmed(const AxisVector& tip, const AxisVector& joints) {
+bool as_programmed(const TipPoint& tip, const JointPoint& joints) {
   return std::fabs(nearest_turn(joints[kC] - tip[kC], 0)) < 90;
 }
 
@@ -55,22 +58,22 @@ AxisVector Head::carriage_offset(double a_deg, double c_deg) const {
   return {{x, y, z}};
 }
 
-AxisVector Head::forward(const AxisVector& joints) const {
-  return joints - carriage_offset(joints[kA], joints[kC]);
+TipPoint Head::forward(const JointPoint& joints) const {
+  return TipPoint(joints.numbers() - carriage_offset(joints[kA], joints[kC]));
 }
 
-Branch Head::branch_at(const AxisVector& joints) const {
+Branch Head::branch_at(const JointPoint& joints) const {
   return sine_cosine_deg(joints[kA]).sine >= 0 ? Branch::plus : Branch::minus;
 }
 
-Result<AxisVector> Head::follow(const AxisVector& tip, const AxisVector& /*previous*/) const {
-  return tip + carriage_offset(tip[kA], tip[kC]);
+Result<JointPoint> Head::follow(const TipPoint& tip, const JointPoint& /*previous*/) const {
+  return JointPoint(tip.numbers() + carriage_offset(tip[kA], tip[kC]));
 }
 
-Result<AxisVector> Head::solve(const AxisVector& tip, const AxisVector& previous,
+Result<JointPoint> Head::solve(const TipPoint& tip, const JointPoint& previous,
                                Branch branch) const {
-  AxisVector joints = tip;
-  if (branch_at(tip) != branch) {
+  JointPoint joints(tip.numbers());  // the angles that the program says
+  if (branch_at(joints) != branch) {
     joints[kA] = 0 - tip[kA];
     joints[kC] = tip[kC] + 180;
   }
@@ -79,14 +82,14 @@ Result<AxisVector> Head::solve(const AxisVector& tip, const AxisVector& previous
   return joints + carriage_offset(joints[kA], joints[kC]);
 }
 
-Result<PathJet> Head::along(const PathJet& tip, const AxisVector& joints) const {
+Result<JointJet> Head::along(const TipJet& tip, const JointPoint& joints) const {
   Jet a_deg = jet_of(tip, kA);
   Jet c_deg = jet_of(tip, kC);
   if (!as_programmed(tip.value, joints)) a_deg = -a_deg;
   a_deg.value = joints[kA];
   c_deg.value = joints[kC];
   const auto [x, y, z] = offset_at(radii_, a_deg, c_deg);
-  PathJet result = tip;
+  JointJet result{joints, tip.first, tip.second, tip.third};
   set_jet(result, kX, jet_of(tip, kX) + x);
   set_jet(result, kY, jet_of(tip, kY) + y);
   set_jet(result, kZ, jet_of(tip, kZ) + z);
@@ -96,7 +99,7 @@ Result<PathJet> Head::along(const PathJet& tip, const AxisVector& joints) const 
 }
 
 // The focus is the carriage without its offset.
-geometry::Vec3 Head::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+geometry::Vec3 Head::tip_rates(const JointPoint& joints, const AxisVector& rates) const {
   const auto [sine_a, cosine_a] = sine_cosine_deg(joints[kA]);
   const auto [sine_c, cosine_c] = sine_cosine_deg(joints[kC]);
   const double tilt = radii_.r_a_mm * geometry::radians(rates[kA]);
@@ -108,7 +111,7 @@ geometry::Vec3 Head::tip_rates(const AxisVector& joints, const AxisVector& rates
       rates[kZ] + tilt * sine_a};
 }
 
-double Head::swing_bound_mm(const AxisVector& /*joints*/, const AxisVector& rates) const {
+double Head::swing_bound_mm(const JointPoint& /*joints*/, const AxisVector& rates) const {
   return 8 * head_deviation_mm(radii_, rates[kA], rates[kC]);
 }
 

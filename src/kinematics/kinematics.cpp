@@ -11,6 +11,8 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 
 constexpr double kRangeTolerance = 1e-9;  // mm, degrees: rounding of the inverse
 constexpr double kEqualTurns_deg = 1e-9;
@@ -46,17 +48,17 @@ double turned_into_range(const Joint& joint, double value, double turn_deg) {
 Kinematics::Kinematics(std::vector<Joint> joints, const Turns& turns_deg)
     : joints_(std::move(joints)), turns_deg_(turns_deg) {}
 
-Result<AxisVector> Kinematics::inverse(const AxisVector& tip, const AxisVector& previous) const {
+Result<JointPoint> Kinematics::inverse(const TipPoint& tip, const JointPoint& previous) const {
   return within_limits(follow(tip, previous));
 }
 
-Result<AxisVector> Kinematics::inverse(const AxisVector& tip, const AxisVector& previous,
+Result<JointPoint> Kinematics::inverse(const TipPoint& tip, const JointPoint& previous,
                                        Branch branch) const {
   assert(branch == Branch::plus || has_branches());
   return within_limits(solve(tip, previous, branch));
 }
 
-Result<AxisVector> Kinematics::nearest(const AxisVector& tip, const AxisVector& previous) const {
+Result<JointPoint> Kinematics::nearest(const TipPoint& tip, const JointPoint& previous) const {
   auto plus = in_range(tip, previous, Branch::plus);
   if (!has_branches()) return plus;
   auto minus = in_range(tip, previous, Branch::minus);
@@ -67,14 +69,14 @@ Result<AxisVector> Kinematics::nearest(const AxisVector& tip, const AxisVector& 
   return minus_is_nearer ? minus : plus;
 }
 
-double Kinematics::deviation_bound_mm(const AxisVector& from, const AxisVector& to) const {
+double Kinematics::deviation_bound_mm(const JointPoint& from, const JointPoint& to) const {
   const AxisVector way = to - from;
   return std::max(swing_bound_mm(from, way), swing_bound_mm(to, way)) / 8;
 }
 
-std::optional<std::string> Kinematics::caution(const AxisVector& /*joints*/) const { return {}; }
+std::optional<std::string> Kinematics::caution(const JointPoint& /*joints*/) const { return {}; }
 
-std::optional<Fault> Kinematics::beyond_limits(const AxisVector& joints) const {
+std::optional<Fault> Kinematics::beyond_limits(const JointPoint& joints) const {
   for (std::size_t i = 0; i < size(); ++i) {
     const double value = joints[axis(i)];
     if (!within(joints_[i], value)) return limit_fault(joints_[i], axis(i), value);
@@ -82,17 +84,17 @@ std::optional<Fault> Kinematics::beyond_limits(const AxisVector& joints) const {
   return {};
 }
 
-Result<AxisVector> Kinematics::follow(const AxisVector& tip, const AxisVector& previous) const {
+Result<JointPoint> Kinematics::follow(const TipPoint& tip, const JointPoint& previous) const {
   return solve(tip, previous, branch_at(previous));
 }
 
-Result<AxisVector> Kinematics::within_limits(Result<AxisVector> joints) const {
+Result<JointPoint> Kinematics::within_limits(Result<JointPoint> joints) const {
   if (!joints) return joints;
   if (auto fault = beyond_limits(*joints)) return base::unexpected(*std::move(fault));
   return joints;
 }
 
-Result<AxisVector> Kinematics::in_range(const AxisVector& tip, const AxisVector& previous,
+Result<JointPoint> Kinematics::in_range(const TipPoint& tip, const JointPoint& previous,
                                         Branch branch) const {
   auto joints = solve(tip, previous, branch);
   if (!joints) return joints;
@@ -103,7 +105,7 @@ Result<AxisVector> Kinematics::in_range(const AxisVector& tip, const AxisVector&
   return within_limits(std::move(joints));
 }
 
-double Kinematics::turned_deg(const AxisVector& from, const AxisVector& to) const {
+double Kinematics::turned_deg(const JointPoint& from, const JointPoint& to) const {
   double sum = 0;
   for (std::size_t i = 0; i < size(); ++i) {
     if (turns_deg_[i] != 0) sum += std::fabs(to[axis(i)] - from[axis(i)]);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/axes.hpp"
 #include "base/path_jet.hpp"
+#include "base/point.hpp"
 #include "geometry/vec3.hpp"
 #include "kinematics/fault.hpp"
 #include "kinematics/joint.hpp"
@@ -44,35 +44,35 @@ class Kinematics {
   [[nodiscard]] std::size_t size() const { return joints_.size(); }
 
   /// The tip of any joints, also of those beyond their limits.
-  [[nodiscard]] virtual base::AxisVector forward(const base::AxisVector& joints) const = 0;
+  [[nodiscard]] virtual base::TipPoint forward(const base::JointPoint& joints) const = 0;
 
   /// The joints along a path: the branch stays that of `previous`, each rotary joint takes the turn
   /// nearest to it. Angles that the program itself gives (A and C of a head) keep the program's
   /// branch and turn. forward() of it is `tip` within 1e-9 mm and degrees (the wheel's C modulo
   /// 180). An angle that the tip leaves open stays that of `previous`.
   /// Errors: out_of_reach, limit.
-  [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
-                                                 const base::AxisVector& previous) const;
+  [[nodiscard]] Result<base::JointPoint> inverse(const base::TipPoint& tip,
+                                                 const base::JointPoint& previous) const;
 
   /// The same for joints that may stand anywhere. Error: out_of_reach.
-  [[nodiscard]] virtual Result<base::AxisVector> follow(const base::AxisVector& tip,
-                                                        const base::AxisVector& previous) const;
+  [[nodiscard]] virtual Result<base::JointPoint> follow(const base::TipPoint& tip,
+                                                        const base::JointPoint& previous) const;
 
   /// The joints on the branch that the caller names, every rotary joint on the turn nearest to
   /// `previous`. Precondition: has_branches(), or `branch` is plus. Errors: out_of_reach, limit.
-  [[nodiscard]] Result<base::AxisVector> inverse(const base::AxisVector& tip,
-                                                 const base::AxisVector& previous,
+  [[nodiscard]] Result<base::JointPoint> inverse(const base::TipPoint& tip,
+                                                 const base::JointPoint& previous,
                                                  Branch branch) const;
 
   /// For moves from point to point, off the work: of both branches and all turns within the limits
   /// the joints with the smallest sum of turned angles from `previous`; plus when equal.
   /// Errors: out_of_reach; limit (of the branch plus) when none is within the limits.
-  [[nodiscard]] Result<base::AxisVector> nearest(const base::AxisVector& tip,
-                                                 const base::AxisVector& previous) const;
+  [[nodiscard]] Result<base::JointPoint> nearest(const base::TipPoint& tip,
+                                                 const base::JointPoint& previous) const;
 
   /// Whether there is a branch besides plus.
   [[nodiscard]] virtual bool has_branches() const { return false; }
-  [[nodiscard]] virtual Branch branch_at(const base::AxisVector& /*joints*/) const {
+  [[nodiscard]] virtual Branch branch_at(const base::JointPoint& /*joints*/) const {
     return Branch::plus;
   }
 
@@ -80,30 +80,30 @@ class Kinematics {
   /// inverse() or nearest() has found for tip.value: value is `joints`, the derivatives are by the
   /// same parameter as those of the tip, analytic and finite. A tip that stands in X and Y has
   /// rates everywhere: those of the joints that hold it there are 0. Error: singular.
-  [[nodiscard]] virtual Result<base::PathJet> along(const base::PathJet& tip,
-                                                    const base::AxisVector& joints) const = 0;
+  [[nodiscard]] virtual Result<base::JointJet> along(const base::TipJet& tip,
+                                                     const base::JointPoint& joints) const = 0;
 
   /// How the tip's X Y Z change, mm, while the joints change by `rates`: the derivative of
   /// forward(), linear in `rates`.
-  [[nodiscard]] virtual geometry::Vec3 tip_rates(const base::AxisVector& joints,
+  [[nodiscard]] virtual geometry::Vec3 tip_rates(const base::JointPoint& joints,
                                                  const base::AxisVector& rates) const = 0;
 
   /// Upper bound, mm, of the second derivative of the tip while the joints go on at constant
   /// `rates`. Its root is a norm of them: of a sum it is at most the sum of both roots.
-  [[nodiscard]] virtual double swing_bound_mm(const base::AxisVector& joints,
+  [[nodiscard]] virtual double swing_bound_mm(const base::JointPoint& joints,
                                               const base::AxisVector& rates) const = 0;
 
   /// Upper bound, mm, of how far the tip is from the straight line between its ends while the
   /// joints move from `from` to `to` in proportion: an eighth of the larger swing of both ends.
-  [[nodiscard]] double deviation_bound_mm(const base::AxisVector& from,
-                                          const base::AxisVector& to) const;
+  [[nodiscard]] double deviation_bound_mm(const base::JointPoint& from,
+                                          const base::JointPoint& to) const;
 
   /// A sentence when these joints are so near to a singular position that small moves of the tip
   /// ask for large ones of the joints.
-  [[nodiscard]] virtual std::optional<std::string> caution(const base::AxisVector& joints) const;
+  [[nodiscard]] virtual std::optional<std::string> caution(const base::JointPoint& joints) const;
 
   /// The first joint beyond its range by more than 1e-9.
-  [[nodiscard]] std::optional<Fault> beyond_limits(const base::AxisVector& joints) const;
+  [[nodiscard]] std::optional<Fault> beyond_limits(const base::JointPoint& joints) const;
 
  protected:
   /// A whole turn of each joint, after which it is in the same place; 0 for linear joints.
@@ -111,15 +111,15 @@ class Kinematics {
   Kinematics(std::vector<Joint> joints, const Turns& turns_deg);
 
  private:
-  [[nodiscard]] virtual Result<base::AxisVector> solve(const base::AxisVector& tip,
-                                                       const base::AxisVector& previous,
+  [[nodiscard]] virtual Result<base::JointPoint> solve(const base::TipPoint& tip,
+                                                       const base::JointPoint& previous,
                                                        Branch branch) const = 0;
 
-  [[nodiscard]] Result<base::AxisVector> within_limits(Result<base::AxisVector> joints) const;
-  [[nodiscard]] Result<base::AxisVector> in_range(const base::AxisVector& tip,
-                                                  const base::AxisVector& previous,
+  [[nodiscard]] Result<base::JointPoint> within_limits(Result<base::JointPoint> joints) const;
+  [[nodiscard]] Result<base::JointPoint> in_range(const base::TipPoint& tip,
+                                                  const base::JointPoint& previous,
                                                   Branch branch) const;
-  [[nodiscard]] double turned_deg(const base::AxisVector& from, const base::AxisVector& to) const;
+  [[nodiscard]] double turned_deg(const base::JointPoint& from, const base::JointPoint& to) const;
 
   std::vector<Joint> joints_;
   Turns turns_deg_;

@@ -14,7 +14,10 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
+using base::JointPoint;
+using base::TipJet;
+using base::TipPoint;
 
 constexpr Axis kX{0};      // of tip and joints
 constexpr Axis kY{1};      // of the tip
@@ -28,25 +31,24 @@ constexpr double kNoRadius_mm = 1e-9;  // nearer to the axis θ is open
 XThetaZ::XThetaZ(std::vector<Joint> joints, const XThetaZOffsets& offsets)
     : Kinematics(std::move(joints), Turns{0, 360, 0}), offsets_(offsets) {}
 
-AxisVector XThetaZ::forward(const AxisVector& joints) const {
+TipPoint XThetaZ::forward(const JointPoint& joints) const {
   const double radius = joints[kX] + offsets_.x1_mm;
   const auto [sine, cosine] = geometry::sine_cosine_deg(joints[kTheta] + offsets_.theta0_deg);
-  return {{radius * cosine, radius * sine, joints[kZ] + offsets_.z0_mm}};
+  return TipPoint{{radius * cosine, radius * sine, joints[kZ] + offsets_.z0_mm}};
 }
 
-Result<AxisVector> XThetaZ::solve(const AxisVector& tip, const AxisVector& previous,
+Result<JointPoint> XThetaZ::solve(const TipPoint& tip, const JointPoint& previous,
                                   Branch /*branch*/) const {
   const auto [radius, bearing_deg] = polar(tip[kX], tip[kY]);
   const double z = tip[kZ] - offsets_.z0_mm;
-  if (radius < kNoRadius_mm) return AxisVector{{0 - offsets_.x1_mm, previous[kTheta], z}};
+  if (radius < kNoRadius_mm) return JointPoint{{0 - offsets_.x1_mm, previous[kTheta], z}};
   const double theta_deg =
       geometry::nearest_turn(bearing_deg - offsets_.theta0_deg, previous[kTheta]);
-  return AxisVector{{radius - offsets_.x1_mm, theta_deg, z}};
+  return JointPoint{{radius - offsets_.x1_mm, theta_deg, z}};
 }
 
-Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) const {
-  PathJet result = tip;
-  result.value = joints;
+Result<JointJet> XThetaZ::along(const TipJet& tip, const JointPoint& joints) const {
+  JointJet result{joints, tip.first, tip.second, tip.third};
   if (stands(tip, kX) && stands(tip, kY)) return result;  // also on the axis
   if (math::hypot(tip.value[kX], tip.value[kY]) < kNoRadius_mm) {
     return base::unexpected(
@@ -60,13 +62,13 @@ Result<PathJet> XThetaZ::along(const PathJet& tip, const AxisVector& joints) con
   return result;
 }
 
-geometry::Vec3 XThetaZ::tip_rates(const AxisVector& joints, const AxisVector& rates) const {
+geometry::Vec3 XThetaZ::tip_rates(const JointPoint& joints, const AxisVector& rates) const {
   const auto [sine, cosine] = geometry::sine_cosine_deg(joints[kTheta] + offsets_.theta0_deg);
   const double across = (joints[kX] + offsets_.x1_mm) * geometry::radians(rates[kTheta]);
   return {rates[kX] * cosine - across * sine, rates[kX] * sine + across * cosine, rates[kZ]};
 }
 
-double XThetaZ::swing_bound_mm(const AxisVector& joints, const AxisVector& rates) const {
+double XThetaZ::swing_bound_mm(const JointPoint& joints, const AxisVector& rates) const {
   return 8 * polar_deviation_mm(std::fabs(joints[kX] + offsets_.x1_mm), rates[kX], rates[kTheta]);
 }
 

@@ -8,7 +8,7 @@ namespace kerf::motion {
 /// A set-point with where the driven axes stand then, in the order of the machine file.
 struct AxisPoint {
   Setpoint tip;
-  base::AxisVector joints;
+  base::JointPoint joints;
   /// Of the laser in the period that ends here, percent of full: where it follows the speed, that
   /// of the tip in the period, to 0.01 (docs/drives.md, Power that follows the speed).
   float power_percent = 0;

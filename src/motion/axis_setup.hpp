@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 
 namespace kerf::motion {
 
@@ -26,9 +26,9 @@ struct AxisConfig {
 /// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
 struct AxisSetup {
   std::vector<AxisConfig> axes;
-  base::AxisVector start;  ///< where they stand at power-on, machine coordinates
-  bool linked = false;     ///< others move them through a linkage, which not every move suits
-  bool beam = false;       ///< for a spindle there is the beam of a laser
+  base::TipPoint start;  ///< where they stand at power-on, with no length in force
+  bool linked = false;   ///< others move them through a linkage, which not every move suits
+  bool beam = false;     ///< for a spindle there is the beam of a laser
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }

@@ -9,8 +9,8 @@
 namespace kerf::motion {
 namespace {
 
-using base::AxisVector;
-using base::PathJet;
+using base::TipJet;
+using base::TipPoint;
 
 constexpr std::size_t kMostCoefficients = 6;
 
@@ -58,7 +58,7 @@ double largest_swing(double a, double b, double from, double to) {
 
 }  // namespace
 
-Curve Curve::line(const AxisVector& from, const AxisVector& to, double length, std::size_t axes) {
+Curve Curve::line(const TipPoint& from, const TipPoint& to, double length, std::size_t axes) {
   Curve curve;
   curve.length_ = length;
   curve.end_ = to;
@@ -69,7 +69,7 @@ Curve Curve::line(const AxisVector& from, const AxisVector& to, double length, s
   return curve;
 }
 
-Curve Curve::hermite(const PathJet& from, const PathJet& to, double length, std::size_t axes) {
+Curve Curve::hermite(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
   Curve curve;
   curve.kind_ = Kind::polynomial;
   curve.length_ = length;
@@ -94,7 +94,7 @@ Curve Curve::hermite(const PathJet& from, const PathJet& to, double length, std:
   return curve;
 }
 
-Curve Curve::cubic(const PathJet& from, const PathJet& to, double length, std::size_t axes) {
+Curve Curve::cubic(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
   Curve curve;
   curve.kind_ = Kind::polynomial;
   curve.length_ = length;
@@ -112,7 +112,7 @@ Curve Curve::cubic(const PathJet& from, const PathJet& to, double length, std::s
   return curve;
 }
 
-Curve Curve::arc(const ArcShape& shape, const AxisVector& to, double length, std::size_t axes) {
+Curve Curve::arc(const ArcShape& shape, const TipPoint& to, double length, std::size_t axes) {
   Curve curve;
   curve.kind_ = Kind::arc;
   curve.length_ = length;
@@ -133,10 +133,10 @@ double Curve::length_at_first_radius() const {
   return kind_ == Kind::arc ? radius_ * std::fabs(rate_) * length_ : length_;
 }
 
-AxisVector Curve::at(double s) const { return s >= length_ ? end_ : point(s); }
+TipPoint Curve::at(double s) const { return s >= length_ ? end_ : point(s); }
 
-AxisVector Curve::point(double s) const {
-  AxisVector p;
+TipPoint Curve::point(double s) const {
+  TipPoint p;
   switch (kind_) {
     case Kind::line:
       for (std::size_t m = 0; m < axes_; ++m) p.values[m] = c_[0].values[m] + s * c_[1].values[m];
@@ -164,8 +164,8 @@ AxisVector Curve::point(double s) const {
   return p;
 }
 
-PathJet Curve::jet(double s) const {
-  PathJet jet;
+TipJet Curve::jet(double s) const {
+  TipJet jet;
   switch (kind_) {
     case Kind::line:
       jet.value = point(s);
@@ -178,8 +178,8 @@ PathJet Curve::jet(double s) const {
   return jet;
 }
 
-PathJet Curve::polynomial_jet(double s) const {
-  PathJet jet;
+TipJet Curve::polynomial_jet(double s) const {
+  TipJet jet;
   for (std::size_t m = 0; m < axes_; ++m) {
     double value = c_[5].values[m];
     double first = 0;
@@ -199,12 +199,12 @@ PathJet Curve::polynomial_jet(double s) const {
   return jet;
 }
 
-PathJet Curve::arc_jet(double s) const {
+TipJet Curve::arc_jet(double s) const {
   const double angle = angle_rad_ + rate_ * s;
   const auto [sine, cosine] = math::sine_cosine(angle);
   const double r = radius_ + radius_slope_ * s;
   const double w = rate_;
-  PathJet jet;
+  TipJet jet;
   for (std::size_t m = 0; m < axes_; ++m) {
     const double out = c_[2].values[m] * cosine + c_[3].values[m] * sine;    // away from the centre
     const double along = c_[3].values[m] * cosine - c_[2].values[m] * sine;  // its derivative by φ

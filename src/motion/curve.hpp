@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "base/axes.hpp"
 #include "base/path_jet.hpp"
+#include "base/point.hpp"
 #include "motion/axis_norms.hpp"
 
 namespace kerf::motion {
@@ -38,21 +38,21 @@ class Curve {
   Curve() = default;
 
   /// From `from` to `to` in proportion to s. length > 0.
-  static Curve line(const base::AxisVector& from, const base::AxisVector& to, double length,
+  static Curve line(const base::TipPoint& from, const base::TipPoint& to, double length,
                     std::size_t axes);
   /// The polynomial of degree 5 that leaves the first jet and arrives in the second with the same
   /// first and second derivatives; what they say of the third is not asked. length > 0.
-  static Curve hermite(const base::PathJet& from, const base::PathJet& to, double length,
+  static Curve hermite(const base::TipJet& from, const base::TipJet& to, double length,
                        std::size_t axes);
   /// The polynomial of degree 3 that leaves the first jet and arrives in the second with the same
   /// first derivatives. Between lines, with the length of the lines that it replaces, a parabola.
-  static Curve cubic(const base::PathJet& from, const base::PathJet& to, double length,
+  static Curve cubic(const base::TipJet& from, const base::TipJet& to, double length,
                      std::size_t axes);
-  static Curve arc(const ArcShape& shape, const base::AxisVector& to, double length,
+  static Curve arc(const ArcShape& shape, const base::TipPoint& to, double length,
                    std::size_t axes);
 
   [[nodiscard]] double length() const { return length_; }
-  [[nodiscard]] const base::AxisVector& end() const { return end_; }
+  [[nodiscard]] const base::TipPoint& end() const { return end_; }
   [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
   [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
   /// Largest of the numbers whose sum a point is, as far as the end does not show it: of an arc its
@@ -63,8 +63,8 @@ class Curve {
   [[nodiscard]] double length_at_first_radius() const;
 
   /// Real-time safe. s outside of [0, length()] is the caller's bug but for rounding.
-  [[nodiscard]] base::AxisVector at(double s) const;
-  [[nodiscard]] base::PathJet jet(double s) const;
+  [[nodiscard]] base::TipPoint at(double s) const;
+  [[nodiscard]] base::TipJet jet(double s) const;
   /// Upper bounds over [from, to]; the third derivative of a line and the second one are 0.
   [[nodiscard]] CurveBounds bounds(double from, double to) const;
   /// Upper bound over [from, to] of the second derivative's length in the axes that count mm: the
@@ -75,15 +75,15 @@ class Curve {
  private:
   enum class Kind : std::uint8_t { line, polynomial, arc };
 
-  [[nodiscard]] base::AxisVector point(double s) const;
-  [[nodiscard]] base::PathJet polynomial_jet(double s) const;
-  [[nodiscard]] base::PathJet arc_jet(double s) const;
+  [[nodiscard]] base::TipPoint point(double s) const;
+  [[nodiscard]] base::TipJet polynomial_jet(double s) const;
+  [[nodiscard]] base::TipJet arc_jet(double s) const;
   [[nodiscard]] CurveBounds polynomial_bounds(double from, double to) const;
   [[nodiscard]] CurveBounds arc_bounds(double from, double to) const;
   [[nodiscard]] double largest_radius(double from, double to) const;
 
   double length_ = 0;
-  base::AxisVector end_;
+  base::TipPoint end_;
   // line: point and slope; polynomial: its coefficients; arc: origin, slope, e1, e2.
   std::array<base::AxisVector, 6> c_{};
   double radius_ = 0;

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <variant>
 
-#include "base/axes.hpp"
 #include "base/place.hpp"
+#include "base/point.hpp"
 
 namespace kerf::motion {
 
@@ -53,13 +53,13 @@ enum class Direction : std::uint8_t { clockwise, counterclockwise };
 
 /// Without cutting, as fast as the axes can.
 struct Rapid {
-  base::AxisVector to;
+  base::TipPoint to;
   bool linear = true;  ///< else each axis at its own rate: only the end point is promised
 };
 
 /// Straight line at feed.
 struct Line {
-  base::AxisVector to;
+  base::TipPoint to;
   Feed feed;
 };
 
@@ -67,7 +67,7 @@ struct Line {
 /// change linearly with the angle within the control's tolerance; axes outside of the plane move
 /// linearly with the angle (helix). An end equal to the start is a full circle.
 struct Arc {
-  base::AxisVector to;
+  base::TipPoint to;
   std::array<double, 2> center{};  ///< in the order of the plane's axes
   Feed feed;
   std::uint16_t turns = 0;  ///< whole circles more than the arc from start to end
@@ -81,9 +81,9 @@ struct Arc {
 /// The points carry an arc: whoever makes one has asked geometry::SpaceArc, and commands two lines
 /// instead where the points are `straight`.
 struct SpaceArc {
-  base::AxisVector to;
-  base::AxisVector via;
-  base::AxisVector second_via{};  ///< of a full circle
+  base::TipPoint to;
+  base::TipPoint via;
+  base::TipPoint second_via{};  ///< of a full circle
   Feed feed;
   bool full_circle = false;
 };
@@ -136,14 +136,14 @@ struct Power {
 
 /// Line at feed that a signal may end early; `to` is where it ended.
 struct Probe {
-  base::AxisVector to;
+  base::TipPoint to;
   Feed feed;
   bool contact = false;
 };
 
 /// Thread cut from here to `to`, synchronised with the spindle.
 struct Thread {
-  base::AxisVector to;
+  base::TipPoint to;
   double lead = 0;  ///< mm per revolution along the longer axis
 };
 
@@ -202,9 +202,9 @@ class MotionSink {
 };
 
 /// The target of a moving action, or nullptr.
-[[nodiscard]] inline const base::AxisVector* target_of(const Motion& motion) {
+[[nodiscard]] inline const base::TipPoint* target_of(const Motion& motion) {
   return std::visit(
-      [](const auto& action) -> const base::AxisVector* {
+      [](const auto& action) -> const base::TipPoint* {
         if constexpr (requires { action.to; }) {
           return &action.to;
         } else {

@@ -10,12 +10,12 @@
 namespace kerf::motion {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec2;
 using geometry::Vec3;
 
 // The quadrant points that an arc passes.
-void reach_quadrants(const AxisSetup& axes, const AxisVector& at, const Arc& arc,
+void reach_quadrants(const AxisSetup& axes, const TipPoint& at, const Arc& arc,
                      MotionExtent& extent) {
   const auto plane = plane_axes(arc.plane, axes);
   if (!plane) return;
@@ -30,7 +30,7 @@ void reach_quadrants(const AxisSetup& axes, const AxisVector& at, const Arc& arc
   for (const Vec2 quadrant : kQuadrants) {
     const Vec2 point = centre + radius * quadrant;
     if (point == from || geometry::sweep_rad(from, point, centre, clockwise) > sweep) continue;
-    AxisVector reached = arc.to;
+    TipPoint reached = arc.to;
     reached[plane->first] = point.u;
     reached[plane->second] = point.v;
     extent.reach(reached);
@@ -46,7 +46,7 @@ void reach_farthest(const AxisSetup& axes, const SpaceArcPath& path, MotionExten
   for (const Vec3 direction : kDirections) {
     const double angle = path.circle().farthest_rad(direction);
     if (angle <= 0 || angle >= path.circle().sweep_rad()) continue;
-    AxisVector reached = path.at(angle);
+    TipPoint reached = path.at(angle);
     for (std::size_t i = 0; i < axes.count(); ++i) {
       if (axes.axes[i].rotary) reached.values[i] = path.knots().back().point.values[i];
     }
@@ -56,15 +56,15 @@ void reach_farthest(const AxisSetup& axes, const SpaceArcPath& path, MotionExten
 
 }  // namespace
 
-void MotionExtent::reach(const AxisVector& point) {
+void MotionExtent::reach(const TipPoint& point) {
   for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
     low.values[i] = std::min(low.values[i], point.values[i]);
     high.values[i] = std::max(high.values[i], point.values[i]);
   }
 }
 
-MotionExtent extent_of(const AxisSetup& axes, const AxisVector& from, const Motion& motion) {
-  const AxisVector& to = *target_of(motion);
+MotionExtent extent_of(const AxisSetup& axes, const TipPoint& from, const Motion& motion) {
+  const TipPoint& to = *target_of(motion);
   MotionExtent extent{to, to};
   if (const auto* const arc = std::get_if<Arc>(&motion.action))
     reach_quadrants(axes, from, *arc, extent);

@@ -13,16 +13,17 @@
 namespace kerf::motion {
 
 using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec2;
 
-std::span<const Curve> MoveCurves::of(const AxisVector& from, const Motion& motion) {
+std::span<const Curve> MoveCurves::of(const TipPoint& from, const Motion& motion) {
   at_ = from;
   count_ = 0;
   if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
     add_arc(*arc);
   } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
     add_space_arc(*space_arc);
-  } else if (const AxisVector* const to = target_of(motion)) {
+  } else if (const TipPoint* const to = target_of(motion)) {
     const auto* const rapid = std::get_if<Rapid>(&motion.action);
     if (rapid != nullptr && !rapid->linear) add_legs(*to);
     add_line(*to);
@@ -31,8 +32,8 @@ std::span<const Curve> MoveCurves::of(const AxisVector& from, const Motion& moti
 }
 
 // Every axis goes at its own rate: the way is a leg for each that is done before the others.
-void MoveCurves::add_legs(const AxisVector& to) {
-  const AxisVector from = at_;
+void MoveCurves::add_legs(const TipPoint& to) {
+  const TipPoint from = at_;
   std::array<double, base::kMaxAxes> done_s{};
   for (std::size_t m = 0; m < axes_.count(); ++m)
     done_s[m] = std::fabs(to.values[m] - from.values[m]) * 60 / axes_.axes[m].rapid_per_min;
@@ -40,7 +41,7 @@ void MoveCurves::add_legs(const AxisVector& to) {
   std::sort(order.begin(), order.end());
   for (const double time_s : order) {
     if (time_s >= order.back()) return;
-    AxisVector end = to;
+    TipPoint end = to;
     for (std::size_t m = 0; m < axes_.count(); ++m) {
       if (done_s[m] > time_s)
         end.values[m] = from.values[m] + (to.values[m] - from.values[m]) * (time_s / done_s[m]);
@@ -50,7 +51,7 @@ void MoveCurves::add_legs(const AxisVector& to) {
 }
 
 // Its parameter is the length of the linear axes, or of the rotary ones where these alone move.
-void MoveCurves::add_line(const AxisVector& to) {
+void MoveCurves::add_line(const TipPoint& to) {
   const AxisVector way = to - at_;
   const double linear = norms_.mm(way);
   const double length = linear > 0 ? linear : norms_.degrees(way);

@@ -23,11 +23,11 @@ class MoveCurves {
   /// each point given to the next; of a rapid whose axes keep their own rates one until each of
   /// them is done; none when it goes nowhere. `from` is where the tip stands. A motion without a
   /// target goes nowhere.
-  [[nodiscard]] std::span<const Curve> of(const base::AxisVector& from, const Motion& motion);
+  [[nodiscard]] std::span<const Curve> of(const base::TipPoint& from, const Motion& motion);
 
  private:
-  void add_legs(const base::AxisVector& to);
-  void add_line(const base::AxisVector& to);
+  void add_legs(const base::TipPoint& to);
+  void add_line(const base::TipPoint& to);
   void add_arc(const Arc& arc);
   void add_space_arc(const SpaceArc& arc);
   void add(const Curve& curve);
@@ -35,7 +35,7 @@ class MoveCurves {
 
   const AxisSetup& axes_;
   AxisNorms norms_;
-  base::AxisVector at_;  // where the next curve begins
+  base::TipPoint at_;  // where the next curve begins
   std::array<Curve, base::kMaxAxes> curves_;
   std::size_t count_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 #include "motion/mark.hpp"
 
 namespace kerf::motion {
@@ -9,7 +9,7 @@ namespace kerf::motion {
 /// order of the program's axes.
 struct Setpoint {
   double time_s = 0;  ///< from the start of the run; a multiple of the period, if there is one
-  base::AxisVector tip;
+  base::TipPoint tip;
   Mark mark;  ///< the motion that is under way, or that ends here
 };
 

@@ -28,18 +28,18 @@ class SpaceArcPath {
   /// One of the points given, and the angle at which the tool passes it.
   struct Knot {
     double angle_rad = 0;
-    base::AxisVector point;
+    base::TipPoint point;
   };
 
   /// Precondition: the points carry an arc or a circle (geometry::SpaceArc). Whoever makes a
   /// SpaceArc looks.
-  SpaceArcPath(const AxisSetup& axes, const base::AxisVector& from, const SpaceArc& arc);
+  SpaceArcPath(const AxisSetup& axes, const base::TipPoint& from, const SpaceArc& arc);
 
   [[nodiscard]] const geometry::SpaceArc& circle() const { return circle_; }
   /// From the start to the end, three, or four of a full circle.
   [[nodiscard]] std::span<const Knot> knots() const { return {knots_.data(), knot_count_}; }
   /// Where the tool is at an angle, clamped to [0, sweep]. At the angle of a knot exactly there.
-  [[nodiscard]] base::AxisVector at(double angle_rad) const;
+  [[nodiscard]] base::TipPoint at(double angle_rad) const;
 
   /// Calls `reach(point)` with the ends of the chords that stand for the way, in order. Every knot
   /// is such an end; between two of them they are equal, each over an angle of at most `most_rad`.

@@ -46,7 +46,7 @@ class CellMaker {
   /// Pieces up to now need no cells.
   void skip_to(const Path& path);
   /// The driven axes stand here: where the next piece begins.
-  void set_joints(const base::AxisVector& joints) { joints_ = joints; }
+  void set_joints(const base::JointPoint& joints) { joints_ = joints; }
 
  private:
   [[nodiscard]] CellBounds bounds_of(const PathPiece& piece, double begin, double end) const;
@@ -66,7 +66,7 @@ class CellMaker {
   const CellLimits& limits_;
   const Linkage* linkage_;
   std::uint64_t next_piece_ = 0;
-  base::AxisVector joints_;  // at the begin of the next cell
+  base::JointPoint joints_;  // at the begin of the next cell
 
   // Of the piece that is being cut.
   std::size_t cells_of_piece_ = 0;

@@ -7,7 +7,8 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::TipJet;
+using base::TipPoint;
 
 constexpr std::uint64_t kMostSpread = 32;
 constexpr std::uint64_t kLongestPiece = 2 * kMostSpread;  // lines
@@ -51,7 +52,7 @@ ChainSmoother::ChainSmoother(double tolerance_mm, std::size_t axes,
       follower_(follower),
       points_(kPoints) {}
 
-void ChainSmoother::start(const AxisVector& from) {
+void ChainSmoother::start(const TipPoint& from) {
   points_.clear();
   points_.push({from, 0, 0, false, {}});
   at_ = origin_ = points_.begin();
@@ -59,7 +60,7 @@ void ChainSmoother::start(const AxisVector& from) {
 }
 
 // The arc that two lines may stand for: with a turn β its height above the shorter one is Lβ/8.
-bool ChainSmoother::accepts(const AxisVector& to, double length) const {
+bool ChainSmoother::accepts(const TipPoint& to, double length) const {
   const Point& end = points_[points_.end() - 1];
   const Point& before = points_[points_.end() - 2];
   const double last_length = end.way - before.way;
@@ -72,22 +73,22 @@ bool ChainSmoother::accepts(const AxisVector& to, double length) const {
   return angle < kSharpestTurn_rad && std::max(length, last_length) * angle / 8 < tolerance_;
 }
 
-void ChainSmoother::add(const AxisVector& to, double length, double feed, bool fixed_override,
+void ChainSmoother::add(const TipPoint& to, double length, double feed, bool fixed_override,
                         const motion::Mark& mark) {
   const double way = points_.back().way + length;
   points_.push({to, way, feed, fixed_override, mark});
 }
 
 // Value and derivatives, at the point `at`, of the parabola through three points in their order.
-PathJet ChainSmoother::parabola(std::uint64_t a, std::uint64_t b, std::uint64_t c,
-                                std::uint64_t at) const {
+TipJet ChainSmoother::parabola(std::uint64_t a, std::uint64_t b, std::uint64_t c,
+                               std::uint64_t at) const {
   const Point& pa = points_[a];
   const Point& pb = points_[b];
   const Point& pc = points_[c];
   const double first = pb.way - pa.way;
   const double second = pc.way - pb.way;
   const double offset = points_[at].way - pb.way;
-  PathJet jet;
+  TipJet jet;
   jet.value = points_[at].at;
   for (std::size_t m = 0; m < axes_; ++m) {
     const double d1 = (pb.at.values[m] - pa.at.values[m]) / first;
@@ -102,7 +103,7 @@ PathJet ChainSmoother::parabola(std::uint64_t a, std::uint64_t b, std::uint64_t 
 // The cubic that is nearest to the points first to last (least squares), as seen from point `at`.
 // Its coefficients solve M c = r with the moments M_ij = Σ σ^(i+j), r_i = Σ σ^i p, where σ =
 // s/scale lies about in [-1, 1], so that the four equations are well conditioned.
-PathJet ChainSmoother::cubic(std::uint64_t first, std::uint64_t last, std::uint64_t at) const {
+TipJet ChainSmoother::cubic(std::uint64_t first, std::uint64_t last, std::uint64_t at) const {
   const double origin = points_[at].way;
   const double scale = std::max(points_[last].way - origin, origin - points_[first].way);
   std::array<double, 7> moments{};
@@ -118,7 +119,7 @@ PathJet ChainSmoother::cubic(std::uint64_t first, std::uint64_t last, std::uint6
     }
   }
   solve(moments, sums, axes_);
-  PathJet jet;
+  TipJet jet;
   for (std::size_t m = 0; m < axes_; ++m) {
     jet.value.values[m] = points_[at].at.values[m] + sums[0].values[m];
     jet.first.values[m] = sums[1].values[m] / scale;
@@ -128,7 +129,7 @@ PathJet ChainSmoother::cubic(std::uint64_t first, std::uint64_t last, std::uint6
   return jet;
 }
 
-bool ChainSmoother::fits(const PathJet& jet, std::uint64_t at, std::uint64_t first,
+bool ChainSmoother::fits(const TipJet& jet, std::uint64_t at, std::uint64_t first,
                          std::uint64_t last) const {
   for (std::uint64_t n = first; n <= last; ++n) {
     const double s = points_[n].way - points_[at].way;
@@ -230,7 +231,7 @@ double ChainSmoother::turn(const AxisVector& direction, std::uint64_t line) cons
 void ChainSmoother::line_piece(Piece& piece) {
   const Point& from = points_[at_];
   const Point& to = points_[at_ + 1];
-  const AxisVector& begin = node_known_ ? node_.jet.value : from.at;
+  const TipPoint& begin = node_known_ ? node_.jet.value : from.at;
   piece.curve = motion::Curve::line(begin, to.at, to.way - from.way, axes_);
   piece.joined = false;
   piece.begin_off_mm = norms_.larger(begin - from.at);

@@ -37,7 +37,7 @@ class ChainSmoother {
   };
 
   struct Point {
-    base::AxisVector at;
+    base::TipPoint at;
     double way = 0;   ///< from the begin of the chain along the lines
     double feed = 0;  ///< of the line that ends here
     bool fixed_override = false;
@@ -50,12 +50,12 @@ class ChainSmoother {
 
   [[nodiscard]] bool empty() const { return points_.size() < 2; }
   /// Whether a line from the chain's end to `to` goes on with it.
-  [[nodiscard]] bool accepts(const base::AxisVector& to, double length) const;
+  [[nodiscard]] bool accepts(const base::TipPoint& to, double length) const;
   /// A chain begins here. Precondition: empty().
-  void start(const base::AxisVector& from);
+  void start(const base::TipPoint& from);
   /// Precondition: accepts(), or empty() and start() was called; room for one more is there after
   /// next() returned false.
-  void add(const base::AxisVector& to, double length, double feed, bool fixed_override,
+  void add(const base::TipPoint& to, double length, double feed, bool fixed_override,
            const motion::Mark& mark);
 
   /// The next piece; false when it needs more lines. With `ended` the chain ends at its last point,
@@ -65,16 +65,15 @@ class ChainSmoother {
 
  private:
   struct Node {
-    base::PathJet jet;
+    base::TipJet jet;
     std::uint64_t spread = 1;  // to the neighbours that its parabola goes through
   };
 
   [[nodiscard]] Node node_at(std::uint64_t number, std::uint64_t last, std::uint64_t spread) const;
-  [[nodiscard]] base::PathJet parabola(std::uint64_t a, std::uint64_t b, std::uint64_t c,
-                                       std::uint64_t at) const;
-  [[nodiscard]] base::PathJet cubic(std::uint64_t first, std::uint64_t last,
-                                    std::uint64_t at) const;
-  [[nodiscard]] bool fits(const base::PathJet& jet, std::uint64_t at, std::uint64_t first,
+  [[nodiscard]] base::TipJet parabola(std::uint64_t a, std::uint64_t b, std::uint64_t c,
+                                      std::uint64_t at) const;
+  [[nodiscard]] base::TipJet cubic(std::uint64_t first, std::uint64_t last, std::uint64_t at) const;
+  [[nodiscard]] bool fits(const base::TipJet& jet, std::uint64_t at, std::uint64_t first,
                           std::uint64_t last) const;
   [[nodiscard]] bool follows(const motion::Curve& curve, std::uint64_t last) const;
   [[nodiscard]] std::uint64_t furthest(std::uint64_t last) const;

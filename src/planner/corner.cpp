@@ -48,7 +48,7 @@ double best_reach(const CornerTime& time, double most) {
 
 // Reach with which neither the turn nor the step of the second derivative asks more than the share
 // of acceleration and jerk at the feed.
-double CornerRounder::wanted_reach(const base::PathJet& end, const base::PathJet& begin,
+double CornerRounder::wanted_reach(const base::JointJet& end, const base::JointJet& begin,
                                    const Passage& passage) const {
   const AxisLimits& axis = limits_.axis_limits();
   const AxisVector turn = begin.first - end.first;
@@ -92,8 +92,8 @@ bool CornerRounder::stays_near(const Rounding& rounding, const motion::Curve& in
 // With limited jerk also the curvature must go on.
 std::optional<Rounding> CornerRounder::round(const motion::Curve& in, const motion::Curve& out,
                                              double reach, double tolerance) const {
-  const base::PathJet from = in.jet(in.length() - reach);
-  const base::PathJet to = out.jet(reach);
+  const base::TipJet from = in.jet(in.length() - reach);
+  const base::TipJet to = out.jet(reach);
   Rounding rounding{reach, limits_.jerk_limited()
                                ? motion::Curve::hermite(from, to, 2 * reach, axes_)
                                : motion::Curve::cubic(from, to, 2 * reach, axes_)};
@@ -103,8 +103,8 @@ std::optional<Rounding> CornerRounder::round(const motion::Curve& in, const moti
 
 Corner CornerRounder::between(const motion::Curve& in, const motion::Curve& out,
                               const Passage& passage) const {
-  const base::PathJet end = in.jet(in.length());
-  const base::PathJet begin = out.jet(0);
+  const base::TipJet end = in.jet(in.length());
+  const base::TipJet begin = out.jet(0);
   const double angle = norms_.larger(begin.first - end.first);
   const double bend = limits_.jerk_limited() ? norms_.larger(begin.second - end.second) : 0;
   if (angle < kSameDirection && bend < kSameDirection) return {};

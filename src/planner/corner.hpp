@@ -61,7 +61,7 @@ class CornerRounder {
                                const Passage& passage) const;
 
  private:
-  [[nodiscard]] double wanted_reach(const base::PathJet& end, const base::PathJet& begin,
+  [[nodiscard]] double wanted_reach(const base::JointJet& end, const base::JointJet& begin,
                                     const Passage& passage) const;
   [[nodiscard]] Corner best_of(const motion::Curve& in, const motion::Curve& out,
                                const CornerTime& time, double reach, double tolerance) const;

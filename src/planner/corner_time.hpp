@@ -26,8 +26,8 @@ class CornerTime {
  public:
   /// One of the two curves where they meet.
   struct Side {
-    base::PathJet tip;
-    base::PathJet driven;  ///< the same of the driven axes
+    base::TipJet tip;
+    base::JointJet driven;  ///< the same of the driven axes
     double length = 0;
     double feed = 0;
   };

@@ -30,8 +30,9 @@ bool Follower::can_follow(const motion::Curve& curve) {
   return true;
 }
 
-std::optional<base::PathJet> Follower::driven(const base::PathJet& tip) {
-  if (linkage_ == nullptr) return tip;
+std::optional<base::JointJet> Follower::driven(const base::TipJet& tip) {
+  if (linkage_ == nullptr)
+    return base::JointJet{base::JointPoint(tip.value.numbers()), tip.first, tip.second, tip.third};
   joints_ = linkage_->joints(tip.value, joints_);
   return linkage_->along(tip, joints_);
 }

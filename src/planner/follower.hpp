@@ -26,11 +26,11 @@ class Follower {
   /// Whether the driven axes can follow a curve, from near where they were asked about last.
   [[nodiscard]] bool can_follow(const motion::Curve& curve);
   /// Derivatives of the driven axes from those of the tip; nothing where they are not determined.
-  [[nodiscard]] std::optional<base::PathJet> driven(const base::PathJet& tip);
+  [[nodiscard]] std::optional<base::JointJet> driven(const base::TipJet& tip);
 
  private:
   const Linkage* linkage_;
-  base::AxisVector joints_;
+  base::JointPoint joints_;
 };
 
 }  // namespace kerf::planner

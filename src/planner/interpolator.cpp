@@ -176,7 +176,7 @@ bool Interpolator::next(motion::Setpoint& point) {
   return true;
 }
 
-base::AxisVector Interpolator::motion_end() const {
+base::TipPoint Interpolator::motion_end() const {
   if (path_.marks.empty()) return tip_;
   const PathMark& mark = path_.marks[path_.marks.begin()];
   const bool known = path_.pieces.begin() <= mark.piece && mark.piece < path_.pieces.end();

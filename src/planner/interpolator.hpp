@@ -49,8 +49,8 @@ class Interpolator final : public SetpointSource {
   [[nodiscard]] double time_s() const override {
     return static_cast<double>(tick_) * settings_.period_s;
   }
-  [[nodiscard]] const base::AxisVector& tip() const override { return tip_; }
-  [[nodiscard]] base::AxisVector motion_end() const override;
+  [[nodiscard]] const base::TipPoint& tip() const override { return tip_; }
+  [[nodiscard]] base::TipPoint motion_end() const override;
 
  private:
   /// Speed and acceleration along the path, and the place: an offset from the begin of a cell.
@@ -132,7 +132,7 @@ class Interpolator final : public SetpointSource {
   std::uint64_t cells_left_ = 0;  // that end within the section
 
   std::uint64_t tick_ = 0;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
   motion::Mark mark_;
 };
 

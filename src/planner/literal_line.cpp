@@ -8,8 +8,9 @@
 namespace kerf::planner {
 
 using base::AxisVector;
+using base::TipPoint;
 
-LiteralLine::LiteralLine(const AxisVector& from, const AxisVector& to, double step_mm,
+LiteralLine::LiteralLine(const TipPoint& from, const TipPoint& to, double step_mm,
                          const motion::AxisSetup& axes)
     : from_(from), to_(to), others_(to - from) {
   AxisVector in_plane;
@@ -37,10 +38,10 @@ LiteralLine::Chain LiteralLine::chain(const AxisVector& way, double step_mm) {
   return chain;
 }
 
-AxisVector LiteralLine::at(std::uint64_t n) const {
+TipPoint LiteralLine::at(std::uint64_t n) const {
   if (n >= count_) return to_;
   const auto steps = static_cast<double>(n);
-  AxisVector point;
+  TipPoint point;
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
     const double in_plane = plane_.step.values[m];
     const double up = height_.step.values[m];

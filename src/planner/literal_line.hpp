@@ -20,13 +20,13 @@ class LiteralLine {
  public:
   LiteralLine() = default;
   /// step_mm > 0.
-  LiteralLine(const base::AxisVector& from, const base::AxisVector& to, double step_mm,
+  LiteralLine(const base::TipPoint& from, const base::TipPoint& to, double step_mm,
               const motion::AxisSetup& axes);
 
   /// Number of points: the last one is the end, the start is none. 0: neither chain moves.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// 1 <= n <= count().
-  [[nodiscard]] base::AxisVector at(std::uint64_t n) const;
+  [[nodiscard]] base::TipPoint at(std::uint64_t n) const;
 
  private:
   /// Axes that step together, `step` of each.
@@ -36,7 +36,7 @@ class LiteralLine {
   };
   static Chain chain(const base::AxisVector& way, double step_mm);
 
-  base::AxisVector from_, to_;
+  base::TipPoint from_, to_;
   Chain plane_;
   Chain height_;
   base::AxisVector others_;  // the way of all other axes

@@ -9,7 +9,7 @@
 namespace kerf::planner {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 using motion::Motion;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ void PathBuilder::take(const Motion& motion) {
   if (motion.exact_stop) stop();
 }
 
-void PathBuilder::add_line(const Motion& motion, const AxisVector& to, const motion::Feed& feed) {
+void PathBuilder::add_line(const Motion& motion, const TipPoint& to, const motion::Feed& feed) {
   const double linear = norms_.mm(to - at_);
   const bool rotary_only = linear == 0;
   const double length = rotary_only ? norms_.degrees(to - at_) : linear;
@@ -119,7 +119,7 @@ void PathBuilder::add_rapid(const Motion& motion, const motion::Rapid& rapid) {
   rapid_ = false;
 }
 
-void PathBuilder::add_arc(const Motion& motion, const AxisVector& to, const motion::Feed& feed) {
+void PathBuilder::add_arc(const Motion& motion, const TipPoint& to, const motion::Feed& feed) {
   const auto curves = curves_.of(at_, motion);
   if (curves.empty()) return;
   if (rotary_only_) stop();
@@ -259,7 +259,7 @@ void PathBuilder::mark(double way, const motion::Mark& mark) {
   path_.marks.push({std::numeric_limits<std::uint64_t>::max(), way, mark});
 }
 
-void PathBuilder::clear(const AxisVector& at) {
+void PathBuilder::clear(const TipPoint& at) {
   at_ = at;
   chain_.start(at);
   is_open_ = rapid_ = false;

@@ -39,9 +39,9 @@ class PathBuilder {
   /// Something that was taken is not on the path yet.
   [[nodiscard]] bool keeps_back() const { return is_open_ || !chain_.empty(); }
   /// Where the last motion ended.
-  [[nodiscard]] const base::AxisVector& at() const { return at_; }
+  [[nodiscard]] const base::TipPoint& at() const { return at_; }
   /// Forgets what it keeps back; the next motion begins at `at`.
-  void clear(const base::AxisVector& at);
+  void clear(const base::TipPoint& at);
   void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }
   /// What the operator makes of spindle speeds, > 0; feeds per revolution follow from the next
   /// motion on.
@@ -59,9 +59,9 @@ class PathBuilder {
     std::uint64_t last_mark = 0;  // behind the marks of the curve
   };
 
-  void add_line(const motion::Motion& motion, const base::AxisVector& to, const motion::Feed& feed);
+  void add_line(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
   void add_rapid(const motion::Motion& motion, const motion::Rapid& rapid);
-  void add_arc(const motion::Motion& motion, const base::AxisVector& to, const motion::Feed& feed);
+  void add_arc(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
   void add_curves(std::span<const motion::Curve> curves, const motion::Mark& mark_of_last,
                   double speed, bool fixed_override);
   void add_dwell(const motion::Motion& motion, double seconds);
@@ -95,7 +95,7 @@ class PathBuilder {
   bool rapid_ = false;        // the curves are those of a rapid
   bool rotary_only_ = false;  // the parameter counts degrees
   std::uint64_t placed_ = 0;  // marks before this one know their cell
-  base::AxisVector at_;
+  base::TipPoint at_;
   double speed_rpm_ = 0;
   double spindle_override_ = 1;
   motion::Power power_;

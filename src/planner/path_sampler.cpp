@@ -11,6 +11,7 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 
 // The path as it is programmed: nothing is rounded, so no limit is ever asked.
 Settings without_tolerance(Settings settings) {
@@ -129,7 +130,7 @@ bool PathSampler::turns_in_place(const motion::Curve& curve) const {
   return true;
 }
 
-AxisVector PathSampler::tip_at(std::uint64_t step) const {
+TipPoint PathSampler::tip_at(std::uint64_t step) const {
   if (step == count_) return path_.pieces[last_piece_].curve.end();
   if (literally_) return literal_.at(step);
   double way = static_cast<double>(step) * step_;
@@ -146,7 +147,7 @@ double PathSampler::time_at(std::uint64_t step) const {
   return begin_s_ + (step == count_ ? length_s_ : static_cast<double>(step) * step_s_);
 }
 
-base::AxisVector PathSampler::motion_end() const {
+base::TipPoint PathSampler::motion_end() const {
   return under_way_ ? path_.pieces[last_piece_].curve.end() : tip_;
 }
 

@@ -29,8 +29,8 @@ class PathSampler final : public SetpointSource {
   [[nodiscard]] bool next(motion::Setpoint& point) override;
   void skip() override;
   [[nodiscard]] double time_s() const override { return time_s_; }
-  [[nodiscard]] const base::AxisVector& tip() const override { return tip_; }
-  [[nodiscard]] base::AxisVector motion_end() const override;
+  [[nodiscard]] const base::TipPoint& tip() const override { return tip_; }
+  [[nodiscard]] base::TipPoint motion_end() const override;
 
   void set_overrides(const Overrides& overrides) override { overrides_ = overrides; }
   void set_spindle_override(double factor) override { builder_.set_spindle_override(factor); }
@@ -64,7 +64,7 @@ class PathSampler final : public SetpointSource {
   [[nodiscard]] double way_of(const motion::Curve& curve) const;
   [[nodiscard]] double speed_of(const PathPiece& piece) const;
   [[nodiscard]] bool turns_in_place(const motion::Curve& curve) const;
-  [[nodiscard]] base::AxisVector tip_at(std::uint64_t step) const;
+  [[nodiscard]] base::TipPoint tip_at(std::uint64_t step) const;
   [[nodiscard]] double time_at(std::uint64_t step) const;
 
   motion::AxisSetup axes_;
@@ -93,7 +93,7 @@ class PathSampler final : public SetpointSource {
   std::uint64_t tick_ = 0;  // periods before it
   double begin_s_ = 0;      // its begin, where there is no period
   double time_s_ = 0;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
 };
 
 }  // namespace kerf::planner

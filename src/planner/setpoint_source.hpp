@@ -34,9 +34,9 @@ class SetpointSource {
   /// Time at the last point, s.
   [[nodiscard]] virtual double time_s() const = 0;
   /// The last point; where the axes stand at power-on, before there is one.
-  [[nodiscard]] virtual const base::AxisVector& tip() const = 0;
+  [[nodiscard]] virtual const base::TipPoint& tip() const = 0;
   /// Where the motion of the last point ends, as far as that is known: else the tip.
-  [[nodiscard]] virtual base::AxisVector motion_end() const = 0;
+  [[nodiscard]] virtual base::TipPoint motion_end() const = 0;
 
   // The operator. Each of these takes effect as soon as it breaks no limit: speeds change along the
   // path, which is not left.

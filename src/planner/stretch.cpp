@@ -8,7 +8,9 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
+using base::JointPoint;
+using base::TipJet;
 
 // What rounding makes of a joint, mm or degrees, where the last digit of the tip is one of its own.
 constexpr double kRounding = 1e-12;
@@ -32,19 +34,18 @@ bool agree(const Ends& f, double width, double hidden) {
   return std::fabs(change - promised) <= Stretch::kAgreement * most + hidden;
 }
 
-bool half_agrees(const PathJet& a, const PathJet& b, double width, std::size_t m, double hidden) {
-  const auto ends = [&](AxisVector PathJet::*value, AxisVector PathJet::*first,
-                        AxisVector PathJet::*second) {
+bool half_agrees(const JointJet& a, const JointJet& b, double width, std::size_t m, double hidden) {
+  const auto ends = [&](auto value, auto first, auto second) {
     return Ends{{(a.*value).values[m], (b.*value).values[m]},
                 {(a.*first).values[m], (b.*first).values[m]},
                 {(a.*second).values[m], (b.*second).values[m]}};
   };
-  return agree(ends(&PathJet::value, &PathJet::first, &PathJet::second), width, hidden) &&
-         agree(ends(&PathJet::first, &PathJet::second, &PathJet::third), width, hidden / width);
+  return agree(ends(&JointJet::value, &JointJet::first, &JointJet::second), width, hidden) &&
+         agree(ends(&JointJet::first, &JointJet::second, &JointJet::third), width, hidden / width);
 }
 
-bool thirds_agree(const PathJet& a, const PathJet& b, const PathJet& c, double width, std::size_t m,
-                  double hidden) {
+bool thirds_agree(const JointJet& a, const JointJet& b, const JointJet& c, double width,
+                  std::size_t m, double hidden) {
   const double p = a.third.values[m];
   const double q = b.third.values[m];
   const double r = c.third.values[m];
@@ -56,8 +57,8 @@ bool thirds_agree(const PathJet& a, const PathJet& b, const PathJet& c, double w
 
 }  // namespace
 
-JointSample Stretch::look_at(double at, const AxisVector& previous) const {
-  const PathJet tip = curve_.jet(at);
+JointSample Stretch::look_at(double at, const JointPoint& previous) const {
+  const TipJet tip = curve_.jet(at);
   JointSample sample{tip.value, linkage_.joints(tip.value, previous), {}};
   sample.rates = linkage_.along(tip, sample.joints);
   return sample;
@@ -78,9 +79,9 @@ bool Stretch::agrees() const {
 }
 
 bool Stretch::agrees_within(const AxisVector& hidden) const {
-  const PathJet& a = *samples_[0].rates;
-  const PathJet& b = *samples_[1].rates;
-  const PathJet& c = *samples_[2].rates;
+  const JointJet& a = *samples_[0].rates;
+  const JointJet& b = *samples_[1].rates;
+  const JointJet& c = *samples_[2].rates;
   for (std::size_t m = 0; m < linkage_.size(); ++m) {
     const double most = hidden.values[m];
     if (!half_agrees(a, b, length_ / 2, m, most) || !half_agrees(b, c, length_ / 2, m, most) ||
@@ -98,7 +99,7 @@ AxisVector Stretch::rounding() const {
   for (std::size_t m = 0; m < linkage_.size(); ++m)
     result.values[m] = kLastDigits * std::fabs(samples_[1].joints.values[m]);
   for (std::size_t axis = 0; axis < base::kMaxAxes; ++axis) {
-    PathJet tip;
+    TipJet tip;
     tip.value = samples_[1].tip;
     tip.first.values[axis] = rounding;
     const auto joints = linkage_.along(tip, samples_[1].joints);

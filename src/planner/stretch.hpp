@@ -14,9 +14,9 @@ namespace kerf::planner {
 /// Where the driven axes stand at a point of a curve, and their derivatives by its parameter;
 /// `rates` is nothing where these are not determined.
 struct JointSample {
-  base::AxisVector tip;
-  base::AxisVector joints;
-  std::optional<base::PathJet> rates;
+  base::TipPoint tip;
+  base::JointPoint joints;
+  std::optional<base::JointJet> rates;
 };
 
 /// What the driven axes do over a stretch of a curve, seen at its begin, its middle and its end.
@@ -45,7 +45,7 @@ class Stretch {
   /// Sees the curve from parameter `begin`, where `first` was seen, to `end`. The axes go on from
   /// `first`.
   void look(double begin, const JointSample& first, double end);
-  [[nodiscard]] JointSample look_at(double at, const base::AxisVector& previous) const;
+  [[nodiscard]] JointSample look_at(double at, const base::JointPoint& previous) const;
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const std::array<JointSample, 3>& samples() const { return samples_; }

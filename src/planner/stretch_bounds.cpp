@@ -8,7 +8,7 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::JointJet;
 
 /// The largest absolute value of what was seen.
 class Most {
@@ -47,7 +47,7 @@ class Range {
 // derivatives there; this much more is left to it.
 constexpr double kALittle = 1.02;
 
-double bound(const Stretch& stretch, AxisVector PathJet::*value, AxisVector PathJet::*rate,
+double bound(const Stretch& stretch, AxisVector JointJet::*value, AxisVector JointJet::*rate,
              std::size_t m) {
   Most most;
   for (const JointSample& sample : stretch.samples()) {
@@ -131,8 +131,8 @@ CellBounds bounds_of(const Stretch& stretch, const StretchBends& bends, double c
   const bool blind = !samples[0].rates && !samples[1].rates && !samples[2].rates;
   for (std::size_t m = 0; m < axes; ++m) {
     bounds.driven.first.values[m] = blind ? std::fabs(way.values[m]) / stretch.length()
-                                          : bound(stretch, &PathJet::first, &PathJet::second, m);
-    bounds.driven.second.values[m] = bound(stretch, &PathJet::second, &PathJet::third, m);
+                                          : bound(stretch, &JointJet::first, &JointJet::second, m);
+    bounds.driven.second.values[m] = bound(stretch, &JointJet::second, &JointJet::third, m);
     bounds.driven.third.values[m] = bound_of_third(stretch, m);
   }
   bounds.curvature = curvature;
@@ -140,7 +140,7 @@ CellBounds bounds_of(const Stretch& stretch, const StretchBends& bends, double c
   return bounds;
 }
 
-CellBounds bounds_at(const PathJet& rates, const LinkageBend& bend, const CellBounds& stretch) {
+CellBounds bounds_at(const JointJet& rates, const LinkageBend& bend, const CellBounds& stretch) {
   CellBounds bounds = stretch;
   bounds.linkage = bend;
   for (std::size_t m = 0; m < base::kMaxAxes; ++m) {

@@ -24,7 +24,7 @@ using StretchBends = std::array<LinkageBend, 3>;
                                    double curvature, std::size_t axes);
 
 /// The same at one sample of it, whose rates are determined; the rest is as in `stretch`.
-[[nodiscard]] CellBounds bounds_at(const base::PathJet& rates, const LinkageBend& bend,
+[[nodiscard]] CellBounds bounds_at(const base::JointJet& rates, const LinkageBend& bend,
                                    const CellBounds& stretch);
 
 }  // namespace kerf::planner

@@ -32,7 +32,7 @@ CutRecorder::CutRecorder(const machine::MachineDefinition& machine, Process proc
     if (machine.axes.axes[m].rotary) rotary_.push_back(m);
 }
 
-Vec3 CutRecorder::in_work(const base::AxisVector& at) const {
+Vec3 CutRecorder::in_work(const base::TipPoint& at) const {
   return Vec3{at.values[linear_[0]], at.values[linear_[1]], at.values[linear_[2]]} - zero_;
 }
 
@@ -56,8 +56,8 @@ void CutRecorder::take(const motion::Motion& motion) {
 }
 
 void CutRecorder::move(const motion::Motion& motion) {
-  const base::AxisVector end = *motion::target_of(motion);
-  base::AxisVector from = at_;
+  const base::TipPoint end = *motion::target_of(motion);
+  base::TipPoint from = at_;
   if (is_rapid(motion)) {
     strokes_.push_back({in_work(at_), in_work(end), motion.file, motion.line, cuts_.size()});
   } else {
@@ -69,14 +69,14 @@ void CutRecorder::move(const motion::Motion& motion) {
   at_ = end;
 }
 
-void CutRecorder::feed_along(const motion::Curve& curve, const base::AxisVector& begin,
+void CutRecorder::feed_along(const motion::Curve& curve, const base::TipPoint& begin,
                              const motion::Motion& motion) {
   fed_mm_ += curve.length();
   if (is_full()) return full_();
   const double pieces = std::max(1.0, std::ceil(curve.length() / kPiece_mm));
   Vec3 from = in_work(begin);
   for (double i = 1; i <= pieces; ++i) {
-    const base::AxisVector at = curve.at(curve.length() * (i / pieces));
+    const base::TipPoint at = curve.at(curve.length() * (i / pieces));
     const Vec3 to = in_work(at);
     if (cuts(from, to)) {
       for (std::size_t r = 0; r < rotary_.size(); ++r) with_.rotary_deg[r] = at.values[rotary_[r]];

@@ -35,10 +35,10 @@ class CutRecorder : public motion::MotionSink {
 
  private:
   void move(const motion::Motion& motion);
-  void feed_along(const motion::Curve& curve, const base::AxisVector& from,
+  void feed_along(const motion::Curve& curve, const base::TipPoint& from,
                   const motion::Motion& motion);
   [[nodiscard]] bool cuts(geometry::Vec3 from, geometry::Vec3 to) const;
-  [[nodiscard]] geometry::Vec3 in_work(const base::AxisVector& at) const;
+  [[nodiscard]] geometry::Vec3 in_work(const base::TipPoint& at) const;
 
   Process process_;
   geometry::Vec3 zero_;
@@ -47,7 +47,7 @@ class CutRecorder : public motion::MotionSink {
   motion::MoveCurves curves_;
   std::array<std::size_t, 3> linear_{};
   std::vector<std::size_t> rotary_;
-  base::AxisVector at_;
+  base::TipPoint at_;
   CutWith with_;
   std::vector<Cut> cuts_;
   std::vector<Stroke> strokes_;

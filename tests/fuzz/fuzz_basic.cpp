@@ -30,7 +30,7 @@ class Trace : public motion::MotionSink {
  public:
   void take(const motion::Motion& motion) override {
     ++motions;
-    if (const base::AxisVector* const to = motion::target_of(motion)) {
+    if (const base::TipPoint* const to = motion::target_of(motion)) {
       for (const double value : to->values) {
         require(std::isfinite(value));
         sum = sum * 0.5 + value;

@@ -60,8 +60,8 @@ TEST(Jog, OfALinkageEndsWhereItsJointsEnd) {
     const Status status = bench.settle();
     EXPECT_TRUE(status == Status::alarm) << name;
     const auto kinematics = bench->definition().make_kinematics();
-    const base::AxisVector joints = bench.now().joints;
-    const base::AxisVector tip = kinematics->forward(joints);
+    const base::JointPoint joints = bench.now().joints;
+    const base::TipPoint tip = kinematics->forward(joints);
     for (std::size_t i = 0; i < bench->definition().axes.count(); ++i)
       EXPECT_NEAR(tip.values[i], bench.now().machine.values[i], 1e-6) << name;
     bench->reset();

@@ -391,7 +391,7 @@ class Weak : public motion::AxisPointSink {
     raised = true;
     bench_->raise(base::make_error(base::Code::step_rate, {}, "too fast"));
   }
-  base::AxisVector at;
+  base::JointPoint at;
   bool raised = false;
 
  private:

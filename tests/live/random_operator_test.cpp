@@ -45,13 +45,13 @@ class LimitCheck : public motion::AxisPointSink {
 
   double worst_speed = 0;
   double worst_acceleration = 0;
-  [[nodiscard]] const base::AxisVector& at() const { return last_; }
+  [[nodiscard]] const base::JointPoint& at() const { return last_; }
 
  private:
   planner::AxisLimits limits_;
   std::size_t axes_;
   double period_s_;
-  base::AxisVector last_;
+  base::JointPoint last_;
   base::AxisVector speed_;
   double time_s_ = 0;
   int seen_ = 0;

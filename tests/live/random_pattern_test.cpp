@@ -36,11 +36,11 @@ class TravelCheck : public motion::AxisPointSink {
     last_ = point.joints;
     time_s_ = point.tip.time_s;
   }
-  [[nodiscard]] const base::AxisVector& at() const { return last_; }
+  [[nodiscard]] const base::JointPoint& at() const { return last_; }
 
  private:
   machine::MachineDefinition machine_;
-  base::AxisVector last_;
+  base::JointPoint last_;
   double time_s_ = 0;
   bool may_jump_ = false;
 };

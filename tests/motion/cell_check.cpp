@@ -11,6 +11,7 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
 using planner::Cell;
 
 constexpr int kPlaces = 37;
@@ -52,7 +53,7 @@ class CellCheck {
     if (cell.dwell_s > 0) return;
     const motion::Curve& curve = path_.pieces[cell.piece].curve;
     for (int i = 0; i <= kPlaces; ++i) {
-      const base::PathJet tip = curve.jet(cell.begin + cell.length() * i / kPlaces);
+      const base::TipJet tip = curve.jet(cell.begin + cell.length() * i / kPlaces);
       joints_ = linkage_.joints(tip.value, joints_);
       const auto rates = linkage_.along(tip, joints_);
       if (!rates) return tell("singular", cell, 0, 0, 0);
@@ -87,7 +88,7 @@ class CellCheck {
   planner::PathBuilder builder_;
   planner::CellMaker maker_;
   planner::Ring<Cell> cells_{planner::CellMaker::kCells};
-  AxisVector joints_;
+  JointPoint joints_;
   std::string problem_;
 };
 

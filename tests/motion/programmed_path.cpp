@@ -13,13 +13,14 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec2;
 using geometry::Vec3;
 
 // More motions than a period passes.
 constexpr std::size_t kFar = 400;
 
-double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisVector& b) {
+double distance_to_segment(const TipPoint& p, const AxisVector& a, const AxisVector& b) {
   double dot = 0;
   double square = 0;
   for (std::size_t m = 0; m < 3; ++m) {
@@ -39,7 +40,7 @@ double distance_to_segment(const AxisVector& p, const AxisVector& a, const AxisV
 /// A programmed arc as a function of the part of it that is behind, 0 to 1.
 class ProgrammedArc {
  public:
-  ProgrammedArc(const AxisVector& from, const motion::Arc& arc, const motion::AxisSetup& axes)
+  ProgrammedArc(const TipPoint& from, const motion::Arc& arc, const motion::AxisSetup& axes)
       : from_(from), arc_(arc), plane_(*motion::plane_axes(arc.plane, axes)) {
     const bool clockwise = arc.direction == motion::Direction::clockwise;
     const Vec2 start = plane_.project(from) - centre();
@@ -52,7 +53,7 @@ class ProgrammedArc {
     end_radius_ = length(plane_.project(arc.to) - centre());
   }
 
-  [[nodiscard]] double distance(const AxisVector& p) const {
+  [[nodiscard]] double distance(const TipPoint& p) const {
     const Vec2 here = plane_.project(p) - centre();
     double least = std::numeric_limits<double>::infinity();
     for (int turn = -2; turn <= 2; ++turn) {
@@ -62,7 +63,7 @@ class ProgrammedArc {
     return least;
   }
   /// The same for steep helices, whose nearest point lies at another angle.
-  [[nodiscard]] double searched_distance(const AxisVector& p) const {
+  [[nodiscard]] double searched_distance(const TipPoint& p) const {
     constexpr int kPlaces = 2000;
     int best = 0;
     for (int i = 1; i <= kPlaces; ++i) {
@@ -80,7 +81,7 @@ class ProgrammedArc {
 
  private:
   [[nodiscard]] Vec2 centre() const { return {arc_.center[0], arc_.center[1]}; }
-  [[nodiscard]] double distance_at(const AxisVector& p, double part) const {
+  [[nodiscard]] double distance_at(const TipPoint& p, double part) const {
     const double radius = radius_ + (end_radius_ - radius_) * part;
     const double at = angle_ + part * sweep_;
     const Vec2 on{radius * std::cos(at), radius * std::sin(at)};
@@ -89,7 +90,7 @@ class ProgrammedArc {
     return std::hypot(length(plane_.project(p) - centre() - on), p[normal] - height);
   }
 
-  AxisVector from_;
+  TipPoint from_;
   const motion::Arc& arc_;
   motion::PlaneAxes plane_;
   double sweep_ = 0;
@@ -98,9 +99,9 @@ class ProgrammedArc {
   double end_radius_ = 0;
 };
 
-Vec3 place_of(const AxisVector& p) { return {p.values[0], p.values[1], p.values[2]}; }
+Vec3 place_of(const TipPoint& p) { return {p.values[0], p.values[1], p.values[2]}; }
 
-double distance_to(const AxisVector& p, const AxisVector& from, const motion::SpaceArc& arc) {
+double distance_to(const TipPoint& p, const TipPoint& from, const motion::SpaceArc& arc) {
   const auto circle =
       *geometry::SpaceArc::through(place_of(from), place_of(arc.via), place_of(arc.to));
   const Vec3 at = place_of(p) - circle.centre();
@@ -116,7 +117,7 @@ double distance_to(const AxisVector& p, const AxisVector& from, const motion::Sp
 
 // The motion that the point says it belongs to and its neighbours first, by both ways: the others
 // are many, and the search for the nearest place of a steep helix is slow.
-bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double most_mm,
+bool ProgrammedPath::is_near(const TipPoint& tip, std::uint32_t line, double most_mm,
                              double& distance_mm) const {
   distance_mm = std::numeric_limits<double>::infinity();
   std::size_t begin = line;
@@ -138,13 +139,13 @@ bool ProgrammedPath::is_near(const AxisVector& tip, std::uint32_t line, double m
   return distance_mm <= most_mm;
 }
 
-double ProgrammedPath::distance(const AxisVector& tip, std::size_t line, Way way) const {
+double ProgrammedPath::distance(const TipPoint& tip, std::size_t line, Way way) const {
   const motion::Motion& motion = path_.motions[line - 1];
   const auto* const rapid = std::get_if<motion::Rapid>(&motion.action);
   if (rapid != nullptr && !rapid->linear) return 0;  // only its end is promised
-  const AxisVector* const to = motion::target_of(motion);
+  const TipPoint* const to = motion::target_of(motion);
   if (to == nullptr) return std::numeric_limits<double>::infinity();
-  const AxisVector from = start_of(line - 1);
+  const TipPoint from = start_of(line - 1);
   if (const auto* const arc = std::get_if<motion::Arc>(&motion.action)) {
     const ProgrammedArc programmed(from, *arc, path_.axes);
     return way == Way::quick ? programmed.distance(tip) : programmed.searched_distance(tip);
@@ -155,9 +156,9 @@ double ProgrammedPath::distance(const AxisVector& tip, std::size_t line, Way way
   return distance_to_segment(tip, from, *to);
 }
 
-AxisVector ProgrammedPath::start_of(std::size_t motion) const {
+TipPoint ProgrammedPath::start_of(std::size_t motion) const {
   while (motion-- > 0) {
-    if (const AxisVector* const to = motion::target_of(path_.motions[motion])) return *to;
+    if (const TipPoint* const to = motion::target_of(path_.motions[motion])) return *to;
   }
   return path_.axes.start;
 }

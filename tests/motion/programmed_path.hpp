@@ -13,15 +13,15 @@ class ProgrammedPath {
 
   /// Whether a tip is within `most_mm` of the programmed path near the motion of `line`; otherwise
   /// how far it is from there.
-  [[nodiscard]] bool is_near(const base::AxisVector& tip, std::uint32_t line, double most_mm,
+  [[nodiscard]] bool is_near(const base::TipPoint& tip, std::uint32_t line, double most_mm,
                              double& distance_mm) const;
-  [[nodiscard]] base::AxisVector end() const { return start_of(path_.motions.size()); }
+  [[nodiscard]] base::TipPoint end() const { return start_of(path_.motions.size()); }
 
  private:
   enum class Way : std::uint8_t { quick, searched };
 
-  [[nodiscard]] double distance(const base::AxisVector& tip, std::size_t line, Way way) const;
-  [[nodiscard]] base::AxisVector start_of(std::size_t motion) const;
+  [[nodiscard]] double distance(const base::TipPoint& tip, std::size_t line, Way way) const;
+  [[nodiscard]] base::TipPoint start_of(std::size_t motion) const;
 
   const RandomPath& path_;
 };

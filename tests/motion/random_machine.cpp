@@ -45,7 +45,7 @@ Settings random_settings(kinematics::Kind kind, SeededRandom& random) {
 
 }  // namespace
 
-bool RandomMachine::allows(const base::AxisVector& tip) const {
+bool RandomMachine::allows(const base::TipPoint& tip) const {
   if (most_radius_mm == 0) return true;
   const double radius = std::hypot(tip.values[0], tip.values[1]);
   return radius > least_radius_mm && radius < most_radius_mm;

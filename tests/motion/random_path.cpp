@@ -12,6 +12,7 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec3;
 using motion::Motion;
 
@@ -55,7 +56,7 @@ class Writer {
     motion.action = action;
     if (!stays_in_workspace(motion)) return false;
     path_.motions.push_back(motion);
-    if (const AxisVector* const to = motion::target_of(motion)) at_ = *to;
+    if (const TipPoint* const to = motion::target_of(motion)) at_ = *to;
     return true;
   }
   [[nodiscard]] bool stays_in_workspace(const Motion& motion) const {
@@ -71,11 +72,11 @@ class Writer {
     });
   }
   [[nodiscard]] motion::Feed feed() const { return {feed_, motion::FeedMode::per_minute}; }
-  void line_to(const AxisVector& to) {
+  void line_to(const TipPoint& to) {
     if (to != at_) add(motion::Line{to, feed()});
   }
-  AxisVector near(double distance) {
-    AxisVector to = at_;
+  TipPoint near(double distance) {
+    TipPoint to = at_;
     for (std::size_t m = 0; m < 3; ++m) {
       if (random_.count(0, 3) > 0) to.values[m] += random_.in(-distance, distance);
     }
@@ -83,28 +84,28 @@ class Writer {
   }
 
   void rapid() {
-    const AxisVector to = near(random_.size(0.01, 50));
+    const TipPoint to = near(random_.size(0.01, 50));
     if (to != at_) add(motion::Rapid{to, random_.coin()});
   }
   void lines(int count, double size) {
     for (int i = 0; i < count; ++i) line_to(near(size));
   }
   void back_and_forth(int count, double most) {
-    const AxisVector there = near(random_.size(0.001, 0.5) * most);
-    const AxisVector here = at_;
+    const TipPoint there = near(random_.size(0.001, 0.5) * most);
+    const TipPoint here = at_;
     for (int i = 0; i < count; ++i) {
       line_to(there);
       line_to(here);
     }
   }
   void turn() {
-    AxisVector to = at_;
+    TipPoint to = at_;
     for (std::size_t m = 3; m < path_.axes.count(); ++m) to.values[m] += random_.in(-90, 90);
     line_to(to);
   }
   void five_axis(int count, double most) {
     for (int i = 0; i < count; ++i) {
-      AxisVector to = near(random_.size(0.01, 1) * most);
+      TipPoint to = near(random_.size(0.01, 1) * most);
       for (std::size_t m = 3; m < path_.axes.count(); ++m)
         to.values[m] += random_.size(0.001, 60) * (random_.coin() ? 1 : -1);
       line_to(to);
@@ -142,7 +143,7 @@ class Writer {
     const double sweep = random_.in(0.1, 6.1);
     const auto point = [&](double angle) {
       const Vec3 at = centre + radius * (std::cos(angle) * e1 + std::sin(angle) * e2);
-      AxisVector to = at_;
+      TipPoint to = at_;
       to.values[0] = at.x;
       to.values[1] = at.y;
       to.values[2] = at.z;
@@ -186,7 +187,7 @@ class Writer {
 
   // A wavy curve as a CAM system writes it: points with a rounded last digit.
   void curve(int points, double most) {
-    const AxisVector from = at_;
+    const TipPoint from = at_;
     const double step = random_.size(0.01, 2) * most / points;
     const double wave = random_.size(20, 1000) * step;
     const double height = random_.in(0, 0.2) * wave;
@@ -195,7 +196,7 @@ class Writer {
     for (int i = 1; i <= points; ++i) {
       const double x = i * step;
       const double y = height * std::sin(x / wave);
-      AxisVector to = from;
+      TipPoint to = from;
       to.values[0] += x * std::cos(heading) - y * std::sin(heading);
       to.values[1] += x * std::sin(heading) + y * std::cos(heading);
       to.values[2] += y / 2;
@@ -206,7 +207,7 @@ class Writer {
 
   RandomPath& path_;
   SeededRandom& random_;
-  AxisVector at_;
+  TipPoint at_;
   double feed_ = 1000;
 };
 

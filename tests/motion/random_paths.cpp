@@ -23,6 +23,8 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 
 // Relative excess that is allowed over a limit, and what the differences lose to rounding: a point
 // of 100 mm is known to 1.4e-14, its third difference over (1 ms)³ to some 1e-4 mm/s³.
@@ -33,7 +35,7 @@ class Checker {
   Checker(const RandomPath& path, bool with_operator, unsigned seed)
       : path_(path), programmed_(path), operator_(with_operator), random_(seed) {
     tip_ = path.axes.start;
-    joints_.fill(path.machine ? path.machine->joints : tip_);
+    joints_.fill(path.machine ? path.machine->joints : base::JointPoint(tip_.numbers()));
     if (path.machine)
       linkage_ = std::make_unique<machine::JointLinkage>(*path.machine->kinematics, joints_[0]);
   }
@@ -51,7 +53,7 @@ class Checker {
     drain(interpolator);
     if (was_reset_) go_on(interpolator);
     if (!operator_) slower_ = is_slower_than_with_stops(interpolator.time_s());
-    const AxisVector end = was_reset_ ? new_end_ : programmed_.end();
+    const TipPoint end = was_reset_ ? new_end_ : programmed_.end();
     if (problem_.empty() && !(tip_ == end)) tell("the end is not exact");
     return problem_;
   }
@@ -103,7 +105,7 @@ class Checker {
   void held(planner::Interpolator& interpolator) {
     motion::Setpoint point;
     for (int i = random_.count(1, 5); i > 0 && interpolator.next(point); --i) {
-      const AxisVector before = tip_;
+      const TipPoint before = tip_;
       check(point);
       if (!(tip_ == before)) tell("no rest while the feed is held");
     }
@@ -128,7 +130,8 @@ class Checker {
 
   void check(const motion::Setpoint& point) {
     std::copy_backward(joints_.begin(), joints_.end() - 1, joints_.end());
-    tip_ = joints_[0] = point.tip;
+    tip_ = point.tip;
+    joints_[0] = base::JointPoint(tip_.numbers());
     if (linkage_) follow(point.tip);
     ++rows_;
     line_ = point.mark.line;
@@ -150,7 +153,7 @@ class Checker {
     return line_ != line_before_ || !std::holds_alternative<motion::Line>(action);
   }
 
-  void follow(const AxisVector& tip) {
+  void follow(const TipPoint& tip) {
     const auto joints = path_.machine->kinematics->inverse(tip, joints_[1]);
     if (!joints) return tell("no joints hold the tip");
     joints_[0] = *joints;
@@ -160,15 +163,16 @@ class Checker {
   void between(double most) {
     constexpr int kPlaces = 8;
     for (int i = 1; i < kPlaces; ++i) {
-      AxisVector joints = joints_[1];
+      JointPoint joints = joints_[1];
       for (std::size_t m = 0; m < base::kMaxAxes; ++m)
         joints.values[m] += (joints_[0].values[m] - joints_[1].values[m]) * i / kPlaces;
-      const AxisVector tip = linkage_ ? path_.machine->kinematics->forward(joints) : joints;
+      const TipPoint tip =
+          linkage_ ? path_.machine->kinematics->forward(joints) : TipPoint(joints.numbers());
       near_path(tip, most, "off the path between points");
     }
   }
 
-  void near_path(const AxisVector& tip, double most, const char* what) {
+  void near_path(const TipPoint& tip, double most, const char* what) {
     double off = 0;
     if (!programmed_.is_near(tip, line_, most, off)) tell(what, off, most);
   }
@@ -192,7 +196,7 @@ class Checker {
   [[nodiscard]] double error_of(std::size_t m) const {
     double error = kPointError_mm;
     for (std::size_t axis = 0; linkage_ && axis < 2; ++axis) {
-      base::PathJet tip;
+      base::TipJet tip;
       tip.value = tip_;
       tip.first.values[axis] = 1;
       if (const auto jet = linkage_->along(tip, joints_[0]))
@@ -212,15 +216,15 @@ class Checker {
   const RandomPath& path_;
   ProgrammedPath programmed_;
   std::unique_ptr<planner::Linkage> linkage_;
-  AxisVector tip_;
-  std::array<AxisVector, 4> joints_{};  // the newest first
+  TipPoint tip_;
+  std::array<JointPoint, 4> joints_{};  // the newest first
   bool operator_;
   SeededRandom random_;
   std::uint64_t wishes_ = 0;
   bool was_reset_ = false;
   bool slower_ = false;
   bool off_path_ = false;
-  AxisVector new_end_;
+  TipPoint new_end_;
   std::uint64_t rows_ = 0;
   std::uint32_t line_ = 0;
   std::uint32_t line_before_ = 0;

@@ -196,7 +196,7 @@ TEST(PathPlot, DiametersAreDrawnInTrueShapeAndNamedAsDiameters) {
 TEST(PathPlot, RotaryAxesAreNotDrawn) {
   PathPlot plain(axes("XYZ"), ""), turning(axes("XYZA"), "");
   plain.take(line(10, 10, 0));
-  base::AxisVector to = at(10, 10, 0);
+  base::TipPoint to = at(10, 10, 0);
   to.values[3] = 90;
   turning.take(motion(motion::Line{to, {}}));
   EXPECT_EQ(plain.svg(), turning.svg());

@@ -97,7 +97,7 @@ TEST(PathRecorder, AnArcInAPlaneTheMachineLacksIsItsChord) {
 }
 
 // From where the tool stands through `via` to `to`.
-motion::SpaceArc space_arc(const base::AxisVector& via, const base::AxisVector& to) {
+motion::SpaceArc space_arc(const base::TipPoint& via, const base::TipPoint& to) {
   return {.to = to, .via = via, .feed = {}};
 }
 

@@ -27,7 +27,7 @@ inline motion::Motion motion(const motion::Motion::Action& action) {
 }
 
 // Of a machine whose axes are X, Y and Z, or, with two coordinates, X and Z.
-inline base::AxisVector at(double a, double b, double c = 0) { return {{a, b, c}}; }
+inline base::TipPoint at(double a, double b, double c = 0) { return {{a, b, c}}; }
 
 inline motion::Motion rapid(double x, double y, double z = 0) {
   return motion(motion::Rapid{at(x, y, z)});

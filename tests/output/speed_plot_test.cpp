@@ -279,7 +279,7 @@ class Sheet {
   struct Forward {
     PathPlot& plot;
     void operator()(const motion::Setpoint& point) const {
-      plot.take(motion::AxisPoint{point, point.tip});
+      plot.take(motion::AxisPoint{point, base::JointPoint(point.tip.numbers())});
     }
   };
   Machine<Forward> machine_{Forward{plot}};
@@ -337,7 +337,7 @@ TEST(SpeedPlot, ALatheIsDrawnInItsPlane) {
   PathPlot plot(axes("XZ"), "lathe", PlotColors::speeds, XMeasure::diameter);
   plot.start({});
   Machine machine([&](const motion::Setpoint& point) {
-    plot.take(motion::AxisPoint{point, point.tip});
+    plot.take(motion::AxisPoint{point, base::JointPoint(point.tip.numbers())});
     plot.take(motion(motion::Line{point.tip, {}}));
   });
   machine.move(1, [](double time_s) { return at(40 * time_s, -15 * time_s); });  // 25 mm/s

@@ -26,8 +26,8 @@ struct RunResult {
   std::vector<motion::Motion> motions{};
   double cut_mm = 0;
   double seconds = 0;
-  base::AxisVector low{};
-  base::AxisVector high{};
+  base::TipPoint low{};
+  base::TipPoint high{};
   base::AxisVector position{};
 };
 

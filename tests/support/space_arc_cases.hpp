@@ -25,7 +25,7 @@ inline motion::AxisSetup five_axes() {
 /// Arcs worked by hand: where they start, pass and end (X Y Z A C), and their circle.
 struct SpaceArcCase {
   const char* name;
-  base::AxisVector from, via, to;
+  base::TipPoint from, via, to;
   geometry::Vec3 centre;
   double radius;
   geometry::Vec3 normal;
@@ -39,7 +39,7 @@ struct SpaceArcCase {
     return {.to = from, .via = via, .second_via = to, .feed = {feed_mm_min}, .full_circle = true};
   }
   /// How far a tip is from the whole circle.
-  [[nodiscard]] double distance_mm(const base::AxisVector& tip) const {
+  [[nodiscard]] double distance_mm(const base::TipPoint& tip) const {
     const geometry::Vec3 arm = geometry::Vec3{tip.values[0], tip.values[1], tip.values[2]} - centre;
     const double height = dot(arm, normal);
     return std::hypot(height, length(arm - height * normal) - radius);

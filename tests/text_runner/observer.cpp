@@ -21,7 +21,7 @@ const char* plane_name(Plane plane) {
 struct Describe {
   const AxisSetup& axes;
 
-  std::string target(const base::AxisVector& to) const {
+  std::string target(const base::TipPoint& to) const {
     std::string text;
     for (std::size_t i = 0; i < axes.count(); ++i)
       text += std::string(" ") + axes.axes[i].letter + number(to.values[i]);
@@ -127,7 +127,7 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
     return near(feed, value_of(word, 1)) ? "" : "its feed differs";
   }
   const auto axis = axes.find(word[0]);
-  const base::AxisVector* const to = target_of(motion);
+  const base::TipPoint* const to = target_of(motion);
   if (!axis || to == nullptr) return "there is no axis " + word.substr(0, 1);
   return near((*to)[*axis], value_of(word, 1)) ? "" : word.substr(0, 1) + " differs";
 }

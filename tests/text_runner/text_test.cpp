@@ -245,11 +245,11 @@ void TextTest::check_moves() {
 void TextTest::check_counts() {
   std::map<std::string, std::size_t> counts;
   double lines_mm = 0;
-  base::AxisVector from = machine_->definition().axes.start;
+  base::TipPoint from = machine_->definition().axes.start;
   for (const Observed& item : recorder_->observed()) {
     if (!item.moves) continue;
     ++counts[item.text.substr(0, item.text.find(' '))];
-    const base::AxisVector to = *motion::target_of(item.motion);
+    const base::TipPoint to = *motion::target_of(item.motion);
     const base::AxisVector way = to - from;
     if (std::holds_alternative<motion::Line>(item.motion.action))
       lines_mm += std::hypot(way.values[0], way.values[1], way.values[2]);

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/axes.hpp"
 #include "base/diagnostic.hpp"
 #include "base/place.hpp"
+#include "base/point.hpp"
 #include "control/core/assumptions.hpp"
 
 namespace kerf::control {
@@ -95,7 +95,7 @@ class Control {
   [[nodiscard]] virtual std::uint64_t blocks() const = 0;
 
   /// Machine coordinates of all axes, tool length included.
-  [[nodiscard]] virtual base::AxisVector machine_position() const = 0;
+  [[nodiscard]] virtual base::MachinePoint machine_position() const = 0;
   /// What of them is the tool's length.
   [[nodiscard]] virtual base::AxisVector tool_length() const = 0;
   /// Where the zero of the active work coordinate system lies.
@@ -103,7 +103,7 @@ class Control {
 
   /// The tool stands at `tip` (machine coordinates without tool length), where it was brought by
   /// hand. Precondition: can_be_moved().
-  virtual void stand_at(const base::AxisVector& tip) = 0;
+  virtual void stand_at(const base::TipPoint& tip) = 0;
   /// Nothing that was commanded waits for the next block: cutter compensation, a corner.
   [[nodiscard]] virtual bool can_be_moved() const = 0;
 

@@ -28,7 +28,7 @@ class Outlet {
 
   /// A motion that begins with the tip at `from`; `place` is that of its block, null for the
   /// executing one. False: it was refused.
-  [[nodiscard]] bool let_out(const motion::Motion& motion, const base::AxisVector& from,
+  [[nodiscard]] bool let_out(const motion::Motion& motion, const base::TipPoint& from,
                              const base::Place* place = nullptr) {
     closed_ = closed_ || !admits(motion, from, Surroundings::Intent::make, place);
     if (closed_) return false;
@@ -36,15 +36,15 @@ class Outlet {
     return true;
   }
   /// Whether a move of the executing block could be made. False: an alarm was raised.
-  [[nodiscard]] bool admits(const motion::Motion& motion, const base::AxisVector& from) {
+  [[nodiscard]] bool admits(const motion::Motion& motion, const base::TipPoint& from) {
     return admits(motion, from, Surroundings::Intent::ask, nullptr);
   }
   /// Open again.
   void reset() { closed_ = false; }
 
  private:
-  bool admits(const motion::Motion& motion, const base::AxisVector& from,
-              Surroundings::Intent intent, const base::Place* place) {
+  bool admits(const motion::Motion& motion, const base::TipPoint& from, Surroundings::Intent intent,
+              const base::Place* place) {
     if (motion::target_of(motion) == nullptr) return true;
     auto refusal = strokes_ != nullptr ? strokes_->refusal(from, motion) : std::nullopt;
     if (!refusal && machine_ == Machine::is_asked)

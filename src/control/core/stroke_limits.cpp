@@ -7,8 +7,8 @@ namespace kerf::control {
 namespace {
 
 using base::Axis;
-using base::AxisVector;
 using base::Code;
+using base::TipPoint;
 
 // Beyond a limit by no more than this counts as on it, as with joints.
 constexpr double kOnLimit = 1e-9;
@@ -27,7 +27,7 @@ std::optional<Refusal> StrokeLimits::refusal(Axis axis, double target) const {
                      base::number_text(high ? config.travel_max : config.travel_min)};
 }
 
-std::optional<Refusal> StrokeLimits::refusal(const AxisVector& from,
+std::optional<Refusal> StrokeLimits::refusal(const TipPoint& from,
                                              const motion::Motion& move) const {
   if (!on_ || motion::target_of(move) == nullptr) return {};
   const motion::MotionExtent extent = motion::extent_of(axes_, from, move);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 #include "control/core/surroundings.hpp"
 #include "motion/axis_setup.hpp"
 #include "motion/motion.hpp"
@@ -22,7 +22,7 @@ class StrokeLimits {
   [[nodiscard]] std::optional<Refusal> refusal(base::Axis axis, double target) const;
   /// The same of every place of a move that begins at `from`, bulges of arcs too: the first axis
   /// that would go beyond a limit. An axis that is beyond one may stay there or come back.
-  [[nodiscard]] std::optional<Refusal> refusal(const base::AxisVector& from,
+  [[nodiscard]] std::optional<Refusal> refusal(const base::TipPoint& from,
                                                const motion::Motion& move) const;
 
  private:

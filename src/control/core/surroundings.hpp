@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/axes.hpp"
 #include "base/diagnostic_code.hpp"
+#include "base/point.hpp"
 #include "motion/motion.hpp"
 
 namespace kerf::control {
@@ -39,14 +39,14 @@ class Surroundings {
   };
   /// Why the machine cannot make this move from `from`, where the last one made ended; or nothing.
   /// Asked before every move that leaves the control, if AxisSetup::linked.
-  [[nodiscard]] virtual std::optional<Refusal> refusal(const base::AxisVector& from,
+  [[nodiscard]] virtual std::optional<Refusal> refusal(const base::TipPoint& from,
                                                        const motion::Motion& move,
                                                        Intent intent) = 0;
 
-  /// Where along a probing move from `from` to `to` (machine coordinates) the skip signal comes on:
+  /// Where along a probing move from `from` to `to` the skip signal comes on:
   /// a fraction of its length, or nothing.
-  [[nodiscard]] virtual std::optional<double> contact(const base::AxisVector& from,
-                                                      const base::AxisVector& to) = 0;
+  [[nodiscard]] virtual std::optional<double> contact(const base::MachinePoint& from,
+                                                      const base::MachinePoint& to) = 0;
 
   /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
   [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;

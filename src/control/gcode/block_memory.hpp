@@ -33,7 +33,8 @@ class BlockMemory {
   static void settle(State& state) {
     if (state.path.holds_moves()) state.modal.set(Meaning::compensation_off);
     state.path.reset();
-    if (state.coordinates.path() != state.path.tip()) state.coordinates.arrive_at(state.path.tip());
+    const base::PathPoint at(state.path.tip().numbers());
+    if (state.coordinates.path() != at) state.coordinates.arrive_at(at);
   }
 
  private:

@@ -80,13 +80,13 @@ void GcodeControl::reset() {
   if (!parameters_.keep_commons) state_.memory.clear_volatile();
 }
 
-base::AxisVector GcodeControl::machine_position() const {
-  return state_.path.tip() + state_.coordinates.length();
+base::MachinePoint GcodeControl::machine_position() const {
+  return state_.coordinates.machine_of(state_.path.tip());
 }
 
-void GcodeControl::stand_at(const base::AxisVector& tip) {
+void GcodeControl::stand_at(const base::TipPoint& tip) {
   state_.path.stand_at(tip);
-  state_.coordinates.arrive_at(tip);
+  state_.coordinates.arrive_at(base::PathPoint(tip.numbers()));
 }
 
 Halt GcodeControl::run(std::uint64_t instructions) {

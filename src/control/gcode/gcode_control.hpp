@@ -58,14 +58,14 @@ class GcodeControl : public ProgramControl, public vm::Host {
   /// Volatile variables vacant; offsets and the G92 shift stay.
   void reset() override;
   /// As #5021 reads them.
-  [[nodiscard]] base::AxisVector machine_position() const override;
+  [[nodiscard]] base::MachinePoint machine_position() const override;
   [[nodiscard]] base::AxisVector tool_length() const override {
     return state_.coordinates.length();
   }
   [[nodiscard]] base::AxisVector work_origin() const override {
     return state_.coordinates.origin();
   }
-  void stand_at(const base::AxisVector& tip) override;
+  void stand_at(const base::TipPoint& tip) override;
   [[nodiscard]] bool can_be_moved() const override { return !state_.path.holds_moves(); }
   [[nodiscard]] std::string running_program() const override { return programs_.running_name(); }
   [[nodiscard]] ModalView modal() const override { return state_.modal_view(); }

@@ -15,8 +15,8 @@
 namespace kerf::control {
 namespace {
 
-using base::AxisVector;
 using base::Code;
+using base::TipPoint;
 using geometry::kSamePoint_mm;
 using geometry::Vec2;
 using geometry::Vec3;
@@ -228,8 +228,8 @@ Vec3 LaserMoves::target(std::span<const double> xy_or_xyz) const {
   return {xy_or_xyz[0], xy_or_xyz[1], xy_or_xyz.size() > 2 ? xy_or_xyz[2] : position_.z};
 }
 
-AxisVector LaserMoves::machine_point(const Vec3& program) const {
-  AxisVector point = tip_;
+TipPoint LaserMoves::machine_point(const Vec3& program) const {
+  TipPoint point = tip_;
   const std::array<double, 3> values = {program.x, settings_.invert_y ? -program.y : program.y,
                                         program.z};
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -261,7 +261,7 @@ motion::Motion LaserMoves::flat_motion(const FlatArc& arc) const {
 }
 
 // Every point of the motion lies within the travel of its axes, and a linkage can follow.
-bool LaserMoves::admits(const AxisVector& from, const motion::Motion& motion) {
+bool LaserMoves::admits(const TipPoint& from, const motion::Motion& motion) {
   const motion::MotionExtent extent = motion::extent_of(axes_, from, motion);
   for (const auto& axis : xyz_) {
     if (!axis) continue;
@@ -304,7 +304,7 @@ bool LaserMoves::make(const motion::Motion& motion, const Vec3& to, double lengt
 bool LaserMoves::cut(const Vec3& start, const motion::Motion& motion, const Vec3& to,
                      double length) {
   const motion::Motion way = this->motion(motion::Rapid{machine_point(start), true});
-  const AxisVector begin = *motion::target_of(way);
+  const TipPoint begin = *motion::target_of(way);
   if (begin != tip_ && !admits(tip_, way)) return false;
   if (!admits(begin, motion)) return false;
   warn_of_cut();

@@ -43,7 +43,7 @@ class LaserMoves {
   void stand_at(const Source& source) { source_ = source; }
 
   /// The axes were brought to `tip` by hand.
-  void stand_at(const base::AxisVector& tip) {
+  void stand_at(const base::TipPoint& tip) {
     tip_ = tip;
     refresh_position();
   }
@@ -72,7 +72,7 @@ class LaserMoves {
   [[nodiscard]] const geometry::Vec3& position() const { return position_; }
   [[nodiscard]] double moved() const { return moved_; }
   /// Machine coordinates.
-  [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
+  [[nodiscard]] const base::TipPoint& tip() const { return tip_; }
   [[nodiscard]] const base::AxisVector& origin() const { return settings_.origin; }
 
  private:
@@ -92,12 +92,12 @@ class LaserMoves {
   [[nodiscard]] bool raise(base::Code code, const std::string& detail = {});
 
   [[nodiscard]] geometry::Vec3 target(std::span<const double> xy_or_xyz) const;
-  [[nodiscard]] base::AxisVector machine_point(const geometry::Vec3& program) const;
+  [[nodiscard]] base::TipPoint machine_point(const geometry::Vec3& program) const;
   [[nodiscard]] geometry::Vec2 machine_centre(geometry::Vec2 program) const;
   [[nodiscard]] motion::Motion motion(const motion::Motion::Action& action) const;
   [[nodiscard]] motion::Feed feed() const { return {60 * speed_, motion::FeedMode::per_minute}; }
   [[nodiscard]] motion::Motion flat_motion(const FlatArc& arc) const;
-  [[nodiscard]] bool admits(const base::AxisVector& from, const motion::Motion& motion);
+  [[nodiscard]] bool admits(const base::TipPoint& from, const motion::Motion& motion);
   bool set_beam(double percent);
   void warn_of_cut();
   bool rest(double seconds);
@@ -116,7 +116,7 @@ class LaserMoves {
   Source source_;
   std::array<std::optional<base::Axis>, 3> xyz_;
   double highest_speed_ = 0;  // what X and Y can do both, mm/s
-  base::AxisVector tip_;
+  base::TipPoint tip_;
   geometry::Vec3 position_;
   double moved_ = 0;
   double speed_ = 0;

@@ -7,9 +7,9 @@
 namespace kerf::control {
 namespace {
 
-using base::AxisVector;
 using base::Code;
 using base::number_text;
+using base::TipPoint;
 
 constexpr std::array kLetters = {'X', 'Y', 'Z', 'A', 'C'};
 // Beyond a limit by no more than this counts as on it, as with joints.
@@ -128,9 +128,9 @@ bool TaughtMoves::execute(const teach::End& /*end*/) {
 }
 
 // Where the axes stand at a taught point, whose first value is word number `word` of the record.
-std::optional<AxisVector> TaughtMoves::target(const teach::Pose& pose, std::size_t word) {
+std::optional<TipPoint> TaughtMoves::target(const teach::Pose& pose, std::size_t word) {
   const auto values = values_of(pose);
-  AxisVector to = tip_;
+  TipPoint to = tip_;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (xyzac_[i]) {
       if (!check(axes_[*xyzac_[i]], values[i], word + i)) return std::nullopt;
@@ -170,7 +170,7 @@ bool TaughtMoves::raise(Code code, std::size_t word, const std::string& detail) 
 
 bool TaughtMoves::move(const motion::Motion::Action& action, WithoutWay without_way) {
   const motion::Motion motion{.line = block_->line, .file = file_, .action = action};
-  const AxisVector to = *motion::target_of(motion);
+  const TipPoint to = *motion::target_of(motion);
   if (to == tip_ && without_way == WithoutWay::is_nothing) return true;
   if (!outlet_.let_out(motion, tip_)) return false;
   tip_ = to;

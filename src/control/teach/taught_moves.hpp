@@ -41,9 +41,9 @@ class TaughtMoves {
   [[nodiscard]] bool execute(const teach::Block& block, base::FileId file);
 
   /// Where the beam is, machine coordinates.
-  [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
+  [[nodiscard]] const base::TipPoint& tip() const { return tip_; }
   /// The axes were brought to `tip` by hand.
-  void stand_at(const base::AxisVector& tip) { tip_ = tip; }
+  void stand_at(const base::TipPoint& tip) { tip_ = tip; }
   /// The beam goes off; FEED and power are forgotten. The axes stay.
   void reset();
 
@@ -65,7 +65,7 @@ class TaughtMoves {
   bool execute(const teach::Dwell& dwell);
   bool execute(const teach::End& end);
 
-  [[nodiscard]] std::optional<base::AxisVector> target(const teach::Pose& pose, std::size_t word);
+  [[nodiscard]] std::optional<base::TipPoint> target(const teach::Pose& pose, std::size_t word);
   bool check(const motion::AxisConfig& axis, double value, std::size_t word);
   bool raise(base::Code code, std::size_t word, const std::string& detail);
   [[nodiscard]] bool is_new(std::uint32_t key) { return assumptions_.is_new(key); }
@@ -79,7 +79,7 @@ class TaughtMoves {
   Outlet& outlet_;
   TaughtFor machine_;
   std::array<std::optional<base::Axis>, kPoseWords> xyzac_;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
   double feed_ = 0;
   double percent_ = 100;
   bool beam_ = false;

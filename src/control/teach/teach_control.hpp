@@ -23,10 +23,12 @@ class TeachControl final : public ProgramControl, private vm::Host {
   // Control
   Halt run(std::uint64_t instructions) override;
   void reset() override;
-  [[nodiscard]] base::AxisVector machine_position() const override { return moves_.tip(); }
+  [[nodiscard]] base::MachinePoint machine_position() const override {
+    return base::MachinePoint(moves_.tip().numbers());
+  }
   [[nodiscard]] base::AxisVector tool_length() const override { return {}; }
   [[nodiscard]] base::AxisVector work_origin() const override { return {}; }
-  void stand_at(const base::AxisVector& tip) override { moves_.stand_at(tip); }
+  void stand_at(const base::TipPoint& tip) override { moves_.stand_at(tip); }
   [[nodiscard]] bool can_be_moved() const override { return true; }
   [[nodiscard]] std::string running_program() const override { return name_; }
   [[nodiscard]] ModalView modal() const override { return {}; }

@@ -8,7 +8,7 @@
 namespace kerf::engraver {
 namespace {
 
-using base::AxisVector;
+using base::JointPoint;
 using drive::ArmAxis;
 
 // One less than a field holds: each end of a step is rounded.
@@ -29,7 +29,7 @@ double CutSampler::curvature(const motion::Curve& curve, double s, double end) c
 }
 
 kinematics::Result<CutSample> CutSampler::look(const motion::Curve& curve, double s, double end,
-                                               const AxisVector& joints) const {
+                                               const JointPoint& joints) const {
   auto found = machine_.kinematics().inverse(curve.at(end), joints);
   if (!found) return base::unexpected(std::move(found.error()));
   const double ds = end - s;
@@ -41,7 +41,7 @@ kinematics::Result<CutSample> CutSampler::look(const motion::Curve& curve, doubl
 
 // How many times as much as it may a step does of something; errors grow with its square.
 double CutSampler::excess(const motion::Curve& curve, double s, const CutSample& sample,
-                          const AxisVector& joints) const {
+                          const JointPoint& joints) const {
   const double room_mm =
       std::max(kLeast_mm, machine_.definition().pattern.tolerance_mm - 2 * sample.half_pulse_mm);
   double most = std::sqrt((sample.joints_mm + sample.chord_mm) / room_mm);
@@ -55,7 +55,7 @@ double CutSampler::excess(const motion::Curve& curve, double s, const CutSample&
 }
 
 kinematics::Result<CutSample> CutSampler::next(const motion::Curve& curve, double s,
-                                               const AxisVector& joints) {
+                                               const JointPoint& joints) {
   const double rest = curve.length() - s;
   double ds = step_mm_;
   if (ds < rest && rest < 2 * ds) ds = rest / 2;  // no short last step

@@ -11,7 +11,7 @@ namespace kerf::engraver {
 /// (docs/pattern.md, "How near").
 struct CutSample {
   double s = 0;              ///< parameter of the curve
-  base::AxisVector joints;   ///< not rounded
+  base::JointPoint joints;   ///< not rounded
   double half_pulse_mm = 0;  ///< both arms off by half a pulse, at the worse end of the step
   double joints_mm = 0;      ///< joints in proportion instead of the tip
   double chord_mm = 0;       ///< the curve between its ends
@@ -30,13 +30,13 @@ class CutSampler {
 
   /// The step from `s` < length, where the joints stand at `joints`. Faults: those of the linkage.
   [[nodiscard]] kinematics::Result<CutSample> next(const motion::Curve& curve, double s,
-                                                   const base::AxisVector& joints);
+                                                   const base::JointPoint& joints);
 
  private:
   [[nodiscard]] kinematics::Result<CutSample> look(const motion::Curve& curve, double s, double end,
-                                                   const base::AxisVector& joints) const;
+                                                   const base::JointPoint& joints) const;
   [[nodiscard]] double excess(const motion::Curve& curve, double s, const CutSample& sample,
-                              const base::AxisVector& joints) const;
+                              const base::JointPoint& joints) const;
   [[nodiscard]] double curvature(const motion::Curve& curve, double s, double end) const;
 
   const machine::PatternMachine& machine_;

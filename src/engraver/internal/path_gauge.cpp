@@ -7,7 +7,7 @@
 
 namespace kerf::engraver {
 
-using base::AxisVector;
+using base::TipPoint;
 
 void PathGauge::take(const drive::Pulse& pulse) {
   const bool arm = pulse.axis == drive::axis_of(drive::ArmAxis::theta1) ||
@@ -28,11 +28,11 @@ PathGauge::Worst PathGauge::take_worst() {
 // distance from above.
 void PathGauge::measure() {
   constexpr int kSteps = 3;
-  const AxisVector tip = machine_.tip_at(counts_);
+  const TipPoint tip = machine_.tip_at(counts_);
   const base::Axis x = machine_.x();
   const base::Axis y = machine_.y();
   for (int i = 0; i < kSteps; ++i) {
-    const base::PathJet jet = curve_->jet(s_);
+    const base::TipJet jet = curve_->jet(s_);
     const double off_x = jet.value[x] - tip[x];
     const double off_y = jet.value[y] - tip[y];
     const double slope = off_x * jet.first[x] + off_y * jet.first[y];
@@ -41,7 +41,7 @@ void PathGauge::measure() {
     if (!(bend > 0)) break;
     s_ = std::clamp(s_ - slope / bend, 0.0, curve_->length());
   }
-  const AxisVector near = curve_->at(s_);
+  const TipPoint near = curve_->at(s_);
   const double mm = math::hypot(near[x] - tip[x], near[y] - tip[y]);
   moved_ = false;
   if (begins_) places_.clear();

@@ -15,16 +15,16 @@ class Arm final : public Kinematics {
  public:
   Arm(std::vector<Joint> joints, const ArmLinks& links);
 
-  [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
+  [[nodiscard]] base::TipPoint forward(const base::JointPoint& joints) const override;
   [[nodiscard]] bool has_branches() const override { return true; }
-  [[nodiscard]] Branch branch_at(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
-                                            const base::AxisVector& joints) const override;
-  [[nodiscard]] geometry::Vec3 tip_rates(const base::AxisVector& joints,
+  [[nodiscard]] Branch branch_at(const base::JointPoint& joints) const override;
+  [[nodiscard]] Result<base::JointJet> along(const base::TipJet& tip,
+                                             const base::JointPoint& joints) const override;
+  [[nodiscard]] geometry::Vec3 tip_rates(const base::JointPoint& joints,
                                          const base::AxisVector& rates) const override;
-  [[nodiscard]] double swing_bound_mm(const base::AxisVector& joints,
+  [[nodiscard]] double swing_bound_mm(const base::JointPoint& joints,
                                       const base::AxisVector& rates) const override;
-  [[nodiscard]] std::optional<std::string> caution(const base::AxisVector& joints) const override;
+  [[nodiscard]] std::optional<std::string> caution(const base::JointPoint& joints) const override;
 
  private:
   /// Angles of the links, degrees: of the upper arm and the forearm from +X, and of the elbow.
@@ -34,13 +34,13 @@ class Arm final : public Kinematics {
     double elbow_deg = 0;  ///< forearm minus upper arm
   };
 
-  [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
-                                               const base::AxisVector& previous,
+  [[nodiscard]] Result<base::JointPoint> solve(const base::TipPoint& tip,
+                                               const base::JointPoint& previous,
                                                Branch branch) const override;
-  [[nodiscard]] static base::PathJet lifting(const base::PathJet& tip,
-                                             const base::AxisVector& joints);
+  [[nodiscard]] static base::JointJet lifting(const base::TipJet& tip,
+                                              const base::JointPoint& joints);
   [[nodiscard]] Pose pose_at(const base::AxisVector& joints) const;
-  [[nodiscard]] std::optional<Fault> out_of_reach(const base::AxisVector& tip,
+  [[nodiscard]] std::optional<Fault> out_of_reach(const base::TipPoint& tip,
                                                   double radius_mm) const;
   [[nodiscard]] std::string in_words(const Pose& pose) const;
 

@@ -6,11 +6,13 @@
 namespace kerf::kinematics {
 
 /// What one axis of a point does along its path.
-inline geometry::Jet jet_of(const base::PathJet& point, base::Axis axis) {
+template <typename Frame>
+geometry::Jet jet_of(const base::PathJet<Frame>& point, base::Axis axis) {
   return {point.value[axis], point.first[axis], point.second[axis], point.third[axis]};
 }
 
-inline void set_jet(base::PathJet& point, base::Axis axis, const geometry::Jet& jet) {
+template <typename Frame>
+void set_jet(base::PathJet<Frame>& point, base::Axis axis, const geometry::Jet& jet) {
   point.value[axis] = jet.value;
   point.first[axis] = jet.first;
   point.second[axis] = jet.second;
@@ -18,7 +20,8 @@ inline void set_jet(base::PathJet& point, base::Axis axis, const geometry::Jet& 
 }
 
 /// Whether an axis of a point stands still along its path.
-inline bool stands(const base::PathJet& point, base::Axis axis) {
+template <typename Frame>
+bool stands(const base::PathJet<Frame>& point, base::Axis axis) {
   return point.first[axis] == 0 && point.second[axis] == 0 && point.third[axis] == 0;
 }
 

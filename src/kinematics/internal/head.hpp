@@ -13,21 +13,21 @@ class Head final : public Kinematics {
  public:
   Head(std::vector<Joint> joints, const HeadRadii& radii);
 
-  [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<base::AxisVector> follow(const base::AxisVector& tip,
-                                                const base::AxisVector& previous) const override;
+  [[nodiscard]] base::TipPoint forward(const base::JointPoint& joints) const override;
+  [[nodiscard]] Result<base::JointPoint> follow(const base::TipPoint& tip,
+                                                const base::JointPoint& previous) const override;
   [[nodiscard]] bool has_branches() const override { return true; }
-  [[nodiscard]] Branch branch_at(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
-                                            const base::AxisVector& joints) const override;
-  [[nodiscard]] geometry::Vec3 tip_rates(const base::AxisVector& joints,
+  [[nodiscard]] Branch branch_at(const base::JointPoint& joints) const override;
+  [[nodiscard]] Result<base::JointJet> along(const base::TipJet& tip,
+                                             const base::JointPoint& joints) const override;
+  [[nodiscard]] geometry::Vec3 tip_rates(const base::JointPoint& joints,
                                          const base::AxisVector& rates) const override;
-  [[nodiscard]] double swing_bound_mm(const base::AxisVector& joints,
+  [[nodiscard]] double swing_bound_mm(const base::JointPoint& joints,
                                       const base::AxisVector& rates) const override;
 
  private:
-  [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
-                                               const base::AxisVector& previous,
+  [[nodiscard]] Result<base::JointPoint> solve(const base::TipPoint& tip,
+                                               const base::JointPoint& previous,
                                                Branch branch) const override;
   [[nodiscard]] base::AxisVector carriage_offset(double a_deg, double c_deg) const;
 

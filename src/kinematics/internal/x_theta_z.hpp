@@ -12,17 +12,17 @@ class XThetaZ final : public Kinematics {
  public:
   XThetaZ(std::vector<Joint> joints, const XThetaZOffsets& offsets);
 
-  [[nodiscard]] base::AxisVector forward(const base::AxisVector& joints) const override;
-  [[nodiscard]] Result<base::PathJet> along(const base::PathJet& tip,
-                                            const base::AxisVector& joints) const override;
-  [[nodiscard]] geometry::Vec3 tip_rates(const base::AxisVector& joints,
+  [[nodiscard]] base::TipPoint forward(const base::JointPoint& joints) const override;
+  [[nodiscard]] Result<base::JointJet> along(const base::TipJet& tip,
+                                             const base::JointPoint& joints) const override;
+  [[nodiscard]] geometry::Vec3 tip_rates(const base::JointPoint& joints,
                                          const base::AxisVector& rates) const override;
-  [[nodiscard]] double swing_bound_mm(const base::AxisVector& joints,
+  [[nodiscard]] double swing_bound_mm(const base::JointPoint& joints,
                                       const base::AxisVector& rates) const override;
 
  private:
-  [[nodiscard]] Result<base::AxisVector> solve(const base::AxisVector& tip,
-                                               const base::AxisVector& previous,
+  [[nodiscard]] Result<base::JointPoint> solve(const base::TipPoint& tip,
+                                               const base::JointPoint& previous,
                                                Branch branch) const override;
 
   XThetaZOffsets offsets_;

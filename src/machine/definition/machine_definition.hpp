@@ -45,7 +45,7 @@ struct MachineDefinition {
   DriveSettings drive;
   PatternSettings pattern;
   motion::AxisSetup axes;  ///< the program's; they follow from the others
-  base::AxisVector start;  ///< of the driven axes at power-on, where `axes` have theirs
+  base::JointPoint start;  ///< of the driven axes at power-on, where `axes` have theirs
   control::Parameters parameters;
 
   /// Reads a definition. Failure (input): what is wrong, with the line; every unknown key is wrong.

@@ -13,6 +13,7 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
+using base::JointPoint;
 
 constexpr double kSecondsPerMinute = 60;
 
@@ -47,7 +48,7 @@ base::Outcome<PatternMachine> PatternMachine::of(const MachineDefinition& machin
   return result;
 }
 
-bool PatternMachine::is_at_zero(const AxisVector& joints) const {
+bool PatternMachine::is_at_zero(const JointPoint& joints) const {
   constexpr double kNothing = 0.01;  // of a pulse
   for (std::size_t i = 0; i < drive::kArmAxes; ++i) {
     if (std::fabs(joints.values[i] * steps_per_unit_[i]) > kNothing) return false;
@@ -61,20 +62,20 @@ MachineDefinition PatternMachine::at_zero(MachineDefinition machine) {
   return machine;
 }
 
-AxisVector PatternMachine::joints_at(const std::array<double, drive::kArmAxes>& counts) const {
-  AxisVector joints;
+JointPoint PatternMachine::joints_at(const std::array<double, drive::kArmAxes>& counts) const {
+  JointPoint joints;
   for (std::size_t i = 0; i < counts.size(); ++i) joints.values[i] = counts[i] / steps_per_unit_[i];
   return joints;
 }
 
-AxisVector PatternMachine::joints_at(const drive::ArmCounts& counts) const {
-  AxisVector joints;
+JointPoint PatternMachine::joints_at(const drive::ArmCounts& counts) const {
+  JointPoint joints;
   for (std::size_t i = 0; i < counts.values.size(); ++i)
     joints.values[i] = static_cast<double>(counts.values[i]) / steps_per_unit_[i];
   return joints;
 }
 
-drive::ArmCounts PatternMachine::counts_at(const AxisVector& joints) const {
+drive::ArmCounts PatternMachine::counts_at(const JointPoint& joints) const {
   drive::ArmCounts counts;
   for (std::size_t i = 0; i < counts.values.size(); ++i)
     counts.values[i] = base::round_away(joints.values[i] * steps_per_unit_[i]);
@@ -107,11 +108,11 @@ std::int64_t PatternMachine::half_period_ticks(const drive::ArmCounts& from,
       std::max(std::abs(triplet.theta1), std::abs(triplet.theta2)), arm.half_period_ticks);
 }
 
-double PatternMachine::half_pulse_mm(const AxisVector& joints) const {
+double PatternMachine::half_pulse_mm(const JointPoint& joints) const {
   double sum = 0;
   for (const drive::ArmAxis arm : {drive::ArmAxis::theta1, drive::ArmAxis::theta2}) {
-    AxisVector low = joints;
-    AxisVector high = joints;
+    JointPoint low = joints;
+    JointPoint high = joints;
     low[drive::axis_of(arm)] -= step(arm) / 2;
     high[drive::axis_of(arm)] += step(arm) / 2;
     const AxisVector way = kinematics_->forward(high) - kinematics_->forward(low);

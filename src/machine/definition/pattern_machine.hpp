@@ -21,7 +21,7 @@ class PatternMachine {
   [[nodiscard]] static base::Outcome<PatternMachine> of(const MachineDefinition& machine);
 
   /// Every motor stands where its counter is 0, to a hundredth of a pulse.
-  [[nodiscard]] bool is_at_zero(const base::AxisVector& joints) const;
+  [[nodiscard]] bool is_at_zero(const base::JointPoint& joints) const;
   /// The machine with its start there.
   [[nodiscard]] static MachineDefinition at_zero(MachineDefinition machine);
 
@@ -29,11 +29,11 @@ class PatternMachine {
   [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
 
   /// Where the joints stand after counts, which may have a fraction of a pulse.
-  [[nodiscard]] base::AxisVector joints_at(const std::array<double, drive::kArmAxes>& counts) const;
-  [[nodiscard]] base::AxisVector joints_at(const drive::ArmCounts& counts) const;
+  [[nodiscard]] base::JointPoint joints_at(const std::array<double, drive::kArmAxes>& counts) const;
+  [[nodiscard]] base::JointPoint joints_at(const drive::ArmCounts& counts) const;
   /// The counts nearest to joints: each is rounded by itself, ties away from zero.
-  [[nodiscard]] drive::ArmCounts counts_at(const base::AxisVector& joints) const;
-  [[nodiscard]] base::AxisVector tip_at(const drive::ArmCounts& counts) const {
+  [[nodiscard]] drive::ArmCounts counts_at(const base::JointPoint& joints) const;
+  [[nodiscard]] base::TipPoint tip_at(const drive::ArmCounts& counts) const {
     return kinematics_->forward(joints_at(counts));
   }
   /// Of one pulse, degrees, mm; its sign is that of the motor.
@@ -57,7 +57,7 @@ class PatternMachine {
 
   /// Bound, mm, of how far the tip leaves its place in X and Y when both arms are off by half a
   /// pulse.
-  [[nodiscard]] double half_pulse_mm(const base::AxisVector& joints) const;
+  [[nodiscard]] double half_pulse_mm(const base::JointPoint& joints) const;
 
  private:
   PatternMachine() = default;

@@ -9,11 +9,13 @@ namespace kerf::machine {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 
 constexpr double kNanoseconds = 1e9;
 constexpr double kSecondsPerMinute = 60;
 
-AxisVector tidied(AxisVector v) {
+template <typename Frame>
+base::Point<Frame> tidied(base::Point<Frame> v) {
   for (double& value : v.values) value = base::tidy(value);
   return v;
 }
@@ -22,7 +24,7 @@ AxisVector tidied(AxisVector v) {
 
 PatternStand stand_after(const PatternMachine& machine,
                          const std::array<double, drive::kArmAxes>& counts) {
-  const AxisVector joints = tidied(machine.joints_at(counts));
+  const base::JointPoint joints = tidied(machine.joints_at(counts));
   return {joints, tidied(machine.kinematics().forward(joints))};
 }
 
@@ -44,7 +46,7 @@ base::Result<void> PatternMotors::make(const drive::PatternRecord& record) {
   const std::int64_t begin = drive_.now_ticks();
   auto made = std::visit([this](const auto& r) { return make_moves(r); }, record);
   if (!made) return made;
-  const AxisVector to = tidied(machine_->tip_at(drive_.counters()));
+  const TipPoint to = tidied(machine_->tip_at(drive_.counters()));
   const AxisVector way = to - tip_;
   tip_ = to;
   motion_.reset();

@@ -26,7 +26,7 @@ class PatternMotors {
   /// What the last record was of the tip: a line at the feed that it had for a triplet, a rapid for
   /// a fast record, without program, line and file. Nothing: it has moved nothing.
   [[nodiscard]] const std::optional<motion::Motion>& motion() const { return motion_; }
-  [[nodiscard]] const base::AxisVector& tip() const { return tip_; }
+  [[nodiscard]] const base::TipPoint& tip() const { return tip_; }
   [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
   /// Since the first record, at the end of the last one.
   [[nodiscard]] std::int64_t time_ns() const { return nanoseconds(drive_.now_ticks()); }
@@ -45,7 +45,7 @@ class PatternMotors {
 
   const PatternMachine* machine_;
   drive::ArmDrive drive_;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
   std::optional<motion::Motion> motion_;
 };
 
@@ -56,8 +56,8 @@ struct CountedOnly : drive::PulseSink {
 
 /// Where joints and tip stand, each coordinate as it is told.
 struct PatternStand {
-  base::AxisVector joints;
-  base::AxisVector tip;
+  base::JointPoint joints;
+  base::TipPoint tip;
 };
 /// After counts, which may have a fraction of a pulse.
 [[nodiscard]] PatternStand stand_after(const PatternMachine& machine,

@@ -413,7 +413,7 @@ base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::strin
   LiveCore& core = *impl_->core;
   if (core.panel().mode != Mode::teach) return refused(Refusal::points_mode);
   if (core.is_active()) return refused(Refusal::points_moving);
-  const base::AxisVector joints = core.standing_joints();
+  const base::JointPoint joints = core.standing_joints();
   machine::Capture& taught = impl_->capture;
   std::optional<teach::Mistake> mistake;
   switch (what) {

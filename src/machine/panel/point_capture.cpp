@@ -6,8 +6,8 @@
 namespace kerf::machine {
 
 teach::Pose captured_pose(const kinematics::Kinematics& kinematics, const motion::AxisSetup& axes,
-                          const base::AxisVector& joints) {
-  const base::AxisVector tip = kinematics.forward(joints);
+                          const base::JointPoint& joints) {
+  const base::TipPoint tip = kinematics.forward(joints);
   const auto value = [&](char letter) {
     const auto axis = axes.find(letter);
     return axis ? tip[*axis] : 0;
@@ -25,7 +25,7 @@ Capture::Capture(const MachineDefinition& machine)
       axes_(machine.axes),
       recorder_(new_recorder(machine)) {}
 
-std::optional<teach::Mistake> Capture::point(const base::AxisVector& joints,
+std::optional<teach::Mistake> Capture::point(const base::JointPoint& joints,
                                              std::string_view name) {
   if (name.size() > teach::Name::kMost)
     return teach::Mistake{base::Code::teach_range,
@@ -34,12 +34,12 @@ std::optional<teach::Mistake> Capture::point(const base::AxisVector& joints,
   return recorder_.teach(teach::Point{pose_at(joints), teach::Name(name)});
 }
 
-std::optional<teach::Mistake> Capture::line(const base::AxisVector& joints) {
+std::optional<teach::Mistake> Capture::line(const base::JointPoint& joints) {
   return recorder_.teach(teach::Line{pose_at(joints)});
 }
 
 template <typename Move>
-std::optional<teach::Mistake> Capture::through_middle(const base::AxisVector& joints) {
+std::optional<teach::Mistake> Capture::through_middle(const base::JointPoint& joints) {
   if (!middle_)
     return teach::Mistake{base::Code::teach_order, "the second of its three points is missing", {}};
   auto refused = recorder_.teach(Move{*middle_, pose_at(joints)});
@@ -47,11 +47,11 @@ std::optional<teach::Mistake> Capture::through_middle(const base::AxisVector& jo
   return refused;
 }
 
-std::optional<teach::Mistake> Capture::arc(const base::AxisVector& joints) {
+std::optional<teach::Mistake> Capture::arc(const base::JointPoint& joints) {
   return through_middle<teach::Arc>(joints);
 }
 
-std::optional<teach::Mistake> Capture::circle(const base::AxisVector& joints) {
+std::optional<teach::Mistake> Capture::circle(const base::JointPoint& joints) {
   return through_middle<teach::Circle>(joints);
 }
 

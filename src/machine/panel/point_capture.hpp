@@ -12,7 +12,7 @@ namespace kerf::machine {
 /// that the program of this machine does not have is 0. `joints` in the order of the machine file.
 [[nodiscard]] teach::Pose captured_pose(const kinematics::Kinematics& kinematics,
                                         const motion::AxisSetup& axes,
-                                        const base::AxisVector& joints);
+                                        const base::JointPoint& joints);
 
 /// Period and radii of a machine, with which a taught program begins.
 [[nodiscard]] teach::Recorder new_recorder(const MachineDefinition& machine);
@@ -30,13 +30,13 @@ class Capture {
  public:
   explicit Capture(const MachineDefinition& machine);
 
-  [[nodiscard]] std::optional<teach::Mistake> point(const base::AxisVector& joints,
+  [[nodiscard]] std::optional<teach::Mistake> point(const base::JointPoint& joints,
                                                     std::string_view name = {});
-  [[nodiscard]] std::optional<teach::Mistake> line(const base::AxisVector& joints);
+  [[nodiscard]] std::optional<teach::Mistake> line(const base::JointPoint& joints);
   /// The second point of an ARC or CIRCLE; a second key press replaces it.
-  void middle(const base::AxisVector& joints) { middle_ = pose_at(joints); }
-  [[nodiscard]] std::optional<teach::Mistake> arc(const base::AxisVector& joints);
-  [[nodiscard]] std::optional<teach::Mistake> circle(const base::AxisVector& joints);
+  void middle(const base::JointPoint& joints) { middle_ = pose_at(joints); }
+  [[nodiscard]] std::optional<teach::Mistake> arc(const base::JointPoint& joints);
+  [[nodiscard]] std::optional<teach::Mistake> circle(const base::JointPoint& joints);
   /// FEED, LASER, DWELL, END.
   [[nodiscard]] std::optional<teach::Mistake> add(const teach::Record& record) {
     return recorder_.teach(record);
@@ -44,7 +44,7 @@ class Capture {
   /// Forgets the middle that waits, or else the last record. False: there is neither.
   bool take_back();
 
-  [[nodiscard]] teach::Pose pose_at(const base::AxisVector& joints) const {
+  [[nodiscard]] teach::Pose pose_at(const base::JointPoint& joints) const {
     return captured_pose(*kinematics_, axes_, joints);
   }
   [[nodiscard]] const std::optional<teach::Pose>& waiting_middle() const { return middle_; }
@@ -52,7 +52,7 @@ class Capture {
 
  private:
   template <typename Move>
-  std::optional<teach::Mistake> through_middle(const base::AxisVector& joints);
+  std::optional<teach::Mistake> through_middle(const base::JointPoint& joints);
 
   std::unique_ptr<const kinematics::Kinematics> kinematics_;
   motion::AxisSetup axes_;

@@ -55,10 +55,10 @@ struct Snapshot {
   std::uint64_t motions = 0;  ///< handed out by the control so far
 
   // In the order of AxisSetup, mm and degrees.
-  base::AxisVector machine;   ///< tool length included
+  base::MachinePoint machine;
   base::AxisVector work;      ///< as the program counts
   base::AxisVector distance;  ///< to the end of the motion under way
-  base::AxisVector joints;    ///< in the order of the machine file
+  base::JointPoint joints;    ///< in the order of the machine file
 
   std::vector<std::string> modal;     ///< each control's own list: "G01", "F200"
   double feed_programmed_mm_min = 0;  ///< degrees/min where only rotary axes turn; 0: none

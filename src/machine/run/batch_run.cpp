@@ -52,10 +52,10 @@ void BatchRun::refuse(const base::Diagnostic& alarm) {
 
 // Behind the budget or a refused motion, and where the axes stopped on their own, the control is
 // some moves ahead of the machine.
-base::AxisVector BatchRun::position() const {
-  if (servo().broken_off()) return servo().last().tip + control().tool_length();
+base::MachinePoint BatchRun::position() const {
+  if (servo().broken_off()) return machine_of(servo().last().tip, control().tool_length());
   if (!motions_spent_ && !refused_) return control().machine_position();
-  return statistics().at() + control().tool_length();
+  return machine_of(statistics().at(), control().tool_length());
 }
 
 // The run

@@ -51,7 +51,7 @@ class BatchRun : public Machine {
   [[nodiscard]] const std::optional<base::Diagnostic>& notice() const { return notice_; }
   /// Machine coordinates of all axes, tool length included: where the last motion ended that was
   /// within the budget; after an alarm of a drive, where the axes are.
-  [[nodiscard]] base::AxisVector position() const;
+  [[nodiscard]] base::MachinePoint position() const;
 
  private:
   enum class Stops : std::uint8_t { wait, pass };

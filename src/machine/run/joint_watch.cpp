@@ -11,16 +11,16 @@
 namespace kerf::machine {
 
 JointWatch::JointWatch(const kinematics::Kinematics& kinematics, const motion::AxisSetup& axes,
-                       const base::AxisVector& start)
+                       const base::JointPoint& start)
     : axes_(axes),
       reach_(axes.linked ? std::make_unique<Reach>(kinematics, axes, start) : nullptr) {}
 
 JointWatch::~JointWatch() = default;
 
-std::optional<control::Refusal> JointWatch::refusal(const base::AxisVector& from,
+std::optional<control::Refusal> JointWatch::refusal(const base::TipPoint& from,
                                                     const motion::Motion& move, Intent intent) {
   if (!reach_) return std::nullopt;
-  base::AxisVector end;
+  base::JointPoint end;
   if (auto fault = reach_->objection(from, move, end))
     return control::Refusal{kinematics::code_of(fault->kind), std::move(fault->message)};
   if (intent == Intent::make) {
@@ -30,7 +30,7 @@ std::optional<control::Refusal> JointWatch::refusal(const base::AxisVector& from
   return std::nullopt;
 }
 
-void JointWatch::stand_at(const base::AxisVector& joints) {
+void JointWatch::stand_at(const base::JointPoint& joints) {
   if (reach_) reach_->set_joints(joints);
 }
 

@@ -22,14 +22,14 @@ class JointWatch {
 
   /// Both must outlive this. `start`: where the joints stand.
   JointWatch(const kinematics::Kinematics& kinematics, const motion::AxisSetup& axes,
-             const base::AxisVector& start);
+             const base::JointPoint& start);
   ~JointWatch();
 
   /// As control::Surroundings::refusal() has it.
-  [[nodiscard]] std::optional<control::Refusal> refusal(const base::AxisVector& from,
+  [[nodiscard]] std::optional<control::Refusal> refusal(const base::TipPoint& from,
                                                         const motion::Motion& move, Intent intent);
   /// Where the axes stand now, behind moves that were not made.
-  void stand_at(const base::AxisVector& joints);
+  void stand_at(const base::JointPoint& joints);
   /// The warning of the first cut near a singular position, since forget_caution().
   [[nodiscard]] const std::optional<base::Diagnostic>& caution() const { return caution_; }
   void forget_caution() { caution_.reset(); }

@@ -128,7 +128,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
 
   // What a run works with.
 
-  [[nodiscard]] std::optional<control::Refusal> refusal(const base::AxisVector& from,
+  [[nodiscard]] std::optional<control::Refusal> refusal(const base::TipPoint& from,
                                                         const motion::Motion& move,
                                                         Intent intent) override {
     return joints_.refusal(from, move, intent);
@@ -157,7 +157,8 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   // control::Surroundings
   double date() override { return signals_.date(seconds()); }
   double time_of_day() override { return signals_.time_of_day(seconds()); }
-  std::optional<double> contact(const base::AxisVector& from, const base::AxisVector& to) override {
+  std::optional<double> contact(const base::MachinePoint& from,
+                                const base::MachinePoint& to) override {
     return contacts_.meet(from, to);
   }
   std::uint32_t inputs(std::size_t word) override;

@@ -10,7 +10,7 @@
 namespace kerf::machine {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec2;
 using motion::Feed;
 using motion::FeedMode;
@@ -40,7 +40,7 @@ void RunStatistics::reach(const motion::MotionExtent& extent) {
 }
 
 // Length along the linear axes; of a rotary-only move in degrees.
-double RunStatistics::distance(const AxisVector& to, bool& rotary_only) const {
+double RunStatistics::distance(const TipPoint& to, bool& rotary_only) const {
   double linear = 0;
   double rotary = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
@@ -51,7 +51,7 @@ double RunStatistics::distance(const AxisVector& to, bool& rotary_only) const {
   return std::sqrt(rotary_only ? rotary : linear);
 }
 
-void RunStatistics::rapid(const AxisVector& to) {
+void RunStatistics::rapid(const TipPoint& to) {
   double seconds = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     seconds = std::max(seconds, std::fabs(to.values[i] - at_.values[i]) * rapid_s_per_unit_[i]);

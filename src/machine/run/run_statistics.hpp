@@ -29,10 +29,10 @@ class RunStatistics : public motion::MotionSink {
   [[nodiscard]] double cut_mm() const { return cut_mm_; }
   [[nodiscard]] std::uint64_t motions() const { return motions_; }
   /// Smallest and largest target per axis; both the start before the first motion.
-  [[nodiscard]] const base::AxisVector& low() const { return low_; }
-  [[nodiscard]] const base::AxisVector& high() const { return high_; }
+  [[nodiscard]] const base::TipPoint& low() const { return low_; }
+  [[nodiscard]] const base::TipPoint& high() const { return high_; }
   /// Where the last motion ended: tool tip, machine coordinates.
-  [[nodiscard]] const base::AxisVector& at() const { return at_; }
+  [[nodiscard]] const base::TipPoint& at() const { return at_; }
   /// Tools in the order of their first use.
   [[nodiscard]] const std::vector<std::uint32_t>& tools() const { return tools_; }
   [[nodiscard]] const std::vector<std::string>& messages() const { return messages_; }
@@ -41,16 +41,16 @@ class RunStatistics : public motion::MotionSink {
 
  private:
   void reach(const motion::MotionExtent& extent);
-  void rapid(const base::AxisVector& to);
+  void rapid(const base::TipPoint& to);
   void cut(double length, double feed_length, const motion::Feed& feed, std::uint32_t line);
   void arc(const motion::Arc& arc, std::uint32_t line);
   void space_arc(const motion::SpaceArc& arc, std::uint32_t line);
-  [[nodiscard]] double distance(const base::AxisVector& to, bool& rotary_only) const;
+  [[nodiscard]] double distance(const base::TipPoint& to, bool& rotary_only) const;
 
   const motion::AxisSetup& axes_;
-  base::AxisVector at_;
-  base::AxisVector low_;
-  base::AxisVector high_;
+  base::TipPoint at_;
+  base::TipPoint low_;
+  base::TipPoint high_;
   std::array<double, base::kMaxAxes> rapid_s_per_unit_{};
   std::array<bool, base::kMaxAxes> linear_{};
   double speed_rpm_ = 0;

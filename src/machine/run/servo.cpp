@@ -61,13 +61,13 @@ void Servo::take(const motion::Motion& motion) {
     feed(motion);
   } else {
     waiting_.push_back(motion);
-    if (const base::AxisVector* const to = motion::target_of(motion)) waiting_end_ = *to;
+    if (const base::TipPoint* const to = motion::target_of(motion)) waiting_end_ = *to;
   }
 }
 
 void Servo::feed(const motion::Motion& motion) {
   source_->take(motion);
-  if (const base::AxisVector* const to = motion::target_of(motion)) commanded_ = *to;
+  if (const base::TipPoint* const to = motion::target_of(motion)) commanded_ = *to;
 }
 
 void Servo::finish() {
@@ -181,12 +181,12 @@ void Servo::make_points() {
 }
 
 // Of the last point of the source.
-base::AxisVector Servo::joints_at(const base::AxisVector& tip) const {
+base::JointPoint Servo::joints_at(const base::TipPoint& tip) const {
   if (pulses_ != nullptr) return pulses_->joints();
-  return linkage_ ? linkage_->joints(tip, joints_) : tip;
+  return linkage_ ? linkage_->joints(tip, joints_) : base::JointPoint(tip.numbers());
 }
 
-void Servo::start(const base::AxisVector& tip) {
+void Servo::start(const base::TipPoint& tip) {
   started_ = true;
   last_ = {source_->time_s(), tip, {}};
   joints_ = joints_at(tip);

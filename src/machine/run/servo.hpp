@@ -82,11 +82,11 @@ class Servo : public motion::MotionSink {
   [[nodiscard]] motion::AxisPoint stands_at() const {
     return locked_ ? *locked_ : motion::AxisPoint{last_, joints_, 0};
   }
-  [[nodiscard]] const base::AxisVector& joints() const { return joints_; }
+  [[nodiscard]] const base::JointPoint& joints() const { return joints_; }
   /// Of the tip over the last period, mm/s; degrees/s where only rotary axes turned.
   [[nodiscard]] double speed() const;
   /// Where the last motion ends that was taken.
-  [[nodiscard]] const base::AxisVector& commanded() const {
+  [[nodiscard]] const base::TipPoint& commanded() const {
     return waiting_end_ ? *waiting_end_ : commanded_;
   }
   /// Handed out so far.
@@ -107,8 +107,8 @@ class Servo : public motion::MotionSink {
   [[nodiscard]] bool fetch();
   void drain();
   void make_points();
-  [[nodiscard]] base::AxisVector joints_at(const base::AxisVector& tip) const;
-  void start(const base::AxisVector& tip);
+  [[nodiscard]] base::JointPoint joints_at(const base::TipPoint& tip) const;
+  void start(const base::TipPoint& tip);
   void hand_out(const motion::Setpoint& point);
   [[nodiscard]] float power_percent() const;
 
@@ -119,8 +119,8 @@ class Servo : public motion::MotionSink {
   const PatternSource* pulses_ = nullptr;  // source_, where pulses are counted
   std::vector<motion::AxisPointSink*> sinks_;
   std::function<bool()> broken_off_when_;
-  base::AxisVector joints_;
-  base::AxisVector commanded_;  // where the last motion that was taken ends
+  base::JointPoint joints_;
+  base::TipPoint commanded_;  // where the last motion that was taken ends
   motion::Setpoint last_;
   motion::Setpoint before_;  // the point before that
   std::vector<bool> is_rotary_;
@@ -132,9 +132,9 @@ class Servo : public motion::MotionSink {
   // Paced.
   bool paced_ = false;
   std::deque<motion::Motion> waiting_;
-  std::optional<base::AxisVector> waiting_end_;  // where the last one of them ends
-  std::optional<motion::Setpoint> next_;         // made, and later than was asked for
-  bool is_emptied_ = true;  // the source has made all that it can of what it has
+  std::optional<base::TipPoint> waiting_end_;  // where the last one of them ends
+  std::optional<motion::Setpoint> next_;       // made, and later than was asked for
+  bool is_emptied_ = true;                     // the source has made all that it can of what it has
   bool is_asked_to_finish_ = false;
   bool is_finished_ = true;
   std::optional<motion::AxisPoint> locked_;  // where the axes really stand

@@ -2,7 +2,8 @@
 
 namespace kerf::machine {
 
-std::optional<double> SkipContacts::meet(const base::AxisVector& from, const base::AxisVector& to) {
+std::optional<double> SkipContacts::meet(const base::MachinePoint& from,
+                                         const base::MachinePoint& to) {
   if (waiting_.empty()) return std::nullopt;
   const SkipContact& next = waiting_.front();
   const double begin = from[next.axis];

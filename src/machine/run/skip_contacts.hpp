@@ -3,7 +3,7 @@
 #include <deque>
 #include <optional>
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 
 namespace kerf::machine {
 
@@ -19,8 +19,8 @@ class SkipContacts {
  public:
   void add(const SkipContact& contact) { waiting_.push_back(contact); }
   /// Along a move of machine coordinates: the fraction of its length where the next one comes on.
-  [[nodiscard]] std::optional<double> meet(const base::AxisVector& from,
-                                           const base::AxisVector& to);
+  [[nodiscard]] std::optional<double> meet(const base::MachinePoint& from,
+                                           const base::MachinePoint& to);
 
  private:
   std::deque<SkipContact> waiting_;

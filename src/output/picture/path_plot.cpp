@@ -38,7 +38,7 @@ PathPlot::PathPlot(const motion::AxisSetup& axes, std::string title,
 PathPlot::~PathPlot() = default;
 
 void PathPlot::take(const motion::Motion& motion) { recorder_->take(motion); }
-void PathPlot::travel_through(const base::AxisVector& place) { recorder_->travel_through(place); }
+void PathPlot::travel_through(const base::TipPoint& place) { recorder_->travel_through(place); }
 void PathPlot::start(const motion::AxisPoint& at) { cuts_->start(at.tip); }
 void PathPlot::take(const motion::AxisPoint& point) { cuts_->take(point.tip, point.power_percent); }
 

@@ -52,7 +52,7 @@ class PathPlot : public motion::MotionSink, public motion::AxisPointSink {
 
   void take(const motion::Motion& motion) override;
   /// A place on the way of a rapid that is about to be taken and is no straight line.
-  void travel_through(const base::AxisVector& place);
+  void travel_through(const base::TipPoint& place);
   /// Precondition: not coloured by tools.
   void start(const motion::AxisPoint& at) override;
   void take(const motion::AxisPoint& point) override;

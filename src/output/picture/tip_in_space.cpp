@@ -24,7 +24,7 @@ TipInSpace::TipInSpace(const motion::AxisSetup& axes, double x_scale) {
   }
 }
 
-Point3 TipInSpace::point_of(const base::AxisVector& tip, const Point3& otherwise) const {
+Point3 TipInSpace::point_of(const base::TipPoint& tip, const Point3& otherwise) const {
   Point3 point;
   for (std::size_t i = 0; i < 3; ++i) {
     const Coordinate& from = from_[i];

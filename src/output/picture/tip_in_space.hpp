@@ -16,7 +16,7 @@ class TipInSpace {
   TipInSpace(const motion::AxisSetup& axes, double x_scale);
 
   /// A coordinate that is not finite is that of `otherwise`; one beyond what can be drawn is there.
-  [[nodiscard]] Point3 point_of(const base::AxisVector& tip, const Point3& otherwise) const;
+  [[nodiscard]] Point3 point_of(const base::TipPoint& tip, const Point3& otherwise) const;
   /// Of X, Y or Z: its lengths are words times this; 0 when the machine lacks it.
   [[nodiscard]] double scale(std::size_t coordinate) const { return from_[coordinate].scale; }
 

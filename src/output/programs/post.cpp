@@ -35,7 +35,7 @@ Post::Post(const machine::MachineDefinition& machine, std::string program, base:
 void Post::take(const Motion& motion) {
   if (ended_) return;
   source_line_ = motion.line;
-  if (const base::AxisVector* const to = target_of(motion)) {
+  if (const base::TipPoint* const to = target_of(motion)) {
     tell_override(motion);
     set_length(motion.length);
     move(added_mm_ == 0 ? motion : beyond_tip(motion));
@@ -82,7 +82,7 @@ void Post::tell_override(const Motion& motion) {
 
 void Post::move(const Motion& motion) {
   const bool rapid = std::holds_alternative<Rapid>(motion.action);
-  const base::AxisVector from = beyond_tip(tip_);
+  const base::TipPoint from = beyond_tip(tip_);
   if (rapid && (!first_ || approaches_)) {
     place(*target_of(motion));
   } else if (!rapid) {
@@ -97,7 +97,7 @@ void Post::move(const Motion& motion) {
 
 // Every axis is brought there, whatever it says: another controller's stands elsewhere. Rapids one
 // behind the other are one way there; a spindle that turns by then starts up on the rest of them.
-void Post::place(const base::AxisVector& first) {
+void Post::place(const base::TipPoint& first) {
   begin_place();
   first_ = at_ = first;
   travel_ = {first, first};
@@ -112,7 +112,7 @@ void Post::begin_place() {
 
 // Where the tool of the run is: what is done there is a cut like others.
 void Post::stand() {
-  const base::AxisVector here = beyond_tip(tip_);
+  const base::TipPoint here = beyond_tip(tip_);
   if (first_) {
     travel(here);
   } else {
@@ -139,7 +139,7 @@ void Post::set_length(const ToolLength& length) {
   told_length_ = std::move(text);
 }
 
-base::AxisVector Post::beyond_tip(base::AxisVector tip) const {
+base::TipPoint Post::beyond_tip(base::TipPoint tip) const {
   if (added_mm_ == 0) return tip;
   tip[length_.axis] = base::tidy(tip[length_.axis] + added_mm_);
   return tip;
@@ -163,7 +163,7 @@ Motion Post::beyond_tip(const Motion& motion) const {
   return beyond;
 }
 
-bool Post::rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const {
+bool Post::rounded_equal(const base::TipPoint& a, const base::TipPoint& b) const {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     if (post_rounded(a.values[i]) != post_rounded(b.values[i])) return false;
   }
@@ -172,7 +172,7 @@ bool Post::rounded_equal(const base::AxisVector& a, const base::AxisVector& b) c
 
 // Without the beam. Where the tool became longer on the way the axis rises before the others move,
 // where it became shorter it comes down behind them.
-void Post::travel(const base::AxisVector& to) {
+void Post::travel(const base::TipPoint& to) {
   if (rounded_equal(at_, to)) {
     at_ = to;
     return;
@@ -181,7 +181,7 @@ void Post::travel(const base::AxisVector& to) {
   if (burns) block("M5");
   const base::Axis axis = length_.axis;
   if (post_rounded(at_[axis]) != post_rounded(beyond_tip(tip_)[axis])) {
-    base::AxisVector corner = to[axis] > at_[axis] ? at_ : to;
+    base::TipPoint corner = to[axis] > at_[axis] ? at_ : to;
     corner[axis] = std::max(to[axis], at_[axis]);
     rapid(corner);
   }
@@ -189,7 +189,7 @@ void Post::travel(const base::AxisVector& to) {
   if (burns) block(turning_);
 }
 
-void Post::words(const char* code, const base::AxisVector& to) {
+void Post::words(const char* code, const base::TipPoint& to) {
   if (modal_ != code) block_.code(code);
   modal_ = code;
   cuts_ = beam_on_ && modal_ != "G0";
@@ -200,7 +200,7 @@ void Post::words(const char* code, const base::AxisVector& to) {
   at_ = to;
 }
 
-void Post::rapid(const base::AxisVector& to) {
+void Post::rapid(const base::TipPoint& to) {
   if (!rounded_equal(at_, to)) words("G0", to);
   end_block();
   at_ = to;
@@ -222,7 +222,7 @@ void Post::feed(double per_minute) {
 }
 
 // Nothing where the output's digits show no way.
-void Post::line(const base::AxisVector& to, double per_minute) {
+void Post::line(const base::TipPoint& to, double per_minute) {
   if (rounded_equal(at_, to)) {
     at_ = to;
     return;
@@ -232,7 +232,7 @@ void Post::line(const base::AxisVector& to, double per_minute) {
   end_block();
 }
 
-void Post::straight(const base::AxisVector& to, const Feed& rate) {
+void Post::straight(const base::TipPoint& to, const Feed& rate) {
   double squares = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i)
     squares += (to.values[i] - at_.values[i]) * (to.values[i] - at_.values[i]);
@@ -354,7 +354,7 @@ void Post::act(const End& /*end*/) {
 void Post::finish() {
   if (!ended_) act(End{});
   if (const auto z = axes_.find('Z'); z && first_) {
-    base::AxisVector level = *first_;
+    base::TipPoint level = *first_;
     level[*z] = highest_mm_;
     travel_->reach(level);
   }

@@ -77,21 +77,21 @@ class Post : public motion::MotionSink {
   void tell_override(const motion::Motion& motion);
 
   void move(const motion::Motion& motion);
-  void place(const base::AxisVector& first);
+  void place(const base::TipPoint& first);
   void stand();
   void begin_place();
   void set_length(const motion::ToolLength& length);
-  [[nodiscard]] base::AxisVector beyond_tip(base::AxisVector tip) const;
+  [[nodiscard]] base::TipPoint beyond_tip(base::TipPoint tip) const;
   [[nodiscard]] motion::Motion beyond_tip(const motion::Motion& motion) const;
-  void travel(const base::AxisVector& to);
+  void travel(const base::TipPoint& to);
 
-  void rapid(const base::AxisVector& to);
-  void words(const char* code, const base::AxisVector& to);
+  void rapid(const base::TipPoint& to);
+  void words(const char* code, const base::TipPoint& to);
   void feed(double per_minute);
-  void line(const base::AxisVector& to, double per_minute);
-  void straight(const base::AxisVector& to, const motion::Feed& rate);
+  void line(const base::TipPoint& to, double per_minute);
+  void straight(const base::TipPoint& to, const motion::Feed& rate);
   void end_block();
-  [[nodiscard]] bool rounded_equal(const base::AxisVector& a, const base::AxisVector& b) const;
+  [[nodiscard]] bool rounded_equal(const base::TipPoint& a, const base::TipPoint& b) const;
 
   // Arcs: post_arcs.cpp
   [[nodiscard]] std::optional<double> flat_rise(const motion::Arc& arc,
@@ -120,9 +120,9 @@ class Post : public motion::MotionSink {
   bool ended_ = false;
 
   // Where the posted program stands, in its own coordinates.
-  base::AxisVector at_;
-  base::AxisVector tip_;                   // of the run
-  std::optional<base::AxisVector> first_;  // where every axis is brought first
+  base::TipPoint at_;
+  base::TipPoint tip_;                     // of the run
+  std::optional<base::TipPoint> first_;    // where every axis is brought first
   bool approaches_ = true;                 // nothing but rapids so far
   std::optional<std::uint64_t> place_at_;  // byte of the body where that is done
   double highest_mm_ = -std::numeric_limits<double>::infinity();  // level of the rapids

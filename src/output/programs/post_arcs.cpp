@@ -58,7 +58,7 @@ void Post::full_circles(const Arc& arc, const PlaneAxes& plane, double per_minut
       geometry::sweep_rad(plane.project(at_), plane.project(arc.to), {arc.center[0], arc.center[1]},
                           arc.direction == Direction::clockwise);
   const double turns = arc.turns + rest_rad / (2 * std::numbers::pi);
-  const base::AxisVector from = at_;
+  const base::TipPoint from = at_;
   Arc circle = arc;
   for (unsigned turn = 1; turn <= arc.turns; ++turn) {
     circle.to = from;
@@ -182,7 +182,7 @@ void Post::act(const SpaceArc& arc) {
   const double most_rad = geometry::chord_angle_rad(path.circle().radius(), kChordTolerance_mm);
   const double per_minute =
       post_rounded(motion::feed_per_minute(arc.feed, path.circle().length(), speed_rpm_));
-  path.chords(most_rad, [&](const base::AxisVector& to) { line(to, per_minute); });
+  path.chords(most_rad, [&](const base::TipPoint& to) { line(to, per_minute); });
 }
 
 }  // namespace kerf::output

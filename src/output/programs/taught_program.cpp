@@ -19,8 +19,8 @@ namespace {
 
 using namespace motion;
 using base::Axis;
-using base::AxisVector;
 using base::number_text;
+using base::TipPoint;
 using geometry::SpaceArc;
 using geometry::Vec2;
 using geometry::Vec3;
@@ -55,7 +55,7 @@ bool TaughtProgram::can_say(const AxisSetup& axes) {
   });
 }
 
-teach::Pose TaughtProgram::pose(const AxisVector& at) const {
+teach::Pose TaughtProgram::pose(const TipPoint& at) const {
   const auto value = [&](char letter) {
     const auto axis = axes_.find(letter);
     return axis ? at[*axis] : 0;
@@ -77,7 +77,7 @@ void TaughtProgram::comment(const std::string& text) {
 }
 
 // mm; degrees where only rotary axes move.
-double TaughtProgram::length_to(const AxisVector& to) const {
+double TaughtProgram::length_to(const TipPoint& to) const {
   const teach::Pose a = pose(at_);
   const teach::Pose b = pose(to);
   const double linear = length(b.focus() - a.focus());
@@ -105,7 +105,7 @@ void TaughtProgram::begin_path() {
   begun_ = true;
 }
 
-void TaughtProgram::cut(const AxisVector& to, const Feed& rate, double length_mm) {
+void TaughtProgram::cut(const TipPoint& to, const Feed& rate, double length_mm) {
   begin_path();
   if (feed(rate, length_mm)) write(teach::Line{pose(to)});
   at_ = to;

@@ -62,7 +62,7 @@ class TaughtProgram : public motion::MotionSink {
   void act(const motion::End& end);
 
   bool feed(const motion::Feed& feed, double length_mm);
-  void cut(const base::AxisVector& to, const motion::Feed& rate, double length_mm);
+  void cut(const base::TipPoint& to, const motion::Feed& rate, double length_mm);
   void begin_path();
   [[nodiscard]] std::optional<teach::Arc> arc_over(const RoundWay& way, double begin,
                                                    double end) const;
@@ -71,14 +71,14 @@ class TaughtProgram : public motion::MotionSink {
   void chords(const RoundWay& way);
   void write(const teach::Record& record);
   void comment(const std::string& text);
-  [[nodiscard]] teach::Pose pose(const base::AxisVector& at) const;
-  [[nodiscard]] double length_to(const base::AxisVector& to) const;
+  [[nodiscard]] teach::Pose pose(const base::TipPoint& at) const;
+  [[nodiscard]] double length_to(const base::TipPoint& to) const;
 
   const motion::AxisSetup& axes_;
   DriveFault fault_;
   base::OutputFile& file_;
   std::string line_;
-  base::AxisVector at_;
+  base::TipPoint at_;
   const motion::Motion* motion_ = nullptr;  // that is being taken
   double feed_ = 0;                         // last FEED; 0: none
   double speed_rpm_ = 0;

@@ -97,7 +97,7 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   line_ += source_;
 }
 
-void MotionJson::point(const char* name, const base::AxisVector& at) {
+void MotionJson::point(const char* name, const base::TipPoint& at) {
   line_ += name;
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     line_ += keys_[i];
@@ -130,7 +130,7 @@ void MotionJson::take(const Motion& motion) {
   write(motion);
   line_ += "}\n";
   file_.write(line_);
-  if (const base::AxisVector* const to = target_of(motion)) at_ = *to;
+  if (const base::TipPoint* const to = target_of(motion)) at_ = *to;
 }
 
 void MotionJson::write(const Motion& motion) {

@@ -22,8 +22,8 @@ class MotionJson : public motion::MotionSink {
  private:
   void name_file(base::FileId id);
   void begin(const char* kind, const motion::Motion& motion);
-  void point(const char* name, const base::AxisVector& at);
-  void target(const base::AxisVector& to) { point(",\"to\":{", to); }
+  void point(const char* name, const base::TipPoint& at);
+  void target(const base::TipPoint& to) { point(",\"to\":{", to); }
   void space_arc(const motion::SpaceArc& arc);
   void feed(const motion::Feed& feed);
   void write(const motion::Motion& motion);
@@ -31,7 +31,7 @@ class MotionJson : public motion::MotionSink {
   const motion::AxisSetup& axes_;
   const base::SourceSet* sources_;
   base::OutputFile& file_;
-  base::AxisVector at_;
+  base::TipPoint at_;
   std::vector<std::string> keys_;  // per axis: what stands before its value
   std::string line_;
   std::string program_;  // text of the newest program number

@@ -11,7 +11,7 @@
 namespace kerf::output {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 
 static_assert(std::endian::native == std::endian::little, "chunks are little endian");
 
@@ -95,8 +95,8 @@ PathChunks::PathChunks(const machine::MachineDefinition& machine, Source source,
 }
 
 // Turning counts as well: a move of rotary axes alone has a way.
-double PathChunks::distance(const AxisVector& from, const AxisVector& to) const {
-  const AxisVector way = to - from;
+double PathChunks::distance(const TipPoint& from, const TipPoint& to) const {
+  const base::AxisVector way = to - from;
   return math::hypot(norms_.mm(way), norms_.degrees(way));
 }
 
@@ -104,7 +104,7 @@ double PathChunks::distance(const AxisVector& from, const AxisVector& to) const 
 
 void PathChunks::take(const motion::Motion& motion) {
   ++motions_;
-  if (const AxisVector* const to = motion::target_of(motion)) {
+  if (const TipPoint* const to = motion::target_of(motion)) {
     add_move(motion, *to);
   } else if (const auto* const dwell = std::get_if<motion::Dwell>(&motion.action)) {
     add_dwell(motion, dwell->seconds);
@@ -129,7 +129,7 @@ PathChunks::Attributes PathChunks::attributes_of(const motion::Motion& motion,
   return attributes;
 }
 
-void PathChunks::add_move(const motion::Motion& motion, const AxisVector& to) {
+void PathChunks::add_move(const motion::Motion& motion, const TipPoint& to) {
   const auto curves = curves_.of(commanded_, motion);
   commanded_ = to;
   if (curves.empty()) return;
@@ -171,7 +171,7 @@ void PathChunks::take(const motion::AxisPoint& point) {
 }
 
 // False: the next one is the end of the move, which is passed with the move itself.
-bool PathChunks::next_vertex_of_front(AxisVector& at) const {
+bool PathChunks::next_vertex_of_front(TipPoint& at) const {
   const Move& move = moves_.front();
   if (curve_ >= move.curves.size()) return false;
   const auto& [curve, count] = move.curves[curve_];
@@ -189,8 +189,8 @@ void PathChunks::advance_front() {
 
 // However many vertices lie between two set-points, memory stays bounded: the first of them share
 // half of the time.
-void PathChunks::pass(const AxisVector& at, double time_s) {
-  const AxisVector& before = passed_.empty() ? reached_ : passed_.back().at;
+void PathChunks::pass(const TipPoint& at, double time_s) {
+  const TipPoint& before = passed_.empty() ? reached_ : passed_.back().at;
   const double way = passed_.empty() ? 0 : passed_.back().way;
   passed_.push_back({at, way + distance(before, at), moves_.front().attributes});
   if (passed_.size() < kMostVertices) return;
@@ -202,7 +202,7 @@ void PathChunks::pass(const AxisVector& at, double time_s) {
 
 void PathChunks::pass_motions_before(std::uint64_t number, double time_s) {
   while (!moves_.empty() && moves_.front().attributes.number < number) {
-    AxisVector at;
+    TipPoint at;
     for (; next_vertex_of_front(at); advance_front()) pass(at, time_s);
     pass(moves_.front().end, time_s);
     moves_.pop_front();
@@ -215,7 +215,7 @@ void PathChunks::pass_vertices_of_current(const motion::AxisPoint& point) {
   way_ = passed_.empty() ? way_ + distance(reached_, point.tip.tip)
                          : distance(passed_.back().at, point.tip.tip);
   if (moves_.empty() || moves_.front().attributes.number != point.tip.mark.motion) return;
-  AxisVector at;
+  TipPoint at;
   while (next_vertex_of_front(at)) {
     const double segment = distance(passed_.empty() ? last_ : passed_.back().at, at);
     if (segment > way_) return;
@@ -225,7 +225,7 @@ void PathChunks::pass_vertices_of_current(const motion::AxisPoint& point) {
   }
 }
 
-void PathChunks::place_passed(const AxisVector& at, double time_s) {
+void PathChunks::place_passed(const TipPoint& at, double time_s) {
   if (passed_.empty()) return;
   const double whole = passed_.back().way + distance(passed_.back().at, at);
   const double lasted = time_s - reached_s_;
@@ -238,10 +238,10 @@ void PathChunks::place_passed(const AxisVector& at, double time_s) {
 
 // The vertices
 
-void PathChunks::add_vertex(const AxisVector& at, double time_s, const Attributes& attributes) {
+void PathChunks::add_vertex(const TipPoint& at, double time_s, const Attributes& attributes) {
   if (arrays_.count() == 0) begin_chunk();
   constexpr double kSecondsPerMinute = 60;
-  const AxisVector way = at - last_;
+  const base::AxisVector way = at - last_;
   const double linear = norms_.mm(way);
   const double length = linear > 0 ? linear : norms_.degrees(way);
   const double lasted = time_s - last_s_;
@@ -263,7 +263,7 @@ void PathChunks::begin_chunk() {
   if (vertices_ == 0) vertices_ = 1;
 }
 
-void PathChunks::append(const AxisVector& at, double time_s, double speed_mm_min,
+void PathChunks::append(const TipPoint& at, double time_s, double speed_mm_min,
                         const Attributes& attributes) {
   drawn_ = space_.point_of(at, drawn_);
   bounds_.add(drawn_);

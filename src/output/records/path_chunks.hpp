@@ -80,12 +80,12 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
   // A move between control and servo. Curves are kept only of what has more than one vertex.
   struct Move {
     Attributes attributes;
-    base::AxisVector end;
+    base::TipPoint end;
     std::vector<Chords> curves{};
   };
   // A vertex that the tool has passed since the last set-point.
   struct Passed {
-    base::AxisVector at;
+    base::TipPoint at;
     double way = 0;  // from the last set-point
     Attributes attributes;
   };
@@ -99,21 +99,21 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
     [[nodiscard]] std::size_t count() const { return time_s.size(); }
   };
 
-  void add_move(const motion::Motion& motion, const base::AxisVector& to);
+  void add_move(const motion::Motion& motion, const base::TipPoint& to);
   [[nodiscard]] std::uint32_t chords_of(const motion::Curve& curve) const;
   void add_dwell(const motion::Motion& motion, double seconds);
   [[nodiscard]] Attributes attributes_of(const motion::Motion& motion, SegmentKind kind) const;
   void pass_motions_before(std::uint64_t number, double time_s);
   void pass_vertices_of_current(const motion::AxisPoint& point);
-  void pass(const base::AxisVector& at, double time_s);
-  [[nodiscard]] bool next_vertex_of_front(base::AxisVector& at) const;
+  void pass(const base::TipPoint& at, double time_s);
+  [[nodiscard]] bool next_vertex_of_front(base::TipPoint& at) const;
   void advance_front();
-  void place_passed(const base::AxisVector& at, double time_s);
-  void add_vertex(const base::AxisVector& at, double time_s, const Attributes& attributes);
+  void place_passed(const base::TipPoint& at, double time_s);
+  void add_vertex(const base::TipPoint& at, double time_s, const Attributes& attributes);
   void begin_chunk();
-  void append(const base::AxisVector& at, double time_s, double speed_mm_min,
+  void append(const base::TipPoint& at, double time_s, double speed_mm_min,
               const Attributes& attributes);
-  [[nodiscard]] double distance(const base::AxisVector& from, const base::AxisVector& to) const;
+  [[nodiscard]] double distance(const base::TipPoint& from, const base::TipPoint& to) const;
   [[nodiscard]] std::string header() const;
 
   const motion::AxisSetup axes_;
@@ -126,7 +126,7 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
   motion::MoveCurves curves_;
 
   // Of the motions.
-  base::AxisVector commanded_;
+  base::TipPoint commanded_;
   std::uint64_t motions_ = 0;
   double speed_rpm_ = 0;
   double power_percent_ = 0;
@@ -138,14 +138,14 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
   std::uint32_t chord_ = 0;
 
   // Of the set-points.
-  base::AxisVector reached_;
+  base::TipPoint reached_;
   double reached_s_ = 0;
   double way_ = 0;  // of the set-points from the last vertex
   std::vector<Passed> passed_;
 
   // Of the vertices.
   Arrays arrays_;
-  base::AxisVector last_;
+  base::TipPoint last_;
   double last_s_ = 0;
   double last_speed_ = 0;
   Attributes last_attributes_;

@@ -24,7 +24,7 @@ RowCsv::RowCsv(const AxisSetup& axes, const control::Memory& memory, base::Outpu
   file_.write("line,G,X,Y,Z,I,J,K,R,T,F,A\n");
 }
 
-RowCsv::Xyz RowCsv::xyz_of(const base::AxisVector& point) const {
+RowCsv::Xyz RowCsv::xyz_of(const base::TipPoint& point) const {
   Xyz xyz{};
   for (std::size_t i = 0; i < xyz.size(); ++i) {
     if (xyz_[i]) xyz[i] = point[*xyz_[i]];
@@ -33,7 +33,7 @@ RowCsv::Xyz RowCsv::xyz_of(const base::AxisVector& point) const {
 }
 
 // Along the linear axes; of a rotary-only move in degrees.
-double RowCsv::length_to(const base::AxisVector& to) const {
+double RowCsv::length_to(const base::TipPoint& to) const {
   double linear = 0;
   double rotary = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
@@ -49,7 +49,7 @@ double RowCsv::tool_radius() const {
   return base::tidy(offset.radius_geometry + offset.radius_wear);
 }
 
-void RowCsv::straight(std::string_view code, const base::AxisVector& to, const Feed& feed) {
+void RowCsv::straight(std::string_view code, const base::TipPoint& to, const Feed& feed) {
   feed_ = base::tidy(motion::feed_per_minute(feed, length_to(to), speed_rpm_));
   move(code, to, {}, feed_);
 }
@@ -63,7 +63,7 @@ void RowCsv::arc(const Arc& arc) {
   const double length =
       geometry::arc_length(from, plane->project(arc.to), centre, clockwise, arc.turns, 0);
   feed_ = base::tidy(motion::feed_per_minute(arc.feed, length, speed_rpm_));
-  base::AxisVector to_centre;
+  base::TipPoint to_centre;
   plane->place(to_centre, {base::tidy(centre.u - from.u), base::tidy(centre.v - from.v)});
   move(clockwise ? "2" : "3", arc.to, xyz_of(to_centre), feed_);
 }
@@ -73,11 +73,10 @@ void RowCsv::space_arc(const SpaceArc& arc) {
   const geometry::SpaceArc& circle = path.circle();
   feed_ = base::tidy(motion::feed_per_minute(arc.feed, circle.length(), speed_rpm_));
   path.chords(geometry::chord_angle_rad(circle.radius(), Post::kChordTolerance_mm),
-              [&](const base::AxisVector& to) { move("1", to, {}, feed_); });
+              [&](const base::TipPoint& to) { move("1", to, {}, feed_); });
 }
 
-void RowCsv::move(std::string_view code, const base::AxisVector& to, const Xyz& centre,
-                  double feed) {
+void RowCsv::move(std::string_view code, const base::TipPoint& to, const Xyz& centre, double feed) {
   const Xyz begin = xyz_of(at_);
   const Xyz end = xyz_of(to);
   write(code, end, centre, feed, geometry::heading_deg({begin[0], begin[1]}, {end[0], end[1]}));

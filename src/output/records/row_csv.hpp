@@ -40,20 +40,20 @@ class RowCsv : public motion::MotionSink {
   static constexpr double kToolChange_deg = 720;
   using Xyz = std::array<double, 3>;
 
-  void straight(std::string_view code, const base::AxisVector& to, const motion::Feed& feed);
+  void straight(std::string_view code, const base::TipPoint& to, const motion::Feed& feed);
   void arc(const motion::Arc& arc);
   void space_arc(const motion::SpaceArc& arc);
-  void move(std::string_view code, const base::AxisVector& to, const Xyz& centre, double feed);
+  void move(std::string_view code, const base::TipPoint& to, const Xyz& centre, double feed);
   void write(std::string_view code, const Xyz& to, const Xyz& centre, double feed, double heading);
-  [[nodiscard]] Xyz xyz_of(const base::AxisVector& point) const;
-  [[nodiscard]] double length_to(const base::AxisVector& to) const;
+  [[nodiscard]] Xyz xyz_of(const base::TipPoint& point) const;
+  [[nodiscard]] double length_to(const base::TipPoint& to) const;
   [[nodiscard]] double tool_radius() const;
 
   const motion::AxisSetup& axes_;
   const control::Memory& memory_;
   base::OutputFile& file_;
   std::array<std::optional<base::Axis>, 3> xyz_;
-  base::AxisVector at_;
+  base::TipPoint at_;
   std::uint32_t line_ = 0;
   std::uint32_t tool_ = 0;
   double feed_ = 0;  // of the last move that was no rapid

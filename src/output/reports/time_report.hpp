@@ -61,7 +61,7 @@ class TimeReport : public motion::AxisPointSink {
   std::unordered_map<std::uint64_t, Account> lines_;
   LineRuns runs_;
   Account current_;
-  base::AxisVector at_;
+  base::TipPoint at_;
   bool has_forgotten_ = false;
 };
 

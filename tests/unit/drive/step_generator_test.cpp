@@ -27,8 +27,8 @@ StepTiming no_limits() {
   return timing;
 }
 
-JointPoint point(double time_s, double x, double y = 0) {
-  JointPoint result{time_s, {}};
+JointMoment point(double time_s, double x, double y = 0) {
+  JointMoment result{time_s, {}};
   result.joints.values[0] = x;
   result.joints.values[1] = y;
   return result;
@@ -87,11 +87,11 @@ TEST(StepGenerator, AnAxisBetweenTwoStepsDoesNotChatter) {
 }
 
 /// Random set-points on two axes, every millisecond.
-std::vector<JointPoint> random_walk(unsigned seed, int points) {
+std::vector<JointMoment> random_walk(unsigned seed, int points) {
   SeededRandom random(seed);
-  std::vector<JointPoint> walk{point(0, random.in(-5, 5), random.in(-5, 5))};
+  std::vector<JointMoment> walk{point(0, random.in(-5, 5), random.in(-5, 5))};
   for (int i = 1; i < points; ++i) {
-    const base::AxisVector& last = walk.back().joints;
+    const base::JointPoint& last = walk.back().joints;
     const double step = random.size(1e-6, 1);
     const bool rests = random.count(0, 9) == 0;
     walk.push_back(point(i * 1e-3, last.values[0] + (rests ? 0 : random.in(-step, step)),
@@ -100,7 +100,7 @@ std::vector<JointPoint> random_walk(unsigned seed, int points) {
   return walk;
 }
 
-double line_at(const JointPoint& from, const JointPoint& to, std::size_t axis, double time_s) {
+double line_at(const JointMoment& from, const JointMoment& to, std::size_t axis, double time_s) {
   const double part = (time_s - from.time_s) / (to.time_s - from.time_s);
   return from.joints.values[axis] + part * (to.joints.values[axis] - from.joints.values[axis]);
 }
@@ -109,7 +109,7 @@ TEST(StepGenerator, IsNeverMoreThanHalfAStepFromTheLine) {
   constexpr std::array<double, 2> kPerUnit{1000, -333.25};
   for (unsigned seed = test::kSeed; seed < test::kSeed + 50; ++seed) {
     SCOPED_TRACE(seed);
-    const std::vector<JointPoint> walk = random_walk(seed, 200);
+    const std::vector<JointMoment> walk = random_walk(seed, 200);
     PulseRecorder recorder;
     const StepTiming timing = no_limits();
     StepGenerator generator({{"X", kPerUnit[0], 0}, {"Y", kPerUnit[1], 0}}, timing, recorder);

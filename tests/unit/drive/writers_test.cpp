@@ -101,7 +101,7 @@ std::vector<Pulse> random_pulses() {
   timing.direction_setup_ns = kSetup;
   timing.band_steps = 0.25;
   StepGenerator generator({{"X", 100, 0}, {"Y", 100, 0}}, timing, recorder);
-  JointPoint point;
+  JointMoment point;
   generator.start(point);
   for (int i = 1; i <= 3000; ++i) {
     point.time_s = i * 1e-3;

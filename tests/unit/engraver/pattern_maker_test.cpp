@@ -23,6 +23,8 @@ namespace kerf::engraver {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using drive::ArmAxis;
 using drive::ArmCounts;
 using drive::FastRecord;
@@ -120,14 +122,14 @@ class Probe : public drive::PulseSink {
     counts_.values[index(pulse.axis)] += sign(pulse.direction);
   }
   void look() {
-    const AxisVector tip = machine_.tip_at(counts_);
+    const TipPoint tip = machine_.tip_at(counts_);
     if (tip[machine_.z()] < 0) worst = std::max(worst, distance_(tip));
   }
   double worst = 0;
 
  private:
   const PatternMachine& machine_;
-  std::function<double(const AxisVector&)> distance_;
+  std::function<double(const TipPoint&)> distance_;
   ArmCounts counts_;
   std::int64_t time_ns_ = -1;
 };
@@ -146,11 +148,11 @@ double measured(const Made& made, const machine::MachineDefinition& definition, 
   return probe.worst;
 }
 
-double from_circle(const AxisVector& tip, double x, double y, double r) {
+double from_circle(const TipPoint& tip, double x, double y, double r) {
   return std::fabs(std::hypot(tip.values[0] - x, tip.values[1] - y) - r);
 }
 
-double from_line(const AxisVector& tip, double x0, double y0, double x1, double y1) {
+double from_line(const TipPoint& tip, double x0, double y0, double x1, double y1) {
   const double length = std::hypot(x1 - x0, y1 - y0);
   return std::fabs((tip.values[0] - x0) * (y1 - y0) - (tip.values[1] - y0) * (x1 - x0)) / length;
 }
@@ -163,8 +165,8 @@ TEST(PatternMaker, ACircleStartsAndEndsAtTheCountsOfTheReference) {
   const Made made = made_of(kCircle, definition);
   EXPECT_EQ(made.report.counters[ArmAxis::theta1], 18205);
   EXPECT_EQ(made.report.counters[ArmAxis::theta2], -5318);
-  const double off = measured(made, definition,
-                              [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); });
+  const double off =
+      measured(made, definition, [](const TipPoint& tip) { return from_circle(tip, 150, 60, 25); });
   EXPECT_NEAR(off, made.report.measured.mm, 1e-6);
   EXPECT_LE(off, made.report.bound.mm);
   // 2 * 4.363323e-5 (186.6 + 132) and a little for joints and chords.
@@ -174,9 +176,9 @@ TEST(PatternMaker, ACircleStartsAndEndsAtTheCountsOfTheReference) {
 TEST(PatternMaker, AtASpeedOfItsOwnThePatternTakesAsLongAsItsReplay) {
   const auto definition = machine_with("arm4", {{"pattern.cut_speed", "78"}});
   const Made made = made_of(kCircle, definition);
-  EXPECT_LE(measured(made, definition,
-                     [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); }),
-            made.report.bound.mm);
+  EXPECT_LE(
+      measured(made, definition, [](const TipPoint& tip) { return from_circle(tip, 150, 60, 25); }),
+      made.report.bound.mm);
   EXPECT_GT(made.report.time_s, made_of(kCircle).report.time_s);
 }
 
@@ -185,8 +187,8 @@ TEST(PatternMaker, MotorsMayTurnTheOtherWay) {
     const std::string value = key[5] == 'Z' ? "-100" : "-200";
     const auto definition = machine_with("arm4", {{key, value}});
     const Made made = made_of(kCircle, definition);
-    const double off = measured(
-        made, definition, [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); });
+    const double off = measured(made, definition,
+                                [](const TipPoint& tip) { return from_circle(tip, 150, 60, 25); });
     EXPECT_GT(off, 0.005) << key;
     EXPECT_LE(off, made.report.bound.mm) << key;
   }
@@ -198,7 +200,7 @@ TEST(PatternMaker, ALineStartsAndEndsAtTheCountsOfTheReference) {
   EXPECT_EQ(made.report.counters[ArmAxis::theta1], 15766);
   EXPECT_EQ(made.report.counters[ArmAxis::theta2], -5621);
   const double off = measured(
-      made, definition, [](const AxisVector& tip) { return from_line(tip, 120, -80, 200, 40); });
+      made, definition, [](const TipPoint& tip) { return from_line(tip, 120, -80, 200, 40); });
   EXPECT_NEAR(off, made.report.measured.mm, 1e-6);
   EXPECT_LE(off, made.report.bound.mm);
 }
@@ -211,29 +213,29 @@ TEST(PatternReference, ClosedLoopErrorsOfEqualSamples) {
   struct Loop {
     int samples;
     kinematics::Branch branch;
-    std::function<AxisVector(double)> path;
-    std::function<double(const AxisVector&)> distance;
+    std::function<TipPoint(double)> path;
+    std::function<double(const TipPoint&)> distance;
     std::array<std::int64_t, 4> counts;  // θ1, θ2 of start and end
     double most_mm;
   };
   const auto circle = [](double u) {
     const double a = 2 * 3.14159265358979323846 * u;
-    return AxisVector{{150 + 25 * std::cos(a), 60 + 25 * std::sin(a)}};
+    return TipPoint{{150 + 25 * std::cos(a), 60 + 25 * std::sin(a)}};
   };
-  const auto line = [](double u) { return AxisVector{{120 + 80 * u, -80 + 120 * u}}; };
-  const auto off_line = [](const AxisVector& tip) { return from_line(tip, 120, -80, 200, 40); };
+  const auto line = [](double u) { return TipPoint{{120 + 80 * u, -80 + 120 * u}}; };
+  const auto off_line = [](const TipPoint& tip) { return from_line(tip, 120, -80, 200, 40); };
   const Loop loops[] = {
       {500,
        kinematics::Branch::plus,
        circle,
-       [](const AxisVector& tip) { return from_circle(tip, 150, 60, 25); },
+       [](const TipPoint& tip) { return from_circle(tip, 150, 60, 25); },
        {18205, -5318, 18205, -5318},
        0.0128},
       {450, kinematics::Branch::plus, line, off_line, {22755, -18115, 15766, -5621}, 0.0107},
       {450, kinematics::Branch::minus, line, off_line, {-22755, 4639, -15766, 10145}, 0.0096},
   };
   for (const Loop& loop : loops) {
-    AxisVector joints = *motors.kinematics().inverse(loop.path(0), {}, loop.branch);
+    JointPoint joints = *motors.kinematics().inverse(loop.path(0), {}, loop.branch);
     ArmCounts at = motors.counts_at(joints);
     EXPECT_EQ(at[ArmAxis::theta1], loop.counts[0]);
     EXPECT_EQ(at[ArmAxis::theta2], loop.counts[1]);
@@ -398,7 +400,7 @@ TEST(PatternProperty, RandomContoursKeepTheirBoundAndHeading) {
       for (const drive::PulseField& field : triplet->fields) ASSERT_LE(field.pulses, 30);
     }
     const auto round3 = [](double v) { return std::round(v * 1000) / 1000; };
-    const double off = measured(made, definition, [&](const AxisVector& tip) {
+    const double off = measured(made, definition, [&](const TipPoint& tip) {
       return from_circle(tip, round3(x + r) - round3(r), round3(y), round3(r));
     });
     EXPECT_LE(off, made.report.bound.mm + 1e-9) << program;
@@ -422,7 +424,7 @@ TEST(PatternMaker, TheWheelStaysOnTheTangent) {
     }
     const drive::SlowMove move = std::get<Triplet>(record).move();
     at[ArmAxis::theta3] += move.theta3;
-    const AxisVector tip = motors.tip_at(at);
+    const TipPoint tip = motors.tip_at(at);
     const double tangent =
         geometry::degrees(std::atan2(tip[motors.y()] - 60, tip[motors.x()] - 150)) + 90;
     const double off = std::remainder(tip[motors.c()] - tangent, 180);
@@ -503,7 +505,7 @@ TEST(PatternReplay, AnotherSpeedForEveryTripletKeepsThatOfTheWheel) {
   const std::vector<std::pair<int, int>> moves = {{0, 30}, {20, 30}, {30, 0}, {-30, 30}};
   for (const auto& [theta1, theta2] : moves) {
     const double begin_s = replay.time_s();
-    const AxisVector from = motors.tip_at(replay.counters());
+    const TipPoint from = motors.tip_at(replay.counters());
     ASSERT_TRUE(replay.take(
         Triplet{{drive::pulse_field(0), drive::pulse_field(theta1), drive::pulse_field(theta2)},
                 Triplet::kAxes}));

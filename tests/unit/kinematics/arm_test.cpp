@@ -13,6 +13,8 @@ namespace kerf::kinematics {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 
 constexpr double kPrinted = 0.5000001e-6;  // six decimals
 constexpr double kPulse_deg = 0.005;
@@ -21,8 +23,8 @@ double pulses(double angle_deg) { return std::round(angle_deg / kPulse_deg); }
 
 /// Determinant of d(x, y) / d(θ2, θ1), mm², positive with the elbow +, from the derivatives of the
 /// inverse along X and Y.
-double determinant(const Kinematics& arm, const AxisVector& joints) {
-  const AxisVector tip = arm.forward(joints);
+double determinant(const Kinematics& arm, const JointPoint& joints) {
+  const TipPoint tip = arm.forward(joints);
   const AxisVector x = arm.along({tip, {{1, 0}}, {}, {}}, joints)->first;
   const AxisVector y = arm.along({tip, {{0, 1}}, {}, {}}, joints)->first;
   const double inverse = x.values[1] * y.values[0] - y.values[1] * x.values[0];
@@ -45,8 +47,8 @@ TEST(KinematicsArm, TipStandsWhereTheTableSays) {
   };
   const auto arm = test::make(test::arm_settings());
   for (const Row& row : rows) {
-    const AxisVector joints{{row.t1, row.t2, 0, 0}};
-    const AxisVector tip = arm->forward(joints);
+    const JointPoint joints{{row.t1, row.t2, 0, 0}};
+    const TipPoint tip = arm->forward(joints);
     EXPECT_NEAR(tip.values[0], row.x, kPrinted);
     EXPECT_NEAR(tip.values[1], row.y, kPrinted);
     EXPECT_NEAR(std::hypot(tip.values[0], tip.values[1]), row.r, kPrinted);
@@ -71,7 +73,7 @@ TEST(KinematicsArm, BothElbowsAreThoseOfTheTable) {
   };
   const auto arm = test::make(test::arm_settings());
   for (const Row& row : rows) {
-    const AxisVector tip{{row.x, row.y}};
+    const TipPoint tip{{row.x, row.y}};
     const auto plus = arm->inverse(tip, {{0, row.plus_t2}}, Branch::plus);
     const auto minus = arm->inverse(tip, {{0, row.minus_t2}}, Branch::minus);
     ASSERT_TRUE(plus && minus);
@@ -86,8 +88,8 @@ TEST(KinematicsArm, BothElbowsAreThoseOfTheTable) {
 
 TEST(KinematicsArm, WheelKeepsItsHeadingByHalfTurns) {
   const auto arm = test::make(test::arm_settings());
-  const AxisVector previous{{90, 0, 80, 0}};
-  const AxisVector joints = *arm->inverse({{132, 132, 7, 0}}, previous);
+  const JointPoint previous{{90, 0, 80, 0}};
+  const JointPoint joints = *arm->inverse({{132, 132, 7, 0}}, previous);
   EXPECT_NEAR(joints.values[2], 90, 1e-9) << "0 - 90 - 0, half a turn on";
   EXPECT_EQ(joints.values[3], 7);
 }
@@ -96,7 +98,7 @@ TEST(KinematicsArm, AbsoluteForearmCountsFromX) {
   auto settings = test::arm_settings();
   settings.arm.forearm_absolute = true;
   const auto arm = test::make(settings);
-  const AxisVector joints = *arm->inverse({{132, 132, 0, 90}}, {{0, 60}}, Branch::minus);
+  const JointPoint joints = *arm->inverse({{132, 132, 0, 90}}, {{0, 60}}, Branch::minus);
   EXPECT_NEAR(joints.values[0], 0, 1e-9);
   EXPECT_NEAR(joints.values[1], 90, 1e-9);
   EXPECT_NEAR(joints.values[2], -90, 1e-9) << "or 90: the wheel is the same after half a turn";
@@ -109,7 +111,7 @@ TEST(KinematicsArm, TheStretchedArmBendsToTheSideOfItsElbow) {
     settings.arm.elbow_minus = minus;
     const auto arm = test::make(settings);
     const double sign = minus ? -1 : 1;
-    const AxisVector joints = *arm->inverse({{200, 50}}, {});
+    const JointPoint joints = *arm->inverse({{200, 50}}, {});
     EXPECT_NEAR(joints.values[0], sign * 77.315506, 1e-6);
     EXPECT_EQ(arm->branch_at(joints), minus ? Branch::minus : Branch::plus);
     // Once bent it stays.
@@ -150,8 +152,8 @@ TEST(KinematicsArm, AJointBeyondItsLimitIsNamed) {
             "T1 would stand at 175.658372 degrees, beyond its limit of 163.835 degrees");
 
   // Along a path the turn is kept; a move off the work may go round.
-  const AxisVector previous{{100, -175}};
-  const AxisVector tip{{-150, -80}};
+  const JointPoint previous{{100, -175}};
+  const TipPoint tip{{-150, -80}};
   EXPECT_EQ(arm->inverse(tip, previous).error().joint, base::Axis{1});
   EXPECT_NEAR(arm->nearest(tip, previous)->values[1], -102.013714, kPrinted) << "the other elbow";
   EXPECT_NEAR(arm->inverse(tip, {{100, 0}})->values[1], 158.158688, kPrinted);
@@ -170,14 +172,14 @@ TEST(KinematicsArm, NearestGoesRoundWhenTheOtherElbowIsBeyondItsLimit) {
 
 TEST(KinematicsArm, AtTheShoulderTheUpperArmStays) {
   const auto arm = test::make(test::arm_settings());
-  const AxisVector joints = *arm->inverse({{0, 0}}, {{170, 33}});
+  const JointPoint joints = *arm->inverse({{0, 0}}, {{170, 33}});
   EXPECT_NEAR(joints.values[0], 180, 1e-9);
   EXPECT_EQ(joints.values[1], 33);
 }
 
 TEST(KinematicsArm, RatesAreSingularStretchedAndFolded) {
   const auto arm = test::make(test::arm_settings());
-  for (const AxisVector& joints : {AxisVector{{0, 20}}, AxisVector{{180, 20}}}) {
+  for (const JointPoint& joints : {JointPoint{{0, 20}}, JointPoint{{180, 20}}}) {
     const auto rates = arm->along({arm->forward(joints), {{1, 0}}, {}, {}}, joints);
     ASSERT_FALSE(rates);
     EXPECT_EQ(rates.error().kind, Fault::Kind::singular);
@@ -212,15 +214,15 @@ template <typename Path, typename Error>
 Loop replay(const Path& path, const Error& error, int segments, Branch branch) {
   const auto arm = test::make(test::arm_settings());
   Loop loop;
-  AxisVector exact = *arm->inverse(path(0.0), {}, branch);
-  AxisVector at;
+  JointPoint exact = *arm->inverse(path(0.0), {}, branch);
+  JointPoint at;
   for (int i = 0; i <= segments; ++i) {
     exact = *arm->inverse(path(i / double(segments)), exact);
-    AxisVector next;
+    JointPoint next;
     for (std::size_t k : {0U, 1U}) next.values[k] = pulses(exact.values[k]);
     if (i == 0) loop.first_pulses = at = next;
     for (int j = 0; j <= 20; ++j) {
-      AxisVector joints;
+      JointPoint joints;
       for (std::size_t k : {0U, 1U}) {
         joints.values[k] = kPulse_deg * (at.values[k] + j / 20.0 * (next.values[k] - at.values[k]));
       }
@@ -233,10 +235,10 @@ Loop replay(const Path& path, const Error& error, int segments, Branch branch) {
 
 TEST(KinematicsArm, ACircleEndsInThePulsesInWhichItBegan) {
   const auto path = [](double share) {
-    return AxisVector{{150 + 25 * std::cos(2 * std::numbers::pi * share),
-                       60 + 25 * std::sin(2 * std::numbers::pi * share)}};
+    return TipPoint{{150 + 25 * std::cos(2 * std::numbers::pi * share),
+                     60 + 25 * std::sin(2 * std::numbers::pi * share)}};
   };
-  const auto error = [](const AxisVector& tip) {
+  const auto error = [](const TipPoint& tip) {
     return std::fabs(std::hypot(tip.values[0] - 150, tip.values[1] - 60) - 25);
   };
   const Loop loop = replay(path, error, 500, Branch::plus);
@@ -250,8 +252,8 @@ TEST(KinematicsArm, ACircleEndsInThePulsesInWhichItBegan) {
 }
 
 TEST(KinematicsArm, ALineBeginsAndEndsInThePulsesOfTheTable) {
-  const auto path = [](double share) { return AxisVector{{120 + 80 * share, -80 + 120 * share}}; };
-  const auto error = [](const AxisVector& tip) {
+  const auto path = [](double share) { return TipPoint{{120 + 80 * share, -80 + 120 * share}}; };
+  const auto error = [](const TipPoint& tip) {
     const double length = std::hypot(80, 120);
     return std::fabs((tip.values[0] - 120) * 120 - (tip.values[1] + 80) * 80) / length;
   };

@@ -12,16 +12,18 @@ namespace kerf::kinematics {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using geometry::Vec3;
 
 constexpr double kPrinted = 0.5000001e-6;   // six decimals
 constexpr double kPrinted9 = 0.5000001e-9;  // nine
 
-Vec3 focus(const AxisVector& tip) { return {tip.values[0], tip.values[1], tip.values[2]}; }
+Vec3 focus(const TipPoint& tip) { return {tip.values[0], tip.values[1], tip.values[2]}; }
 
 TEST(KinematicsHead, CarriageStandsWhereTheTableSays) {
   struct Row {
-    AxisVector tip;
+    TipPoint tip;
     Vec3 carriage;
     Vec3 beam;
   };
@@ -49,7 +51,7 @@ TEST(KinematicsHead, CarriageStandsWhereTheTableSays) {
     EXPECT_NEAR(joints->values[2], row.carriage.z, kPrinted) << test::text(row.tip);
     EXPECT_EQ(joints->values[3], row.tip.values[3]);
     EXPECT_EQ(joints->values[4], row.tip.values[4]) << "the program's own turn";
-    const AxisVector back = head->forward(*joints);
+    const TipPoint back = head->forward(*joints);
     for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(back.values[i], row.tip.values[i], 1e-12);
     const Vec3 beam = beam_axis({row.tip.values[3], row.tip.values[4]});
     EXPECT_NEAR(beam.x, row.beam.x, kPrinted);
@@ -99,15 +101,15 @@ TEST(KinematicsHead, ADownwardBeamStaysOnTheSideOfThePreviousTilt) {
 /// Largest distance of the focus from the point of the same share on the straight line, in a step
 /// of the angles about which the carriage moves straight.
 double largest_focus_error(const Kinematics& head, HeadAngles from, HeadAngles delta) {
-  const AxisVector begin{{0, 0, 0, from.a_deg, from.c_deg}};
-  const AxisVector end{{0, 0, 0, from.a_deg + delta.a_deg, from.c_deg + delta.c_deg}};
-  const AxisVector from_joints = *head.inverse(begin, {});
-  const AxisVector to_joints = *head.inverse(end, from_joints);
+  const TipPoint begin{{0, 0, 0, from.a_deg, from.c_deg}};
+  const TipPoint end{{0, 0, 0, from.a_deg + delta.a_deg, from.c_deg + delta.c_deg}};
+  const JointPoint from_joints = *head.inverse(begin, {});
+  const JointPoint to_joints = *head.inverse(end, from_joints);
   double most = 0;
   constexpr int kSamples = 10'000;
   for (int i = 0; i <= kSamples; ++i) {
     const double share = i / double{kSamples};
-    AxisVector joints;
+    JointPoint joints;
     for (std::size_t k = 0; k < 5; ++k) {
       joints.values[k] =
           from_joints.values[k] + share * (to_joints.values[k] - from_joints.values[k]);
@@ -141,8 +143,8 @@ TEST(KinematicsHead, FocusLeavesTheLineAsTheTableSays) {
 
 TEST(KinematicsHead, TurnedOverHoldsTheSameFocusAndBeam) {
   const auto head = test::make(test::head_settings());
-  const AxisVector tip{{10, 20, 30, -45, 10}};
-  EXPECT_EQ(head->branch_at(tip), Branch::minus);
+  const TipPoint tip{{10, 20, 30, -45, 10}};
+  EXPECT_EQ(head->branch_at(JointPoint(tip.numbers())), Branch::minus);
   const AxisVector over = *head->inverse(tip, {}, Branch::plus);
   EXPECT_NEAR(over.values[0], 70.366450, kPrinted);
   EXPECT_NEAR(over.values[3], 45, 1e-12);
@@ -154,7 +156,7 @@ TEST(KinematicsHead, NearestTakesTheBranchThatIsWithinTheLimits) {
   settings.joints[3].low = -10;
   settings.joints[3].high = 100;
   const auto head = test::make(settings);
-  const AxisVector tip{{0, 0, 0, -45, 10}};
+  const TipPoint tip{{0, 0, 0, -45, 10}};
   EXPECT_EQ(head->inverse(tip, {}).error().kind, Fault::Kind::limit);
   EXPECT_NEAR(head->nearest(tip, {})->values[3], 45, 1e-12);
   EXPECT_NEAR(head->nearest(tip, {})->values[4], -170, 1e-12);

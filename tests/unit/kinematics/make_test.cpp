@@ -7,7 +7,7 @@
 namespace kerf::kinematics {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 
 std::string refusal(const Settings& settings) {
   const auto made = make_kinematics(settings);
@@ -57,13 +57,15 @@ TEST(KinematicsSettings, LengthsAndRangesMustBePossible) {
 
 TEST(KinematicsCartesian, JointsAreTheTip) {
   const auto machine = test::make(test::cartesian_settings());
-  const AxisVector tip{{1, -2, 3, 770}};
-  EXPECT_EQ(machine->forward(tip), tip);
-  EXPECT_EQ(*machine->inverse(tip, {}), tip);
-  EXPECT_EQ(*machine->nearest(tip, {}), tip);
-  const base::PathJet path{tip, {{1, 0, 2}}, {{0, 5}}, {{-7}}};
-  EXPECT_EQ(*machine->along(path, tip), path);
-  EXPECT_EQ(machine->deviation_bound_mm({}, tip), 0);
+  const TipPoint tip{{1, -2, 3, 770}};
+  const base::JointPoint joints(tip.numbers());
+  EXPECT_EQ(machine->forward(joints), tip);
+  EXPECT_EQ(*machine->inverse(tip, {}), joints);
+  EXPECT_EQ(*machine->nearest(tip, {}), joints);
+  const base::TipJet path{tip, {{1, 0, 2}}, {{0, 5}}, {{-7}}};
+  EXPECT_EQ(*machine->along(path, joints),
+            (base::JointJet{joints, path.first, path.second, path.third}));
+  EXPECT_EQ(machine->deviation_bound_mm({}, joints), 0);
   EXPECT_FALSE(machine->has_branches());
 }
 

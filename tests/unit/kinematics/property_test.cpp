@@ -17,6 +17,8 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using test::kSeed;
 using test::SeededRandom;
 using test::text;
@@ -28,7 +30,7 @@ constexpr double kExact = 1e-9;  // mm, degrees
 struct Subject {
   std::string name;
   Settings settings;
-  std::function<AxisVector(SeededRandom&)> tip;
+  std::function<TipPoint(SeededRandom&)> tip;
   double heading_turn_deg = 0;  ///< entry 3 of the tip counts modulo this, when not 0
 };
 
@@ -41,7 +43,7 @@ double radius(SeededRandom& random, double least, double most) {
   }
 }
 
-AxisVector tip_at(double radius_mm, double angle_rad, double z, double heading) {
+TipPoint tip_at(double radius_mm, double angle_rad, double z, double heading) {
   return {{radius_mm * std::cos(angle_rad), radius_mm * std::sin(angle_rad), z, heading}};
 }
 
@@ -64,8 +66,8 @@ Subject head(const std::string& name, const HeadRadii& radii) {
   subject.settings.head = radii;
   subject.tip = [](SeededRandom& random) {
     const double a = random.coin() ? random.in(-180, 180) : 90.0 * random.count(-2, 2);
-    return AxisVector{{random.in(-500, 500), random.in(-500, 500), random.in(-500, 500), a,
-                       random.in(-1000, 1000)}};
+    return TipPoint{{random.in(-500, 500), random.in(-500, 500), random.in(-500, 500), a,
+                     random.in(-1000, 1000)}};
   };
   return subject;
 }
@@ -83,8 +85,8 @@ const std::vector<Subject>& subjects() {
   static const std::vector<Subject> all = {
       {"cartesian", test::cartesian_settings(),
        [](SeededRandom& random) {
-         return AxisVector{{random.in(-500, 500), random.in(-500, 500), random.in(-500, 500),
-                            random.in(-1000, 1000)}};
+         return TipPoint{{random.in(-500, 500), random.in(-500, 500), random.in(-500, 500),
+                          random.in(-1000, 1000)}};
        }},
       x_theta_z("x_theta_z", {25, 10, 5}),
       x_theta_z("x_theta_z_other_signs", {-40, -75, -3}),
@@ -103,8 +105,8 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
   const Subject& subject_ = subjects()[GetParam()];
   std::unique_ptr<const Kinematics> machine_ = test::make(subject_.settings);
 
-  AxisVector random_joints(SeededRandom& random) const {
-    AxisVector joints;
+  JointPoint random_joints(SeededRandom& random) const {
+    JointPoint joints;
     for (std::size_t i = 0; i < machine_->size(); ++i) {
       const bool rotary = machine_->joints()[i].rotary;
       joints.values[i] = rotary ? random.in(-400, 400) : random.in(-300, 300);
@@ -113,7 +115,7 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
   }
 
   /// Largest difference of two tips, mm or degrees.
-  double difference(const AxisVector& tip, const AxisVector& other) const {
+  double difference(const TipPoint& tip, const AxisVector& other) const {
     AxisVector off = tip - other;
     if (const double turn = subject_.heading_turn_deg; turn != 0) {
       off.values[3] = geometry::nearest_turn(off.values[3], 0, turn);
@@ -123,12 +125,14 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
     return most;
   }
   /// Distance in space alone.
-  static double distance(const AxisVector& tip, const AxisVector& other) {
+  static double distance(const TipPoint& tip, const AxisVector& other) {
     const AxisVector off = tip - other;
     return std::hypot(off.values[0], off.values[1], off.values[2]);
   }
-  static AxisVector between(const AxisVector& from, const AxisVector& to, double share) {
-    AxisVector result;
+  template <typename Frame>
+  static base::Point<Frame> between(const base::Point<Frame>& from, const base::Point<Frame>& to,
+                                    double share) {
+    base::Point<Frame> result;
     for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
       result.values[i] = from.values[i] + share * (to.values[i] - from.values[i]);
     }
@@ -139,8 +143,8 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
     return branch == Branch::plus ? Branch::minus : Branch::plus;
   }
   /// Where differences still tell something of the joints.
-  AxisVector pose_off_singular_places(SeededRandom& random) const {
-    AxisVector joints = random_joints(random);
+  JointPoint pose_off_singular_places(SeededRandom& random) const {
+    JointPoint joints = random_joints(random);
     if (subject_.settings.kind == Kind::arm) {
       joints.values[0] = (random.coin() ? 1 : -1) * random.in(20, 160);
       if (subject_.settings.arm.forearm_absolute) joints.values[0] += joints.values[1];
@@ -154,8 +158,8 @@ class EveryKinematics : public testing::TestWithParam<std::size_t> {
 TEST_P(EveryKinematics, ForwardOfInverseIsTheTip) {
   SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector tip = subject_.tip(random);
-    const AxisVector previous = random_joints(random);
+    const TipPoint tip = subject_.tip(random);
+    const JointPoint previous = random_joints(random);
     const auto joints = machine_->inverse(tip, previous);
     ASSERT_TRUE(joints) << text(tip) << joints.error().message;
     ASSERT_LE(difference(machine_->forward(*joints), tip), kExact) << text(tip) << text(previous);
@@ -166,12 +170,12 @@ TEST_P(EveryKinematics, EveryBranchHoldsTheTip) {
   if (!machine_->has_branches()) return;
   SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector tip = subject_.tip(random);
-    const AxisVector previous = random_joints(random);
+    const TipPoint tip = subject_.tip(random);
+    const JointPoint previous = random_joints(random);
     for (const Branch branch : {Branch::plus, Branch::minus}) {
       const auto joints = machine_->inverse(tip, previous, branch);
       ASSERT_TRUE(joints) << text(tip);
-      const AxisVector back = machine_->forward(*joints);
+      const TipPoint back = machine_->forward(*joints);
       if (is_head()) {
         ASSERT_LE(distance(back, tip), kExact) << text(tip);
         const auto beam = beam_axis({back.values[3], back.values[4]});
@@ -186,7 +190,7 @@ TEST_P(EveryKinematics, EveryBranchHoldsTheTip) {
 TEST_P(EveryKinematics, InverseFindsTheJointsAgain) {
   SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    AxisVector joints = random_joints(random);
+    JointPoint joints = random_joints(random);
     // Tips on the axis, and arms that stretch or fold, do not tell their joints to 1e-6.
     if (machine_->has_branches() && !is_head()) {
       joints.values[0] = (random.coin() ? 1 : -1) * random.in(1, 179);
@@ -213,12 +217,12 @@ TEST_P(EveryKinematics, AlongAPathNoJointJumps) {
     const double r = least + random.in(20, 150);
     const double begin = any_angle_rad(random);
     const double sense = random.coin() ? 1 : -1;
-    AxisVector joints = random_joints(random);
+    JointPoint joints = random_joints(random);
     const Branch branch = machine_->has_branches() && random.coin() ? Branch::minus : Branch::plus;
     constexpr int kSteps = 1000;
     for (int i = 0; i <= 2 * kSteps; ++i) {
       const double turned = sense * 2 * std::numbers::pi * i / kSteps;
-      AxisVector tip = tip_at(r, begin + turned, 0, 0);
+      TipPoint tip = tip_at(r, begin + turned, 0, 0);
       if (arm) tip.values[3] = geometry::nearest_turn(geometry::degrees(begin + turned), 0, 180);
       if (is_head()) tip.values[3] = 20, tip.values[4] = geometry::degrees(turned);
       const auto next =
@@ -239,7 +243,7 @@ TEST_P(EveryKinematics, AlongAPathNoJointJumps) {
 
 TEST_P(EveryKinematics, NearestIsNoFartherThanAnyBranch) {
   SeededRandom random(kSeed);
-  const auto turned = [&](const AxisVector& from, const AxisVector& to) {
+  const auto turned = [&](const JointPoint& from, const JointPoint& to) {
     double sum = 0;
     for (std::size_t i = 0; i < machine_->size(); ++i) {
       if (machine_->joints()[i].rotary) sum += std::fabs(to.values[i] - from.values[i]);
@@ -247,12 +251,12 @@ TEST_P(EveryKinematics, NearestIsNoFartherThanAnyBranch) {
     return sum;
   };
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector tip = subject_.tip(random);
-    const AxisVector previous = random_joints(random);
-    const AxisVector nearest = *machine_->nearest(tip, previous);
+    const TipPoint tip = subject_.tip(random);
+    const JointPoint previous = random_joints(random);
+    const JointPoint nearest = *machine_->nearest(tip, previous);
     for (const Branch branch : {Branch::plus, Branch::minus}) {
       if (branch == Branch::minus && !machine_->has_branches()) continue;
-      const AxisVector other = *machine_->inverse(tip, previous, branch);
+      const JointPoint other = *machine_->inverse(tip, previous, branch);
       ASSERT_LE(turned(previous, nearest), turned(previous, other) + 1e-8) << text(tip);
     }
   }
@@ -267,7 +271,7 @@ TEST_P(EveryKinematics, NearestIsWithinTheLimitsOrSaysWhyNot) {
   SeededRandom random(kSeed);
   int found = 0;
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector tip = subject_.tip(random);
+    const TipPoint tip = subject_.tip(random);
     const auto joints = limited->nearest(tip, random_joints(random));
     if (joints) {
       ++found;
@@ -286,10 +290,10 @@ TEST_P(EveryKinematics, NearestIsWithinTheLimitsOrSaysWhyNot) {
 
 /// A cubic path of all axes of the tip.
 struct Cubic {
-  base::PathJet at0;
+  base::TipJet at0;
 
-  [[nodiscard]] base::PathJet at(double s) const {
-    base::PathJet jet;
+  [[nodiscard]] base::TipJet at(double s) const {
+    base::TipJet jet;
     for (std::size_t k = 0; k < base::kMaxAxes; ++k) {
       const auto& [value, first, second, third] = at0;
       const double v2 = second.values[k];
@@ -303,7 +307,7 @@ struct Cubic {
   }
 };
 
-Cubic random_cubic(SeededRandom& random, const AxisVector& tip, std::size_t axes) {
+Cubic random_cubic(SeededRandom& random, const TipPoint& tip, std::size_t axes) {
   Cubic path{{tip, {}, {}, {}}};
   for (std::size_t k = 0; k < axes; ++k) {
     path.at0.first.values[k] = random.in(-1, 1);
@@ -327,7 +331,7 @@ AxisVector slope(const Function& f) {
 }
 
 void expect_derivative(const AxisVector& analytic, const AxisVector& differences,
-                       const AxisVector& joints) {
+                       const JointPoint& joints) {
   for (std::size_t k = 0; k < base::kMaxAxes; ++k) {
     ASSERT_NEAR(analytic.values[k], differences.values[k],
                 1e-7 * (1 + std::fabs(differences.values[k])))
@@ -338,19 +342,19 @@ void expect_derivative(const AxisVector& analytic, const AxisVector& differences
 TEST_P(EveryKinematics, DerivativesAreThoseOfCentralDifferences) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
-    const AxisVector pose = pose_off_singular_places(random);
+    const JointPoint pose = pose_off_singular_places(random);
     const Branch branch = machine_->branch_at(pose);
-    const AxisVector tip = machine_->forward(pose);
+    const TipPoint tip = machine_->forward(pose);
     if (is_head() && std::fabs(std::sin(geometry::radians(tip.values[3]))) < 0.01) continue;
     const Cubic path = random_cubic(random, tip, machine_->size());
     // The head turned over, too: its branch is not that which the program's angles name.
     const Branch held = is_head() && random.coin() ? other(branch) : branch;
-    const AxisVector joints = *machine_->inverse(tip, pose, held);
+    const JointPoint joints = *machine_->inverse(tip, pose, held);
     const auto joints_at = [&](double s) {
       return *machine_->inverse(path.at(s).value, joints, held);
     };
     const auto jet_at = [&](double s) { return *machine_->along(path.at(s), joints_at(s)); };
-    const base::PathJet jet = jet_at(0);
+    const base::JointJet jet = jet_at(0);
     ASSERT_EQ(jet.value, joints);
     expect_derivative(jet.first, slope(joints_at), pose);
     expect_derivative(jet.second, slope([&](double s) { return jet_at(s).first; }), pose);
@@ -361,8 +365,8 @@ TEST_P(EveryKinematics, DerivativesAreThoseOfCentralDifferences) {
 
 TEST_P(EveryKinematics, JointsAlongAPathAllocateNothing) {
   SeededRandom random(kSeed);
-  const AxisVector pose = pose_off_singular_places(random);
-  const base::PathJet tip = random_cubic(random, machine_->forward(pose), machine_->size()).at0;
+  const JointPoint pose = pose_off_singular_places(random);
+  const base::TipJet tip = random_cubic(random, machine_->forward(pose), machine_->size()).at0;
   const auto before = test::allocations_so_far();
   for (int i = 0; i < 1000; ++i) {
     const auto joints = machine_->inverse(tip.value, pose);
@@ -375,15 +379,15 @@ TEST_P(EveryKinematics, TheTipNeverLeavesTheLineByMoreThanTheBound) {
   SeededRandom random(kSeed);
   double tightest = 0;
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector from = random_joints(random);
-    AxisVector to = from;
+    const JointPoint from = random_joints(random);
+    JointPoint to = from;
     const double size = random.size(0.01, 30);
     for (std::size_t k = 0; k < machine_->size(); ++k) to.values[k] += random.in(-size, size);
     const double bound = machine_->deviation_bound_mm(from, to);
-    const AxisVector begin = machine_->forward(from);
-    const AxisVector end = machine_->forward(to);
+    const TipPoint begin = machine_->forward(from);
+    const TipPoint end = machine_->forward(to);
     for (const double share : {0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9}) {
-      const AxisVector tip = machine_->forward(between(from, to, share));
+      const TipPoint tip = machine_->forward(between(from, to, share));
       const double off = distance(tip, between(begin, end, share));
       ASSERT_LE(off, bound + 1e-12 * 500) << text(from) << text(to);
       if (bound > 1e-6) tightest = std::max(tightest, off / bound);
@@ -397,12 +401,12 @@ TEST_P(EveryKinematics, TheTipNeverLeavesTheLineByMoreThanTheBound) {
 TEST_P(EveryKinematics, TipRatesAreTheDerivativeOfForward) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 20'000; ++i) {
-    const AxisVector joints = random_joints(random);
+    const JointPoint joints = random_joints(random);
     AxisVector rates;
     for (std::size_t k = 0; k < machine_->size(); ++k) rates.values[k] = random.in(-1, 1);
     const double step = 1e-3;
-    const AxisVector behind = machine_->forward(between(joints, joints + rates, step));
-    const AxisVector before = machine_->forward(between(joints, joints + rates, -step));
+    const TipPoint behind = machine_->forward(between(joints, joints + rates, step));
+    const TipPoint before = machine_->forward(between(joints, joints + rates, -step));
     const geometry::Vec3 way = machine_->tip_rates(joints, rates);
     ASSERT_NEAR(way.x, (behind.values[0] - before.values[0]) / (2 * step), 1e-7) << text(joints);
     ASSERT_NEAR(way.y, (behind.values[1] - before.values[1]) / (2 * step), 1e-7) << text(joints);
@@ -414,7 +418,7 @@ TEST_P(EveryKinematics, TipRatesAreTheDerivativeOfForward) {
 TEST_P(EveryKinematics, TheRootOfTheSwingIsANorm) {
   SeededRandom random(kSeed);
   for (int i = 0; i < kCases; ++i) {
-    const AxisVector joints = random_joints(random);
+    const JointPoint joints = random_joints(random);
     AxisVector a;
     AxisVector b;
     for (std::size_t k = 0; k < machine_->size(); ++k) {

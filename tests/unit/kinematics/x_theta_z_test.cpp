@@ -11,6 +11,8 @@ namespace kerf::kinematics {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 
 constexpr double kPrinted = 0.5000001e-6;  // six decimals
 
@@ -22,8 +24,8 @@ void expect_near(const AxisVector& value, const AxisVector& expected) {
 
 TEST(KinematicsXThetaZ, TipAndJointsAreThoseOfTheTable) {
   struct Row {
-    AxisVector joints;
-    AxisVector tip;
+    JointPoint joints;
+    TipPoint tip;
     AxisVector inverse;
   };
   const Row rows[] = {
@@ -37,7 +39,7 @@ TEST(KinematicsXThetaZ, TipAndJointsAreThoseOfTheTable) {
   };
   const auto machine = test::make(test::x_theta_z_settings());
   for (const Row& row : rows) {
-    const AxisVector tip = machine->forward(row.joints);
+    const TipPoint tip = machine->forward(row.joints);
     expect_near(tip, row.tip);
     expect_near(*machine->inverse(tip, {}), row.inverse);
     expect_near(*machine->inverse(tip, row.joints), row.joints);
@@ -46,8 +48,8 @@ TEST(KinematicsXThetaZ, TipAndJointsAreThoseOfTheTable) {
 
 TEST(KinematicsXThetaZ, FromPointToPointTheTurnIsKept) {
   struct Row {
-    AxisVector tip;
-    AxisVector joints;
+    TipPoint tip;
+    JointPoint joints;
     AxisVector step;
     double duration_s;
   };
@@ -59,9 +61,9 @@ TEST(KinematicsXThetaZ, FromPointToPointTheTurnIsKept) {
       {{{30, -45, 0}}, {{29.083269, 293.690068, -5}}, {{4.083269, 86.820170, 0}}, 0.964669},
   };
   const auto machine = test::make(test::x_theta_z_settings());
-  AxisVector at;
+  JointPoint at;
   for (const Row& row : rows) {
-    const AxisVector next = *machine->inverse(row.tip, at);
+    const JointPoint next = *machine->inverse(row.tip, at);
     const AxisVector step = next - at;
     expect_near(next, row.joints);
     expect_near(step, row.step);
@@ -75,7 +77,7 @@ TEST(KinematicsXThetaZ, FromPointToPointTheTurnIsKept) {
 
 TEST(KinematicsXThetaZ, OnTheAxisTheAngleStays) {
   const auto machine = test::make(test::x_theta_z_settings());
-  const AxisVector joints = *machine->inverse({{0.9e-9, 0, 0}}, {{0, 123, 0}});
+  const JointPoint joints = *machine->inverse({{0.9e-9, 0, 0}}, {{0, 123, 0}});
   EXPECT_EQ(joints.values[1], 123);
   const auto rates = machine->along({{}, {{1, 0, 0}}, {}, {}}, joints);
   ASSERT_FALSE(rates);
@@ -87,8 +89,8 @@ TEST(KinematicsXThetaZ, AlongALineThatPassesTheAxisTheJointsMoveAsCalculusSays) 
   const auto machine = test::make(test::x_theta_z_settings());
   const double d = 40;
   for (const double s : {-300.0, -20.0, 0.0, 1.0, 35.0, 1000.0}) {
-    const AxisVector tip{{d, s, 12}};
-    const AxisVector joints = *machine->inverse(tip, {});
+    const TipPoint tip{{d, s, 12}};
+    const JointPoint joints = *machine->inverse(tip, {});
     const auto jet = *machine->along({tip, {{0, 1, 0}}, {}, {}}, joints);
     const double r = std::hypot(d, s);
     const double turn = geometry::degrees(1);

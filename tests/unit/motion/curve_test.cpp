@@ -13,7 +13,8 @@ namespace kerf::motion {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::TipJet;
+using base::TipPoint;
 using test::kSeed;
 using test::SeededRandom;
 
@@ -29,19 +30,19 @@ class Random : public SeededRandom {
     for (std::size_t m = 0; m < kAxes; ++m) v.values[m] = in(-size, size);
     return v;
   }
-  PathJet jet(double length) {
-    return {vector(100), vector(1), vector(1 / length), vector(1 / length / length)};
+  TipJet jet(double length) {
+    return {TipPoint(vector(100)), vector(1), vector(1 / length), vector(1 / length / length)};
   }
   double length() { return size(0.001, 1000); }
 
   Curve line() {
     const double l = length();
-    const AxisVector from = vector(100);
+    const TipPoint from(vector(100));
     return Curve::line(from, from + vector(l), l, kAxes);
   }
   // What joins two curves differs by little from going straight on.
-  PathJet going_on(const PathJet& jet, double l) {
-    PathJet next = jet;
+  TipJet going_on(const TipJet& jet, double l) {
+    TipJet next = jet;
     for (std::size_t m = 0; m < kAxes; ++m) {
       const double turn = in(-0.3, 0.3);
       const double bend = jet.second.values[m];
@@ -53,12 +54,12 @@ class Random : public SeededRandom {
   }
   Curve hermite() {
     const double l = length();
-    const PathJet from = jet(l);
+    const TipJet from = jet(l);
     return Curve::hermite(from, going_on(from, l), l, kAxes);
   }
   Curve cubic() {
     const double l = length();
-    const PathJet from = jet(l);
+    const TipJet from = jet(l);
     return Curve::cubic(from, going_on(from, l), l, kAxes);
   }
   ArcShape arc_shape(double l) {
@@ -85,7 +86,7 @@ class Random : public SeededRandom {
     for (std::size_t m = 3; m < kAxes; ++m) shape.slope.values[m] = in(-2, 2);
     return shape;
   }
-  static AxisVector point_of(const ArcShape& shape, double s) {
+  static TipPoint point_of(const ArcShape& shape, double s) {
     const double angle = shape.angle_rad + shape.rate * s;
     const double radius = shape.radius + shape.radius_slope * s;
     AxisVector p = shape.origin;
@@ -93,7 +94,7 @@ class Random : public SeededRandom {
       p.values[m] += s * shape.slope.values[m] + radius * (std::cos(angle) * shape.e1.values[m] +
                                                            std::sin(angle) * shape.e2.values[m]);
     }
-    return p;
+    return TipPoint(p);
   }
   Curve arc() {
     const double l = length();
@@ -128,8 +129,8 @@ TEST(Curve, LeavesAndArrivesInTheJetsGiven) {
   Random random;
   for (int i = 0; i < kCases; ++i) {
     const double l = random.length();
-    const PathJet from = random.jet(l);
-    const PathJet to = random.jet(l);
+    const TipJet from = random.jet(l);
+    const TipJet to = random.jet(l);
     // Values are up to 100, slopes of the way between them up to 200 / l.
     const double rounding = 1e-11 * (1 + 200 / l);
     for (const bool hermite : {true, false}) {
@@ -152,16 +153,16 @@ TEST(Curve, BetweenTwoLinesACubicIsAParabola) {
   Random random;
   for (int i = 0; i < kCases; ++i) {
     const double reach = random.length();
-    PathJet in;
-    PathJet out;
-    in.value = random.vector(100);
+    TipJet in;
+    TipJet out;
+    in.value = TipPoint(random.vector(100));
     in.first = random.vector(1);
     out.first = random.vector(1);
     for (std::size_t m = 0; m < kAxes; ++m)
       out.value.values[m] = in.value.values[m] + reach * (in.first.values[m] + out.first.values[m]);
     const Curve curve = Curve::cubic(in, out, 2 * reach, kAxes);
     for (const double s : {0.0, 0.3 * reach, reach, 1.9 * reach}) {
-      const PathJet jet = curve.jet(s);
+      const TipJet jet = curve.jet(s);
       for (std::size_t m = 0; m < kAxes; ++m) {
         const double bend = (out.first.values[m] - in.first.values[m]) / (2 * reach);
         ASSERT_NEAR(jet.second.values[m] * reach, bend * reach, 1e-12 * (1 + 100 / reach)) << i;
@@ -175,20 +176,20 @@ TEST(Curve, IsWhereItsEquationSays) {
   for (int i = 0; i < kCases; ++i) {
     const double l = random.length();
     const ArcShape shape = random.arc_shape(l);
-    const AxisVector end = Random::point_of(shape, l);
+    const TipPoint end = Random::point_of(shape, l);
     const Curve arc = Curve::arc(shape, end, l, kAxes);
     const double s = random.in(0, l);
     expect_near(arc.at(s), Random::point_of(shape, s), 1e-11, "arc");
     EXPECT_EQ(arc.at(l), end);
     EXPECT_NEAR(arc.length_at_first_radius(), shape.radius * std::fabs(shape.rate) * l,
                 1e-12 * shape.radius);
-    const AxisVector to = random.vector(100);
-    const Curve line = Curve::line(shape.origin, to, l, kAxes);
+    const TipPoint to(random.vector(100));
+    const Curve line = Curve::line(TipPoint(shape.origin), to, l, kAxes);
     AxisVector between;
     for (std::size_t m = 0; m < kAxes; ++m)
       between.values[m] = std::lerp(shape.origin.values[m], to.values[m], s / l);
     expect_near(line.at(s), between, 1e-11, "line");
-    EXPECT_EQ(line.at(0), shape.origin);
+    EXPECT_EQ(line.at(0), TipPoint(shape.origin));
     EXPECT_EQ(line.at(l), to);
   }
 }
@@ -211,9 +212,9 @@ TEST(Curve, DerivativesAreThoseOfCentralDifferences) {
       const double l = curve.length();
       const double h = 1e-3 * l;
       const double s = random.in(0.01, 0.99) * l;
-      const PathJet jet = curve.jet(s);
-      const auto part = [&](AxisVector PathJet::*derivative) {
-        return [&curve, derivative](double at) { return curve.jet(at).*derivative; };
+      const TipJet jet = curve.jet(s);
+      const auto part = [&](auto derivative) {
+        return [&curve, derivative](double at) -> AxisVector { return curve.jet(at).*derivative; };
       };
       // Scales of what is differentiated; rounding of values up to a few hundred over h.
       const double first = largest(curve.bounds(0, l).first);
@@ -221,11 +222,11 @@ TEST(Curve, DerivativesAreThoseOfCentralDifferences) {
       const double third = largest(curve.bounds(0, l).third);
       const std::string what = std::string(kind.name) + " " + std::to_string(i);
       expect_near(jet.value, curve.at(s), 1e-12, what + " value");
-      expect_near(jet.first, central_difference(part(&PathJet::value), s, h),
+      expect_near(jet.first, central_difference(part(&TipJet::value), s, h),
                   1e-8 * first + 3e-13 / h, what + " first");
-      expect_near(jet.second, central_difference(part(&PathJet::first), s, h),
+      expect_near(jet.second, central_difference(part(&TipJet::first), s, h),
                   1e-8 * second + 1e-13 * first / h, what + " second");
-      expect_near(jet.third, central_difference(part(&PathJet::second), s, h),
+      expect_near(jet.third, central_difference(part(&TipJet::second), s, h),
                   1e-8 * third + 1e-13 * second / h, what + " third");
     }
   }
@@ -247,7 +248,7 @@ TEST(Curve, NoDerivativeExceedsItsBoundAndTheBoundIsNear) {
       const CurveBounds bounds = curve.bounds(from, to);
       CurveBounds most;
       for (int n = 0; n <= kPlaces; ++n) {
-        const PathJet jet = curve.jet(from + (to - from) * n / kPlaces);
+        const TipJet jet = curve.jet(from + (to - from) * n / kPlaces);
         const auto raise = [](AxisVector& bound, const AxisVector& value) {
           for (std::size_t m = 0; m < kAxes; ++m)
             bound.values[m] = std::max(bound.values[m], std::fabs(value.values[m]));

@@ -12,6 +12,7 @@ namespace kerf::control {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 using test::kSeed;
 using test::kSpaceArcs;
 using test::SeededRandom;
@@ -29,7 +30,7 @@ struct Row {
   std::size_t arc;
   double step_mm;
   int steps;
-  AxisVector tip;
+  TipPoint tip;
 };
 
 const Row kRows[] = {
@@ -63,7 +64,7 @@ const Row kRows[] = {
 TEST(SpaceArcPath, PassesThePointsOfWorkedExamples) {
   for (const Row& row : kRows) {
     const motion::SpaceArcPath path = path_of(kSpaceArcs[row.arc]);
-    const AxisVector tip = path.at(row.steps * row.step_mm / path.circle().radius());
+    const TipPoint tip = path.at(row.steps * row.step_mm / path.circle().radius());
     for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_NEAR(tip.values[i], row.tip.values[i], 6e-7)
           << kSpaceArcs[row.arc].name << ", step " << row.steps << ", axis " << i;
@@ -100,7 +101,7 @@ TEST(SpaceArcPath, OtherAxesGoInProportionToTheAngle) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 10'000; ++i) {
     SpaceArcCase arc = kSpaceArcs[static_cast<std::size_t>(random.count(0, 4))];
-    for (AxisVector* const point : {&arc.from, &arc.via, &arc.to})
+    for (TipPoint* const point : {&arc.from, &arc.via, &arc.to})
       point->values[3] = 10.0 * random.count(-2, 2);
     const motion::SpaceArcPath path = circle_of(arc);
     const double angle = random.in(0, path.circle().sweep_rad());
@@ -119,8 +120,8 @@ TEST(SpaceArcPath, ChordsAreEqualBetweenTheKnotsAndNoneIsTooLong) {
   constexpr double kMost_rad = 0.1;
   for (const SpaceArcCase& arc : kSpaceArcs) {
     const motion::SpaceArcPath path = circle_of(arc);
-    std::vector<AxisVector> ends{arc.from};
-    path.chords(kMost_rad, [&](const AxisVector& end) { ends.push_back(end); });
+    std::vector<TipPoint> ends{arc.from};
+    path.chords(kMost_rad, [&](const TipPoint& end) { ends.push_back(end); });
     const double most_mm = 2 * arc.radius * std::sin(kMost_rad / 2) + 1e-6;
     for (std::size_t i = 1; i < ends.size(); ++i) {
       const AxisVector way = ends[i] - ends[i - 1];
@@ -137,7 +138,7 @@ TEST(SpaceArcPath, FindsItsAxesByTheirLetters) {
   for (const char letter : {'C', 'Z', 'X', 'Y'}) axes.axes.push_back({.letter = letter});
   const motion::SpaceArcPath path(axes, {{0, 7, 10, 0}},
                                   {.to = {{90, 7, -10, 0}}, .via = {{30, 7, 0, 10}}, .feed = {}});
-  const AxisVector tip = path.at(std::numbers::pi / 4);
+  const TipPoint tip = path.at(std::numbers::pi / 4);
   EXPECT_NEAR(tip.values[0], 15, 1e-12);
   EXPECT_NEAR(tip.values[1], 7, 1e-12);
   EXPECT_NEAR(tip.values[2], 10 * std::numbers::sqrt2 / 2, 1e-12);

@@ -14,7 +14,8 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::TipJet;
+using base::TipPoint;
 using test::kSeed;
 using test::SeededRandom;
 
@@ -25,7 +26,7 @@ constexpr double kPi = std::numbers::pi;
 double size(const AxisVector& v) { return std::hypot(v.values[0], v.values[1], v.values[2]); }
 
 struct Point {
-  AxisVector at;
+  TipPoint at;
   double feed = 10;
   bool fixed_override = false;
 };
@@ -75,11 +76,11 @@ Smoothed smooth(const std::vector<Point>& points, double tolerance) {
   return smoothed;
 }
 
-std::vector<Point> points_on(const std::function<AxisVector(double)>& curve, int count,
+std::vector<Point> points_on(const std::function<TipPoint(double)>& curve, int count,
                              double digit = 0) {
   std::vector<Point> points;
   for (int i = 0; i <= count; ++i) {
-    AxisVector at = curve(i);
+    TipPoint at = curve(i);
     for (double& value : at.values) {
       if (digit > 0) value = std::round(value / digit) * digit;
     }
@@ -91,12 +92,12 @@ std::vector<Point> points_on(const std::function<AxisVector(double)>& curve, int
 std::vector<Point> circle(double radius, double step_mm, double sweep_rad, double digit = 0) {
   const auto at = [=](double i) {
     const double angle = i * step_mm / radius;
-    return AxisVector{{radius * std::cos(angle), radius * std::sin(angle), 0.1 * angle}};
+    return TipPoint{{radius * std::cos(angle), radius * std::sin(angle), 0.1 * angle}};
   };
   return points_on(at, static_cast<int>(sweep_rad * radius / step_mm), digit);
 }
 
-double distance_to_lines(const AxisVector& p, const std::vector<Point>& points, std::size_t first,
+double distance_to_lines(const TipPoint& p, const std::vector<Point>& points, std::size_t first,
                          std::size_t last) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = first; n < last; ++n) {
@@ -134,8 +135,8 @@ void expect_near_the_lines(const Smoothed& smoothed, const std::vector<Point>& p
 void expect_smooth(const Smoothed& smoothed) {
   for (std::size_t i = 1; i < smoothed.pieces.size(); ++i) {
     const motion::Curve& before = smoothed.pieces[i - 1].piece.curve;
-    const PathJet end = before.jet(before.length());
-    const PathJet begin = smoothed.pieces[i].piece.curve.jet(0);
+    const TipJet end = before.jet(before.length());
+    const TipJet begin = smoothed.pieces[i].piece.curve.jet(0);
     ASSERT_LE(size(end.value - begin.value), 1e-12) << i;
     if (!smoothed.pieces[i].piece.joined) continue;
     const double length = std::min(before.length(), smoothed.pieces[i].piece.curve.length());
@@ -167,7 +168,7 @@ TEST(ChainSmoother, FromThePointsOfACircleComesACurveWithinItsTolerance) {
     expect_near_the_lines(smoothed, points, tolerance);
     for (const Made& made : smoothed.pieces) {
       for (double s = 0; s <= 1; s += 1.0 / 64) {
-        const AxisVector p = made.piece.curve.at(s * made.piece.curve.length());
+        const TipPoint p = made.piece.curve.at(s * made.piece.curve.length());
         ASSERT_NEAR(std::hypot(p.values[0], p.values[1]), radius, tolerance) << i;
       }
     }
@@ -293,9 +294,9 @@ TEST(ChainSmoother, NeverGoesRoundACornerThatTurnsMoreThanTwentyDegrees) {
     Follower follower(nullptr);
     ChainSmoother chain(1e3, kAxes, kLinear, follower);
     chain.start({});
-    const AxisVector first{{length * std::cos(heading), length * std::sin(heading)}};
+    const TipPoint first{{length * std::cos(heading), length * std::sin(heading)}};
     chain.add(first, length, 10, false, {});
-    AxisVector next = first;
+    TipPoint next = first;
     next.values[0] += length * std::cos(heading + turn);
     next.values[1] += length * std::sin(heading + turn);
     EXPECT_FALSE(chain.accepts(next, length)) << turn;

@@ -15,7 +15,8 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
-using base::PathJet;
+using base::TipJet;
+using base::TipPoint;
 using geometry::Vec3;
 using motion::Line;
 using test::kSeed;
@@ -26,8 +27,8 @@ constexpr std::size_t kAxes = 3;
 constexpr std::array<bool, base::kMaxAxes> kLinear{true, true, true};
 constexpr int kCases = 3000;
 
-AxisVector axes_of(Vec3 p) { return {{p.x, p.y, p.z}}; }
-Vec3 tip_of(const AxisVector& p) { return {p.values[0], p.values[1], p.values[2]}; }
+TipPoint axes_of(Vec3 p) { return {{p.x, p.y, p.z}}; }
+Vec3 tip_of(const TipPoint& p) { return {p.values[0], p.values[1], p.values[2]}; }
 
 /// A curve that ends, or begins, in the origin, and how far a point is from it.
 struct Side {
@@ -79,9 +80,9 @@ class Random : public SeededRandom {
     shape.angle_rad = heading - turning * std::numbers::pi / 2;
     if (ends_there) shape.angle_rad -= l * shape.rate;
     const double end = shape.angle_rad + l * shape.rate;
-    const AxisVector to =
-        ends_there ? AxisVector{}
-                   : axes_of(side.centre + radius * Vec3{std::cos(end), std::sin(end), 0});
+    const TipPoint to = ends_there
+                            ? TipPoint{}
+                            : axes_of(side.centre + radius * Vec3{std::cos(end), std::sin(end), 0});
     side.curve = motion::Curve::arc(shape, to, l, kAxes);
     return side;
   }
@@ -146,19 +147,20 @@ TEST(CornerRounder, GoesOnFromOneCurveIntoTheOther) {
     if (made.kind != Corner::Kind::rounded) continue;
     const Rounding& rounding = made.rounding;
     const double reach = rounding.reach;
-    const std::pair<PathJet, PathJet> joints[] = {
+    const std::pair<TipJet, TipJet> joints[] = {
         {corner.in.curve.jet(corner.in.curve.length() - reach), rounding.curve.jet(0)},
         {rounding.curve.jet(2 * reach), corner.out.curve.jet(reach)}};
     for (const auto& joint : joints) {
-      const auto apart = [&](AxisVector PathJet::*derivative) {
-        return length(tip_of(joint.first.*derivative - joint.second.*derivative));
+      const auto apart = [&](auto derivative) {
+        const AxisVector off = joint.first.*derivative - joint.second.*derivative;
+        return std::hypot(off.values[0], off.values[1], off.values[2]);
       };
-      ASSERT_LE(apart(&PathJet::value), 1e-10) << i;
+      ASSERT_LE(apart(&TipJet::value), 1e-10) << i;
       // Points are known to 1e-14 of some hundred mm, slopes over the reach.
       const double rounding_error = 1e-12 + 1e-12 / reach;
-      ASSERT_LE(apart(&PathJet::first), rounding_error) << i;
+      ASSERT_LE(apart(&TipJet::first), rounding_error) << i;
       if (corner.limits.jerk_limited()) {
-        ASSERT_LE(apart(&PathJet::second), 10 * rounding_error / reach) << i;
+        ASSERT_LE(apart(&TipJet::second), 10 * rounding_error / reach) << i;
       }
     }
   }
@@ -255,9 +257,10 @@ TEST(CornerTime, OfARightAngleIsWhatTheFormulaSays) {
     const CellLimits limits(test::equal_limits(1000, a, kInfinite),
                             {.period_s = 1e-3, .chord_tolerance_mm = 1e6}, kAxes, kLinear);
     const double length = 2 * v * v / a;
-    const PathJet x{{}, {{1, 0}}, {}, {}};
-    const PathJet y{{}, {{0, 1}}, {}, {}};
-    const CornerTime time(limits, {0.5, 0, 0.25}, {x, x, length, v}, {y, y, length, v});
+    const TipJet x{{}, {{1, 0}}, {}, {}};
+    const TipJet y{{}, {{0, 1}}, {}, {}};
+    const CornerTime time(limits, {0.5, 0, 0.25}, {x, {{}, x.first, {}, {}}, length, v},
+                          {y, {{}, y.first, {}, {}}, length, v});
     const double reach = random.size(0.01, 1) * v * v / (0.98 * 2 * a);
     const double vc = std::sqrt(0.98 * 2 * a * reach);
     const double cost = 2 * reach * (1 / vc - 1 / v) + (v - vc) * (v - vc) / (a * v);
@@ -345,7 +348,7 @@ CornerDrive drive(Vec3 in, Vec3 out, const JunctionRow& row) {
   Interpolator interpolator(test::axes_named("XYZ"),
                             test::equal_limits(1000, row.acceleration, kInfinite), settings);
   const Vec3 corner = kLength_mm * in;
-  const AxisVector end = axes_of(corner + kLength_mm * out);
+  const TipPoint end = axes_of(corner + kLength_mm * out);
   const auto points = test::points_of(
       interpolator, test::motions_of({Line{axes_of(corner), {60000}}, Line{end, {60000}}}));
   const Vec3 bisector = unit(in + out);

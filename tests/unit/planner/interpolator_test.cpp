@@ -13,7 +13,7 @@
 namespace kerf::planner {
 namespace {
 
-using base::AxisVector;
+using base::TipPoint;
 using motion::Arc;
 using motion::Dwell;
 using motion::Line;
@@ -31,7 +31,7 @@ struct LineLimits {
   double velocity, acceleration, jerk;
 };
 
-LineLimits along(const AxisVector& to, double length, double feed, const AxisLimits& limits) {
+LineLimits along(const TipPoint& to, double length, double feed, const AxisLimits& limits) {
   LineLimits least{feed, kInfinite, kInfinite};
   for (std::size_t m = 0; m < kAxes; ++m) {
     const double share = std::fabs(to.values[m]) / length;
@@ -59,7 +59,7 @@ double least_time_s(double length, const LineLimits& limits) {
   return 4 * std::cbrt(length / (2 * j));
 }
 
-double length_of(const AxisVector& to) {
+double length_of(const TipPoint& to) {
   return std::hypot(to.values[0], to.values[1], to.values[2]);
 }
 
@@ -79,7 +79,7 @@ TEST(Interpolator, ALineFromRestToRestTakesTheLeastPossibleTime) {
   SeededRandom random(kSeed);
   for (int i = 0; i < 1000; ++i) {
     const AxisLimits limits = random_limits(random);
-    const AxisVector to{{random.in(-100, 100), random.in(-100, 100), random.in(-100, 100)}};
+    const TipPoint to{{random.in(-100, 100), random.in(-100, 100), random.in(-100, 100)}};
     const double feed = random.size(1, 1000);
     const double least = least_time_s(length_of(to), along(to, length_of(to), feed, limits));
     Interpolator interpolator(axes_named("XYZ"), limits, {.period_s = kPeriod_s});
@@ -97,7 +97,7 @@ TEST(Interpolator, IsNeverFasterThanOneOfItsAxesCouldBe) {
   for (int i = 0; i < 500; ++i) {
     const AxisLimits limits = random_limits(random);
     std::vector<Motion::Action> actions;
-    AxisVector at;
+    TipPoint at;
     for (int n = random.count(2, 20); n > 0; --n) {
       for (std::size_t m = 0; m < kAxes; ++m) at.values[m] += random.in(0, 2);
       actions.push_back(Line{at, {60'000}});

@@ -18,7 +18,7 @@ using motion::Line;
 
 struct NumberedRow {
   std::size_t number;
-  AxisVector tip;
+  TipPoint tip;
 };
 
 const Line kFiveAxes{{{100, 50, 25, 30, 90}}, {3000}};
@@ -60,7 +60,7 @@ TEST(PathSampler, AllStepsOfALineAreEqual) {
 struct SpaceArcRow {
   std::size_t arc;
   std::size_t number;
-  AxisVector tip;
+  TipPoint tip;
 };
 
 struct SpaceArcFeed {

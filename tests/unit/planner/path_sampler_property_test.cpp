@@ -16,6 +16,7 @@ namespace kerf::planner {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 using geometry::Vec3;
 using motion::Arc;
 using motion::Direction;
@@ -26,7 +27,7 @@ using motion::Rapid;
 using motion::SpaceArc;
 using test::kSeed;
 using test::SeededRandom;
-using Points = std::vector<AxisVector>;
+using Points = std::vector<TipPoint>;
 
 constexpr double kPi = std::numbers::pi;
 constexpr Sampling kConstantFeed[] = {Sampling::tail, Sampling::equal};
@@ -42,7 +43,7 @@ Settings settings_of(Sampling sampling, double period_s, double step_mm) {
 
 // The way there, at 0.1 mm a period or a step.
 constexpr double kStep_mm = 0.1;
-Points sample_from(const AxisVector& from, const Motion::Action& action, Sampling sampling,
+Points sample_from(const TipPoint& from, const Motion::Action& action, Sampling sampling,
                    double step_mm = kStep_mm) {
   PathSampler sampler(test::axes_named("XYZAC", 1e9), settings_of(sampling, 0.001, step_mm));
   Points points;
@@ -54,8 +55,8 @@ Points sample_from(const AxisVector& from, const Motion::Action& action, Samplin
 }
 double feed_of(double step_mm) { return step_mm / 0.001 * 60; }
 
-Vec3 tip_of(const AxisVector& p) { return {p.values[0], p.values[1], p.values[2]}; }
-AxisVector axes_of(Vec3 p, double a = 0, double c = 0) { return {{p.x, p.y, p.z, a, c}}; }
+Vec3 tip_of(const TipPoint& p) { return {p.values[0], p.values[1], p.values[2]}; }
+TipPoint axes_of(Vec3 p, double a = 0, double c = 0) { return {{p.x, p.y, p.z, a, c}}; }
 
 class Random : public SeededRandom {
  public:
@@ -91,16 +92,16 @@ TEST(PathSamplerProperty, PointsOfALineLieOnItAtEqualStepsAndEndExactly) {
   Random random;
   for (int i = 0; i < 1000; ++i) {
     const double size = random.size(0.01, 20);
-    const AxisVector from = axes_of(random.point(100), random.in(-90, 90), random.in(-90, 90));
-    const AxisVector to =
+    const TipPoint from = axes_of(random.point(100), random.in(-90, 90), random.in(-90, 90));
+    const TipPoint to =
         axes_of(tip_of(from) + random.point(size), random.in(-90, 90), random.in(-90, 90));
     const Vec3 way = tip_of(to) - tip_of(from);
     for (const Sampling sampling : kAtSteps) {
       const Points points = sample_from(from, Line{to, {feed_of(kStep_mm)}}, sampling);
       ASSERT_EQ(points.back(), to);
       std::vector<double> steps;
-      AxisVector before = from;
-      for (const AxisVector& p : points) {
+      TipPoint before = from;
+      for (const TipPoint& p : points) {
         const Vec3 arm = tip_of(p) - tip_of(from);
         ASSERT_LE(length(cross(arm, way)) / length(way), 1e-9);
         const double share = dot(arm, way) / dot(way, way);
@@ -115,7 +116,7 @@ TEST(PathSamplerProperty, PointsOfALineLieOnItAtEqualStepsAndEndExactly) {
 }
 
 struct RandomArc {
-  AxisVector from;
+  TipPoint from;
   Arc arc;
   double radius = 0;
   double sweep = 0;  // > 0
@@ -137,7 +138,7 @@ RandomArc random_arc(Random& random) {
   arc.to = axes_of(centre, random.in(-90, 90), random.in(-90, 90));
   const std::size_t second = (first + 1) % 3;
   arc.center = {made.from.values[first], made.from.values[second]};
-  const auto place = [&](AxisVector& p, double angle) {
+  const auto place = [&](TipPoint& p, double angle) {
     p.values[first] = arc.center[0] + made.radius * std::cos(angle);
     p.values[second] = arc.center[1] + made.radius * std::sin(angle);
   };
@@ -160,13 +161,13 @@ TEST(PathSamplerProperty, PointsOfAnArcLieOnItAtEqualAnglesAndEndExactly) {
       const Points points = sample_from(made.from, made.arc, sampling);
       ASSERT_EQ(points.back(), made.arc.to);
       std::vector<double> steps;
-      AxisVector before = made.from;
+      TipPoint before = made.from;
       double swept = 0;
-      const auto angle = [&](const AxisVector& p) {
+      const auto angle = [&](const TipPoint& p) {
         return std::atan2(p.values[second] - made.arc.center[1],
                           p.values[first] - made.arc.center[0]);
       };
-      for (const AxisVector& p : points) {
+      for (const TipPoint& p : points) {
         ASSERT_NEAR(
             std::hypot(p.values[first] - made.arc.center[0], p.values[second] - made.arc.center[1]),
             made.radius, 1e-9 * std::max(1.0, made.radius));
@@ -186,7 +187,7 @@ TEST(PathSamplerProperty, PointsOfAnArcLieOnItAtEqualAnglesAndEndExactly) {
 }
 
 struct RandomSpaceArc {
-  AxisVector from;
+  TipPoint from;
   SpaceArc arc;
   Vec3 centre, e1, e2;
   double radius = 0;
@@ -232,7 +233,7 @@ TEST(PathSamplerProperty, PointsOfAnArcInSpaceLieOnItAtEqualAnglesAndEndExactly)
       const double step = sampling == Sampling::equal ? length / count : kStep_mm;
       for (std::size_t n = 1; n < points.size(); ++n) {
         const double angle = static_cast<double>(n) * step / made.radius;
-        const AxisVector& p = points[n - 1];
+        const TipPoint& p = points[n - 1];
         ASSERT_LE(geometry::length(tip_of(p) - made.at(angle)), 1e-9 * std::max(1.0, made.radius))
             << i;
         const bool before = angle < made.second;
@@ -257,7 +258,7 @@ TEST(PathSamplerProperty, RotaryAxesAreWhereTheSecondPointSaysWhenTheTipIsThere)
     const double step = path.circle().to_second_rad() * path.circle().radius() / steps;
     made.arc.feed.value = feed_of(step);
     for (const Sampling sampling : {Sampling::tail, Sampling::equal_steps}) {
-      const AxisVector p =
+      const TipPoint p =
           sample_from(made.from, made.arc, sampling, step)[static_cast<std::size_t>(steps) - 1];
       for (std::size_t m = 0; m < 3; ++m)
         ASSERT_NEAR(p.values[m], made.arc.via.values[m], 1e-9) << i;
@@ -287,7 +288,7 @@ TEST(PathSamplerProperty, AnArcDrivenBackPassesTheSamePoints) {
 struct RigidMotion {
   Vec3 x, y, z, shift;
 
-  [[nodiscard]] AxisVector operator()(AxisVector p) const {
+  [[nodiscard]] TipPoint operator()(TipPoint p) const {
     const Vec3 moved = p.values[0] * x + p.values[1] * y + p.values[2] * z + shift;
     return axes_of(moved, p.values[3], p.values[4]);
   }
@@ -336,8 +337,8 @@ TEST(PathSamplerProperty, AnotherPlaneRenamesTheAxes) {
   for (int i = 0; i < 1000; ++i) {
     RandomArc made = random_arc(random);
     made.arc.plane = Plane::xy;
-    const auto turned = [](const AxisVector& p) {  // X Y Z to Z X Y
-      return AxisVector{{p.values[1], p.values[2], p.values[0], p.values[3], p.values[4]}};
+    const auto turned = [](const TipPoint& p) {  // X Y Z to Z X Y
+      return TipPoint{{p.values[1], p.values[2], p.values[0], p.values[3], p.values[4]}};
     };
     made.arc.center = {made.from.values[0] - made.radius, made.from.values[1]};
     made.arc.to.values[0] = made.arc.center[0] + made.radius * std::cos(made.sweep);
@@ -363,7 +364,7 @@ TEST(PathSamplerProperty, AtTheFeedOfADeviationNoChordLeavesTheArcByMore) {
     made.arc.feed.value = 60 * feed;
     for (const Sampling sampling : kConstantFeed) {
       Vec3 before = tip_of(made.from);
-      for (const AxisVector& p : sample_from(made.from, made.arc, sampling)) {
+      for (const TipPoint& p : sample_from(made.from, made.arc, sampling)) {
         const Vec3 middle = 0.5 * (tip_of(p) + before);
         ASSERT_LE(made.radius - length(middle - made.centre), deviation * (1 + 1e-6) + 1e-9) << i;
         before = tip_of(p);

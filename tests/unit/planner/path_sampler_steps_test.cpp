@@ -18,7 +18,7 @@ using motion::Line;
 
 // Lines at steps of 1 mm.
 
-const std::vector<AxisVector> kFiveSteps = {
+const std::vector<TipPoint> kFiveSteps = {
     {{2.6, 1.8}}, {{3.2, 2.6}}, {{3.8, 3.4}}, {{4.4, 4.2}}, {{5, 5}}};
 
 TEST(PathSampler, ALineOfWholeStepsHasNoPointTwice) {
@@ -26,25 +26,25 @@ TEST(PathSampler, ALineOfWholeStepsHasNoPointTwice) {
               kFiveSteps);
 }
 
-const std::vector<AxisVector> kSlanted = {{{0.957826, 0, -0.287348}},
-                                          {{1.915653, 0, -0.574696}},
-                                          {{2.873479, 0, -0.862044}},
-                                          {{3.831305, 0, -1.149392}},
-                                          {{4.789131, 0, -1.436739}},
-                                          {{5.746958, 0, -1.724087}},
-                                          {{6.704784, 0, -2.011435}},
-                                          {{7.662610, 0, -2.298783}},
-                                          {{8.620437, 0, -2.586131}},
-                                          {{9.578263, 0, -2.873479}},
-                                          {{10, 0, -3}}};
+const std::vector<TipPoint> kSlanted = {{{0.957826, 0, -0.287348}},
+                                        {{1.915653, 0, -0.574696}},
+                                        {{2.873479, 0, -0.862044}},
+                                        {{3.831305, 0, -1.149392}},
+                                        {{4.789131, 0, -1.436739}},
+                                        {{5.746958, 0, -1.724087}},
+                                        {{6.704784, 0, -2.011435}},
+                                        {{7.662610, 0, -2.298783}},
+                                        {{8.620437, 0, -2.586131}},
+                                        {{9.578263, 0, -2.873479}},
+                                        {{10, 0, -3}}};
 
 TEST(PathSampler, StepsOfASlantedLineCountAllAxes) {
   expect_rows(sample({Line{{{10, 0, -3}}, {600}}}, settings_of(Sampling::equal_steps)), kSlanted);
 }
 
-const std::vector<AxisVector> kStaircase = {{{1, 0, -1}}, {{2, 0, -2}}, {{3, 0, -3}}, {{4, 0, -3}},
-                                            {{5, 0, -3}}, {{6, 0, -3}}, {{7, 0, -3}}, {{8, 0, -3}},
-                                            {{9, 0, -3}}, {{10, 0, -3}}};
+const std::vector<TipPoint> kStaircase = {{{1, 0, -1}}, {{2, 0, -2}}, {{3, 0, -3}}, {{4, 0, -3}},
+                                          {{5, 0, -3}}, {{6, 0, -3}}, {{7, 0, -3}}, {{8, 0, -3}},
+                                          {{9, 0, -3}}, {{10, 0, -3}}};
 
 TEST(PathSampler, LiterallyTheHeightStepsByItself) {
   expect_rows(sample({Line{{{10, 0, -3}}, {600}}}, settings_of(Sampling::literal)), kStaircase);
@@ -52,7 +52,7 @@ TEST(PathSampler, LiterallyTheHeightStepsByItself) {
 
 // Arcs at steps of 1 mm.
 
-const std::vector<AxisVector> kQuarter = {
+const std::vector<TipPoint> kQuarter = {
     {{9.950042, 0.998334}}, {{9.800666, 1.986693}}, {{9.553365, 2.955202}}, {{9.210610, 3.894183}},
     {{8.775826, 4.794255}}, {{8.253356, 5.646425}}, {{7.648422, 6.442177}}, {{6.967067, 7.173561}},
     {{6.216100, 7.833269}}, {{5.403023, 8.414710}}, {{4.535961, 8.912074}}, {{3.623578, 9.320391}},
@@ -61,7 +61,7 @@ const std::vector<AxisVector> kQuarter = {
 struct ArcCase {
   const char* name;
   Direction direction;
-  AxisVector from, to;
+  TipPoint from, to;
   std::array<double, 2> to_centre;
   double radius, begin_deg, sweep_deg, step_deg, length_mm;
   std::size_t points;

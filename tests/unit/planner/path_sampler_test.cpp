@@ -22,7 +22,7 @@ TEST(PathSampler, RapidsGoAsFastAsTheSlowestAxisNeeds) {
   axes.axes[1].rapid_per_min = 12000;  // 200 mm/s
   axes.axes[2].rapid_per_min = 600;    // 10 degrees/s
   const struct {
-    AxisVector to;
+    TipPoint to;
     double seconds;
   } rapids[] = {{{{100}}, 1}, {{{100, 300}}, 1.5}, {{{100, 300, 20}}, 2}};
   for (const Sampling sampling : {Sampling::tail, Sampling::equal}) {
@@ -38,7 +38,7 @@ TEST(PathSampler, RapidsGoAsFastAsTheSlowestAxisNeeds) {
 
 // 90 degrees at 10 000 degrees/min are 0.54 s, whatever the feed.
 TEST(PathSampler, RotaryAxesAloneTurnAtTheirRateInEqualSteps) {
-  const AxisVector to{{0, 0, 0, 30, -90}};
+  const TipPoint to{{0, 0, 0, 30, -90}};
   for (const Sampling sampling : {Sampling::tail, Sampling::equal}) {
     const Points points = sample({Line{to, {100}}}, settings_of(sampling));
     ASSERT_EQ(points.size(), 68U);

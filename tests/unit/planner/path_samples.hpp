@@ -12,6 +12,7 @@
 namespace kerf::planner::samples {
 
 using base::AxisVector;
+using base::TipPoint;
 using motion::Motion;
 using motion::Rapid;
 using test::axes_named;
@@ -35,7 +36,7 @@ inline Points sample(const std::vector<Motion::Action>& actions, const Settings&
 }
 
 // A rapid to `from`, and what comes behind it.
-inline Points sample_from(const AxisVector& from, const Motion::Action& action,
+inline Points sample_from(const TipPoint& from, const Motion::Action& action,
                           const Settings& settings) {
   Points points = sample({Rapid{from}, action}, settings);
   std::erase_if(points, [](const motion::Setpoint& point) { return point.mark.line == 1; });
@@ -47,7 +48,7 @@ inline void expect_near(const AxisVector& got, const AxisVector& wanted, const s
     EXPECT_NEAR(got.values[m], wanted.values[m], kPrinted) << what << ", axis " << m;
 }
 
-inline void expect_rows(const Points& points, const std::vector<AxisVector>& rows) {
+inline void expect_rows(const Points& points, const std::vector<TipPoint>& rows) {
   ASSERT_EQ(points.size(), rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     expect_near(points[i].tip, rows[i], "point " + std::to_string(i + 1));

@@ -15,6 +15,8 @@ namespace {
 using base::Axis;
 using base::AxisVector;
 using base::Code;
+using base::PathPoint;
+using base::ProgramPoint;
 using geometry::Vec2;
 
 // For messages: to 0.0001 mm.
@@ -56,21 +58,21 @@ bool Moves::check_limits(const AxisVector& target) {
   return true;
 }
 
-bool Moves::finish(const Target& target, const AxisVector& path) {
+bool Moves::finish(const Target& target, const PathPoint& path) {
   state_.coordinates.move_to(target.program, path);
   state_.moved_since_m29 = true;
   return true;
 }
 
-bool Moves::rapid_to(const AxisVector& program) {
-  const AxisVector path = state_.coordinates.path_of(program);
-  if (!check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
+bool Moves::rapid_to(const ProgramPoint& program) {
+  const PathPoint path = state_.coordinates.path_of(program);
+  if (!check_limits(path) || !state_.path.straight(state_.rapid(on_path(path)))) return false;
   return finish({program, 0}, path);
 }
 
-bool Moves::line_to(const AxisVector& program, const motion::Feed& feed) {
-  const AxisVector path = state_.coordinates.path_of(program);
-  if (!check_limits(path) || !state_.path.straight(motion::Line{path, feed})) return false;
+bool Moves::line_to(const ProgramPoint& program, const motion::Feed& feed) {
+  const PathPoint path = state_.coordinates.path_of(program);
+  if (!check_limits(path) || !state_.path.straight(motion::Line{on_path(path), feed})) return false;
   return finish({program, 0}, path);
 }
 
@@ -104,10 +106,10 @@ bool Moves::execute(const Words& words, bool& moved) {
   apply_length(target.named);
   if (circular) return arc(words, mode == Meaning::arc_clockwise, target);
   if (mode == Meaning::thread) return thread(words, target);
-  const AxisVector path = state_.coordinates.path_of(target.program);
+  const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   if (mode == Meaning::rapid) {
-    if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(path))) return false;
+    if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
   } else {
     motion::Feed rate;
     if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate))
@@ -176,7 +178,7 @@ bool Moves::unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target&
   const Vec2 image_to = plane.project(state_.coordinates.path_of(target.program));
   const double radius = geometry::length(from - centre) * transform.radius_factor(plane);
   if (from == to) {
-    AxisVector centre_point = target.program;
+    ProgramPoint centre_point = target.program;
     plane.place(centre_point, centre);
     const Vec2 arm = plane.project(state_.coordinates.path_of(centre_point)) - image_from;
     image = image_from + radius * geometry::unit(arm);
@@ -212,14 +214,14 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   bool nothing = false;
   if (!feed(&words, rate) || !read_centre(words, *plane, target, clockwise, centre, nothing))
     return false;
-  const AxisVector path = state_.coordinates.path_of(target.program);
+  const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
-  const AxisVector from = state_.coordinates.path();
+  const PathPoint from = state_.coordinates.path();
   if (nothing) return (outside == 0 || state_.path.line(from, path, rate)) && finish(target, path);
   const bool image_clockwise = clockwise != transform.reverses(*plane);
   Vec2 image;
   if (transform.scales_evenly(*plane)) {
-    AxisVector centre_point = target.program;
+    ProgramPoint centre_point = target.program;
     plane->place(centre_point, centre);
     image = plane->project(state_.coordinates.path_of(centre_point));
   } else if (!unevenly_scaled_centre(*plane, target, centre, clockwise, image)) {
@@ -249,8 +251,9 @@ bool Moves::thread(const Words& words, const Target& target) {
     if (state_.modal.inch()) lead = base::tidy(lead * motion::kMillimetresPerInch);
     state_.words.feed = lead;
   }
-  const AxisVector path = state_.coordinates.path_of(target.program);
-  return check_limits(path) && state_.path.straight(motion::Thread{path, base::tidy(lead)}) &&
+  const PathPoint path = state_.coordinates.path_of(target.program);
+  return check_limits(path) &&
+         state_.path.straight(motion::Thread{on_path(path), base::tidy(lead)}) &&
          finish(target, path);
 }
 

@@ -25,8 +25,8 @@ class Moves {
   [[nodiscard]] bool check_limits(const base::AxisVector& target);
   /// Straight move, fast or at feed, to a programmed point; the programmed point is there
   /// afterwards.
-  [[nodiscard]] bool rapid_to(const base::AxisVector& program);
-  [[nodiscard]] bool line_to(const base::AxisVector& program, const motion::Feed& feed);
+  [[nodiscard]] bool rapid_to(const base::ProgramPoint& program);
+  [[nodiscard]] bool line_to(const base::ProgramPoint& program, const motion::Feed& feed);
 
  private:
   bool unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target& target,
@@ -37,7 +37,7 @@ class Moves {
   bool read_centre(const Words& words, const motion::PlaneAxes& plane, const Target& target,
                    bool clockwise, geometry::Vec2& centre, bool& nothing);
   bool centre_offset(const Words& words, char letter, double& mm);
-  bool finish(const Target& target, const base::AxisVector& path);
+  bool finish(const Target& target, const base::PathPoint& path);
 
   State& state_;
   Targets& targets_;

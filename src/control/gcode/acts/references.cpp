@@ -9,8 +9,11 @@ namespace {
 
 using base::Axis;
 using base::AxisSet;
-using base::AxisVector;
 using base::Code;
+using base::MachinePoint;
+using base::PathPoint;
+using base::ProgramPoint;
+using base::TipPoint;
 
 constexpr double kReferenceWindow_mm = 0.0005;  // half an increment
 
@@ -45,9 +48,9 @@ bool References::return_to_further_reference(const Words& words, bool& moved) {
 }
 
 // G53 and the way to a reference point are not linear, whatever LRP says.
-bool References::rapid_to_machine(const AxisVector& machine, AxisSet named) {
-  AxisVector tip = state_.path.tip();
-  AxisVector programmed = state_.coordinates.path();
+bool References::rapid_to_machine(const MachinePoint& machine, AxisSet named) {
+  TipPoint tip = state_.path.tip();
+  PathPoint programmed = state_.coordinates.path();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(named, axis)) continue;
@@ -66,11 +69,12 @@ bool References::return_to_reference(const Words& words, std::size_t point, bool
   if (!targets_.read(words, target)) return false;
   if (target.named == 0) return true;
   moved = true;
-  const AxisVector middle = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(middle) || !state_.path.straight(state_.rapid(middle))) return false;
+  const PathPoint middle = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(middle) || !state_.path.straight(state_.rapid(on_path(middle))))
+    return false;
   state_.coordinates.move_to(target.program, middle);
-  AxisVector intermediate = state_.intermediate.value_or(AxisVector{});
-  AxisVector reference;
+  ProgramPoint intermediate = state_.intermediate.value_or(ProgramPoint{});
+  MachinePoint reference;
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     reference[axis] = state_.axes[axis].reference[point];
@@ -84,14 +88,14 @@ bool References::return_to_reference(const Words& words, std::size_t point, bool
 // REF-3
 bool References::return_from_reference(const Words& words, bool& moved) {
   if (!state_.intermediate) return state_.alarms.raise(Code::no_intermediate_point);
-  AxisVector middle = state_.coordinates.program();
+  ProgramPoint middle = state_.coordinates.program();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     const bool named = words.has(state_.axes[axis].letter);
     if (named && base::contains(state_.intermediate_axes, axis))
       middle[axis] = (*state_.intermediate)[axis];
   }
-  const AxisVector before = state_.coordinates.program();
+  const ProgramPoint before = state_.coordinates.program();
   if (!state_.path.interrupt_compensation()) return false;
   if (state_.modal.incremental()) {
     // an incremental G29 counts from the intermediate point
@@ -105,10 +109,11 @@ bool References::return_from_reference(const Words& words, bool& moved) {
   }
   moved = true;
   moves_.apply_length(target.named);
-  const AxisVector middle_path = state_.coordinates.path_of(middle);
-  const AxisVector path = state_.coordinates.path_of(target.program);
+  const PathPoint middle_path = state_.coordinates.path_of(middle);
+  const PathPoint path = state_.coordinates.path_of(target.program);
   if (!moves_.check_limits(middle_path) || !moves_.check_limits(path)) return false;
-  if (!state_.path.straight(state_.rapid(middle_path)) || !state_.path.straight(state_.rapid(path)))
+  if (!state_.path.straight(state_.rapid(on_path(middle_path))) ||
+      !state_.path.straight(state_.rapid(on_path(path))))
     return false;
   state_.coordinates.move_to(target.program, path);
   return true;
@@ -120,8 +125,9 @@ bool References::check_reference(const Words& words, bool& moved) {
   if (target.named == 0) return true;
   moved = true;
   moves_.apply_length(target.named);
-  const AxisVector path = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(path) || !state_.path.straight(state_.rapid(path))) return false;
+  const PathPoint path = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(path) || !state_.path.straight(state_.rapid(on_path(path))))
+    return false;
   state_.coordinates.move_to(target.program, path);
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
@@ -141,7 +147,7 @@ bool References::machine_position(const Words& words, bool& moved) {
   if (!words.has_any(targets_.letters())) return true;
   moved = true;
   if (state_.modal.incremental()) return true;
-  AxisVector machine;
+  MachinePoint machine;
   AxisSet named = 0;
   return targets_.values(words, machine, named) && rapid_to_machine(machine, named);
 }
@@ -160,25 +166,27 @@ bool References::skip(const Words& words, bool& moved) {
   motion::Feed rate;
   if (!moves_.feed(&words, rate)) return false;
   moves_.apply_length(target.named);
-  const AxisVector from = state_.coordinates.path();
-  AxisVector path = state_.coordinates.path_of(target.program);
-  if (!moves_.check_limits(path) || !state_.path.admits(motion::Probe{path, rate, false}))
+  const PathPoint from = state_.coordinates.path();
+  PathPoint path = state_.coordinates.path_of(target.program);
+  if (!moves_.check_limits(path) || !state_.path.admits(motion::Probe{on_path(path), rate, false}))
     return false;
-  const AxisVector& length = state_.coordinates.length();
-  const std::optional<double> contact = state_.surroundings.contact(from + length, path + length);
+  const auto machine = [&](const PathPoint& at) {
+    return state_.coordinates.machine_of(on_path(at));
+  };
+  const std::optional<double> contact = state_.surroundings.contact(machine(from), machine(path));
   if (contact) {
     for (std::size_t i = 0; i < state_.axes.count(); ++i) {
       const Axis axis{static_cast<std::uint8_t>(i)};
       path[axis] = base::tidy(from[axis] + *contact * (path[axis] - from[axis]));
     }
   }
-  if (!state_.path.straight(motion::Probe{path, rate, contact.has_value()})) return false;
+  if (!state_.path.straight(motion::Probe{on_path(path), rate, contact.has_value()})) return false;
   if (contact) {
     state_.coordinates.arrive_at(path);
   } else {
     state_.coordinates.move_to(target.program, path);
   }
-  state_.skip_position = path + length;
+  state_.skip_position = machine(path);
   state_.moved_since_m29 = true;
   return true;
 }
@@ -198,7 +206,7 @@ bool References::offset_move(int times, const Words& words, bool& moved) {
                             ? tool.radius_geometry + tool.radius_wear
                             : tool.length_geometry + tool.length_wear;
   const double amount = offset * times;
-  AxisVector program = target.program;
+  ProgramPoint program = target.program;
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     const gcode::Word* const word = words.find(state_.axes[axis].letter);

@@ -25,7 +25,7 @@ class References {
   bool skip(const Words& words, bool& moved);
   bool offset_move(int times, const Words& words, bool& moved);
   /// Fast move of some axes to machine coordinates, without tool length and cutter compensation.
-  bool rapid_to_machine(const base::AxisVector& machine, base::AxisSet named);
+  bool rapid_to_machine(const base::MachinePoint& machine, base::AxisSet named);
 
   State& state_;
   Targets& targets_;

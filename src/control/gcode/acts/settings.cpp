@@ -13,6 +13,7 @@ using base::Axis;
 using base::AxisSet;
 using base::AxisVector;
 using base::Code;
+using base::ProgramPoint;
 using gcode::Word;
 using gcode::WordFlag;
 
@@ -292,7 +293,7 @@ bool Settings::scale_factor(const Words& words, char letter, double& factor) {
 }
 
 bool Settings::set_scaling(const Words& words) {
-  AxisVector centre = state_.coordinates.program();
+  ProgramPoint centre = state_.coordinates.program();
   AxisSet named = 0;
   if (!targets_.values(words, centre, named)) return false;
   AxisVector factors;
@@ -315,7 +316,7 @@ bool Settings::set_scaling(const Words& words) {
 }
 
 bool Settings::set_mirror(const Words& words, bool on) {
-  AxisVector values = state_.coordinates.program();
+  ProgramPoint values = state_.coordinates.program();
   AxisSet named = 0;
   if (!targets_.values(words, values, named)) return false;
   Transform transform = state_.coordinates.transform();
@@ -333,7 +334,7 @@ bool Settings::set_rotation(const Words& words) {
   const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
-  AxisVector centre = state_.coordinates.program();
+  ProgramPoint centre = state_.coordinates.program();
   AxisSet named = 0;
   if (!targets_.values(words, centre, named)) return false;
   double angle = state_.parameters.rotation_default;
@@ -361,7 +362,7 @@ bool Settings::local_system(const Words& words) {
 
 // WCS-4
 bool Settings::preset(const Words& words) {
-  AxisVector program = state_.coordinates.program();
+  ProgramPoint program = state_.coordinates.program();
   AxisSet named = 0;
   if (!targets_.values(words, program, named)) return false;
   state_.coordinates.preset(program);

@@ -75,10 +75,10 @@ struct State {
   StrokeLimits strokes;
   Outlet outlet;  ///< of `path`
   Toolpath path;
-  std::uint32_t line = 0;          ///< of the executing block
-  base::AxisVector skip_position;  ///< #5061: machine coordinates, tool length included
-  std::uint32_t outputs[4] = {};   ///< #1100 to #1135
-  std::optional<base::AxisVector> intermediate;  ///< of the last G28 or G30, programmed coordinates
+  std::uint32_t line = 0;                          ///< of the executing block
+  base::MachinePoint skip_position;                ///< #5061
+  std::uint32_t outputs[4] = {};                   ///< #1100 to #1135
+  std::optional<base::ProgramPoint> intermediate;  ///< of the last G28 or G30
   base::AxisSet intermediate_axes = 0;
   double wanted_length = 0;    ///< offset that G43 or G44 asks for; in force from the next move on
   base::Axis length_axis{};    ///< its axis
@@ -110,7 +110,7 @@ struct State {
     path.set_length({.mm = mm, .offset = number, .axis = axis});
   }
   /// A rapid as parameter LRP wants it.
-  [[nodiscard]] motion::Rapid rapid(const base::AxisVector& to) const {
+  [[nodiscard]] motion::Rapid rapid(const base::TipPoint& to) const {
     return {to, parameters.linear_rapid};
   }
   /// After a change of the unit or of the parameters.

@@ -6,8 +6,8 @@ namespace kerf::control {
 
 /// The end point that the axis words of a block ask for.
 struct Target {
-  base::AxisVector program;  ///< programmed coordinates
-  base::AxisSet named = 0;   ///< axes that have a word
+  base::ProgramPoint program;
+  base::AxisSet named = 0;  ///< axes that have a word
 };
 
 /// Reads axis words: absolute or incremental (G90, G91), cartesian or polar (G15, G16).

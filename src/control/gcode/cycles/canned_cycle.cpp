@@ -166,13 +166,13 @@ bool CannedCycle::finish_hole() {
 }
 
 bool CannedCycle::rapid_z(double z) {
-  base::AxisVector target = state_.coordinates.program();
+  base::ProgramPoint target = state_.coordinates.program();
   target[drill_] = z;
   return moves_.rapid_to(target);
 }
 
 bool CannedCycle::feed_z(double z) {
-  base::AxisVector target = state_.coordinates.program();
+  base::ProgramPoint target = state_.coordinates.program();
   target[drill_] = z;
   return moves_.line_to(target, feed_);
 }
@@ -183,7 +183,7 @@ bool CannedCycle::shift(double distance) {
   const auto axis = state_.axes.find(direction == 2 || direction == -2 ? 'Y' : 'X');
   if (!axis)
     return state_.alarms.raise(Code::drilling_axis, "the machine lacks the axis of the shift");
-  base::AxisVector target = state_.coordinates.program();
+  base::ProgramPoint target = state_.coordinates.program();
   distance /= state_.coordinates.transform().factor(*axis);  // scaling leaves it alone
   target[*axis] = base::tidy(target[*axis] + (direction < 0 ? -distance : distance));
   return moves_.rapid_to(target);

@@ -63,7 +63,7 @@ class CannedCycle {
   Meaning cycle_ = Meaning::cycle_off;
   std::int64_t holes_left_ = 0;
   base::AxisVector increment_;
-  base::AxisVector hole_;
+  base::ProgramPoint hole_;
   bool first_ = true;
   Stage stage_ = Stage::position;
   double depth_ = 0;

@@ -7,6 +7,8 @@ namespace {
 
 using base::Axis;
 using base::AxisVector;
+using base::PathPoint;
+using base::ProgramPoint;
 
 }  // namespace
 
@@ -15,22 +17,21 @@ AxisVector Coordinates::tidied(AxisVector point) const {
   return point;
 }
 
-AxisVector Coordinates::image_of(const AxisVector& program) const {
-  return transform_.identity() ? program : transform_.apply(program);
+AxisVector Coordinates::image_of(const ProgramPoint& program) const {
+  return transform_.identity() ? program.numbers() : transform_.apply(program);
 }
 
-AxisVector Coordinates::program_of(const AxisVector& image) const {
-  return tidied(transform_.identity() ? image : transform_.invert(image));
+ProgramPoint Coordinates::program_of(const AxisVector& image) const {
+  return ProgramPoint(tidied(transform_.identity() ? image : transform_.invert(image)));
 }
 
-AxisVector Coordinates::path_of(const AxisVector& program) const {
-  if (plain_) return program;
-  return tidied(image_of(program) + origin_);
+PathPoint Coordinates::path_of(const ProgramPoint& program) const {
+  return PathPoint(plain_ ? program.numbers() : tidied(image_of(program) + origin_));
 }
 
-void Coordinates::arrive_at(const AxisVector& path) {
+void Coordinates::arrive_at(const PathPoint& path) {
   path_ = path;
-  program_ = program_of(path - origin_);
+  program_ = program_of(path.numbers() - origin_);
 }
 
 void Coordinates::refresh_origin() {
@@ -54,7 +55,7 @@ void Coordinates::set_local(Axis axis, double shift) {
   refresh_origin();
 }
 
-void Coordinates::preset(const AxisVector& program) {
+void Coordinates::preset(const ProgramPoint& program) {
   shift_ = tidied(shift_ + image_of(program_) - image_of(program));
   refresh_origin();
   program_ = program;
@@ -69,7 +70,7 @@ void Coordinates::clear_shifts(Axis axis) {
 void Coordinates::set_transform(const Transform& transform) {
   transform_ = transform;
   plain_ = transform_.identity() && origin_ == AxisVector{};
-  program_ = program_of(path_ - origin_);
+  program_ = program_of(path_.numbers() - origin_);
 }
 
 }  // namespace kerf::control

@@ -8,6 +8,11 @@
 
 namespace kerf::control {
 
+/// The tip of a tool that stands on the programmed path: no compensation acts.
+[[nodiscard]] inline base::TipPoint on_path(const base::PathPoint& path) {
+  return base::TipPoint(path.numbers());
+}
+
 /// Which work coordinate system is active.
 struct WorkSystem {
   std::uint32_t index = 0;     ///< 0 to 5: G54 to G59
@@ -25,27 +30,34 @@ class Coordinates {
  public:
   /// At power-on G54 is in force with the offset that the memory has kept.
   Coordinates(const motion::AxisSetup& axes, const Memory& memory)
-      : axes_(&axes), memory_(&memory), program_(axes.start), path_(axes.start) {
+      : axes_(&axes),
+        memory_(&memory),
+        program_(axes.start.numbers()),
+        path_(axes.start.numbers()) {
     refresh_origin();
   }
 
-  [[nodiscard]] const base::AxisVector& program() const { return program_; }
-  [[nodiscard]] const base::AxisVector& path() const { return path_; }
+  [[nodiscard]] const base::ProgramPoint& program() const { return program_; }
+  [[nodiscard]] const base::PathPoint& path() const { return path_; }
   [[nodiscard]] const base::AxisVector& length() const { return length_; }
   [[nodiscard]] const base::AxisVector& origin() const { return origin_; }
   [[nodiscard]] const WorkSystem& work() const { return work_; }
   [[nodiscard]] const Transform& transform() const { return transform_; }
 
   /// The point of the machine's coordinate system where a programmed point lies.
-  [[nodiscard]] base::AxisVector path_of(const base::AxisVector& program) const;
+  [[nodiscard]] base::PathPoint path_of(const base::ProgramPoint& program) const;
+  /// With the lengths in force.
+  [[nodiscard]] base::MachinePoint machine_of(const base::TipPoint& tip) const {
+    return base::machine_of(tip, length_);
+  }
   /// The programmed point moves.
-  void move_to(const base::AxisVector& program, const base::AxisVector& path) {
+  void move_to(const base::ProgramPoint& program, const base::PathPoint& path) {
     program_ = program;
     path_ = path;
   }
   /// The tool has come to a point of the machine's coordinate system by other means than a
   /// programmed target (G28, G53, G31): the programmed point follows.
-  void arrive_at(const base::AxisVector& path);
+  void arrive_at(const base::PathPoint& path);
   void set_length(base::Axis axis, double offset) { length_[axis] = offset; }
 
   // Each of these leaves the tool where it is and gives the programmed point its new coordinates.
@@ -54,7 +66,7 @@ class Coordinates {
   void offsets_changed();
   void set_local(base::Axis axis, double shift);
   /// G92: the programmed point reads `program` from now on.
-  void preset(const base::AxisVector& program);
+  void preset(const base::ProgramPoint& program);
   /// G92.1: drops the G52 and G92 shifts of an axis.
   void clear_shifts(base::Axis axis);
   /// What presets have left: the shift of G92.
@@ -67,14 +79,14 @@ class Coordinates {
 
  private:
   void refresh_origin();
-  [[nodiscard]] base::AxisVector image_of(const base::AxisVector& program) const;
-  [[nodiscard]] base::AxisVector program_of(const base::AxisVector& image) const;
+  [[nodiscard]] base::AxisVector image_of(const base::ProgramPoint& program) const;
+  [[nodiscard]] base::ProgramPoint program_of(const base::AxisVector& image) const;
   [[nodiscard]] base::AxisVector tidied(base::AxisVector point) const;
 
   const motion::AxisSetup* axes_;
   const Memory* memory_;
-  base::AxisVector program_;
-  base::AxisVector path_;
+  base::ProgramPoint program_;
+  base::PathPoint path_;
   base::AxisVector length_;
   base::AxisVector local_;
   base::AxisVector shift_;

@@ -60,7 +60,7 @@ bool CornerRounding::blend(PathStep& next) {
   PathStep corner = ended_at(*held_, blend->end, axes_);
   corner.piece = {first.piece.to, tidied(blend->end), blend->is_arc, blend->clockwise,
                   blend->centre};
-  const base::AxisVector to = *motion::target_of(corner.motion);
+  const base::TipPoint to = *motion::target_of(corner.motion);
   const motion::Feed feed = feed_of(held_->motion);
   if (blend->is_arc) {
     corner.motion.action = motion::Arc{

@@ -41,11 +41,11 @@ double angle_between(Vec2 a, Vec2 b) {
 
 }  // namespace
 
-base::AxisVector CutterCompensation::tip() const {
+base::TipPoint CutterCompensation::tip() const {
   if (!held_) return tip_;
-  base::AxisVector result = *motion::target_of(held_->step.motion);
+  base::TipPoint result = *motion::target_of(held_->step.motion);
   for (const Beside& item : beside_) {
-    if (const base::AxisVector* const to = motion::target_of(item.motion)) result = *to;
+    if (const base::TipPoint* const to = motion::target_of(item.motion)) result = *to;
   }
   const Vec2 normal = held_->offset * geometry::left_of(direction_at_end(held_->step));
   plane_.place(result, held_->step.piece.to + normal);
@@ -341,7 +341,7 @@ bool CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
 bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, const Corner& corner) {
   motion::Motion motion = step.motion;
   motion::Feed feed;
-  base::AxisVector to = *motion::target_of(motion);
+  base::TipPoint to = *motion::target_of(motion);
   std::visit(
       [&](const auto& action) {
         if constexpr (requires { action.feed; }) feed = action.feed;
@@ -366,8 +366,8 @@ bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
 }
 
 bool CutterCompensation::emit(const motion::Motion& motion, const base::Place& place) {
-  base::AxisVector target = tip_;
-  if (const base::AxisVector* const to = motion::target_of(motion)) target = *to;
+  base::TipPoint target = tip_;
+  if (const base::TipPoint* const to = motion::target_of(motion)) target = *to;
   const bool moves = motion::target_of(motion) != nullptr;
   const bool closed_arc = std::holds_alternative<motion::Arc>(motion.action);
   const bool probe = std::holds_alternative<motion::Probe>(motion.action);

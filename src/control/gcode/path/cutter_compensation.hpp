@@ -45,9 +45,9 @@ class CutterCompensation {
   /// G41 or G42 was given and no move has followed.
   [[nodiscard]] bool starting() const { return mode_ == Mode::armed; }
   /// Where the tool centre stands: at the end of what has been handed in, as if it stopped there.
-  [[nodiscard]] base::AxisVector tip() const;
+  [[nodiscard]] base::TipPoint tip() const;
   /// While nothing is held: the tool has been moved by someone else.
-  void set_tip(const base::AxisVector& tip) { tip_ = tip; }
+  void set_tip(const base::TipPoint& tip) { tip_ = tip; }
 
   /// G41, G42 or another D: `offset` > 0 lies to the left. Takes effect with the next move.
   void begin(const motion::PlaneAxes& plane, double offset);
@@ -123,7 +123,7 @@ class CutterCompensation {
   int idle_blocks_ = 0;
   std::optional<Held> held_;
   std::vector<Beside> beside_;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
 };
 
 }  // namespace kerf::control

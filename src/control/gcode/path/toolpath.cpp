@@ -2,10 +2,11 @@
 
 namespace kerf::control {
 
-using base::AxisVector;
+using base::PathPoint;
+using base::TipPoint;
 
 Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
-                   const AxisVector& start)
+                   const TipPoint& start)
     : alarms_(alarms),
       outlet_(outlet),
       corners_(
@@ -55,7 +56,7 @@ void Toolpath::reset() {
   compensation_.set_tip(tip_);
 }
 
-AxisVector Toolpath::tip() const {
+TipPoint Toolpath::tip() const {
   if (corners_.holding()) return *motion::target_of(corners_.held().motion);
   return compensation_.active() ? compensation_.tip() : tip_;
 }
@@ -70,18 +71,19 @@ motion::Motion Toolpath::make(const motion::Motion::Action& action) const {
   return motion;
 }
 
-bool Toolpath::rapid(const AxisVector& from, const motion::Rapid& rapid) {
+bool Toolpath::rapid(const PathPoint& from, const motion::Rapid& rapid) {
   return move(from, make(rapid), nullptr);
 }
 
-bool Toolpath::line(const AxisVector& from, const AxisVector& to, const motion::Feed& feed) {
-  return move(from, make(motion::Line{to, feed}), nullptr);
+bool Toolpath::line(const PathPoint& from, const PathPoint& to, const motion::Feed& feed) {
+  return move(from, make(motion::Line{on_path(to), feed}), nullptr);
 }
 
-bool Toolpath::arc(const AxisVector& from, const AxisVector& to, const ArcShape& shape,
+bool Toolpath::arc(const PathPoint& from, const PathPoint& to, const ArcShape& shape,
                    const motion::Feed& feed) {
-  const motion::Arc arc{
-      to, {shape.centre.u, shape.centre.v}, feed, shape.turns, shape.plane, shape.direction};
+  const motion::Arc arc{on_path(to), {shape.centre.u, shape.centre.v},
+                        feed,        shape.turns,
+                        shape.plane, shape.direction};
   return move(from, make(arc), &shape);
 }
 
@@ -109,13 +111,13 @@ bool Toolpath::pass(const motion::Motion& motion) {
 }
 
 // Most moves meet neither a corner nor compensation.
-bool Toolpath::move(const AxisVector& from, const motion::Motion& motion, const ArcShape* shape) {
+bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const ArcShape* shape) {
   const bool rounds = corner_at_end_.has_value() || corners_.holding();
   if (!compensation_.active() && !rounds) return emit(motion);
   const motion::PlaneAxes plane = compensation_.active() ? compensation_.plane()
                                   : corner_at_end_       ? corner_at_end_->axes
                                                          : corners_.axes();
-  const AxisVector& to = *motion::target_of(motion);
+  const TipPoint& to = *motion::target_of(motion);
   PathStep step{.motion = motion,
                 .piece = {.from = plane.project(from), .to = plane.project(to)},
                 .every_part_stops = rules_.every_cut_stops && motion::is_cut(motion)};
@@ -154,7 +156,7 @@ bool Toolpath::compensate(const PathStep& step) {
 // A rapid or line that goes nowhere is no motion; an arc that ends where it begins is a full
 // circle.
 bool Toolpath::emit(const motion::Motion& motion, const base::Place* place) {
-  const AxisVector* const to = motion::target_of(motion);
+  const TipPoint* const to = motion::target_of(motion);
   const bool straight_line = std::holds_alternative<motion::Rapid>(motion.action) ||
                              std::holds_alternative<motion::Line>(motion.action);
   if (straight_line && *to == tip_) return true;

@@ -39,7 +39,7 @@ class Toolpath {
  public:
   /// The tool stands at `start`.
   Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
-           const base::AxisVector& start);
+           const base::TipPoint& start);
 
   /// A block begins: what it emits comes from `source`.
   void begin_block(const Source& source);
@@ -54,12 +54,12 @@ class Toolpath {
   /// The block is over. False: an alarm was raised.
   [[nodiscard]] bool end_block();
 
-  // Moves from the programmed point `from` to `to`, machine coordinates. False: an alarm was
+  // Moves of the programmed path, from `from` to the target. False: an alarm was
   // raised.
-  [[nodiscard]] bool rapid(const base::AxisVector& from, const motion::Rapid& rapid);
-  [[nodiscard]] bool line(const base::AxisVector& from, const base::AxisVector& to,
+  [[nodiscard]] bool rapid(const base::PathPoint& from, const motion::Rapid& rapid);
+  [[nodiscard]] bool line(const base::PathPoint& from, const base::PathPoint& to,
                           const motion::Feed& feed);
-  [[nodiscard]] bool arc(const base::AxisVector& from, const base::AxisVector& to,
+  [[nodiscard]] bool arc(const base::PathPoint& from, const base::PathPoint& to,
                          const ArcShape& shape, const motion::Feed& feed);
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
   [[nodiscard]] bool straight(const motion::Motion::Action& action);
@@ -85,17 +85,17 @@ class Toolpath {
 
   [[nodiscard]] const Source& source() const { return source_; }
   /// The tool was brought to `tip` by hand. Precondition: !holds_moves().
-  void stand_at(const base::AxisVector& tip) {
+  void stand_at(const base::TipPoint& tip) {
     tip_ = tip;
     compensation_.set_tip(tip);
   }
   [[nodiscard]] bool holds_corner() const { return corners_.holding(); }
   [[nodiscard]] bool holds_moves() const { return compensation_.active() || corners_.holding(); }
-  /// Where the tool stands, machine coordinates without tool length.
-  [[nodiscard]] base::AxisVector tip() const;
+  /// Where the tool stands.
+  [[nodiscard]] base::TipPoint tip() const;
 
  private:
-  bool move(const base::AxisVector& from, const motion::Motion& motion, const ArcShape* shape);
+  bool move(const base::PathPoint& from, const motion::Motion& motion, const ArcShape* shape);
   bool move_beside_plane(const motion::Motion& motion);
   bool round(const PathStep& step);
   bool compensate(const PathStep& step);
@@ -110,7 +110,7 @@ class Toolpath {
   Source source_;
   MoveRules rules_;
   motion::ToolLength length_;
-  base::AxisVector tip_;
+  base::TipPoint tip_;
   std::optional<CornerAtEnd> corner_at_end_;
   bool ending_ = false;  // G40 stands in this block
   std::optional<geometry::Vec2> wall_;

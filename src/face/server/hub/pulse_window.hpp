@@ -30,7 +30,7 @@ class PulseWindow : public motion::AxisPointSink {
  private:
   struct Point {
     double time_s = 0;
-    base::AxisVector joints;
+    base::JointPoint joints;
     std::uint32_t line = 0;
   };
 

@@ -67,13 +67,13 @@ std::vector<AxisConfig> tip_axes(const MachineDefinition& machine) {
   return axes;
 }
 
-base::AxisVector tidied(base::AxisVector point) {
+base::TipPoint tidied(base::TipPoint point) {
   for (double& value : point.values) value = base::tidy(value);
   return point;
 }
 
-base::AxisVector reference_of(const MachineDefinition& machine, std::size_t point) {
-  base::AxisVector joints;
+base::JointPoint reference_of(const MachineDefinition& machine, std::size_t point) {
+  base::JointPoint joints;
   for (std::size_t i = 0; i < machine.driven.size(); ++i) {
     joints.values[i] = machine.driven[i].reference[point];
   }
@@ -83,7 +83,7 @@ base::AxisVector reference_of(const MachineDefinition& machine, std::size_t poin
 void refer(std::vector<AxisConfig>& axes, const MachineDefinition& machine,
            const Kinematics& linkage) {
   for (std::size_t point = 0; point < DrivenAxis{}.reference.size(); ++point) {
-    const base::AxisVector tip = tidied(linkage.forward(reference_of(machine, point)));
+    const base::TipPoint tip = tidied(linkage.forward(reference_of(machine, point)));
     for (std::size_t i = 0; i < axes.size(); ++i) axes[i].reference[point] = tip.values[i];
   }
 }
@@ -104,7 +104,8 @@ std::vector<AxisConfig> program_axes(const MachineDefinition& machine, const Kin
 // Axes that a program names stand at 0 in its sense: of a head the focus does, and its carriage
 // where that is so.
 void start(MachineDefinition& machine, const Kinematics& linkage) {
-  machine.start = machine.axes.start = {};
+  machine.start = {};
+  machine.axes.start = {};
   if (has_own_tip(machine.kinematics.kind)) {
     machine.axes.start = tidied(linkage.forward(machine.start));
   } else if (const auto joints = linkage.follow(machine.axes.start, {})) {

@@ -29,11 +29,13 @@ class PatternControl final : public control::ProgramControl, private vm::Host {
   // Control
   control::Halt run(std::uint64_t instructions) override;
   void reset() override;
-  [[nodiscard]] base::AxisVector machine_position() const override { return motors_.tip(); }
+  [[nodiscard]] base::MachinePoint machine_position() const override {
+    return base::MachinePoint(motors_.tip().numbers());
+  }
   [[nodiscard]] base::AxisVector tool_length() const override { return {}; }
   [[nodiscard]] base::AxisVector work_origin() const override { return {}; }
   /// The records behind it count from where the last one has ended.
-  void stand_at(const base::AxisVector& /*tip*/) override {}
+  void stand_at(const base::TipPoint& /*tip*/) override {}
   [[nodiscard]] bool can_be_moved() const override { return !is_open_; }
   [[nodiscard]] std::string running_program() const override { return name_; }
   [[nodiscard]] control::ModalView modal() const override { return {}; }

@@ -15,13 +15,13 @@ struct LiveCore::Approach : motion::MotionSink {
     if (std::holds_alternative<motion::ToolChange>(motion.action)) keep(tool);
     if (std::holds_alternative<motion::Spindle>(motion.action)) keep(spindle);
     if (std::holds_alternative<motion::Coolant>(motion.action)) keep(coolant);
-    if (const base::AxisVector* const target = motion::target_of(motion)) to = *target;
+    if (const base::TipPoint* const target = motion::target_of(motion)) to = *target;
   }
 
   std::optional<motion::Motion> tool;
   std::optional<motion::Motion> spindle;
   std::optional<motion::Motion> coolant;
-  base::AxisVector to;
+  base::TipPoint to;
 };
 
 }  // namespace kerf::machine

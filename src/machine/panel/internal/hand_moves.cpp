@@ -175,11 +175,11 @@ LiveCore::Outcome LiveCore::home() {
   jog_end_.reset();
   if (would_begin_by_hand()) return home_motors();
   const base::AxisVector length = machine_->control().tool_length();
-  base::AxisVector to = machine_->servo().commanded();
+  base::TipPoint to = machine_->servo().commanded();
   motion::Motion move;
   std::vector<motion::Motion> motions;
   const auto go = [&] {
-    const base::AxisVector& from =
+    const base::TipPoint& from =
         motions.empty() ? machine_->servo().commanded() : *motion::target_of(motions.back());
     if (to == from) return;
     move.action = motion::Rapid{to, true};

@@ -428,6 +428,6 @@ void LiveCore::replace(const LiveCore& other) {
   changes_ = other.changes_ + 1;
 }
 
-base::AxisVector LiveCore::standing_joints() const { return machine_->servo().stands_at().joints; }
+base::JointPoint LiveCore::standing_joints() const { return machine_->servo().stands_at().joints; }
 
 }  // namespace kerf::machine

@@ -136,7 +136,7 @@ class LiveCore : private motion::AxisPointSink {
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] std::uint64_t run() const { return run_; }
   void set_run(std::uint64_t run) { run_ = run; }
-  [[nodiscard]] base::AxisVector standing_joints() const;
+  [[nodiscard]] base::JointPoint standing_joints() const;
 
   // What the program has read that the axes have not begun
   [[nodiscard]] ReadAhead::Place begun() {

@@ -103,8 +103,8 @@ void LiveCore::show_positions(Snapshot& shown) {
   const BlockState* const made = block_made();
   const bool moving = made != nullptr;
   const BlockState& state = moving ? *made : trail_->newest();
-  shown.machine = at.tip + state.tool_length;
-  shown.work = at.tip - state.origin;
+  shown.machine = machine_of(at.tip, state.tool_length);
+  shown.work = at.tip.numbers() - state.origin;
   if (moving && at.mark.kind != motion::MoveKind::dwell)
     shown.distance = machine_->servo().source().motion_end() - at.tip;
   shown.joints = standing_joints();

@@ -66,8 +66,8 @@ LiveCore::Outcome LiveCore::begin_approach() {
   for (const auto* const function : {&approach_->tool, &approach_->spindle, &approach_->coolant}) {
     if (*function) motions.push_back(**function);
   }
-  const base::AxisVector from = machine_->servo().commanded();
-  base::AxisVector corner = approach_->to;
+  const base::TipPoint from = machine_->servo().commanded();
+  base::TipPoint corner = approach_->to;
   if (const auto z = definition_.axes.find('Z'); z && approach_->to[*z] < from[*z]) {
     corner[*z] = from[*z];
   } else if (z) {
@@ -77,7 +77,7 @@ LiveCore::Outcome LiveCore::begin_approach() {
   motion::Motion move;
   move.line = machine_->control().standing_at().line;
   move.file = machine_->control().standing_at().file;
-  for (const base::AxisVector& to : {corner, approach_->to}) {
+  for (const base::TipPoint& to : {corner, approach_->to}) {
     if (to == (motions.empty() || motion::target_of(motions.back()) == nullptr
                    ? from
                    : *motion::target_of(motions.back())))

@@ -2,23 +2,23 @@
 
 namespace kerf::machine {
 
-base::AxisVector JointLinkage::joints(const base::AxisVector& tip,
-                                      const base::AxisVector& previous) const {
+base::JointPoint JointLinkage::joints(const base::TipPoint& tip,
+                                      const base::JointPoint& previous) const {
   const auto joints = kinematics_.follow(tip, previous);
   return joints ? *joints : previous;
 }
 
-std::optional<base::PathJet> JointLinkage::along(const base::PathJet& tip,
-                                                 const base::AxisVector& joints) const {
+std::optional<base::JointJet> JointLinkage::along(const base::TipJet& tip,
+                                                  const base::JointPoint& joints) const {
   const auto jet = kinematics_.along(tip, joints);
   return jet ? std::optional(*jet) : std::nullopt;
 }
 
-double JointLinkage::tip_way_mm(const base::AxisVector& joints, const base::AxisVector& way) const {
+double JointLinkage::tip_way_mm(const base::JointPoint& joints, const base::AxisVector& way) const {
   return geometry::length(kinematics_.tip_rates(joints, way));
 }
 
-double JointLinkage::swing_mm(const base::AxisVector& joints, const base::AxisVector& rates) const {
+double JointLinkage::swing_mm(const base::JointPoint& joints, const base::AxisVector& rates) const {
   return kinematics_.swing_bound_mm(joints, rates);
 }
 

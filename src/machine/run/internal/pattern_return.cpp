@@ -6,7 +6,7 @@
 namespace kerf::machine {
 
 void each_move_of_return(
-    const PatternMachine& machine, const base::AxisVector& joints,
+    const PatternMachine& machine, const base::JointPoint& joints,
     const std::function<void(const QueuedRecord&, const motion::Motion&)>& take) {
   const drive::ArmCounts from = machine.counts_at(joints);
   CountedOnly counted;

@@ -13,7 +13,7 @@ namespace kerf::machine {
 /// motors go one by one, by counting: a straight way of the tip may not be possible, above all
 /// where the arm is stretched.
 void each_move_of_return(
-    const PatternMachine& machine, const base::AxisVector& joints,
+    const PatternMachine& machine, const base::JointPoint& joints,
     const std::function<void(const QueuedRecord&, const motion::Motion&)>& take);
 
 }  // namespace kerf::machine

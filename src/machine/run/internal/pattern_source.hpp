@@ -30,10 +30,10 @@ class PatternSource final : public planner::SetpointSource {
   [[nodiscard]] bool next(motion::Setpoint& point) override;
   void skip() override;
   [[nodiscard]] double time_s() const override { return time_of(tick_); }
-  [[nodiscard]] const base::AxisVector& tip() const override { return at_.tip; }
-  [[nodiscard]] base::AxisVector motion_end() const override { return motors_.tip(); }
+  [[nodiscard]] const base::TipPoint& tip() const override { return at_.tip; }
+  [[nodiscard]] base::TipPoint motion_end() const override { return motors_.tip(); }
   /// Where the driven axes stand at the last point.
-  [[nodiscard]] const base::AxisVector& joints() const { return at_.joints; }
+  [[nodiscard]] const base::JointPoint& joints() const { return at_.joints; }
 
   void set_overrides(const planner::Overrides& /*overrides*/) override {}
   void set_spindle_override(double /*factor*/) override {}

@@ -10,6 +10,8 @@ namespace kerf::machine {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using kinematics::Fault;
 using motion::Curve;
 using planner::JointSample;
@@ -35,7 +37,7 @@ class Reach::Follower {
   /// False: there is a fault.
   bool follow(const Curve& curve, bool first, bool last);
   [[nodiscard]] std::optional<Fault> fault() const;
-  [[nodiscard]] const AxisVector& joints() const { return joints_; }
+  [[nodiscard]] const JointPoint& joints() const { return joints_; }
   [[nodiscard]] const std::optional<Caution>& caution() const { return caution_; }
 
  private:
@@ -46,13 +48,13 @@ class Reach::Follower {
   void blame(const Curve& curve, double begin, const Stretch& stretch);
   void pass(const Stretch& stretch);
   [[nodiscard]] bool stays_in_sight(const Stretch& stretch) const;
-  [[nodiscard]] double excess(const AxisVector& joints) const;
+  [[nodiscard]] double excess(const JointPoint& joints) const;
 
   const kinematics::Kinematics& kinematics_;
   const planner::Linkage& linkage_;
-  AxisVector joints_;
+  JointPoint joints_;
   std::optional<Fault> fault_;
-  AxisVector beyond_;  // the joints that are farthest beyond their limits
+  JointPoint beyond_;  // the joints that are farthest beyond their limits
   double most_beyond_ = kOnLimit;
   std::optional<Caution> caution_;
 };
@@ -69,7 +71,7 @@ bool Reach::Follower::holds(const Stretch& stretch) {
 }
 
 // How far a joint is beyond its range; 0 within.
-double Reach::Follower::excess(const AxisVector& joints) const {
+double Reach::Follower::excess(const JointPoint& joints) const {
   double most = 0;
   for (std::size_t m = 0; m < kinematics_.size(); ++m) {
     const kinematics::Joint& joint = kinematics_.joints()[m];
@@ -157,9 +159,9 @@ std::optional<Fault> Reach::Follower::fault() const {
   return fault_;
 }
 
-std::optional<Fault> Reach::objection(const AxisVector& from, const motion::Motion& move,
-                                      AxisVector& end) {
-  if (const AxisVector* const to = motion::target_of(move)) {
+std::optional<Fault> Reach::objection(const TipPoint& from, const motion::Motion& move,
+                                      JointPoint& end) {
+  if (const TipPoint* const to = motion::target_of(move)) {
     auto joints = kinematics_.follow(*to, joints_);
     if (!joints) return std::move(joints.error());
   }

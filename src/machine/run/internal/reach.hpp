@@ -36,25 +36,25 @@ class Reach {
 
   /// Both must outlive this. `joints`: where they stand when the tip is at the start.
   Reach(const kinematics::Kinematics& kinematics, const motion::AxisSetup& axes,
-        const base::AxisVector& joints)
+        const base::JointPoint& joints)
       : kinematics_(kinematics), linkage_(kinematics, joints), curves_(axes), joints_(joints) {}
 
   /// Why the joints cannot follow a move of the tip from `from`, where they stand at joints().
   /// Nothing when they can: then `end` is where they stand behind it.
-  [[nodiscard]] std::optional<kinematics::Fault> objection(const base::AxisVector& from,
+  [[nodiscard]] std::optional<kinematics::Fault> objection(const base::TipPoint& from,
                                                            const motion::Motion& move,
-                                                           base::AxisVector& end);
+                                                           base::JointPoint& end);
 
   /// Where the last move that could be followed comes near to a singular position, at the first of
   /// the places looked at: what Kinematics::caution() says there.
   struct Caution {
     std::string sentence;
-    base::AxisVector tip;
+    base::TipPoint tip;
   };
   [[nodiscard]] const std::optional<Caution>& caution() const { return caution_; }
 
-  [[nodiscard]] const base::AxisVector& joints() const { return joints_; }
-  void set_joints(const base::AxisVector& joints) { joints_ = joints; }
+  [[nodiscard]] const base::JointPoint& joints() const { return joints_; }
+  void set_joints(const base::JointPoint& joints) { joints_ = joints; }
 
  private:
   class Follower;
@@ -62,7 +62,7 @@ class Reach {
   const kinematics::Kinematics& kinematics_;
   JointLinkage linkage_;
   motion::MoveCurves curves_;
-  base::AxisVector joints_;
+  base::JointPoint joints_;
   std::optional<Caution> caution_;
 };
 

@@ -56,14 +56,14 @@ void PathRecorder::take(const motion::Motion& motion) {
       motion.action);
 }
 
-void PathRecorder::travel_through(const base::AxisVector& place) { go(place, Trace::travel); }
+void PathRecorder::travel_through(const base::TipPoint& place) { go(place, Trace::travel); }
 
-void PathRecorder::straight(const base::AxisVector& target, Trace trace) {
+void PathRecorder::straight(const base::TipPoint& target, Trace trace) {
   ++moves_;
   go(target, trace);
 }
 
-void PathRecorder::go(const base::AxisVector& target, Trace trace) {
+void PathRecorder::go(const base::TipPoint& target, Trace trace) {
   const Point3 to = point_of(target);
   if (to == position_) return;
   const Pen pen = pen_for(trace);
@@ -87,7 +87,7 @@ void PathRecorder::arc(const motion::Arc& arc) {
 // Points that carry no arc, because the machine lacks an axis, are joined by lines.
 void PathRecorder::space_arc(const motion::SpaceArc& arc) {
   using geometry::SpaceArc;
-  const auto at = [this](const base::AxisVector& tip) { return vector(point_of(tip)); };
+  const auto at = [this](const base::TipPoint& tip) { return vector(point_of(tip)); };
   const geometry::Vec3 from = vector(position_);
   const auto found = arc.full_circle ? SpaceArc::circle(from, at(arc.via), at(arc.second_via))
                                      : SpaceArc::through(from, at(arc.via), at(arc.to));

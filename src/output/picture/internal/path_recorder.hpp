@@ -30,7 +30,7 @@ class PathRecorder {
 
   void take(const motion::Motion& motion);
   /// A place on the way of the next move, a rapid.
-  void travel_through(const base::AxisVector& place);
+  void travel_through(const base::TipPoint& place);
 
   [[nodiscard]] const PathStore& store() const { return store_; }
   [[nodiscard]] const HoleFinder& hole_finder() const { return holes_; }
@@ -48,15 +48,15 @@ class PathRecorder {
   static constexpr std::size_t kMaxTools = 256;
 
  private:
-  void straight(const base::AxisVector& to, Trace trace);
-  void go(const base::AxisVector& to, Trace trace);
+  void straight(const base::TipPoint& to, Trace trace);
+  void go(const base::TipPoint& to, Trace trace);
   void arc(const motion::Arc& arc);
   void space_arc(const motion::SpaceArc& arc);
   void chord(const Point3& to);
   void select_tool(std::uint32_t number);
   Pen pen_for(Trace trace);
   void arrive(const Point3& to, Trace trace);
-  [[nodiscard]] Point3 point_of(const base::AxisVector& to) const {
+  [[nodiscard]] Point3 point_of(const base::TipPoint& to) const {
     return space_.point_of(to, position_);
   }
   [[nodiscard]] std::array<double, 2> center_of(const motion::Arc& arc) const;

@@ -49,7 +49,7 @@ std::string post_head(const PostFacts& facts) {
   return text + travel_lines(facts) + lost_lines(facts.lost) + "G21 G90 G94 G17\nM5\n";
 }
 
-std::string positioning(const motion::AxisSetup& axes, const base::AxisVector& first,
+std::string positioning(const motion::AxisSetup& axes, const base::TipPoint& first,
                         double level_mm) {
   const auto z = axes.find('Z');
   std::string text;

@@ -25,7 +25,7 @@ struct PostFacts {
 
 /// Rapids that bring every axis to `first` from wherever the machine stands: Z alone to `level`,
 /// the other axes there, rotary ones first, then Z to where it begins.
-[[nodiscard]] std::string positioning(const motion::AxisSetup& axes, const base::AxisVector& first,
+[[nodiscard]] std::string positioning(const motion::AxisSetup& axes, const base::TipPoint& first,
                                       double level_mm);
 
 }  // namespace kerf::output

@@ -10,7 +10,7 @@
 
 namespace kerf::output {
 
-RoundWay::RoundWay(const motion::PlaneAxes& axes, const base::AxisVector& begin,
+RoundWay::RoundWay(const motion::PlaneAxes& axes, const base::TipPoint& begin,
                    const motion::Arc& arc)
     : plane(axes),
       from(begin),
@@ -26,10 +26,10 @@ RoundWay::RoundWay(const motion::PlaneAxes& axes, const base::AxisVector& begin,
   sign = clockwise ? -1 : 1;
 }
 
-base::AxisVector RoundWay::at(double share) const {
+base::TipPoint RoundWay::at(double share) const {
   if (share <= 0) return from;
   if (share >= 1) return to;
-  base::AxisVector point = from;
+  base::TipPoint point = from;
   for (std::size_t i = 0; i < base::kMaxAxes; ++i)
     point.values[i] = base::tidy(from.values[i] + share * (to.values[i] - from.values[i]));
   const double angle = start_rad + sign * share * sweep_rad;

@@ -101,7 +101,7 @@ std::vector<Vec2> way_of(const RunResult& result) {
   const std::vector<motion::Motion> moves = moves_of(result);
   std::vector<Vec2> way;
   for (std::size_t i = 1; i + 1 < moves.size(); ++i) {
-    const base::AxisVector& to = *motion::target_of(moves[i]);
+    const base::TipPoint& to = *motion::target_of(moves[i]);
     const Vec2 end{to.values[0], to.values[1]};
     if (const auto* const arc = std::get_if<motion::Arc>(&moves[i].action)) {
       const Vec2 centre{arc->center[0], arc->center[1]};

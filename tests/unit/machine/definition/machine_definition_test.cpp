@@ -13,6 +13,8 @@ namespace kerf::machine {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
+using base::TipPoint;
 using kinematics::Kind;
 using planner::Sampling;
 
@@ -521,7 +523,7 @@ TEST(BuiltinMachines, TheFiveAxisLaserHasTheHeadOfTheTable) {
   const MachineDefinition laser = *find_machine("laser5");
   EXPECT_EQ(laser.interpolator.period_s, 0.008);
   const auto head = laser.make_kinematics();
-  const AxisVector joints = *head->inverse({{100, 50, 25, 30, 90}}, {});
+  const JointPoint joints = *head->inverse({{100, 50, 25, 30, 90}}, {});
   EXPECT_NEAR(joints.values[0], 175, 1e-9);
   EXPECT_NEAR(joints.values[1], -30, 1e-9);
   EXPECT_NEAR(joints.values[2], 154.903811, 1e-6);
@@ -532,7 +534,7 @@ TEST(BuiltinMachines, TheFiveAxisLaserHasTheHeadOfTheTable) {
 
 TEST(BuiltinMachines, TheLensCutterHasTheConstantsOfTheTable) {
   const MachineDefinition laser = *find_machine("laser-xtz");
-  const AxisVector tip = laser.make_kinematics()->forward({{75, 20, 3}});
+  const TipPoint tip = laser.make_kinematics()->forward({{75, 20, 3}});
   EXPECT_NEAR(tip.values[0], 86.602540, 1e-6);
   EXPECT_NEAR(tip.values[1], 50, 1e-6);
   EXPECT_NEAR(tip.values[2], 8, 1e-6);

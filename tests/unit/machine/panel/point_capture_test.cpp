@@ -12,6 +12,7 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::JointPoint;
 using geometry::Vec3;
 using machine::Capture;
 using teach::Pose;
@@ -33,7 +34,7 @@ const Worked kWorked[] = {
     {{200, -80, 60, 62.5, 233.1}, {141.634275, 63.861659, 129.262292}},
 };
 
-AxisVector joints_of(const Worked& worked) {
+JointPoint joints_of(const Worked& worked) {
   const auto& [x, y, z] = worked.carriage;
   return {{x, y, z, worked.pose.a_deg, worked.pose.c_deg}};
 }
@@ -74,7 +75,7 @@ TEST(Capture, KeysMakeRecordsThatReadBackBitForBit) {
 
 TEST(Capture, RefusesWhatNoArcLeadsThroughAndStaysAsItWas) {
   Capture capture(laser5());
-  const auto at = [](double x, double y) { return AxisVector{{x, y, 150, 0, 0}}; };
+  const auto at = [](double x, double y) { return JointPoint{{x, y, 150, 0, 0}}; };
   EXPECT_EQ(capture.line(at(1, 1))->code, base::Code::teach_order);
   EXPECT_FALSE(capture.add(teach::Feed{100}));
   EXPECT_FALSE(capture.point(at(0, 0)));
@@ -94,7 +95,7 @@ TEST(Capture, RefusesWhatNoArcLeadsThroughAndStaysAsItWas) {
 
 TEST(Capture, RefusesWhatTheFileCannotHold) {
   Capture capture(laser5());
-  const AxisVector joints{};
+  const JointPoint joints{};
   EXPECT_EQ(capture.point(joints, "two words")->code, base::Code::teach_count);
   EXPECT_EQ(capture.point(joints, "a;b")->code, base::Code::teach_range);
   EXPECT_EQ(capture.point(joints, std::string(64, 'n'))->code, base::Code::teach_range);

@@ -77,7 +77,7 @@ TEST_F(Drives, AnAlarmOfADriveEndsTheRunWhereTheAxesAre) {
   ASSERT_TRUE(machine.alarm());
   EXPECT_EQ(machine.alarm()->number, "STEP_RATE");
   EXPECT_EQ(machine.alarm()->place.line, 4U);
-  EXPECT_EQ(machine.position(), watcher_.last->tip.tip);
+  EXPECT_EQ(machine.position(), base::machine_of(watcher_.last->tip.tip, {}));
   EXPECT_EQ(machine.time_s(), watcher_.last->tip.time_s);
   EXPECT_NEAR(machine.position().values[0], 12, 0.01);
 }

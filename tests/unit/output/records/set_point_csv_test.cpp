@@ -17,7 +17,7 @@ std::string csv_of(const std::string& machine, const std::vector<motion::AxisPoi
   return folder.read("points.csv");
 }
 
-motion::AxisPoint point(double time_s, const base::AxisVector& tip, const base::AxisVector& joints,
+motion::AxisPoint point(double time_s, const base::TipPoint& tip, const base::JointPoint& joints,
                         std::uint32_t line, float power_percent = 0) {
   motion::AxisPoint made{{time_s, tip, {}}, joints};
   made.tip.mark.line = line;
@@ -26,9 +26,10 @@ motion::AxisPoint point(double time_s, const base::AxisVector& tip, const base::
 }
 
 TEST(SetPointCsv, PowerIsThatOfThePeriod) {
-  const base::AxisVector at{{1, 2, 3}};
-  EXPECT_EQ(csv_of("laser3", {point(0.001, at, at, 7), point(0.002, at, at, 8, 33.3F),
-                              point(0.003, at, at, 8, 33.3F), point(0.004, at, at, 9)}),
+  const base::TipPoint at{{1, 2, 3}};
+  const base::JointPoint joints(at.numbers());
+  EXPECT_EQ(csv_of("laser3", {point(0.001, at, joints, 7), point(0.002, at, joints, 8, 33.3F),
+                              point(0.003, at, joints, 8, 33.3F), point(0.004, at, joints, 9)}),
             "t,X,Y,Z,power,j1,j2,j3,line\n"
             "0.001,1,2,3,0,1,2,3,7\n0.002,1,2,3,33.3,1,2,3,8\n0.003,1,2,3,33.3,1,2,3,8\n"
             "0.004,1,2,3,0,1,2,3,9\n");

@@ -21,6 +21,7 @@ namespace kerf::test {
 namespace {
 
 using base::AxisVector;
+using base::TipPoint;
 using motion::Motion;
 
 const motion::AxisSetup kAxes = five_axes();
@@ -80,11 +81,11 @@ const machine::MachineDefinition& five_axis_machine() {
 
 // The tips of the G1 blocks, and how many of them have an F.
 struct Posted {
-  std::vector<AxisVector> tips;
+  std::vector<TipPoint> tips;
   int feeds = 0;
 };
 
-void read_word(const std::string& word, AxisVector& at, Posted& posted) {
+void read_word(const std::string& word, TipPoint& at, Posted& posted) {
   if (word[0] == 'F') ++posted.feeds;
   if (const auto axis = kAxes.find(word[0])) at[*axis] = std::stod(word.substr(1));
 }
@@ -96,7 +97,7 @@ Posted posted(const SpaceArcCase& arc, const motion::SpaceArc& action) {
     post.finish();
   }));
   Posted result;
-  AxisVector at;
+  TipPoint at;
   bool cutting = false;
   for (std::string line; std::getline(lines, line);) {
     if (line[0] == '(' || line[0] == 'M' || line.starts_with("G21")) continue;
@@ -108,8 +109,8 @@ Posted posted(const SpaceArcCase& arc, const motion::SpaceArc& action) {
   return result;
 }
 
-AxisVector halfway(const AxisVector& a, const AxisVector& b) {
-  AxisVector middle;
+TipPoint halfway(const TipPoint& a, const TipPoint& b) {
+  TipPoint middle;
   for (std::size_t i = 0; i < base::kMaxAxes; ++i)
     middle.values[i] = (a.values[i] + b.values[i]) / 2;
   return middle;
@@ -120,8 +121,8 @@ constexpr double kRounding_mm = 1e-4;
 TEST(SpaceArcInPlainGCode, IsChordsWithinTheTolerance) {
   for (const SpaceArcCase& arc : kSpaceArcs) {
     const Posted lines = posted(arc, arc.arc(kFeed_mm_min));
-    AxisVector before = arc.from;
-    for (const AxisVector& tip : lines.tips) {
+    TipPoint before = arc.from;
+    for (const TipPoint& tip : lines.tips) {
       EXPECT_LE(arc.distance_mm(tip), kRounding_mm) << arc.name;
       EXPECT_LE(arc.distance_mm(halfway(before, tip)),
                 output::Post::kChordTolerance_mm + kRounding_mm)
@@ -144,7 +145,7 @@ TEST(SpaceArcInRows, IsTheChordsOfThePlainGCode) {
     std::string line;
     std::getline(lines, line);  // the header
     std::getline(lines, line);  // to where it starts
-    for (const AxisVector& tip : posted(arc, arc.arc(kFeed_mm_min)).tips) {
+    for (const TipPoint& tip : posted(arc, arc.arc(kFeed_mm_min)).tips) {
       ASSERT_TRUE(std::getline(lines, line)) << arc.name;
       double x = 0;
       double y = 0;
@@ -199,9 +200,9 @@ void expect_extents(const SpaceArcCase& arc, const motion::SpaceArc& action) {
   const motion::SpaceArcPath path(kAxes, arc.from, action);
   machine::RunStatistics statistics(kAxes);
   make(statistics, arc, action);
-  AxisVector low = arc.from, high = arc.from;
+  TipPoint low = arc.from, high = arc.from;
   for (int k = 0; k <= kPoints; ++k) {
-    const AxisVector tip = path.at(path.circle().sweep_rad() * k / kPoints);
+    const TipPoint tip = path.at(path.circle().sweep_rad() * k / kPoints);
     for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
       low.values[i] = std::min(low.values[i], tip.values[i]);
       high.values[i] = std::max(high.values[i], tip.values[i]);

@@ -9,51 +9,106 @@
 namespace kerf::motion {
 namespace {
 
+using base::AxisVector;
 using base::TipJet;
 using base::TipPoint;
 
-constexpr std::size_t kMostCoefficients = 6;
+// Degree of the highest polynomial.
+constexpr std::size_t kHighest = 5;
 
-/// Largest absolute value of a polynomial on [0, width], from its coefficients there in Bernstein's
-/// form, which bound it; `count` <= kMostCoefficients. The bound is the value itself at both ends.
-double largest(std::array<double, kMostCoefficients> c, std::size_t count, double width) {
-  double power = 1;
-  for (std::size_t k = 0; k < count; ++k, power *= width) c[k] *= power;
-  // Monomial to Bernstein: b_i = Σ_k C(i,k) / C(n,k) c_k, n = count - 1.
-  double most = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double factor = 1;
-    double b = c[0];
+/// Bernstein's form of a polynomial on [0, 1]: b_i = Σ_k C(i,k) / C(degree,k) c_k, k <= i <=
+/// degree.
+template <std::size_t degree>
+using Weights = std::array<std::array<double, degree + 1>, degree + 1>;
+
+template <std::size_t degree>
+constexpr Weights<degree> weights_of_powers() {
+  Weights<degree> weights{};
+  for (std::size_t i = 0; i <= degree; ++i) {
+    weights[i][0] = 1;
     for (std::size_t k = 1; k <= i; ++k) {
-      factor *= static_cast<double>(i - k + 1) / static_cast<double>(count - k);
-      b += factor * c[k];
+      const double share = static_cast<double>(i - k + 1) / static_cast<double>(degree - k + 1);
+      weights[i][k] = weights[i][k - 1] * share;
     }
+  }
+  return weights;
+}
+
+template <std::size_t degree>
+constexpr Weights<degree> kWeights = weights_of_powers<degree>();
+
+/// Largest absolute value on [0, width] of a polynomial with so many coefficients, from those in
+/// Bernstein's form of a degree that may be higher than its own: they bound it, the closer the
+/// higher the degree is, and are the value itself at both ends.
+template <std::size_t degree, std::size_t count>
+double largest(std::array<double, count> c, double width) {
+  double power = width;
+  for (std::size_t k = 1; k < count; ++k, power *= width) c[k] *= power;
+  double most = std::fabs(c[0]);
+  // Those of a line lie between the first and the last one.
+  for (std::size_t i = count <= 2 ? degree : 1; count > 1 && i <= degree; ++i) {
+    double b = c[0];
+    for (std::size_t k = 1; k < count && k <= i; ++k) b += kWeights<degree>[i][k] * c[k];
     most = std::max(most, std::fabs(b));
   }
   return most;
 }
 
 /// The same polynomial with its origin at `at`.
-void shift(std::array<double, kMostCoefficients>& c, std::size_t count, double at) {
+template <std::size_t count>
+void shift(std::array<double, count>& c, double at) {
   for (std::size_t i = 0; i + 1 < count; ++i) {
     for (std::size_t k = count - 1; k-- > i;) c[k] += at * c[k + 1];
   }
 }
 
-void differentiate(std::array<double, kMostCoefficients>& c, std::size_t& count) {
-  for (std::size_t k = 1; k < count; ++k) c[k - 1] = static_cast<double>(k) * c[k];
-  --count;
+template <std::size_t count>
+std::array<double, count - 1> derivative(const std::array<double, count>& c) {
+  std::array<double, count - 1> d;
+  for (std::size_t k = 1; k < count; ++k) d[k - 1] = static_cast<double>(k) * c[k];
+  return d;
 }
 
-/// Largest |a cos φ + b sin φ| for φ in [from, to].
-double largest_swing(double a, double b, double from, double to) {
-  const double amplitude = math::hypot(a, b);
-  if (to - from >= std::numbers::pi) return amplitude;
-  const double peak = math::atan2(b, a);
-  const double first = std::ceil((from - peak) / std::numbers::pi);
-  if (peak + first * std::numbers::pi <= to) return amplitude;
-  return std::max(std::fabs(a * math::cos(from) + b * math::sin(from)),
-                  std::fabs(a * math::cos(to) + b * math::sin(to)));
+/// Value and derivatives of a polynomial with so many coefficients, those divided by 1, 2 and 6.
+template <std::size_t count>
+std::array<double, 4> taylor(const std::array<double, count>& c, double s) {
+  std::array<double, 4> t{c[count - 1], 0, 0, 0};
+  for (std::size_t k = count - 1; k-- > 0;) {
+    t[3] = t[2] + s * t[3];
+    t[2] = t[1] + s * t[2];
+    t[1] = t[0] + s * t[1];
+    t[0] = c[k] + s * t[0];
+  }
+  return t;
+}
+
+/// Angles from `low` to `high`, less than half a turn of them with their rims.
+struct Sector {
+  double low, high;
+  bool is_half = high - low >= std::numbers::pi;
+  math::SineCosine at_low = is_half ? math::SineCosine{} : math::sine_cosine(low);
+  math::SineCosine at_high = is_half ? math::SineCosine{} : math::sine_cosine(high);
+};
+
+// Mostly one of both is 0, because arcs lie in the plane of two axes: what the functions are then.
+double amplitude_of(double a, double b) {
+  return a == 0 || b == 0 ? std::fabs(a + b) : math::hypot(a, b);
+}
+double peak_of(double a, double b) {
+  if (a == 0) return std::copysign(std::numbers::pi / 2, b);
+  return a > 0 && b == 0 ? 0 : math::atan2(b, a);
+}
+
+/// Largest |a cos φ + b sin φ| for φ in the sector.
+double largest_swing(double a, double b, const Sector& sector) {
+  if (a == 0 && b == 0) return 0;
+  const double amplitude = amplitude_of(a, b);
+  if (sector.is_half) return amplitude;
+  const double peak = peak_of(a, b);
+  const double first = std::ceil((sector.low - peak) / std::numbers::pi);
+  if (peak + first * std::numbers::pi <= sector.high) return amplitude;
+  return std::max(std::fabs(a * sector.at_low.cosine + b * sector.at_low.sine),
+                  std::fabs(a * sector.at_high.cosine + b * sector.at_high.sine));
 }
 
 }  // namespace
@@ -71,7 +126,7 @@ Curve Curve::line(const TipPoint& from, const TipPoint& to, double length, std::
 
 Curve Curve::hermite(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
   Curve curve;
-  curve.kind_ = Kind::polynomial;
+  curve.kind_ = Kind::quintic;
   curve.length_ = length;
   curve.end_ = to.value;
   curve.axes_ = static_cast<std::uint8_t>(axes);
@@ -96,7 +151,7 @@ Curve Curve::hermite(const TipJet& from, const TipJet& to, double length, std::s
 
 Curve Curve::cubic(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
   Curve curve;
-  curve.kind_ = Kind::polynomial;
+  curve.kind_ = Kind::cubic;
   curve.length_ = length;
   curve.end_ = to.value;
   curve.axes_ = static_cast<std::uint8_t>(axes);
@@ -141,12 +196,11 @@ TipPoint Curve::point(double s) const {
     case Kind::line:
       for (std::size_t m = 0; m < axes_; ++m) p.values[m] = c_[0].values[m] + s * c_[1].values[m];
       break;
-    case Kind::polynomial:
-      for (std::size_t m = 0; m < axes_; ++m) {
-        double value = c_[5].values[m];
-        for (std::size_t k = 5; k-- > 0;) value = c_[k].values[m] + s * value;
-        p.values[m] = value;
-      }
+    case Kind::cubic:
+      for (std::size_t m = 0; m < axes_; ++m) p.values[m] = taylor(coefficients<4>(m), s)[0];
+      break;
+    case Kind::quintic:
+      for (std::size_t m = 0; m < axes_; ++m) p.values[m] = taylor(coefficients<6>(m), s)[0];
       break;
     case Kind::arc: {
       const double angle = angle_rad_ + rate_ * s;
@@ -164,6 +218,21 @@ TipPoint Curve::point(double s) const {
   return p;
 }
 
+AxisVector Curve::rate(double s) const {
+  AxisVector rate;
+  switch (kind_) {
+    case Kind::line: return c_[1];
+    case Kind::cubic:
+      for (std::size_t m = 0; m < axes_; ++m) rate.values[m] = taylor(coefficients<4>(m), s)[1];
+      break;
+    case Kind::quintic:
+      for (std::size_t m = 0; m < axes_; ++m) rate.values[m] = taylor(coefficients<6>(m), s)[1];
+      break;
+    case Kind::arc: return arc_jet(s).first;
+  }
+  return rate;
+}
+
 TipJet Curve::jet(double s) const {
   TipJet jet;
   switch (kind_) {
@@ -171,26 +240,26 @@ TipJet Curve::jet(double s) const {
       jet.value = point(s);
       jet.first = c_[1];
       break;
-    case Kind::polynomial: jet = polynomial_jet(s); break;
+    case Kind::cubic: jet = polynomial_jet<4>(s); break;
+    case Kind::quintic: jet = polynomial_jet<6>(s); break;
     case Kind::arc: jet = arc_jet(s); break;
   }
   if (s >= length_) jet.value = end_;
   return jet;
 }
 
+template <std::size_t count>
+std::array<double, count> Curve::coefficients(std::size_t axis) const {
+  std::array<double, count> c;
+  for (std::size_t k = 0; k < count; ++k) c[k] = c_[k].values[axis];
+  return c;
+}
+
+template <std::size_t count>
 TipJet Curve::polynomial_jet(double s) const {
   TipJet jet;
   for (std::size_t m = 0; m < axes_; ++m) {
-    double value = c_[5].values[m];
-    double first = 0;
-    double second = 0;
-    double third = 0;
-    for (std::size_t k = 5; k-- > 0;) {
-      third = second + s * third;
-      second = first + s * second;
-      first = value + s * first;
-      value = c_[k].values[m] + s * value;
-    }
+    const auto [value, first, second, third] = taylor(coefficients<count>(m), s);
     jet.value.values[m] = value;
     jet.first.values[m] = first;
     jet.second.values[m] = 2 * second;
@@ -223,7 +292,8 @@ CurveBounds Curve::bounds(double from, double to) const {
       for (std::size_t m = 0; m < axes_; ++m) bounds.first.values[m] = std::fabs(c_[1].values[m]);
       return bounds;
     }
-    case Kind::polynomial: return polynomial_bounds(from, to);
+    case Kind::cubic: return polynomial_bounds<4>(from, to);
+    case Kind::quintic: return polynomial_bounds<6>(from, to);
     case Kind::arc: break;
   }
   return arc_bounds(from, to);
@@ -242,21 +312,25 @@ double Curve::largest_radius(double from, double to) const {
                   std::fabs(radius_ + radius_slope_ * to));
 }
 
-// Two halves: Bernstein's bound of a hat is then the hat itself.
+// Two halves: Bernstein's bound of a hat is then the hat itself. An axis that stands still has
+// none.
+template <std::size_t count>
 CurveBounds Curve::polynomial_bounds(double from, double to) const {
   CurveBounds bounds;
   const double width = (to - from) / 2;
   for (std::size_t m = 0; m < axes_; ++m) {
+    const auto c = coefficients<count>(m);
+    if (std::all_of(c.begin() + 1, c.end(), [](double value) { return value == 0; })) continue;
     for (const double begin : {from, from + width}) {
-      std::array<double, kMostCoefficients> c;
-      for (std::size_t k = 0; k < kMostCoefficients; ++k) c[k] = c_[k].values[m];
-      std::size_t count = kMostCoefficients;
-      shift(c, count, begin);
-      for (double* const bound :
-           {&bounds.first.values[m], &bounds.second.values[m], &bounds.third.values[m]}) {
-        differentiate(c, count);
-        *bound = std::max(*bound, largest(c, count, width));
-      }
+      auto shifted = c;
+      if (begin != 0) shift(shifted, begin);
+      const auto first = derivative(shifted);
+      const auto second = derivative(first);
+      const auto third = derivative(second);
+      const auto see = [](double& bound, double value) { bound = std::max(bound, value); };
+      see(bounds.first.values[m], largest<kHighest - 1>(first, width));
+      see(bounds.second.values[m], largest<kHighest - 2>(second, width));
+      see(bounds.third.values[m], largest<kHighest - 3>(third, width));
     }
   }
   return bounds;
@@ -268,9 +342,10 @@ CurveBounds Curve::arc_bounds(double from, double to) const {
   const double w = std::fabs(rate_);
   const double grow = std::fabs(radius_slope_);
   const auto [low, high] = std::minmax({angle_rad_ + rate_ * from, angle_rad_ + rate_ * to});
+  const Sector sector{low, high};
   for (std::size_t m = 0; m < axes_; ++m) {
-    const double out = largest_swing(c_[2].values[m], c_[3].values[m], low, high);
-    const double along = largest_swing(c_[3].values[m], -c_[2].values[m], low, high);
+    const double out = largest_swing(c_[2].values[m], c_[3].values[m], sector);
+    const double along = largest_swing(c_[3].values[m], -c_[2].values[m], sector);
     bounds.first.values[m] = std::fabs(c_[1].values[m]) + grow * out + r * w * along;
     bounds.second.values[m] = w * (2 * grow * along + r * w * out);
     bounds.third.values[m] = w * w * (3 * grow * out + r * w * along);

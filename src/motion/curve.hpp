@@ -65,6 +65,8 @@ class Curve {
   /// Real-time safe. s outside of [0, length()] is the caller's bug but for rounding.
   [[nodiscard]] base::TipPoint at(double s) const;
   [[nodiscard]] base::TipJet jet(double s) const;
+  /// The first derivative alone, the same bits.
+  [[nodiscard]] base::AxisVector rate(double s) const;
   /// Upper bounds over [from, to]; the third derivative of a line and the second one are 0.
   [[nodiscard]] CurveBounds bounds(double from, double to) const;
   /// Upper bound over [from, to] of the second derivative's length in the axes that count mm: the
@@ -73,18 +75,22 @@ class Curve {
                                        const LinearAxes& linear) const;
 
  private:
-  enum class Kind : std::uint8_t { line, polynomial, arc };
+  enum class Kind : std::uint8_t { line, cubic, quintic, arc };
 
   [[nodiscard]] base::TipPoint point(double s) const;
+  template <std::size_t count>
+  [[nodiscard]] std::array<double, count> coefficients(std::size_t axis) const;
+  template <std::size_t count>
   [[nodiscard]] base::TipJet polynomial_jet(double s) const;
   [[nodiscard]] base::TipJet arc_jet(double s) const;
+  template <std::size_t count>
   [[nodiscard]] CurveBounds polynomial_bounds(double from, double to) const;
   [[nodiscard]] CurveBounds arc_bounds(double from, double to) const;
   [[nodiscard]] double largest_radius(double from, double to) const;
 
   double length_ = 0;
   base::TipPoint end_;
-  // line: point and slope; polynomial: its coefficients; arc: origin, slope, e1, e2.
+  // line: point and slope; cubic, quintic: coefficients; arc: origin, slope, e1, e2.
   std::array<base::AxisVector, 6> c_{};
   double radius_ = 0;
   double radius_slope_ = 0;

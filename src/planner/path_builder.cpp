@@ -234,7 +234,7 @@ double PathBuilder::length_per_parameter(const motion::Curve& curve, double begi
 
 // Way in space for a small step of the parameter.
 double PathBuilder::way_in_space(const motion::Curve& curve, double at) const {
-  return norms_.mm(curve.jet(at).first);
+  return norms_.mm(curve.rate(at));
 }
 
 // The feed of a helix is that of its circle: its length in space for that of the circle.

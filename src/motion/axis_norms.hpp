@@ -25,18 +25,21 @@ struct AxisNorms {
   LinearAxes linear{};
   std::size_t axes = 0;
 
-  [[nodiscard]] double mm(const base::AxisVector& v) const { return std::sqrt(squares(v)[0]); }
-  [[nodiscard]] double degrees(const base::AxisVector& v) const { return std::sqrt(squares(v)[1]); }
+  [[nodiscard]] double mm(const base::AxisVector& v) const { return std::sqrt(squares(v, true)); }
+  [[nodiscard]] double degrees(const base::AxisVector& v) const {
+    return std::sqrt(squares(v, false));
+  }
   [[nodiscard]] double larger(const base::AxisVector& v) const {
-    const auto both = squares(v);
-    return std::sqrt(std::max(both[0], both[1]));
+    return std::sqrt(std::max(squares(v, true), squares(v, false)));
   }
 
  private:
-  [[nodiscard]] std::array<double, 2> squares(const base::AxisVector& v) const {
-    std::array<double, 2> sums{};
-    for (std::size_t m = 0; m < axes; ++m) sums[linear[m] ? 0 : 1] += v.values[m] * v.values[m];
-    return sums;
+  [[nodiscard]] double squares(const base::AxisVector& v, bool of_linear) const {
+    double sum = 0;
+    for (std::size_t m = 0; m < axes; ++m) {
+      if (linear[m] == of_linear) sum += v.values[m] * v.values[m];
+    }
+    return sum;
   }
 };
 

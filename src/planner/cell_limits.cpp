@@ -103,6 +103,7 @@ double CellLimits::border_mm(const CellBounds& bounds) const {
 
 double CellLimits::tolerable_speed(const CellBounds& bounds) const {
   const double chord = longest_chord(bounds);
+  if (chord == kInfinite) return kInfinite;
   const double speed_up = most_speed_up(bounds);
   const bool at_border = bounds.at_border || turns_to_anything(bounds.linkage);
   if (!at_border || speed_up <= chord)
@@ -124,19 +125,20 @@ double CellLimits::acceleration_along(const base::AxisVector& first) const {
 
 double CellLimits::highest_speed(const CellBounds& bounds, Use use) const {
   double speed = tolerable_speed(bounds);
+  double square = kInfinite;
+  double cube = kInfinite;
   for (std::size_t m = 0; m < axes_; ++m) {
     const double first = bounds.driven.first.values[m];
     const double second = bounds.driven.second.values[m];
     const double third = bounds.driven.third.values[m];
     if (first > 0) speed = std::min(speed, limits_.velocity.values[m] / first);
-    if (second > 0) {
-      const double share = shares(use).acceleration * limits_.acceleration.values[m];
-      speed = std::min(speed, std::sqrt(share / second));
-    }
-    if (third > 0 && std::isfinite(limits_.jerk.values[m]))
-      speed = std::min(speed, math::cbrt(shares(use).jerk * limits_.jerk.values[m] / third));
+    if (second > 0)
+      square = std::min(square, shares(use).acceleration * limits_.acceleration.values[m] / second);
+    if (third > 0 && jerk_limited_)
+      cube = std::min(cube, shares(use).jerk * limits_.jerk.values[m] / third);
   }
-  return speed;
+  if (square < speed * speed) speed = std::min(speed, std::sqrt(square));
+  return cube < kInfinite ? std::min(speed, math::cbrt(cube)) : speed;
 }
 
 double CellLimits::share_of_shape(const CellBounds& bounds, double speed) const {
@@ -158,23 +160,21 @@ PathLimits CellLimits::of(const CellBounds& bounds, double feed, Use use) const 
 // The least of (A - q'' v²) / q' over the axes, each of them linear in v², is at least the line
 // between its values at rest and at full speed.
 PathLimits CellLimits::without_jerk(const motion::CurveBounds& bounds, double speed) const {
-  const double at_rest = acceleration_at(bounds, 0);
-  const double at_speed = acceleration_at(bounds, speed);
+  double at_rest = kInfinite;
+  double at_speed = kInfinite;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    const double first = bounds.first.values[m];
+    if (!(first > 0)) continue;
+    const double all = limits_.acceleration.values[m];
+    const double taken = bounds.second.values[m] * speed * speed;
+    at_rest = std::min(at_rest, all / first);
+    at_speed = std::min(at_speed, (all - taken) / first);
+  }
   PathLimits limits;
   limits.velocity = speed;
   limits.acceleration = at_rest;
-  limits.fall = (at_rest - at_speed) / (speed * speed);
+  if (at_speed < at_rest) limits.fall = (at_rest - at_speed) / (speed * speed);
   return limits;
-}
-
-double CellLimits::acceleration_at(const motion::CurveBounds& bounds, double speed) const {
-  double least = kInfinite;
-  for (std::size_t m = 0; m < axes_; ++m) {
-    const double first = bounds.first.values[m];
-    const double left = limits_.acceleration.values[m] - bounds.second.values[m] * speed * speed;
-    if (first > 0) least = std::min(least, left / first);
-  }
-  return least;
 }
 
 PathLimits CellLimits::with_jerk(const motion::CurveBounds& bounds, double speed) const {

@@ -86,7 +86,6 @@ class CellLimits {
  private:
   [[nodiscard]] PathLimits without_jerk(const motion::CurveBounds& bounds, double speed) const;
   [[nodiscard]] PathLimits with_jerk(const motion::CurveBounds& bounds, double speed) const;
-  [[nodiscard]] double acceleration_at(const motion::CurveBounds& bounds, double speed) const;
   [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
   [[nodiscard]] double longest_linkage_chord(const CellBounds& bounds) const;
   [[nodiscard]] bool turns_to_anything(const LinkageBend& linkage) const;

@@ -76,6 +76,26 @@ double CornerRounder::wanted_reach(const base::JointJet& end, const base::JointJ
   return reach;
 }
 
+// Both curves begin and end like the rounding, in place and direction, and bend by so much at most:
+// what it leaves them by grows from either end to reach²/2 of what their second derivatives differ
+// by, or less.
+bool CornerRounder::is_surely_near(const Rounding& rounding, const motion::CurveBounds& bounds,
+                                   const motion::Curve& in, const motion::Curve& out,
+                                   double tolerance) const {
+  constexpr double kSurely = 1 - 1e-7;
+  const double reach = rounding.reach;
+  const double bend =
+      std::max(bend_of(in, in.length() - reach, in.length()), bend_of(out, 0, reach));
+  return reach * reach / 2 * (norms_.larger(bounds.second) + bend) <=
+         kSurely * kBetween * tolerance;
+}
+
+double CornerRounder::bend_of(const motion::Curve& curve, double from, double to) const {
+  if (curve.is_line()) return 0;
+  if (curve.is_arc()) return curve.curvature_bound(from, to, {}, norms_.linear);
+  return norms_.larger(curve.bounds(from, to).second);
+}
+
 // Asked at some places; the deviation has one hill, so it is little more between them.
 bool CornerRounder::stays_near(const Rounding& rounding, const motion::Curve& in,
                                const motion::Curve& out, double tolerance) const {
@@ -90,15 +110,12 @@ bool CornerRounder::stays_near(const Rounding& rounding, const motion::Curve& in
 }
 
 // With limited jerk also the curvature must go on.
-std::optional<Rounding> CornerRounder::round(const motion::Curve& in, const motion::Curve& out,
-                                             double reach, double tolerance) const {
+Rounding CornerRounder::round(const motion::Curve& in, const motion::Curve& out,
+                              double reach) const {
   const base::TipJet from = in.jet(in.length() - reach);
   const base::TipJet to = out.jet(reach);
-  Rounding rounding{reach, limits_.jerk_limited()
-                               ? motion::Curve::hermite(from, to, 2 * reach, axes_)
-                               : motion::Curve::cubic(from, to, 2 * reach, axes_)};
-  if (!stays_near(rounding, in, out, tolerance)) return std::nullopt;
-  return rounding;
+  return {reach, limits_.jerk_limited() ? motion::Curve::hermite(from, to, 2 * reach, axes_)
+                                        : motion::Curve::cubic(from, to, 2 * reach, axes_)};
 }
 
 Corner CornerRounder::between(const motion::Curve& in, const motion::Curve& out,
@@ -127,11 +144,15 @@ Corner CornerRounder::best_of(const motion::Curve& in, const motion::Curve& out,
   constexpr double kShrink = 0.75;
   const double most_s = std::isfinite(tolerance) ? time.stopped_s() : kInfinite;
   for (int i = 0; i < kMostTries; ++i, reach *= kShrink) {
-    const auto rounding = round(in, out, reach, tolerance);
-    if (!rounding || !follower_.can_follow(rounding->curve)) continue;
+    const Rounding rounding = round(in, out, reach);
+    const motion::CurveBounds bounds = rounding.curve.bounds(0, rounding.curve.length());
+    if (!is_surely_near(rounding, bounds, in, out, tolerance) &&
+        !stays_near(rounding, in, out, tolerance))
+      continue;
+    if (!follower_.can_follow(rounding.curve)) continue;
     const double time_s =
-        follower_.linked() ? time.rounded_s(reach) : time.rounded_s(reach, rounding->curve);
-    if (time_s <= most_s) return {Corner::Kind::rounded, *rounding};
+        follower_.linked() ? time.rounded_s(reach) : time.rounded_s(rounding.curve, bounds);
+    if (time_s <= most_s) return {Corner::Kind::rounded, rounding};
   }
   return {Corner::Kind::sharp, {}};
 }

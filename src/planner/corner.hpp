@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "motion/axis_norms.hpp"
 #include "motion/curve.hpp"
 #include "planner/cell_limits.hpp"
@@ -67,8 +65,12 @@ class CornerRounder {
                                const CornerTime& time, double reach, double tolerance) const;
   [[nodiscard]] bool stays_near(const Rounding& rounding, const motion::Curve& in,
                                 const motion::Curve& out, double tolerance) const;
-  [[nodiscard]] std::optional<Rounding> round(const motion::Curve& in, const motion::Curve& out,
-                                              double reach, double tolerance) const;
+  [[nodiscard]] bool is_surely_near(const Rounding& rounding, const motion::CurveBounds& bounds,
+                                    const motion::Curve& in, const motion::Curve& out,
+                                    double tolerance) const;
+  [[nodiscard]] double bend_of(const motion::Curve& curve, double from, double to) const;
+  [[nodiscard]] Rounding round(const motion::Curve& in, const motion::Curve& out,
+                               double reach) const;
 
   const CellLimits& limits_;
   std::size_t axes_;

@@ -72,12 +72,13 @@ double CornerTime::at_speed_s(double reach, double speed) const {
 
 double CornerTime::rounded_s(double reach) const { return at_speed_s(reach, speed_of(reach)); }
 
-double CornerTime::rounded_s(double reach, const motion::Curve& rounding) const {
-  const motion::CurveBounds driven = rounding.bounds(0, 2 * reach);
-  const double curvature = rounding.curvature_bound(0, 2 * reach, driven, limits_.linear());
-  return at_speed_s(
-      reach, limits_.highest_speed({.driven = driven, .curvature = curvature, .at_border = true},
-                                   CellLimits::Use::corner));
+double CornerTime::rounded_s(const motion::Curve& rounding,
+                             const motion::CurveBounds& bounds) const {
+  const double length = rounding.length();
+  const double curvature = rounding.curvature_bound(0, length, bounds, limits_.linear());
+  return at_speed_s(length / 2, limits_.highest_speed(
+                                    {.driven = bounds, .curvature = curvature, .at_border = true},
+                                    CellLimits::Use::corner));
 }
 
 double CornerTime::stopped_s() const {

@@ -26,16 +26,18 @@ class CornerTime {
  public:
   /// One of the two curves where they meet.
   struct Side {
-    base::TipJet tip;
-    base::JointJet driven;  ///< the same of the driven axes
+    const base::TipJet& tip;
+    const base::JointJet& driven;  ///< the same of the driven axes
     double length = 0;
     double feed = 0;
   };
   CornerTime(const CellLimits& limits, const RoundingShape& shape, const Side& in, const Side& out);
 
   [[nodiscard]] double rounded_s(double reach) const;
-  /// Where the rounding is known: how fast its own curve can be driven is asked.
-  [[nodiscard]] double rounded_s(double reach, const motion::Curve& rounding) const;
+  /// Where the rounding is known: how fast its own curve can be driven is asked. `bounds` are those
+  /// of all of it.
+  [[nodiscard]] double rounded_s(const motion::Curve& rounding,
+                                 const motion::CurveBounds& bounds) const;
   [[nodiscard]] double stopped_s() const;
 
  private:

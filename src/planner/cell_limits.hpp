@@ -80,6 +80,8 @@ class CellLimits {
 
   [[nodiscard]] bool jerk_limited() const { return jerk_limited_; }
   [[nodiscard]] const AxisLimits& axis_limits() const { return limits_; }
+  /// Number of driven axes.
+  [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] double period_s() const { return period_s_; }
   [[nodiscard]] const motion::LinearAxes& linear() const { return linear_; }
 

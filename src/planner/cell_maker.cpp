@@ -85,8 +85,8 @@ void CellMaker::split_inside(const PathPiece& piece, double begin, double end,
                              Ring<Cell>& cells) {
   add(piece, begin, end, bounds, overrides, cells);
   const PathLimits& limits = cells.back().limits;
-  const double taken = limits_.share_of_shape(bounds, limits.velocity);
-  if (piece.use == CellLimits::Use::corner || taken < kLittle) return;
+  if (piece.curve.is_line() || piece.use == CellLimits::Use::corner) return;
+  if (limits_.share_of_shape(bounds, limits.velocity) < kLittle) return;
   const double ramp = limits.velocity * limits.velocity / (2 * limits.acceleration);
   const double length = end - begin;
   const double wanted = std::ceil(length / ramp * kPartsOfRamp);

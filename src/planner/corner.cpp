@@ -54,7 +54,7 @@ double CornerRounder::wanted_reach(const base::JointJet& end, const base::JointJ
   const AxisVector turn = begin.first - end.first;
   const AxisVector bend = begin.second - end.second;
   double v = std::min(passage.feed_in, passage.feed_out);
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+  for (std::size_t m = 0; m < limits_.axes(); ++m) {
     const double d = std::fabs(turn.values[m]);
     // No axis can follow a turn faster than this.
     if (d > 0) v = std::min(v, 2 * axis.velocity.values[m] / d);
@@ -62,7 +62,7 @@ double CornerRounder::wanted_reach(const base::JointJet& end, const base::JointJ
   const bool with_jerk = limits_.jerk_limited();
   const RoundingShape& shape = with_jerk ? kQuintic : kParabola;
   double reach = 0;
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+  for (std::size_t m = 0; m < limits_.axes(); ++m) {
     const double d = std::fabs(turn.values[m]);
     if (d > 0)
       reach =

@@ -38,11 +38,11 @@ CornerTime::CornerTime(const CellLimits& limits, const RoundingShape& shape, con
 
 CornerTime::Drive CornerTime::drive_of(const Side& side) const {
   CellBounds bounds;
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m)
+  for (std::size_t m = 0; m < limits_.axes(); ++m)
     bounds.driven.first.values[m] = std::fabs(side.driven.first.values[m]);
   Drive drive{limits_.of(bounds, side.feed, CellLimits::Use::path),
               limits_.acceleration_along(side.driven.first), 0};
-  drive.speed = std::min(drive.limits.velocity, reachable_speed(0, side.length / 2, drive.limits));
+  drive.speed = reachable_speed(0, side.length / 2, drive.limits, drive.limits.velocity);
   return drive;
 }
 
@@ -56,7 +56,7 @@ double CornerTime::speed_of(double reach) const {
                     .curvature = curvature_ + shape_.second / reach * turn_mm_,
                     .tip_acceleration = std::max(in_.acceleration, out_.acceleration),
                     .at_border = true};
-  for (std::size_t m = 0; m < base::kMaxAxes; ++m) {
+  for (std::size_t m = 0; m < limits_.axes(); ++m) {
     const double turn = turn_.values[m] / reach;
     bounds.driven.second.values[m] += shape_.second * turn;
     bounds.driven.third.values[m] += shape_.third * (turn + bend_.values[m]) / reach;

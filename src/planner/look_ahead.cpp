@@ -25,7 +25,7 @@ void LookAhead::Run::add(const Section& section) {
 }
 
 double LookAhead::Run::speed_from(double speed) const {
-  return std::min(limits.velocity, reachable_speed(speed, length, limits));
+  return reachable_speed(speed, length, limits, limits.velocity);
 }
 
 bool LookAhead::extends_last(const Section& next) const {
@@ -97,15 +97,14 @@ bool LookAhead::plan_accelerations(std::uint64_t begin, std::uint64_t end) {
   for (std::uint64_t n = end; n-- > begin;) {
     Section& section = items_[n].section;
     section.exit = section.stop ? 0 : std::min(speed, section.limits.velocity);
-    speed = std::min(section.limits.velocity,
-                     reachable_speed(section.exit, section.length, section.limits));
+    speed = reachable_speed(section.exit, section.length, section.limits, section.limits.velocity);
   }
   if (speed < entry_ * (1 - kSameSpeed)) return false;
   speed = entry_;
   for (std::uint64_t n = begin; n < end; ++n) {
     Section& section = items_[n].section;
     section.entry = speed;
-    section.exit = std::min(section.exit, reachable_speed(speed, section.length, section.limits));
+    section.exit = reachable_speed(speed, section.length, section.limits, section.exit);
     speed = section.exit;
   }
   return true;

@@ -169,7 +169,7 @@ void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
 // The marks of the curve stand already behind those of the open one.
 void PathBuilder::add_curve(const motion::Curve& curve, double feed, bool fixed_override,
                             bool joined, double begin_off_mm, double begin_turn, double end_turn) {
-  Open next{curve, 0, feed, begin_turn, end_turn, fixed_override, path_.marks.end()};
+  double begin = 0;
   if (is_open_ && joined) {
     close_open(false);
   } else if (is_open_) {
@@ -184,12 +184,18 @@ void PathBuilder::add_curve(const motion::Curve& curve, double feed, bool fixed_
     const Corner corner = corners_.between(open_.curve, curve, passage);
     if (corner.kind == Corner::Kind::rounded) {
       round(corner.rounding, slower * std::max(pitch_of(open_.curve), pitch_of(curve)));
-      next.begin = corner.rounding.reach;
+      begin = corner.rounding.reach;
     } else {
       close_open(corner.kind == Corner::Kind::sharp);
     }
   }
-  open_ = next;
+  open_.curve = curve;
+  open_.begin = begin;
+  open_.feed = feed;
+  open_.begin_turn = begin_turn;
+  open_.end_turn = end_turn;
+  open_.fixed_override = fixed_override;
+  open_.last_mark = path_.marks.end();
   is_open_ = true;
 }
 

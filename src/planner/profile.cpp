@@ -6,16 +6,19 @@
 #include "math/math.hpp"
 
 namespace kerf::planner {
+
+struct RampShape {
+  double rise_s = 0;  // how long the acceleration rises, and falls
+  double hold_s = 0;
+  double acceleration = 0;  // what it rises to
+
+  [[nodiscard]] double time_s() const { return 2 * rise_s + hold_s; }
+  [[nodiscard]] double length(double from, double to) const { return (from + to) / 2 * time_s(); }
+};
+
 namespace {
 
 bool jerk_limited(const PathLimits& limits) { return std::isfinite(limits.jerk); }
-
-/// How long the acceleration of a ramp rises, and what it rises to.
-struct RampShape {
-  double rise_s = 0;
-  double hold_s = 0;
-  double acceleration = 0;
-};
 
 RampShape shape_of(double from, double to, const PathLimits& limits) {
   const double change = std::fabs(to - from);
@@ -57,18 +60,18 @@ double change_with_hold(double from, double length, const PathLimits& limits) {
 }  // namespace
 
 double ramp_time_s(double from, double to, const PathLimits& limits) {
-  const RampShape shape = shape_of(from, to, limits);
-  return 2 * shape.rise_s + shape.hold_s;
+  return shape_of(from, to, limits).time_s();
 }
 
 double ramp_length(double from, double to, const PathLimits& limits) {
-  return (from + to) / 2 * ramp_time_s(from, to, limits);
+  return shape_of(from, to, limits).length(from, to);
 }
 
 double reachable_speed(double from, double length, const PathLimits& limits) {
   // v² = from² + 2 (a - fall v²) length, solved for v.
   if (!jerk_limited(limits)) {
     const double square = from * from + 2 * limits.acceleration * length;
+    if (limits.fall == 0) return std::max(from, std::sqrt(square));
     return std::max(from, std::sqrt(square / (1 + 2 * limits.fall * length)));
   }
   const double full = limits.acceleration * limits.acceleration / limits.jerk;
@@ -77,13 +80,25 @@ double reachable_speed(double from, double length, const PathLimits& limits) {
   return from + change_with_hold(from, length, limits);
 }
 
+// Mostly it is clear without a root that `most` is reached.
+double reachable_speed(double from, double length, const PathLimits& limits, double most) {
+  constexpr double kClearly = 1 + 1e-12;
+  const double square = from * from + 2 * limits.acceleration * length;
+  if (!jerk_limited(limits) && square > most * most * (1 + 2 * limits.fall * length) * kClearly)
+    return most;
+  return std::min(most, reachable_speed(from, length, limits));
+}
+
 namespace {
 
 // The speed from which ramps to both ends together have the length.
 double peak_speed(double length, double entry, double exit, const PathLimits& limits) {
   if (!jerk_limited(limits)) {
     const double square = (entry * entry + exit * exit) / 2 + limits.acceleration * length;
-    return std::min(limits.velocity, std::sqrt(square / (1 + limits.fall * length)));
+    const double slower = 1 + limits.fall * length;
+    constexpr double kClearly = 1 + 1e-12;
+    if (square > limits.velocity * limits.velocity * slower * kClearly) return limits.velocity;
+    return std::min(limits.velocity, std::sqrt(square / slower));
   }
   const auto needed = [&](double peak) {
     return ramp_length(entry, peak, limits) + ramp_length(exit, peak, limits);
@@ -103,12 +118,14 @@ double peak_speed(double length, double entry, double exit, const PathLimits& li
 
 Profile::Profile(double length, double entry, double exit, const PathLimits& limits)
     : peak_(std::max({peak_speed(length, entry, exit, limits), entry, exit})) {
-  const double ramps = ramp_length(entry, peak_, limits) + ramp_length(exit, peak_, limits);
+  const RampShape up = shape_of(entry, peak_, limits);
+  const RampShape down = shape_of(peak_, exit, limits);
+  const double ramps = up.length(entry, peak_) + down.length(exit, peak_);
   // Ramps that are too long by rounding are driven a little faster: the way must be exact.
   const double share = ramps > length ? length / ramps : 1;
-  add_ramp(entry, peak_, limits, share);
+  add_ramp(entry, peak_, up, limits.jerk, share);
   if (ramps < length && peak_ > 0) add({(length - ramps) / peak_, peak_, 0, 0});
-  add_ramp(peak_, exit, limits, share);
+  add_ramp(peak_, exit, down, limits.jerk, share);
 }
 
 void Profile::add(const Phase& phase) {
@@ -118,11 +135,11 @@ void Profile::add(const Phase& phase) {
 }
 
 // `share` of the time, and so of the length, that the limits ask for.
-void Profile::add_ramp(double from, double to, const PathLimits& limits, double share) {
+void Profile::add_ramp(double from, double to, const RampShape& shape, double most_jerk,
+                       double share) {
   if (share <= 0) return;
-  const RampShape shape = shape_of(from, to, limits);
   const double side = to < from ? -1 : 1;
-  const double jerk = shape.rise_s > 0 ? side * limits.jerk / (share * share) : 0;
+  const double jerk = shape.rise_s > 0 ? side * most_jerk / (share * share) : 0;
   const double acceleration = side * shape.acceleration / share;
   const double rise = side * shape.acceleration * shape.rise_s / 2;
   add({share * shape.rise_s, from, 0, jerk});

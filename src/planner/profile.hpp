@@ -31,6 +31,11 @@ struct PathLimits {
 /// Highest speed that a ramp of `length` reaches from `from`; the velocity limit is not asked. At
 /// least `from`.
 [[nodiscard]] double reachable_speed(double from, double length, const PathLimits& limits);
+/// The same, but no more than `most`.
+[[nodiscard]] double reachable_speed(double from, double length, const PathLimits& limits,
+                                     double most);
+
+struct RampShape;
 
 /// The fastest way over `length` >= 0 from speed `entry` to speed `exit`: a ramp up, a cruise, a
 /// ramp down, each possibly of no duration; up to seven phases. It is as long as it should be, to
@@ -59,7 +64,7 @@ class Profile {
 
  private:
   void add(const Phase& phase);
-  void add_ramp(double from, double to, const PathLimits& limits, double share);
+  void add_ramp(double from, double to, const RampShape& shape, double most_jerk, double share);
 
   std::array<Phase, 7> phases_;
   std::size_t count_ = 0;

@@ -19,6 +19,7 @@ Machine::Machine(const MachineDefinition& definition, control::Memory memory,
       dialect_(make_dialect(dialect_name_, {definition_, memory_, sources_, signals_, *this, *this,
                                             settings.pages, records_})) {
   for (const std::string& folder : settings.library_folders) dialect_->add_library_folder(folder);
+  if (settings.on_one_thread) servo_.stay_on_one_thread();
   control().set_block_skip(settings.block_skip);
   control().set_optional_stop(settings.optional_stop);
 }

@@ -29,7 +29,8 @@ namespace kerf::machine {
 /// executes blocks and when the axes move is up to the run, which is one of two: BatchRun goes to
 /// the end by itself, PacedRun by simulated time.
 ///
-/// Owns everything that the machine needs; two machines never meet. Not thread-safe.
+/// Owns everything that the machine needs; two machines never meet. Not thread-safe: all sinks,
+/// observers and questions are called on the thread that runs it.
 class Machine : private control::Surroundings, private motion::MotionSink {
  public:
   /// What stands before a program is loaded. Value type.
@@ -41,6 +42,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
     bool optional_stop = false;
     bool by_hand = false;  ///< what the operator commands moves the axes, and no program
     vm::PageSettings pages{};
+    bool on_one_thread = false;  ///< the planner, too (Servo): the same, and to compare
   };
 
   ~Machine() override;

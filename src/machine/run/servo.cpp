@@ -5,6 +5,7 @@
 
 #include "machine/run/internal/joint_linkage.hpp"
 #include "machine/run/internal/pattern_source.hpp"
+#include "machine/run/internal/planning_thread.hpp"
 #include "planner/interpolator.hpp"
 #include "planner/path_sampler.hpp"
 
@@ -51,11 +52,33 @@ Servo::Servo(const MachineDefinition& definition, PatternQueue* records)
 Servo::~Servo() = default;
 
 void Servo::take(const motion::Motion& motion) {
-  if (!paced_) {
-    if (!source_->room()) drain();
-    feed(motion);
-    return;
+  if (paced_) return take_paced(motion);
+  if (plans_beside()) {
+    beside_->take(motion);
+    return note_target(motion);
   }
+  if (!source_->room()) drain();
+  feed(motion);
+}
+
+// Records of a pattern are queued by the control at the same time.
+bool Servo::plans_beside() {
+  if (!beside_ && !on_one_thread_ && sinks_.empty() && pulses_ == nullptr)
+    beside_ = std::make_unique<PlanningThread>(*source_);
+  return beside_ != nullptr;
+}
+
+void Servo::settle() const {
+  if (beside_) beside_->settle();
+}
+
+double Servo::time_s() const {
+  if (broken_off_) return last_.time_s;
+  settle();
+  return source_->time_s();
+}
+
+void Servo::take_paced(const motion::Motion& motion) {
   is_finished_ = is_asked_to_finish_ = false;
   if (has_room()) {
     feed(motion);
@@ -67,6 +90,10 @@ void Servo::take(const motion::Motion& motion) {
 
 void Servo::feed(const motion::Motion& motion) {
   source_->take(motion);
+  note_target(motion);
+}
+
+void Servo::note_target(const motion::Motion& motion) {
   if (const base::TipPoint* const to = motion::target_of(motion)) commanded_ = *to;
 }
 
@@ -75,6 +102,7 @@ void Servo::finish() {
     is_asked_to_finish_ = true;
     return;
   }
+  settle();
   if (!source_->room()) drain();
   source_->finish();
   drain();
@@ -83,6 +111,7 @@ void Servo::finish() {
 void Servo::resume() {
   if (!broken_off_) return;
   broken_off_ = false;
+  settle();
   start(commanded_);
 }
 

@@ -19,12 +19,17 @@ namespace kerf::machine {
 
 class PatternMachine;
 class PatternSource;
+class PlanningThread;
 
 /// The servo side of a machine: puts the motions of a run into time, as the machine's interpolator
 /// samples them, and moves the driven axes.
 ///
 /// Without sinks it only keeps the time, which is faster and the same. Broken off, it makes no more
 /// set-points and takes motions without making them: time and tip stay where they were.
+///
+/// Everything is called on one thread, sinks too. But a batch run without sinks plans on a second
+/// thread, beside whoever commands the motions: nobody looks on there and nothing can break off, so
+/// both make the same. Whoever asks for the time or finishes waits for it.
 ///
 /// It works in one of two ways, which make the same points. In a batch run it takes every motion
 /// and makes points whenever its source has no room for more. Paced, points are made by
@@ -40,6 +45,8 @@ class Servo : public motion::MotionSink {
 
   /// Precondition of the first motion: all sinks are there.
   void add_sink(motion::AxisPointSink& sink) { sinks_.push_back(&sink); }
+  /// Without a second thread. Precondition: nothing was taken yet.
+  void stay_on_one_thread() { on_one_thread_ = true; }
   /// Asked every few milliseconds of computing while set-points are made; true: breaks off.
   void break_off_when(std::function<bool()> question) { broken_off_when_ = std::move(question); }
 
@@ -96,13 +103,17 @@ class Servo : public motion::MotionSink {
 
   [[nodiscard]] const kinematics::Kinematics& kinematics() const { return *kinematics_; }
   /// Since the start. The motions taken are made only after finish().
-  [[nodiscard]] double time_s() const { return broken_off_ ? last_.time_s : source_->time_s(); }
+  [[nodiscard]] double time_s() const;
   [[nodiscard]] bool broken_off() const { return broken_off_; }
   /// The last set-point that was handed out.
   [[nodiscard]] const motion::Setpoint& last() const { return last_; }
 
  private:
+  void take_paced(const motion::Motion& motion);
+  [[nodiscard]] bool plans_beside();
+  void settle() const;
   void feed(const motion::Motion& motion);
+  void note_target(const motion::Motion& motion);
   [[nodiscard]] bool goes_on();
   [[nodiscard]] bool fetch();
   void drain();
@@ -128,6 +139,7 @@ class Servo : public motion::MotionSink {
   double power_override_ = 1;
   bool started_ = false;  // the sinks know where the axes stood at first
   bool broken_off_ = false;
+  bool on_one_thread_ = false;
 
   // Paced.
   bool paced_ = false;
@@ -138,6 +150,8 @@ class Servo : public motion::MotionSink {
   bool is_asked_to_finish_ = false;
   bool is_finished_ = true;
   std::optional<motion::AxisPoint> locked_;  // where the axes really stand
+
+  std::unique_ptr<PlanningThread> beside_;  // null: the source is fed here; last: it sees source_
 };
 
 }  // namespace kerf::machine

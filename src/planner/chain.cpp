@@ -18,10 +18,24 @@ constexpr std::uint64_t kShortestChain = 4;  // lines
 // A corner that turns more is one that was meant.
 constexpr double kSharpestTurn_rad = 0.35;
 
-/// Solves the symmetric positive system of four equations M_ij = moments[i + j] for each axis, in
+/// As many axes as are computed with at once; what lies beyond those of the machine is 0.
+constexpr std::size_t kLanes = 4;
+using Lanes = std::array<double, kLanes>;
+static_assert(base::kMaxAxes % kLanes == 0);
+
+Lanes lanes_of(const AxisVector& v, std::size_t first) {
+  Lanes lanes;
+  std::copy_n(v.values.begin() + static_cast<std::ptrdiff_t>(first), kLanes, lanes.begin());
+  return lanes;
+}
+
+void add_times(Lanes& to, double factor, const Lanes& what) {
+  for (std::size_t i = 0; i < kLanes; ++i) to[i] += factor * what[i];
+}
+
+/// Solves the symmetric positive system of four equations M_ij = moments[i + j] for each lane, in
 /// place.
-void solve(const std::array<double, 7>& moments, std::array<AxisVector, 4>& right,
-           std::size_t axes) {
+void solve(const std::array<double, 7>& moments, std::array<Lanes, 4>& right) {
   std::array<std::array<double, 4>, 4> m;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) m[i][j] = moments[i + j];
@@ -30,15 +44,12 @@ void solve(const std::array<double, 7>& moments, std::array<AxisVector, 4>& righ
     for (std::size_t i = k + 1; i < 4; ++i) {
       const double factor = m[i][k] / m[k][k];
       for (std::size_t j = k; j < 4; ++j) m[i][j] -= factor * m[k][j];
-      for (std::size_t a = 0; a < axes; ++a) right[i].values[a] -= factor * right[k].values[a];
+      add_times(right[i], -factor, right[k]);
     }
   }
   for (std::size_t k = 4; k-- > 0;) {
-    for (std::size_t a = 0; a < axes; ++a) {
-      double value = right[k].values[a];
-      for (std::size_t j = k + 1; j < 4; ++j) value -= m[k][j] * right[j].values[a];
-      right[k].values[a] = value / m[k][k];
-    }
+    for (std::size_t j = k + 1; j < 4; ++j) add_times(right[k], -m[k][j], right[j]);
+    for (double& value : right[k]) value /= m[k][k];
   }
 }
 
@@ -106,25 +117,29 @@ TipJet ChainSmoother::parabola(std::uint64_t a, std::uint64_t b, std::uint64_t c
 TipJet ChainSmoother::cubic(std::uint64_t first, std::uint64_t last, std::uint64_t at) const {
   const double origin = points_[at].way;
   const double scale = std::max(points_[last].way - origin, origin - points_[first].way);
-  std::array<double, 7> moments{};
-  std::array<AxisVector, 4> sums{};
-  for (std::uint64_t n = first; n <= last; ++n) {
-    const double sigma = (points_[n].way - origin) / scale;
-    double power = 1;
-    for (std::size_t k = 0; k < 7; ++k, power *= sigma) {
-      moments[k] += power;
-      if (k > 3) continue;
-      for (std::size_t m = 0; m < axes_; ++m)
-        sums[k].values[m] += power * (points_[n].at.values[m] - points_[at].at.values[m]);
-    }
-  }
-  solve(moments, sums, axes_);
   TipJet jet;
-  for (std::size_t m = 0; m < axes_; ++m) {
-    jet.value.values[m] = points_[at].at.values[m] + sums[0].values[m];
-    jet.first.values[m] = sums[1].values[m] / scale;
-    jet.second.values[m] = 2 * sums[2].values[m] / (scale * scale);
-    jet.third.values[m] = 6 * sums[3].values[m] / (scale * scale * scale);
+  for (std::size_t lane = 0; lane < axes_; lane += kLanes) {
+    const Lanes here = lanes_of(points_[at].at, lane);
+    std::array<double, 7> moments{};
+    std::array<Lanes, 4> sums{};
+    for (std::uint64_t n = first; n <= last; ++n) {
+      const double sigma = (points_[n].way - origin) / scale;
+      Lanes offset = lanes_of(points_[n].at, lane);
+      add_times(offset, -1, here);
+      double power = 1;
+      for (std::size_t k = 0; k < 7; ++k, power *= sigma) {
+        moments[k] += power;
+        if (k < 4) add_times(sums[k], power, offset);
+      }
+    }
+    solve(moments, sums);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const std::size_t m = lane + i;
+      jet.value.values[m] = here[i] + sums[0][i];
+      jet.first.values[m] = sums[1][i] / scale;
+      jet.second.values[m] = 2 * sums[2][i] / (scale * scale);
+      jet.third.values[m] = 6 * sums[3][i] / (scale * scale * scale);
+    }
   }
   return jet;
 }

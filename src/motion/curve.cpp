@@ -233,6 +233,14 @@ AxisVector Curve::rate(double s) const {
   return rate;
 }
 
+// The middle coefficient of c1 + 2 c2 s + 3 c3 s² in Bernstein's form over the curve.
+AxisVector Curve::rate_between() const {
+  AxisVector rate;
+  for (std::size_t m = 0; m < axes_; ++m)
+    rate.values[m] = c_[1].values[m] + length_ * c_[2].values[m];
+  return rate;
+}
+
 TipJet Curve::jet(double s) const {
   TipJet jet;
   switch (kind_) {

@@ -55,6 +55,7 @@ class Curve {
   [[nodiscard]] const base::TipPoint& end() const { return end_; }
   [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
   [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
+  [[nodiscard]] bool is_cubic() const { return kind_ == Kind::cubic; }
   /// Largest of the numbers whose sum a point is, as far as the end does not show it: of an arc its
   /// radius, whose last digits are what a flat one of huge radius shows.
   [[nodiscard]] double magnitude() const { return length_ + radius_; }
@@ -67,6 +68,9 @@ class Curve {
   [[nodiscard]] base::TipJet jet(double s) const;
   /// The first derivative alone, the same bits.
   [[nodiscard]] base::AxisVector rate(double s) const;
+  /// Of a cubic: its rate is everywhere a mean, by weights that add up to 1, of that at its begin,
+  /// this vector, and that at its end.
+  [[nodiscard]] base::AxisVector rate_between() const;
   /// Upper bounds over [from, to]; the third derivative of a line and the second one are 0.
   [[nodiscard]] CurveBounds bounds(double from, double to) const;
   /// Upper bound over [from, to] of the second derivative's length in the axes that count mm: the

@@ -56,8 +56,19 @@ double CellLimits::longest_chord(const CellBounds& bounds) const {
   const double curvature = bounds.curvature;
   if (bounds.linkage.gain > 0) return longest_linkage_chord(bounds);
   if (curvature == 0) return kInfinite;
-  return std::min(std::sqrt(8 * chord_tolerance_mm_ / curvature),
-                  longest_chord_mm(1 / curvature, chord_tolerance_mm_));
+  const double exact = longest_chord_mm(1 / curvature, chord_tolerance_mm_);
+  // By rounding only it could be the longer one.
+  constexpr double kHuge = 1e-12;
+  const double height = curvature * chord_tolerance_mm_;
+  if (height > kHuge && height < 1) return exact;
+  return std::min(std::sqrt(8 * chord_tolerance_mm_ / curvature), exact);
+}
+
+// A chord is 2 √(δ (2R - δ)), which is √(4 δ R) or more where R > δ; elsewhere it is √(8 δ R).
+bool CellLimits::is_chord_longer(const CellBounds& bounds, double chord) const {
+  constexpr double kClearly = 1 + 1e-9;
+  return bounds.linkage.gain == 0 &&
+         4 * chord_tolerance_mm_ > kClearly * bounds.curvature * chord * chord;
 }
 
 bool CellLimits::turns_to_anything(const LinkageBend& linkage) const {
@@ -96,7 +107,7 @@ double CellLimits::most_speed_up(const CellBounds& bounds) const {
 }
 
 double CellLimits::border_mm(const CellBounds& bounds) const {
-  if (bounds.curvature == 0) return 0;
+  if (bounds.curvature == 0 || is_chord_longer(bounds, most_speed_up(bounds))) return 0;
   const double chord = longest_chord(bounds);
   return most_speed_up(bounds) > chord ? chord : 0;
 }
@@ -152,8 +163,27 @@ double CellLimits::share_of_shape(const CellBounds& bounds, double speed) const 
   return most;
 }
 
+// Without a root or a quotient; what is nearly too fast counts as such.
+bool CellLimits::allows(const CellBounds& bounds, double speed, Use use) const {
+  constexpr double kClearly = 1 + 1e-9;
+  constexpr double kOfSpeedUp = 1.01;  // more than what tolerable_speed() takes off for it
+  if (!(speed < kInfinite) || jerk_limited_) return false;
+  if (bounds.curvature > 0 && (!is_chord_longer(bounds, most_speed_up(bounds)) ||
+                               !is_chord_longer(bounds, kOfSpeedUp * speed * period_s_)))
+    return false;
+  const double fast = kClearly * speed;
+  for (std::size_t m = 0; m < axes_; ++m) {
+    if (bounds.driven.first.values[m] * fast > limits_.velocity.values[m]) return false;
+    if (bounds.driven.second.values[m] * fast * fast >
+        shares(use).acceleration * limits_.acceleration.values[m])
+      return false;
+  }
+  return bounds.linkage.gain == 0;
+}
+
 PathLimits CellLimits::of(const CellBounds& bounds, double feed, Use use) const {
-  const double speed = std::min(feed, highest_speed(bounds, use));
+  const double speed =
+      allows(bounds, feed, use) ? feed : std::min(feed, highest_speed(bounds, use));
   return jerk_limited_ ? with_jerk(bounds.driven, speed) : without_jerk(bounds.driven, speed);
 }
 

@@ -88,7 +88,9 @@ class CellLimits {
  private:
   [[nodiscard]] PathLimits without_jerk(const motion::CurveBounds& bounds, double speed) const;
   [[nodiscard]] PathLimits with_jerk(const motion::CurveBounds& bounds, double speed) const;
+  [[nodiscard]] bool allows(const CellBounds& bounds, double speed, Use use) const;
   [[nodiscard]] double longest_chord(const CellBounds& bounds) const;
+  [[nodiscard]] bool is_chord_longer(const CellBounds& bounds, double chord) const;
   [[nodiscard]] double longest_linkage_chord(const CellBounds& bounds) const;
   [[nodiscard]] bool turns_to_anything(const LinkageBend& linkage) const;
   [[nodiscard]] double most_speed_up(const CellBounds& bounds) const;

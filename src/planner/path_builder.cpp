@@ -231,10 +231,15 @@ void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
 double PathBuilder::length_per_parameter(const motion::Curve& curve, double begin,
                                          double end) const {
   if (curve.is_line() || curve.is_arc() || rotary_only_) return 1;
+  const double width = end - begin;
+  double most = std::max({1.0, way_in_space(curve, begin), way_in_space(curve, begin + width)});
+  constexpr double kClearly = 1 - 1e-9;
+  const bool is_whole = begin == 0 && end == curve.length();
+  if (is_whole && curve.is_cubic() && norms_.mm(curve.rate_between()) < kClearly * most)
+    return most;  // it is nowhere more than at its ends
   constexpr int kPlaces = 8;
-  double most = 1;
-  for (int i = 0; i <= kPlaces; ++i)
-    most = std::max(most, way_in_space(curve, begin + (end - begin) * i / kPlaces));
+  for (int i = 1; i < kPlaces; ++i)
+    most = std::max(most, way_in_space(curve, begin + width * i / kPlaces));
   return most;
 }
 

@@ -13,6 +13,12 @@ std::uint64_t whole_periods(double periods) {
   return static_cast<std::uint64_t>(std::min(periods, kMost));
 }
 
+// What std::floor() is of x >= 0, without a call.
+double whole_part(double x) {
+  constexpr double kAllWhole = 0x1p52;
+  return x < kAllWhole ? static_cast<double>(static_cast<std::int64_t>(x)) : x;
+}
+
 // A standstill this little behind a period belongs to it: rounding of the sums of durations.
 constexpr double kSameTick = 1e-9;
 // What is left of a dwell is one, shorter than any period.
@@ -66,7 +72,7 @@ void SectionDrive::break_dwell() {
 void SectionDrive::end_phase(const Phase& phase) {
   phase_way_ += phase.way(phase.duration_s);
   phase_late_s_ += phase.duration_s;
-  const double whole = std::floor(phase_late_s_ / period_s_);
+  const double whole = whole_part(phase_late_s_ / period_s_);
   phase_tick_ += whole_periods(whole);
   phase_late_s_ = std::max(0.0, phase_late_s_ - whole * period_s_);
   ++phase_;

@@ -84,15 +84,36 @@ def spiral(count: int) -> Iterator[tuple]:
 
 
 def write_finishing(path: Path, dialect: Dialect, lines: int) -> Expect:
+    return write_points(path, dialect, "SPIRAL FINISHING", lines, spiral(lines))
+
+
+def write_points(path: Path, dialect: Dialect, title: str, lines: int,
+                 points: Iterator[tuple]) -> Expect:
     place, cut_mm = (0.0, 0.0, 5.0), 0.0
     with path.open("w", newline="\n") as file:
-        file.write(dialect.head("SPIRAL FINISHING") + "S12000 M03\nG00 X0. Y0. Z5.\nF3000.\n")
-        for point in spiral(lines):
+        file.write(dialect.head(title) + "S12000 M03\nG00 X0. Y0. Z5.\nF3000.\n")
+        for point in points:
             file.write("G01 X%.3f Y%.3f Z%.3f\n" % point)
             cut_mm += math.dist(place, point)
             place = point
         file.write("G00 Z5.\nM05\n" + dialect.closing)
     return Expect(Counter(STRAIGHT_FEED=lines), cut_mm=cut_mm)
+
+
+# (s) Sharp: the height jumps from point to point, so nothing is smooth.
+
+
+def jumps(count: int) -> Iterator[tuple]:
+    """Rows of 1,001 points 0.1 mm apart; each turn from line to line is a corner."""
+    row = 1001
+    for i in range(count):
+        column = i % row if i // row % 2 == 0 else row - 1 - i % row
+        z = -5 - i * 7919 % 997 / 997 * 0.4
+        yield round(0.1 * column - 50, 3), round(0.1 * (i // row) - 50, 3), round(z, 3)
+
+
+def write_sharp(path: Path, dialect: Dialect, lines: int) -> Expect:
+    return write_points(path, dialect, "JUMPING SURFACE", lines, jumps(lines))
 
 
 # (b) Mixed: small workshop features one after the other.
@@ -434,6 +455,7 @@ class Benchmark:
 
 BENCHMARKS = (
     Benchmark("a", "finishing", "1,000,000 short G01", MILLION, write_finishing),
+    Benchmark("s", "sharp", "1,000,000 short G01, all of them sharp turns", MILLION, write_sharp),
     Benchmark("b", "mixed", "200,000 lines of mixed work", MILLION // 5, write_mixed),
     Benchmark("c", "loop", "1,000,000 passes of arithmetic", MILLION, write_loop, LOOP_TWINS),
     Benchmark("d", "loop_move", "1,000,000 passes with a G01", MILLION, write_loop_with_move),

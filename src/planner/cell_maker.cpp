@@ -55,11 +55,9 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
 }
 
 CellBounds CellMaker::bounds_of(const PathPiece& piece, double begin, double end) const {
-  const motion::CurveBounds bounds = piece.curve.bounds(begin, end);
-  CellBounds result;
-  result.driven = bounds;
-  result.curvature = piece.curve.curvature_bound(begin, end, bounds, limits_.linear());
-  return result;
+  CellBounds bounds{.driven = piece.curve.bounds(begin, end)};
+  bounds.curvature = piece.curve.curvature_bound(begin, end, bounds.driven, limits_.linear());
+  return bounds;
 }
 
 // One cell and two for its borders, if it has some.
@@ -187,19 +185,19 @@ void CellMaker::add(const PathPiece& piece, double begin, double end, const Cell
   cell.piece = next_piece_;
   cell.begin = begin;
   cell.end = end;
-  cell.bounds = bounds;
   cell.dwell_s = 0;
   cell.stop = piece.stop && end == piece.end;
-  cell.limits = limits_of(cell, piece, overrides);
+  cell.limits = limits_of(bounds, piece, overrides);
   cell.overrides = cell.former_overrides = overrides;
+  cell.bounds = bounds;
 }
 
-PathLimits CellMaker::limits_of(const Cell& cell, const PathPiece& piece,
+PathLimits CellMaker::limits_of(const CellBounds& bounds, const PathPiece& piece,
                                 const Overrides& overrides) const {
-  if (piece.fixed_override) return limits_.of(cell.bounds, piece.feed, piece.use);
-  if (!piece.rapid) return limits_.of(cell.bounds, piece.feed * overrides.feed, piece.use);
-  const PathLimits full = limits_.of(cell.bounds, piece.feed, piece.use);
-  return limits_.of(cell.bounds, full.velocity * overrides.rapid, piece.use);
+  if (piece.fixed_override) return limits_.of(bounds, piece.feed, piece.use);
+  if (!piece.rapid) return limits_.of(bounds, piece.feed * overrides.feed, piece.use);
+  const PathLimits full = limits_.of(bounds, piece.feed, piece.use);
+  return limits_.of(bounds, full.velocity * overrides.rapid, piece.use);
 }
 
 }  // namespace kerf::planner

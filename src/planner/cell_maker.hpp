@@ -37,8 +37,8 @@ class CellMaker {
 
   /// Makes cells of what has none yet, as far as there is room.
   void make(const Path& path, const Overrides& overrides, Ring<Cell>& cells);
-  /// The limits of a cell under other overrides.
-  [[nodiscard]] PathLimits limits_of(const Cell& cell, const PathPiece& piece,
+  /// The limits of a cell with these bounds under other overrides.
+  [[nodiscard]] PathLimits limits_of(const CellBounds& bounds, const PathPiece& piece,
                                      const Overrides& overrides) const;
 
   /// Number of the first piece that is not all cells yet.

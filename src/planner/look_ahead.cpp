@@ -28,21 +28,20 @@ double LookAhead::Run::speed_from(double speed) const {
   return reachable_speed(speed, length, limits, limits.velocity);
 }
 
-bool LookAhead::extends_last(const Section& next) const {
-  if (!jerk_limited_ || items_.end() == std::max(planned_, items_.begin())) return false;
-  const Section& last = items_[items_.end() - 1].section;
+// The last item is one with the one before it, which is not planned yet.
+bool LookAhead::goes_on_at_the_end() const {
+  if (!jerk_limited_ || items_.end() - 1 == std::max(planned_, items_.begin())) return false;
+  const Section& last = items_[items_.end() - 2].section;
+  const Section& next = items_[items_.end() - 1].section;
   return last.cells < kMostCells && !last.stop && next.dwell_s == 0 &&
          next.limits.velocity == last.limits.velocity &&
          alike(next.limits.acceleration, last.limits.acceleration) &&
          alike(next.limits.jerk, last.limits.jerk);
 }
 
-void LookAhead::add(const Section& next) {
-  if (!extends_last(next)) {
-    items_.push({next, 0, 0, 1});
-    return;
-  }
-  Section& last = items_.back().section;
+void LookAhead::join_at_the_end() {
+  Section& last = items_[items_.end() - 2].section;
+  const Section& next = items_.back().section;
   Run both{last.length, last.limits};
   both.add(next);
   last.length = both.length;
@@ -50,21 +49,27 @@ void LookAhead::add(const Section& next) {
   last.stop = next.stop;
   last.cells += next.cells;
   last.tail = next.tail;
+  items_.unpush();
 }
 
 void LookAhead::absorb(const Ring<Cell>& cells) {
   for (; seen_ < cells.end() && items_.room() > 0 && stop_way_ > 0; ++seen_) {
     const Cell& cell = cells[seen_];
     const double length = cell.length() - offset_;
-    if (length >= stop_way_) {
+    const bool stops_inside = length >= stop_way_;
+    Item& item = items_.push();
+    item.items = 1;
+    if (stops_inside) {
       offset_ += stop_way_;
-      add({stop_way_, cell.limits, 0, 0, 0, offset_, 0, true});
+      item.section = {stop_way_, cell.limits, 0, 0, 0, offset_, 0, true};
       stop_way_ = 0;
-      return;
+    } else {
+      item.section = {length, cell.limits, 0, 0, 1, 0, cell.dwell_s, cell.stop};
+      stop_way_ -= length;
+      offset_ = 0;
     }
-    add({length, cell.limits, 0, 0, 1, 0, cell.dwell_s, cell.stop});
-    stop_way_ -= length;
-    offset_ = 0;
+    if (goes_on_at_the_end()) join_at_the_end();
+    if (stops_inside) return;
   }
 }
 
@@ -232,11 +237,11 @@ void LookAhead::release(bool ended) {
   }
 }
 
-Section LookAhead::take() {
-  Section section = items_.front().section;
+void LookAhead::take(Section& section) {
+  section = items_.front().section;
   const std::uint32_t items = items_.front().items;
-  items_.front().items = 1;
   items_.pop();
+  if (items == 1) return;
   Run run{section.length, section.limits};
   for (std::uint32_t i = 1; i < items; ++i) {
     const Section& next = items_.front().section;
@@ -248,7 +253,6 @@ Section LookAhead::take() {
   }
   section.length = run.length;
   section.limits = run.limits;
-  return section;
 }
 
 }  // namespace kerf::planner

@@ -59,8 +59,8 @@ class LookAhead {
   /// Whether there is a section that is planned for good.
   [[nodiscard]] bool has_planned() const { return items_.begin() < planned_; }
   [[nodiscard]] bool empty() const { return items_.empty(); }
-  /// The next section. Precondition: has_planned().
-  [[nodiscard]] Section take();
+  /// The next section becomes `section`. Precondition: has_planned().
+  void take(Section& section);
 
  private:
   /// A cell, or several of equal speed.
@@ -85,8 +85,8 @@ class LookAhead {
     double entry = 0;
   };
 
-  [[nodiscard]] bool extends_last(const Section& next) const;
-  void add(const Section& next);
+  [[nodiscard]] bool goes_on_at_the_end() const;
+  void join_at_the_end();
   [[nodiscard]] bool plan_accelerations(std::uint64_t begin, std::uint64_t end);
   void look_back(std::uint64_t begin, std::uint64_t end);
   void go_forward(std::uint64_t begin, std::uint64_t end);

@@ -161,7 +161,8 @@ void Replanner::put_back_overrides(std::uint64_t first) {
 void Replanner::set_overrides_of(std::uint64_t cell, const Overrides& overrides) {
   Cell& c = ahead_.cells[cell];
   c.overrides = overrides;
-  if (c.dwell_s == 0) c.limits = ahead_.maker.limits_of(c, ahead_.path.pieces[c.piece], overrides);
+  if (c.dwell_s == 0)
+    c.limits = ahead_.maker.limits_of(c.bounds, ahead_.path.pieces[c.piece], overrides);
 }
 
 }  // namespace kerf::planner

@@ -34,7 +34,7 @@ bool WayAhead::next_section(const Overrides& overrides, Section& section) {
     if (plan.empty() || (!ended && builder.room())) return false;
     if (!plan.plan(ended) || !plan.has_planned()) return false;
   }
-  section = plan.take();
+  plan.take(section);
   return true;
 }
 

@@ -37,7 +37,7 @@ class Cells {
     look_ahead.absorb(ring_);
     EXPECT_TRUE(look_ahead.plan(true));
     std::vector<Section> sections;
-    while (look_ahead.has_planned()) sections.push_back(look_ahead.take());
+    while (look_ahead.has_planned()) look_ahead.take(sections.emplace_back());
     return sections;
   }
 
@@ -185,7 +185,7 @@ TEST(LookAhead, WhatIsFinalWhileMoreMayFollowCanBeDriven) {
       known.push(cells.ring()[n]);
       early.absorb(known);
       ASSERT_TRUE(early.plan(n + 1 == cells.ring().end()));
-      while (early.has_planned()) sections.push_back(early.take());
+      while (early.has_planned()) early.take(sections.emplace_back());
     }
     double speed = 0;
     for (const Section& section : sections) {

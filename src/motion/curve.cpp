@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "math/math.hpp"
 
@@ -82,12 +83,20 @@ std::array<double, 4> taylor(const std::array<double, count>& c, double s) {
   return t;
 }
 
-/// Angles from `low` to `high`, less than half a turn of them with their rims.
+/// Angles from `low` to `high`. What is at its rims is worked out when it is asked for.
 struct Sector {
-  double low, high;
-  bool is_half = high - low >= std::numbers::pi;
-  math::SineCosine at_low = is_half ? math::SineCosine{} : math::sine_cosine(low);
-  math::SineCosine at_high = is_half ? math::SineCosine{} : math::sine_cosine(high);
+  struct Rim {
+    double angle_rad;
+    std::optional<math::SineCosine> turned{};
+
+    [[nodiscard]] double swing(double a, double b) {
+      if (!turned) turned = math::sine_cosine(angle_rad);
+      return std::fabs(a * turned->cosine + b * turned->sine);
+    }
+  };
+  Rim low, high;
+
+  [[nodiscard]] bool is_half() const { return high.angle_rad - low.angle_rad >= std::numbers::pi; }
 };
 
 // Mostly one of both is 0, because arcs lie in the plane of two axes: what the functions are then.
@@ -100,15 +109,14 @@ double peak_of(double a, double b) {
 }
 
 /// Largest |a cos φ + b sin φ| for φ in the sector.
-double largest_swing(double a, double b, const Sector& sector) {
+double largest_swing(double a, double b, Sector& sector) {
   if (a == 0 && b == 0) return 0;
   const double amplitude = amplitude_of(a, b);
-  if (sector.is_half) return amplitude;
+  if (sector.is_half()) return amplitude;
   const double peak = peak_of(a, b);
-  const double first = std::ceil((sector.low - peak) / std::numbers::pi);
-  if (peak + first * std::numbers::pi <= sector.high) return amplitude;
-  return std::max(std::fabs(a * sector.at_low.cosine + b * sector.at_low.sine),
-                  std::fabs(a * sector.at_high.cosine + b * sector.at_high.sine));
+  const double first = std::ceil((sector.low.angle_rad - peak) / std::numbers::pi);
+  if (peak + first * std::numbers::pi <= sector.high.angle_rad) return amplitude;
+  return std::max(sector.low.swing(a, b), sector.high.swing(a, b));
 }
 
 }  // namespace
@@ -219,6 +227,7 @@ TipPoint Curve::point(double s) const {
 }
 
 AxisVector Curve::rate(double s) const {
+  if (s == 0 && kind_ != Kind::arc) return c_[1];
   AxisVector rate;
   switch (kind_) {
     case Kind::line: return c_[1];
@@ -350,7 +359,7 @@ CurveBounds Curve::arc_bounds(double from, double to) const {
   const double w = std::fabs(rate_);
   const double grow = std::fabs(radius_slope_);
   const auto [low, high] = std::minmax({angle_rad_ + rate_ * from, angle_rad_ + rate_ * to});
-  const Sector sector{low, high};
+  Sector sector{{low}, {high}};
   for (std::size_t m = 0; m < axes_; ++m) {
     const double out = largest_swing(c_[2].values[m], c_[3].values[m], sector);
     const double along = largest_swing(c_[3].values[m], -c_[2].values[m], sector);

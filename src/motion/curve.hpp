@@ -92,16 +92,16 @@ class Curve {
   [[nodiscard]] CurveBounds arc_bounds(double from, double to) const;
   [[nodiscard]] double largest_radius(double from, double to) const;
 
+  Kind kind_ = Kind::line;
+  std::uint8_t axes_ = 0;
   double length_ = 0;
-  base::TipPoint end_;
-  // line: point and slope; cubic, quintic: coefficients; arc: origin, slope, e1, e2.
-  std::array<base::AxisVector, 6> c_{};
   double radius_ = 0;
   double radius_slope_ = 0;
   double angle_rad_ = 0;
   double rate_ = 0;
-  std::uint8_t axes_ = 0;
-  Kind kind_ = Kind::line;
+  base::TipPoint end_;
+  // line: point and slope; cubic, quintic: coefficients; arc: origin, slope, e1, e2.
+  std::array<base::AxisVector, 6> c_{};
 };
 
 }  // namespace kerf::motion

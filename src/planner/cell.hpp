@@ -15,12 +15,13 @@ struct Cell {
   std::uint64_t piece = 0;  ///< number of the piece of the path
   double begin = 0;         ///< the part of its curve, by its parameter
   double end = 0;
-  CellBounds bounds;
   PathLimits limits;
+  double dwell_s = 0;  ///< > 0: a dwell
+  bool stop = false;   ///< the axes come to rest at its end
+  // What the plan does not read comes last: there are many cells, and a cache is small.
   Overrides overrides;         ///< that the limits are for
   Overrides former_overrides;  ///< and those before, while others are tried
-  double dwell_s = 0;          ///< > 0: a dwell
-  bool stop = false;           ///< the axes come to rest at its end
+  CellBounds bounds;
 
   [[nodiscard]] double length() const { return end - begin; }
 };

@@ -12,7 +12,6 @@ namespace kerf::planner {
 
 /// A part of a curve with what the program wants there, or a dwell between two of them.
 struct PathPiece {
-  motion::Curve curve;
   double begin = 0;  ///< the part of the curve, by its parameter
   double end = 0;
   double feed = 0;     ///< units of the parameter a second, > 0; infinite for rapids
@@ -21,6 +20,7 @@ struct PathPiece {
   bool rapid = false;
   bool fixed_override = false;  ///< the operator cannot change the feed
   bool stop = false;            ///< the axes come to rest at its end
+  motion::Curve curve;
 };
 
 /// Where on the path a motion ends.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "seeded_random.hpp"
@@ -101,6 +102,18 @@ class Random : public SeededRandom {
     const ArcShape shape = arc_shape(l);
     return Curve::arc(shape, point_of(shape, l), l, kAxes);
   }
+  // As programs have it: in the plane of two axes, often from one quarter to the next.
+  Curve plane_arc() {
+    const double l = length();
+    ArcShape shape = arc_shape(l);
+    shape.e1 = shape.e2 = {};
+    shape.e1.values[0] = shape.e2.values[1] = 1;
+    if (coin()) {
+      shape.angle_rad = std::numbers::pi / 2 * static_cast<int>(in(-2, 3));
+      shape.rate = (coin() ? 1 : -1) * std::numbers::pi / 2 / l;
+    }
+    return Curve::arc(shape, point_of(shape, l), l, kAxes);
+  }
 };
 
 struct Kind {
@@ -110,7 +123,8 @@ struct Kind {
 constexpr Kind kKinds[] = {{"line", &Random::line},
                            {"hermite", &Random::hermite},
                            {"cubic", &Random::cubic},
-                           {"arc", &Random::arc}};
+                           {"arc", &Random::arc},
+                           {"plane arc", &Random::plane_arc}};
 
 double largest(const AxisVector& v) {
   double most = 0;
@@ -229,6 +243,36 @@ TEST(Curve, DerivativesAreThoseOfCentralDifferences) {
       expect_near(jet.third, central_difference(part(&TipJet::second), s, h),
                   1e-8 * third + 1e-13 * second / h, what + " third");
     }
+  }
+}
+
+TEST(Curve, TheRateAloneIsThatOfTheJet) {
+  Random random;
+  for (const Kind& kind : kKinds) {
+    for (int i = 0; i < kCases; ++i) {
+      const Curve curve = (random.*kind.make)();
+      for (const double share : {0.0, random.in(0, 1), 1.0}) {
+        const double s = share * curve.length();
+        ASSERT_EQ(curve.rate(s), curve.jet(s).first) << kind.name << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(Curve, TheRateOfACubicIsAMeanOfThree) {
+  Random random;
+  for (int i = 0; i < kCases; ++i) {
+    const Curve curve = random.cubic();
+    const double x = random.in(0, 1);
+    const AxisVector begin = curve.rate(0);
+    const AxisVector between = curve.rate_between();
+    const AxisVector end = curve.rate(curve.length());
+    AxisVector mean;
+    for (std::size_t m = 0; m < kAxes; ++m) {
+      mean.values[m] = (1 - x) * (1 - x) * begin.values[m] + 2 * x * (1 - x) * between.values[m] +
+                       x * x * end.values[m];
+    }
+    expect_near(curve.rate(x * curve.length()), mean, 1e-12, std::to_string(i));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "seeded_random.hpp"
 
@@ -67,6 +68,31 @@ TEST(CellLimits, WorkThatTurnsUnderItsOwnArcIsHeldByTheCurvature) {
   CellBounds flat;
   flat.curvature = 0.1;
   EXPECT_NEAR(chord_mm(bounds), chord_mm(flat), 1e-6);
+}
+
+// What a feed is asked against without roots is what the highest speed says.
+TEST(CellLimits, AFeedIsTakenWhereItIsBelowTheHighestSpeedAndCutOffThereElsewhere) {
+  test::SeededRandom random(test::kSeed);
+  AxisLimits axes;
+  axes.velocity.values.fill(400);
+  axes.acceleration.values.fill(3000);
+  axes.jerk.values.fill(std::numeric_limits<double>::infinity());
+  const CellLimits limits(axes, {}, 3, {true, true, true});
+  for (int i = 0; i < 100'000; ++i) {
+    CellBounds bounds;
+    for (std::size_t m = 0; m < 3; ++m) {
+      bounds.driven.first.values[m] = random.in(0, 1);
+      bounds.driven.second.values[m] = random.coin() ? 0 : random.size(1e-4, 1e4);
+    }
+    bounds.curvature = random.coin() ? 0 : random.size(1e-4, 1e4);
+    bounds.at_border = random.coin();
+    const auto use = random.coin() ? CellLimits::Use::path : CellLimits::Use::corner;
+    const double highest = limits.highest_speed(bounds, use);
+    for (const double share : {0.1, 0.9, 1 - 1e-9, 1.0, 1 + 1e-9, 1.1, 10.0}) {
+      const double feed = std::min(1e6, share * highest);
+      ASSERT_EQ(limits.of(bounds, feed, use).velocity, std::min(feed, highest)) << i;
+    }
+  }
 }
 
 }  // namespace

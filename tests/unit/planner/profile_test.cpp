@@ -185,6 +185,21 @@ TEST(Profile, IsTheFastestOfItsKind) {
   }
 }
 
+TEST(Profile, WhatIsReachedAtMostIsTheLessOfBoth) {
+  SeededRandom random(kSeed);
+  for (int i = 0; i < 100'000; ++i) {
+    PathLimits limits{500, random.size(1, 1e4)};
+    if (random.coin()) limits.fall = random.size(1e-6, 1e-2);
+    if (random.coin()) limits = {500, random.size(1, 1e4), random.size(10, 1e6)};
+    const double from = random.in(0, 100);
+    const double length = random.size(1e-3, 100);
+    const double reached = reachable_speed(from, length, limits);
+    for (const double most : {reached, std::nextafter(reached, 0), std::nextafter(reached, 1e9),
+                              reached * random.in(0.5, 2), 500.0})
+      ASSERT_EQ(reachable_speed(from, length, limits, most), std::min(most, reached)) << i;
+  }
+}
+
 // s³ + 2 v s = L √j with s = √Δv while the acceleration is not reached; then
 // Δv² + Δv (2v + a²/j) + 2 v a²/j = 2 a L; without a limit of the jerk v1² = v0² + 2 a L.
 TEST(Profile, TheReachableSpeedSolvesTheEquationOfTheRamp) {

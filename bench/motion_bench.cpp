@@ -18,7 +18,6 @@
 
 namespace {
 
-using kerf::base::AxisVector;
 using kerf::base::TipPoint;
 using kerf::motion::Motion;
 using kerf::motion::Setpoint;
@@ -50,7 +49,11 @@ Motion line_to(const TipPoint& to, double feed_mm_min, std::size_t number) {
   return motion;
 }
 
-AxisVector surface_point(std::size_t number) {
+TipPoint tip_at(double x, double y, double z) {
+  return TipPoint(kerf::base::AxisVector{{x, y, z}});
+}
+
+TipPoint surface_point(std::size_t number) {
   constexpr std::size_t kRow = 1001;
   const std::size_t row = number / kRow;
   const std::size_t column = number % kRow;
@@ -58,7 +61,7 @@ AxisVector surface_point(std::size_t number) {
   const double y = 0.1 * static_cast<double>(row);
   const double z =
       2.5 * std::sin(0.12 * x) * std::cos(0.09 * y) + 1.5 * std::sin(0.05 * x + 0.07 * y);
-  return {{x, y, std::round(z * 1e4) / 1e4}};
+  return tip_at(x, y, std::round(z * 1e4) / 1e4);
 }
 
 const std::vector<Motion>& surface(double feed_mm_min) {
@@ -163,7 +166,7 @@ BENCHMARK(PlanAndInterpolate)
 void LongMoves(benchmark::State& state) {
   std::vector<Motion> motions;
   for (std::size_t n = 0; n < 20; ++n)
-    motions.push_back(line_to({{n % 2 == 0 ? 1000.0 : 0.0, n % 2 == 0 ? 700.0 : 0.0, 0}}, 1000, n));
+    motions.push_back(line_to(tip_at(n % 2 == 0 ? 1000 : 0, n % 2 == 0 ? 700 : 0, 0), 1000, n));
   std::int64_t points = 0;
   for (auto _ : state) {
     Interpolator interpolator(three_axes(), limits(jerk_of(state)), {});
@@ -195,7 +198,7 @@ void StepPulses(benchmark::State& state) {
   std::vector<kerf::drive::JointMoment> points;
   Interpolator interpolator(three_axes(), limits(kNoJerkLimit), {});
   interpolate(interpolator, motions, [&](const Setpoint& point) {
-    points.push_back({point.time_s, point.tip});
+    points.push_back({point.time_s, kerf::base::JointPoint(point.tip.numbers())});
   });
   struct Counter : kerf::drive::PulseSink {
     std::int64_t pulses = 0;

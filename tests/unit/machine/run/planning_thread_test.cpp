@@ -155,8 +155,8 @@ Outcome run(const std::string& program, bool on_one_thread, const machine::Budge
 // Arcs and lines of many lengths and directions; the clock is read now and then.
 constexpr const char* kWanderer =
     "O1\nG90F2000.\n#1=0\n#3001=0\nPOPEN\nWHILE[#1LT20000]DO1\n#1=#1+1\n"
-    "G01X[100.*SIN[#1*7.3]]Y[50.*COS[#1*3.1]]Z[-10.*SIN[#1]]\nIF[#1MOD977NE0]GOTO5\n"
-    "DPRNT[#3001[83]]\nG04X0.1\nN5END1\nPCLOS\nM30\n";
+    "G01X[100.*SIN[#1*7.3]]Y[50.*COS[#1*3.1]]Z[10.*SIN[#1]-20.]\nIF[[#1MOD977]NE0]GOTO5\n"
+    "DPRNT[#3001[71]]\nG04X0.1\nN5END1\nPCLOS\nM30\n";
 
 TEST(PlanningThread, ARunIsTheSameWithOneThreadAndTwo) {
   const Outcome alone = run(kWanderer, true);

@@ -19,18 +19,18 @@ void append_field(std::string& text, const PulseField& field) {
 class LineParser {
  public:
   LineParser(std::string_view line, const base::Place& place)
-      : line_(line.substr(0, line.find('#'))), place_(place) {}
+      : line_(line.substr(0, line.find(kListingComment))), place_(place) {}
 
   [[nodiscard]] base::Result<ListedMove> parse() {
     const std::string_view kind = next_word();
     if (kind.empty()) return ListedMove{};
-    if (kind == "F") return finished(fast());
-    if (kind == "S") return finished(slow());
+    if (kind == kFastRecord) return finished(fast());
+    if (kind == kSlowRecord) return finished(slow());
     return wrong("F or S is expected");
   }
 
  private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+  static bool is_blank(char c) { return kListingBlanks.find(c) != std::string_view::npos; }
 
   // Empty at the end of the line.
   std::string_view next_word() {

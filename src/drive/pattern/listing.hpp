@@ -39,6 +39,13 @@ using ListedMove = std::variant<std::monostate, ListedFast, ListedSlow>;
 [[nodiscard]] base::Result<ListedMove> parse_listing(std::string_view line,
                                                      const base::Place& place);
 
+inline constexpr char kListingComment = '#';
+/// What stands between the words of a line.
+inline constexpr std::string_view kListingBlanks = " \t\r";
+/// The letters of the records.
+inline constexpr std::string_view kFastRecord = "F";
+inline constexpr std::string_view kSlowRecord = "S";
+
 /// Calls `take(record)` for each record of a line: one with exactly its numbers where they fit into
 /// a record, else those of the move.
 template <typename Take>

@@ -31,7 +31,15 @@ constexpr std::array kWords = {
     Row{"DIST", Word::dist},      Row{"XPOS", Word::xpos},   Row{"YPOS", Word::ypos},
     Row{"ZPOS", Word::zpos},      Row{"MOVED", Word::moved}};
 
+constexpr auto kTexts = [] {
+  std::array<std::string_view, kWords.size()> texts{};
+  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = kWords[i].text;
+  return texts;
+}();
+
 }  // namespace
+
+std::span<const std::string_view> key_words() { return kTexts; }
 
 Word word_of(std::string_view capitals) {
   const auto row = std::find_if(kWords.begin(), kWords.end(),

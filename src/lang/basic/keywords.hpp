@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace kerf::basic {
 
-/// The words of the language; those behind `function` are functions.
+/// The words of the language; those behind `function` are functions, those from `home` to `burn`
+/// tell the machine what to do.
 enum class Word : std::uint8_t {
   none,
   let,
@@ -64,7 +66,13 @@ enum class Word : std::uint8_t {
 
 [[nodiscard]] constexpr bool is_function(Word word) { return word > Word::function; }
 
+[[nodiscard]] constexpr bool is_command(Word word) {
+  return word >= Word::home && word <= Word::burn;
+}
+
 /// The word of this text in capitals; `none` when it is a name.
 [[nodiscard]] Word word_of(std::string_view capitals);
+/// All of them.
+[[nodiscard]] std::span<const std::string_view> key_words();
 
 }  // namespace kerf::basic

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lang/gcode/call_codes.hpp"
+
 namespace kerf::gcode {
 namespace {
 
@@ -256,9 +258,10 @@ bool BlockParser::plain_word(Cursor& cursor) {
 
 // Codes of program calls: what follows them are arguments.
 void BlockParser::note_g(double code) {
-  if (code != 65 && code != 66 && code != 66.1 && code != 67) return;
+  const bool ends = code == kModalCallOff;
+  if (code != kMacroCall && code != kModalCall && code != kModalCallEveryBlock && !ends) return;
   may_call_ = true;
-  if (code != 67) arguments_ = true;
+  arguments_ |= !ends;
 }
 
 // value = [+|-] ( number | "#…" | "[" expression "]" )

@@ -1,6 +1,6 @@
 #include "lang/gcode/keywords.hpp"
 
-#include <span>
+#include <array>
 
 #include "lang/gcode/lexer.hpp"
 
@@ -43,6 +43,21 @@ constexpr Spelling kFunctions[] = {
     {"EX", Keyword::exp},    {"PO", Keyword::pow},    {"AD", Keyword::adp},
     {"PR", Keyword::prm}};
 
+// The first spelling of each is the longest one.
+constexpr auto kWhole = [] {
+  std::array<std::string_view, static_cast<std::size_t>(Keyword::prm)> whole{};
+  const auto take = [&](std::span<const Spelling> spellings) {
+    for (const Spelling& spelling : spellings) {
+      std::string_view& text = whole[static_cast<std::size_t>(spelling.keyword) - 1];
+      if (text.empty()) text = spelling.text;
+    }
+  };
+  take(kStatements);
+  take(kOperators);
+  take(kFunctions);
+  return whole;
+}();
+
 bool starts_with(std::string_view text, std::string_view word) {
   if (text.size() < word.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i) {
@@ -63,5 +78,7 @@ KeywordMatch find(std::string_view text, std::span<const Spelling> spellings) {
 KeywordMatch statement_at(std::string_view text) { return find(text, kStatements); }
 KeywordMatch operator_at(std::string_view text) { return find(text, kOperators); }
 KeywordMatch function_at(std::string_view text) { return find(text, kFunctions); }
+
+std::span<const std::string_view> key_words() { return kWhole; }
 
 }  // namespace kerf::gcode

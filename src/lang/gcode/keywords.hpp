@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 namespace kerf::gcode {
@@ -62,5 +63,8 @@ struct KeywordMatch {
 [[nodiscard]] KeywordMatch statement_at(std::string_view text);
 [[nodiscard]] KeywordMatch operator_at(std::string_view text);
 [[nodiscard]] KeywordMatch function_at(std::string_view text);
+
+/// All of them, each in its longest spelling.
+[[nodiscard]] std::span<const std::string_view> key_words();
 
 }  // namespace kerf::gcode

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lang/gcode/block_parser.hpp"
+#include "lang/gcode/block_split.hpp"
 #include "lang/gcode/builtins.hpp"
 #include "lang/gcode/loops.hpp"
 
@@ -13,24 +14,6 @@ using vm::Op;
 
 // A page of long lines ends early: its code is larger than its text.
 constexpr std::uint64_t kMostPageBytes = 1 << 17;
-
-// Calls `take` with every block of a line: the text between semicolons outside of comments.
-template <typename Take>
-void split_blocks(std::string_view line, Take take) {
-  std::size_t begin = 0;
-  bool comment = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (comment) {
-      comment = line[i] != ')';
-    } else if (line[i] == '(') {
-      comment = true;
-    } else if (line[i] == ';') {
-      take(line.substr(begin, i - begin));
-      begin = i + 1;
-    }
-  }
-  take(line.substr(begin));
-}
 
 // A GOTO whose label follows on its own page, or whose page is the whole program, becomes a jump.
 // `labels` has room from the page before: a program that runs straight on allocates nothing.

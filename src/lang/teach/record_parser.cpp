@@ -10,6 +10,7 @@ namespace {
 
 using base::Code;
 using base::number_text;
+using base::TokenKind;
 using Parsed = tl::expected<Record, Mistake>;
 using Number = tl::expected<double, Mistake>;
 
@@ -117,14 +118,17 @@ Parsed parse_point(const Words& words) {
 Parsed parse_feed(const Words& words) { return parse_one<Feed>(words, kFeeds); }
 
 // "40", "40%".
+std::string_view without_percent(std::string_view word) {
+  if (word.size() > 1 && word.back() == '%') word.remove_suffix(1);
+  return word;
+}
+
 Parsed parse_laser(const Words& words) {
   const bool on = same_word(words[1], "ON");
   if (!on && !same_word(words[1], "OFF"))
     return wrong(Code::teach_record, "LASER is ON or OFF, not '" + shown(words[1]) + "'", words[1]);
   if (words.count() == 2) return Laser{on, std::nullopt};
-  std::string_view digits = words[2];
-  if (digits.size() > 1 && digits.back() == '%') digits.remove_suffix(1);
-  const Number percent = parse_number(digits, kPercents);
+  const Number percent = parse_number(without_percent(words[2]), kPercents);
   if (!percent) return tl::unexpected(percent.error());
   return Laser{on, *percent};
 }
@@ -151,6 +155,7 @@ Parsed parse_end(const Words& /*words*/) { return End{}; }
 /// What a word at the head of a line says, and how many values may follow it.
 struct Form {
   std::string_view word;
+  TokenKind kind;  // command: the machine goes somewhere
   std::size_t least;
   std::size_t most;
   const char* values;  // of the sentence when there are more or fewer
@@ -158,27 +163,61 @@ struct Form {
 };
 
 constexpr std::array kForms = {
-    Form{"LINE", 5, 5, "x y z a c", parse_line},
-    Form{"ARC", 10, 10, "x2 y2 z2 a2 c2 x3 y3 z3 a3 c3", parse_two_poses<Arc>},
-    Form{"POINT", 5, 6, "x y z a c and perhaps a name", parse_point},
-    Form{"FEED", 1, 1, "mm/min", parse_feed},
-    Form{"LASER", 1, 2, "ON or OFF and perhaps the power in percent", parse_laser},
-    Form{"CIRCLE", 10, 10, "x2 y2 z2 a2 c2 x3 y3 z3 a3 c3", parse_two_poses<Circle>},
-    Form{"DWELL", 1, 1, "seconds", parse_dwell},
-    Form{"TEACH", 1, 1, "the version, 1", parse_version},
-    Form{"UNITS", 2, 2, "MM DEG", parse_units},
-    Form{"PERIOD", 1, 1, "milliseconds", parse_period},
-    Form{"RADII", 2, 2, "r_a r_c", parse_radii},
-    Form{"END", 0, 0, "nothing", parse_end},
+    Form{"LINE", TokenKind::command, 5, 5, "x y z a c", parse_line},
+    Form{"ARC", TokenKind::command, 10, 10, "x2 y2 z2 a2 c2 x3 y3 z3 a3 c3", parse_two_poses<Arc>},
+    Form{"POINT", TokenKind::command, 5, 6, "x y z a c and perhaps a name", parse_point},
+    Form{"FEED", TokenKind::keyword, 1, 1, "mm/min", parse_feed},
+    Form{"LASER", TokenKind::keyword, 1, 2, "ON or OFF and perhaps the power in percent",
+         parse_laser},
+    Form{"CIRCLE", TokenKind::command, 10, 10, "x2 y2 z2 a2 c2 x3 y3 z3 a3 c3",
+         parse_two_poses<Circle>},
+    Form{"DWELL", TokenKind::keyword, 1, 1, "seconds", parse_dwell},
+    Form{"TEACH", TokenKind::keyword, 1, 1, "the version, 1", parse_version},
+    Form{"UNITS", TokenKind::keyword, 2, 2, "MM DEG", parse_units},
+    Form{"PERIOD", TokenKind::keyword, 1, 1, "milliseconds", parse_period},
+    Form{"RADII", TokenKind::keyword, 2, 2, "r_a r_c", parse_radii},
+    Form{"END", TokenKind::keyword, 0, 0, "nothing", parse_end},
 };
+
+constexpr std::array<std::string_view, 4> kValueWords = {"ON", "OFF", "MM", "DEG"};
+
+constexpr auto kKeyWords = [] {
+  std::array<std::string_view, kForms.size() + kValueWords.size()> words{};
+  for (std::size_t i = 0; i < kForms.size(); ++i) words[i] = kForms[i].word;
+  for (std::size_t i = 0; i < kValueWords.size(); ++i) words[kForms.size() + i] = kValueWords[i];
+  return words;
+}();
+
+// Null: no record begins with this word.
+const Form* form_of(std::string_view head) {
+  const auto* const form = std::find_if(
+      kForms.begin(), kForms.end(), [&](const Form& known) { return same_word(head, known.word); });
+  return form == kForms.end() ? nullptr : form;
+}
+
+TokenKind kind_of_value(std::string_view word) {
+  if (base::read_number(without_percent(word))) return TokenKind::number;
+  const bool known = std::any_of(kValueWords.begin(), kValueWords.end(),
+                                 [&](std::string_view value) { return same_word(word, value); });
+  return known ? TokenKind::keyword : TokenKind::error;
+}
 
 }  // namespace
 
+std::span<const std::string_view> key_words() { return kKeyWords; }
+
+TokenKind kind_of_word(std::string_view head, std::size_t number, std::string_view word) {
+  const Form* const form = form_of(head);
+  if (form == nullptr) return TokenKind::error;
+  if (number == 0) return form->kind;
+  if (number > form->most) return TokenKind::error;
+  const bool is_name = form->parse == parse_point && number == form->most;
+  return is_name ? TokenKind::label : kind_of_value(word);
+}
+
 tl::expected<Record, Mistake> parse_record(const Words& words) {
-  const auto* const form = std::find_if(kForms.begin(), kForms.end(), [&](const Form& known) {
-    return same_word(words[0], known.word);
-  });
-  if (form == kForms.end())
+  const Form* const form = form_of(words[0]);
+  if (form == nullptr)
     return wrong(Code::teach_record, "'" + shown(words[0]) + "' is no record", words[0]);
   const std::size_t values = words.count() - 1;
   if (values < form->least || values > form->most) {

@@ -5,15 +5,12 @@
 namespace kerf::teach {
 namespace {
 
-// A stray CR at either end of a line is a blank.
-constexpr std::string_view kBetweenWords = " \t\v\f\r,";
-
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 }  // namespace
 
 Words::Words(std::string_view line) {
-  const std::size_t semicolon = line.find(';');
+  const std::size_t semicolon = line.find(kCommentMark);
   if (semicolon != std::string_view::npos) {
     has_comment_ = true;
     comment_ = line.substr(semicolon + 1);

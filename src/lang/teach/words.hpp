@@ -8,6 +8,10 @@
 
 namespace kerf::teach {
 
+/// What stands between words. A stray CR at either end of a line is a blank.
+inline constexpr std::string_view kBetweenWords = " \t\v\f\r,";
+inline constexpr char kCommentMark = ';';
+
 /// The words of one line: what stands between blanks and commas, and the comment behind them. Views
 /// into the line.
 class Words {

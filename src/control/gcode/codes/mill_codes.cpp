@@ -1,4 +1,5 @@
 #include "control/gcode/codes/code_table.hpp"
+#include "lang/gcode/call_codes.hpp"
 
 namespace kerf::control {
 namespace {
@@ -21,6 +22,19 @@ constexpr FunctionRow kFunctions[] = {
 #undef G
 #undef M
 };
+
+constexpr Meaning meaning_of(double code) {
+  for (const CodeRow& row : kCodes) {
+    if (row.number == code * 10) return row.meaning;
+  }
+  return Meaning::none;
+}
+
+// The language reads the words behind these as arguments.
+static_assert(meaning_of(gcode::kMacroCall) == Meaning::macro_call);
+static_assert(meaning_of(gcode::kModalCall) == Meaning::modal_call);
+static_assert(meaning_of(gcode::kModalCallEveryBlock) == Meaning::modal_call_every_block);
+static_assert(meaning_of(gcode::kModalCallOff) == Meaning::modal_call_off);
 
 constexpr CodeTable kTable(kCodes, kFunctions);
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "job/run.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 #include "math/math.hpp"
 #include "training/code_lines.hpp"
 #include "training/cut_grid.hpp"
@@ -63,8 +63,8 @@ CutRecorder::Process process_of(const Exercise& exercise) {
 }
 
 std::string dialect_of(const Exercise& exercise, const machine::MachineDefinition& machine) {
-  const auto language = machine::language_by_ending(exercise.file);
-  return language ? std::string(language->dialect) : machine.dialect;
+  const auto* const dialect = machine::dialect_by_ending(exercise.file);
+  return dialect != nullptr ? std::string(dialect->name) : machine.dialect;
 }
 
 control::Memory memory_of(const Exercise& exercise, const machine::MachineDefinition& machine) {

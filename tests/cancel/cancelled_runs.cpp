@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "endless_program.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 #include "machine/run/batch_run.hpp"
 #include "motion/axis_point.hpp"
 
@@ -47,8 +47,8 @@ struct Result {
 
 Result run_cancelled(const EndlessProgram& program, const Manner& manner) {
   const auto definition = machine::find_machine(program.machine);
-  const auto language = machine::language_by_ending(program.name);
-  const std::string dialect = language ? std::string(language->dialect) : "fanuc-mill";
+  const auto* const shown = machine::dialect_by_ending(program.name);
+  const std::string dialect(shown != nullptr ? shown->name : machine::usual_dialect().name);
   NoSink sink;
   BatchRun machine(*definition, control::Memory(definition->parameters.n_offsets),
                    {.dialect = dialect});

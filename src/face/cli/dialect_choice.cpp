@@ -1,11 +1,12 @@
 #include "face/cli/dialect_choice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <vector>
 
-#include "machine/dialect/dialect.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/definition/machine_definition.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -13,18 +14,8 @@ namespace {
 using base::Failure;
 using base::Outcome;
 
-// Where nothing else is asked for.
-constexpr machine::Language kMill{"fanuc-mill", "", "mill3"};
-
-// Those of texts: a replay runs the bytes of a pattern.
-std::vector<std::string_view> text_dialects() {
-  std::vector<std::string_view> all = machine::available_dialects();
-  std::erase(all, kPatternDialect);
-  return all;
-}
-
 bool is_available(std::string_view dialect) {
-  const std::vector<std::string_view> all = text_dialects();
+  const std::vector<std::string_view> all = machine::text_dialects();
   return std::find(all.begin(), all.end(), dialect) != all.end();
 }
 
@@ -46,7 +37,8 @@ Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
 }
 
 std::string machine_of(const std::string& dialect) {
-  return std::string(machine::language_of(dialect).value_or(kMill).machine);
+  const machine::DialectRow* const row = machine::find_dialect(dialect);
+  return std::string(row != nullptr ? row->machine : machine::usual_dialect().machine);
 }
 
 }  // namespace
@@ -58,7 +50,7 @@ bool is_pattern(const std::string& dialect, const std::string& path) {
 
 std::string dialect_list() {
   std::string text;
-  for (const std::string_view name : text_dialects()) {
+  for (const std::string_view name : machine::text_dialects()) {
     if (!text.empty()) text += ", ";
     text += name;
   }
@@ -66,12 +58,12 @@ std::string dialect_list() {
 }
 
 std::string usual_machines() {
-  std::string text(kMill.machine);
-  for (const machine::Language& language : machine::languages()) {
+  std::string text(machine::usual_dialect().machine);
+  for (const machine::DialectRow& row : machine::dialects().subspan(1)) {
     text += ", ";
-    text += language.machine;
+    text += row.machine;
     text += " for ";
-    text += language.dialect;
+    text += row.name;
   }
   return text;
 }
@@ -86,22 +78,22 @@ Outcome<DialectChoice> choose_dialect(const std::string& machine, const std::str
   }
   if (machine::ends_as_pattern(program.name()))
     return available({kPatternDialect, "", ""}, Failure::Kind::input, program.name());
-  const auto ending = machine::language_by_ending(program.name());
-  const auto language = ending ? ending : machine::language_by_text(program);
-  if (language && is_available(language->dialect)) {
-    const std::string chosen = machine.empty() ? std::string(language->machine) : machine;
+  const machine::DialectRow* const ending = machine::dialect_by_ending(program.name());
+  const machine::DialectRow* const row =
+      ending != nullptr ? ending : machine::dialect_by_text(program);
+  if (row != nullptr) {
+    const std::string chosen(machine.empty() ? row->machine : machine);
     return DialectChoice{
-        std::string(language->dialect), chosen,
-        (machine.empty() ? "machine " + chosen + " and dialect " : std::string("dialect ")) +
-            std::string(language->dialect) +
-            (ending ? " because of the file's ending" : " because of the first lines")};
+        std::string(row->name), chosen,
+        (machine.empty() ? "machine " + chosen + " and dialect " : "dialect ") +
+            std::string(row->name) +
+            (ending != nullptr ? " because of the file's ending" : " because of the first lines")};
   }
-  if (language && ending)
-    return available({std::string(language->dialect), "", ""}, Failure::Kind::input,
-                     program.name());
   if (machine.empty()) {
-    return DialectChoice{std::string(kMill.dialect), std::string(kMill.machine),
-                         "machine mill3 and dialect fanuc-mill because nothing else was asked for"};
+    const machine::DialectRow& usual = machine::usual_dialect();
+    return DialectChoice{std::string(usual.name), std::string(usual.machine),
+                         fmt::format("machine {} and dialect {} because nothing else was asked for",
+                                     usual.machine, usual.name)};
   }
   auto definition = machine::find_machine(machine);
   if (!definition) return tl::unexpected(definition.error());

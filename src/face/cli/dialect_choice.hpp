@@ -4,7 +4,7 @@
 
 #include "base/result.hpp"
 #include "base/source_file.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::cli {
 

@@ -1,38 +1,14 @@
 #include "machine/dialect/dialect.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "machine/dialect/internal/basic_dialect.hpp"
 #include "machine/dialect/internal/gcode_dialect.hpp"
 #include "machine/dialect/internal/pattern_dialect.hpp"
 #include "machine/dialect/internal/teach_dialect.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::machine {
-namespace {
-
-template <typename Made>
-std::unique_ptr<Dialect> make(const Dialect::Around& around) {
-  return std::make_unique<Made>(around);
-}
-
-struct Maker {
-  std::string_view name;
-  std::unique_ptr<Dialect> (*make)(const Dialect::Around& around);
-};
-constexpr std::array kMakers = {
-    Maker{"fanuc-mill", make<GcodeDialect>}, Maker{"laser-basic", make<BasicDialect>},
-    Maker{"teach", make<TeachDialect>}, Maker{kPatternDialect, make<PatternDialect>}};
-
-const Maker* find_maker(std::string_view name) {
-  const auto maker = std::find_if(kMakers.begin(), kMakers.end(),
-                                  [&](const Maker& candidate) { return candidate.name == name; });
-  return maker == kMakers.end() ? nullptr : &*maker;
-}
-
-}  // namespace
 
 bool Dialect::is_file(const std::string& name, base::FileId file) const {
   if (!sources_.contains(file)) return false;
@@ -43,12 +19,12 @@ bool Dialect::is_file(const std::string& name, base::FileId file) const {
 
 std::vector<std::string_view> available_dialects() {
   std::vector<std::string_view> names;
-  for (const Maker& maker : kMakers) names.push_back(maker.name);
+  for (const DialectRow& row : dialects()) names.push_back(row.name);
   return names;
 }
 
 base::Outcome<void> check_dialect(const MachineDefinition& machine, std::string_view dialect) {
-  if (find_maker(dialect) == nullptr) {
+  if (find_dialect(dialect) == nullptr) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,
                       "Kerf does not run the language '" + std::string(dialect) + "'"});
@@ -60,9 +36,15 @@ base::Outcome<void> check_dialect(const MachineDefinition& machine, std::string_
 }
 
 std::unique_ptr<Dialect> make_dialect(std::string_view name, const Dialect::Around& around) {
-  const Maker* const maker = find_maker(name);
-  assert(maker != nullptr);
-  return maker->make(around);
+  const DialectRow* const row = find_dialect(name);
+  assert(row != nullptr);
+  switch (row->kind) {
+    case DialectRow::Kind::gcode: return std::make_unique<GcodeDialect>(around);
+    case DialectRow::Kind::basic: return std::make_unique<BasicDialect>(around);
+    case DialectRow::Kind::teach: return std::make_unique<TeachDialect>(around);
+    case DialectRow::Kind::pattern: return std::make_unique<PatternDialect>(around);
+  }
+  return nullptr;
 }
 
 }  // namespace kerf::machine

@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string_view>
 
 #include "base/decimal.hpp"
 #include "base/text_window.hpp"
+#include "control/gcode/codes/code_table.hpp"
+#include "lang/gcode/language.hpp"
+#include "lang/gcode/lexer.hpp"
 #include "machine/definition/pattern_machine.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::machine {
 namespace {
+
+using base::TokenKind;
+using control::Function;
+using control::Meaning;
 
 // So much of a program is looked at.
 constexpr std::size_t kLook = 65'536;
@@ -23,41 +29,57 @@ struct Word {
   std::string_view text;
 };
 
-// The words of one line of G-code, comments left out; of what is no word, nothing.
+// The words of one line of G-code up to a semicolon, behind which others write comments.
 class Words {
  public:
-  explicit Words(std::string_view line) : rest_(base::without_byte_order_mark(line)) {}
+  explicit Words(std::string_view line)
+      : line_(base::without_byte_order_mark(line)),
+        tokens_(base::tokens_of(gcode::language(), line_)) {}
 
   std::optional<Word> next() {
-    while (!rest_.empty()) {
-      const char c = rest_.front();
-      if (c == ';') return std::nullopt;
-      if (c == '(') {
-        rest_.remove_prefix(std::min(rest_.find(')'), rest_.size() - 1) + 1);
-      } else if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
-        return word();
-      } else {
-        rest_.remove_prefix(1);
-      }
+    while (at_ < tokens_.size()) {
+      const base::Token& token = tokens_[at_++];
+      const std::string_view text = line_.substr(token.begin, token.length);
+      if (text == ";") return std::nullopt;
+      if (is_address(token.kind) && gcode::is_letter(gcode::Cursor::fold(text[0])))
+        return word(text);
     }
     return std::nullopt;
   }
 
  private:
-  Word word() {
-    const std::size_t sign = rest_.substr(1).find_first_not_of("+-") == 1 ? 1 : 0;
-    const std::size_t end =
-        std::min(rest_.find_first_not_of("0123456789.", 1 + sign), rest_.size());
-    Word word;
-    word.letter = static_cast<char>(std::toupper(static_cast<unsigned char>(rest_[0])));
-    word.text = rest_.substr(0, end);
-    word.value = base::read_number(word.text.substr(1)).value_or(0);
-    rest_.remove_prefix(end);
-    return word;
+  static bool is_address(TokenKind kind) {
+    return kind == TokenKind::command || kind == TokenKind::switching ||
+           kind == TokenKind::dimension || kind == TokenKind::technology;
   }
 
-  std::string_view rest_;
+  static Word word(std::string_view text) {
+    return {gcode::Cursor::fold(text[0]), base::read_number(text.substr(1)).value_or(0), text};
+  }
+
+  std::string_view line_;
+  std::vector<base::Token> tokens_;
+  std::size_t at_ = 0;
 };
+
+// What a G code means on a mill, none where it has no such code.
+Meaning meaning_of(const Word& word) {
+  constexpr double kMostCode = 1000;
+  if (!(word.value >= 0 && word.value < kMostCode)) return Meaning::none;
+  const auto code = static_cast<control::GCode>(base::round_away(word.value * 10));
+  const auto* const row = control::mill_codes().find(code);
+  return row == nullptr ? Meaning::none : row->meaning;
+}
+
+Function function_of(const Word& word) {
+  const auto* const row = control::mill_codes().find_function(base::round_away(word.value));
+  return row == nullptr ? Function::passed_on : row->function;
+}
+
+// Roughing of a lathe, for which there is no table.
+bool is_turning_cycle(const Word& word) {
+  return word.letter == 'G' && (word.value == 71 || word.value == 72);
+}
 
 // Where a sign was seen first.
 struct Sign {
@@ -82,8 +104,7 @@ class Signs {
     while (const auto word = words.next()) {
       has_q |= word->letter == 'Q';
       if (word->letter == 'S' && word->text.size() > 1) power = word->text;
-      if (word->letter == 'G' && (word->value == 71 || word->value == 72))
-        turning_cycle = word->text;
+      if (is_turning_cycle(*word)) turning_cycle = word->text;
       moves |= std::string_view("XYZ").find(word->letter) != std::string::npos;
       see(number, *word);
     }
@@ -121,15 +142,29 @@ class Signs {
         tool_ = true;
         if (word.value >= 100 && word.text.size() >= 4) turning_.see(line, word.text);
         break;
-      case 'G':
-        if (word.value == 96 || word.value == 97) turning_.see(line, word.text);
-        if (word.value == 43 || (word.value >= 81 && word.value <= 89))
-          milling_.see(line, word.text);
-        break;
+      case 'G': see_code(line, word); break;
       case 'M':
-        if (word.value == 6) tool_change_.see(line, word.text);
-        if (word.value == 4 && word.text.size() > 1) beam_.see(line, word.text);
+        if (function_of(word) == Function::tool_change) tool_change_.see(line, word.text);
+        if (function_of(word) == Function::spindle_counterclockwise) beam_.see(line, word.text);
         break;
+      default: break;
+    }
+  }
+
+  void see_code(std::uint32_t line, const Word& word) {
+    switch (meaning_of(word)) {
+      case Meaning::surface_speed:
+      case Meaning::constant_rpm: turning_.see(line, word.text); break;
+      case Meaning::length_plus:
+      case Meaning::drill:
+      case Meaning::counterbore:
+      case Meaning::peck:
+      case Meaning::tap_right:
+      case Meaning::bore:
+      case Meaning::bore_spindle_stop:
+      case Meaning::back_bore:
+      case Meaning::bore_by_hand:
+      case Meaning::bore_dwell: milling_.see(line, word.text); break;
       default: break;
     }
   }
@@ -152,6 +187,16 @@ ProgramLook look_of_gcode(const base::SourceFile& program) {
   return signs.look();
 }
 
+ProgramKind kind_of(DialectRow::Kind dialect) {
+  switch (dialect) {
+    case DialectRow::Kind::gcode: break;
+    case DialectRow::Kind::basic: return ProgramKind::laser_basic;
+    case DialectRow::Kind::teach: return ProgramKind::teach;
+    case DialectRow::Kind::pattern: return ProgramKind::pattern;
+  }
+  return ProgramKind::any;
+}
+
 bool has_axes(const MachineDefinition& machine, std::string_view letters) {
   return std::all_of(letters.begin(), letters.end(),
                      [&](char letter) { return machine.axes.find(letter).has_value(); });
@@ -166,11 +211,10 @@ std::string_view name_of(ProgramKind kind) {
 }
 
 ProgramLook look_of(const base::SourceFile& program) {
-  if (ends_as_pattern(program.name())) return {ProgramKind::pattern, 0, {}};
-  auto language = language_by_ending(program.name());
-  if (!language) language = language_by_text(program);
-  if (!language) return look_of_gcode(program);
-  return {language->dialect == "teach" ? ProgramKind::teach : ProgramKind::laser_basic, 0, {}};
+  const DialectRow* row = dialect_by_ending(program.name());
+  if (row == nullptr) row = dialect_by_text(program);
+  if (row == nullptr) return look_of_gcode(program);
+  return {kind_of(row->kind), 0, {}};
 }
 
 bool suits(const MachineDefinition& machine, ProgramKind kind) {
@@ -191,11 +235,11 @@ bool suits(const MachineDefinition& machine, ProgramKind kind) {
 std::string_view usual_machine(ProgramKind kind) {
   switch (kind) {
     case ProgramKind::any:
-    case ProgramKind::mill: return "mill3";
+    case ProgramKind::mill: return usual_dialect().machine;
     case ProgramKind::laser: return "laser3";
-    case ProgramKind::laser_basic: return language_of("laser-basic")->machine;
-    case ProgramKind::teach: return language_of("teach")->machine;
-    case ProgramKind::pattern: return language_of(kPatternDialect)->machine;
+    case ProgramKind::laser_basic:
+    case ProgramKind::teach:
+    case ProgramKind::pattern: return find_dialect(name_of(kind))->machine;
     case ProgramKind::lathe: break;
   }
   return {};

@@ -30,7 +30,7 @@ struct ProgramLook {
   std::string word;        ///< what shows it: "T0101"; empty likewise
 };
 
-/// By its ending, else by its first lines (language.hpp), else by the words of the first 64 KiB. A
+/// By its ending, else by its first lines (registry.hpp), else by the words of the first 64 KiB. A
 /// guess that is only offered: where the signs do not agree it is `any`.
 [[nodiscard]] ProgramLook look_of(const base::SourceFile& program);
 

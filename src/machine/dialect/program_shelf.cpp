@@ -1,19 +1,25 @@
 #include "machine/dialect/program_shelf.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
+
+#include "lang/gcode/language.hpp"
 
 namespace kerf::machine {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 14> kEndings = {"",     ".nc",  ".NC",  ".txt",  ".TXT",
-                                                       ".tap", ".cnc", ".CNC", ".prg",  ".min",
-                                                       ".eia", ".iso", ".ngc", ".gcode"};
 constexpr std::uintmax_t kLargestLibraryFile = 64U << 20;
 constexpr std::size_t kMostLibraryFiles = 10000;
+
+// In the order in which they are tried.
+std::vector<std::string_view> endings_of_programs() {
+  const auto known = gcode::language().endings;
+  std::vector<std::string_view> endings = {""};
+  endings.insert(endings.end(), known.begin(), known.end());
+  return endings;
+}
 
 std::string canonical(const std::string& path) {
   std::error_code error;
@@ -38,7 +44,7 @@ void ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number)
   const std::string digits = std::to_string(number);
   const std::string padded = std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
   for (const std::string& stem : {"O" + padded, "O" + digits, "o" + padded, padded, digits}) {
-    for (const std::string_view ending : kEndings) {
+    for (const std::string_view ending : endings_of_programs()) {
       const fs::path path = fs::path(folder) / (stem + std::string(ending));
       std::error_code error;
       if (fs::is_regular_file(path, error)) load(path.string(), number);
@@ -48,13 +54,14 @@ void ProgramShelf::load_by_name(const std::string& folder, std::uint32_t number)
 
 // Every program file of a folder, in the order of their names.
 void ProgramShelf::load_folder(const std::string& folder) {
+  const std::vector<std::string_view> endings = endings_of_programs();
   std::vector<std::string> paths;
   std::error_code error;
   for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
        at.increment(error)) {
     const std::string ending = at->path().extension().string();
     std::error_code ignored;
-    if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) continue;
+    if (std::find(endings.begin(), endings.end(), ending) == endings.end()) continue;
     if (!at->is_regular_file(ignored) || at->file_size(ignored) > kLargestLibraryFile) continue;
     paths.push_back(at->path().string());
     if (paths.size() >= kMostLibraryFiles) break;

@@ -1,6 +1,6 @@
 #include "machine/run/machine.hpp"
 
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::machine {
 

@@ -7,7 +7,7 @@
 #include "face/server/store/program_name.hpp"
 #include "face/server/store/samples.hpp"
 #include "machine/dialect/dialect.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
@@ -60,8 +60,8 @@ Outcome<std::vector<StoredMachine>> Hub::add_first_machines() {
     auto machine = new_machine(std::string(first.name), std::string(first.kind));
     if (!machine) return tl::unexpected(machine.error());
     machine->program = LoadedProgram{std::string(first.program)};
-    if (const auto language = machine::language_by_ending(machine->program->name))
-      machine->program->dialect = std::string(language->dialect);
+    if (const auto* const dialect = machine::dialect_by_ending(machine->program->name))
+      machine->program->dialect = std::string(dialect->name);
     if (auto done = store_.add(*machine); !done) {
       for (const StoredMachine& each : added) static_cast<void>(store_.remove(each.name));
       return tl::unexpected(done.error());

@@ -2,10 +2,9 @@
 #include "face/server/hub/guarded.hpp"
 #include "face/server/hub/hub.hpp"
 #include "face/server/protocol/pattern_text.hpp"
-#include "face/server/protocol/shown_dialect.hpp"
 #include "face/server/store/program_name.hpp"
 #include "machine/definition/pattern_machine.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::server {
 
@@ -59,7 +58,7 @@ Outcome<Hub::FoundProgram> Hub::found(const LoadedProgram& program,
   if (!text) return tl::unexpected(text.error());
   FoundProgram ready{*text, program};
   if (const auto file = text->open(); file && program.dialect.empty())
-    ready.program.dialect = dialect_shown_by(**file);
+    ready.program.dialect = machine::dialect_shown_by(**file);
   return ready;
 }
 

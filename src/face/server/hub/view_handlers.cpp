@@ -2,9 +2,9 @@
 #include "face/server/hub/speed_profile.hpp"
 #include "face/server/protocol/diagnostic_json.hpp"
 #include "face/server/protocol/pattern_text.hpp"
-#include "face/server/protocol/shown_dialect.hpp"
 #include "face/server/protocol/state_json.hpp"
 #include "job/run.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::server {
 namespace {
@@ -51,7 +51,7 @@ Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const
   auto file = base::SourceFile::from_text(name, text);
   const job::Job job{.definition = definition,
                      .memory = control::Memory(definition.parameters.n_offsets),
-                     .settings = {.dialect = dialect_shown_by(*file)}};
+                     .settings = {.dialect = machine::dialect_shown_by(*file)}};
   auto run = job::Run::of(job, std::move(file));
   if (!run) return tl::unexpected(run.error());
   machine::Machine& machine = (*run)->machine();

@@ -3,7 +3,7 @@
 #include "base/refusal.hpp"
 #include "drive/pattern/listing_reader.hpp"
 #include "drive/pattern/reader.hpp"
-#include "machine/dialect/language.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::server {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "lang/vm/value.hpp"
 #include "machine/definition/pattern_machine.hpp"
-#include "machine/dialect/language.hpp"
 #include "machine/dialect/refused.hpp"
+#include "machine/dialect/registry.hpp"
 #include "machine/panel/internal/approach.hpp"
 
 namespace kerf::machine {

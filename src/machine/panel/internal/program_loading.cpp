@@ -1,7 +1,7 @@
 // How a live machine comes to its program.
 #include "machine/definition/pattern_machine.hpp"
-#include "machine/dialect/language.hpp"
 #include "machine/dialect/refused.hpp"
+#include "machine/dialect/registry.hpp"
 #include "machine/panel/internal/live_core.hpp"
 
 namespace kerf::machine {

@@ -17,12 +17,6 @@ bool Dialect::is_file(const std::string& name, base::FileId file) const {
                            whole[whole.size() - name.size() - 1] == '/');
 }
 
-std::vector<std::string_view> available_dialects() {
-  std::vector<std::string_view> names;
-  for (const DialectRow& row : dialects()) names.push_back(row.name);
-  return names;
-}
-
 base::Outcome<void> check_dialect(const MachineDefinition& machine, std::string_view dialect) {
   if (find_dialect(dialect) == nullptr) {
     return tl::unexpected(

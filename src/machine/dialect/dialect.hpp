@@ -91,9 +91,6 @@ class Dialect {
   base::FileId main_file_ = base::kNoFile;
 };
 
-/// Names of the dialects that Kerf runs, of kDialects.
-[[nodiscard]] std::vector<std::string_view> available_dialects();
-
 /// Failure (usage): the machine has no control for this dialect, or Kerf does not run it.
 [[nodiscard]] base::Outcome<void> check_dialect(const MachineDefinition& machine,
                                                 std::string_view dialect);

@@ -45,6 +45,12 @@ std::span<const DialectRow> dialects() {
   return rows;
 }
 
+std::vector<std::string_view> dialect_names() {
+  std::vector<std::string_view> names;
+  for (const DialectRow& row : dialects()) names.push_back(row.name);
+  return names;
+}
+
 std::vector<std::string_view> text_dialects() {
   std::vector<std::string_view> names;
   for (const DialectRow& row : dialects()) {

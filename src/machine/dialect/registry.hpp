@@ -27,6 +27,7 @@ struct DialectRow {
 /// All of them, the usual one first.
 [[nodiscard]] std::span<const DialectRow> dialects();
 [[nodiscard]] inline const DialectRow& usual_dialect() { return dialects().front(); }
+[[nodiscard]] std::vector<std::string_view> dialect_names();
 /// Names of those whose programs are texts: of a pattern a replay runs the bytes.
 [[nodiscard]] std::vector<std::string_view> text_dialects();
 /// Null: Kerf does not run it.

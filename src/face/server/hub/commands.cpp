@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "machine/dialect/registry.hpp"
+
 namespace kerf::server {
 namespace {
 
@@ -127,7 +129,7 @@ std::vector<Command> make_table() {
        {name_of("program", "of the library", Need::optional),
         text("text", limits::kTextBytes, "a program that is not in the library", Need::optional),
         name_of("name", "with `text`", Need::optional),
-        choice("dialect", {"fanuc-mill", "laser-basic", "teach"},
+        choice("dialect", machine::text_dialects(),
                "otherwise the ending of the name says it, or that of the machine", Need::optional)},
        "Loads a program; its preview run begins.",
        "`program`: its name"},
@@ -260,6 +262,18 @@ std::vector<Command> make_table() {
        "BUDGET.",
        "`diagnostics`: the first 1,000, a list of `{severity, code, message, line, column, length, "
        "cause, remedy}`, `more`: how many there are besides them"},
+      {"dialect",
+       Who::anyone,
+       {name_of("name"), text("text", limits::kHeadBytes, "its beginning")},
+       "Tells in which dialect the watched machine reads a text.",
+       "`dialect`: a name of `hello`"},
+      {"tokens",
+       Who::anyone,
+       {choice("dialect", machine::dialect_names()),
+        text("lines", limits::kLineBytes, "lines of a program, apart by line feeds")},
+       "Cuts lines into tokens, as the compiler of the dialect reads them.",
+       "`tokens`: for each line a list `[kind, length, kind, length, …]` of whole lines, kinds as "
+       "places in `token_kinds` of `hello`, lengths in UTF-16 units"},
       {"exercises",
        Who::anyone,
        {},

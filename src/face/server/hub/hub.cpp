@@ -11,6 +11,7 @@
 #include "face/server/hub/guarded.hpp"
 #include "face/server/hub/handlers.hpp"
 #include "face/server/protocol/json_shape.hpp"
+#include "face/server/protocol/language_json.hpp"
 #include "face/server/store/private_files.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -154,7 +155,9 @@ Json Hub::hello_for(const Client& client) const {
           {"protocol", kProtocol},
           {"server", instance_},
           {"began_ms", began_ms_},
-          {"client", client.name()}};
+          {"client", client.name()},
+          {"dialects", dialects_json()},
+          {"token_kinds", token_kinds_json()}};
 }
 
 void Hub::disconnect(Client& client) {

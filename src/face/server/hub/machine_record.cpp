@@ -80,11 +80,16 @@ Json MachineRecord::path_event() const {
   json["bounds"] =
       totals.vertices > 0 ? Json{{"min", totals.low}, {"max", totals.high}} : Json(nullptr);
   json["files"] = path->files;
+  json["dialect"] = dialect();
   json["error"] = path->error;
   json["findings"] = path->findings;
   json["stop"] = path->stop;
   json["cut_short"] = path->is_cut_short;
   return json;
+}
+
+const std::string& MachineRecord::dialect() const {
+  return program && !program->dialect.empty() ? program->dialect : definition.dialect;
 }
 
 Json MachineRecord::row() const {

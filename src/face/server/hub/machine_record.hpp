@@ -60,6 +60,8 @@ class MachineRecord {
   /// signal, and not for each of many.
   [[nodiscard]] bool wants_preview(double now_ms) const;
 
+  /// Of its program; where that shows none, or there is no program, its own.
+  [[nodiscard]] const std::string& dialect() const;
   [[nodiscard]] Json path_event() const;
   /// A row of `machines`.
   [[nodiscard]] Json row() const;

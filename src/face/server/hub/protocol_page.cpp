@@ -46,8 +46,12 @@ constexpr std::string_view kRest = R"md(
 ## Events
 `{"event":"NAME",…}`.
 
-`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1"}`, the first of all. `server` is another text each
-time the server begins, `began_ms` when that was, since 1970.
+`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1","dialects":[{"name","ending","shows_by_ending",
+"comment":["(",")"],"example","fresh","is_listing"},…],"token_kinds":["blank",…]}`, the first of all. `server` is another text each
+time the server begins, `began_ms` when that was, since 1970. Of a dialect: the usual ending of its files, and whether that alone
+says what a file is; the marks of a comment, the second one empty where it goes to the end of its line; what a line looks like;
+what a new program begins with; whether files are bytes, and texts their listing. `blank` and `error` are kinds of tokens, too:
+each character of a line is in exactly one token.
 
 `request-refused`: `{"event":"request-refused","machine"}`, to who has asked to operate it.
 
@@ -65,7 +69,7 @@ time the server begins, `began_ms` when that was, since 1970.
 `total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
 
 `path`: `{"event":"path","machine","run","done","motions","vertices","time_s","bounds":null|{"min":[x,y,z],"max":[x,y,z]},
-"files":["O1.nc",…],"error":null|{…},"findings":[{…},…],"stop":null|{"motion","time_s"},"cut_short"}`, when the preview of a
+"files":["O1.nc",…],"dialect","error":null|{…},"findings":[{…},…],"stop":null|{"motion","time_s"},"cut_short"}`, when the preview of a
 program begins, whenever it has gone further, and when it ends. The preview goes on behind alarms, without their blocks:
 `findings` are all of them, each code once a line, the first one being `error`; `stop` is the last motion that a machine
 would make and the time when it rests behind that. `cut_short`: of what comes behind the stop, not everything was looked at.
@@ -74,7 +78,9 @@ input signal. `set-input` renews the preview of a program that reads inputs, at 
 
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 
-`definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced.
+`definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced. A definition has
+`modal_groups`: list of `{group, codes}`, `codes`: list of `{code, title, sentence, quiet}`, in the order in which a page shows them;
+`quiet` says that nothing special is on.
 
 ## Chunks
 A binary frame, little endian:

@@ -1,6 +1,7 @@
 #include "face/server/hub/handlers.hpp"
 #include "face/server/hub/speed_profile.hpp"
 #include "face/server/protocol/diagnostic_json.hpp"
+#include "face/server/protocol/language_json.hpp"
 #include "face/server/protocol/pattern_text.hpp"
 #include "face/server/protocol/state_json.hpp"
 #include "job/run.hpp"
@@ -84,11 +85,27 @@ void check(Hub& hub, const Request& request) {
             });
 }
 
+void dialect(Hub& /*hub*/, const Request& request) {
+  const Arguments arguments = request.arguments();
+  std::string shown = machine::dialect_shown_by(
+      *base::SourceFile::from_text(arguments.text("name"), arguments.text("text")));
+  if (shown.empty() && request.machine != nullptr) shown = request.machine->definition.dialect;
+  if (shown.empty()) shown = machine::usual_dialect().name;
+  request.reply.yes({{"dialect", shown}});
+}
+
+// At once: it is no more work than to read the command, and who types waits for it.
+void tokens(Hub& /*hub*/, const Request& request) {
+  const Arguments arguments = request.arguments();
+  const auto* const row = machine::find_dialect(arguments.text("dialect"));
+  request.reply.yes({{"tokens", tokens_json(*row->language, arguments.text("lines"))}});
+}
+
 }  // namespace
 
 const Handlers& view_handlers() {
-  static const Handlers handlers = {
-      {"instant", instant}, {"speeds", speeds}, {"pulses", pulses}, {"check", check}};
+  static const Handlers handlers = {{"instant", instant}, {"speeds", speeds},   {"pulses", pulses},
+                                    {"check", check},     {"dialect", dialect}, {"tokens", tokens}};
   return handlers;
 }
 

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "face/server/protocol/diagnostic_json.hpp"
-#include "machine/dialect/dialect.hpp"
+#include "face/server/protocol/language_json.hpp"
+#include "machine/dialect/registry.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
@@ -234,7 +235,7 @@ Json definition_json(const MachineDefinition& definition) {
   json["name"] = definition.name;
   json["title"] = output::printable(definition.description);
   json["dialect"] = definition.dialect;
-  json["dialects"] = machine::available_dialects();
+  json["dialects"] = machine::dialect_names();
   json["axes"] = Json::array();
   json["rapid_mm_min"] = Json::object();
   for (const motion::AxisConfig& axis : definition.axes.axes) {
@@ -247,6 +248,7 @@ Json definition_json(const MachineDefinition& definition) {
   json["kinematics"] = kinematics_json(definition);
   json["laser"] = definition.drive.laser.fitted();
   json["period_s"] = definition.interpolator.period_s;
+  json["modal_groups"] = modal_groups_json();
   return json;
 }
 

@@ -38,7 +38,6 @@ export default defineConfig({
           editor: [
             '@codemirror/state',
             '@codemirror/view',
-            '@codemirror/language',
             '@codemirror/lint',
             '@codemirror/commands',
             '@codemirror/search',

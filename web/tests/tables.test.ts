@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { in_order, is_quiet } from '../src/logic/modal';
+import { in_order, row_of } from '../src/logic/modal';
 import {
   type WorkOffset,
   by_system,
@@ -11,14 +11,23 @@ import {
 import { scope_of } from '../src/logic/variables';
 
 it('modal codes have their place, whatever order they come in', () => {
-  expect(in_order(['F200', 'G54.1 P3', 'G41', 'G19', 'G81'])).toEqual([
+  const code = (name: string) => ({ code: name, title: '', sentence: '', quiet: name === 'G40' });
+  const groups = [['G81'], ['G19'], ['G40', 'G41'], ['G54.1']].map((codes, i) => ({
+    group: String(i),
+    codes: codes.map(code),
+  }));
+  expect(in_order(groups, ['F200', 'G54.1 P3', 'G41', 'G19', 'G81'])).toEqual([
     'G81',
     'G19',
     'G41',
     'G54.1 P3',
     'F200',
   ]);
-  expect([is_quiet('G40'), is_quiet('G41')]).toEqual([true, false]);
+  expect(['G40', 'G41', 'H1'].map((text) => row_of(groups, text)?.quiet)).toEqual([
+    true,
+    false,
+    undefined,
+  ]);
 });
 
 it('work offsets come together by their system', () => {

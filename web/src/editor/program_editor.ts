@@ -15,11 +15,11 @@ import {
   keymap,
   lineNumbers,
 } from '@codemirror/view';
-import type { Lexer } from '../logic/language/token';
 import { line_ends_of, lines_of } from '../logic/line_ends';
+import type { TextLanguage } from '../logic/token_store';
 import { type Checker, check_again, checking } from './checking';
+import { colouring } from './colouring';
 import { free_keys } from './free_keys';
-import { language_of } from './languages';
 import { type GutterWishes, type Marks, marks_extension, show_marks } from './marks';
 import { theme } from './theme';
 
@@ -58,12 +58,12 @@ export class ProgramEditor {
   }
 
   /** Another text; its history begins anew. */
-  show(text: string, lexer: Lexer): void {
+  show(text: string, language: TextLanguage): void {
     this.flush();
     this.line = 0;
     this.line_end = line_ends_of(text).end;
     const doc = Text.of(lines_of(text));
-    this.view.setState(EditorState.create({ doc, extensions: this.extensions(lexer) }));
+    this.view.setState(EditorState.create({ doc, extensions: this.extensions(language) }));
     this.wishes.cursor(1);
   }
 
@@ -134,7 +134,7 @@ export class ProgramEditor {
     this.wishes.edited(this.text);
   }
 
-  private extensions(lexer: Lexer): Extension {
+  private extensions(language: TextLanguage): Extension {
     return [
       lineNumbers(),
       marks_extension(this.wishes),
@@ -146,7 +146,7 @@ export class ProgramEditor {
       search({ top: true }),
       keymap.of(free_keys([...defaultKeymap, ...historyKeymap, ...searchKeymap])),
       this.words.of(EditorState.phrases.of(this.phrases())),
-      language_of(lexer),
+      colouring(language),
       checking(this.checker),
       theme,
       this.read_only.of(EditorState.readOnly.of(this.is_read_only)),

@@ -38,6 +38,38 @@ export interface MachineDefinition {
   laser: boolean;
   period_s: number;
   rapid_mm_min: Axes;
+  /** Of G-code, in the order in which they are shown. */
+  modal_groups: ModalGroup[];
+}
+
+export interface ModalGroup {
+  group: string;
+  codes: ModalCode[];
+}
+
+export interface ModalCode {
+  code: string;
+  title: string;
+  sentence: string;
+  /** It says that nothing special is on. */
+  quiet: boolean;
+}
+
+/** A dialect that the server runs, and what there is to know of its language. */
+export interface Dialect {
+  name: string;
+  /** Of its files, the usual one. */
+  ending: string;
+  /** That alone says that a file is in it. */
+  shows_by_ending: boolean;
+  /** Marks of a comment; without the second one it goes to the end of its line. */
+  comment: [begin: string, end: string];
+  /** What a line looks like. */
+  example: string;
+  /** What a new program begins with. */
+  fresh: string;
+  /** Its files are bytes, and a text their listing. */
+  is_listing: boolean;
 }
 
 export interface MachineEntry {
@@ -190,6 +222,8 @@ export interface PathEvent {
   time_s: number;
   bounds: { min: number[]; max: number[] } | null;
   files: string[];
+  /** Of the program. */
+  dialect: string;
   error: Alarm | null;
   /** All that the run has met, also behind `error`, at which a machine stops. */
   findings: Alarm[];

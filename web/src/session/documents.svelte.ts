@@ -1,9 +1,9 @@
 /** The program texts that are open: the one to be edited, and those that the machine runs besides. */
 import { moved } from '../logic/breakpoints';
+import { is_listing } from '../logic/dialects';
 import { DatabaseDrafts, DraftKeeper, type Draft } from '../logic/drafts';
 import { line_end_name, line_ends_of } from '../logic/line_ends';
 import { type LineMap, line_map } from '../logic/line_map';
-import { is_pattern } from '../logic/language/pattern';
 import { text_fits } from '../logic/message_size';
 import { MDI_ENTRY, type Breakpoint, type Diagnostic, type ProgramEntry } from '../logic/protocol';
 import {
@@ -16,6 +16,7 @@ import {
   read,
   REPLACEMENT,
 } from '../logic/text_bytes';
+import { languages } from './languages.svelte';
 import { get_bytes, get_text, put_file } from './library_files';
 import { notices } from './notices.svelte';
 import { put_listing } from './pattern_files';
@@ -189,7 +190,7 @@ class Documents {
     revision?: number,
     begins?: (first: Uint8Array) => void,
   ): Promise<boolean> {
-    const is_file = revision === undefined && !is_pattern(name);
+    const is_file = revision === undefined && !is_listing(languages.dialects, name);
     const found = is_file ? await get_text(name, begins) : await this.asked(name, revision);
     if (!found) return false;
     const { text, read_as } = found;
@@ -219,7 +220,10 @@ class Documents {
     });
     if (!is_read) return;
     const text = this.document?.saved ?? '';
-    loading ??= panel.act('load', is_pattern(name) ? { program: name } : { text, name });
+    loading ??= panel.act(
+      'load',
+      is_listing(languages.dialects, name) ? { program: name } : { text, name },
+    );
     if (await loading) this.mark_loaded(name, text);
   }
 
@@ -352,7 +356,8 @@ class Documents {
 
   /** Saves a text in its encoding, by HTTP where a command cannot carry it. False: it was refused, and told. */
   private async write({ name, text, read_as }: TextDocument): Promise<boolean> {
-    if (is_pattern(name)) return this.keep(name, text, await put_listing(name, text));
+    if (is_listing(languages.dialects, name))
+      return this.keep(name, text, await put_listing(name, text));
     const made = encoded(text, read_as);
     if ('missing' in made) {
       const { missing: character } = made;
@@ -394,7 +399,7 @@ class Documents {
     const text = answer ? String(answer.text) : null;
     // Too long for an answer, or not UTF-8: its bytes come by HTTP.
     const is_whole = text !== null && !text.includes(REPLACEMENT) && !text.includes('\0');
-    if (!is_whole && !is_pattern(name)) return get_text(name);
+    if (!is_whole && !is_listing(languages.dialects, name)) return get_text(name);
     if (text === null) return null;
     return { text, read_as: 'utf-8' };
   }

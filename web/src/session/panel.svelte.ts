@@ -18,6 +18,7 @@ import {
   MOVING_COMMANDS,
   type Axes,
   type Breakpoint,
+  type Dialect,
   type MachineDefinition,
   type MachineEntry,
   type MachineState,
@@ -25,6 +26,7 @@ import {
   type PathEvent,
 } from '../logic/protocol';
 import { UndoStack } from '../logic/undo';
+import { languages } from './languages.svelte';
 import { link } from './link.svelte';
 import { notices } from './notices.svelte';
 import { preferences } from './preferences.svelte';
@@ -197,12 +199,17 @@ class Panel {
   }
 
   private on_event(event: Record<string, unknown>): void {
-    if (event.event === 'hello') link.hello(String(event.server), Number(event.began_ms));
+    if (event.event === 'hello') this.on_hello(event);
     else if (event.event === 'request-refused') notices.say(t('operate.was-refused'), 'refused');
     else if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
     else if (event.event === 'state') this.state = patched(this.state, event);
     else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
     else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
+  }
+
+  private on_hello(event: Record<string, unknown>): void {
+    languages.hello(event.dialects as Dialect[], event.token_kinds as string[]);
+    link.hello(String(event.server), Number(event.began_ms));
   }
 
   private on_path(event: PathEvent): void {

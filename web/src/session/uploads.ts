@@ -1,8 +1,9 @@
 /** Files from this computer into the library: never over a program without a question, never what is no text. */
 import type { ProgramEntry } from '../logic/protocol';
-import { is_pattern } from '../logic/language/pattern';
+import { is_listing } from '../logic/dialects';
 import { free_name, mended_name } from '../logic/program_name';
 import { get_bytes, is_text_file, put_file } from './library_files';
+import { languages } from './languages.svelte';
 import { notices } from './notices.svelte';
 import { question } from './question.svelte';
 import { t } from './words.svelte';
@@ -12,7 +13,7 @@ export async function upload(
   file: File,
   programs: readonly ProgramEntry[],
 ): Promise<string | null> {
-  if (!is_pattern(file.name) && !(await is_text_file(file))) {
+  if (!is_listing(languages.dialects, file.name) && !(await is_text_file(file))) {
     notices.say(t('notice.no-text', { name: file.name }), 'refused');
     return null;
   }

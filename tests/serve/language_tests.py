@@ -75,7 +75,7 @@ def _(place):
     codes = {c["code"]: c for g in groups for c in g["codes"]}
     equal(codes["G01"], {"code": "G01", "title": "Line", "sentence": "A straight cut at the feed F.", "quiet": False})
     check(codes["G40"]["quiet"] and codes["G21"]["quiet"] and not codes["G54"]["quiet"], codes)
+    paths = lambda: [e for e in client.events if e["event"] == "path" and e["machine"] == "laser"]
     client.watch("laser")
-    paths = lambda: [e for e in client.events if e["event"] == "path"]
     client.wait_for(paths, "a path")
     equal(paths()[0]["dialect"], "laser-basic", "of its program")

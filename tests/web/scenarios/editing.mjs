@@ -16,6 +16,26 @@ M30
 
 export const editing = [
   {
+    name: 'words have their colours, and a key puts the comment mark of the language in front',
+    async run({ open }) {
+      const panel = await open({ machine: 'laser' });
+      await panel.fresh();
+      await panel.run_text('wait.bas', 'here: wait(1)\nprint "x"\ngoto here\n');
+      const { page } = panel;
+      const token = (kind, text) =>
+        page.locator(`.cm-line .cm-token-${kind}`, { hasText: text }).first().waitFor();
+      await token('label', 'here');
+      await token('command', 'wait');
+      await token('text', '"x"');
+      await token('target', 'here');
+      await panel.go_to_line(1);
+      await page.keyboard.press('Control+/');
+      await token('comment', "' here: wait(1)");
+      await page.keyboard.press('Control+/');
+      await token('command', 'wait');
+    },
+  },
+  {
     name: 'an error is underlined while it is typed, and hovering tells the alarm',
     async run({ open }) {
       const panel = await open();

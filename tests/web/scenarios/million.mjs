@@ -49,7 +49,53 @@ export const million = [
       return `first picture after ${first_ms.toFixed(0)} ms, median frame ${median.toFixed(0)} ms, slowest ${times.at(-1).toFixed(0)} ms, ${mib.toFixed(0)} MiB`;
     },
   },
+  {
+    name: 'in a million lines words have their colours, also those that are being typed',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.upload('coloured.nc', spiral(CUTS));
+      await panel.open_program('coloured.nc');
+      const { page } = panel;
+      await page.locator('.cm-line .cm-token-command', { hasText: 'G01' }).first().waitFor();
+      await page.locator('.cm-content').click();
+      await page.keyboard.press('Control+End');
+      await page.locator('.cm-line .cm-token-program', { hasText: '%' }).first().waitFor();
+      const times = [];
+      for (const key of 'G01 X12.5 Y-7. (NOTE)') {
+        await page.evaluate(AWAIT_COLOUR, key);
+        await page.keyboard.type(key);
+        times.push(await page.evaluate(() => window.coloured));
+      }
+      times.sort((a, b) => a - b);
+      // The slowest ones wait for the page, which compares the whole text whenever the typing pauses.
+      const median = times[times.length >> 1];
+      assert.ok(median < MOST_COLOUR_MS, `a colour takes ${median.toFixed(0)} ms`);
+      return `colours after ${median.toFixed(0)} ms, the slowest after ${times.at(-1).toFixed(0)} ms`;
+    },
+  },
 ];
+
+const MOST_COLOUR_MS = 500; // some 10 on a quiet computer
+
+/** ms from the next key until each character of the line, blanks left out, lies in a token of the server. */
+const AWAIT_COLOUR = (key) => {
+  const line = () => document.querySelector('.cm-activeLine');
+  const solid = (text) => text.replaceAll(' ', '');
+  const wanted = line().textContent + key;
+  let from = 0;
+  addEventListener('keydown', () => (from = performance.now()), { capture: true, once: true });
+  window.coloured = new Promise((resolve) => {
+    const look = () => {
+      const coloured = [...line().querySelectorAll('[class^=cm-token-]')];
+      const text = coloured.map((token) => token.textContent).join('');
+      if (line().textContent === wanted && solid(text) === solid(wanted))
+        resolve(performance.now() - from);
+      else requestAnimationFrame(look);
+    };
+    look();
+  });
+};
 
 /** The page's heap with all its array buffers. */
 async function memory_mib(_browser, panel) {

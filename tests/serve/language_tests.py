@@ -49,7 +49,7 @@ def _(place):
           ["command 4", "operator 1", "number 1", "operator 1", "blank 1", "comment 4"])
     equal(client.do("tokens", dialect="teach", lines="END\n\nEND")["tokens"][1], [], "an empty line")
     says(client.refused("tokens", dialect="fanuc-lathe", lines=""), "one of fanuc-mill")
-    says(client.refused("tokens", dialect="teach", lines=" " * (64 * KIB + 1)), "at most 65536 bytes")
+    says(client.refused("tokens", dialect="teach", lines=" " * (32 * KIB + 1)), "at most 32768 bytes")
 
 
 @test("tokens of a screen come at once, whatever else is asked for")

@@ -4,6 +4,7 @@ import type { Dialect } from '../src/logic/protocol';
 
 const dialect = (name: string, ending: string, change: Partial<Dialect> = {}): Dialect => ({
   name,
+  language: name,
   ending,
   shows_by_ending: true,
   comment: [';', ''],

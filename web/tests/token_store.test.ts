@@ -76,7 +76,7 @@ describe('tokens of lines', () => {
     }
     expect(lines.every((line) => store.of(line))).toBe(true);
     for (const question of server.questions)
-      expect(question.join('\n').length).toBeLessThanOrEqual(15_000);
+      expect(question.join('\n').length).toBeLessThanOrEqual(8_000);
   });
 
   it('of an empty line or one without an end are none', () => {

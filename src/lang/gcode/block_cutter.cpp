@@ -85,14 +85,15 @@ bool BlockCutter::begins_program(char next) const {
   return number != cursor_.end() && (is_digit(*number) || *number == '<');
 }
 
-// Behind it another block begins.
+// Behind it another block begins. A name without an end is none.
 void BlockCutter::program() {
   const char* const begin = cursor_.at();
   const char* at =
       std::find_if(begin, cursor_.end(), [](char c) { return c == '<' || is_digit(c); });
   if (*at == '<') {
-    at = std::find(at, cursor_.end(), '>');
-    at = at == cursor_.end() ? begin + 1 : at + 1;
+    const std::string_view name = ahead().substr(static_cast<std::size_t>(at - begin));
+    const std::size_t close = name.substr(0, kLongestProgramName + 2).find('>');
+    at = close == std::string_view::npos ? begin + 1 : at + close + 1;
   } else {
     at = std::find_if_not(at, cursor_.end(), [](char c) { return is_blank(c) || is_digit(c); });
     while (is_blank(*(at - 1))) --at;

@@ -11,7 +11,6 @@ using base::Code;
 using vm::Op;
 
 constexpr int kLabelDigits = 8;
-constexpr std::size_t kLongestName = 32;  // of a program: O<NAME>
 
 std::string_view rest(const Cursor& cursor) {
   return {cursor.at(), static_cast<std::size_t>(cursor.end() - cursor.at())};
@@ -341,7 +340,7 @@ void BlockParser::program_name(Cursor& cursor, Statement& statement) {
   const char* const begin = cursor.at();
   const char* const close = std::find(begin, cursor.end(), '>');
   const auto length = static_cast<std::size_t>(close - begin);
-  if (close == cursor.end() || length < 2 || length > kLongestName + 1) {
+  if (close == cursor.end() || length < 2 || length > kLongestProgramName + 1) {
     throw SyntaxError{
         Code::file_call_format, begin, length, "a program name stands between < and >", {}};
   }

@@ -17,6 +17,9 @@ struct SyntaxError {
   std::string_view hint = {};    ///< likewise
 };
 
+/// Characters of the name of a program: O<NAME>.
+inline constexpr std::size_t kLongestProgramName = 32;
+
 /// A number as it was written.
 struct NumberText {
   double value = 0;

@@ -16,7 +16,6 @@ using base::Code;
 
 constexpr std::size_t kChunkBytes = 1 << 16;
 constexpr std::uint32_t kLargestProgram = 99999999;
-constexpr std::size_t kLongestName = 32;
 
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' ' || c == '\x7f'; }
 
@@ -371,7 +370,7 @@ void Scanner::name_character(char c) {
     return;
   }
   name_ += c;
-  if (c == '\n' || name_.size() > kLongestName) {
+  if (c == '\n' || name_.size() > kLongestProgramName) {
     content_ = true;
     reading_ = Reading::text;
     if (c == '\n') ++offset_, line_end(), --offset_;

@@ -58,6 +58,7 @@ export interface ModalCode {
 /** A dialect that the server runs, and what there is to know of its language. */
 export interface Dialect {
   name: string;
+  language: string;
   /** Of its files, the usual one. */
   ending: string;
   /** That alone says that a file is in it. */

@@ -16,8 +16,8 @@ export interface TextLanguage extends TokenSource {
   line_comment(): string | undefined;
 }
 
-/** Of one question, in characters: at most 60,000 bytes with their line feeds. */
-const MOST_CHARACTERS = 15_000;
+/** Of one question: at most 24,000 bytes with their line feeds. */
+const MOST_CHARACTERS = 8_000;
 /** A longer line stays as it is. */
 export const LONGEST_LINE = 4_000;
 const MOST_LINES = 500;

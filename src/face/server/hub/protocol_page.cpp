@@ -46,7 +46,7 @@ constexpr std::string_view kRest = R"md(
 ## Events
 `{"event":"NAME",…}`.
 
-`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1","dialects":[{"name","ending","shows_by_ending",
+`hello`: `{"event":"hello","protocol","server","began_ms","client":"client-1","dialects":[{"name","language","ending","shows_by_ending",
 "comment":["(",")"],"example","fresh","is_listing"},…],"token_kinds":["blank",…]}`, the first of all. `server` is another text each
 time the server begins, `began_ms` when that was, since 1970. Of a dialect: the usual ending of its files, and whether that alone
 says what a file is; the marks of a comment, the second one empty where it goes to the end of its line; what a line looks like;

@@ -30,6 +30,7 @@ Json tokens_of_line(const base::Language& language, std::string_view line) {
 Json dialect_json(const machine::DialectRow& row) {
   const base::Language& language = *row.language;
   return {{"name", row.name},
+          {"language", language.name},
           {"ending", language.endings.front()},
           {"shows_by_ending", language.shows_by_ending},
           {"comment", {language.comment.begin, language.comment.end}},

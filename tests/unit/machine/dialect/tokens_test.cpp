@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -283,6 +285,62 @@ TEST(Tokens, OfAListingAreWhatItsReaderReads) {
     if (line != "S 1 2") {
       EXPECT_EQ(is_wrong, !drive::parse_listing(line, {})) << line;
     }
+  }
+}
+
+// Any line at all, so that half of what can be typed is wrong.
+std::string random_line(std::mt19937& random) {
+  static const std::vector<std::string> kPieces = {"G",      "01",   "X",
+                                                   "#",      "[",    "]",
+                                                   "(",      ")",    ";",
+                                                   "%",      "O",    "N",
+                                                   "/",      "<",    ">",
+                                                   ":",      "&",    "GOTO",
+                                                   "IF",     "EQ",   "SIN",
+                                                   "DPRNT",  "=",    "-",
+                                                   " ",      "\t",   ".",
+                                                   "1",      ",",    "\"",
+                                                   "'",      "*",    "REM ",
+                                                   "move",   "\r",   "\x7f",
+                                                   "\xC3",   "\xA9", "\xEF\xBC\xA1",
+                                                   "POINT",  "END",  "F",
+                                                   "S",      "T1",   "SETVN",
+                                                   "_ABSMT", "\0",   "^"};
+  std::string line;
+  for (int count = std::uniform_int_distribution(0, 20)(random); count > 0; --count)
+    line += kPieces[std::uniform_int_distribution<std::size_t>(0, kPieces.size() - 1)(random)];
+  return line;
+}
+
+TEST(Tokens, OfAnyLineHoldEachByteOnce) {
+  constexpr unsigned kSeed = 70;
+  std::mt19937 random(kSeed);
+  for (int i = 0; i < 50'000; ++i) {
+    const std::string line = random_line(random);
+    for (const DialectRow& row : machine::dialects()) {
+      std::size_t at = 0;
+      for (const Token& token : base::tokens_of(*row.language, line)) {
+        ASSERT_EQ(token.begin, at) << row.name << ": " << line << ", seed " << kSeed;
+        ASSERT_GT(token.length, 0U) << row.name << ": " << line;
+        at += token.length;
+      }
+      ASSERT_EQ(at, line.size()) << row.name << ": " << line << ", seed " << kSeed;
+    }
+  }
+}
+
+// What a client may send at once takes no longer than in proportion to its length.
+TEST(Tokens, OfALongLineTakeTimeInProportion) {
+  const auto seconds = [](const base::Language& language, const std::string& piece) {
+    std::string line;
+    while (line.size() < (1U << 16)) line += piece;
+    const auto began = std::chrono::steady_clock::now();
+    static_cast<void>(base::tokens_of(language, line));
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  };
+  for (const DialectRow& row : machine::dialects()) {
+    for (const char* const piece : {"<", "O ", "O<", "#[", "(", "1 ", "1.", "X1 ", "\"", ", ", "["})
+      EXPECT_LT(seconds(*row.language, piece), 1) << row.name << ": " << piece;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "face/cli/arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -48,10 +50,12 @@ enum class Patterns : std::uint8_t { run, not_run };
 
 void add_machine(CLI::App& app, std::string& machine, std::string& dialect, Patterns patterns) {
   const std::string pattern = std::string(", ") + kPatternDialect;
+  const std::string_view counts = machine::find_dialect(kPatternDialect)->machine;
   const bool run = patterns == Patterns::run;
   app.add_option("--machine", machine,
                  "machine file or built-in machine: " + built_in_machines() + "; default " +
-                     usual_machines() + (run ? ", arm4 for pattern" : ""))
+                     usual_machines() +
+                     (run ? fmt::format(", {} for {}", counts, kPatternDialect) : ""))
       ->type_name("NAME|FILE.toml");
   app.add_option("--dialect", dialect,
                  "language: " + dialect_list() + (run ? pattern : "") +

@@ -60,6 +60,7 @@ std::string dialect_list() {
 std::string usual_machines() {
   std::string text(machine::usual_dialect().machine);
   for (const machine::DialectRow& row : machine::dialects().subspan(1)) {
+    if (row.language->is_listing) continue;
     text += ", ";
     text += row.machine;
     text += " for ";

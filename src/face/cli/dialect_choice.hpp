@@ -33,7 +33,8 @@ using machine::kPatternDialect;
 /// The dialects that programs can be in, for people: "fanuc-mill, laser-basic, teach".
 [[nodiscard]] std::string dialect_list();
 
-/// The machines that are taken when none is asked for, for people: "mill3, laser3 for laser-basic".
+/// The machines that are taken for texts when none is asked for, for people: "mill3, laser3 for
+/// laser-basic".
 [[nodiscard]] std::string usual_machines();
 
 }  // namespace kerf::cli

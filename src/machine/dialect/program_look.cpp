@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -62,17 +64,24 @@ class Words {
   std::size_t at_ = 0;
 };
 
+// Nothing: it is no number of a code.
+std::optional<std::int64_t> code_number(double value) {
+  constexpr double kMost = 100'000;
+  if (!(value >= 0 && value < kMost && value == std::floor(value))) return std::nullopt;
+  return static_cast<std::int64_t>(value);
+}
+
 // What a G code means on a mill, none where it has no such code.
 Meaning meaning_of(const Word& word) {
-  constexpr double kMostCode = 1000;
-  if (!(word.value >= 0 && word.value < kMostCode)) return Meaning::none;
-  const auto code = static_cast<control::GCode>(base::round_away(word.value * 10));
-  const auto* const row = control::mill_codes().find(code);
+  const auto number = code_number(word.value * 10);
+  if (!number || *number > std::numeric_limits<control::GCode>::max()) return Meaning::none;
+  const auto* const row = control::mill_codes().find(static_cast<control::GCode>(*number));
   return row == nullptr ? Meaning::none : row->meaning;
 }
 
 Function function_of(const Word& word) {
-  const auto* const row = control::mill_codes().find_function(base::round_away(word.value));
+  const auto number = code_number(word.value);
+  const auto* const row = number ? control::mill_codes().find_function(*number) : nullptr;
   return row == nullptr ? Function::passed_on : row->function;
 }
 

@@ -64,6 +64,14 @@ Outcome<Json> diagnostics_of(const machine::MachineDefinition& definition, const
   return Json{{"diagnostics", std::move(list)}, {"more", found.more()}};
 }
 
+// Where none is watched.
+std::string usual_machine_of(const std::string& name) {
+  const machine::DialectRow& row = is_pattern(name)
+                                       ? *machine::find_dialect(machine::kPatternDialect)
+                                       : machine::usual_dialect();
+  return std::string(row.machine);
+}
+
 void check(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
   const MachineRecord* machine = request.machine;
@@ -72,10 +80,9 @@ void check(Hub& hub, const Request& request) {
     if (machine == nullptr)
       return request.reply.no("there is no machine " + arguments.text("machine"));
   }
-  const auto definition =
-      machine != nullptr
-          ? Outcome<machine::MachineDefinition>(machine->definition)
-          : machine::find_machine(is_pattern(arguments.text("name")) ? "arm4" : "mill3");
+  const auto definition = machine != nullptr
+                              ? Outcome<machine::MachineDefinition>(machine->definition)
+                              : machine::find_machine(usual_machine_of(arguments.text("name")));
   if (!definition) return request.reply.no(definition.error().message);
   hub.aside(request,
             [definition = *definition,

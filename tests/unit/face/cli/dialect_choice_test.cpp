@@ -1,0 +1,15 @@
+// What the help says of dialects and their machines.
+#include "face/cli/dialect_choice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kerf::cli {
+namespace {
+
+TEST(DialectChoice, HelpNamesTheMachinesOfTextsOnce) {
+  EXPECT_EQ(usual_machines(), "mill3, laser3 for laser-basic, laser5 for teach");
+  EXPECT_EQ(dialect_list(), "fanuc-mill, laser-basic, teach");
+}
+
+}  // namespace
+}  // namespace kerf::cli

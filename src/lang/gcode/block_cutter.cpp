@@ -132,7 +132,7 @@ void BlockCutter::piece_of_words(char next) {
   if (next == '#') return variable();
   if (next == '[' || next == ']') return bracket(next);
   if (begins_number(next)) {
-    take_number();
+    cursor_.scan_number();
     return mark(TokenKind::error);
   }
   sign();
@@ -143,7 +143,7 @@ void BlockCutter::word() {
   const TokenKind kind = kind_of(cursor_.peek());
   cursor_.advance();
   if (is_one_of(cursor_.peek(), "+-")) cursor_.advance();
-  if (begins_number(cursor_.peek())) take_number();
+  if (begins_number(cursor_.peek())) cursor_.scan_number();
   mark(kind);
 }
 
@@ -170,7 +170,7 @@ void BlockCutter::variable() {
   cursor_.advance();
   const auto is_of_name = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
   if (is_digit(cursor_.peek())) {
-    take_number();
+    cursor_.scan_number();
   } else if (may_be_named) {
     while (is_of_name(cursor_.peek())) cursor_.advance();
   }
@@ -191,7 +191,7 @@ void BlockCutter::bracket(char bracket) {
 }
 
 void BlockCutter::number() {
-  take_number();
+  cursor_.scan_number();
   mark(behind_goto_ ? TokenKind::target : TokenKind::number);
   behind_operand_ = true;
   behind_goto_ = behind_open_ = false;
@@ -233,15 +233,6 @@ void BlockCutter::piece_of_list(char next) {
     cursor_.advance();
   if (row_.at() >= cursor_.behind()) return sign();
   mark(TokenKind::text);
-}
-
-// A second point ends it, which the compiler raises an alarm for.
-void BlockCutter::take_number() {
-  try {
-    static_cast<void>(cursor_.number());
-  } catch (const SyntaxError&) {
-    return;
-  }
 }
 
 }  // namespace kerf::gcode

@@ -44,7 +44,6 @@ class BlockCutter {
   void letters();
   void sign();
   void rest(base::TokenKind kind);
-  void take_number();
   void mark(base::TokenKind kind) { fill(kind, cursor_.behind()); }
   void fill(base::TokenKind kind, const char* to);
   [[nodiscard]] std::string_view ahead() const;

@@ -39,9 +39,16 @@ char Cursor::peek_behind() const {
   return copy.peek();
 }
 
+NumberText Cursor::number() {
+  const NumberText text = scan_number();
+  if (!text.second_point) return text;
+  throw SyntaxError{
+      base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number", {}};
+}
+
 // Nearly every number is a run of digits with a point somewhere and nothing between; everything
 // else takes the slow way from its beginning.
-NumberText Cursor::number() {
+NumberText Cursor::scan_number() {
   const char* const begin = at_;
   const char* at = at_;
   std::uint64_t mantissa = 0;
@@ -119,9 +126,8 @@ NumberText Cursor::spaced_number(const char* begin) {
     skip();
     if (at_ == end_) break;
     if (*at_ == '.') {
-      if (result.point)
-        throw SyntaxError{
-            base::Code::illegal_decimal_point, at_, 1, "two decimal points in one number", {}};
+      result.second_point = result.point;
+      if (result.second_point) break;
       result.point = true;
       digits += '.';
       behind_ = ++at_;

@@ -24,7 +24,8 @@ inline constexpr std::size_t kLongestProgramName = 32;
 struct NumberText {
   double value = 0;
   bool point = false;
-  int digits = 0;  ///< without leading zeros
+  int digits = 0;             ///< without leading zeros
+  bool second_point = false;  ///< one ended it
 };
 
 /// Walks over the text of one block. Blanks and comments mean nothing between any two characters;
@@ -75,6 +76,8 @@ class Cursor {
   /// like (LEX-9, LEX-12). Throws SyntaxError for a second point. Precondition: a digit or point is
   /// next; a lone point counts as no digits.
   [[nodiscard]] NumberText number();
+  /// The same, but a second point ends the number, and is not taken.
+  NumberText scan_number();
 
   /// Takes a word of the commonest form at once: a letter, perhaps a minus sign, digits with at
   /// most one point and nothing between them. False, with nothing taken, for every other form.

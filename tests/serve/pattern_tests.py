@@ -1,6 +1,8 @@
 """The engraver's own data on the engraver's panel: bytes in the library, their listing on the machine."""
 
 import json
+import tempfile
+from pathlib import Path
 
 from harness import *
 
@@ -35,10 +37,11 @@ def path_of_load(client, **arguments):
 
 def replayed(place, data):
     """The summary of `kerf pattern replay`."""
-    file, summary = place.root / "w.pat", place.root / "w.json"
-    file.write_bytes(data)
-    place.run("pattern", "replay", str(file), "--summary", str(summary))
-    return json.loads(summary.read_text())
+    with tempfile.TemporaryDirectory() as folder:
+        file, summary = Path(folder) / "w.pat", Path(folder) / "w.json"
+        file.write_bytes(data)
+        place.run("pattern", "replay", str(file), "--summary", str(summary))
+        return json.loads(summary.read_text())
 
 
 @test("a pattern is loaded, shown and previewed as its listing, and ends where a replay ends")

@@ -44,7 +44,7 @@ kerf::planner::AxisLimits limits(double jerk) {
 
 Motion line_to(const TipPoint& to, double feed_mm_min, std::size_t number) {
   Motion motion;
-  motion.line = static_cast<std::uint32_t>(number + 1);
+  motion.block.line = static_cast<std::uint32_t>(number + 1);
   motion.action = kerf::motion::Line{to, {feed_mm_min}};
   return motion;
 }

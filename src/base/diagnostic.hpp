@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/block_id.hpp"
 #include "base/diagnostic_code.hpp"
 #include "base/place.hpp"
 
@@ -21,6 +22,8 @@ struct Diagnostic {
   std::string program;  ///< "O0001" or a program's name; empty outside of programs
   std::string hint;     ///< what was probably meant; may be empty
   std::optional<std::uint64_t> offset{};  ///< of a byte from 0, in files that are no text
+  /// That was executed, or whose motion was made; none, where the text was only read.
+  BlockId block{};
 };
 
 /// A diagnostic with the control's own words followed by `detail` (which may be empty).

@@ -25,9 +25,7 @@ constexpr double kHalfTurn_deg = 180;  // after which the wheel is the same
 
 motion::Mark mark_of(const motion::Motion& motion) {
   motion::Mark mark;
-  mark.program = motion.program;
-  mark.line = motion.line;
-  mark.file = motion.file;
+  mark.block = motion.block;
   return mark;
 }
 
@@ -295,7 +293,7 @@ bool PatternMaker::step_along(const Curve& curve, double& s) {
   s = sample->s;
   const PathGauge::Worst worst = gauge_.take_worst();
   if (worst.mm > report_.measured.mm)
-    report_.measured = {worst.mm, motion_->line, worst.x, worst.y};
+    report_.measured = {worst.mm, motion_->block.line, worst.x, worst.y};
   if (watcher_ != nullptr) tell_watcher(curve, s, worst);
   return true;
 }
@@ -313,7 +311,7 @@ void PatternMaker::note(const CutSample& sample, const Curve& curve, bool split)
   const double mm = pulses_mm + sample.joints_mm + sample.chord_mm;
   if (mm <= report_.bound.mm) return;
   const TipPoint at = curve.at(sample.s);
-  report_.bound = {mm, motion_->line, at[motors_.x()], at[motors_.y()]};
+  report_.bound = {mm, motion_->block.line, at[motors_.x()], at[motors_.y()]};
   report_.bound_pulses_mm = pulses_mm;
 }
 

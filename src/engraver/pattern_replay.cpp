@@ -39,7 +39,7 @@ base::Result<void> PatternReplay::take(const drive::PatternRecord& record) {
 void PatternReplay::tell_motion() {
   if (!motors_.motion()) return;
   motion::Motion motion = *motors_.motion();
-  motion.line = static_cast<std::uint32_t>(records());
+  motion.block.line = static_cast<std::uint32_t>(records());
   for (motion::MotionSink* const sink : motions_) sink->take(motion);
 }
 
@@ -55,7 +55,7 @@ void PatternReplay::look_at_travel() {
 void PatternReplay::sample(double begin_s, double end_s) {
   const double period_s = machine_.definition().interpolator.period_s;
   motion::AxisPoint point;
-  point.tip.mark.line = static_cast<std::uint32_t>(records());
+  point.tip.mark.block.line = static_cast<std::uint32_t>(records());
   for (;;) {
     const double time_s = base::tidy(static_cast<double>(period_ + 1) * period_s);
     if (time_s > end_s || broken_off_) return;

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "base/place.hpp"
+#include "base/block_id.hpp"
 #include "motion/motion.hpp"
 
 namespace kerf::motion {
@@ -11,9 +11,7 @@ enum class MoveKind : std::uint8_t { rapid, cut, dwell };
 
 /// Which motion a stretch of the path or of time belongs to.
 struct Mark {
-  ProgramNumber program{};
-  std::uint32_t line = 0;  ///< in its file, from 1
-  base::FileId file = base::kNoFile;
+  base::BlockId block{};
   MoveKind kind = MoveKind::cut;
   float power_percent = 0;           ///< of the laser, while it lasts
   bool power_follows_speed = false;  ///< the percent are those of `speed`

@@ -6,13 +6,10 @@
 #include <string_view>
 #include <variant>
 
-#include "base/place.hpp"
+#include "base/block_id.hpp"
 #include "base/point.hpp"
 
 namespace kerf::motion {
-
-/// Number of a program: 1 to 99999999; 0 for text without an O number.
-enum class ProgramNumber : std::uint32_t {};
 
 /// Text of bounded length that copies like a number; longer text is cut off.
 class ShortText {
@@ -180,9 +177,7 @@ struct ToolLength {
 struct Motion {
   using Action = std::variant<Rapid, Line, Arc, SpaceArc, Dwell, ToolChange, Spindle, Coolant,
                               Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
-  ProgramNumber program{};
-  std::uint32_t line = 0;  ///< in its file, from 1
-  base::FileId file = base::kNoFile;
+  base::BlockId block{};  ///< that commands it
   /// Of a move: the axes come to rest at `to`, because the program says so. Otherwise they may go
   /// on into the next one.
   bool exact_stop = false;

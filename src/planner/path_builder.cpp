@@ -50,9 +50,7 @@ double PathBuilder::speed_of(const motion::Feed& feed, double length) const {
 }
 
 motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, double speed) const {
-  return {motion.program,
-          motion.line,
-          motion.file,
+  return {motion.block,
           kind,
           static_cast<float>(power_.beam_percent()),
           power_.follows_speed,

@@ -157,7 +157,7 @@ bool PathSampler::holds_here() const {
   if (under_way_ || mark_.motion == behind_motion_) return false;
   if (path_.marks.empty()) return true;
   const motion::Mark& next = path_.marks[path_.marks.begin()].mark;
-  return next.line != mark_.line || next.file != mark_.file || next.program != mark_.program;
+  return next.block != mark_.block;
 }
 
 // Time passes where there is a period; without one there is nothing to tell.

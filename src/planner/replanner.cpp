@@ -10,7 +10,7 @@ namespace {
 constexpr double kSameWay = 1e-9;
 
 bool same_block(const motion::Mark& a, const motion::Mark& b) {
-  return a.line == b.line && a.file == b.file && a.program == b.program;
+  return a.block == b.block;
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ void CutRecorder::move(const motion::Motion& motion) {
   const base::TipPoint end = *motion::target_of(motion);
   base::TipPoint from = at_;
   if (is_rapid(motion)) {
-    strokes_.push_back({in_work(at_), in_work(end), motion.file, motion.line, cuts_.size()});
+    strokes_.push_back(
+        {in_work(at_), in_work(end), motion.block.file, motion.block.line, cuts_.size()});
   } else {
     for (const motion::Curve& curve : curves_.of(at_, motion)) {
       feed_along(curve, from, motion);
@@ -80,7 +81,7 @@ void CutRecorder::feed_along(const motion::Curve& curve, const base::TipPoint& b
     const Vec3 to = in_work(at);
     if (cuts(from, to)) {
       for (std::size_t r = 0; r < rotary_.size(); ++r) with_.rotary_deg[r] = at.values[rotary_[r]];
-      cuts_.push_back({from, to, with_, motion.file, motion.line});
+      cuts_.push_back({from, to, with_, motion.block.file, motion.block.line});
       length_mm_ += cuts_.back().length();
     }
     from = to;

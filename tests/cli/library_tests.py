@@ -184,3 +184,11 @@ def file_of_a_record(box):
     files = [m.get("file") for m in box.motions("m.jsonl")]
     equal([os.path.basename(file) if file else None for file in files],
           [None, "O9401.nc", "O9402.nc", None, None], "files")
+
+
+@test("records of --motion say the column where their block begins: two blocks may share a line")
+def column_of_a_record(box):
+    box.write("part.nc", "O1\nG90G01X1.F100;X2.;\nX3.\nM30\n")
+    status(box.kerf("run", "part.nc", "--motion", "m.jsonl"), 0)
+    equal([(m["line"], m["column"]) for m in box.motions("m.jsonl")], [(2, 1), (2, 16), (3, 1), (4, 1)],
+          "places")

@@ -273,29 +273,29 @@ def motion_records(box):
     records = box.motions("m.json")
     at = {"X": 20, "Y": 10, "Z": -2}
     wanted = [
-        {"kind": "rapid", "program": "O0001", "line": 3, "to": {"X": 10, "Y": 0, "Z": 0}},
-        {"kind": "line", "program": "O0001", "line": 4, "to": {"X": 10, "Y": 0, "Z": -2},
+        {"kind": "rapid", "program": "O0001", "line": 3, "column": 1, "to": {"X": 10, "Y": 0, "Z": 0}},
+        {"kind": "line", "program": "O0001", "line": 4, "column": 1, "to": {"X": 10, "Y": 0, "Z": -2},
          "feed": 200, "feed_mode": "per-minute"},
-        {"kind": "arc", "program": "O0001", "line": 5, "to": at, "plane": "XY",
+        {"kind": "arc", "program": "O0001", "line": 5, "column": 1, "to": at, "plane": "XY",
          "center": [10, 10], "direction": "ccw", "turns": 0, "feed": 200,
          "feed_mode": "per-minute"},
-        {"kind": "arc", "program": "O0001", "line": 6, "to": {**at, "Z": -4}, "plane": "XY",
+        {"kind": "arc", "program": "O0001", "line": 6, "column": 1, "to": {**at, "Z": -4}, "plane": "XY",
          "center": [25, 10], "direction": "cw", "turns": 0, "feed": 200,
          "feed_mode": "per-minute"},
-        {"kind": "dwell", "program": "O0001", "line": 7, "seconds": 0.5},
-        {"kind": "tool", "program": "O0001", "line": 8, "tool": 3},
-        {"kind": "spindle", "program": "O0001", "line": 9, "direction": "cw", "speed": 1200,
+        {"kind": "dwell", "program": "O0001", "line": 7, "column": 1, "seconds": 0.5},
+        {"kind": "tool", "program": "O0001", "line": 8, "column": 1, "tool": 3},
+        {"kind": "spindle", "program": "O0001", "line": 9, "column": 1, "direction": "cw", "speed": 1200,
          "mode": "rpm"},
-        {"kind": "coolant", "program": "O0001", "line": 10, "state": "flood"},
-        {"kind": "line", "program": "O0001", "line": 11, "to": {"X": 30, "Y": 10, "Z": -4},
+        {"kind": "coolant", "program": "O0001", "line": 10, "column": 1, "state": "flood"},
+        {"kind": "line", "program": "O0001", "line": 11, "column": 1, "to": {"X": 30, "Y": 10, "Z": -4},
          "feed": 2, "feed_mode": "inverse-time"},
-        {"kind": "mcode", "program": "O0001", "line": 13, "code": 60},
-        {"kind": "stop", "program": "O0001", "line": 14, "optional": False},
-        {"kind": "message", "program": "O0001", "line": 15, "text": "ATTACH"},
+        {"kind": "mcode", "program": "O0001", "line": 13, "column": 1, "code": 60},
+        {"kind": "stop", "program": "O0001", "line": 14, "column": 1, "optional": False},
+        {"kind": "message", "program": "O0001", "line": 15, "column": 1, "text": "ATTACH"},
     ]
     for got, want in zip(records, wanted):
         equal(got, want, f"record of line {want['line']}")
-    equal(records[-1], {"kind": "end", "program": "O0001", "line": 17}, "the last record")
+    equal(records[-1], {"kind": "end", "program": "O0001", "line": 17, "column": 1}, "the last record")
 
 
 @test("--plot draws the path as SVG or PNG by the ending of the file")

@@ -52,7 +52,7 @@ class Fingerprint : public motion::AxisPointSink {
     add(point.tip.time_s);
     for (const double value : point.tip.tip.values) add(value);
     for (const double value : point.joints.values) add(value);
-    add(static_cast<double>(point.tip.mark.line));
+    add(static_cast<double>(point.tip.mark.block.line));
     add(static_cast<double>(point.tip.mark.motion));
   }
   Result result;

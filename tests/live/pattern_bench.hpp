@@ -71,7 +71,7 @@ inline void expect_same_points(const Points& a, const Points& b) {
     ASSERT_EQ(a.all[i].tip.time_s, b.all[i].tip.time_s) << i;
     ASSERT_EQ(a.all[i].joints, b.all[i].joints) << i;
     ASSERT_EQ(a.all[i].tip.tip, b.all[i].tip.tip) << i;
-    ASSERT_EQ(a.all[i].tip.mark.line, b.all[i].tip.mark.line) << i;
+    ASSERT_EQ(a.all[i].tip.mark.block.line, b.all[i].tip.mark.block.line) << i;
   }
 }
 

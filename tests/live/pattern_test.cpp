@@ -354,7 +354,7 @@ TEST(PatternOnThePanel, IsSeenAtAnyTimeOfItsRun) {
   const auto ahead = bench->state_at(expected.tip.time_s);
   ASSERT_TRUE(ahead);
   EXPECT_EQ((*ahead)->joints, expected.joints);
-  EXPECT_EQ((*ahead)->line, expected.tip.mark.line);
+  EXPECT_EQ((*ahead)->line, expected.tip.mark.block.line);
   EXPECT_DONE(bench->cycle_start());
   ASSERT_EQ(bench.settle(), Status::end);
   const auto back = bench->state_at(expected.tip.time_s);

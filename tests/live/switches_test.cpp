@@ -145,7 +145,7 @@ class Slashes : public motion::AxisPointSink {
  public:
   void start(const motion::AxisPoint& /*at*/) override {}
   void take(const motion::AxisPoint& point) override {
-    const std::uint32_t line = point.tip.mark.line;
+    const std::uint32_t line = point.tip.mark.block.line;
     if (line < 3) return;
     if (line % 3 == 0 && arrived.size() < line / 3) arrived.push_back(point.tip.time_s);
     if (line % 3 == 0) arrived[line / 3 - 1] = point.tip.time_s;

@@ -52,7 +52,7 @@ class Writer {
   // False: it leaves the workspace.
   bool add(const Motion::Action& action) {
     Motion motion;
-    motion.line = static_cast<std::uint32_t>(path_.motions.size() + 1);
+    motion.block.line = static_cast<std::uint32_t>(path_.motions.size() + 1);
     motion.action = action;
     if (!stays_in_workspace(motion)) return false;
     path_.motions.push_back(motion);

@@ -119,7 +119,7 @@ class Checker {
     new_end_ = tip_;
     new_end_.values[linkage_ ? 2 : 0] += 1;
     motion::Motion motion;
-    motion.line = 1;
+    motion.block.line = 1;
     motion.action = motion::Line{new_end_, {1000, motion::FeedMode::per_minute}};
     interpolator.take(motion);
     interpolator.finish();
@@ -134,7 +134,7 @@ class Checker {
     joints_[0] = base::JointPoint(tip_.numbers());
     if (linkage_) follow(point.tip);
     ++rows_;
-    line_ = point.mark.line;
+    line_ = point.mark.block.line;
     if (std::fabs(point.time_s - static_cast<double>(rows_) * path_.settings.period_s) > 1e-9)
       tell("a period is missing");
     for (std::size_t m = 0; m < path_.axes.count(); ++m) limits_of(m);
@@ -148,8 +148,8 @@ class Checker {
 
   // Between two points of one programmed line nothing does, nor before the first motion.
   [[nodiscard]] bool may_bend(const motion::Setpoint& point) const {
-    if (point.mark.line == 0) return false;
-    const auto& action = path_.motions[point.mark.line - 1].action;
+    if (point.mark.block.line == 0) return false;
+    const auto& action = path_.motions[point.mark.block.line - 1].action;
     return line_ != line_before_ || !std::holds_alternative<motion::Line>(action);
   }
 

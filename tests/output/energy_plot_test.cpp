@@ -20,7 +20,7 @@ machine::LaserSettings laser() {
 motion::Mark mark(float percent, std::uint32_t line = 1) {
   motion::Mark mark;
   mark.power_percent = percent;
-  mark.line = line;
+  mark.block.line = line;
   return mark;
 }
 

@@ -37,7 +37,7 @@ inline std::vector<motion::Motion> motions_of(const std::vector<motion::Motion::
   std::vector<motion::Motion> motions;
   for (const auto& action : actions) {
     motion::Motion motion;
-    motion.line = static_cast<std::uint32_t>(motions.size() + 1);
+    motion.block.line = static_cast<std::uint32_t>(motions.size() + 1);
     motion.action = action;
     motions.push_back(motion);
   }

@@ -135,7 +135,7 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
 }  // namespace
 
 void Recorder::take(const Motion& motion) {
-  observed_.push_back({motion.line, target_of(motion) != nullptr,
+  observed_.push_back({motion.block.line, target_of(motion) != nullptr,
                        std::visit(Describe{axes_}, motion.action) + manner_of(motion), motion});
 }
 

@@ -14,6 +14,7 @@ class Whereabouts {
  public:
   virtual ~Whereabouts() = default;
   [[nodiscard]] virtual base::Place place() = 0;
+  [[nodiscard]] virtual base::BlockId block() = 0;
   [[nodiscard]] virtual std::string program_name() const = 0;
   /// "called from line 5 of O0001", from the nearest caller to the main program; empty there.
   [[nodiscard]] virtual std::string callers() = 0;
@@ -40,8 +41,16 @@ class Alarms {
                 const std::string& hint = {}) {
     return report(base::make_error(code, place, detail, hint));
   }
+  /// Of a motion that waited: at its block.
+  bool raise_at(base::Code code, const base::Place& place, const base::BlockId& block,
+                const std::string& detail) {
+    base::Diagnostic diagnostic = base::make_error(code, place, detail);
+    diagnostic.block = block;
+    return report(std::move(diagnostic));
+  }
   bool report(base::Diagnostic diagnostic) {
     if (alarm_) return false;
+    if (diagnostic.block.line == 0) diagnostic.block = where_.block();
     if (diagnostic.program.empty()) diagnostic.program = where_.program_name();
     const std::string callers = where_.callers();
     if (!callers.empty()) diagnostic.hint += (diagnostic.hint.empty() ? "" : "; ") + callers;

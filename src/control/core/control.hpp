@@ -41,7 +41,7 @@ struct ModalView {
 /// A program or subroutine that is open.
 struct OpenCall {
   std::string program;
-  base::Place place;  ///< what executes there, or comes next; of a caller the call
+  base::BlockId block;  ///< that executes there, or comes next; of a caller the one that called
 };
 
 /// A block that is to be executed next.
@@ -112,6 +112,9 @@ class Control {
   [[nodiscard]] virtual std::string running_program() const = 0;
   /// Main program first; empty before the start.
   [[nodiscard]] virtual std::vector<OpenCall> open_calls() = 0;
+  /// The blocks whose calls led to a block of this run, the main program's first; none, where they
+  /// were more than a run keeps.
+  [[nodiscard]] virtual std::vector<base::BlockId> calls(base::CallPath path) const = 0;
   [[nodiscard]] virtual ModalView modal() const = 0;
   /// The list that this control shows, one entry a code or mode.
   [[nodiscard]] virtual std::vector<std::string> modal_text(const ModalView& modal) const = 0;

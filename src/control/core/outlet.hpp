@@ -50,7 +50,7 @@ class Outlet {
     if (!refusal && machine_ == Machine::is_asked)
       refusal = surroundings_.refusal(from, motion, intent);
     return !refusal || alarms_.raise_at(refusal->code, place != nullptr ? *place : alarms_.place(),
-                                        refusal->sentence);
+                                        motion.block, refusal->sentence);
   }
 
   Alarms& alarms_;

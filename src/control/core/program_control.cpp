@@ -19,14 +19,46 @@ base::Place ProgramControl::place() {
   return levels() > 0 ? interpreter()->place() : base::Place{};
 }
 
+base::BlockId ProgramControl::block() {
+  return levels() > 0 ? running(interpreter()->block()) : base::BlockId{};
+}
+
+base::BlockId ProgramControl::running(base::BlockId block) {
+  const std::size_t level = levels() - 1;
+  block.program = number_of_level(level);
+  block.calls = path_to(level);
+  return block;
+}
+
+// Calls are open one in the other: those that are known and still open are the first ones.
+base::CallPath ProgramControl::path_to(std::size_t level) {
+  const auto is_open = [&](const CallUnderWay& call, std::size_t at) {
+    return at <= level && call.number == interpreter()->call_number(at);
+  };
+  while (!under_way_.empty() && !is_open(under_way_.back(), under_way_.size()))
+    under_way_.pop_back();
+  while (under_way_.size() < level) {
+    const std::size_t calling = under_way_.size();
+    const base::CallPath path = paths_.behind(caller(calling));
+    under_way_.push_back({interpreter()->call_number(calling + 1), path});
+  }
+  return level == 0 ? base::CallPath::main : under_way_.back().path;
+}
+
+// The block at a level that has called the next one. Precondition: the way to it is known.
+base::BlockId ProgramControl::caller(std::size_t level) {
+  base::BlockId by = interpreter()->block_of_call(level + 1);
+  by.program = number_of_level(level);
+  by.calls = level == 0 ? base::CallPath::main : under_way_[level - 1].path;
+  return by;
+}
+
 std::vector<OpenCall> ProgramControl::open_calls() {
   std::vector<OpenCall> calls;
   const std::size_t depth = levels();
-  for (std::size_t level = 0; level < depth; ++level) {
-    const bool innermost = level + 1 == depth;
-    calls.push_back(
-        {name_of_level(level), innermost ? place() : interpreter()->place_of_call(level + 1)});
-  }
+  const base::BlockId innermost = block();
+  for (std::size_t level = 0; level < depth; ++level)
+    calls.push_back({name_of_level(level), level + 1 == depth ? innermost : caller(level)});
   return calls;
 }
 

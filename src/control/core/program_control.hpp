@@ -2,6 +2,7 @@
 
 #include "control/core/alarms.hpp"
 #include "control/core/assumptions.hpp"
+#include "control/core/call_paths.hpp"
 #include "control/core/control.hpp"
 #include "lang/vm/interpreter.hpp"
 
@@ -21,6 +22,9 @@ class ProgramControl : public Control, protected Whereabouts {
   [[nodiscard]] base::Place standing_at() override { return place(); }
   [[nodiscard]] std::string running_program() const override { return program_name(); }
   [[nodiscard]] std::vector<OpenCall> open_calls() override;
+  [[nodiscard]] std::vector<base::BlockId> calls(base::CallPath path) const override {
+    return paths_.calls(path);
+  }
   [[nodiscard]] std::uint64_t slashes() override;
   [[nodiscard]] std::uint64_t interrupts_missed() const override { return interrupts_missed_; }
   void miss_interrupt() override;
@@ -47,6 +51,10 @@ class ProgramControl : public Control, protected Whereabouts {
   [[nodiscard]] virtual vm::Interpreter* interpreter() = 0;
   /// The name of the program at a level, 0: main.
   [[nodiscard]] virtual std::string name_of_level(std::size_t level) const = 0;
+  /// The O number of that program; 0 in languages that have none.
+  [[nodiscard]] virtual base::ProgramNumber number_of_level(std::size_t /*level*/) const {
+    return {};
+  }
   /// Whether single block stops where a block begins, and not where one ends.
   [[nodiscard]] virtual bool single_block_traces() const = 0;
   /// What the block has changed that raised an alarm and is left out.
@@ -54,6 +62,10 @@ class ProgramControl : public Control, protected Whereabouts {
 
   // Whereabouts
   base::Place place() override;
+  base::BlockId block() override;
+
+  /// The same with the running program, and the calls that led to it.
+  [[nodiscard]] base::BlockId running(base::BlockId block);
 
   /// The interpreter tells of blocks only where somebody asks.
   void learn_tracing();
@@ -73,6 +85,16 @@ class ProgramControl : public Control, protected Whereabouts {
   bool may_pass_ = false;      // allow_passing()
 
  private:
+  // A call that is open, and the path behind it.
+  struct CallUnderWay {
+    std::uint64_t number = 0;
+    base::CallPath path{};
+  };
+  [[nodiscard]] base::CallPath path_to(std::size_t level);
+  [[nodiscard]] base::BlockId caller(std::size_t level);
+
+  CallPaths paths_;
+  std::vector<CallUnderWay> under_way_;  // of level n the entry n - 1
   BlockObserver observer_;
   BlockGate* gate_ = nullptr;
   std::uint64_t interrupts_missed_ = 0;

@@ -39,7 +39,7 @@ GcodeControl::GcodeControl(const Parameters& parameters, const motion::AxisSetup
       calls_(state_, programs_, call_reader_),
       variables_(state_, library.names()),
       printer_(parameters_, surroundings) {
-  variables_.attach(&interpreter_, [this] { return started() ? programs_.running_number() : 0; });
+  variables_.attach(&interpreter_, [this] { return started() ? programs_.number_at(levels() - 1) : 0; });
   if (const auto z = axes.find('Z')) state_.length_axis = *z;
   learn_parameters();
 }
@@ -112,7 +112,7 @@ void GcodeControl::settle_alarm() {
   halt_ = Halt::alarm;
   acts_.stop();
   static_cast<void>(state_.path.release());  // a second alarm changes nothing
-  if (in_block_) buffer_.drop_functions_of(state_.path.source().program, state_.line);
+  if (in_block_) buffer_.drop_functions_of(state_.path.block());
   buffer_.release();
 }
 
@@ -224,13 +224,13 @@ Verdict GcodeControl::execute(const vm::CodePage& code_page, std::uint32_t block
 // are done, hole after hole of a cycle as long as the receiver takes them; then stops, ends, calls.
 
 void GcodeControl::begin(const gcode::GcodePage& page, const gcode::Statement& statement) {
-  state_.line = statement.line;
+  const vm::BlockMark& mark = page.marks[statement.mark];
+  state_.line = mark.line;
   state_.before = state_.modal;
   block_memory_.keep(state_);
-  state_.path.begin_block(
-      {motion::ProgramNumber{programs_.running_number()}, statement.line, page.file});
+  state_.path.begin_block(running(page.id_of(mark)));
   in_block_ = true;
-  block_.number = statement.number;
+  block_.number = mark.sequence;
   transferred_ = false;
   acts_.begin();
 }
@@ -412,9 +412,7 @@ Verdict GcodeControl::show_message(double number) {
     alarms_.raise(Code::argument_range, "#3006 takes a number, not a vacant value");
     return Verdict::stop;
   }
-  const base::Place place = interpreter_.place();
-  state_.path.begin_block(
-      {motion::ProgramNumber{programs_.running_number()}, place.line, place.file});
+  state_.path.begin_block(block());
   if (!state_.path.release()) return Verdict::stop;
   state_.path.act(motion::Message{motion::ShortText(comment_of_block())});
   state_.path.act(motion::Stop{false});

@@ -97,6 +97,9 @@ class GcodeControl : public ProgramControl, public vm::Host {
   // ProgramControl
   vm::Interpreter* interpreter() override { return &interpreter_; }
   std::string name_of_level(std::size_t level) const override { return programs_.name_at(level); }
+  base::ProgramNumber number_of_level(std::size_t level) const override {
+    return base::ProgramNumber{programs_.number_at(level)};
+  }
   // Behind every NC block; behind macro statements only with parameter SBM.
   bool single_block_traces() const override { return parameters_.stop_at_macro; }
   void undo_block() override;

@@ -152,7 +152,7 @@ Verdict LaserControl::execute(const vm::CodePage& code_page, std::uint32_t block
     return Verdict::go_on;
   }
   if (statement.kind == StatementKind::end) return end_of_program();
-  moves_.stand_at({place().line, page.file});
+  moves_.stand_at(this->block());
   std::array<double, 6> arguments{};
   for (std::uint32_t i = 0; i < statement.count; ++i)
     arguments[i] = vm::zero_if_null(registers[statement.first + i]);
@@ -246,8 +246,7 @@ void LaserControl::fault(Fault fault) {
 void LaserControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
 
 Verdict LaserControl::end_of_program() {
-  const base::Place at = place();
-  moves_.stand_at({at.line, at.file});
+  moves_.stand_at(block());
   if (moves_.end()) halt_ = Halt::end;
   return Verdict::stop;
 }

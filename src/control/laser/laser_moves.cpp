@@ -245,7 +245,7 @@ Vec2 LaserMoves::machine_centre(Vec2 program) const {
 }
 
 motion::Motion LaserMoves::motion(const motion::Motion::Action& action) const {
-  return {.line = source_.line, .file = source_.file, .action = action};
+  return {.block = statement_, .action = action};
 }
 
 motion::Motion LaserMoves::flat_motion(const FlatArc& arc) const {
@@ -287,8 +287,8 @@ bool LaserMoves::set_beam(double percent) {
 void LaserMoves::warn_of_cut() {
   if (!power_set_) warn_(Code::basic_no_power, {});
   if (speed_set_ || !assumptions_.is_new(Assumed::no_speed)) return;
-  assumptions_.add(source_.line, "no SPEED: cuts at the machine's " +
-                                     base::number_text(base::tidy(highest_speed_)) + " mm/s");
+  assumptions_.add(statement_.line, "no SPEED: cuts at the machine's " +
+                                        base::number_text(base::tidy(highest_speed_)) + " mm/s");
 }
 
 bool LaserMoves::make(const motion::Motion& motion, const Vec3& to, double length) {

@@ -26,11 +26,6 @@ class LaserMoves {
     base::AxisVector origin;  ///< of the work, machine coordinates
     bool invert_y = false;
   };
-  /// Where the statement stands, which the motions carry.
-  struct Source {
-    std::uint32_t line = 0;
-    base::FileId file = base::kNoFile;
-  };
   /// Says that a statement is probably a mistake, in its place.
   using Warn = std::function<void(base::Code code, const std::string& detail)>;
 
@@ -40,7 +35,8 @@ class LaserMoves {
 
   /// Power and speed are not set. The axes stay.
   void start(const Settings& settings);
-  void stand_at(const Source& source) { source_ = source; }
+  /// The statement that the next motions come from.
+  void stand_at(const base::BlockId& statement) { statement_ = statement; }
 
   /// The axes were brought to `tip` by hand.
   void stand_at(const base::TipPoint& tip) {
@@ -113,7 +109,7 @@ class LaserMoves {
   Outlet& outlet_;
   Warn warn_;
   Settings settings_;
-  Source source_;
+  base::BlockId statement_;
   std::array<std::optional<base::Axis>, 3> xyz_;
   double highest_speed_ = 0;  // what X and Y can do both, mm/s
   base::TipPoint tip_;

@@ -43,9 +43,9 @@ void TaughtMoves::reset() {
   beam_ = false;
 }
 
-bool TaughtMoves::execute(const teach::Block& block, base::FileId file) {
+bool TaughtMoves::execute(const teach::Block& block, const base::BlockId& id) {
   block_ = &block;
-  file_ = file;
+  id_ = id;
   return std::visit([this](const auto& record) { return execute(record); }, block.record);
 }
 
@@ -169,7 +169,7 @@ bool TaughtMoves::raise(Code code, std::size_t word, const std::string& detail) 
 }
 
 bool TaughtMoves::move(const motion::Motion::Action& action, WithoutWay without_way) {
-  const motion::Motion motion{.line = block_->line, .file = file_, .action = action};
+  const motion::Motion motion{.block = id_, .action = action};
   const TipPoint to = *motion::target_of(motion);
   if (to == tip_ && without_way == WithoutWay::is_nothing) return true;
   if (!outlet_.let_out(motion, tip_)) return false;
@@ -178,7 +178,7 @@ bool TaughtMoves::move(const motion::Motion::Action& action, WithoutWay without_
 }
 
 bool TaughtMoves::let_out(const motion::Motion::Action& action) {
-  return outlet_.let_out({.line = block_->line, .file = file_, .action = action}, tip_);
+  return outlet_.let_out({.block = id_, .action = action}, tip_);
 }
 
 }  // namespace kerf::control

@@ -38,7 +38,7 @@ class TaughtMoves {
 
   /// Executes a record that teach::Sequence has admitted. False: an alarm was raised (LIMIT,
   /// TEACH_RANGE, OT0500, OT0501, and what the machine refuses), at the word that it is about.
-  [[nodiscard]] bool execute(const teach::Block& block, base::FileId file);
+  [[nodiscard]] bool execute(const teach::Block& block, const base::BlockId& id);
 
   /// Where the beam is, machine coordinates.
   [[nodiscard]] const base::TipPoint& tip() const { return tip_; }
@@ -69,7 +69,7 @@ class TaughtMoves {
   bool check(const motion::AxisConfig& axis, double value, std::size_t word);
   bool raise(base::Code code, std::size_t word, const std::string& detail);
   [[nodiscard]] bool is_new(std::uint32_t key) { return assumptions_.is_new(key); }
-  void assume(std::string what) { assumptions_.add(block_->line, std::move(what)); }
+  void assume(std::string what) { assumptions_.add(id_.line, std::move(what)); }
   bool move(const motion::Motion::Action& action, WithoutWay without_way = WithoutWay::is_nothing);
   bool let_out(const motion::Motion::Action& action);
 
@@ -84,7 +84,7 @@ class TaughtMoves {
   double percent_ = 100;
   bool beam_ = false;
   const teach::Block* block_ = nullptr;  // that is executed
-  base::FileId file_ = base::kNoFile;
+  base::BlockId id_;
 };
 
 }  // namespace kerf::control

@@ -45,7 +45,7 @@ Verdict TeachControl::execute(const vm::CodePage& page, std::uint32_t block,
   const auto& taught = static_cast<const teach::TeachPage&>(page);
   const teach::Block& record = taught.blocks[block];
   ++blocks_;
-  if (!moves_.execute(record, page.file)) return Verdict::stop;
+  if (!moves_.execute(record, this->block())) return Verdict::stop;
   if (std::holds_alternative<teach::End>(record.record)) return halt_with(Halt::end, Verdict::stop);
   if (single_block_) return halt_with(Halt::single_block, Verdict::pause);
   return sink_.ready() ? Verdict::go_on : Verdict::pause;

@@ -90,10 +90,13 @@ void LineCompiler::statements(TokenStream& tokens, Within within) {
 
 void LineCompiler::statement(TokenStream& tokens, Within within) {
   begin_statement(tokens.peek());
+  const std::size_t mark = page_.marks.size() - 1;
+  const char* const begin = tokens.peek().begin;
   attempt(tokens, within, [&] {
     command(tokens, tokens.take());
     expect_end(tokens);
   });
+  page_.marks[mark].length = static_cast<std::uint32_t>(tokens.behind() - begin);
 }
 
 void LineCompiler::expect_end(const TokenStream& tokens) {
@@ -128,7 +131,7 @@ void LineCompiler::leave(TokenStream& tokens, Within within) {
 void LineCompiler::begin_statement(const Token& first) {
   const auto within =
       static_cast<std::uint32_t>(line_.text.empty() ? 0 : first.begin - line_.text.data());
-  page_.marks.push_back({emitter_.here(), line_.number, line_.offset + within, line_.offset});
+  page_.marks.push_back({emitter_.here(), line_.number, line_.offset + within, line_.offset, 0, 0});
   emitter_.release_from(kNear);
   emitter_.stand_at(first.begin, first.end);
   if (steps_ == kNoSteps) steps_ = emitter_.emit({Op::count_steps, 0, 0, 0, 0});

@@ -39,13 +39,12 @@ void BlockParser::compile(const BlockText& text) {
   Cursor cursor(text.text);
   if (cursor.done()) return;
   line_begin_ = text.line_begin;
-  line_ = text.line;
   arguments_ = false;
   from_registers_ = false;
   may_call_ = false;
-  number_ = 0;
   emitter_.begin_block(text.line_begin);
-  page_.marks.push_back({emitter_.here(), text.line, text.offset, text.line_offset});
+  page_.marks.push_back({emitter_.here(), text.line, text.offset, text.line_offset,
+                         static_cast<std::uint32_t>(text.text.size()), 0});
   const std::uint32_t begin = emitter_.here();
   const std::size_t first_loop = page_.loop_marks.size();
   try {
@@ -84,7 +83,7 @@ void BlockParser::keep_loop_end(const SyntaxError& error, const BlockText& text)
 }
 
 void BlockParser::fail_long_line(std::uint32_t line, std::uint32_t line_offset) {
-  page_.marks.push_back({emitter_.here(), line, line_offset, line_offset});
+  page_.marks.push_back({emitter_.here(), line, line_offset, line_offset, 0, 0});
   const char* const begin = "";
   emitter_.begin_block(begin);
   report({Code::block_too_long, begin, 1, "more than 1,048,576 characters on one line", {}},
@@ -152,7 +151,7 @@ void BlockParser::label(Cursor& cursor) {
   }
   const auto number = static_cast<std::uint32_t>(text.value);
   if (number == 0) return;  // LEX-7: no label
-  number_ = number;
+  page_.marks.back().sequence = number;
   page_.labels.push_back({number, page_.marks.back().instruction});
   emitter_.emit({Op::note, 0, 0, 0, number});
 }
@@ -162,7 +161,7 @@ void BlockParser::words(Cursor& cursor) {
   const char* const begin = cursor.at();
   const auto first = static_cast<std::uint32_t>(page_.words.size());
   first_word_ = first;
-  Statement statement{.first = first, .line = line_};
+  Statement statement{.first = first, .mark = static_cast<std::uint32_t>(page_.marks.size() - 1)};
   std::vector<MidSkip> skips;
   while (!cursor.done()) {
     const char next = cursor.peek();
@@ -181,7 +180,6 @@ void BlockParser::words(Cursor& cursor) {
   }
   statement.from_registers = from_registers_;
   statement.may_call = may_call_;
-  statement.number = number_;
   emitter_.stand_at(begin, cursor.behind());
   do_words(statement, static_cast<std::uint32_t>(page_.words.size()) - first);
   finish_mid_skips(statement, skips);

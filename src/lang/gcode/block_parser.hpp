@@ -67,8 +67,6 @@ class BlockParser {
   NameTable& names_;
   StatementParser statements_;
   const char* line_begin_ = nullptr;
-  std::uint32_t line_ = 0;
-  std::uint32_t number_ = 0;     // of the block (N)
   std::size_t first_word_ = 0;   // of the block, in the page's words
   bool arguments_ = false;       // the words are arguments of a macro call
   bool may_call_ = false;        // the words hold a code of a macro call, or a G from a variable

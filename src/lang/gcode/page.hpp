@@ -48,9 +48,8 @@ struct Statement {
   bool may_call = false;        ///< G65, G66, G66.1, G67, or a G whose value is not known yet
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::uint32_t line = 0;
-  std::uint32_t number = 0;  ///< of its block (N); 0: none
-  std::int32_t name = -1;    ///< index into names: "<NAME>" of a call
+  std::uint32_t mark = 0;  ///< index of its block's mark
+  std::int32_t name = -1;  ///< index into names: "<NAME>" of a call
 };
 
 /// A sequence number and where it stands.

@@ -270,8 +270,8 @@ std::string StatementParser::variable_name(Cursor& cursor) {
 }
 
 void StatementParser::host_statement(StatementKind kind, std::uint32_t first, std::uint32_t count) {
-  page_.statements.push_back(
-      {.kind = kind, .first = first, .count = count, .line = page_.marks.back().line});
+  const auto mark = static_cast<std::uint32_t>(page_.marks.size() - 1);
+  page_.statements.push_back({.kind = kind, .first = first, .count = count, .mark = mark});
   emitter_.emit({Op::do_block, 0, 0, 0, static_cast<std::uint32_t>(page_.statements.size() - 1)});
 }
 

@@ -14,7 +14,6 @@ struct Block {
   static constexpr std::size_t kMostWords = 11;
 
   Record record;
-  std::uint32_t line = 0;  ///< from 1
   std::array<vm::Span, kMostWords> words{};
 };
 

@@ -12,10 +12,11 @@ std::uint32_t offset_in(const TeachPage& page, std::uint64_t offset) {
   return static_cast<std::uint32_t>(offset - page.text_begin);
 }
 
-void mark(TeachPage& page, std::uint32_t line, std::uint64_t line_start, std::uint32_t column) {
+void mark(TeachPage& page, std::uint32_t line, std::uint64_t line_start, std::uint32_t column,
+          std::uint32_t length) {
   const std::uint32_t line_offset = offset_in(page, line_start);
   page.marks.push_back({static_cast<std::uint32_t>(page.instructions.size()), line,
-                        line_offset + column - 1, line_offset});
+                        line_offset + column - 1, line_offset, length, 0});
 }
 
 void emit(TeachPage& page, Op op, std::uint32_t n, vm::Span span) {
@@ -26,19 +27,21 @@ void emit(TeachPage& page, Op op, std::uint32_t n, vm::Span span) {
 }  // namespace
 
 void PageCompiler::add_block(TeachPage& page) {
-  Block block{*line_.record, line_.number, {}};
+  Block block{*line_.record, {}};
   const auto words = line_.words.kept();
   for (std::size_t i = 0; i < std::min(words.size(), block.words.size()); ++i)
     block.words[i] =
         vm::Span::between(words[i].data(), words[i].data() + words[i].size(), line_.text.data());
-  mark(page, line_.number, line_.offset, block.words[0].column);
+  const char* const behind = words.back().data() + words.back().size();
+  mark(page, line_.number, line_.offset, block.words[0].column,
+       static_cast<std::uint32_t>(behind - words[0].data()));
   emit(page, Op::do_block, static_cast<std::uint32_t>(page.blocks.size()), block.words[0]);
   page.blocks.push_back(block);
 }
 
 void PageCompiler::add_failure(const base::Diagnostic& mistake, TeachPage& page) {
   const base::Place& place = mistake.place;
-  mark(page, place.line, place.line_start, place.column);
+  mark(page, place.line, place.line_start, place.column, place.length);
   emit(page, Op::fail, static_cast<std::uint32_t>(page.failures.size()),
        {place.column & vm::Span::kMostColumn, place.length & vm::Span::kMostLength});
   page.failures.push_back(mistake);
@@ -56,9 +59,9 @@ void PageCompiler::compile_end(TeachPage& page) {
     add_failure(reader_.diagnostic(line_), page);
     return;
   }
-  mark(page, number, offset, span.column);
+  mark(page, number, offset, span.column, span.length);
   emit(page, Op::do_block, static_cast<std::uint32_t>(page.blocks.size()), span);
-  page.blocks.push_back({End{}, number, {span}});
+  page.blocks.push_back({End{}, {span}});
 }
 
 // False behind the last line.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/block_id.hpp"
 #include "base/diagnostic.hpp"
 #include "lang/vm/builtin.hpp"
 #include "lang/vm/instruction.hpp"
@@ -38,6 +39,8 @@ struct BlockMark {
   std::uint32_t line = 0;         ///< from 1
   std::uint32_t offset = 0;       ///< of the block's first byte, from the start of the page's text
   std::uint32_t line_offset = 0;  ///< of its line's first byte, likewise
+  std::uint32_t length = 0;       ///< of the block, in bytes
+  std::uint32_t sequence = 0;     ///< its N word; 0: none
 };
 
 /// A stretch of a line: what an instruction or a word was made from, for the caret. Every one of
@@ -85,6 +88,16 @@ struct CodePage {
 
   /// The text that an instruction was made from.
   [[nodiscard]] base::Place place_of(std::uint32_t instruction) const;
+
+  /// A block of this page; program and calls are not the page's business.
+  [[nodiscard]] base::BlockId id_of(const BlockMark& mark) const {
+    return {.file = file,
+            .line = mark.line,
+            .column = mark.offset - mark.line_offset + 1,
+            .from = text_begin + mark.offset,
+            .length = mark.length,
+            .sequence = mark.sequence};
+  }
 
  protected:
   void clear_code();

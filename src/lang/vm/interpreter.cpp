@@ -67,8 +67,12 @@ void Interpreter::call(CodeId code, Locals locals) {
     if (registers_.size() < base + kRegisters) registers_.resize(base + kRegisters, kNull);
     std::fill_n(registers_.begin() + base, settings_.locals, kNull);
   }
-  frames_.push_back(
-      Frame{.code = code, .base = base, .first_loop = loops_.size(), .first_saved = saved_.size()});
+  frames_.push_back(Frame{.code = code,
+                          .base = base,
+                          .first_loop = loops_.size(),
+                          .first_saved = saved_.size(),
+                          .call = ++calls_,
+                          .by = block()});
 }
 
 void Interpreter::return_to_caller() {
@@ -128,6 +132,15 @@ base::Place Interpreter::place_of_call(std::size_t depth) {
   const Frame& caller = frames_[depth - 1];
   const std::uint32_t behind = caller.at.instruction;
   return source_.page(caller.code, caller.at.page).place_of(behind == 0 ? 0 : behind - 1);
+}
+
+// What belongs to no block, as the end of the program, counts to the block before it.
+base::BlockId Interpreter::block() {
+  for (Address at = running_.at;; at = {at.page - 1, ~0U}) {
+    const CodePage& page = source_.page(running_.code, at.page);
+    if (const BlockMark* const mark = page.mark_of(at.instruction)) return page.id_of(*mark);
+    if (at.page == 0) return {.file = page.file};
+  }
 }
 
 // Leaving a region by a jump ends it; one whose text still surrounds the target stays active.
@@ -253,6 +266,8 @@ bool Interpreter::call_label(std::uint32_t label) {
   called.first_loop = loops_.size();
   called.first_saved = saved_.size();
   called.regions = {};
+  called.call = ++calls_;
+  called.by = block();
   frames_.push_back(called);
   if (jump_to_label(label)) return true;
   frames_.pop_back();

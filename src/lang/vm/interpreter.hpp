@@ -77,6 +77,15 @@ class Interpreter {
   [[nodiscard]] Address running() const { return running_.at; }
   /// The text of the call in frame `depth`, 1 to depth() - 1, counted from the first.
   [[nodiscard]] base::Place place_of_call(std::size_t depth);
+  /// The block that executes, or executed last. Program and calls are not the interpreter's
+  /// business.
+  [[nodiscard]] base::BlockId block();
+  /// The one that made such a call. Asks for no page: the one that is executed stays valid.
+  [[nodiscard]] const base::BlockId& block_of_call(std::size_t depth) const {
+    return frames_[depth].by;
+  }
+  /// Tells the calls that opened a frame apart: another one, another number.
+  [[nodiscard]] std::uint64_t call_number(std::size_t depth) const { return frames_[depth].call; }
   /// The newest `note` of the program.
   [[nodiscard]] std::uint32_t note() const { return note_; }
 
@@ -98,6 +107,8 @@ class Interpreter {
     std::array<ActiveRegion, kRegionSlots> regions{};
     std::size_t first_loop = 0;   // its counted loops are those from here on
     std::size_t first_saved = 0;  // its saved variables
+    std::uint64_t call = 0;       // counts all calls
+    base::BlockId by{};           // the block that called
   };
   // The passes of a counted loop: first + k · step while nothing else has written its variable, so
   // that no rounding adds up.
@@ -163,6 +174,7 @@ class Interpreter {
   std::optional<Address> begun_;  // the block whose begin the host has already seen
   std::uint32_t switches_ = 0;
   std::uint64_t switches_read_ = 0;
+  std::uint64_t calls_ = 0;
   std::uint32_t note_ = 0;
   bool tracing_ = false;
 };

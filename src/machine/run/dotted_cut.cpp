@@ -28,10 +28,11 @@ void DottedCut::look_at(const motion::Motion& motion, const motion::Feed& feed) 
   const double pitch_mm = feed.value / 60 / laser_.pwm_frequency_hz;
   if (!(pitch_mm > laser_.spot_mm * (1 + kRounding))) return;
   warning_ = base::make_error(
-      base::Code::dotted_cut, {.file = motion.file, .line = motion.line, .column = 1},
+      base::Code::dotted_cut, base::place_of(motion.block),
       fmt::format("{:.6g} Hz at {:.6g} mm/s: a pulse every {:.6g} mm, the spot has {:.6g} mm",
                   laser_.pwm_frequency_hz, feed.value / 60, pitch_mm, laser_.spot_mm));
-  warning_->program = base::program_name(static_cast<std::uint32_t>(motion.program));
+  warning_->program = base::program_name(static_cast<std::uint32_t>(motion.block.program));
+  warning_->block = motion.block;
   warning_->severity = base::Severity::warning;
 }
 

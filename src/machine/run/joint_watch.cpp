@@ -39,10 +39,11 @@ void JointWatch::look_for_caution(const motion::Motion& move) {
   if (caution_ || !motion::is_cut_at_feed(move) || !reach_->caution()) return;
   const auto& [sentence, tip] = *reach_->caution();
   caution_ =
-      base::make_error(base::Code::singular, {.file = move.file, .line = move.line, .column = 1},
+      base::make_error(base::Code::singular, base::place_of(move.block),
                        fmt::format("near X{:.6g} Y{:.6g} {}", base::tidy(tip[*axes_.find('X')]),
                                    base::tidy(tip[*axes_.find('Y')]), sentence));
-  caution_->program = base::program_name(static_cast<std::uint32_t>(move.program));
+  caution_->program = base::program_name(static_cast<std::uint32_t>(move.block.program));
+  caution_->block = move.block;
   caution_->severity = base::Severity::warning;
 }
 

@@ -107,7 +107,7 @@ void RunStatistics::take(const motion::Motion& motion) {
     bool rotary_only = false;
     const double length = distance(line->to, rotary_only);
     reach({line->to, line->to});
-    cut(rotary_only ? 0 : length, length, line->feed, motion.line);
+    cut(rotary_only ? 0 : length, length, line->feed, motion.block.line);
     at_ = line->to;
     ++motions_;
     return;
@@ -115,19 +115,19 @@ void RunStatistics::take(const motion::Motion& motion) {
   if (const auto* const to = target_of(motion)) {
     reach(motion::extent_of(axes_, at_, motion));
     if (const auto* const a = std::get_if<Arc>(&motion.action)) {
-      arc(*a, motion.line);
+      arc(*a, motion.block.line);
     } else if (const auto* const in_space = std::get_if<SpaceArc>(&motion.action)) {
-      space_arc(*in_space, motion.line);
+      space_arc(*in_space, motion.block.line);
     } else if (std::holds_alternative<Rapid>(motion.action)) {
       rapid(*to);
     } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
       bool rotary_only = false;
       const double length = distance(*to, rotary_only);
-      cut(rotary_only ? 0 : length, length, probe->feed, motion.line);
+      cut(rotary_only ? 0 : length, length, probe->feed, motion.block.line);
     } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
       bool rotary_only = false;
       const double length = distance(*to, rotary_only);
-      cut(length, length, {thread->lead, FeedMode::per_revolution}, motion.line);
+      cut(length, length, {thread->lead, FeedMode::per_revolution}, motion.block.line);
     }
     at_ = *to;
     ++motions_;

@@ -31,9 +31,9 @@ Beam beam_in(const Motion& motion) {
 }
 
 base::Diagnostic warning_at(base::Code code, const Motion& motion, const std::string& detail) {
-  base::Diagnostic warning =
-      base::make_error(code, {.file = motion.file, .line = motion.line, .column = 1}, detail);
-  warning.program = base::program_name(static_cast<std::uint32_t>(motion.program));
+  base::Diagnostic warning = base::make_error(code, base::place_of(motion.block), detail);
+  warning.program = base::program_name(static_cast<std::uint32_t>(motion.block.program));
+  warning.block = motion.block;
   warning.severity = base::Severity::warning;
   return warning;
 }

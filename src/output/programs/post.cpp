@@ -34,7 +34,7 @@ Post::Post(const machine::MachineDefinition& machine, std::string program, base:
 
 void Post::take(const Motion& motion) {
   if (ended_) return;
-  source_line_ = motion.line;
+  source_line_ = motion.block.line;
   if (const base::TipPoint* const to = target_of(motion)) {
     tell_override(motion);
     set_length(motion.length);

@@ -91,7 +91,7 @@ bool TaughtProgram::feed(const Feed& feed, double length_mm) {
   if (!(per_minute > 0)) {
     fault_(base::make_error(base::Code::teach_range, {},
                             "a taught cut needs its feed in mm/min, which is not known"),
-           {.program = motion_->program, .line = motion_->line, .file = motion_->file});
+           {.block = motion_->block});
     return false;
   }
   if (per_minute != feed_) write(teach::Feed{per_minute});

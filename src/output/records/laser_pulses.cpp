@@ -23,7 +23,7 @@ void LaserPulses::change(double power_percent, const motion::Mark& mark) {
   const drive::PulseTrain train{laser_.pwm_frequency_hz, base::tidy(power_percent / 100)};
   const auto registers = drive::pwm_registers(laser_.timer, train);
   if (registers) {
-    csv_.take(base::tidy(last_.time_s), mark.line, train, *registers);
+    csv_.take(base::tidy(last_.time_s), mark.block.line, train, *registers);
   } else {
     fault_(registers.error(), mark);
   }

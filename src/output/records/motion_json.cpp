@@ -84,16 +84,19 @@ void MotionJson::name_file(base::FileId id) {
 }
 
 void MotionJson::begin(const char* kind, const Motion& motion) {
-  if (motion.program != program_number_) {
-    program_number_ = motion.program;
+  if (motion.block.program != program_number_) {
+    program_number_ = motion.block.program;
     program_ = "\",\"program\":\"" +
-               base::program_name(static_cast<std::uint32_t>(motion.program)) + "\",\"line\":";
+               base::program_name(static_cast<std::uint32_t>(motion.block.program)) +
+               "\",\"line\":";
   }
   line_ = "{\"kind\":\"";
   line_ += kind;
   line_ += program_;
-  base::append_integer(line_, motion.line);
-  if (motion.file != source_id_) name_file(motion.file);
+  base::append_integer(line_, motion.block.line);
+  line_ += ",\"column\":";
+  base::append_integer(line_, motion.block.column);
+  if (motion.block.file != source_id_) name_file(motion.block.file);
   line_ += source_;
 }
 

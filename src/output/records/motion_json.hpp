@@ -35,7 +35,7 @@ class MotionJson : public motion::MotionSink {
   std::vector<std::string> keys_;  // per axis: what stands before its value
   std::string line_;
   std::string program_;  // text of the newest program number
-  motion::ProgramNumber program_number_{0xffffffffU};
+  base::ProgramNumber program_number_{0xffffffffU};
   std::string source_;  // text of the newest file's name; none for the main file
   base::FileId source_id_ = base::kNoFile;
 };

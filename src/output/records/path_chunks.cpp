@@ -121,8 +121,8 @@ PathChunks::Attributes PathChunks::attributes_of(const motion::Motion& motion,
                                                  SegmentKind kind) const {
   Attributes attributes;
   attributes.number = motions_;
-  attributes.line = motion.line;
-  attributes.file = static_cast<std::uint16_t>(motion.file);
+  attributes.line = motion.block.line;
+  attributes.file = static_cast<std::uint16_t>(motion.block.file);
   attributes.kind = kind;
   attributes.tool = byte_of(tool_);
   attributes.power_percent = byte_of(power_percent_);

@@ -105,7 +105,7 @@ void RowCsv::write(std::string_view code, const Xyz& to, const Xyz& centre, doub
 }
 
 void RowCsv::take(const Motion& motion) {
-  line_ = motion.line;
+  line_ = motion.block.line;
   if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
     move("0", rapid->to, {}, 0);
   } else if (const auto* const line = std::get_if<Line>(&motion.action)) {

@@ -56,7 +56,7 @@ void SetPointCsv::take(const motion::AxisPoint& point) {
   }
   for (std::size_t i = 0; i < joints_; ++i) append_joint(i, point.joints.values[i]);
   row_ += ',';
-  base::append_integer(row_, point.tip.mark.line);
+  base::append_integer(row_, point.tip.mark.block.line);
   row_ += '\n';
   file_.write(row_);
 }

@@ -29,7 +29,8 @@ const char* kind_name(motion::MoveKind kind) {
 }
 
 std::string file_of(const Mark& mark, const base::SourceSet& sources) {
-  return sources.contains(mark.file) ? printable(sources[mark.file].name()) : std::string("-");
+  return sources.contains(mark.block.file) ? printable(sources[mark.block.file].name())
+                                           : std::string("-");
 }
 
 std::string programmed_text(const std::array<float, 2>& speeds) {
@@ -50,8 +51,8 @@ TimeReport::TimeReport(const motion::AxisSetup& axes, double period_s)
     : axes_(axes), period_s_(period_s) {}
 
 std::uint64_t TimeReport::key_of(const Mark& mark) {
-  return static_cast<std::uint64_t>(mark.file) << 34 | static_cast<std::uint64_t>(mark.kind) << 32 |
-         mark.line;
+  return static_cast<std::uint64_t>(mark.block.file) << 34 |
+         static_cast<std::uint64_t>(mark.kind) << 32 | mark.block.line;
 }
 
 double TimeReport::seconds(std::uint64_t periods) const {
@@ -66,7 +67,7 @@ void TimeReport::line_begins(base::FileId file, std::uint32_t line) {
 
 bool TimeReport::moves(base::FileId file, std::uint32_t line) const {
   return std::any_of(kMoveKinds.begin(), kMoveKinds.end(), [&](motion::MoveKind kind) {
-    return lines_.contains(key_of({.line = line, .file = file, .kind = kind}));
+    return lines_.contains(key_of({.block = {.file = file, .line = line}, .kind = kind}));
   });
 }
 
@@ -154,10 +155,11 @@ std::string TimeReport::text(const RunFacts& run, const base::SourceSet& sources
     const double time_s = seconds(account.periods);
     text += fmt::format(
         "{:>12.3f} {:>6.1f}% {:>7}  {:<5} {:>12} {:>15}  {}:{}\n", time_s,
-        total > 0 ? 100 * time_s / total : 0, runs_.of(account.mark.file, account.mark.line),
-        kind_name(account.mark.kind),
+        total > 0 ? 100 * time_s / total : 0,
+        runs_.of(account.mark.block.file, account.mark.block.line), kind_name(account.mark.kind),
         account.length_mm > 0 ? fmt::format("{:.2f}", account.length_mm / time_s) : "-",
-        programmed_text(account.programmed), file_of(account.mark, sources), account.mark.line);
+        programmed_text(account.programmed), file_of(account.mark, sources),
+        account.mark.block.line);
   }
   if (has_forgotten_) text += "of very many lines those that cost least were not kept\n";
   return text;
@@ -180,13 +182,14 @@ std::string TimeReport::json(const RunFacts& run, const base::SourceSet& sources
   }
   object["places"] = Json::array();
   for (const Account& account : dearest()) {
-    object["places"].push_back({{"file", file_of(account.mark, sources)},
-                                {"line", account.mark.line},
-                                {"kind", kind_name(account.mark.kind)},
-                                {"time_s", base::tidy(seconds(account.periods))},
-                                {"runs", runs_.of(account.mark.file, account.mark.line)},
-                                {"length_mm", base::tidy(account.length_mm)},
-                                {"programmed_mm_min", programmed_json(account.programmed)}});
+    object["places"].push_back(
+        {{"file", file_of(account.mark, sources)},
+         {"line", account.mark.block.line},
+         {"kind", kind_name(account.mark.kind)},
+         {"time_s", base::tidy(seconds(account.periods))},
+         {"runs", runs_.of(account.mark.block.file, account.mark.block.line)},
+         {"length_mm", base::tidy(account.length_mm)},
+         {"programmed_mm_min", programmed_json(account.programmed)}});
   }
   return object.dump() + "\n";
 }

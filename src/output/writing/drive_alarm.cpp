@@ -30,8 +30,9 @@ base::Diagnostic at_line(base::Diagnostic finding, const base::SourceSet& source
 
 base::Diagnostic at_mark(base::Diagnostic alarm, const motion::Mark& mark,
                          const base::SourceSet& sources) {
-  alarm.place = {.file = mark.file, .line = mark.line, .column = 1};
-  alarm.program = base::program_name(static_cast<std::uint32_t>(mark.program));
+  alarm.place = base::place_of(mark.block);
+  alarm.block = mark.block;
+  alarm.program = base::program_name(static_cast<std::uint32_t>(mark.block.program));
   return at_line(std::move(alarm), sources);
 }
 

@@ -492,7 +492,7 @@ TEST(PatternReplay, SetPointsLieOnTheLinesOfThePulses) {
     EXPECT_NEAR(point.joints.values[2], 1.5 * wheel, 1e-6);
     EXPECT_NEAR(point.joints.values[0], 5 * arms * 0.005, 1e-6);
     EXPECT_NEAR(point.joints.values[1], -3 * arms * 0.005, 1e-6);
-    EXPECT_EQ(point.tip.mark.line, 1U);
+    EXPECT_EQ(point.tip.mark.block.line, 1U);
   }
   EXPECT_EQ(sink.points.back().joints.values[0], 0.025);
 }

@@ -152,7 +152,7 @@ TEST(Interpolator, TwoRunsMakeTheSamePoints) {
   ASSERT_EQ(points.size(), again.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     ASSERT_EQ(points[i].tip, again[i].tip) << i;
-    ASSERT_EQ(points[i].mark.line, again[i].mark.line) << i;
+    ASSERT_EQ(points[i].mark.block.line, again[i].mark.block.line) << i;
   }
 }
 

@@ -49,7 +49,7 @@ Points sample_from(const TipPoint& from, const Motion::Action& action, Sampling 
   Points points;
   for (const motion::Setpoint& point :
        test::points_of(sampler, test::motions_of({Rapid{from}, action}))) {
-    if (point.mark.line == 2) points.push_back(point.tip);
+    if (point.mark.block.line == 2) points.push_back(point.tip);
   }
   return points;
 }

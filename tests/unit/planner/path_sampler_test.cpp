@@ -74,7 +74,7 @@ TEST(PathSampler, ADwellLastsWholePeriods) {
   for (std::size_t i = 1; i <= 4; ++i) {
     EXPECT_EQ(points[i].tip, (AxisVector{{1}}));
     EXPECT_EQ(points[i].mark.kind, motion::MoveKind::dwell);
-    EXPECT_EQ(points[i].mark.line, 2U);
+    EXPECT_EQ(points[i].mark.block.line, 2U);
   }
   EXPECT_EQ(points[5].tip, (AxisVector{{2}}));
 }

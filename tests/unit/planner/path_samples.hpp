@@ -39,7 +39,7 @@ inline Points sample(const std::vector<Motion::Action>& actions, const Settings&
 inline Points sample_from(const TipPoint& from, const Motion::Action& action,
                           const Settings& settings) {
   Points points = sample({Rapid{from}, action}, settings);
-  std::erase_if(points, [](const motion::Setpoint& point) { return point.mark.line == 1; });
+  std::erase_if(points, [](const motion::Setpoint& point) { return point.mark.block.line == 1; });
   return points;
 }
 

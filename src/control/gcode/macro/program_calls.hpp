@@ -76,7 +76,10 @@ class ProgramCalls {
   [[nodiscard]] bool codes_are_ordinary() const { return levels_.back().codes_ordinary; }
   [[nodiscard]] bool in_main() const { return levels_.size() == 1; }
   [[nodiscard]] vm::CodeId running() const { return levels_.back().code; }
-  [[nodiscard]] std::uint32_t running_number() const { return library_.entry(running()).number; }
+  /// The O number of the program at a level, 0: main.
+  [[nodiscard]] std::uint32_t number_at(std::size_t level) const {
+    return library_.entry(levels_[level].code).number;
+  }
   /// "O0001", or the program's name; empty before one has begun.
   [[nodiscard]] std::string running_name() const {
     return levels_.empty() ? std::string() : name_at(levels_.size() - 1);

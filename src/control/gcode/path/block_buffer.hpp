@@ -27,11 +27,10 @@ class BlockBuffer : public motion::MotionSink {
     for (const motion::Motion& motion : held_) sink_.take(motion);
     held_.clear();
   }
-  /// Drops what is no move and comes from a line of a program.
-  void drop_functions_of(motion::ProgramNumber program, std::uint32_t line) {
+  /// Drops what is no move and comes from this block.
+  void drop_functions_of(const base::BlockId& block) {
     std::erase_if(held_, [&](const motion::Motion& motion) {
-      return motion::target_of(motion) == nullptr && motion.line == line &&
-             motion.program == program;
+      return motion::target_of(motion) == nullptr && motion.block == block;
     });
   }
 

@@ -17,8 +17,8 @@ Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Set
   compensation_.set_tip(tip_);
 }
 
-void Toolpath::begin_block(const Source& source) {
-  source_ = source;
+void Toolpath::begin_block(const base::BlockId& block) {
+  block_ = block;
   ending_ = false;
   moved_in_plane_ = false;
   corner_at_end_.reset();
@@ -62,11 +62,7 @@ TipPoint Toolpath::tip() const {
 }
 
 motion::Motion Toolpath::make(const motion::Motion::Action& action) const {
-  motion::Motion motion{.program = source_.program,
-                        .line = source_.line,
-                        .file = source_.file,
-                        .length = length_,
-                        .action = action};
+  motion::Motion motion{.block = block_, .length = length_, .action = action};
   mark(motion, rules_);
   return motion;
 }

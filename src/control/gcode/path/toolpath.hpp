@@ -10,13 +10,6 @@
 
 namespace kerf::control {
 
-/// Where the motions of the executing block come from.
-struct Source {
-  motion::ProgramNumber program{};
-  std::uint32_t line = 0;
-  base::FileId file = base::kNoFile;
-};
-
 /// An arc as programmed: about a centre in the plane, both in machine coordinates.
 struct ArcShape {
   motion::Plane plane = motion::Plane::xy;
@@ -41,8 +34,8 @@ class Toolpath {
   Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
            const base::TipPoint& start);
 
-  /// A block begins: what it emits comes from `source`.
-  void begin_block(const Source& source);
+  /// A block begins: what is emitted from now on comes from it.
+  void begin_block(const base::BlockId& block);
   /// How the moves end that come from now on.
   void obey(const MoveRules& rules) { rules_ = rules; }
   /// The tool length of the moves that come from now on.
@@ -83,7 +76,7 @@ class Toolpath {
   /// Forgets what is held: the reset button.
   void reset();
 
-  [[nodiscard]] const Source& source() const { return source_; }
+  [[nodiscard]] const base::BlockId& block() const { return block_; }
   /// The tool was brought to `tip` by hand. Precondition: !holds_moves().
   void stand_at(const base::TipPoint& tip) {
     tip_ = tip;
@@ -107,7 +100,7 @@ class Toolpath {
   Outlet& outlet_;
   CornerRounding corners_;
   CutterCompensation compensation_;
-  Source source_;
+  base::BlockId block_;
   MoveRules rules_;
   motion::ToolLength length_;
   base::TipPoint tip_;

@@ -40,7 +40,7 @@ void PulseWindow::start(const motion::AxisPoint& at) {
   points_.clear();
   last_s_ = at.tip.time_s;
   if (last_s_ < awake_until_s_ - kAwake_s) awake_until_s_ = last_s_ + kAwake_s;  // a new run
-  points_.push_back({at.tip.time_s, at.joints, at.tip.mark.line});
+  points_.push_back({at.tip.time_s, at.joints, at.tip.mark.block.line});
 }
 
 void PulseWindow::take(const motion::AxisPoint& point) {
@@ -49,7 +49,7 @@ void PulseWindow::take(const motion::AxisPoint& point) {
     points_.clear();
     return;
   }
-  points_.push_back({point.tip.time_s, point.joints, point.tip.mark.line});
+  points_.push_back({point.tip.time_s, point.joints, point.tip.mark.block.line});
   drop_before(last_s_ - kMost_s);
 }
 

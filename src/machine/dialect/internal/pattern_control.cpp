@@ -39,9 +39,7 @@ Halt PatternControl::run(std::uint64_t instructions) {
 }
 
 void PatternControl::hand_out(motion::Motion motion) {
-  const base::Place at = place();
-  motion.line = at.line;
-  motion.file = at.file;
+  motion.block = block();
   sink_.take(motion);
 }
 

@@ -15,7 +15,7 @@ constexpr std::uint64_t kMostPageBytes = 1 << 17;
 void mark(PatternPage& page, const base::Place& place) {
   const auto line_offset = static_cast<std::uint32_t>(place.line_start - page.text_begin);
   page.marks.push_back({static_cast<std::uint32_t>(page.instructions.size()), place.line,
-                        line_offset + place.column - 1, line_offset});
+                        line_offset + place.column - 1, line_offset, place.length, 0});
 }
 
 void emit(PatternPage& page, Op op, std::size_t n, vm::Span span) {

@@ -7,8 +7,7 @@ namespace {
 
 bool same_calls(const std::vector<control::OpenCall>& a, const std::vector<control::OpenCall>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
-    return one.place.line == other.place.line && one.place.file == other.place.file &&
-           one.program == other.program;
+    return one.block == other.block && one.program == other.program;
   });
 }
 
@@ -31,7 +30,7 @@ void BlockTrail::refresh() {
 // What the program is in the middle of: its calls and variables.
 void BlockTrail::refresh_program() {
   now_.calls = control_.open_calls();
-  if (!now_.calls.empty()) now_.calls.back().place = {};
+  if (!now_.calls.empty()) now_.calls.back().block = {};
   language_.variables().read(values_);
   auto variables = VariableImage::of(values_, now_.variables);
   auto tables = TableImage::of(memory_, now_.tables);

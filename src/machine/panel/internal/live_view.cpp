@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kShownPrint = 4096;
 
-std::string name_of_program(motion::ProgramNumber program, const std::string& without_number) {
+std::string name_of_program(base::ProgramNumber program, const std::string& without_number) {
   const auto number = static_cast<std::uint32_t>(program);
   if (number == 0) return without_number;
   std::string digits = std::to_string(number);
@@ -57,14 +57,14 @@ void LiveCore::show_place(Snapshot& shown) {
   control::Control& control = machine_->control();
   const motion::Mark& mark = machine_->servo().last().mark;
   const base::Place standing = control.standing_at();
-  const bool by_mark = is_active() && mark.motion != 0 && mark.line != 0;
-  const base::FileId file = by_mark ? mark.file : standing.file;
-  shown.line = by_mark ? mark.line : standing.line;
+  const bool by_mark = is_active() && mark.motion != 0 && mark.block.line != 0;
+  const base::FileId file = by_mark ? mark.block.file : standing.file;
+  shown.line = by_mark ? mark.block.line : standing.line;
   shown.file = file_of(*machine_, file);
   if (machine_->sources().contains(file))
     shown.text = lines_.text(machine_->sources()[file], file, shown.line);
   if (by_mark) {
-    shown.program = name_of_program(mark.program, machine_->program_name());
+    shown.program = name_of_program(mark.block.program, machine_->program_name());
   } else if (machine_->is_in_program() || machine_->alarm()) {
     shown.program = control.running_program();
   } else if (program_) {
@@ -125,7 +125,7 @@ void LiveCore::show_stack(Snapshot& shown) {
   const BlockState* const made = block_made();
   for (const control::OpenCall& call : made ? made->calls : machine_->control().open_calls())
     shown.stack.push_back(
-        {call.program, file_of(*machine_, call.place.file), call.place.line, shown.stack.size()});
+        {call.program, file_of(*machine_, call.block.file), call.block.line, shown.stack.size()});
   if (made == nullptr || shown.stack.empty()) return;
   shown.stack.back().file = shown.file;
   shown.stack.back().line = shown.line;

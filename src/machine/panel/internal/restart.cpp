@@ -75,8 +75,8 @@ LiveCore::Outcome LiveCore::begin_approach() {
     corner[*z] = approach_->to[*z];
   }
   motion::Motion move;
-  move.line = machine_->control().standing_at().line;
-  move.file = machine_->control().standing_at().file;
+  move.block.line = machine_->control().standing_at().line;
+  move.block.file = machine_->control().standing_at().file;
   for (const base::TipPoint& to : {corner, approach_->to}) {
     if (to == (motions.empty() || motion::target_of(motions.back()) == nullptr
                    ? from

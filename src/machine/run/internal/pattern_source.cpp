@@ -22,9 +22,7 @@ std::array<double, drive::kArmAxes> as_numbers(const drive::ArmCounts& counts) {
 
 motion::Mark mark_of(const motion::Motion& motion, std::uint64_t number) {
   motion::Mark mark;
-  mark.program = motion.program;
-  mark.line = motion.line;
-  mark.file = motion.file;
+  mark.block = motion.block;
   mark.motion = number;
   const auto* const line = std::get_if<motion::Line>(&motion.action);
   mark.kind = line != nullptr ? motion::MoveKind::cut : motion::MoveKind::rapid;

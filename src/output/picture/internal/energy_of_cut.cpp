@@ -40,7 +40,7 @@ double EnergyOfCut::take(const CutPeriod& period) {
   const double energy = sum_.energy_j / std::max(sum_.way_mm, laser_.spot_mm);
   if (energy > most_) {
     most_ = energy;
-    line_of_most_ = period.mark.line;
+    line_of_most_ = period.mark.block.line;
   }
   return energy;
 }

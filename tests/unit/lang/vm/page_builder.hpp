@@ -18,7 +18,7 @@ class PageBuilder {
  public:
   PageBuilder& add(const Instruction& instruction) {
     const std::uint32_t here = size();
-    page_.marks.push_back({here, here + 1, 10 * here, 10 * here});
+    page_.marks.push_back({here, here + 1, 10 * here, 10 * here, 0, 0});
     Span span;
     span.column = (here + 1) & Span::kMostColumn;
     span.length = 3;

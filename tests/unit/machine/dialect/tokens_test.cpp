@@ -191,9 +191,10 @@ class Agreement {
     for (std::uint32_t number = 0;; ++number) {
       const auto& page = library.page(teach::TeachLibrary::kProgram, number);
       check_page(page);
-      for (const teach::Block& block : page.blocks) {
-        for (const vm::Span& span : block.words) {
-          if (is_told(span)) expect_one_token(read_of(span, block.line));
+      for (std::uint32_t i = 0; i < page.instructions.size(); ++i) {
+        if (page.instructions[i].op != vm::Op::do_block) continue;
+        for (const vm::Span& span : page.blocks[page.instructions[i].n].words) {
+          if (is_told(span)) expect_one_token(read_of(span, page.mark_of(i)->line));
         }
       }
       if (page.last) break;
@@ -226,7 +227,7 @@ class Agreement {
     for (const gcode::Statement& statement : page.statements) {
       if (statement.kind != gcode::StatementKind::words) continue;
       for (std::uint32_t i = 0; i < statement.count; ++i)
-        check_word(page.words[statement.first + i], statement.line);
+        check_word(page.words[statement.first + i], page.marks[statement.mark].line);
     }
   }
 

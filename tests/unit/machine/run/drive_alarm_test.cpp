@@ -47,7 +47,7 @@ class Drives : public ::testing::Test {
     watcher_.answer = [this, x](const AxisPoint& point) {
       if (point.tip.tip.values[0] < x) return;
       base::Diagnostic alarm = base::make_error(base::Code::step_rate, {}, "too fast");
-      alarm.place.line = point.tip.mark.line;
+      alarm.place.line = point.tip.mark.block.line;
       machine_->raise(alarm);
     };
   }

@@ -17,8 +17,9 @@ class Beam {
 
   std::string take(const motion::Motion::Action& action, std::uint32_t line = 1) {
     std::string told;
-    for (const motion::Motion& motion : beam_.translated({.line = line, .action = action})) {
-      EXPECT_EQ(motion.line, line);
+    for (const motion::Motion& motion :
+         beam_.translated({.block = {.line = line}, .action = action})) {
+      EXPECT_EQ(motion.block.line, line);
       if (!told.empty()) told += ' ';
       told += word(motion.action);
     }

@@ -44,10 +44,9 @@ class Laser {
     machine::Servo servo(machine_->definition());
     servo.add_sink(pulses);
     for (std::uint32_t line = 1; line <= actions.size(); ++line) {
-      servo.take({.program = motion::ProgramNumber{7},
-                  .line = line,
-                  .file = base::FileId{0},
-                  .action = actions[line - 1]});
+      servo.take(
+          {.block = {.program = base::ProgramNumber{7}, .file = base::FileId{0}, .line = line},
+           .action = actions[line - 1]});
     }
     servo.finish();
     pulses.finish();

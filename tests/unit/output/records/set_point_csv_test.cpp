@@ -20,7 +20,7 @@ std::string csv_of(const std::string& machine, const std::vector<motion::AxisPoi
 motion::AxisPoint point(double time_s, const base::TipPoint& tip, const base::JointPoint& joints,
                         std::uint32_t line, float power_percent = 0) {
   motion::AxisPoint made{{time_s, tip, {}}, joints};
-  made.tip.mark.line = line;
+  made.tip.mark.block.line = line;
   made.power_percent = power_percent;
   return made;
 }

@@ -18,18 +18,20 @@ const Handlers& hub_handlers() {
          Json definitions = Json::array();
          for (const machine::BuiltinMachine& builtin : machine::builtin_machines())
            definitions.push_back(builtin.name);
-         r.reply.yes({{"machines", hub.machine_rows()}, {"definitions", std::move(definitions)}});
+         r.reply.yes(
+             {{"machines", hub.machines().rows()}, {"definitions", std::move(definitions)}});
        }},
-      {"create", [](Hub& hub, const Request& r) { hub.create(r); }},
-      {"remove", [](Hub& hub, const Request& r) { hub.remove(r); }},
-      {"watch", [](Hub& hub, const Request& r) { hub.watch(r); }},
-      {"operate", [](Hub& hub, const Request& r) { hub.operate(r); }},
-      {"request-operation", [](Hub& hub, const Request& r) { hub.request_operation(r); }},
-      {"answer-request", [](Hub& hub, const Request& r) { hub.answer_request(r); }},
-      {"introduce", [](Hub& hub, const Request& r) { hub.introduce(r); }},
-      {"ping", [](Hub& hub, const Request& r) { hub.ping(r); }},
-      {"load", [](Hub& hub, const Request& r) { hub.load(r); }},
-      {"set-settings", [](Hub& hub, const Request& r) { hub.replace_definition(r); }},
+      {"create", [](Hub& hub, const Request& r) { hub.maker().create(r); }},
+      {"remove", [](Hub& hub, const Request& r) { hub.maker().remove(r); }},
+      {"watch", [](Hub& hub, const Request& r) { hub.attendance().watch(r); }},
+      {"operate", [](Hub& hub, const Request& r) { hub.attendance().operate(r); }},
+      {"request-operation",
+       [](Hub& hub, const Request& r) { hub.attendance().request_operation(r); }},
+      {"answer-request", [](Hub& hub, const Request& r) { hub.attendance().answer_request(r); }},
+      {"introduce", [](Hub& hub, const Request& r) { hub.attendance().introduce(r); }},
+      {"ping", [](Hub& hub, const Request& r) { hub.attendance().ping(r); }},
+      {"load", [](Hub& hub, const Request& r) { hub.programs().load(r); }},
+      {"set-settings", [](Hub& hub, const Request& r) { hub.machine_files().replace(r); }},
   };
   return handlers;
 }

@@ -28,7 +28,7 @@ Outcome<Json> done(const Outcome<void>& outcome) {
 }
 
 void programs(Hub& hub, const Request& request) {
-  hub.read_disk(request, [](Library& library) -> Outcome<Json> {
+  hub.background().read_disk(request, [](Library& library) -> Outcome<Json> {
     const auto all = library.programs();
     if (!all) return tl::unexpected(all.error());
     Json rows = Json::array();
@@ -74,36 +74,37 @@ Outcome<Json> write_pattern(Library& library, const std::string& name, const std
 void read(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
   const std::string name = arguments.text("name");
-  const MachineRecord* const machine = hub.find(arguments.text("machine"));
+  const MachineRecord* const machine = hub.machines().find(arguments.text("machine"));
   if (machine != nullptr && machine->program && machine->program->text &&
       machine->program->name == name && !arguments.has("revision"))
     return request.reply.yes({{"text", *machine->program->text}});
-  hub.read_disk(request, [name, revision = arguments.integer("revision"),
-                          order = order_for(machine != nullptr ? machine : request.machine)](
-                             Library& library) {
-    auto text = revision > 0 ? library.read_revision(name, revision) : library.read(name);
-    if (text && is_pattern(name)) text = shown_listing(*text, name, order);
-    return text_json(text);
-  });
+  hub.background().read_disk(
+      request,
+      [name, revision = arguments.integer("revision"),
+       order = order_for(machine != nullptr ? machine : request.machine)](Library& library) {
+        auto text = revision > 0 ? library.read_revision(name, revision) : library.read(name);
+        if (text && is_pattern(name)) text = shown_listing(*text, name, order);
+        return text_json(text);
+      });
 }
 
 void recognise(Hub& hub, const Request& request) {
-  hub.read_disk(request,
-                [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
-                  const auto path = library.path_of(name);
-                  if (!path) return tl::unexpected(path.error());
-                  const auto file = base::SourceFile::open(*path);
-                  if (!file) return tl::unexpected(file.error());
-                  const machine::ProgramLook look = machine::look_of(**file);
-                  return Json{{"kind", machine::name_of(look.kind)},
-                              {"line", look.line},
-                              {"word", output::printable(look.word)},
-                              {"usual", machine::usual_machine(look.kind)}};
-                });
+  hub.background().read_disk(
+      request, [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+        const auto path = library.path_of(name);
+        if (!path) return tl::unexpected(path.error());
+        const auto file = base::SourceFile::open(*path);
+        if (!file) return tl::unexpected(file.error());
+        const machine::ProgramLook look = machine::look_of(**file);
+        return Json{{"kind", machine::name_of(look.kind)},
+                    {"line", look.line},
+                    {"word", output::printable(look.word)},
+                    {"usual", machine::usual_machine(look.kind)}};
+      });
 }
 
 void write(Hub& hub, const Request& request) {
-  hub.change_disk(
+  hub.background().change_disk(
       request,
       [body = request.body, order = order_for(request.machine)](Library& library) -> Outcome<Json> {
         const Arguments arguments(*body);
@@ -116,31 +117,32 @@ void write(Hub& hub, const Request& request) {
 }
 
 void rename(Hub& hub, const Request& request) {
-  hub.change_disk(request, [body = request.body](Library& library) {
+  hub.background().change_disk(request, [body = request.body](Library& library) {
     const Arguments arguments(*body);
     return done(library.rename(arguments.text("from"), arguments.text("to")));
   });
 }
 
 void remove(Hub& hub, const Request& request) {
-  hub.change_disk(request, [name = request.arguments().text("name")](Library& library) {
-    return done(library.remove(name));
-  });
+  hub.background().change_disk(request,
+                               [name = request.arguments().text("name")](Library& library) {
+                                 return done(library.remove(name));
+                               });
 }
 
 void revisions(Hub& hub, const Request& request) {
-  hub.read_disk(request,
-                [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
-                  const auto all = library.revisions(name);
-                  if (!all) return tl::unexpected(all.error());
-                  Json rows = Json::array();
-                  for (const Revision& revision : *all)
-                    rows.push_back({{"revision", revision.number},
-                                    {"modified", iso_time(revision.time_ms)},
-                                    {"bytes", revision.bytes},
-                                    {"kept", revision.kept}});
-                  return Json{{"revisions", std::move(rows)}};
-                });
+  hub.background().read_disk(
+      request, [name = request.arguments().text("name")](Library& library) -> Outcome<Json> {
+        const auto all = library.revisions(name);
+        if (!all) return tl::unexpected(all.error());
+        Json rows = Json::array();
+        for (const Revision& revision : *all)
+          rows.push_back({{"revision", revision.number},
+                          {"modified", iso_time(revision.time_ms)},
+                          {"bytes", revision.bytes},
+                          {"kept", revision.kept}});
+        return Json{{"revisions", std::move(rows)}};
+      });
 }
 
 }  // namespace

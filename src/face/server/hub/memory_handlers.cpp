@@ -14,7 +14,7 @@ std::optional<std::size_t> level_of(const Arguments& arguments) {
 }
 
 void variables(Hub& hub, const Request& request) {
-  hub.on_machine(request, Pace::quick, [body = request.body](Runner& runner) -> Outcome<Json> {
+  hub.orders().give(request, Pace::quick, [body = request.body](Runner& runner) -> Outcome<Json> {
     const Arguments arguments(*body);
     if (!arguments.has("names"))
       return variables_json(runner.machine().variables(level_of(arguments)));
@@ -45,7 +45,7 @@ void set_variable(Hub& hub, const Request& request) {
     static_cast<void>(
         machine.set_variable(arguments.text("name"), not_vacant(*before), level_of(arguments)));
   };
-  hub.on_machine_durably(request, {act, undo, {}}, Pace::slow);
+  hub.orders().give_durably(request, {act, undo, {}}, Pace::slow);
 }
 
 // Rows of one work coordinate system, an axis each.
@@ -71,15 +71,10 @@ Json offsets_json(const control::Memory& memory, const motion::AxisSetup& axes) 
 }
 
 void offsets(Hub& hub, const Request& request) {
-  hub.on_machine(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
+  hub.orders().give(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
     const auto& machine = runner.machine();
     return Json{{"offsets", offsets_json(machine.memory(), machine.definition().axes)}};
   });
-}
-
-// The path of the preview is another one now.
-void renew_preview(Hub& hub, const std::string& name) {
-  if (MachineRecord* const machine = hub.find(name)) hub.renew_preview(*machine);
 }
 
 void set_offset(Hub& hub, const Request& request) {
@@ -90,12 +85,12 @@ void set_offset(Hub& hub, const Request& request) {
     if (!set) return tl::unexpected(set.error());
     return Json::object();
   };
-  hub.on_machine_durably(
-      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
+  hub.orders().give_durably(
+      request, {act, {}, [&hub, name = request.machine->name] { hub.previews().renew(name); }});
 }
 
 void tools(Hub& hub, const Request& request) {
-  hub.on_machine(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
+  hub.orders().give(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
     Json rows = Json::array();
     const auto table = runner.machine().memory().tools;
     for (std::size_t i = 1; i < table.size(); ++i) {
@@ -122,8 +117,8 @@ void set_tool(Hub& hub, const Request& request) {
     }
     return Json::object();
   };
-  hub.on_machine_durably(
-      request, {act, {}, [&hub, name = request.machine->name] { renew_preview(hub, name); }});
+  hub.orders().give_durably(
+      request, {act, {}, [&hub, name = request.machine->name] { hub.previews().renew(name); }});
 }
 
 void settings(Hub& /*hub*/, const Request& request) {

@@ -1,5 +1,7 @@
 #include "face/server/hub/request.hpp"
 
+#include <fmt/format.h>
+
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
@@ -41,6 +43,15 @@ std::string Reply::text_of(const base::Outcome<Json>& outcome) const {
 void Reply::send(std::string text) const {
   tickets_->clear();
   if (const auto client = client_.lock()) client->send_text(std::move(text));
+}
+
+std::optional<base::Failure> too_late(const std::string& command,
+                                      const std::optional<double>& given_ms,
+                                      const ServerClock& clock) {
+  const double age_ms = given_ms ? clock.now_ms() - *given_ms : 0;
+  if (age_ms <= limits::kLateMs) return std::nullopt;
+  return base::refuse(base::Refusal::late, {command, fmt::format("{:.1f}", age_ms / 1000),
+                                            std::to_string(limits::kLateMs / 1000)});
 }
 
 }  // namespace kerf::server

@@ -8,6 +8,7 @@
 
 #include "base/refusal.hpp"
 #include "face/server/hub/client.hpp"
+#include "face/server/hub/server_clock.hpp"
 #include "face/server/protocol/argument.hpp"
 #include "face/server/store/quota.hpp"
 
@@ -59,5 +60,11 @@ struct Request {
   /// Stopped when the client has left, or the server ends.
   [[nodiscard]] std::stop_token unwanted() const { return client->gone(); }
 };
+
+/// Why a command that was given at this time of the clock is not carried out any more. From any
+/// thread.
+[[nodiscard]] std::optional<base::Failure> too_late(const std::string& command,
+                                                    const std::optional<double>& given_ms,
+                                                    const ServerClock& clock);
 
 }  // namespace kerf::server

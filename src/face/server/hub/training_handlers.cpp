@@ -60,7 +60,7 @@ void assess(Hub& hub, const Request& request) {
   const std::string name = request.arguments().text("exercise");
   const Exercise* const exercise = training::find_exercise(name);
   if (exercise == nullptr) return request.reply.no("there is no exercise " + name);
-  hub.aside(request, [exercise, body = request.body](const base::WorkLimit& limit) {
+  hub.background().compute(request, [exercise, body = request.body](const base::WorkLimit& limit) {
     return assessment_json(*exercise, Arguments(*body).text("text"), limit);
   });
 }

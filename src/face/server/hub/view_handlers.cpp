@@ -13,15 +13,16 @@ namespace {
 using base::Outcome;
 
 void instant(Hub& hub, const Request& request) {
-  hub.on_machine(request, Pace::slow,
-                 [time_s = request.arguments().number("time_s")](Runner& runner) -> Outcome<Json> {
-                   auto& machine = runner.machine();
-                   const auto snapshot = machine.state_at(time_s);
-                   if (!snapshot) return tl::unexpected(snapshot.error());
-                   Json json = state_json(**snapshot, machine.definition());
-                   json.update(variables_json(machine.variables_at_state()));
-                   return json;
-                 });
+  hub.orders().give(
+      request, Pace::slow,
+      [time_s = request.arguments().number("time_s")](Runner& runner) -> Outcome<Json> {
+        auto& machine = runner.machine();
+        const auto snapshot = machine.state_at(time_s);
+        if (!snapshot) return tl::unexpected(snapshot.error());
+        Json json = state_json(**snapshot, machine.definition());
+        json.update(variables_json(machine.variables_at_state()));
+        return json;
+      });
 }
 
 void speeds(Hub& hub, const Request& request) {
@@ -31,19 +32,21 @@ void speeds(Hub& hub, const Request& request) {
   if (question.to_s < question.from_s)
     return request.reply.no("speeds: `to_s` comes before `from_s`");
   if (!request.machine->preview) return request.reply.no(base::Refusal::no_program);
-  hub.aside(request,
-            [question, chunks = request.machine->preview->chunks()](
-                const base::WorkLimit& limit) -> Outcome<Json> {
-              auto profile = speed_profile(*chunks, question, limit);
-              if (!limit.reached()) return profile;
-              return tl::unexpected(base::refuse(base::Refusal::path_too_long, {}));
-            });
+  hub.background().compute(request,
+                           [question, chunks = request.machine->preview->chunks()](
+                               const base::WorkLimit& limit) -> Outcome<Json> {
+                             auto profile = speed_profile(*chunks, question, limit);
+                             if (!limit.reached()) return profile;
+                             return tl::unexpected(base::refuse(base::Refusal::path_too_long, {}));
+                           });
 }
 
 void pulses(Hub& hub, const Request& request) {
-  hub.on_machine(request, Pace::slow,
-                 [seconds = request.arguments().number("seconds")](
-                     Runner& runner) -> Outcome<Json> { return runner.pulses().edges(seconds); });
+  hub.orders().give(
+      request, Pace::slow,
+      [seconds = request.arguments().number("seconds")](Runner& runner) -> Outcome<Json> {
+        return runner.pulses().edges(seconds);
+      });
 }
 
 // What stands in the way of a text shows without running it; the machine is one of its own.
@@ -76,7 +79,7 @@ void check(Hub& hub, const Request& request) {
   const Arguments arguments = request.arguments();
   const MachineRecord* machine = request.machine;
   if (arguments.has("machine")) {
-    machine = hub.find(arguments.text("machine"));
+    machine = hub.machines().find(arguments.text("machine"));
     if (machine == nullptr)
       return request.reply.no("there is no machine " + arguments.text("machine"));
   }
@@ -84,12 +87,13 @@ void check(Hub& hub, const Request& request) {
                               ? Outcome<machine::MachineDefinition>(machine->definition)
                               : machine::find_machine(usual_machine_of(arguments.text("name")));
   if (!definition) return request.reply.no(definition.error().message);
-  hub.aside(request,
-            [definition = *definition,
-             body = request.body](const base::WorkLimit& limit) -> Outcome<Json> {
-              const Arguments asked(*body);
-              return diagnostics_of(definition, asked.text("name"), asked.text("text"), limit);
-            });
+  hub.background().compute(request,
+                           [definition = *definition,
+                            body = request.body](const base::WorkLimit& limit) -> Outcome<Json> {
+                             const Arguments asked(*body);
+                             return diagnostics_of(definition, asked.text("name"),
+                                                   asked.text("text"), limit);
+                           });
 }
 
 void dialect(Hub& /*hub*/, const Request& request) {

@@ -31,7 +31,7 @@ void Download::start() {
   session_->stream().expires_never();
   hub.disk().post([self = shared_from_this(), &hub] {
     auto file = open(hub.library(), self->name_);
-    hub.to_sockets([self, file = std::move(file)] { self->begin(file); });
+    hub.answers().to_sockets([self, file = std::move(file)] { self->begin(file); });
   });
 }
 
@@ -63,7 +63,7 @@ void Download::read_piece() {
     const std::uint64_t left = self->file_->size() - self->sent_;
     const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(left, kPieceBytes));
     const std::size_t bytes = self->file_->read(self->sent_, {self->piece_.data(), most});
-    hub.to_sockets([self, bytes] { self->send_piece(bytes); });
+    hub.answers().to_sockets([self, bytes] { self->send_piece(bytes); });
   });
 }
 

@@ -74,7 +74,7 @@ void Upload::start() {
     } else {
       made = tl::unexpected(file.error());
     }
-    hub.to_sockets([self, made = std::move(made)] { self->begin(made); });
+    hub.answers().to_sockets([self, made = std::move(made)] { self->begin(made); });
   });
 }
 
@@ -82,7 +82,7 @@ void Upload::begin(const base::Outcome<std::shared_ptr<base::OutputFile>>& file)
   if (!file) {
     const bool name_is_wrong = file.error().kind == base::Failure::Kind::usage;
     return refuse(name_is_wrong ? http::status::bad_request : http::status::insufficient_storage,
-                  session_->site().hub.without_folder(file.error().message));
+                  session_->site().hub.answers().without_folder(file.error().message));
   }
   file_ = *file;
   buffer_.resize(kPieceBytes);
@@ -130,7 +130,7 @@ void Upload::keep(std::size_t bytes) {
   session_->stream().expires_never();
   hub.disk().post([self = shared_from_this(), &hub, bytes] {
     self->file_->write({self->buffer_.data(), bytes});
-    hub.to_sockets([self, good = self->file_->good()] { self->kept(good); });
+    hub.answers().to_sockets([self, good = self->file_->good()] { self->kept(good); });
   });
 }
 
@@ -145,10 +145,10 @@ void Upload::finish() {
   leave();
   hub.disk().post([self = shared_from_this(), &hub] {
     const auto made = hub.library().finish_upload(self->name_, *self->file_);
-    hub.to_sockets([self, made, &hub] {
+    hub.answers().to_sockets([self, made, &hub] {
       if (!made)
         return self->refuse(http::status::insufficient_storage,
-                            hub.without_folder(made.error().message));
+                            hub.answers().without_folder(made.error().message));
       self->file_.reset();
       const Json answer = {
           {"name", self->name_}, {"bytes", made->bytes}, {"revision", made->number}};

@@ -1,19 +1,19 @@
-// Who watches a machine of a hub, and who operates it.
+#include "face/server/hub/internal/attendance.hpp"
+
 #include <algorithm>
 
-#include "face/server/hub/hub.hpp"
 #include "face/server/protocol/state_json.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
 
-void Hub::watch(const Request& request) {
+void Attendance::watch(const Request& request) {
   const std::string name = request.arguments().text("machine");
-  MachineRecord* const machine = find(name);
+  MachineRecord* const machine = machines_.find(name);
   if (machine == nullptr) return request.reply.no(base::Refusal::no_machine, {name});
-  if (under_way_.contains(name)) return request.reply.no(base::Refusal::machine_leaving, {name});
+  if (machines_.is_changing(name)) return request.reply.no(base::Refusal::machine_leaving, {name});
   Client& client = *request.client;
-  if (client.watched() != machine) leave_machine(client);
+  if (client.watched() != machine) leave(client);
   std::erase(machine->watchers, &client);
   machine->watchers.push_back(&client);
   request.reply.yes({{"client", client.name()},
@@ -24,10 +24,10 @@ void Hub::watch(const Request& request) {
   if (machine->path) client.send(machine->path_event());
   if (machine->preview) client.begin_chunks(machine->preview->chunks());
   machine->touch();
-  tell_machines();
+  machines_.tell();
 }
 
-void Hub::leave_machine(Client& client) {
+void Attendance::leave(Client& client) {
   MachineRecord* const machine = client.watched();
   if (machine == nullptr) return;
   std::erase(machine->watchers, &client);
@@ -36,49 +36,44 @@ void Hub::leave_machine(Client& client) {
   if (machine->op == &client)
     set_operator(*machine, machine->request ? machine->request->client : nullptr);
   machine->touch();
-  tell_machines();
+  machines_.tell();
 }
 
 // Who lets go of the panel lets go of its jog keys.
-void Hub::set_operator(MachineRecord& machine, Client* client) {
+void Attendance::set_operator(MachineRecord& machine, Client* client) {
   if (machine.op != nullptr && machine.op != client) end_jog(machine);
   machine.op = client;
   machine.request.reset();
   machine.touch();
 }
 
-void Hub::end_jog(MachineRecord& machine) {
+void Attendance::end_jog(MachineRecord& machine) {
   machine.thread->post(machine.runner, Pace::quick,
                        [](Runner& runner) { static_cast<void>(runner.machine().jog_stop()); });
 }
 
-void Hub::tick() {
-  thread_.here();
+void Attendance::tick() {
   const double now_ms = clock_.now_ms();
-  for (const auto& [name, machine] : machines_) {
+  for (const auto& [name, machine] : machines_.records()) {
     if (machine->op != nullptr && machine->op->falls_silent(now_ms)) end_jog(*machine);
-    if (machine->wants_preview(now_ms)) {
-      machine->is_preview_out_of_date = false;
-      renew_preview(*machine);
-    }
     if (!machine->request || now_ms < machine->request->until_ms) continue;
     set_operator(*machine, machine->request->client);
-    tell_machines();
+    machines_.tell();
   }
 }
 
-void Hub::ping(const Request& request) {
+void Attendance::ping(const Request& request) {
   request.client->sends_pings = true;
   request.reply.yes({{"time_ms", clock_.now_ms()}});
 }
 
-void Hub::introduce(const Request& request) {
+void Attendance::introduce(const Request& request) {
   request.client->person = output::printable(request.arguments().text("name"));
   request.reply.yes();
   if (request.machine != nullptr) request.machine->touch();
 }
 
-void Hub::request_operation(const Request& request) {
+void Attendance::request_operation(const Request& request) {
   MachineRecord& machine = *request.machine;
   Client* const client = request.client.get();
   const bool mine = machine.request && machine.request->client == client;
@@ -86,7 +81,7 @@ void Hub::request_operation(const Request& request) {
     if (mine) machine.request.reset();
   } else if (machine.op == nullptr || machine.op == client) {
     set_operator(machine, client);
-    tell_machines();
+    machines_.tell();
   } else if (machine.request && !mine) {
     return request.reply.no(base::Refusal::asked_already,
                             {machine.request->client->shown_name(), machine.name});
@@ -97,13 +92,13 @@ void Hub::request_operation(const Request& request) {
   request.reply.yes();
 }
 
-void Hub::answer_request(const Request& request) {
+void Attendance::answer_request(const Request& request) {
   MachineRecord& machine = *request.machine;
   if (!machine.request) return request.reply.no(base::Refusal::nobody_asks, {machine.name});
   Client* const client = machine.request->client;
   if (request.arguments().flag("grant")) {
     set_operator(machine, client);
-    tell_machines();
+    machines_.tell();
   } else {
     machine.request.reset();
     client->send({{"event", "request-refused"}, {"machine", machine.name}});
@@ -112,7 +107,7 @@ void Hub::answer_request(const Request& request) {
   request.reply.yes();
 }
 
-void Hub::operate(const Request& request) {
+void Attendance::operate(const Request& request) {
   MachineRecord& machine = *request.machine;
   Client* const client = request.client.get();
   const Arguments arguments = request.arguments();
@@ -133,7 +128,7 @@ void Hub::operate(const Request& request) {
     set_operator(machine, nullptr);
   }
   request.reply.yes();
-  tell_machines();
+  machines_.tell();
 }
 
 }  // namespace kerf::server

@@ -1,12 +1,10 @@
 #include "output/programs/post.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "base/decimal.hpp"
-#include "motion/feed.hpp"
+#include "motion/plane_axes.hpp"
 #include "output/programs/internal/post_head.hpp"
 #include "output/writing/json_object.hpp"
 
@@ -29,7 +27,8 @@ Post::Post(const machine::MachineDefinition& machine, std::string program, base:
       program_(std::move(program)),
       file_(file),
       body_(file),
-      at_(axes_.start),
+      moves_(axes_, body_),
+      arcs_(moves_),
       tip_(axes_.start) {}
 
 void Post::take(const Motion& motion) {
@@ -51,12 +50,6 @@ void Post::take(const Motion& motion) {
 void Post::end_block() {
   block(block_.text());
   block_.clear();
-}
-
-void Post::block(std::string_view text) {
-  if (text.empty()) return;
-  body_.write(text);
-  body_.write("\n");
 }
 
 void Post::comment(const std::string& text) {
@@ -99,10 +92,10 @@ void Post::move(const Motion& motion) {
 // behind the other are one way there; a spindle that turns by then starts up on the rest of them.
 void Post::place(const base::TipPoint& first) {
   begin_place();
-  first_ = at_ = first;
+  first_ = first;
+  moves_.stand_at(first);
   travel_ = {first, first};
   if (const auto z = axes_.find('Z')) highest_mm_ = std::max(highest_mm_, first[*z]);
-  modal_ = "G0";
 }
 
 // Before spindle or beam are on, and before the first move.
@@ -163,92 +156,46 @@ Motion Post::beyond_tip(const Motion& motion) const {
   return beyond;
 }
 
-bool Post::rounded_equal(const base::TipPoint& a, const base::TipPoint& b) const {
-  for (std::size_t i = 0; i < axes_.count(); ++i) {
-    if (post_rounded(a.values[i]) != post_rounded(b.values[i])) return false;
-  }
-  return true;
-}
-
 // Without the beam. Where the tool became longer on the way the axis rises before the others move,
 // where it became shorter it comes down behind them.
 void Post::travel(const base::TipPoint& to) {
-  if (rounded_equal(at_, to)) {
-    at_ = to;
-    return;
-  }
-  const bool burns = beam_on_ && laser_.fitted();
+  if (moves_.is_at(to)) return moves_.rapid(to);  // what no digit shows
+  const base::TipPoint& at = moves_.at();
+  const bool burns = burns_now();
   if (burns) block("M5");
   const base::Axis axis = length_.axis;
-  if (post_rounded(at_[axis]) != post_rounded(beyond_tip(tip_)[axis])) {
-    base::TipPoint corner = to[axis] > at_[axis] ? at_ : to;
-    corner[axis] = std::max(to[axis], at_[axis]);
-    rapid(corner);
+  if (post_rounded(at[axis]) != post_rounded(beyond_tip(tip_)[axis])) {
+    base::TipPoint corner = to[axis] > at[axis] ? at : to;
+    corner[axis] = std::max(to[axis], at[axis]);
+    moves_.rapid(corner);
   }
-  rapid(to);
+  moves_.rapid(to);
   if (burns) block(turning_);
-}
-
-void Post::words(const char* code, const base::TipPoint& to) {
-  if (modal_ != code) block_.code(code);
-  modal_ = code;
-  cuts_ = beam_on_ && modal_ != "G0";
-  for (std::size_t i = 0; i < axes_.count(); ++i) {
-    const double value = post_rounded(to.values[i]);
-    if (value != post_rounded(at_.values[i])) block_.number(axes_.axes[i].letter, value);
-  }
-  at_ = to;
-}
-
-void Post::rapid(const base::TipPoint& to) {
-  if (!rounded_equal(at_, to)) words("G0", to);
-  end_block();
-  at_ = to;
 }
 
 // Moves
 
 // A taught point is gone to with the beam as it is; no posted rapid burns.
 void Post::act(const Rapid& rapid) {
-  if (beam_on_ && laser_.fitted()) lose("beam in a rapid", "RAPID WITHOUT THE BEAM");
+  if (burns_now()) lose("beam in a rapid", "RAPID WITHOUT THE BEAM");
   travel(rapid.to);
   if (const auto z = axes_.find('Z')) highest_mm_ = std::max(highest_mm_, rapid.to[*z]);
 }
 
-void Post::feed(double per_minute) {
-  if (per_minute == feed_) return;
-  feed_ = per_minute;
-  block_.number('F', per_minute);
-}
+void Post::act(const Line& line) { moves_.straight(line.to, line.feed); }
 
-// Nothing where the output's digits show no way.
-void Post::line(const base::TipPoint& to, double per_minute) {
-  if (rounded_equal(at_, to)) {
-    at_ = to;
-    return;
-  }
-  words("G1", to);
-  feed(per_minute);
-  end_block();
-}
+void Post::act(const Arc& arc) { arcs_.write(arc); }
 
-void Post::straight(const base::TipPoint& to, const Feed& rate) {
-  double squares = 0;
-  for (std::size_t i = 0; i < axes_.count(); ++i)
-    squares += (to.values[i] - at_.values[i]) * (to.values[i] - at_.values[i]);
-  line(to, post_rounded(motion::feed_per_minute(rate, std::sqrt(squares), speed_rpm_)));
-}
-
-void Post::act(const Line& line) { straight(line.to, line.feed); }
+void Post::act(const SpaceArc& arc) { arcs_.write(arc); }
 
 void Post::act(const Probe& probe) {
   lose("probing move", "PROBING MOVE");
-  straight(probe.to, probe.feed);
+  moves_.straight(probe.to, probe.feed);
 }
 
 void Post::act(const Thread& thread) {
   lose("thread", "THREAD OF LEAD " + base::number_text(post_rounded(thread.lead)));
-  straight(thread.to, {thread.lead, FeedMode::per_revolution});
+  moves_.straight(thread.to, {thread.lead, FeedMode::per_revolution});
 }
 
 // What is no move
@@ -256,15 +203,10 @@ void Post::act(const Thread& thread) {
 // Its point says that P counts seconds: where it counts milliseconds, it may have none. A beam that
 // was turned on behind a rapid burns from G1 on.
 void Post::act(const Dwell& dwell) {
-  const bool burns = beam_on_ && laser_.fitted();
-  if (burns) stand();
-  if (burns && !cuts_) {
-    modal_ = "G1";
-    block_.code(modal_);
-    if (feed_ < 0) feed(1);  // many a control takes no G1 before any F
-    end_block();
+  if (burns_now()) {
+    stand();
+    moves_.burn_here();
   }
-  cuts_ = beam_on_;
   block_.code("G4").number('P', post_rounded(dwell.seconds));
   end_block();
 }
@@ -280,7 +222,7 @@ void Post::act(const ToolChange& change) {
 void Post::act(const Spindle& spindle) {
   const bool turns = spindle.turns();
   const bool css = turns && spindle.mode == Spindle::Mode::constant_surface_speed;
-  speed_rpm_ = css ? spindle.max_rpm : spindle.speed;
+  moves_.set_speed(css ? spindle.max_rpm : spindle.speed);
   turning_.clear();
   if (!turns) {
     if (place_at_) block("M5");  // before, the head has said it
@@ -297,7 +239,7 @@ void Post::act(const Spindle& spindle) {
   turning_ = on.count('S', post_rounded(spindle.speed)).text();
   if (css != css_) {
     block_.code(css ? "G96" : "G97");
-    feed_ = -1;
+    moves_.forget_feed();
   }
   css_ = css;
   block_.code(turning_);
@@ -317,20 +259,19 @@ void Post::act(const Power& power) {
   const double percent = post_rounded(power.beam_percent());
   if (!laser_.fitted()) {
     const std::string beam = percent > 0 ? base::number_text(percent) + " PERCENT" : "OFF";
-    if (power.on || beam_on_) lose("laser", "LASER " + beam);
-    beam_on_ = percent > 0;
+    if (power.on || moves_.beam_on()) lose("laser", "LASER " + beam);
+    moves_.set_beam(percent > 0);
     return;
   }
   const double s = post_rounded(power.percent / 100 * laser_.s_of_full_power);
-  if (percent == 0 && beam_on_) block("M5");
-  beam_on_ = percent > 0;
-  cuts_ = cuts_ && beam_on_;
-  if (beam_on_) {
+  if (percent == 0 && moves_.beam_on()) block("M5");
+  moves_.set_beam(percent > 0);
+  if (percent > 0) {
     begin_place();
     block_.code(beam_word(laser_, power));
   }
-  if (beam_on_ || (!power.on && s != s_)) block_.count('S', s_ = s);
-  turning_ = beam_on_ ? block_.text() : std::string();
+  if (percent > 0 || (!power.on && s != s_)) block_.count('S', s_ = s);
+  turning_ = percent > 0 ? block_.text() : std::string();
   end_block();
 }
 

@@ -4,17 +4,15 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "base/output_file.hpp"
 #include "base/scratch_file.hpp"
-#include "geometry/space_arc.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "motion/motion.hpp"
 #include "motion/motion_extent.hpp"
-#include "motion/plane_axes.hpp"
-#include "output/programs/internal/block_text.hpp"
+#include "output/programs/internal/arc_blocks.hpp"
 #include "output/programs/internal/lost_things.hpp"
+#include "output/programs/internal/move_blocks.hpp"
 
 namespace kerf::output {
 
@@ -41,8 +39,8 @@ namespace kerf::output {
 /// finish().
 class Post : public motion::MotionSink {
  public:
-  static constexpr double kChordTolerance_mm = 0.001;
-  static constexpr double kRadiusTolerance_mm = 0.0005;
+  static constexpr double kChordTolerance_mm = ArcBlocks::kChordTolerance_mm;
+  static constexpr double kRadiusTolerance_mm = ArcBlocks::kRadiusTolerance_mm;
 
   /// Machine and file must outlive this. `program` as people call it.
   Post(const machine::MachineDefinition& machine, std::string program, base::OutputFile& file);
@@ -71,9 +69,11 @@ class Post : public motion::MotionSink {
   void act(const motion::Message& message);
   void act(const motion::End& end);
 
-  void block(std::string_view text);
+  void end_block();
+  void block(std::string_view text) { write_block(body_, text); }
   void comment(const std::string& text);
   void lose(const std::string& what, const std::string& text);
+  [[nodiscard]] bool burns_now() const { return moves_.beam_on() && laser_.fitted(); }
   void tell_override(const motion::Motion& motion);
 
   void move(const motion::Motion& motion);
@@ -84,29 +84,6 @@ class Post : public motion::MotionSink {
   [[nodiscard]] base::TipPoint beyond_tip(base::TipPoint tip) const;
   [[nodiscard]] motion::Motion beyond_tip(const motion::Motion& motion) const;
   void travel(const base::TipPoint& to);
-
-  void rapid(const base::TipPoint& to);
-  void words(const char* code, const base::TipPoint& to);
-  void feed(double per_minute);
-  void line(const base::TipPoint& to, double per_minute);
-  void straight(const base::TipPoint& to, const motion::Feed& rate);
-  void end_block();
-  [[nodiscard]] bool rounded_equal(const base::TipPoint& a, const base::TipPoint& b) const;
-
-  // Arcs: post_arcs.cpp
-  [[nodiscard]] std::optional<double> flat_rise(const motion::Arc& arc,
-                                                const motion::PlaneAxes& plane) const;
-  void flat_arc(const motion::Arc& arc, const motion::PlaneAxes& plane, double rise);
-  struct Posted;
-  void spiral(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
-  void rest_of_turn(const motion::Arc& arc, const motion::PlaneAxes& plane, double sweep_rad,
-                    double per_minute);
-  void full_circles(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
-  void sweep(const motion::Arc& arc, const motion::PlaneAxes& plane, double per_minute);
-  [[nodiscard]] std::optional<motion::Arc> plane_arc(const motion::SpaceArc& arc,
-                                                     const geometry::SpaceArc& circle,
-                                                     motion::Plane plane) const;
-  void select_plane(motion::Plane plane);
 
   const machine::MachineDefinition& machine_;
   const motion::AxisSetup& axes_;
@@ -119,8 +96,8 @@ class Post : public motion::MotionSink {
   LostThings lost_;
   bool ended_ = false;
 
-  // Where the posted program stands, in its own coordinates.
-  base::TipPoint at_;
+  MoveBlocks moves_;  // where the posted program stands, in its own coordinates
+  ArcBlocks arcs_;
   base::TipPoint tip_;                     // of the run
   std::optional<base::TipPoint> first_;    // where every axis is brought first
   bool approaches_ = true;                 // nothing but rapids so far
@@ -133,18 +110,10 @@ class Post : public motion::MotionSink {
   bool has_lengths_ = false;
   std::uint32_t tool_ = 0;
 
-  // What is modal there.
-  std::string modal_;
-  motion::Plane plane_ = motion::Plane::xy;
-  double feed_ = -1;
-  double s_ = -1;  // of the laser
-
-  double speed_rpm_ = 0;
-  std::string turning_;   // the block that switched spindle or beam on; empty: off
-  bool fixed_ = false;    // the last move had a feed without override
-  bool css_ = false;      // G96 is on
-  bool beam_on_ = false;  // also where only a comment can say so
-  bool cuts_ = false;     // a cut or G1 has turned on the beam
+  double s_ = -1;        // of the laser
+  std::string turning_;  // the block that switched spindle or beam on; empty: off
+  bool fixed_ = false;   // the last move had a feed without override
+  bool css_ = false;     // G96 is on
 };
 
 }  // namespace kerf::output

@@ -28,6 +28,10 @@ std::string post_number(double value) {
   return text;
 }
 
+geometry::Vec2 post_rounded(geometry::Vec2 point) {
+  return {post_rounded(point.u), post_rounded(point.v)};
+}
+
 std::string comment_text(std::string_view text) {
   std::string out;
   for (const char c : text.substr(0, kLongestComment)) {

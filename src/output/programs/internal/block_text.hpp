@@ -3,10 +3,13 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/vec2.hpp"
+
 namespace kerf::output {
 
 /// As coordinates are posted, to 0.0001 mm or degree; also feeds, S and seconds.
 [[nodiscard]] double post_rounded(double value);
+[[nodiscard]] geometry::Vec2 post_rounded(geometry::Vec2 point);
 
 /// With a point, which no control counts in thousandths, and without an exponent, which G-code does
 /// not know: 10. 0.125

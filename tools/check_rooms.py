@@ -5,7 +5,8 @@ A room may include itself and what ROOMS lets it use, with all that this uses in
 kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. The elementary functions of the C
 library stay out of all rooms: math has them, with the same bits everywhere. Text of numbers is read and written
 by base/decimal alone, or by fmt: both know no locale. Code numbers stand in the tables of control/gcode/codes and in
-no switch. A folder holds at most MOST_CLASSES classes, a source and its header counted once.
+no switch. A folder holds at most MOST_CLASSES classes, a source and its header counted once. The members of a class
+are defined in one source: where they would fill several, its parts want to be objects.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -79,6 +80,13 @@ NUMBER_TEXT = re.compile(
     r"|\w*printf\s*\((?:[^;](?!printf))*?%[-+ #0-9.*]*[hlLjzt]*[aAeEfFgG]"
     r"|\{[^{}\"]*:[^{}\"]*L[a-zA-Z]?\}"
 )
+# A member as it is defined: at the beginning of a line, its class in front of it.
+MEMBER = re.compile(r"^(?=\w)[^;=(\"'\n]*?((?:\b[A-Z]\w*(?:<[^()]*?>)?::)+)(?:~?\w+|operator[^(]+)\(", re.MULTILINE)
+# Classes that may still have several sources, with the reason.
+SEVERAL_SOURCES = {
+    "LiveCore": "its parts are becoming objects",
+    "Interpolator": "its parts are becoming objects",
+}
 CODE_NUMBER = re.compile(r"\bcase\s+[GM]?\d+\s*:")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 KERF_ROOM = re.compile(r"\bkerf_room\s*\(([^)]*)\)")
@@ -235,6 +243,27 @@ def full_folders(files: list[Path]) -> Iterator[str]:
             yield f"{folder}:1: {len(classes)} classes in a folder, more than {MOST_CLASSES}: nobody finds one"
 
 
+def classes_of(file: Path) -> Iterator[tuple[str, int]]:
+    """The classes whose members a source defines, each with the line of the first."""
+    seen = set()
+    code = without_comments(file.read_text(encoding="utf-8"))
+    for found in MEMBER.finditer(code):
+        name = re.sub(r"<.*?>", "", found[1]).removesuffix("::")
+        if name not in seen:
+            seen.add(name)
+            yield name, code.count("\n", 0, found.start()) + 1
+
+
+def scattered_classes(src: Path, files: list[Path]) -> Iterator[str]:
+    """Classes whose members stand in more than one source of a room."""
+    homes: dict[tuple[Optional[str], str], Path] = {}
+    for file in (f for f in files if f.suffix == ".cpp"):
+        for name, line in classes_of(file):
+            home = homes.setdefault((room_of(file.relative_to(src).as_posix()), name), file)
+            if home != file and name not in SEVERAL_SOURCES:
+                yield f"{file}:{line}: {name} has members in {home.name}, too; its parts want to be objects"
+
+
 def check_file(src: Path, file: Path, links: dict[str, Links]) -> Iterator[str]:
     room = room_of(file.relative_to(src).as_posix())
     if room is None:
@@ -257,7 +286,7 @@ def check(root: Path) -> tuple[int, list[str]]:
     src = root / "src"
     links = read_links(src)
     files = sorted(f for f in src.rglob("*") if f.suffix in SOURCE_SUFFIXES)
-    findings = [*check_links(links), *full_folders(files)]
+    findings = [*check_links(links), *full_folders(files), *scattered_classes(src, files)]
     for file in files:
         findings += check_file(src, file, links)
     return len(files), findings

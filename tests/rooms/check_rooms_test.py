@@ -100,6 +100,27 @@ class Rules(unittest.TestCase):
                         (room / f"class_{i}.{suffix}").write_text("")
                 self.assertEqual(len(check_rooms.check(Path(folder))[1]), found)
 
+    def test_a_class_has_one_source(self):
+        one = "namespace kerf {\n\nvoid Mill::turn() {\n  Lathe::turn();\n}\n"
+        others = {
+            "Mill::~Mill() = default;\n": 1,
+            "Outcome<std::vector<int>> Mill::run(\n    int count) {}\n": 1,
+            "std::strong_ordering Mill::operator<=>(const Mill& other) const {}\n": 1,
+            "void Lathe::turn() {}\n": 0,
+            "void Mill::Spindle::turn() {}\n": 0,
+            "const double top = Mill::turn(2);\n": 0,
+            "// as in void Mill::turn()\n": 0,
+            "void turn(Mill& mill) {\n  Mill::turn();\n}\n": 0,
+        }
+        for other, found in others.items():
+            with self.subTest(other), tempfile.TemporaryDirectory() as folder:
+                room = Path(folder) / "src/base"
+                (room / "internal").mkdir(parents=True)
+                (room / "CMakeLists.txt").write_text("kerf_room()")
+                (room / "mill.cpp").write_text(one)
+                (room / "internal/mill_more.cpp").write_text(other)
+                self.assertEqual(len(check_rooms.check(Path(folder))[1]), found)
+
     def test_a_room_may_not_link_one_below(self):
         with tempfile.TemporaryDirectory() as folder:
             room = Path(folder) / "src/base"

@@ -1,6 +1,5 @@
 """--post: the posted program, run again, makes the same path."""
 
-import math
 import re
 
 import harness
@@ -194,24 +193,6 @@ def tool_change(box):
         equal(lines, ["M5", "T1 M6", "M3 S1000", "T2 M6", "M3 S1000", "M5", "T3 M6", "M30"], f"on {machine}")
 
 
-@test("an arc whose centre is too far away to be written is posted as chords, or as the line that it is")
-def far_centre(box):
-    for radius, way, direction in ((120000, 60, 1), (120000, 60, -1), (5e6, 300, 1), (1e9, 300, -1), (1e12, 0.002, 1)):
-        box.write("part.bas", f"power(50)\nmove(10,0)\narc({10 + way},0,{radius},{direction})\n")
-        status(box.kerf("run", "part.bas", "--post", "post.nc"), 0)
-        code = box.read("post.nc").decode()
-        check(not re.search(r"e\+|\bG[23]\b", code), f"R{radius}: {code}")
-        ends = [(10 + way, 0) if "Y" not in line else tuple(map(float, re.findall(r"[XY](\S+)", line)))
-                for line in code.splitlines() if line.startswith(("G1 ", "X"))]
-        near(ends[-1][0], 10 + way, 1e-4, f"R{radius}: the end")
-        for x, y in ends:
-            u = x - 10 - way / 2
-            wanted = -direction * ((way / 2) ** 2 - u ** 2) / (2 * radius)
-            near(y, wanted, 1e-4, f"R{radius}: Y at X{x}")
-        rise = way * way / (8 * radius)
-        check((len(ends) > 1) == (rise > 0.001), f"R{radius}: {len(ends)} chords for a rise of {rise}")
-
-
 @test("what is tapped without override is told in a comment of the posted program")
 def tapping_comment(box):
     box.write("part.nc", HEAD + "S500M03; G00Z50.; G84X10.Z-5.R2.F100; X20.; G80; G1X0F100; M30;")
@@ -224,37 +205,6 @@ def four_axes(box):
     first, second = post_and_run(box, HEAD + "G00X10.A90.\nG01A180.F500\nX20.A-45.5\nM30\n",
                                  "--machine", "mill4")
     compare(first, second)
-
-
-def swept(records):
-    """Length of all arcs, from their own records."""
-    import math
-    at, total = None, 0
-    for record in records:
-        if record["kind"] == "arc":
-            u, v = record["center"]
-            a = math.atan2(at["Y"] - v, at["X"] - u)
-            b = math.atan2(record["to"]["Y"] - v, record["to"]["X"] - u)
-            turn = (b - a) if record["direction"] == "ccw" else (a - b)
-            same = (at["X"], at["Y"]) == (record["to"]["X"], record["to"]["Y"])
-            turn = 2 * math.pi if same else turn % (2 * math.pi)
-            total += turn * math.hypot(at["X"] - u, at["Y"] - v)
-        at = record.get("to", at)
-    return total
-
-
-@test("a posted arc that is shorter than a digit of the output does not become a full circle")
-def tiny_arc(box):
-    first, second = post_and_run(
-        box, HEAD + "G00X10.Y0\nG51X0Y0P10\nG01X10.Y0F100\nG03X10.Y.001I-10.J0\nG50\nM30\n")
-    near(swept(second), swept(first), TOLERANCE, "length of all arcs")
-
-
-@test("a posted circle that ends a digit of the output beside its start stays a whole turn")
-def nearly_full(box):
-    first, second = post_and_run(
-        box, HEAD + "G00X10.Y0\nG51X0Y0P10\nG01X10.Y0F100\nG02X10.Y.001I-10.J0\nG50\nM30\n")
-    near(swept(second), swept(first), TOLERANCE, "length of all arcs")
 
 
 @test("constant surface speed is posted as such, and ends with G97")
@@ -429,23 +379,6 @@ def harmless_comments(box):
     check(any("STOP_ NOW_ 100__ _REALLY__.NC" in text for text in comments), str(comments))
     check(any("ARE YOU SURE_ 100__ _ _" in text for text in comments), str(comments))
     check(not re.search(r"[!~%;?()\[\]#]", "".join(comments)), str(comments))
-
-
-@test("an arc whose radius changes is posted as chords, and F comes again with a plane")
-def spiral(box):
-    box.write("part.nc", HEAD + "G0X10.Y0\nG2X0Y-10.008I-10.J0F300\nG18G3X5.Z0I2.5\nM30\n")
-    blocks = posted(box, "part.nc")
-    chords = blocks[blocks.index("G18") - 1:0:-1]
-    check(len(chords) > 30 and not any(line.startswith("G2") for line in blocks), str(blocks))
-    x, y = 10.0, 0.0
-    for block in blocks[3:blocks.index("G18")]:
-        x = float((re.search(r"X(\S+)", block) or [0, x])[1])
-        y = float((re.search(r"Y(\S+)", block) or [0, y])[1])
-        share = (math.atan2(-y, x) % (2 * math.pi)) / (math.pi / 2)
-        near(math.hypot(x, y), 10 + 0.008 * share, 2e-4, f"radius at {x} {y}")
-    check(blocks[blocks.index("G18") + 1].endswith("F300."), "no F behind G18")
-    box.write("part.nc", HEAD + "G0X10.Y0\nG2X0Y-10.0004I-10.J0F300\nM30\n")
-    check(any(line.startswith("G2") for line in posted(box, "part.nc")), "chords for less than the tolerance")
 
 
 @test("a posted program of any length takes the same memory, and its travel is that of all of it")

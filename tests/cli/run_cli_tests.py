@@ -23,6 +23,7 @@ import check_tests  # noqa: F401
 import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401
+import engraving_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import library_tests  # noqa: F401
@@ -34,13 +35,16 @@ import option_tests  # noqa: F401
 import output_tests  # noqa: F401
 import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401
+import post_arc_tests  # noqa: F401
 import post_tests  # noqa: F401
 import pulse_tests  # noqa: F401
 import reader_tests  # noqa: F401
+import replay_tests  # noqa: F401
 import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
+import teach_conversion_tests  # noqa: F401
 import teach_tests  # noqa: F401
 import time_tests  # noqa: F401
 import usage_tests  # noqa: F401

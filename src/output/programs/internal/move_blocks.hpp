@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/axes.hpp"
+#include "base/point.hpp"
 #include "base/scratch_file.hpp"
 #include "geometry/vec2.hpp"
 #include "motion/axis_setup.hpp"

@@ -28,14 +28,14 @@ class Alarms {
   /// Raise an alarm at the executing block, at a text of its line, or at a remembered place. Always
   /// false, so that a check reads `return alarms.raise(…)`.
   bool raise(base::Code code, const std::string& detail = {}, const std::string& hint = {}) {
-    return raise_at(code, where_.place(), detail, hint);
+    return report(base::make_error(code, where_.place(), detail, hint));
   }
   bool raise(base::Code code, const vm::Span& text, const std::string& detail = {},
              const std::string& hint = {}) {
     base::Place place = where_.place();
     place.column = text.column;
     place.length = text.length;
-    return raise_at(code, place, detail, hint);
+    return report(base::make_error(code, place, detail, hint));
   }
   bool raise_at(base::Code code, const base::Place& place, const std::string& detail = {},
                 const std::string& hint = {}) {

@@ -107,7 +107,7 @@ void ProgramControl::learn_tracing() {
   machine->set_tracing(observer_ || gate_ != nullptr || (single_block_ && single_block_traces()));
 }
 
-vm::Verdict ProgramControl::announce(const vm::CodePage& page, const vm::BlockMark& mark) {
+vm::Verdict ProgramControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
   const bool first_of_line = mark.offset == mark.line_offset || &mark == page.marks.data() ||
                              (&mark)[-1].line != mark.line;
   if (observer_ && first_of_line) observer_(page.file, mark.line);

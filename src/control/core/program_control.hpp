@@ -4,13 +4,14 @@
 #include "control/core/assumptions.hpp"
 #include "control/core/call_paths.hpp"
 #include "control/core/control.hpp"
+#include "lang/vm/host.hpp"
 #include "lang/vm/interpreter.hpp"
 
 namespace kerf::control {
 
 /// What all controls share whose programs run in the virtual machine: alarm, halt, who is asked
 /// before a block, where the program stands.
-class ProgramControl : public Control, protected Whereabouts {
+class ProgramControl : public Control, public vm::Host, protected Whereabouts {
  public:
   // Control
   [[nodiscard]] Halt halt() const override { return halt_; }
@@ -33,6 +34,11 @@ class ProgramControl : public Control, protected Whereabouts {
   void set_gate(BlockGate* gate) override;
   void allow_passing() override { may_pass_ = true; }
   [[nodiscard]] bool pass_alarm() override;
+
+  // vm::Host
+  void failure(const base::Diagnostic& diagnostic) override { alarms_.report(diagnostic); }
+  /// Tells whoever asked. Anything but go_on: the control has halted.
+  vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
   /// Open programs and subroutines; 0 before the start.
   [[nodiscard]] std::size_t levels();
@@ -69,8 +75,6 @@ class ProgramControl : public Control, protected Whereabouts {
 
   /// The interpreter tells of blocks only where somebody asks.
   void learn_tracing();
-  /// A block begins: tells whoever asked. Anything but go_on: the control has halted.
-  vm::Verdict announce(const vm::CodePage& page, const vm::BlockMark& mark);
   vm::Verdict halt_with(Halt halt, vm::Verdict verdict) {
     halt_ = halt;
     return verdict;

@@ -1,6 +1,7 @@
 #include "control/gcode/block_acts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
@@ -15,10 +16,12 @@ using gcode::WordFlag;
 
 }  // namespace
 
-BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer)
+BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
+                     std::function<void()> parameters_entered)
     : state_(state),
       calls_(calls),
       buffer_(buffer),
+      parameters_entered_(std::move(parameters_entered)),
       targets_(state),
       moves_(state, targets_),
       settings_(state, targets_, moves_),
@@ -30,8 +33,16 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer)
 }
 
 bool BlockActs::execute(ReadBlock& block) {
-  entered_parameters_ = false;
-  return is_plain_move(block) ? plain_move(block) : execute_in_full(block);
+  if (!is_plain_move(block)) return execute_in_full(block);
+  const Words& words = block.words;
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) state_.modal.set(*g->row);
+  if (!auxiliary_.read_feed(words) || !tell_idle_words(block)) return false;
+  state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
+  buffer_.pass_through(
+      !state_.path.compensating());  // a move is checked whole before it is emitted
+  const bool good = moves_.execute(words, moved_);
+  buffer_.pass_through(false);
+  return good;
 }
 
 // Most blocks of most programs command a motion and nothing else: group 01 codes, axes, F.
@@ -43,18 +54,6 @@ bool BlockActs::is_plain_move(const ReadBlock& block) const {
     return false;
   return std::all_of(words.g_begin(), words.g_end(),
                      [](const Words::G& g) { return g.group() == Group::motion; });
-}
-
-bool BlockActs::plain_move(const ReadBlock& block) {
-  const Words& words = block.words;
-  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) state_.modal.set(*g->row);
-  if (!auxiliary_.read_feed(words) || !tell_idle_words(block)) return false;
-  state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
-  buffer_.pass_through(
-      !state_.path.compensating());  // a move is checked whole before it is emitted
-  const bool good = moves_.execute(words, moved_);
-  buffer_.pass_through(false);
-  return good;
 }
 
 bool BlockActs::execute_in_full(ReadBlock& block) {
@@ -81,8 +80,9 @@ bool BlockActs::enter_parameter(const ReadBlock& block, const Words::G* one_shot
     state_.parameter_entry = false;
     return true;
   }
-  entered_parameters_ = true;
-  return data_setting_.enter_parameter(block.words, block.number);
+  const bool good = data_setting_.enter_parameter(block.words, block.number);
+  parameters_entered_();
+  return good;
 }
 
 bool BlockActs::check_return(const Words& words) {

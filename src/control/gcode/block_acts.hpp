@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "control/gcode/acts/auxiliary.hpp"
 #include "control/gcode/acts/data_setting.hpp"
 #include "control/gcode/acts/references.hpp"
@@ -18,8 +20,10 @@ namespace kerf::control {
 /// Stops, ends, calls and returns are the control's.
 class BlockActs {
  public:
-  /// All must outlive this.
-  BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer);
+  /// All must outlive this. `parameters_entered` is called behind each block that has entered some:
+  /// whoever keeps of them ready looks anew.
+  BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
+            std::function<void()> parameters_entered);
 
   /// A block begins: nothing of the one before it is left.
   void begin() {
@@ -41,13 +45,10 @@ class BlockActs {
   [[nodiscard]] bool moved() const { return moved_; }
   /// What its M codes ask of the control.
   [[nodiscard]] const Auxiliary::Codes& codes() const { return codes_; }
-  /// Parameters were entered by the block: whoever keeps some of them ready looks anew.
-  [[nodiscard]] bool has_entered_parameters() const { return entered_parameters_; }
   [[nodiscard]] const Targets& targets() const { return targets_; }
 
  private:
   [[nodiscard]] bool is_plain_move(const ReadBlock& block) const;
-  bool plain_move(const ReadBlock& block);
   bool execute_in_full(ReadBlock& block);
   bool enter_parameter(const ReadBlock& block, const Words::G* one_shot);
   bool check_return(const Words& words);
@@ -64,6 +65,7 @@ class BlockActs {
   State& state_;
   ProgramCalls& calls_;
   BlockBuffer& buffer_;
+  std::function<void()> parameters_entered_;
   Targets targets_;
   Moves moves_;
   Settings settings_;
@@ -73,7 +75,6 @@ class BlockActs {
   CannedCycle cycle_;
   Auxiliary::Codes codes_;
   bool moved_ = false;
-  bool entered_parameters_ = false;
 };
 
 }  // namespace kerf::control

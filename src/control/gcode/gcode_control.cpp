@@ -34,7 +34,7 @@ GcodeControl::GcodeControl(const Parameters& parameters, const motion::AxisSetup
       interpreter_(library, *this, {gcode::kLocals, memory.commons, &math_}),
       programs_(state_, interpreter_, library, finder),
       call_reader_(state_, programs_),
-      acts_(state_, programs_, buffer_),
+      acts_(state_, programs_, buffer_, [this] { learn_parameters(); }),
       reader_(state_, acts_.targets(), call_reader_),
       calls_(state_, programs_, call_reader_),
       variables_(state_, library.names()),
@@ -173,8 +173,6 @@ Verdict GcodeControl::write(double number, double value) {
 
 void GcodeControl::fault(vm::Fault fault) { alarms_.raise(code_of(fault), detail_of(fault)); }
 
-void GcodeControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
-
 Verdict GcodeControl::end_of_code() {
   if (ends_ == Ends::with_text && programs_.in_main()) return end_of_entry();
   alarms_.raise(Code::end_of_record, "the program runs out without M02, M30 or M99");
@@ -191,7 +189,7 @@ Verdict GcodeControl::end_of_entry() {
 
 Verdict GcodeControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
   const bool behind_statement = std::exchange(in_statement_, true);
-  Verdict verdict = announce(page, mark);
+  Verdict verdict = ProgramControl::begin_block(page, mark);
   if (verdict == Verdict::go_on && interrupt_.is_pending()) verdict = answer_interrupt();
   if (verdict != Verdict::go_on || !behind_statement) return verdict;
   if (!single_block_ || !parameters_.stop_at_macro) return Verdict::go_on;
@@ -246,14 +244,8 @@ Verdict GcodeControl::execute_words(const gcode::GcodePage& page, const gcode::S
     if (!call_reader_.find(words, call)) return Verdict::stop;
     if (call.kind != BlockCall::Kind::none) return execute_call(words, call);
   }
-  if (!reader_.collect(words, block_) || !execute_block()) return Verdict::stop;
+  if (!reader_.collect(words, block_) || !acts_.execute(block_)) return Verdict::stop;
   return continue_block();
-}
-
-bool GcodeControl::execute_block() {
-  const bool good = acts_.execute(block_);
-  if (acts_.has_entered_parameters()) learn_parameters();
-  return good;
 }
 
 Verdict GcodeControl::execute_call(std::span<const Word> words, const BlockCall& call) {
@@ -278,7 +270,7 @@ bool GcodeControl::call_program(std::span<const Word> words, const BlockCall& ca
       state_.assume(Assumed::words_before_call,
                     "G codes before a macro call in its block act as usual");
     }
-    if (!reader_.collect(before, block_) || !execute_block() || !state_.path.end_block())
+    if (!reader_.collect(before, block_) || !acts_.execute(block_) || !state_.path.end_block())
       return false;
   }
   const std::size_t depth = interpreter_.depth();

@@ -26,7 +26,7 @@ namespace kerf::control {
 
 /// The control of a machining centre: executes the blocks that the interpreter hands it and emits
 /// what the machine must do. Reads all its settings from the machine; knows neither time nor files.
-class GcodeControl : public ProgramControl, public vm::Host {
+class GcodeControl : public ProgramControl {
  public:
   GcodeControl(const Parameters& parameters, const motion::AxisSetup& axes, Memory& memory,
                gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings,
@@ -89,7 +89,6 @@ class GcodeControl : public ProgramControl, public vm::Host {
   vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
-  void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
   vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
@@ -118,7 +117,6 @@ class GcodeControl : public ProgramControl, public vm::Host {
   void begin(const gcode::GcodePage& page, const gcode::Statement& statement);
   vm::Verdict execute_words(const gcode::GcodePage& page, const gcode::Statement& statement,
                             const double* registers);
-  bool execute_block();
   vm::Verdict execute_call(std::span<const gcode::Word> words, const BlockCall& call);
   bool call_program(std::span<const gcode::Word> words, const BlockCall& call);
   vm::Verdict continue_block();

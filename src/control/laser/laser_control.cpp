@@ -137,7 +137,7 @@ std::string LaserControl::callers() {
 
 Verdict LaserControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
   const bool behind_statement = std::exchange(in_statement_, true);
-  const Verdict verdict = announce(page, mark);
+  const Verdict verdict = ProgramControl::begin_block(page, mark);
   if (verdict != Verdict::go_on || !behind_statement || !single_block_) return verdict;
   return halt_with(Halt::single_block, Verdict::pause);
 }
@@ -242,8 +242,6 @@ void LaserControl::fault(Fault fault) {
   alarms_.raise(code_of(fault),
                 fault == Fault::overflow ? "the result is too large for a number" : "");
 }
-
-void LaserControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
 
 Verdict LaserControl::end_of_program() {
   moves_.stand_at(block());

@@ -17,7 +17,7 @@ namespace kerf::control {
 /// The control of a laser that runs laser BASIC (docs/laser-basic.md): gives the statements of a
 /// program their meaning. There are no blocks to skip, no optional stops and no tools; the work
 /// origin is that of G54.
-class LaserControl final : public ProgramControl, private vm::Host {
+class LaserControl final : public ProgramControl {
  public:
   /// All must outlive the control.
   LaserControl(const Parameters& parameters, const motion::AxisSetup& axes, const Memory& memory,
@@ -63,7 +63,6 @@ class LaserControl final : public ProgramControl, private vm::Host {
   vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
-  void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
   vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 

@@ -51,12 +51,6 @@ Verdict TeachControl::execute(const vm::CodePage& page, std::uint32_t block,
   return sink_.ready() ? Verdict::go_on : Verdict::pause;
 }
 
-Verdict TeachControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  return announce(page, mark);
-}
-
-void TeachControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
-
 // The compiler ends every program with END or a failure, behind which only a search comes here; it
 // makes no code that reads, writes or calculates.
 Verdict TeachControl::end_of_code() { return halt_with(Halt::end, Verdict::stop); }

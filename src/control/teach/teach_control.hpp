@@ -10,7 +10,7 @@ namespace kerf::control {
 /// The control of a machine that goes to taught points: executes the records of a .tch file, one
 /// block each, as TaughtMoves says. There are no variables, no calls, no tool and no work offset:
 /// points are where the machine was.
-class TeachControl final : public ProgramControl, private vm::Host {
+class TeachControl final : public ProgramControl {
  public:
   /// All must outlive the control.
   TeachControl(const motion::AxisSetup& axes, const TaughtFor& machine,
@@ -47,9 +47,7 @@ class TeachControl final : public ProgramControl, private vm::Host {
   vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
-  void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
-  vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
   // ProgramControl
   vm::Interpreter* interpreter() override { return &interpreter_; }

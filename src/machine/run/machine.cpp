@@ -91,7 +91,7 @@ void Machine::make(const motion::Motion& motion) {
   if (const auto* const power = std::get_if<motion::Power>(&motion.action)) made_beam_ = *power;
   statistics_.take(motion);
   dotted_cut_.take(motion);
-  drive(motion);
+  servo_.take(alter_ ? alter_(motion) : motion);
   for (motion::MotionSink* const sink : sinks_) sink->take(motion);
   ++made_;
 }

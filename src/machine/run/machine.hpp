@@ -125,8 +125,6 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   [[nodiscard]] bool input_can_be_read() override { return true; }
   /// False: this motion is not made, nor seen by anybody.
   [[nodiscard]] virtual bool admits(const motion::Motion& motion) = 0;
-  /// Hands a motion that is made to the servo.
-  virtual void drive(const motion::Motion& motion) { servo_.take(motion); }
 
   // What a run works with.
 
@@ -136,6 +134,10 @@ class Machine : private control::Surroundings, private motion::MotionSink {
     return joints_.refusal(from, move, intent);
   }
   void make(const motion::Motion& motion);
+  /// What is done with motions on their way to the servo; the sinks get them as they were.
+  void alter_motions(std::function<motion::Motion(const motion::Motion&)> change) {
+    alter_ = std::move(change);
+  }
   /// The move is made with the beam off, whatever the program has; its next one finds it as it was.
   void switch_beam_off(const motion::Motion& move);
   [[nodiscard]] base::FileId add_source(std::unique_ptr<base::SourceFile> file) {
@@ -185,6 +187,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   Servo servo_;
   JointWatch joints_;
   std::vector<motion::MotionSink*> sinks_;
+  std::function<motion::Motion(const motion::Motion&)> alter_;
   std::function<void(std::string_view)> print_output_;
   std::function<std::optional<std::string>()> input_;
   SkipContacts contacts_;

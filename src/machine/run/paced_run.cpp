@@ -45,10 +45,6 @@ bool PacedRun::admits(const motion::Motion& motion) {
   return false;
 }
 
-void PacedRun::drive(const motion::Motion& motion) {
-  servo().take(alter_ ? alter_(motion) : motion);
-}
-
 // Programs
 
 bool PacedRun::begin(std::optional<base::Diagnostic> alarm) {

@@ -20,10 +20,7 @@ class PacedRun : public Machine {
   void observe_rest(std::function<void()> observer) { at_rest_ = std::move(observer); }
   /// Whether the line that INPUT waits for is there; without it all of them are.
   void set_input_ready(std::function<bool()> question) { input_ready_ = std::move(question); }
-  /// What is done with motions on their way to the servo; the sinks get them as they were.
-  void alter_motions(std::function<motion::Motion(const motion::Motion&)> change) {
-    alter_ = std::move(change);
-  }
+  using Machine::alter_motions;
 
   // Time
 
@@ -95,7 +92,6 @@ class PacedRun : public Machine {
   [[nodiscard]] double seconds() override { return servo().time_s(); }
   [[nodiscard]] bool input_can_be_read() override;
   [[nodiscard]] bool admits(const motion::Motion& motion) override;
-  void drive(const motion::Motion& motion) override;
 
   bool begin(std::optional<base::Diagnostic> alarm);
   void execute_ahead();
@@ -106,7 +102,6 @@ class PacedRun : public Machine {
 
   std::function<void()> at_rest_;
   std::function<bool()> input_ready_;
-  std::function<motion::Motion(const motion::Motion&)> alter_;
   motion::MotionSink* diverted_ = nullptr;
   bool is_active_ = false;
   bool is_in_program_ = false;

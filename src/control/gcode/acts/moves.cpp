@@ -109,10 +109,11 @@ bool Moves::execute(const Words& words, bool& moved) {
   const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   if (mode == Meaning::rapid) {
-    if (!state_.path.rapid(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
+    if (!state_.path.move(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
   } else {
     motion::Feed rate;
-    if (!feed(&words, rate) || !state_.path.line(state_.coordinates.path(), path, rate))
+    if (!feed(&words, rate) ||
+        !state_.path.move(state_.coordinates.path(), motion::Line{on_path(path), rate}))
       return false;
   }
   return finish(target, path);
@@ -217,7 +218,9 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   const PathPoint from = state_.coordinates.path();
-  if (nothing) return (outside == 0 || state_.path.line(from, path, rate)) && finish(target, path);
+  if (nothing)
+    return (outside == 0 || state_.path.move(from, motion::Line{on_path(path), rate})) &&
+           finish(target, path);
   const bool image_clockwise = clockwise != transform.reverses(*plane);
   Vec2 image;
   if (transform.scales_evenly(*plane)) {

@@ -67,20 +67,12 @@ motion::Motion Toolpath::make(const motion::Motion::Action& action) const {
   return motion;
 }
 
-bool Toolpath::rapid(const PathPoint& from, const motion::Rapid& rapid) {
-  return move(from, make(rapid), nullptr);
-}
-
-bool Toolpath::line(const PathPoint& from, const PathPoint& to, const motion::Feed& feed) {
-  return move(from, make(motion::Line{on_path(to), feed}), nullptr);
-}
-
 bool Toolpath::arc(const PathPoint& from, const PathPoint& to, const ArcShape& shape,
                    const motion::Feed& feed) {
   const motion::Arc arc{on_path(to), {shape.centre.u, shape.centre.v},
                         feed,        shape.turns,
                         shape.plane, shape.direction};
-  return move(from, make(arc), &shape);
+  return move(from, arc, &shape);
 }
 
 bool Toolpath::straight(const motion::Motion::Action& action) {
@@ -107,7 +99,9 @@ bool Toolpath::pass(const motion::Motion& motion) {
 }
 
 // Most moves meet neither a corner nor compensation.
-bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const ArcShape* shape) {
+bool Toolpath::move(const PathPoint& from, const motion::Motion::Action& action,
+                    const ArcShape* shape) {
+  const motion::Motion motion = make(action);
   const bool rounds = corner_at_end_.has_value() || corners_.holding();
   if (!compensation_.active() && !rounds) return emit(motion);
   const motion::PlaneAxes plane = compensation_.active() ? compensation_.plane()

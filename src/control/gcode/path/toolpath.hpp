@@ -49,9 +49,9 @@ class Toolpath {
 
   // Moves of the programmed path, from `from` to the target. False: an alarm was
   // raised.
-  [[nodiscard]] bool rapid(const base::PathPoint& from, const motion::Rapid& rapid);
-  [[nodiscard]] bool line(const base::PathPoint& from, const base::PathPoint& to,
-                          const motion::Feed& feed);
+  /// `shape`: of an arc.
+  [[nodiscard]] bool move(const base::PathPoint& from, const motion::Motion::Action& action,
+                          const ArcShape* shape = nullptr);
   [[nodiscard]] bool arc(const base::PathPoint& from, const base::PathPoint& to,
                          const ArcShape& shape, const motion::Feed& feed);
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
@@ -88,7 +88,6 @@ class Toolpath {
   [[nodiscard]] base::TipPoint tip() const;
 
  private:
-  bool move(const base::PathPoint& from, const motion::Motion& motion, const ArcShape* shape);
   bool move_beside_plane(const motion::Motion& motion);
   bool round(const PathStep& step);
   bool compensate(const PathStep& step);

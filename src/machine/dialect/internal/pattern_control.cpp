@@ -82,12 +82,6 @@ Verdict PatternControl::execute(const vm::CodePage& page, std::uint32_t block,
   return sink_.ready() ? Verdict::go_on : Verdict::pause;
 }
 
-Verdict PatternControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
-  return announce(page, mark);
-}
-
-void PatternControl::failure(const base::Diagnostic& diagnostic) { alarms_.report(diagnostic); }
-
 Verdict PatternControl::end_of_code() {
   motion::Motion end;
   end.action = motion::End{};

@@ -16,7 +16,7 @@ namespace kerf::machine {
 ///
 /// A record that would take a joint beyond its travel is the alarm LIMIT, one that the timers
 /// cannot make TIMER_OVERFLOW, and nothing of it is handed out.
-class PatternControl final : public control::ProgramControl, private vm::Host {
+class PatternControl final : public control::ProgramControl {
  public:
   /// All must outlive the control. `records` gets the record of each motion that `sink` gets.
   PatternControl(const PatternMachine& machine, PatternLibrary& library, PatternQueue& records,
@@ -55,9 +55,7 @@ class PatternControl final : public control::ProgramControl, private vm::Host {
   vm::Verdict read(double number, double& value) override;
   vm::Verdict write(double number, double value) override;
   void fault(vm::Fault fault) override;
-  void failure(const base::Diagnostic& diagnostic) override;
   vm::Verdict end_of_code() override;
-  vm::Verdict begin_block(const vm::CodePage& page, const vm::BlockMark& mark) override;
 
   // ProgramControl
   vm::Interpreter* interpreter() override { return &interpreter_; }

@@ -102,16 +102,14 @@ void Hub::tick() {
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {
   thread_.here();
-  if (const auto command = gate_.admit(client, text)) serve(*command);
-}
-
-void Hub::serve(const CommandGate::Admitted& command) {
-  const std::string name(command.command->name);
+  const auto admitted = gate_.admit(client, text);
+  if (!admitted) return;
+  const auto& [request, command] = *admitted;
   try {
-    find_handler(name)(*this, command.request);
+    find_handler(command->name)(*this, request);
   } catch (const std::exception& fault) {
-    tell_console(name + ": fault of Kerf itself: " + fault.what());
-    command.request.reply.no(base::Refusal::own_fault, {fault.what()});
+    tell_console(std::string(command->name) + ": fault of Kerf itself: " + fault.what());
+    request.reply.no(base::Refusal::own_fault, {fault.what()});
   }
 }
 

@@ -86,7 +86,6 @@ class Hub {
       MachineStore store, FolderLock lock);
 
   void published(std::vector<Publication> publications);
-  void serve(const CommandGate::Admitted& command);
 
   ThreadCheck thread_{"that of the sockets"};
   ServerClock clock_;
@@ -97,7 +96,7 @@ class Hub {
   std::unique_ptr<Worker> machine_worker_;  // nobody waits for the library there
   std::unique_ptr<Worker> aside_worker_;
   std::unique_ptr<Worker> preview_worker_;
-  // Its parts, each of those before it.
+  // Its parts; each knows only those above it.
   Answers answers_;
   Clients clients_;
   MachineTable machines_;

@@ -1,4 +1,4 @@
-// Machine files: every key with its range and default, what follows from them, the built-in ones.
+// Machine files: every key with its range and default.
 #include "machine/definition/machine_definition.hpp"
 
 #include <gtest/gtest.h>
@@ -9,39 +9,18 @@
 #include <limits>
 #include <utility>
 
+#include "machine_files.hpp"
+
 namespace kerf::machine {
 namespace {
 
-using base::AxisVector;
-using base::JointPoint;
-using base::TipPoint;
 using kinematics::Kind;
 using planner::Sampling;
+using test::axis;
+using test::file_of;
+using test::machine_of;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-std::string axis(const std::string& name, bool rotary = false, const std::string& more = {}) {
-  return "[[axis]]\nname = \"" + name + "\"\nrotary = " + (rotary ? "true" : "false") +
-         "\nvelocity = 6000\n" + more;
-}
-
-/// A file with the axes that its linkage needs; `more` begins in line 3.
-std::string file_of(const std::string& type, const std::string& more) {
-  std::string axes;
-  if (type == "arm") axes = axis("T1", true) + axis("T2", true) + axis("T3", true) + axis("Z");
-  if (type == "x-theta-z") axes = axis("X") + axis("C", true) + axis("Z");
-  if (type == "head-ac") {
-    axes = axis("X") + axis("Y") + axis("Z") + axis("A", true) + axis("C", true);
-  }
-  if (type == "cartesian" || type == "cartesian-step") axes = axis("X") + axis("Y");
-  return "name = \"m\"\nkinematics.type = \"" + type + "\"\n" + more + axes;
-}
-
-MachineDefinition machine_of(const std::string& type, const std::string& more = {}) {
-  auto machine = MachineDefinition::parse(file_of(type, more), "m.toml");
-  EXPECT_TRUE(machine) << machine.error().message;
-  return machine ? *machine : MachineDefinition{};
-}
 
 std::string refusal(const std::string& toml) {
   const auto machine = MachineDefinition::parse(toml, "m.toml");
@@ -68,9 +47,10 @@ struct KeyCase {
 
 double enumerated(auto value) { return static_cast<double>(value); }
 
-const std::vector<KeyCase>& key_cases() {
-  using M = const MachineDefinition&;
-  static const std::vector<KeyCase> cases = {
+using M = const MachineDefinition&;
+
+std::vector<KeyCase> axis_keys() {
+  return {
       {"cartesian", "axis.X.velocity", "1200", 1200,
        [](M m) { return m.driven[0].velocity_per_min; }, "0", "a positive number"},
       {"cartesian", "axis.X.acceleration", "50.5", 50.5,
@@ -85,7 +65,11 @@ const std::vector<KeyCase>& key_cases() {
        "-1", "a number that is not negative"},
       {"arm", "axis.T1.velocity", "90", 90, [](M m) { return m.driven[0].velocity_per_min; }, "-3",
        "a positive number"},
+  };
+}
 
+std::vector<KeyCase> linkage_keys() {
+  return {
       {"x-theta-z", "kinematics.x1", "-25", -25, [](M m) { return m.kinematics.x_theta_z.x1_mm; },
        "inf", "a number"},
       {"x-theta-z", "kinematics.theta0_deg", "10", 10,
@@ -104,12 +88,20 @@ const std::vector<KeyCase>& key_cases() {
        [](M m) { return enumerated(m.kinematics.arm.forearm_absolute); }, "1", "true or false"},
       {"arm", "kinematics.elbow", "minus", 1,
        [](M m) { return enumerated(m.kinematics.arm.elbow_minus); }, "left", "plus or minus"},
+  };
+}
 
+std::vector<KeyCase> tip_keys() {
+  return {
       {"arm", "tip.velocity", "100", 100, [](M m) { return m.tip.velocity_per_min; }, "0",
        "a positive number"},
       {"x-theta-z", "tip.acceleration", "7", 7, [](M m) { return m.tip.acceleration; }, "0",
        "a positive number"},
+  };
+}
 
+std::vector<KeyCase> interpolator_keys() {
+  return {
       {"cartesian", "interpolator.period_ms", "8", 0.008,
        [](M m) { return m.interpolator.period_s; }, "0", "a number from 0.01 to 1000"},
       {"cartesian", "interpolator.mode", "tail", enumerated(Sampling::tail),
@@ -124,7 +116,11 @@ const std::vector<KeyCase>& key_cases() {
        [](M m) { return m.interpolator.tolerance_mm; }, "-0.01", "a number from 0 to 1000"},
       {"cartesian", "interpolator.chord_tolerance", "0.02", 0.02,
        [](M m) { return m.interpolator.chord_tolerance_mm; }, "0", "a number from 1e-06 to 1000"},
+  };
+}
 
+std::vector<KeyCase> drive_keys() {
+  return {
       {"cartesian", "drive.pulse_width_ns", "4294967295", 4294967295.0,
        [](M m) { return enumerated(m.drive.timing.pulse_width_ns); }, "4294967296",
        "a whole number from 1 to 4294967295"},
@@ -149,7 +145,11 @@ const std::vector<KeyCase>& key_cases() {
        "a positive number"},
       {"arm", "drive.fast_acceleration", "10", 10,
        [](M m) { return m.drive.arm.fast.acceleration_hz_s; }, "0", "a positive number"},
+  };
+}
 
+std::vector<KeyCase> laser_keys() {
+  return {
       {"cartesian", "drive.max_power_w", "60", 60,
        [](M m) { return m.drive.laser.fitted() ? m.drive.laser.max_power_w : -1; }, "-1",
        "a number that is not negative"},
@@ -171,7 +171,14 @@ const std::vector<KeyCase>& key_cases() {
       {"cartesian", "drive.hidden_tick", "true", enumerated(drive::PwmTimer::Counting::hidden_tick),
        [](M m) { return enumerated(m.drive.laser.timer.counting); }, "yes", "true or false"},
   };
-  return cases;
+}
+
+std::vector<KeyCase> key_cases() {
+  std::vector<KeyCase> all;
+  for (const auto& keys :
+       {axis_keys(), linkage_keys(), tip_keys(), interpolator_keys(), drive_keys(), laser_keys()})
+    all.insert(all.end(), keys.begin(), keys.end());
+  return all;
 }
 
 bool is_word(const std::string& value) {
@@ -394,160 +401,6 @@ TEST(MachineFile, JointNamesAreForLinkagesWithATipOfTheirOwn) {
   const MachineDefinition machine = machine_of("arm");
   EXPECT_EQ(machine.driven[0].name, "T1");
   EXPECT_NE(refusal("name = 'm'\nkinematics.type = 'arm'\n" + axis("T4", true)), "");
-}
-
-std::string letters(const MachineDefinition& machine) {
-  std::string text;
-  for (const motion::AxisConfig& a : machine.axes.axes) {
-    text += a.letter;
-    if (a.rotary) text += '*';
-  }
-  return text;
-}
-
-TEST(MachineAxes, OfProgramsAreTheDrivenOnesOrThoseOfTheTip) {
-  EXPECT_EQ(letters(machine_of("cartesian")), "XY");
-  EXPECT_EQ(letters(machine_of("head-ac")), "XYZA*C*");
-  EXPECT_EQ(letters(machine_of("x-theta-z")), "XYZ");
-  EXPECT_EQ(letters(machine_of("arm")), "XYZC*");
-}
-
-TEST(MachineAxes, OfTheTipHaveTheRatesOfWhatMovesThem) {
-  const MachineDefinition arm = machine_of("arm", "[tip]\nvelocity = 10\nacceleration = 11\n");
-  EXPECT_EQ(arm.axes.axes[0].rapid_per_min, 10);
-  EXPECT_EQ(arm.axes.axes[1].acceleration, 11);
-  EXPECT_EQ(arm.axes.axes[2].rapid_per_min, 6000) << "the lift's";
-  EXPECT_EQ(arm.axes.axes[3].rapid_per_min, 6000) << "the wheel's";
-}
-
-TEST(MachineAxes, OfTheTipRefersToWhereTheJointsDo) {
-  const std::string text = "name = 'm'\nkinematics = {type = 'x-theta-z', x1 = 25, z0 = 5}\n" +
-                           axis("X", false, "reference = [75, 0, 0, 0]\ntravel = [0, 9]\n") +
-                           axis("C", true, "reference = [90, 180, 0, 0]\n") +
-                           axis("Z", false, "reference = [3, 0, 0, 0]\n");
-  const auto machine = MachineDefinition::parse(text, "m.toml");
-  ASSERT_TRUE(machine) << machine.error().message;
-  const auto& axes = machine->axes.axes;
-  EXPECT_EQ(axes[0].reference, (std::array<double, 4>{0, -25, 25, 25}));
-  EXPECT_EQ(axes[1].reference, (std::array<double, 4>{100, 0, 0, 0}));
-  EXPECT_EQ(axes[2].reference, (std::array<double, 4>{8, 5, 5, 5}));
-  EXPECT_FALSE(axes[0].travel_min < axes[0].travel_max) << "the tip has no travel of its own";
-}
-
-TEST(MachineAxes, TravelIsTheControlsOnCartesianMachinesAndTheJointsElsewhere) {
-  const std::string travel = "travel = [-5, 7]\n";
-  const auto mill = MachineDefinition::parse("name='m'\n" + axis("X", false, travel), "");
-  EXPECT_EQ(mill->axes.axes[0].travel_max, 7);
-  EXPECT_EQ(mill->kinematics.joints[0].high, kInfinite);
-  EXPECT_TRUE(mill->make_kinematics()->inverse({{100}}, {}));
-
-  const auto head = MachineDefinition::parse("name='m'\nkinematics.type='head-ac'\n" +
-                                                 axis("X", false, travel) + axis("Y") + axis("Z") +
-                                                 axis("A", true, travel) + axis("C", true),
-                                             "");
-  ASSERT_TRUE(head) << head.error().message;
-  EXPECT_EQ(head->kinematics.joints[0].high, 7);
-  EXPECT_EQ(head->kinematics.joints[1].low, -kInfinite);
-  EXPECT_EQ(head->axes.axes[0].travel_max, 0) << "the focus is not the carriage";
-  EXPECT_EQ(head->axes.axes[3].travel_max, 7) << "A is A";
-}
-
-TEST(MachineLimits, CountInSeconds) {
-  const auto machine = MachineDefinition::parse(
-      "name='m'\n[[axis]]\nname='X'\nvelocity=6000\nacceleration=3\njerk=4\n" + axis("Y"), "");
-  const planner::AxisLimits limits = machine->joint_limits();
-  EXPECT_EQ(limits.velocity, (AxisVector{{100, 100}}));
-  EXPECT_EQ(limits.acceleration, (AxisVector{{3, 1000}}));
-  EXPECT_EQ(limits.jerk, (AxisVector{{4, kInfinite}}));
-}
-
-TEST(MachineLimits, StepsAreThoseOfTheFile) {
-  const auto machine = MachineDefinition::parse(
-      "name='m'\n[[axis]]\nname='X'\nvelocity=1\nsteps_per_unit=-80\nmax_rate=9\n", "");
-  const auto steps = machine->step_axes();
-  ASSERT_EQ(steps.size(), 1U);
-  EXPECT_EQ(steps[0].name, "X");
-  EXPECT_EQ(steps[0].steps_per_unit, -80);
-  EXPECT_EQ(steps[0].most_rate_hz, 9);
-}
-
-TEST(BuiltinMachines, AreNamedAsTheirFilesAndCanBeMade) {
-  std::string names;
-  for (const BuiltinMachine& builtin : builtin_machines()) {
-    const auto machine = MachineDefinition::parse(builtin.toml, std::string(builtin.name));
-    ASSERT_TRUE(machine) << machine.error().message;
-    EXPECT_EQ(machine->name, builtin.name);
-    EXPECT_EQ(machine->make_kinematics()->size(), machine->driven.size());
-    names += machine->name + " ";
-  }
-  EXPECT_EQ(names, "arm4 cartesian-step laser-xtz laser3 laser5 mill3 mill4 mill5 ");
-}
-
-TEST(BuiltinMachines, MillsAndTheEngraverHaveNoLimitOfJerkUnlessTheFileSaysSo) {
-  for (const char* const name : {"mill3", "laser3"}) {
-    const MachineDefinition machine = *find_machine(name);
-    for (const DrivenAxis& a : machine.driven) EXPECT_EQ(a.jerk, kInfinite) << name << a.name;
-  }
-  EXPECT_EQ(find_machine("mill5")->joint_limits().jerk, (AxisVector{{5e4, 5e4, 5e4, 7200, 7200}}));
-}
-
-TEST(BuiltinMachines, RapidsStepNoFasterThanTheAmplifiersTake) {
-  for (const BuiltinMachine& builtin : builtin_machines()) {
-    const MachineDefinition machine = *find_machine(std::string(builtin.name));
-    const drive::StepTiming& timing = machine.drive.timing;
-    const double most_hz = 1e9 / static_cast<double>(timing.pulse_width_ns + timing.pulse_gap_ns);
-    for (const DrivenAxis& a : machine.driven) {
-      EXPECT_LE(a.velocity_per_min / 60 * a.steps_per_unit, most_hz) << builtin.name << a.name;
-    }
-  }
-}
-
-TEST(BuiltinMachines, TheArmHasTheJointsOfTheGlassEngraver) {
-  const MachineDefinition arm = *find_machine("arm4");
-  const auto linkage = arm.make_kinematics();
-  EXPECT_EQ(linkage->joints()[0].high, 32767 * 0.005);
-  EXPECT_EQ(linkage->joints()[0].low, -32767 * 0.005);
-  EXPECT_EQ(1 / arm.driven[0].steps_per_unit, 0.005);
-  EXPECT_NEAR(1 / arm.driven[2].steps_per_unit, 0.75, 1e-15);
-  EXPECT_EQ(arm.driven[3].steps_per_unit, 100);
-  // A path round the shoulder goes on beyond half a turn.
-  const auto joints = linkage->inverse({{-150, -80}}, {{99, -200}}, kinematics::Branch::plus);
-  ASSERT_TRUE(joints) << joints.error().message;
-  EXPECT_NEAR(joints->values[1], -201.841312, 1e-6);
-  const auto folded = linkage->inverse({{10, 0}}, {});
-  ASSERT_FALSE(folded);
-  EXPECT_EQ(code_of(folded.error().kind), base::Code::joint_limit);
-}
-
-TEST(BuiltinMachines, TheFiveAxisLaserHasTheHeadOfTheTable) {
-  const MachineDefinition laser = *find_machine("laser5");
-  EXPECT_EQ(laser.interpolator.period_s, 0.008);
-  const auto head = laser.make_kinematics();
-  const JointPoint joints = *head->inverse({{100, 50, 25, 30, 90}}, {});
-  EXPECT_NEAR(joints.values[0], 175, 1e-9);
-  EXPECT_NEAR(joints.values[1], -30, 1e-9);
-  EXPECT_NEAR(joints.values[2], 154.903811, 1e-6);
-  EXPECT_FALSE(head->inverse({{0, 0, 0, 181, 0}}, {})) << "A ends at 180";
-  EXPECT_TRUE(head->inverse({{0, 0, 0, 0, 7200}}, {})) << "C does not end";
-  EXPECT_TRUE(laser.drive.laser.fitted());
-}
-
-TEST(BuiltinMachines, TheLensCutterHasTheConstantsOfTheTable) {
-  const MachineDefinition laser = *find_machine("laser-xtz");
-  const TipPoint tip = laser.make_kinematics()->forward({{75, 20, 3}});
-  EXPECT_NEAR(tip.values[0], 86.602540, 1e-6);
-  EXPECT_NEAR(tip.values[1], 50, 1e-6);
-  EXPECT_NEAR(tip.values[2], 8, 1e-6);
-  EXPECT_EQ(laser.joint_limits().velocity, (AxisVector{{100, 90, 10}}));
-}
-
-TEST(BuiltinMachines, TheEngraverHasTheTimerOfItsBoard) {
-  const LaserSettings laser = find_machine("laser3")->drive.laser;
-  const auto registers = drive::pwm_registers(laser.timer, {laser.pwm_frequency_hz, 0.8});
-  ASSERT_TRUE(registers);
-  EXPECT_EQ(registers->tcntb, 12500);
-  EXPECT_EQ(registers->tcmpb, 10000);
-  EXPECT_NEAR(drive::line_energy_j_mm({2000, 0.8}, laser.max_power_w, 100), 0.48, 1e-12);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct Execute {
   ExitStatus operator()(const TimeOptions& options) const { return kerf::cli::time(options); }
   ExitStatus operator()(const CheckOptions& options) const { return check(options); }
   ExitStatus operator()(const PatternOptions& options) const { return pattern(options); }
+  ExitStatus operator()(const ReplayOptions& options) const { return replay(options); }
   ExitStatus operator()(const ServeOptions& options) const { return kerf::serve(options); }
   ExitStatus operator()(const MachinesOptions& options) const { return machines(options.name); }
   ExitStatus operator()(const Answer& answer) const {

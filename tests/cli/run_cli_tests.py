@@ -39,6 +39,7 @@ import post_arc_tests  # noqa: F401
 import post_tests  # noqa: F401
 import pulse_tests  # noqa: F401
 import reader_tests  # noqa: F401
+import journal_tests  # noqa: F401
 import replay_tests  # noqa: F401
 import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401

@@ -12,15 +12,15 @@ namespace {
 TEST(Beam, IsOffWhileTheFeedIsHeld) {
   Bench bench("laser3");
   bench.load("speed(10); power(50)\nline(40,0)\nend\n", "a.bas", "laser-basic");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
   EXPECT_TRUE(bench.now().beam);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   bench->advance(1);
   EXPECT_EQ(bench.status(), Status::held);
   EXPECT_FALSE(bench.now().beam);
   EXPECT_EQ(bench.now().power_percent, 50);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
   EXPECT_TRUE(bench.now().beam);
 }
@@ -30,17 +30,17 @@ TEST(Beam, IsOffWhileAnAxisIsJogged) {
   for (const char* const left :
        {"M03 S500\nG91 G01 X10. F600", "M03 S500\nG91 G01 X10. F600\nX[1/0]"}) {
     Bench bench("laser3");
-    EXPECT_DONE(bench->set_mode(Mode::mdi));
-    EXPECT_DONE(bench->mdi(left));
+    EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
+    EXPECT_DONE(bench->perform(EnterBlocks{left}));
     bench->advance(0.5);
     EXPECT_TRUE(bench.now().beam);
     bench.settle();
     EXPECT_FALSE(bench.now().beam);
-    bench->reset();
-    EXPECT_DONE(bench->set_mode(Mode::jog));
+    bench->perform(Reset{});
+    EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
     Points points;
     bench->add_point_sink(points);
-    EXPECT_DONE(bench->jog_by("X", 2, 600));
+    EXPECT_DONE(bench->perform(JogBy{"X", 2, 600}));
     bench->advance(0.1);
     EXPECT_FALSE(bench.now().beam) << left;
     bench.settle();
@@ -51,14 +51,14 @@ TEST(Beam, IsOffWhileAnAxisIsJogged) {
 
 TEST(Beam, IsOffOnTheWayToTheReferencePoint) {
   Bench bench("laser3");
-  EXPECT_DONE(bench->set_mode(Mode::mdi));
-  EXPECT_DONE(bench->mdi("M03 S500\nG91 G01 X10. F600"));
+  EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
+  EXPECT_DONE(bench->perform(EnterBlocks{"M03 S500\nG91 G01 X10. F600"}));
   bench.settle();
   EXPECT_EQ(bench.x(), 10);
-  EXPECT_DONE(bench->set_mode(Mode::reference));
+  EXPECT_DONE(bench->perform(SetMode{Mode::reference}));
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->home());
+  EXPECT_DONE(bench->perform(Home{}));
   bench.settle();
   EXPECT_EQ(bench.x(), 0);
   ASSERT_FALSE(points.all.empty());
@@ -69,10 +69,10 @@ TEST(Beam, OfM04FollowsTheFeedDialUpToFullPower) {
   for (const auto& [dial, power] : {std::pair{50, 40.0F}, {100, 80.0F}, {150, 100.0F}}) {
     Bench bench("laser3");
     bench.load("O1\nM04S800\nG01X60.F600\nM30\n");
-    EXPECT_DONE(bench->set_dials({dial, 100, 100}));
+    EXPECT_DONE(bench->perform(SetDials{dial, 100, 100}));
     Points points;
     bench->add_point_sink(points);
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     EXPECT_EQ(bench.settle(), Status::end);
     float most = 0;
     for (const auto& point : points.all) most = std::max(most, point.power_percent);
@@ -92,10 +92,10 @@ TEST(Beam, HasTheSpindleDialForItsPower) {
                                           {full, 120, 100.0F}}) {
     Bench bench("laser3");
     bench.load(text);
-    EXPECT_DONE(bench->set_dials({100, 100, dial}));
+    EXPECT_DONE(bench->perform(SetDials{100, 100, dial}));
     Points points;
     bench->add_point_sink(points);
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     bench->advance(3);
     EXPECT_EQ(bench.now().power_percent, power) << text << dial;
     EXPECT_EQ(bench.settle(), Status::end);
@@ -107,21 +107,21 @@ TEST(Beam, IsThatOfTheProgramBehindAJog) {
   Bench bench("laser3");
   bench.load("speed(10); power(50)\nline(10,0)\nline(20,0)\nline(30,0)\nend\n", "a.bas",
              "laser-basic");
-  bench->set_switch(Switch::single_block, true);
+  bench->perform(TurnSwitch{Switch::single_block, true});
   for (int statement = 0; statement < 3; ++statement) {
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     bench.settle();
   }
   EXPECT_EQ(bench.x(), 10);
-  EXPECT_DONE(bench->set_mode(Mode::jog));
-  EXPECT_DONE(bench->jog_by("X", 2, 600));
+  EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
+  EXPECT_DONE(bench->perform(JogBy{"X", 2, 600}));
   bench.settle();
   EXPECT_EQ(bench.x(), 12);
-  EXPECT_DONE(bench->set_mode(Mode::automatic));
-  bench->set_switch(Switch::single_block, false);
+  EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
+  bench->perform(TurnSwitch{Switch::single_block, false});
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
   EXPECT_TRUE(bench.now().beam);
   EXPECT_EQ(bench.settle(), Status::end);

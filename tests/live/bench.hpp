@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine/panel/live_machine.hpp"
+#include "panel_keys.hpp"
 
 namespace kerf::test {
 
@@ -30,10 +31,19 @@ class Bench {
   explicit Bench(const std::string& name = "mill3", LiveMachine::Settings settings = {},
                  const std::vector<std::pair<std::string, std::string>>& parameters = {})
       : definition_(*machine::find_machine(name)) {
+    settings.machine_file = file_of(name);
     for (const auto& [key, value] : parameters)
       EXPECT_TRUE(definition_.parameters.set(key, value)) << key;
     machine_.emplace(definition_, control::Memory(definition_.parameters.n_offsets),
                      std::move(settings));
+  }
+
+  /// The file of a built-in machine.
+  static std::string file_of(const std::string& name) {
+    for (const machine::BuiltinMachine& builtin : machine::builtin_machines()) {
+      if (builtin.name == name) return std::string(builtin.toml);
+    }
+    return {};
   }
 
   LiveMachine* operator->() { return &*machine_; }
@@ -41,7 +51,7 @@ class Bench {
 
   Bench& load(const std::string& text, const std::string& name = "part.nc",
               const std::string& dialect = {}) {
-    const auto loaded = machine_->load(base::ProgramText::of(name, text), dialect);
+    const auto loaded = machine_->perform(Load{base::ProgramText::of(name, text), dialect});
     EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
     return *this;
   }

@@ -33,26 +33,26 @@ TEST(ALimit, ThatIsStoppedEndsAtOnce) {
   bench->set_limit(WorkLimit(0, unwanted.get_token()));
   expect_too_long(bench->state_at(1e9));
   bench.load("O1\nN1#1=#1+1\nGOTO1\nM00\n");
-  EXPECT_REFUSED(bench->start_at(4), "was not reached");
+  EXPECT_REFUSED(bench->perform(StartAt{4}), "was not reached");
 }
 
 TEST(ALimit, LeavesARunThatCouldNotBeMadeAgainAsItIs) {
   Bench bench;
   bench.load(kEndless);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.15);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   for (int i = 0; i < 100 && bench.status() != Status::held; ++i) bench->advance(0.05);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   const double x = bench.x();
   std::stop_source unwanted;
   unwanted.request_stop();
   bench->set_limit(WorkLimit(0, unwanted.get_token()));
-  EXPECT_FALSE(bench->step_back());
+  EXPECT_FALSE(bench->perform(StepBack{}));
   bench->set_limit({});
   EXPECT_EQ(bench.x(), x);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.1);
   EXPECT_EQ(bench.status(), Status::running);
 }

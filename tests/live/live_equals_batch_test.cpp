@@ -100,11 +100,11 @@ Result run_live(const machine::MachineDefinition& definition, const Program& pro
   LiveMachine machine(definition, control::Memory(definition.parameters.n_offsets), settings);
   Fingerprint print;
   machine.add_point_sink(print);
-  EXPECT_DONE(machine.load(base::ProgramText::at_path(program.path)));
-  EXPECT_DONE(machine.cycle_start());
+  EXPECT_DONE(machine.perform(Load{base::ProgramText::at_path(program.path)}));
+  EXPECT_DONE(machine.perform(CycleStart{}));
   for (Status status = Status::running; status == Status::running || status == Status::stopped;) {
     if (status == Status::stopped) {
-      EXPECT_DONE(machine.cycle_start());
+      EXPECT_DONE(machine.perform(CycleStart{}));
     }
     machine.advance(step_s());
     status = machine.snapshot()->status;
@@ -177,7 +177,7 @@ TEST(LiveMachine, AClockThatAProgramReadsIsThatOfTheBatchRun) {
 TEST(LiveMachine, TheLineShownIsThatOfTheAxesNotThatOfTheControl) {
   Bench bench;
   bench.load("O1\nG91G94G01X10.F600\nX10.\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 600; ++i) {
     bench->advance(0.01);
     const machine::Snapshot shown = bench.now();
@@ -197,7 +197,7 @@ TEST(LiveMachine, TheLineShownIsThatOfTheAxesNotThatOfTheControl) {
 TEST(LiveMachine, ModalCodesAreThoseOfTheMotionUnderWay) {
   Bench bench;
   bench.load("O1\nG91G01X10.F600\nG90G00X20.\nG55\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
   const auto has = [&](const std::string& code) {
     const auto modal = bench.now().modal;

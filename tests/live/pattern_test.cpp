@@ -19,7 +19,7 @@ TEST(PatternOnThePanel, MakesThePointsOfAReplay) {
       Points live;
       bench->add_point_sink(live);
       with_pattern(bench, listing);
-      EXPECT_DONE(bench->cycle_start());
+      EXPECT_DONE(bench->perform(CycleStart{}));
       ASSERT_EQ(bench.settle(0.001 * seed * seed), Status::end);
       Replayed replayed;
       replay(bench->definition(), listing, replayed);
@@ -46,7 +46,7 @@ TEST(PatternOnThePanel, RunsWithoutPanelAsAReplayDoes) {
 TEST(PatternOnThePanel, ShowsTheRecordThatItIsIn) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.3);
   EXPECT_EQ(bench.line(), 1U);
   EXPECT_EQ(bench.now().text, "F Z 200");
@@ -58,16 +58,16 @@ TEST(PatternOnThePanel, ShowsTheRecordThatItIsIn) {
 TEST(PatternOnThePanel, StopsBehindEachRecordInSingleBlock) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
   std::vector<std::string> passed;
   for (int i = 0; i < 5; ++i) {
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     ASSERT_EQ(bench.settle(), Status::stopped);
     passed.push_back(bench.now().text);
   }
   EXPECT_EQ(passed, (std::vector<std::string>{"F Z 200", "F T2 4000", "S 0 12 -7", "S 3 30 30",
                                               "F Z -200"}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   Replayed replayed;
   replay(bench->definition(), kListing, replayed);
@@ -77,13 +77,13 @@ TEST(PatternOnThePanel, StopsBehindEachRecordInSingleBlock) {
 TEST(PatternOnThePanel, SingleBlockSwitchedOnTheWayStopsBehindTheRecord) {
   Bench bench("arm4");
   with_pattern(bench, "S 0 30 0\nS 0 30 0\nS 0 30 0\nS 0 30 0\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.4);
   EXPECT_EQ(bench.line(), 2U);
-  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
   ASSERT_EQ(bench.settle(), Status::stopped);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 60 * 0.005);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::stopped);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 90 * 0.005);
 }
@@ -91,20 +91,20 @@ TEST(PatternOnThePanel, SingleBlockSwitchedOnTheWayStopsBehindTheRecord) {
 TEST(PatternOnThePanel, StepsAndRunsToALine) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->step(machine::Step::over));
+  EXPECT_DONE(bench->perform(TakeStep{machine::Step::over}));
   ASSERT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.line(), 1U);
-  EXPECT_DONE(bench->step(machine::Step::over));
+  EXPECT_DONE(bench->perform(TakeStep{machine::Step::over}));
   ASSERT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.line(), 2U);
-  EXPECT_DONE(bench->run_to("", 4));
+  EXPECT_DONE(bench->perform(RunTo{"", 4}));
   ASSERT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.line(), 4U);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[1], (4000 - 7) * 0.005);
-  EXPECT_DONE(bench->step_back());
+  EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.line(), 3U);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[1], 4000 * 0.005);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
 }
 
@@ -112,9 +112,9 @@ TEST(PatternOnThePanel, StepsAndRunsToALine) {
 TEST(PatternOnThePanel, AHoldCutsAFastRecordShortAndTheRestFollows) {
   Bench bench("arm4");
   with_pattern(bench, "F T2 4000\nS 0 1 1\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(3);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   bench->advance(0.35);
   ASSERT_EQ(bench.status(), Status::held);
   const double pulses = bench.now().joints.values[1] * 200;
@@ -123,7 +123,7 @@ TEST(PatternOnThePanel, AHoldCutsAFastRecordShortAndTheRestFollows) {
   EXPECT_LT(pulses, 1400);
   bench->advance(5);
   EXPECT_EQ(bench.now().joints.values[1] * 200, pulses);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[1], 4001 * 0.005);
 }
@@ -131,13 +131,13 @@ TEST(PatternOnThePanel, AHoldCutsAFastRecordShortAndTheRestFollows) {
 TEST(PatternOnThePanel, AHoldComesAtTheEndOfACut) {
   Bench bench("arm4");
   with_pattern(bench, "S 0 30 0\nS 0 30 0\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.1);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   bench->advance(0.3);
   ASSERT_EQ(bench.status(), Status::held);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 30 * 0.005);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 60 * 0.005);
 }
@@ -145,21 +145,21 @@ TEST(PatternOnThePanel, AHoldComesAtTheEndOfACut) {
 TEST(PatternOnThePanel, BeginsWhereEveryMotorStandsAtItsZero) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(6);
-  bench->reset();
+  bench->perform(Reset{});
   bench->advance(2);
   ASSERT_EQ(bench.status(), Status::idle);
-  EXPECT_REFUSED(bench->cycle_start(), "bring the axes to their reference points");
-  EXPECT_DONE(bench->set_mode(Mode::reference));
-  EXPECT_DONE(bench->home());
+  EXPECT_REFUSED(bench->perform(CycleStart{}), "bring the axes to their reference points");
+  EXPECT_DONE(bench->perform(SetMode{Mode::reference}));
+  EXPECT_DONE(bench->perform(Home{}));
   ASSERT_NE(bench.settle(), Status::alarm);
   for (std::size_t joint = 0; joint < 4; ++joint)
     EXPECT_NEAR(bench.now().joints.values[joint], 0, 1e-5) << joint;
-  EXPECT_DONE(bench->set_mode(Mode::automatic));
+  EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
   Points again;
   bench->add_point_sink(again);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   Replayed replayed;
   replay(bench->definition(), kListing, replayed);
@@ -170,17 +170,17 @@ TEST(PatternOnThePanel, BeginsWhereEveryMotorStandsAtItsZero) {
 TEST(PatternOnThePanel, GoesHomeByItsMotors) {
   Bench bench("arm4");
   with_pattern(bench, "F T3 -26\nF T2 -4\nF Z -46\nS 0 1 1\n");
-  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     ASSERT_EQ(bench.settle(), Status::stopped);
   }
-  bench->reset();
+  bench->perform(Reset{});
   bench->advance(1);
-  EXPECT_DONE(bench->set_mode(Mode::reference));
+  EXPECT_DONE(bench->perform(SetMode{Mode::reference}));
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->home());
+  EXPECT_DONE(bench->perform(Home{}));
   ASSERT_NE(bench.settle(), Status::alarm);
   EXPECT_EQ(bench.now().joints, base::AxisVector{});
   EXPECT_EQ(bench.now().messages.back(), "all axes are at their reference points");
@@ -189,9 +189,9 @@ TEST(PatternOnThePanel, GoesHomeByItsMotors) {
       EXPECT_DOUBLE_EQ(point.joints.values[3], 2);
     }
   }
-  EXPECT_DONE(bench->set_mode(Mode::automatic));
-  EXPECT_DONE(bench->set_switch(Switch::single_block, false));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, false}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
 }
 
@@ -199,13 +199,13 @@ TEST(PatternOnThePanel, GoesHomeByItsMotors) {
 TEST(PatternOnThePanel, ReferencePointsThatAreNotReachedAreAnAlarm) {
   Bench bench("arm4");
   with_pattern(bench, "F T3 -26\nF T2 -4\nF Z -46\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
-  EXPECT_DONE(bench->set_mode(Mode::jog));
-  EXPECT_DONE(bench->jog_by("Z", 0.1));
+  EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
+  EXPECT_DONE(bench->perform(JogBy{"Z", 0.1}));
   bench.settle();
-  EXPECT_DONE(bench->set_mode(Mode::reference));
-  EXPECT_DONE(bench->home());
+  EXPECT_DONE(bench->perform(SetMode{Mode::reference}));
+  EXPECT_DONE(bench->perform(Home{}));
   ASSERT_EQ(bench.settle(), Status::alarm);
   EXPECT_EQ(bench.now().alarm->code, "SINGULAR");
 }
@@ -213,17 +213,17 @@ TEST(PatternOnThePanel, ReferencePointsThatAreNotReachedAreAnAlarm) {
 TEST(PatternOnThePanel, AxesAreMovedByHandBehindItAndNotWithinIt) {
   Bench bench("arm4");
   with_pattern(bench, "F T2 -2000\nF T1 4000\nF Z 300\n");
-  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::stopped);
-  EXPECT_DONE(bench->set_mode(Mode::jog));
-  EXPECT_REFUSED(bench->jog_by("Z", 1), "counts its pulses on from here");
-  EXPECT_DONE(bench->set_mode(Mode::automatic));
-  EXPECT_DONE(bench->set_switch(Switch::single_block, false));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
+  EXPECT_REFUSED(bench->perform(JogBy{"Z", 1}), "counts its pulses on from here");
+  EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, false}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
-  EXPECT_DONE(bench->set_mode(Mode::jog));
-  EXPECT_DONE(bench->jog_by("Z", 1.5));
+  EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
+  EXPECT_DONE(bench->perform(JogBy{"Z", 1.5}));
   bench.settle();
   const machine::Snapshot shown = bench.now();
   EXPECT_NEAR(shown.joints.values[3], 4.5, 1e-9);
@@ -234,7 +234,7 @@ TEST(PatternOnThePanel, AxesAreMovedByHandBehindItAndNotWithinIt) {
 TEST(PatternOnThePanel, ARecordBeyondTheTravelIsAnAlarmBeforeItMoves) {
   Bench bench("arm4");
   with_pattern(bench, "F Z 200\nF Z 9801\nF Z -200\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::alarm);
   const auto alarm = bench.now().alarm;
   ASSERT_TRUE(alarm);
@@ -250,7 +250,7 @@ TEST(PatternOnThePanel, AWrongLineIsAnAlarmWithItsPlace) {
   const auto found = bench->check();
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].place.line, 2U);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::alarm);
   EXPECT_EQ(bench.now().alarm->code, "PATTERN_TEXT");
   EXPECT_EQ(bench.now().alarm->line, 2U);
@@ -261,15 +261,15 @@ TEST(PatternOnThePanel, AWrongLineIsAnAlarmWithItsPlace) {
 TEST(PatternOnThePanel, ALineOfManyRecordsIsOneBlock) {
   Bench bench("arm4");
   with_pattern(bench, "S 0 9000 -3000\nF Z 1\n");
-  EXPECT_DONE(bench->set_switch(Switch::single_block, true));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.line(), 1U);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 45);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[1], -15);
   Bench endless("arm4");
   with_pattern(endless, "S 0 2147483647 0\n");
-  EXPECT_DONE(endless->cycle_start());
+  EXPECT_DONE(endless->perform(CycleStart{}));
   ASSERT_EQ(endless.settle(), Status::alarm);
   EXPECT_EQ(endless.now().alarm->code, "PATTERN_TEXT");
 }
@@ -277,7 +277,7 @@ TEST(PatternOnThePanel, ALineOfManyRecordsIsOneBlock) {
 TEST(PatternOnThePanel, IsNotForMachinesThatCountNoPulses) {
   for (const char* const name : {"mill3", "laser3", "laser5"}) {
     Bench bench(name);
-    EXPECT_REFUSED(bench->load(base::ProgramText::of("w.pat", kListing), "pattern"),
+    EXPECT_REFUSED(bench->perform(Load{base::ProgramText::of("w.pat", kListing), "pattern"}),
                    "has no controller for patterns");
     EXPECT_FALSE(bench->program());
   }
@@ -286,17 +286,17 @@ TEST(PatternOnThePanel, IsNotForMachinesThatCountNoPulses) {
 TEST(PatternOnThePanel, RecordsAreNoEntries) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->set_mode(Mode::mdi));
-  EXPECT_REFUSED(bench->mdi("F Z 200"), "its records are no blocks to be entered");
+  EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
+  EXPECT_REFUSED(bench->perform(EnterBlocks{"F Z 200"}), "its records are no blocks to be entered");
 }
 
 TEST(PatternOnThePanel, TellsThatDialsDoNotChangeItsTimes) {
   Bench bench("arm4");
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->set_dials({50, 100, 100}));
+  EXPECT_DONE(bench->perform(SetDials{50, 100, 100}));
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.now().messages.size(), 1U);
   EXPECT_NE(bench.now().messages[0].find("have their own times"), std::string::npos);
   EXPECT_EQ(bench.settle(), Status::end);
@@ -308,12 +308,12 @@ TEST(PatternOnThePanel, TellsThatDialsDoNotChangeItsTimes) {
 TEST(PatternOnThePanel, ADialAtZeroHolds) {
   Bench bench("arm4");
   with_pattern(bench, "S 0 30 0\nS 0 30 0\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.1);
-  EXPECT_DONE(bench->set_dials({0, 100, 100}));
+  EXPECT_DONE(bench->perform(SetDials{0, 100, 100}));
   bench->advance(20);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[0], 30 * 0.005);
-  EXPECT_DONE(bench->set_dials({100, 100, 100}));
+  EXPECT_DONE(bench->perform(SetDials{100, 100, 100}));
   EXPECT_EQ(bench.settle(), Status::end);
 }
 
@@ -322,12 +322,12 @@ TEST(PatternOnThePanel, StartsAtALine) {
   constexpr const char* listing = "F T2 400\nF T1 300\nS 5 30 -30\nS 0 30 30\nF Z 10\n";
   Bench bench("arm4");
   with_pattern(bench, listing);
-  EXPECT_DONE(bench->start_at(4));
+  EXPECT_DONE(bench->perform(StartAt{4}));
   EXPECT_EQ(bench.line(), 4U);
   EXPECT_EQ(bench.now().joints, base::AxisVector{}) << "nothing moves before cycle start";
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
   Replayed replayed;
   replay(bench->definition(), listing, replayed);
@@ -355,7 +355,7 @@ TEST(PatternOnThePanel, IsSeenAtAnyTimeOfItsRun) {
   ASSERT_TRUE(ahead);
   EXPECT_EQ((*ahead)->joints, expected.joints);
   EXPECT_EQ((*ahead)->line, expected.tip.mark.block.line);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
   const auto back = bench->state_at(expected.tip.time_s);
   ASSERT_TRUE(back);
@@ -364,9 +364,9 @@ TEST(PatternOnThePanel, IsSeenAtAnyTimeOfItsRun) {
 
 TEST(PatternOnThePanel, ALockedMachineCountsAndStands) {
   Bench bench("arm4");
-  EXPECT_DONE(bench->set_switch(Switch::machine_lock, true));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::machine_lock, true}));
   with_pattern(bench, kListing);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   ASSERT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.now().joints, base::AxisVector{});
 }

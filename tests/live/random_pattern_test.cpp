@@ -60,26 +60,29 @@ class Operator {
     switch (number(16)) {
       case 0:
       case 1:
-      case 2: keep(machine.cycle_start()); break;
+      case 2: keep(machine.perform(CycleStart{})); break;
       case 3:
-      case 4: keep(machine.feed_hold()); break;
+      case 4: keep(machine.perform(FeedHold{})); break;
       case 5:
-        if (number(3) == 0) machine.reset();
+        if (number(3) == 0) machine.perform(Reset{});
         break;
-      case 6: keep(machine.set_switch(Switch::single_block, number(2) == 0)); break;
-      case 7: keep(machine.set_dials({50 + number(100), 100, 100})); break;
-      case 8: keep(machine.set_mode(static_cast<Mode>(number(6)))); break;
-      case 9: keep(machine.set_mode(Mode::automatic)); break;
-      case 10: keep(machine.jog_by(number(2) == 0 ? "Z" : "C", number(4) + 1, 200)); break;
-      case 11: keep(machine.step(machine::Step::over)); break;
-      case 12: keep(machine.home()); break;
+      case 6: keep(machine.perform(TurnSwitch{Switch::single_block, number(2) == 0})); break;
+      case 7: keep(machine.perform(SetDials{50 + number(100), 100, 100})); break;
+      case 8: keep(machine.perform(SetMode{static_cast<Mode>(number(6))})); break;
+      case 9: keep(machine.perform(SetMode{Mode::automatic})); break;
+      case 10:
+        keep(machine.perform(JogBy{number(2) == 0 ? "Z" : "C", number(4) + 1.0, 200}));
+        break;
+      case 11: keep(machine.perform(TakeStep{machine::Step::over})); break;
+      case 12: keep(machine.perform(Home{})); break;
       case 13:
-        if (number(4) == 0) keep(machine.start_at(static_cast<std::uint32_t>(number(30) + 1)));
+        if (number(4) == 0)
+          keep(machine.perform(StartAt{static_cast<std::uint32_t>(number(30) + 1)}));
         break;
       case 14:
         if (number(4) == 0) step_back();
         break;
-      default: keep(machine.set_mode(Mode::automatic));
+      default: keep(machine.perform(SetMode{Mode::automatic}));
     }
   }
   double pause_s() { return std::uniform_real_distribution<double>(0, 1.5)(random_); }
@@ -88,7 +91,7 @@ class Operator {
   int number(int below) { return std::uniform_int_distribution<int>(0, below - 1)(random_); }
   void step_back() {
     check_.expect_jump();
-    if (const auto done = bench_->step_back(); !done) check_.expect_no_jump();
+    if (const auto done = bench_->perform(StepBack{}); !done) check_.expect_no_jump();
   }
 
   Bench& bench_;
@@ -110,18 +113,18 @@ TEST(RandomOperatorOfAPattern, BreaksNoLimitAndLosesNoPulse) {
       person.act();
       bench->advance(person.pause_s());
       ASSERT_EQ(bench.now().joints, check.at());
-      if (bench.status() == Status::alarm) bench->reset();
+      if (bench.status() == Status::alarm) bench->perform(Reset{});
     }
     // In the end it still makes the whole figure.
-    bench->reset();
+    bench->perform(Reset{});
     bench->advance(60);
-    EXPECT_DONE(bench->set_dials({100, 100, 100}));
-    EXPECT_DONE(bench->set_switch(Switch::single_block, false));
-    EXPECT_DONE(bench->set_mode(Mode::reference));
-    EXPECT_DONE(bench->home());
+    EXPECT_DONE(bench->perform(SetDials{100, 100, 100}));
+    EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, false}));
+    EXPECT_DONE(bench->perform(SetMode{Mode::reference}));
+    EXPECT_DONE(bench->perform(Home{}));
     bench.settle();
-    EXPECT_DONE(bench->set_mode(Mode::automatic));
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
+    EXPECT_DONE(bench->perform(CycleStart{}));
     ASSERT_EQ(bench.settle(), Status::end);
     Replayed replayed;
     replay(bench->definition(), listing, replayed);
@@ -139,13 +142,13 @@ TEST(RandomOperatorOfAPattern, LosesNoPulseByHolds) {
     bench->add_point_sink(check);
     with_pattern(bench, listing);
     std::mt19937 random(seed);
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     while (bench.status() != Status::end) {
       bench->advance(std::uniform_real_distribution<double>(0, 1)(random));
-      if (!bench->feed_hold()) break;
+      if (!bench->perform(FeedHold{})) break;
       bench->advance(std::uniform_real_distribution<double>(0, 1.2)(random));
       if (bench.status() == Status::end) break;
-      EXPECT_DONE(bench->cycle_start());
+      EXPECT_DONE(bench->perform(CycleStart{}));
     }
     ASSERT_EQ(bench.settle(), Status::end);
     Replayed replayed;

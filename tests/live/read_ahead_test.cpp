@@ -60,7 +60,7 @@ double shown_last(Bench& bench) {
 TEST(ReadAhead, TheMemoryIsThatOfTheBlockThatIsMade) {
   Bench bench;
   bench.load(kCounters);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   double before = 0;
   for (int i = 0; i < 40; ++i) {
     bench->advance(0.05);
@@ -78,9 +78,9 @@ TEST(ReadAhead, TheMemoryIsThatOfTheBlockThatIsMade) {
 TEST(ReadAhead, ResetGoesBackToWhatThePanelShowed) {
   Bench bench;
   bench.load(kCounters);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(2);
-  bench->reset();
+  bench->perform(Reset{});
   const double shown = shown_last(bench);
   EXPECT_EQ(bench.status(), Status::idle);
   EXPECT_GT(shown, 10);
@@ -93,12 +93,12 @@ TEST(ReadAhead, ResetGoesBackToWhatThePanelShowed) {
 TEST(ReadAhead, ACounterBesideADwellCountsDwellsThatWereMade) {
   Bench bench;
   bench.load("O1\nWHILE[#500LT100000]DO1\n#500=#500+1\nG4P200\nEND1\nM30\n");
-  EXPECT_DONE(bench->set_variable("#500", 0));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 0}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(5.1);
   EXPECT_EQ(bench.value("#500"), 26);
   EXPECT_EQ(kept(bench), 26);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(bench.value("#500"), 26);
   EXPECT_EQ(kept(bench), 26);
@@ -107,15 +107,15 @@ TEST(ReadAhead, ACounterBesideADwellCountsDwellsThatWereMade) {
 TEST(ReadAhead, AnAlarmOfADriveGoesBackToWhatThePanelShowed) {
   Bench bench;
   bench.load(kCounters);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(2);
   const double shown = bench.value("#500");
-  bench->raise(base::make_error(base::Code::timer_overflow, {}, "X"));
+  bench->perform(Raise{base::make_error(base::Code::timer_overflow, {}, "X")});
   bench->advance(0.01);
   ASSERT_EQ(bench.status(), Status::alarm);
   EXPECT_EQ(bench.value("#500"), shown);
   expect_count(bench->memory(), shown);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   expect_count(bench->memory(), shown);
 }
@@ -123,21 +123,21 @@ TEST(ReadAhead, AnAlarmOfADriveGoesBackToWhatThePanelShowed) {
 TEST(ReadAhead, AnAlarmOfTheProgramKeepsAllThatWasDoneBefore) {
   Bench bench;
   bench.load("O1\n#500=1\nG91G01X10.F6000\n#500=2\nG01X10.\n#500=3\n#3000=1(NO)\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::alarm);
   EXPECT_EQ(kept(bench), 3);
-  bench->reset();
+  bench->perform(Reset{});
   EXPECT_EQ(kept(bench), 3);
 }
 
 TEST(ReadAhead, StopsAndTheEndKeepAll) {
   Bench bench;
   bench.load("O1\nG91G01X10.F6000\n#500=2\nM00\n#500=3\nG01X10.\n#500=4\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(kept(bench), 2);
-  EXPECT_DONE(bench->set_variable("#501", 7));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetVariable{"#501", 7}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.02);
   EXPECT_EQ(kept(bench), 3);
   EXPECT_EQ(kept(bench, 501), 7);
@@ -149,18 +149,18 @@ TEST(ReadAhead, StopsAndTheEndKeepAll) {
 // Millions of writes and no motion between them.
 TEST(ReadAhead, ALoopThatMovesNothingIsNotKeptBeforeTheMoveBehindItBegins) {
   Bench bench;
-  EXPECT_DONE(bench->set_variable("#500", 0));
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 0}));
   bench.load("O1\nG91G01X10.F600\nWHILE[#500LT1000000]DO1\n#500=#500+1\nEND1\nG01X10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 5; ++i) {
     bench->advance(0.1);
     EXPECT_EQ(bench.value("#500"), 0);
     EXPECT_EQ(kept(bench), 0);
   }
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(kept(bench), 0);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(kept(bench), 1000000);
 }
@@ -168,41 +168,41 @@ TEST(ReadAhead, ALoopThatMovesNothingIsNotKeptBeforeTheMoveBehindItBegins) {
 TEST(ReadAhead, WhatWasWrittenAtRestIsKeptWhileTheControlWaits) {
   Bench bench;
   bench.load("O1\nG91G01X1.F6000\n#500=5\n#1=#3001\nN1IF[#3001LT#1+60000]GOTO1\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 20; ++i) bench->advance(0.1);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_EQ(bench.value("#500"), 5);
   EXPECT_EQ(kept(bench), 5);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(kept(bench), 5);
 }
 
 TEST(ReadAhead, WhatTheOperatorEntersIsKeptFromTheFirstInstantOfTheNextMove) {
   Bench bench;
-  EXPECT_DONE(bench->set_mode(Mode::mdi));
-  EXPECT_DONE(bench->mdi("G91G01X1.F600\n#500=1"));
+  EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
+  EXPECT_DONE(bench->perform(EnterBlocks{"G91G01X1.F600\n#500=1"}));
   bench.settle();
   EXPECT_EQ(kept(bench), 1);
-  EXPECT_DONE(bench->set_variable("#501", 2));
-  EXPECT_DONE(bench->set_offset("G54", "X", 3));
+  EXPECT_DONE(bench->perform(SetVariable{"#501", 2}));
+  EXPECT_DONE(bench->perform(SetOffset{"G54", "X", 3}));
   const auto all_kept = [&] {
     return kept(bench) == 1 && kept(bench, 501) == 2 && bench->memory().work[0].values[0] == 3;
   };
-  EXPECT_DONE(bench->mdi("G91G01X1.F600"));
+  EXPECT_DONE(bench->perform(EnterBlocks{"G91G01X1.F600"}));
   EXPECT_TRUE(all_kept());
   bench->advance(0.0001);
   EXPECT_TRUE(all_kept());
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_TRUE(all_kept());
-  EXPECT_DONE(bench->set_variable("#500", 1));
-  EXPECT_DONE(bench->set_mode(Mode::jog));
-  EXPECT_DONE(bench->jog("X", 600));
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 1}));
+  EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
+  EXPECT_DONE(bench->perform(Jog{"X", 600}));
   EXPECT_TRUE(all_kept());
   bench->advance(0.0001);
   EXPECT_TRUE(all_kept());
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_TRUE(all_kept());
 }
@@ -210,14 +210,14 @@ TEST(ReadAhead, WhatTheOperatorEntersIsKeptFromTheFirstInstantOfTheNextMove) {
 TEST(ReadAhead, NamesOfVariablesGoBackToo) {
   Bench bench;
   bench.load("O1\nG91G01X100.F600\nSETVN510[AHEAD]\n#510=3\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
   EXPECT_TRUE(bench->memory().names.empty());
   EXPECT_TRUE(vm::is_null(bench.value("#510")));
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_TRUE(bench->memory().names.empty());
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench.settle();
   EXPECT_EQ(bench->memory().names.count("AHEAD"), 1U);
 }
@@ -225,10 +225,10 @@ TEST(ReadAhead, NamesOfVariablesGoBackToo) {
 TEST(ReadAhead, CommonsThatSurviveTheResetGoBackToo) {
   Bench bench("mill3", {}, {{"CCV", "1"}});
   bench.load("O1\n#100=1\nG91G01X100.F600\n#100=2\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
   EXPECT_EQ(bench.value("#100"), 1);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(bench.value("#100"), 1);
 }
@@ -237,20 +237,20 @@ TEST(ReadAhead, CommonsThatSurviveTheResetGoBackToo) {
 TEST(ReadAhead, WhatTheOperatorEntersInAHoldIsShownAtOnceAndStays) {
   Bench bench;
   bench.load("O1\n#500=1\n#501=1\nG91G01X100.F600\n#501=2\nG01X1.\n#500=3\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   EXPECT_EQ(bench.settle(), Status::held);
-  EXPECT_DONE(bench->set_variable("#500", 7));
-  EXPECT_DONE(bench->set_variable("#502", 8));
-  EXPECT_DONE(bench->set_variable("#500", 9));
-  EXPECT_DONE(bench->set_variable("#1", 5));
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 7}));
+  EXPECT_DONE(bench->perform(SetVariable{"#502", 8}));
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 9}));
+  EXPECT_DONE(bench->perform(SetVariable{"#1", 5}));
   EXPECT_EQ(bench.value("#500"), 9);
   EXPECT_EQ(bench.value("#502"), 8);
   EXPECT_EQ(bench.value("#1"), 5);
   EXPECT_EQ(bench.value("#501"), 1);
   EXPECT_EQ(kept(bench), 9);
-  bench->reset();
+  bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(kept(bench), 9);
   EXPECT_EQ(kept(bench, 502), 8);
@@ -260,12 +260,12 @@ TEST(ReadAhead, WhatTheOperatorEntersInAHoldIsShownAtOnceAndStays) {
 TEST(ReadAhead, WhatTheProgramSetsBehindAnEntryCounts) {
   Bench bench;
   bench.load("O1\n#500=1\nG91G61G01X10.F600\n#501=#500\nG01X10.\n#500=3\nG01X10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   EXPECT_EQ(bench.settle(), Status::held);
-  EXPECT_DONE(bench->set_variable("#500", 7));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetVariable{"#500", 7}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
   EXPECT_EQ(bench.value("#500"), 7);
   EXPECT_EQ(bench.value("#501"), 7);
@@ -277,18 +277,18 @@ TEST(ReadAhead, WhatTheProgramSetsBehindAnEntryCounts) {
 TEST(ReadAhead, AVariableOfBasicIsShownAsItWasEntered) {
   Bench bench("laser3");
   bench.load("speed(10)\na=1\nline(100,0)\na=2\nline(200,0)\nend\n", "a.bas", "laser-basic");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   EXPECT_EQ(bench.settle(), Status::held);
-  EXPECT_DONE(bench->set_variable("A", 7));
+  EXPECT_DONE(bench->perform(SetVariable{"A", 7}));
   EXPECT_EQ(bench.value("A"), 7);
 }
 
 TEST(ReadAhead, ASearchThatFindsNoLineChangesNoMemory) {
   Bench bench;
   bench.load("O1\n#500=1\nG10L2P1X5.\nG01X1.F600\nM30\nN9G01X2.\n");
-  EXPECT_REFUSED(bench->start_at(6), "before line 6 is reached");
+  EXPECT_REFUSED(bench->perform(StartAt{6}), "before line 6 is reached");
   EXPECT_TRUE(vm::is_null(kept(bench)));
   EXPECT_EQ(bench->memory().work[0].values[0], 0);
 }
@@ -297,14 +297,14 @@ TEST(ReadAhead, ASearchThatFindsNoLineChangesNoMemory) {
 TEST(ReadAhead, ShortLinesThatJoinInOneAreCountedAsTheyAreMade) {
   Bench bench;
   bench.load("O1\n#500=0\nG91G64\nWHILE[#500LT60000]DO1\n#500=#500+1\nG01X0.001F60\nEND1\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 20; ++i) {
     bench->advance(0.25);
     const double made = std::round(bench.x() / 0.001);
     EXPECT_LE(kept(bench), made + 2);
     EXPECT_GE(kept(bench), made - 2);
   }
-  bench->reset();
+  bench->perform(Reset{});
   const double shown = shown_last(bench);
   EXPECT_EQ(kept(bench), shown);
   EXPECT_NEAR(shown, bench.x() / 0.001, 2);
@@ -320,35 +320,37 @@ TEST(ReadAhead, AtAnyInstantOfAnyOperatorTheMemoryIsWhatThePanelShows) {
     };
     Bench bench;
     bench.load(kCounters);
-    EXPECT_DONE(bench->set_variable("#600", 0));
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(SetVariable{"#600", 0}));
+    EXPECT_DONE(bench->perform(CycleStart{}));
     double entered = 0;
     for (int i = 0; i < 60; ++i) {
       switch (number(9)) {
-        case 0: static_cast<void>(bench->cycle_start()); break;
-        case 1: static_cast<void>(bench->feed_hold()); break;
-        case 2: static_cast<void>(bench->set_switch(Switch::single_block, number(2) == 0)); break;
-        case 3: static_cast<void>(bench->set_dials({number(201), number(101), 100})); break;
-        case 4: static_cast<void>(bench->step(machine::Step::into)); break;
+        case 0: static_cast<void>(bench->perform(CycleStart{})); break;
+        case 1: static_cast<void>(bench->perform(FeedHold{})); break;
+        case 2:
+          static_cast<void>(bench->perform(TurnSwitch{Switch::single_block, number(2) == 0}));
+          break;
+        case 3: static_cast<void>(bench->perform(SetDials{number(201), number(101), 100})); break;
+        case 4: static_cast<void>(bench->perform(TakeStep{machine::Step::into})); break;
         case 5:
           if (number(4) != 0) break;
-          bench->reset();
-          static_cast<void>(bench->set_dials({100, 100, 100}));
+          bench->perform(Reset{});
+          static_cast<void>(bench->perform(SetDials{100, 100, 100}));
           bench.settle(0.001);
-          static_cast<void>(bench->cycle_start());
+          static_cast<void>(bench->perform(CycleStart{}));
           break;
         case 6:
-          if (bench->set_variable("#600", i)) entered = i;
+          if (bench->perform(SetVariable{"#600", i})) entered = i;
           break;
-        default: static_cast<void>(bench->set_dials({100, 100, 100}));
+        default: static_cast<void>(bench->perform(SetDials{100, 100, 100}));
       }
       EXPECT_EQ(kept(bench, 600), entered);
       bench->advance(number(200) / 1000.0);
       expect_shown(bench);
       EXPECT_EQ(bench.value("#600"), entered);
     }
-    static_cast<void>(bench->set_dials({100, 100, 100}));
-    bench->reset();
+    static_cast<void>(bench->perform(SetDials{100, 100, 100}));
+    bench->perform(Reset{});
     const double shown = shown_last(bench);
     EXPECT_TRUE(kept(bench) == shown || vm::is_null(shown));
     EXPECT_EQ(kept(bench, 600), entered);

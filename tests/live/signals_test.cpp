@@ -9,11 +9,11 @@ constexpr const char* kWaits = "O1\nG91G01X5.F600\nWHILE[#1003EQ0]DO1\nG04P100\n
 TEST(Inputs, AProgramThatWaitsForOneGoesOnWhenItIsGiven) {
   Bench bench;
   bench.load(kWaits);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(3);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_EQ(bench.x(), 5);
-  EXPECT_DONE(bench->set_variable("#1003", 1));
+  EXPECT_DONE(bench->perform(SetVariable{"#1003", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 10);
 }
@@ -21,15 +21,15 @@ TEST(Inputs, AProgramThatWaitsForOneGoesOnWhenItIsGiven) {
 TEST(Inputs, AreGivenInFeedHoldToo) {
   Bench bench;
   bench.load(kWaits);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(3);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   bench->advance(0.2);
   EXPECT_EQ(bench.status(), Status::held);
-  EXPECT_DONE(bench->set_variable("#1003", 1));
+  EXPECT_DONE(bench->perform(SetVariable{"#1003", 1}));
   bench->advance(1);
   EXPECT_EQ(bench.x(), 5);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 10);
 }
@@ -37,10 +37,10 @@ TEST(Inputs, AreGivenInFeedHoldToo) {
 TEST(Inputs, AreReadWhenTheAxesHaveComeToTheBlock) {
   Bench bench;
   bench.load("O1\nG91G01X10.F600\nX10.\nIF[#1000EQ1]GOTO9\nY5.\nN9X10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1.9);
   EXPECT_EQ(bench.status(), Status::running);
-  EXPECT_DONE(bench->set_input("#1000", 1));
+  EXPECT_DONE(bench->perform(SetInput{"#1000", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 30);
   EXPECT_EQ(bench.now().machine.values[1], 0);
@@ -49,10 +49,10 @@ TEST(Inputs, AreReadWhenTheAxesHaveComeToTheBlock) {
 TEST(Inputs, StayForTheProgramsThatFollow) {
   Bench bench;
   bench.load("O1\n#500=#1000\n#501=#1032\n#502=#1033\nM30\n");
-  EXPECT_DONE(bench->set_input("#1000", 1));
-  EXPECT_DONE(bench->set_input("#1003", 1));
-  EXPECT_DONE(bench->set_input("#1033", -2));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetInput{"#1000", 1}));
+  EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
+  EXPECT_DONE(bench->perform(SetInput{"#1033", -2}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.value("#500"), 1);
   EXPECT_EQ(bench.value("#501"), 9);
@@ -63,12 +63,12 @@ TEST(Inputs, StayForTheProgramsThatFollow) {
 TEST(Inputs, ThatDoNotExistOrAreNoNumbersAreRefused) {
   Bench bench;
   bench.load("O1\nM30\n");
-  EXPECT_REFUSED(bench->set_input("#1016", 1), "no such input");
-  EXPECT_REFUSED(bench->set_input("#1036", 1), "#1000 to #1035");
-  EXPECT_REFUSED(bench->set_input("#100", 1), "#1000 to #1035");
-  EXPECT_REFUSED(bench->set_input("#1033", 1e11), "32 bits");
+  EXPECT_REFUSED(bench->perform(SetInput{"#1016", 1}), "no such input");
+  EXPECT_REFUSED(bench->perform(SetInput{"#1036", 1}), "#1000 to #1035");
+  EXPECT_REFUSED(bench->perform(SetInput{"#100", 1}), "#1000 to #1035");
+  EXPECT_REFUSED(bench->perform(SetInput{"#1033", 1e11}), "32 bits");
   Bench teach("laser5", {.dialect = "teach"});
-  EXPECT_REFUSED(teach->set_input("#1000", 1), "no input of this program");
+  EXPECT_REFUSED(teach->perform(SetInput{"#1000", 1}), "no input of this program");
 }
 
 // The loop moves nothing and takes no time: only the journal knows how often it went round.
@@ -76,10 +76,10 @@ TEST(Inputs, ALoopWithoutAnyMotionEndsAndAnInstantFindsItsPasses) {
   Bench bench;
   bench.load(
       "O1\nG91G01X5.F600\n#500=0\nWHILE[#1003EQ0]DO1\n#500=#500+1\nEND1\nX5.\nG04X1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 40; ++i) bench->advance(0.05);
   EXPECT_EQ(bench.status(), Status::running);
-  EXPECT_DONE(bench->set_input("#1003", 1));
+  EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 10);
   const double passes = bench.value("#500");
@@ -95,9 +95,9 @@ TEST(Inputs, ALoopWithoutAnyMotionEndsAndAnInstantFindsItsPasses) {
 TEST(Inputs, AnInstantBeforeTheSignalIsInTheLoop) {
   Bench bench;
   bench.load(kWaits);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(2);
-  EXPECT_DONE(bench->set_input("#1003", 1));
+  EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ((*bench->state_at(1.5))->line, 4U);
   EXPECT_EQ((*bench->state_at(1.5))->inputs[0], 0U);
@@ -111,17 +111,17 @@ constexpr const char* kCuts = "O1\n#100=1\nG91G61G01X10.F600\nX[#100]\n#100=3\nX
 TEST(VariablesUnderWay, AreSetInFeedHoldAndActOnTheNextBlock) {
   Bench bench;
   bench.load(kCuts);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
-  EXPECT_REFUSED(bench->set_variable("#100", 7), "while nothing moves");
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_REFUSED(bench->perform(SetVariable{"#100", 7}), "while nothing moves");
+  EXPECT_DONE(bench->perform(FeedHold{}));
   EXPECT_EQ(bench.settle(), Status::held);
   const double held = bench.x();
-  EXPECT_DONE(bench->set_variable("#100", 7));
+  EXPECT_DONE(bench->perform(SetVariable{"#100", 7}));
   EXPECT_EQ(bench.status(), Status::held);
   EXPECT_EQ(bench.x(), held);
-  EXPECT_REFUSED(bench->set_variable("#4711", 7), "#4711");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_REFUSED(bench->perform(SetVariable{"#4711", 7}), "#4711");
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 20);  // 10 + 7 + 3: what the program sets later counts then
 }
@@ -129,9 +129,9 @@ TEST(VariablesUnderWay, AreSetInFeedHoldAndActOnTheNextBlock) {
 TEST(VariablesUnderWay, AreSetInADwell) {
   Bench bench;
   bench.load("O1\n#100=1\nG91G01X5.F600\nG04X2.\nX[#100]\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1.5);
-  EXPECT_DONE(bench->set_variable("#100", 7));
+  EXPECT_DONE(bench->perform(SetVariable{"#100", 7}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 12);
 }
@@ -139,12 +139,12 @@ TEST(VariablesUnderWay, AreSetInADwell) {
 TEST(VariablesUnderWay, OfTheLevelThatIsShown) {
   Bench bench;
   bench.load("O1\nG65P2A1.\nG91G01X100.F6000\nM30\nO2\nG91G61G01X10.F600\nX#1\nM99\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
-  EXPECT_DONE(bench->feed_hold());
+  EXPECT_DONE(bench->perform(FeedHold{}));
   EXPECT_EQ(bench.settle(), Status::held);
-  EXPECT_DONE(bench->set_variable("#1", 5));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetVariable{"#1", 5}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 115);
 }
@@ -155,10 +155,10 @@ constexpr const char* kInterruptible =
 TEST(Interrupt, RunsItsProgramBehindTheBlockThatTheAxesAreIn) {
   Bench bench;
   bench.load(kInterruptible);
-  EXPECT_REFUSED(bench->interrupt(), "no program under way");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_REFUSED(bench->perform(Interrupt{}), "no program under way");
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1.5);
-  EXPECT_DONE(bench->interrupt());
+  EXPECT_DONE(bench->perform(Interrupt{}));
   while (bench.now().machine.values[1] < 1) bench->advance(0.01);
   EXPECT_EQ(bench.x(), 20);
   EXPECT_EQ(bench.settle(), Status::end);
@@ -172,9 +172,9 @@ TEST(Interrupt, RunsItsProgramBehindTheBlockThatTheAxesAreIn) {
 TEST(Interrupt, ThatMeetsNoM96IsTold) {
   Bench bench;
   bench.load(kInterruptible);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(3.5);  // behind M97
-  EXPECT_DONE(bench->interrupt());
+  EXPECT_DONE(bench->perform(Interrupt{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.now().machine.values[1], 0);
   ASSERT_FALSE(bench.now().messages.empty());

@@ -22,7 +22,7 @@ std::string stack_of(const machine::Snapshot& shown) {
 }
 
 Bench& stepped(Bench& bench, Step how) {
-  EXPECT_DONE(bench->step(how));
+  EXPECT_DONE(bench->perform(TakeStep{how}));
   bench.settle();
   return bench;
 }
@@ -41,7 +41,7 @@ TEST(Stepping, IntoGoesBlockByBlockThroughCalls) {
 TEST(Stepping, OverStaysInTheProgramAndOutLeavesIt) {
   Bench bench;
   bench.load(kCalls);
-  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_DONE(bench->perform(RunTo{"", 3}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.line(), 3U);
   stepped(bench, Step::over);
@@ -50,7 +50,7 @@ TEST(Stepping, OverStaysInTheProgramAndOutLeavesIt) {
 
   Bench other;
   other.load(kCalls);
-  EXPECT_DONE(other->run_to("part.nc", 7));
+  EXPECT_DONE(other->perform(RunTo{"part.nc", 7}));
   EXPECT_EQ(other.settle(), Status::step);
   EXPECT_EQ(stack_of(other.now()), "O0001:3 O0002:7 ");
   EXPECT_EQ(other.value("#1"), 5);
@@ -63,7 +63,7 @@ TEST(Stepping, OverStaysInTheProgramAndOutLeavesIt) {
 TEST(Stepping, AxesRestBehindEachStep) {
   Bench bench;
   bench.load("O1\nG91G01X10.F600\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_DONE(bench->perform(RunTo{"", 3}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.x(), 10);
   EXPECT_EQ(bench.now().text, "X10.");
@@ -75,15 +75,15 @@ TEST(Stepping, AxesRestBehindEachStep) {
 TEST(Breakpoints, OfALineStopBeforeItEachTime) {
   Bench bench;
   bench.load("O1\n#100=0\nWHILE[#100LT3]DO1\n#100=#100+1\nEND1\nM30\n");
-  EXPECT_DONE(bench->set_breakpoints({{"", 4, "", ""}}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetBreakpoints{{{"", 4, "", ""}}}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (const double value : {0, 1, 2}) {
     EXPECT_EQ(bench.settle(), Status::step);
     EXPECT_EQ(bench.line(), 4U);
     EXPECT_EQ(bench.value("#100"), value);
     ASSERT_TRUE(bench.now().breakpoint);
     EXPECT_EQ(bench.now().breakpoint->breakpoint.line, 4U);
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
   }
   EXPECT_EQ(bench.settle(), Status::end);
 }
@@ -91,26 +91,26 @@ TEST(Breakpoints, OfALineStopBeforeItEachTime) {
 TEST(Breakpoints, ConditionsAreInTheLanguageOfTheProgram) {
   Bench bench;
   bench.load("O1\n#1=0\nN1 #1=#1+1\nIF[#1LT9]GOTO1\nM30\n");
-  EXPECT_DONE(bench->set_breakpoints({{"", 3, "#1 GT 5", ""}}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetBreakpoints{{{"", 3, "#1 GT 5", ""}}}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.value("#1"), 6);
-  EXPECT_REFUSED(bench->set_breakpoints({{"", 3, "#1 >", ""}}), "breakpoint in line 3");
+  EXPECT_REFUSED(bench->perform(SetBreakpoints{{{"", 3, "#1 >", ""}}}), "breakpoint in line 3");
   EXPECT_EQ(bench->breakpoints().size(), 1U);
 
   Bench basic("laser3", {.dialect = "laser-basic"});
   basic.load("a=0\n10 a=a+1\nIF a<9 THEN 10\nEND\n", "a.bas");
-  EXPECT_REFUSED(basic->set_breakpoints({{"", 2, "c>5", ""}}), "no variable C");
-  EXPECT_DONE(basic->set_breakpoints({{"", 2, "a>5", ""}}));
-  EXPECT_DONE(basic->cycle_start());
+  EXPECT_REFUSED(basic->perform(SetBreakpoints{{{"", 2, "c>5", ""}}}), "no variable C");
+  EXPECT_DONE(basic->perform(SetBreakpoints{{{"", 2, "a>5", ""}}}));
+  EXPECT_DONE(basic->perform(CycleStart{}));
   EXPECT_EQ(basic.settle(), Status::step);
   EXPECT_EQ(basic.value("A"), 6);
 
   Bench teach("laser5", {.dialect = "teach"});
   teach.load("TEACH 1\nPOINT 1 0 0 0 0\nEND\n", "a.tch");
-  EXPECT_REFUSED(teach->set_breakpoints({{"", 2, "a>5", ""}}), "no variables");
-  EXPECT_DONE(teach->set_breakpoints({{"", 3, "", ""}}));
-  EXPECT_DONE(teach->cycle_start());
+  EXPECT_REFUSED(teach->perform(SetBreakpoints{{{"", 2, "a>5", ""}}}), "no variables");
+  EXPECT_DONE(teach->perform(SetBreakpoints{{{"", 3, "", ""}}}));
+  EXPECT_DONE(teach->perform(CycleStart{}));
   EXPECT_EQ(teach.settle(), Status::step);
   EXPECT_EQ(teach.line(), 3U);
 }
@@ -118,8 +118,8 @@ TEST(Breakpoints, ConditionsAreInTheLanguageOfTheProgram) {
 TEST(Breakpoints, AConditionWithoutAValueStopsAndSaysSo) {
   Bench bench;
   bench.load("O1\n#1=0\n#2=1\nM30\n");
-  EXPECT_DONE(bench->set_breakpoints({{"", 3, "1/#1 GT 5", ""}}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetBreakpoints{{{"", 3, "1/#1 GT 5", ""}}}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   ASSERT_TRUE(bench.now().breakpoint);
   EXPECT_NE(bench.now().breakpoint->trouble, "");
@@ -129,30 +129,30 @@ TEST(Breakpoints, AConditionWithoutAValueStopsAndSaysSo) {
 TEST(Breakpoints, OfAVariableStopBehindTheBlockThatHasWrittenIt) {
   Bench bench;
   bench.load(kCalls);
-  EXPECT_REFUSED(bench->set_breakpoints({{"", 0, "", "COUNT"}}), "no such variable");
-  EXPECT_DONE(bench->set_breakpoints({{"", 0, "", "#100"}}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_REFUSED(bench->perform(SetBreakpoints{{{"", 0, "", "COUNT"}}}), "no such variable");
+  EXPECT_DONE(bench->perform(SetBreakpoints{{{"", 0, "", "#100"}}}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   ASSERT_TRUE(bench.now().breakpoint);
   EXPECT_EQ(bench.now().breakpoint->written_line, 2U);
   EXPECT_EQ(bench.now().breakpoint->after, 1);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.now().breakpoint->written_line, 8U);
   EXPECT_EQ(bench.now().breakpoint->before, 1);
   EXPECT_EQ(bench.now().breakpoint->after, 6);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
 }
 
 TEST(Breakpoints, ALocalVariableIsThatOfItsLevel) {
   Bench bench;
   bench.load("O1\n#1=9\nG65P2A5.\n#1=10\nM30\nO2\n#3=1\nM99\n");
-  EXPECT_DONE(bench->set_breakpoints({{"", 0, "", "#1"}}));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(SetBreakpoints{{{"", 0, "", "#1"}}}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.now().breakpoint->after, 9);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::step);
   EXPECT_EQ(bench.now().breakpoint->after, 10);
 }
@@ -160,7 +160,7 @@ TEST(Breakpoints, ALocalVariableIsThatOfItsLevel) {
 TEST(Variables, AreMarkedThatChangedAndCanBeSet) {
   Bench bench;
   bench.load("O1\n#100=1\n#101=2\n#102=#101\nM30\n");
-  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_DONE(bench->perform(RunTo{"", 3}));
   bench.settle();
   stepped(bench, Step::over);
   const auto changed = [&](const std::string& name) {
@@ -170,12 +170,12 @@ TEST(Variables, AreMarkedThatChangedAndCanBeSet) {
   EXPECT_FALSE(changed("#100"));
   EXPECT_TRUE(changed("#101"));
   const auto revision = bench.now().variables_revision;
-  EXPECT_DONE(bench->set_variable("#101", 20));
+  EXPECT_DONE(bench->perform(SetVariable{"#101", 20}));
   EXPECT_NE(bench.now().variables_revision, revision);
-  EXPECT_REFUSED(bench->set_variable("101", 20), "'#NUMBER'");
-  EXPECT_REFUSED(bench->set_variable("#1", 20, 3), "no such level");
-  EXPECT_DONE(bench->set_variable("#100", std::nullopt));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_REFUSED(bench->perform(SetVariable{"101", 20}), "'#NUMBER'");
+  EXPECT_REFUSED(bench->perform(SetVariable{"#1", 20, 3}), "no such level");
+  EXPECT_DONE(bench->perform(SetVariable{"#100", std::nullopt}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.value("#102"), 20);
   EXPECT_TRUE(vm::is_null(bench->memory().commons[0]));
@@ -199,11 +199,11 @@ TEST(StepBack, UndoesSteps) {
   std::vector<std::string> states;
   for (int i = 0; i < 8; ++i) states.push_back(state_of(stepped(bench, Step::into)));
   for (int i = 6; i >= 0; --i) {
-    EXPECT_DONE(bench->step_back());
+    EXPECT_DONE(bench->perform(StepBack{}));
     EXPECT_EQ(bench.status(), Status::step);
     EXPECT_EQ(state_of(bench), states[static_cast<std::size_t>(i)]) << i;
   }
-  EXPECT_REFUSED(bench->step_back(), "at its beginning");
+  EXPECT_REFUSED(bench->perform(StepBack{}), "at its beginning");
   for (int i = 1; i < 8; ++i)
     EXPECT_EQ(state_of(stepped(bench, Step::into)), states[static_cast<std::size_t>(i)]) << i;
 }
@@ -211,32 +211,32 @@ TEST(StepBack, UndoesSteps) {
 TEST(StepBack, GoesBackFromAnAlarmAndFromTheEnd) {
   Bench bench;
   bench.load("O1\n#100=5\nG91G00X1.\n#100=#100/0\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::alarm);
-  EXPECT_DONE(bench->step_back());
+  EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.status(), Status::step);
   EXPECT_EQ(bench.line(), 4U);
   EXPECT_EQ(bench.x(), 1);
-  EXPECT_DONE(bench->step_back());
+  EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.line(), 3U);
   EXPECT_EQ(bench.x(), 0);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::alarm);
 }
 
 TEST(StepBack, KeepsWhatTheOperatorDidBefore) {
   Bench bench;
   bench.load("O1\n#100=1\n#101=#100\n#102=#101\nM30\n");
-  EXPECT_DONE(bench->run_to("", 3));
+  EXPECT_DONE(bench->perform(RunTo{"", 3}));
   bench.settle();
-  EXPECT_DONE(bench->set_variable("#100", 7));
+  EXPECT_DONE(bench->perform(SetVariable{"#100", 7}));
   stepped(bench, Step::over);
   stepped(bench, Step::over);
   EXPECT_EQ(bench.value("#102"), 7);
-  EXPECT_DONE(bench->step_back());
+  EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.line(), 4U);
   EXPECT_EQ(bench.value("#101"), 7);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.value("#102"), 7);
 }
@@ -249,7 +249,7 @@ constexpr const char* kMacroOnTheWay =
 TEST(OnTheWay, VariablesAndCallsAreThoseOfTheMotion) {
   Bench bench;
   bench.load(kMacroOnTheWay);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   std::vector<std::uint64_t> revisions;
   for (const double a : {10.0, 20.0}) {
     for (int i = 0; i < 8; ++i) {
@@ -275,7 +275,7 @@ TEST(OnTheWay, VariablesAndCallsAreThoseOfTheMotion) {
 TEST(OnTheWay, VariablesOfBasicAreThoseOfTheMotion) {
   Bench bench("laser3");
   bench.load("speed(10)\nfor i=1 to 3\nline(10*i,0)\nnext\nend\n", "a.bas", "laser-basic");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   for (const double i : {1.0, 2.0, 3.0}) {
     bench->advance(0.5);
     EXPECT_EQ(bench.value("I"), i);
@@ -286,7 +286,7 @@ TEST(OnTheWay, VariablesOfBasicAreThoseOfTheMotion) {
 TEST(AnInstant, HasTheVariablesOfItsMotion) {
   Bench bench;
   bench.load(kMacroOnTheWay);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   const auto variable = [&](const std::string& name) {
     for (const auto& row : bench->variables_at_state().rows)
@@ -304,7 +304,7 @@ TEST(AnInstant, HasTheVariablesOfItsMotion) {
 TEST(AnInstant, IsTheStateThatTheRunHadThen) {
   Bench bench;
   bench.load("O1\n#100=1\nG91G01X10.F600\n#100=2\n#1=#3001\nG00Y5.\nG04X1.\nX5.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   struct Seen {
     double time_s;
     machine::Snapshot shown;
@@ -312,11 +312,11 @@ TEST(AnInstant, IsTheStateThatTheRunHadThen) {
   std::vector<Seen> seen;
   for (int i = 0; bench.status() == Status::running && i < 1000; ++i) {
     if (i == 20) {
-      EXPECT_DONE(bench->feed_hold());
+      EXPECT_DONE(bench->perform(FeedHold{}));
     }
     bench->advance(0.037);
     if (bench.status() == Status::held) {
-      EXPECT_DONE(bench->cycle_start());
+      EXPECT_DONE(bench->perform(CycleStart{}));
     }
     seen.push_back({bench.now().time_s, bench.now()});
   }
@@ -334,7 +334,7 @@ TEST(AnInstant, IsTheStateThatTheRunHadThen) {
 TEST(AnInstant, ThatIsStillToComeIsThatOfTheProgramByItself) {
   Bench bench;
   bench.load("O1\n#100=1\nG91G01X10.F600\nM00\n#100=2\nX10.\nM00\n#100=3\nX10.\nM30\n");
-  EXPECT_DONE(bench->set_variable("#101", 7));
+  EXPECT_DONE(bench->perform(SetVariable{"#101", 7}));
   const auto x_at = [&](double time_s) {
     const auto then = bench->state_at(time_s);
     return then ? (*then)->machine.values[0] : -1;
@@ -355,13 +355,13 @@ TEST(AnInstant, ThatIsStillToComeIsThatOfTheProgramByItself) {
     EXPECT_NEAR(x_at(1.2), 12, 0.6) << round;
     EXPECT_EQ(x_at(1e6), 30) << round;
     if (round == 0) {
-      EXPECT_DONE(bench->cycle_start());
+      EXPECT_DONE(bench->perform(CycleStart{}));
       bench->advance(0.3);
-      EXPECT_DONE(bench->feed_hold());
+      EXPECT_DONE(bench->perform(FeedHold{}));
       bench->advance(0.3);
       EXPECT_EQ(bench.status(), Status::held);
     } else {
-      EXPECT_DONE(bench->set_dials({50, 100, 100}));
+      EXPECT_DONE(bench->perform(SetDials{50, 100, 100}));
     }
   }
 }
@@ -377,8 +377,8 @@ TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {
       "O1\nT5M06\nS800M03\nG90G00X10.Y20.\nZ-5.\nG91G01X10.F300\nM00\nG90X50.\nG00Z0\nM30\n";
   Bench bench;
   bench.load(text);
-  EXPECT_REFUSED(bench->start_at(99), "ends before line 99");
-  EXPECT_DONE(bench->start_at(8));
+  EXPECT_REFUSED(bench->perform(StartAt{99}), "ends before line 99");
+  EXPECT_DONE(bench->perform(StartAt{8}));
   EXPECT_EQ(bench.status(), Status::step);
   EXPECT_EQ(bench.line(), 8U);
   EXPECT_EQ(bench.x(), 0);
@@ -387,7 +387,7 @@ TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {
   EXPECT_NE(std::find(modal.begin(), modal.end(), "G01"), modal.end());
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 50);
   EXPECT_EQ(bench.now().tool, 5U);
@@ -408,10 +408,10 @@ TEST(StartAt, BringsTheAxesThereWithTheBeamOff) {
     const bool basic = text[0] == 'p';
     Bench bench("laser3");
     bench.load(text, basic ? "part.bas" : "part.nc", basic ? "laser-basic" : "fanuc-mill");
-    EXPECT_DONE(bench->start_at(line));
+    EXPECT_DONE(bench->perform(StartAt{line}));
     Points points;
     bench->add_point_sink(points);
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     EXPECT_EQ(bench.settle(), Status::end);
     ASSERT_FALSE(points.all.empty());
     for (const auto& point : points.all) {
@@ -424,7 +424,26 @@ TEST(StartAt, BringsTheAxesThereWithTheBeamOff) {
 TEST(StartAt, TellsOfAnAlarmOnTheWay) {
   Bench bench;
   bench.load("O1\nG01X1.\nG00X5.\nM30\n");
-  EXPECT_REFUSED(bench->start_at(3), "before line 3 is reached");
+  EXPECT_REFUSED(bench->perform(StartAt{3}), "before line 3 is reached");
+}
+
+// The control has read the block to step back to long before the switch was turned; the axes have
+// obeyed it on their way there.
+TEST(Stepping, AStepBackKeepsASwitchThatTheAxesHaveObeyed) {
+  Bench bench;
+  bench.load("O1\nG91G94G01X10.F600\n/Y1.\nX10.\n/Y1.\nM00\nM30\n");
+  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench->advance(1.5);
+  EXPECT_DONE(bench->perform(SetBlockSkip{1U << 1U}));
+  ASSERT_EQ(bench.settle(), Status::stopped);
+  EXPECT_EQ(bench.now().machine.values[1], 1);  // the second slash was not begun
+  EXPECT_DONE(bench->perform(StepBack{}));
+  EXPECT_EQ(bench.now().machine.values[1], 1);
+  EXPECT_EQ(bench.now().panel.skip_levels, 1U << 1U);
+  const auto again = bench->state_at(bench.now().time_s);
+  ASSERT_TRUE(again);
+  EXPECT_EQ((*again)->panel.skip_levels, 1U << 1U);
+  EXPECT_EQ((*again)->machine, bench.now().machine);
 }
 
 }  // namespace

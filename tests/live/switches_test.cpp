@@ -12,12 +12,12 @@ constexpr const char* kStopAhead = "O1\nG21G90G94G01X10.F600\nX20.\nX30.\nM01\nX
 TEST(OptionalStop, SwitchedOnUnderWayStops) {
   Bench bench;
   bench.load(kStopAhead);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.3);
-  EXPECT_DONE(bench->set_switch(Switch::optional_stop, true));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::optional_stop, true}));
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.x(), 30);
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 40);
 }
@@ -25,10 +25,10 @@ TEST(OptionalStop, SwitchedOnUnderWayStops) {
 TEST(OptionalStop, SwitchedOffUnderWayDoesNotStop) {
   Bench bench;
   bench.load(kStopAhead);
-  EXPECT_DONE(bench->set_switch(Switch::optional_stop, true));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::optional_stop, true}));
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.3);
-  EXPECT_DONE(bench->set_switch(Switch::optional_stop, false));
+  EXPECT_DONE(bench->perform(TurnSwitch{Switch::optional_stop, false}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 40);
 }
@@ -48,14 +48,14 @@ TEST(BlockSkip, SwitchedUnderWayActsOnTheSlashesThatTheAxesHaveNotBegun) {
     Points points;
     bench->add_point_sink(points);
     bench.load(with_slashes(mode, 3));
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     bench->advance(0.5);
-    EXPECT_DONE(bench->set_block_skip(kLevel1));
+    EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
     EXPECT_EQ(bench.now().panel.skip_levels, kLevel1);
     bench->advance(1.2);  // in the second X10. now
     EXPECT_EQ(bench.now().machine.values[1], 0) << mode;
     EXPECT_EQ(bench.line(), 4U);
-    EXPECT_DONE(bench->set_block_skip(0));
+    EXPECT_DONE(bench->perform(SetBlockSkip{0}));
     EXPECT_EQ(bench.settle(), Status::end);
     EXPECT_EQ(bench.now().machine.values[1], 2) << mode;
     EXPECT_EQ(bench.x(), 40);
@@ -66,11 +66,11 @@ TEST(BlockSkip, SwitchedUnderWayActsOnTheSlashesThatTheAxesHaveNotBegun) {
 TEST(BlockSkip, AnInstantAndAStepBackKnowWhatWasSwitchedWhen) {
   Bench bench;
   bench.load(with_slashes("G61", 3));
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
-  EXPECT_DONE(bench->set_block_skip(kLevel1));
+  EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   bench->advance(1.2);
-  EXPECT_DONE(bench->set_block_skip(0));
+  EXPECT_DONE(bench->perform(SetBlockSkip{0}));
   EXPECT_EQ(bench.settle(), Status::end);
   const auto levels_at = [&](double time_s) {
     const auto then = bench->state_at(time_s);
@@ -83,7 +83,7 @@ TEST(BlockSkip, AnInstantAndAStepBackKnowWhatWasSwitchedWhen) {
   EXPECT_EQ((*bench->state_at(bench.now().time_s))->machine.values[1], 2);
   // Back before the second switching: the slash is skipped again.
   std::vector<std::uint32_t> lines;
-  while (bench->step_back() && bench.line() > 2) lines.push_back(bench.line());
+  while (bench->perform(StepBack{}) && bench.line() > 2) lines.push_back(bench.line());
   EXPECT_EQ(lines, (std::vector<std::uint32_t>{9, 8, 7, 6, 5, 4, 3}));
   EXPECT_EQ(bench.now().panel.skip_levels, 0U);
 }
@@ -92,11 +92,11 @@ TEST(BlockSkip, WhereTheAxesCannotTurnOffAnyMoreTheNextSlashIsMeant) {
   Bench bench;
   bench.load(
       "O1\nG21G91G94G64G01X10.F6000\n/X10.\nX10.\n/Y7.\nX0.1\nX10.\nX10.\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   while (bench.x() < 9.9) bench->advance(0.001);
   EXPECT_LT(bench.x(), 10);
   EXPECT_GT(bench.now().feed_actual_mm_min, 3000);
-  EXPECT_DONE(bench->set_block_skip(kLevel1));
+  EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.now().machine.values[1], 0);
 }
@@ -106,10 +106,10 @@ TEST(BlockSkip, AThousandTinyBlocksAheadDoNotMatter) {
   std::string text = "O1\nG21G91G94G64G01X1.F3000\n";
   for (int i = 0; i < 2000; ++i) text += "/X0.05\n";
   bench.load(text + "Y1.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   while (bench.x() < 10) bench->advance(0.01);
   const double at = bench.x();
-  EXPECT_DONE(bench->set_block_skip(kLevel1));
+  EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_GT(bench.x(), at);
   EXPECT_LT(bench.x(), at + 3);  // it must brake from 50 mm/s
@@ -118,9 +118,9 @@ TEST(BlockSkip, AThousandTinyBlocksAheadDoNotMatter) {
 TEST(BlockSkip, OfAProgramWithoutSlashesIsOnlyASwitch) {
   Bench bench;
   bench.load("O1\nG91G01X10.F600\nX10.\nM30\n");
-  EXPECT_DONE(bench->cycle_start());
+  EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(0.5);
-  EXPECT_DONE(bench->set_block_skip(kLevel1));
+  EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 20);
 }
@@ -166,7 +166,7 @@ TEST(RandomSwitching, EachSlashAndEachOptionalStopObeysTheSwitchOfItsInstant) {
     Slashes seen;
     bench->add_point_sink(seen);
     bench.load(rows());
-    EXPECT_DONE(bench->cycle_start());
+    EXPECT_DONE(bench->perform(CycleStart{}));
     std::vector<Switching> skips{{-1, false}};
     std::vector<Switching> stops{{-1, false}};
     std::vector<double> stopped_at;
@@ -175,7 +175,7 @@ TEST(RandomSwitching, EachSlashAndEachOptionalStopObeysTheSwitchOfItsInstant) {
       const double now = bench.now().time_s;
       if (bench.status() == Status::stopped) {
         stopped_at.push_back(now);
-        EXPECT_DONE(bench->cycle_start());
+        EXPECT_DONE(bench->perform(CycleStart{}));
       }
       if (now < until_s) continue;
       until_s = now + pause_s(random);
@@ -183,9 +183,9 @@ TEST(RandomSwitching, EachSlashAndEachOptionalStopObeysTheSwitchOfItsInstant) {
       auto& list = of_skip ? skips : stops;
       list.push_back({now, !list.back().on});
       if (of_skip) {
-        EXPECT_DONE(bench->set_block_skip(list.back().on ? kLevel1 : 0));
+        EXPECT_DONE(bench->perform(SetBlockSkip{list.back().on ? kLevel1 : 0}));
       } else {
-        EXPECT_DONE(bench->set_switch(Switch::optional_stop, list.back().on));
+        EXPECT_DONE(bench->perform(TurnSwitch{Switch::optional_stop, list.back().on}));
       }
     }
     EXPECT_EQ(bench.status(), Status::end);

@@ -104,12 +104,16 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
   run.add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
 }
 
-void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
+void add_max_seconds(CLI::App& app, double& seconds) {
   app.add_option_function<std::string>(
          "--max-seconds", [&seconds](const std::string& text) { seconds = number_of(text); },
          "computing time allowed; default 60, 0: any")
       ->type_name("N")
       ->check(kNotNegative);
+}
+
+void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
+  add_max_seconds(app, seconds);
   app.add_option("--max-motions", motions, "motions allowed; default 50000000, 0: any number")
       ->type_name("N")
       ->check(kWholeNumber);
@@ -309,6 +313,20 @@ void add_serve(CLI::App& app, ServeOptions& o) {
   serve->footer("Example: kerf serve --port 8090");
 }
 
+void add_replay(CLI::App& app, ReplayOptions& o) {
+  CLI::App* replay =
+      app.add_subcommand("replay", "does again what was done at a panel, and says where it ends");
+  replay->group("Commands");
+  replay->add_option("file", o.file, "journal that the panel has saved")
+      ->type_name("FILE")
+      ->required();
+  repeated(
+      replay->add_option("--library", o.libraries, "folder of further programs; may be repeated"))
+      ->type_name("FOLDER");
+  add_max_seconds(*replay, o.max_seconds);
+  replay->footer("Example: kerf replay mill3.journal.json");
+}
+
 // CLI11 wants the words in reverse order.
 std::vector<std::string> reversed(std::vector<std::string> words) {
   std::reverse(words.begin(), words.end());
@@ -332,11 +350,13 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   PatternOptions pattern_options;
   MachinesOptions machines_options;
   ServeOptions serve_options;
+  ReplayOptions replay_options;
   add_run(app, run_options);
   add_time(app, time_options);
   add_check(app, check_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
+  add_replay(app, replay_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
@@ -349,7 +369,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) {
     return tl::unexpected(base::Failure{base::Failure::Kind::usage,
                                         "a command is needed: run, time, check, pattern, serve, "
-                                        "machines or notices; `kerf --help` lists them"});
+                                        "replay, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -368,6 +388,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;
+  if (app.got_subcommand("replay")) return replay_options;
   if (app.got_subcommand("notices")) return Answer{std::string(base::notices().front().text)};
   return machines_options;
 }

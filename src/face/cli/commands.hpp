@@ -95,6 +95,13 @@ struct PatternOptions {
   std::string plot;
 };
 
+/// What was done at a panel is done again.
+struct ReplayOptions {
+  std::string file;
+  std::vector<std::string> libraries;
+  double max_seconds = 60;
+};
+
 /// The panel in the browser: whoever has a server serves it.
 struct ServeOptions {
   std::string host = "127.0.0.1";
@@ -110,6 +117,7 @@ struct ServeOptions {
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
+[[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

@@ -135,12 +135,18 @@ base::Outcome<void> read_state(const std::string& path, Memory& memory) {
   if (!std::filesystem::exists(path, error)) return {};
   const auto text = base::read_whole(path, kLargestFile, "a state file");
   if (!text) return tl::unexpected(text.error());
+  auto taken = take_state(*text, memory);
+  if (!taken) taken.error().message = path + ": " + taken.error().message;
+  return taken;
+}
+
+base::Outcome<void> take_state(const std::string& text, Memory& memory) {
   const auto unreadable = [&](const std::string& what) {
-    return tl::unexpected(base::Failure{base::Failure::Kind::input, path + ": " + what});
+    return tl::unexpected(base::Failure{base::Failure::Kind::input, what});
   };
   Memory read = memory;
   try {
-    from_json(json::parse(*text), read);
+    from_json(json::parse(text), read);
   } catch (const Unreadable& what) {
     return unreadable(what.what);
   } catch (const json::exception&) {
@@ -150,10 +156,12 @@ base::Outcome<void> read_state(const std::string& path, Memory& memory) {
   return {};
 }
 
+std::string state_text(const Memory& memory) { return to_json(memory).dump(1); }
+
 base::Outcome<void> write_state(const std::string& path, const Memory& memory) {
   auto file = base::OutputFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  (*file)->write(to_json(memory).dump(1));
+  (*file)->write(state_text(memory));
   (*file)->write("\n");
   return (*file)->commit(base::OutputFile::Durability::survives_power_loss);
 }

@@ -19,4 +19,8 @@ namespace kerf::machine {
 [[nodiscard]] base::Outcome<void> write_state(const std::string& path,
                                               const control::Memory& memory);
 
+/// The same as text, for what holds a memory among other things. Failure (input): this is none.
+[[nodiscard]] std::string state_text(const control::Memory& memory);
+[[nodiscard]] base::Outcome<void> take_state(const std::string& text, control::Memory& memory);
+
 }  // namespace kerf::machine

@@ -7,6 +7,8 @@
 #include "machine/dialect/refused.hpp"
 #include "machine/panel/internal/forecast.hpp"
 #include "machine/panel/internal/journal.hpp"
+#include "machine/panel/internal/journal_text.hpp"
+#include "machine/panel/internal/key_rules.hpp"
 #include "machine/panel/internal/live_core.hpp"
 #include "machine/panel/internal/read_again.hpp"
 #include "machine/panel/point_capture.hpp"
@@ -29,21 +31,12 @@ RunStart at_power_on(const MachineDefinition& definition, control::Memory memory
 class LiveMachine::Impl {
  public:
   Impl(const MachineDefinition& definition, control::Memory memory, Settings settings);
+  /// A machine that has done what the journal says.
+  Impl(Journal done, std::unique_ptr<LiveCore> made)
+      : core(std::move(made)), journal(std::move(done)), capture(core->definition()) {}
 
-  using Act = Journal::Act;
   /// Does what the operator asks for, and remembers it.
-  Outcome perform(const Act& act);
-  /// Likewise, where the program has been read farther than the axes are: `effect` comes before the
-  /// first block that they have not begun, `to_show` now; where that cannot be, `act` now.
-  Outcome perform_at_axes(const Act& act, const Act& to_show, const Act& effect);
-  /// Likewise; a run begins with it.
-  Outcome begin(const Act& act);
-  /// Likewise, where axes moved by hand begin one.
-  Outcome move_by_hand(const Act& act) {
-    return core->would_begin_by_hand() ? begin(act) : perform(act);
-  }
-  /// Likewise, where cycle start would begin the program.
-  Outcome set_off(const Act& act) { return core->would_begin() ? begin(act) : perform(act); }
+  Outcome perform(const Operation& key);
   [[nodiscard]] Outcome step_back();
   [[nodiscard]] base::Outcome<LiveCore*> core_at(double time_s);
   [[nodiscard]] LiveCore* earlier(double time_s);
@@ -60,6 +53,9 @@ class LiveMachine::Impl {
   std::shared_ptr<const Snapshot> shown;  // null: something may have changed since
 
  private:
+  Outcome perform_now(const Operation& key);
+  Outcome begin(const Operation& key);
+  [[nodiscard]] bool perform_at_axes(const Operation& key);
   void put(std::unique_ptr<LiveCore> other);
   void touch() {
     shown.reset();
@@ -73,26 +69,34 @@ LiveMachine::Impl::Impl(const MachineDefinition& definition, control::Memory mem
                         Settings settings)
     : core(std::make_unique<LiveCore>(
           at_power_on(definition, std::move(memory), std::move(settings)))),
-      journal{core->run_start(), 0, {}},
+      journal{core->run_start(), 0},
       capture(definition) {}
 
-LiveMachine::Outcome LiveMachine::Impl::perform(const Act& act) {
+LiveMachine::Outcome LiveMachine::Impl::perform(const Operation& key) {
+  if (std::holds_alternative<StepBack>(key)) return step_back();
+  if (begins_run(key, *core)) return begin(key);
+  if (const auto later = acts_on_axes(key, *core); later && perform_at_axes(*later)) return {};
+  return perform_now(key);
+}
+
+LiveMachine::Outcome LiveMachine::Impl::perform_now(const Operation& key) {
   const LiveCore::Moment now = core->moment();
-  Outcome done = act(*core);
-  if (done) journal.entries.push_back({now, act, {}, {}});
+  const Operation full = in_full(key, *core);
+  Outcome done = core->perform(key);
+  if (done) journal.entries.push_back({now, full});
   touch();
   return done;
 }
 
-LiveMachine::Outcome LiveMachine::Impl::perform_at_axes(const Act& act, const Act& to_show,
-                                                        const Act& effect) {
-  auto again = read_again(journal, *core, to_show, effect);
-  if (!again) return perform(act);
+// Where the program has been read farther than the axes are. False: it has no block to act on.
+bool LiveMachine::Impl::perform_at_axes(const Operation& key) {
+  auto again = read_again(journal, *core, key);
+  if (!again) return false;
   again->core->replace(*core);
   put(std::move(again->core));
   journal = std::move(again->journal);
   touch();
-  return {};
+  return true;
 }
 
 // The points that follow go on where the last ones ended.
@@ -103,15 +107,16 @@ void LiveMachine::Impl::put(std::unique_ptr<LiveCore> other) {
   core = std::move(other);
 }
 
-LiveMachine::Outcome LiveMachine::Impl::begin(const Act& act) {
-  RunStart start = core->run_start();
-  const std::uint64_t run = core->run();
-  Outcome done = act(*core);
+// A run begins with it.
+LiveMachine::Outcome LiveMachine::Impl::begin(const Operation& key) {
+  Journal from{core->run_start(), core->run().number()};
+  const Operation full = in_full(key, *core);
+  Outcome done = core->perform(key);
   if (done) {
-    journal = {std::move(start), run, {}};
-    journal.entries.push_back({{}, act, {}, {}});
+    journal = std::move(from);
+    journal.entries.push_back({{}, full});
   } else if (core->points() == 0) {
-    journal = {core->run_start(), core->run(), {}};  // what was tried has begun anew
+    journal = {core->run_start(), core->run().number()};  // what was tried has begun anew
   }
   touch();
   return done;
@@ -137,9 +142,13 @@ LiveMachine::Outcome LiveMachine::Impl::step_back() {
   std::unique_ptr<LiveCore> there = back.take();
   there->stepper().search_block(0);
   there->replace(*core);
-  for (std::size_t i = 0; i < kept; ++i) {
-    const auto& ahead = journal.entries[i].ahead;
-    if (ahead && ahead->block > done) static_cast<void>(ahead->act(*there));
+  // What waited for a later block acts now; what has acted on an earlier one shows.
+  for (std::size_t i = 0; i < journal.entries.size(); ++i) {
+    const Journal::Entry& entry = journal.entries[i];
+    if (!entry.before_block) continue;
+    const bool acted = Journal::has_acted(entry, done);
+    if (i < kept && !acted) static_cast<void>(there->take_effect(*entry.key));
+    if (i >= kept && acted) there->show(*entry.key);
   }
   journal.go_back(done, kept, there->moment());
   put(std::move(there));
@@ -167,7 +176,8 @@ LiveCore* LiveMachine::Impl::earlier(double time_s) {
 LiveCore* LiveMachine::Impl::later(double time_s) {
   if (forecast && forecast->time_s() > time_s) forecast.reset();
   if (!forecast)
-    forecast = std::make_unique<Forecast>(core->would_begin() ? core->run_start() : journal.start);
+    forecast = std::make_unique<Forecast>(would_begin(core->standing()) ? core->run_start()
+                                                                        : journal.start);
   forecast->core().set_limit(core->limit());
   forecast->go_to(time_s);
   return &forecast->core();
@@ -176,6 +186,7 @@ LiveCore* LiveMachine::Impl::later(double time_s) {
 LiveMachine::LiveMachine(const MachineDefinition& definition, control::Memory memory,
                          Settings settings)
     : impl_(std::make_unique<Impl>(definition, std::move(memory), std::move(settings))) {}
+LiveMachine::LiveMachine(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 LiveMachine::~LiveMachine() = default;
 LiveMachine::LiveMachine(LiveMachine&&) noexcept = default;
 LiveMachine& LiveMachine::operator=(LiveMachine&&) noexcept = default;
@@ -190,12 +201,7 @@ void LiveMachine::add_point_sink(motion::AxisPointSink& sink) {
   impl_->core->add_point_sink(sink);
 }
 
-void LiveMachine::raise(const base::Diagnostic& alarm) {
-  static_cast<void>(impl_->perform([alarm](LiveCore& core) {
-    core.raise(alarm);
-    return Outcome{};
-  }));
-}
+LiveMachine::Outcome LiveMachine::perform(const Operation& key) { return impl_->perform(key); }
 
 void LiveMachine::advance(double seconds) {
   if (!impl_->core->is_active()) return;
@@ -210,125 +216,15 @@ std::shared_ptr<const Snapshot> LiveMachine::snapshot() {
 
 // The program
 
-LiveMachine::Outcome LiveMachine::load(base::ProgramText program, std::string dialect) {
-  return impl_->begin([program = std::move(program), dialect = std::move(dialect)](LiveCore& core) {
-    return core.load(program, dialect);
-  });
-}
-
-LiveMachine::Outcome LiveMachine::can_load(const base::ProgramText& program,
-                                           const std::string& dialect) const {
-  return impl_->core->can_load(program, dialect);
+LiveMachine::Outcome LiveMachine::can_load(const Load& key) const {
+  return impl_->core->can_load(key);
 }
 
 const std::optional<base::ProgramText>& LiveMachine::program() const {
-  return impl_->core->program();
+  return impl_->core->slot().text();
 }
-const std::string& LiveMachine::dialect() const { return impl_->core->dialect(); }
+const std::string& LiveMachine::dialect() const { return impl_->core->slot().dialect(); }
 std::vector<base::Diagnostic> LiveMachine::check() { return impl_->core->machine().check(); }
-
-// The panel
-
-LiveMachine::Outcome LiveMachine::set_mode(Mode mode) {
-  return impl_->perform([mode](LiveCore& core) { return core.set_mode(mode); });
-}
-
-LiveMachine::Outcome LiveMachine::cycle_start() {
-  return impl_->set_off([](LiveCore& core) { return core.cycle_start(); });
-}
-
-LiveMachine::Outcome LiveMachine::feed_hold() {
-  return impl_->perform([](LiveCore& core) { return core.feed_hold(); });
-}
-
-void LiveMachine::reset() {
-  const auto act = [](LiveCore& core) {
-    core.reset();
-    return Outcome{};
-  };
-  static_cast<void>(impl_->core->is_broken_off() ? impl_->begin(act) : impl_->perform(act));
-}
-
-LiveMachine::Outcome LiveMachine::set_switch(Switch which, bool on) {
-  const auto act = [which, on](LiveCore& core) { return core.set_switch(which, on); };
-  return which == Switch::machine_lock ? impl_->begin(act) : impl_->perform(act);
-}
-
-LiveMachine::Outcome LiveMachine::set_block_skip(std::uint32_t levels) {
-  const auto act = [levels](LiveCore& core) { return core.set_block_skip(levels); };
-  LiveCore& core = *impl_->core;
-  if (!core.is_ahead() || core.begun().slashes == core.read().slashes) return impl_->perform(act);
-  if (auto checked = LiveCore::check_skip_levels(levels); !checked) return checked;
-  return impl_->perform_at_axes(
-      act, [levels](LiveCore& at) { return at.show_block_skip(levels); },
-      [levels](LiveCore& at) { return at.apply_block_skip(levels); });
-}
-
-LiveMachine::Outcome LiveMachine::interrupt() {
-  const auto act = [](LiveCore& core) { return core.interrupt(); };
-  if (!impl_->core->is_ahead()) return impl_->perform(act);
-  return impl_->perform_at_axes(act, {}, act);
-}
-
-LiveMachine::Outcome LiveMachine::set_input(const std::string& name, double value) {
-  return impl_->perform([=](LiveCore& core) { return core.set_input(name, value); });
-}
-
-LiveMachine::Outcome LiveMachine::set_dials(const OverrideDials& dials) {
-  return impl_->perform([dials](LiveCore& core) { return core.set_dials(dials); });
-}
-
-LiveMachine::Outcome LiveMachine::jog(std::string_view axis, double speed_per_min) {
-  return impl_->move_by_hand([axis = std::string(axis), speed_per_min](LiveCore& core) {
-    return core.jog(axis, speed_per_min);
-  });
-}
-
-LiveMachine::Outcome LiveMachine::jog_by(std::string_view axis, double distance,
-                                         double speed_per_min) {
-  return impl_->move_by_hand([axis = std::string(axis), distance, speed_per_min](LiveCore& core) {
-    return core.jog_by(axis, distance, speed_per_min);
-  });
-}
-
-LiveMachine::Outcome LiveMachine::jog_stop() {
-  return impl_->perform([](LiveCore& core) { return core.jog_stop(); });
-}
-
-LiveMachine::Outcome LiveMachine::home() {
-  return impl_->perform([](LiveCore& core) { return core.home(); });
-}
-
-LiveMachine::Outcome LiveMachine::mdi(std::string text) {
-  return impl_->perform([text = std::move(text)](LiveCore& core) { return core.mdi(text); });
-}
-
-LiveMachine::Outcome LiveMachine::enter(std::string line) {
-  return impl_->perform([line = std::move(line)](LiveCore& core) { return core.enter(line); });
-}
-
-// Stepping
-
-LiveMachine::Outcome LiveMachine::step(Step how) {
-  return impl_->set_off([how](LiveCore& core) { return core.step(how); });
-}
-
-LiveMachine::Outcome LiveMachine::step_back() { return impl_->step_back(); }
-
-LiveMachine::Outcome LiveMachine::run_to(std::string file, std::uint32_t line) {
-  return impl_->set_off(
-      [file = std::move(file), line](LiveCore& core) { return core.run_to(file, line); });
-}
-
-LiveMachine::Outcome LiveMachine::start_at(std::uint32_t line) {
-  return impl_->begin([line](LiveCore& core) { return core.start_at(line); });
-}
-
-LiveMachine::Outcome LiveMachine::set_breakpoints(std::vector<Breakpoint> breakpoints) {
-  return impl_->perform([breakpoints = std::move(breakpoints)](LiveCore& core) {
-    return core.set_breakpoints(breakpoints);
-  });
-}
 
 const std::vector<Breakpoint>& LiveMachine::breakpoints() const {
   return impl_->core->stepper().breakpoints();
@@ -337,41 +233,17 @@ const std::vector<Breakpoint>& LiveMachine::breakpoints() const {
 // Memory
 
 VariableListing LiveMachine::variables(std::optional<std::size_t> level) {
-  return impl_->core->variables(level);
+  LiveCore& core = *impl_->core;
+  return core.view().variables(core.run(), level);
 }
 
 VariableListing LiveMachine::variables_named(const std::vector<std::string>& names,
                                              std::optional<std::size_t> level) {
-  return impl_->core->variables_named(names, level);
-}
-
-LiveMachine::Outcome LiveMachine::set_variable(const std::string& name, std::optional<double> value,
-                                               std::optional<std::size_t> level) {
   LiveCore& core = *impl_->core;
-  const auto act = [=](LiveCore& at) { return at.set_variable(name, value, level); };
-  if (!core.is_ahead() || !core.stands() || core.machine().language().variables().is_input(name))
-    return impl_->perform(act);
-  const std::size_t wanted = level.value_or(core.shown_level());
-  return impl_->perform_at_axes(
-      act, [=](LiveCore& at) { return at.show_variable(name, value, wanted); },
-      [=](LiveCore& at) { return at.enter_variable(name, value, wanted); });
+  return core.view().variables_named(core.run(), names, level);
 }
 
-LiveMachine::Outcome LiveMachine::set_offset(const std::string& offset, std::string_view axis,
-                                             double value) {
-  return impl_->perform([offset, axis = std::string(axis), value](LiveCore& core) {
-    return core.set_offset(offset, axis, value);
-  });
-}
-
-control::Memory LiveMachine::memory() const { return impl_->core->memory(); }
-
-void LiveMachine::set_memory(control::Memory memory) {
-  static_cast<void>(impl_->perform([memory = std::move(memory)](LiveCore& core) {
-    core.set_memory(memory);
-    return Outcome{};
-  }));
-}
+control::Memory LiveMachine::memory() const { return impl_->core->run().memory(); }
 
 const MachineDefinition& LiveMachine::definition() const { return impl_->core->definition(); }
 
@@ -392,7 +264,32 @@ base::Outcome<std::shared_ptr<const Snapshot>> LiveMachine::state_at(double time
 }
 
 VariableListing LiveMachine::variables_at_state(std::optional<std::size_t> level) {
-  return (impl_->looked_at ? *impl_->looked_at : *impl_->core).variables(level);
+  LiveCore& core = impl_->looked_at ? *impl_->looked_at : *impl_->core;
+  return core.view().variables(core.run(), level);
+}
+
+// What was done
+
+base::Outcome<std::string> LiveMachine::journal() const {
+  return journal_text({impl_->journal, impl_->core->moment()});
+}
+
+base::Outcome<LiveMachine> LiveMachine::from_journal(std::string_view journal,
+                                                     std::vector<std::string> library_folders,
+                                                     const Watchers& watchers,
+                                                     const base::WorkLimit& limit) {
+  auto read = read_journal(journal, std::move(library_folders));
+  if (!read) return tl::unexpected(read.error());
+  Replay replay(read->journal);
+  for (motion::MotionSink* const sink : watchers.motions) replay.core().add_sink(*sink);
+  for (motion::AxisPointSink* const sink : watchers.points) replay.core().add_point_sink(*sink);
+  replay.core().set_limit(limit);
+  replay.go_to(std::numeric_limits<double>::infinity(), read->until);
+  if (limit.reached()) return refused(Refusal::takes_too_long);
+  std::unique_ptr<LiveCore> core = replay.take();
+  core->set_limit({});
+  core->stand_for_itself();
+  return LiveMachine(std::make_unique<Impl>(std::move(read->journal), std::move(core)));
 }
 
 // Teaching
@@ -413,7 +310,7 @@ base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::strin
   LiveCore& core = *impl_->core;
   if (core.panel().mode != Mode::teach) return refused(Refusal::points_mode);
   if (core.is_active()) return refused(Refusal::points_moving);
-  const base::JointPoint joints = core.standing_joints();
+  const base::JointPoint joints = core.run().standing_joints();
   machine::Capture& taught = impl_->capture;
   std::optional<teach::Mistake> mistake;
   switch (what) {

@@ -25,6 +25,8 @@ std::optional<Named> find(const std::array<std::string_view, kCount>& names,
 std::string_view name_of(Mode mode) { return kModes[static_cast<std::size_t>(mode)]; }
 std::string_view name_of(Switch which) { return kSwitchNames[static_cast<std::size_t>(which)]; }
 std::string_view name_of(Status status) { return kStatuses[static_cast<std::size_t>(status)]; }
+std::vector<std::string_view> mode_names() { return {kModes.begin(), kModes.end()}; }
+std::vector<std::string_view> switch_names() { return {kSwitchNames.begin(), kSwitchNames.end()}; }
 std::optional<Mode> mode_named(std::string_view name) { return find<Mode>(kModes, name); }
 std::optional<Switch> switch_named(std::string_view name) {
   return find<Switch>(kSwitchNames, name);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace kerf::machine {
 
@@ -61,6 +62,8 @@ enum class Status : std::uint8_t {
 [[nodiscard]] std::string_view name_of(Mode mode);
 [[nodiscard]] std::string_view name_of(Switch which);
 [[nodiscard]] std::string_view name_of(Status status);
+[[nodiscard]] std::vector<std::string_view> mode_names();
+[[nodiscard]] std::vector<std::string_view> switch_names();
 [[nodiscard]] std::optional<Mode> mode_named(std::string_view name);
 [[nodiscard]] std::optional<Switch> switch_named(std::string_view name);
 

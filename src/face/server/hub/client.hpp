@@ -11,7 +11,7 @@
 
 #include "face/server/hub/commands.hpp"
 #include "face/server/hub/rate_limit.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "face/server/store/chunk_store.hpp"
 #include "face/server/store/quota.hpp"
 

@@ -1,78 +1,25 @@
 #include "face/server/hub/commands.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "machine/dialect/registry.hpp"
+#include "machine/panel/operation_table.hpp"
 
 namespace kerf::server {
 namespace {
 
-using Kind = Argument::Kind;
-using Need = Argument::Need;
+using namespace machine::argument;
 using Who = Command::Who;
 
-constexpr double kAny = std::numeric_limits<double>::infinity();
-constexpr double kMostLine = 4294967295.0;
 constexpr double kMostTime_s = 1e9;
 
-Argument text(std::string_view name, double most_bytes, std::string_view note = {},
-              Need need = Need::required) {
-  return {.name = name, .kind = Kind::text, .need = need, .high = most_bytes, .note = note};
-}
-
-Argument name_of(std::string_view name, std::string_view note = {}, Need need = Need::required) {
-  constexpr double kMostName = 100;
-  return text(name, kMostName, note, need);
-}
-
-Argument number(std::string_view name, double low, double high, std::string_view note = {},
-                Need need = Need::required) {
-  return {.name = name, .kind = Kind::number, .need = need, .low = low, .high = high, .note = note};
-}
-
-Argument integer(std::string_view name, double low, double high, std::string_view note = {},
-                 Need need = Need::required) {
-  return {
-      .name = name, .kind = Kind::integer, .need = need, .low = low, .high = high, .note = note};
-}
-
-Argument flag(std::string_view name, std::string_view note = {}, Need need = Need::required) {
-  return {.name = name, .kind = Kind::flag, .need = need, .note = note};
-}
-
-Argument choice(std::string_view name, std::vector<std::string_view> choices,
-                std::string_view note = {}, Need need = Need::required) {
-  return {.name = name,
-          .kind = Kind::choice,
-          .need = need,
-          .choices = std::move(choices),
-          .note = note};
-}
-
-Argument nullable(std::string_view name, std::string_view note = {}) {
-  return {.name = name, .kind = Kind::nullable, .low = -kAny, .high = kAny, .note = note};
-}
-
-Argument texts(std::string_view name, std::string_view note) {
-  constexpr double kMostName = 100;
-  return {
-      .name = name, .kind = Kind::texts, .need = Need::optional, .high = kMostName, .note = note};
-}
-
-Argument breakpoint_list() {
-  return {.name = "list",
-          .kind = Kind::list,
-          .fields = {name_of("file", "of a program", Need::optional),
-                     integer("line", 1, kMostLine, "with `file`", Need::optional),
-                     text("condition", 1000, "stops only where this expression is true",
-                          Need::optional),
-                     name_of("variable", "stops when this one is written", Need::optional)},
-          .note = "all of them; each has `file` and `line`, or `variable`"};
+// A key of the panel: the operator's.
+Command key(std::string_view name, std::string_view more = {}, std::string_view answer = {}) {
+  const machine::OperationRow& row = *machine::find_operation(name);
+  return {row.name, Who::op, row.arguments, std::string(row.sentence).append(more), answer, &row};
 }
 
 std::vector<Command> make_table() {
-  const Argument line = integer("line", 1, kMostLine);
   const Argument program_text = text("text", limits::kTextBytes);
   return {
       {"machines",
@@ -133,95 +80,38 @@ std::vector<Command> make_table() {
                "otherwise the ending of the name says it, or that of the machine", Need::optional)},
        "Loads a program; its preview run begins.",
        "`program`: its name"},
-      {"mode",
-       Who::op,
-       {choice("mode", {"edit", "mdi", "auto", "jog", "ref", "teach"})},
-       "Turns the mode switch."},
-      {"cycle-start", Who::op, {}, "Starts the program, or goes on behind a stop or a feed hold."},
-      {"feed-hold", Who::op, {}, "The axes come to rest on the path."},
-      {"reset", Who::op, {}, "Ends alarm and program; the axes come to rest."},
-      {"interrupt",
-       Who::op,
-       {},
-       "Gives the interrupt signal of M96: its program runs behind the block that the axes are in. "
-       "One that meets no M96 in force is told among the messages."},
-      {"switch",
-       Who::op,
-       {choice("switch", {"single-block", "optional-stop", "dry-run", "machine-lock"}), flag("on")},
-       "Turns a switch of the panel."},
-      {"block-skip",
-       Who::op,
-       {{.name = "levels",
-         .kind = Kind::integers,
-         .low = 1,
-         .high = 9,
-         .note = "those that are on"}},
-       "Sets the levels of block skip: /n. The axes obey them in the next block that they begin "
-       "and "
-       "can still turn off to."},
-      {"override",
-       Who::op,
-       {number("feed", 0, 200, "percent", Need::optional),
-        number("rapid", 0, 100, "percent", Need::optional),
-        number("spindle", 50, 120, "percent", Need::optional)},
-       "Sets overrides; those that are not named stay. That of the spindle is a laser's override "
-       "of power."},
-      {"jog",
-       Who::op,
-       {name_of("axis"),
-        number("speed_mm_min", -1e6, 1e6, "°/min of a rotary axis; its sign is the direction"),
-        number("distance_mm", 0, 1e6, "° of a rotary axis; without it until jog-stop",
-               Need::optional)},
-       "Moves an axis until jog-stop, the end of its travel, or the loss of the connection."},
-      {"jog-stop", Who::op, {}, "Ends jogging."},
-      {"home", Who::op, {}, "Moves all axes to their first reference points."},
-      {"mdi", Who::op, {text("text", 4096)}, "Executes these blocks, in the mode mdi."},
-      {"enter", Who::op, {text("text", 200)}, "Gives a line to the program that waits for input."},
-      {"step",
-       Who::op,
-       {choice("how", {"over", "into", "out", "back"})},
-       "Executes one block: with what it calls, into what it calls, until the end of the program "
-       "that is called, or back to the state before the last one."},
-      {"run-to", Who::op, {name_of("file"), line}, "Runs until this line is reached."},
-      {"start-at",
-       Who::op,
-       {line},
-       "Stands at this line of the program with the modal state that it would have there; nothing "
-       "moves until cycle-start."},
-      {"breakpoints",
-       Who::op,
-       {breakpoint_list()},
-       "Replaces all breakpoints.",
-       "`list`: where they stand now"},
+      key("mode"),
+      key("cycle-start"),
+      key("feed-hold"),
+      key("reset"),
+      key("interrupt"),
+      key("switch"),
+      key("block-skip"),
+      key("override"),
+      key("jog"),
+      key("jog-stop"),
+      key("home"),
+      key("mdi"),
+      key("enter"),
+      key("step"),
+      key("run-to"),
+      key("start-at"),
+      key("breakpoints", {}, "`list`: where they stand now"),
       {"variables",
        Who::watcher,
-       {integer("level", 0, 1000, "of the calls, 0 is the main program; otherwise the innermost",
+       {integer("level", {0, 1000}, "of the calls, 0 is the main program; otherwise the innermost",
                 Need::optional),
         texts("names", "only these")},
        "Tells values of variables.",
        "`variables`: list of `{name, value, level, changed}`, `scopes`"},
-      {"set-variable",
-       Who::op,
-       {name_of("name"), nullable("value", "null: vacant"),
-        integer("level", 0, 1000, "of the calls; otherwise the innermost", Need::optional)},
-       "Changes a variable while nothing moves: at rest, held, in a dwell. The axes find it in the "
-       "next block that they begin. An input is set at any time."},
-      {"set-input",
-       Who::op,
-       {integer("input", 1000, 1035, "#1000 to #1015 and #1032 to #1035"),
-        number("value", -2147483648.0, 4294967295.0, "a bit is on unless this is 0")},
-       "Sets an input signal, at any time; the program reads it when the axes have come to the "
-       "block. It stays for the programs that follow."},
+      key("set-variable"),
+      key("set-input"),
       {"offsets",
        Who::watcher,
        {},
        "Tells work offsets and tool offsets.",
        "`offsets`: list of `{offset, axis, value}`"},
-      {"set-offset",
-       Who::op,
-       {name_of("offset", "G54, EXT, G54.1 P3, tool.5.length_geometry …"),
-        name_of("axis", "of a work offset", Need::optional), number("value", -1e6, 1e6, "mm or °")},
-       "Changes an offset. Answered when it is on the disk."},
+      key("set-offset", " Answered when it is on the disk."),
       {"tools",
        Who::watcher,
        {},
@@ -230,30 +120,37 @@ std::vector<Command> make_table() {
        "those that are not all 0"},
       {"set-tool",
        Who::op,
-       {integer("number", 1, 999), number("length_geometry", -1e6, 1e6, "mm", Need::optional),
-        number("length_wear", -1e6, 1e6, "mm", Need::optional),
-        number("radius_geometry", -1e6, 1e6, "mm", Need::optional),
-        number("radius_wear", -1e6, 1e6, "mm", Need::optional)},
+       {integer("number", {1, 999}), number("length_geometry", {-1e6, 1e6}, "mm", Need::optional),
+        number("length_wear", {-1e6, 1e6}, "mm", Need::optional),
+        number("radius_geometry", {-1e6, 1e6}, "mm", Need::optional),
+        number("radius_wear", {-1e6, 1e6}, "mm", Need::optional)},
        "Changes a row of the tool table. Answered when it is on the disk."},
       {"instant",
        Who::watcher,
-       {number("time_s", 0, kMostTime_s)},
+       {number("time_s", {0, kMostTime_s})},
        "Tells the state at that instant of this run, which is made once more up to there; behind "
        "now that of the program as it would run without anybody at the panel.",
        "the keys of `state` that the machine says, and `variables`"},
       {"speeds",
        Who::watcher,
-       {number("from_s", 0, kMostTime_s), number("to_s", 0, kMostTime_s),
-        integer("points", 2, 5000)},
+       {number("from_s", {0, kMostTime_s}), number("to_s", {0, kMostTime_s}),
+        integer("points", {2, 5000})},
        "Tells the speed along the path of the preview between two times.",
        "`time_s`, `speed_mm_min`, `line`: lists of equal length; the fastest of each interval"},
       {"pulses",
        Who::watcher,
-       {number("seconds", 0, 10)},
+       {number("seconds", {0, 10})},
        "Tells the edges of the step pulses of the last seconds.",
        "`time_s`: now, `pulses`: `{joint: [time_s, direction, …]}`, `lines`: list of `[from_s, "
        "to_s, "
        "line]`; the first question begins to record"},
+      {"journal",
+       Who::watcher,
+       {},
+       "Tells what was done in this run, to be done again with `kerf replay`: what it began with "
+       "(the machine file, the memory, the panel, the program with its text, what it had printed) "
+       "and every key since. Nobody's name is in it.",
+       "`name`: of a file, `text`"},
       {"check",
        Who::anyone,
        {program_text, name_of("name"),
@@ -315,7 +212,7 @@ std::vector<Command> make_table() {
        "`programs`: list of `{name, bytes, modified}`"},
       {"read",
        Who::anyone,
-       {name_of("name"), integer("revision", 1, 1e9, "otherwise as it is now", Need::optional),
+       {name_of("name"), integer("revision", {1, 1e9}, "otherwise as it is now", Need::optional),
         name_of("machine", "if it has loaded a program of this name, that one", Need::optional)},
        "Reads a program of at most 4 MiB; of a pattern (`.pat`) its listing, as `machine` or the "
        "watched one reads the bytes.",

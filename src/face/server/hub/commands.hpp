@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
+#include "machine/panel/operation_table.hpp"
 
 namespace kerf::server {
 
@@ -45,7 +47,7 @@ static_assert(kAnswerBytes + kMessageBytes < kQueueBytes, "one answer never clos
 }  // namespace limits
 
 /// A command of the panel. The table of them is the protocol: arguments are checked against it and
-/// its page is made from it.
+/// its page is made from it. Keys of the panel are rows of machine::operation_table().
 struct Command {
   enum class Who : std::uint8_t {
     anyone,   ///< who is connected
@@ -56,8 +58,9 @@ struct Command {
   std::string_view name;
   Who who = Who::anyone;
   std::vector<Argument> arguments;
-  std::string_view sentence;  ///< what it does
-  std::string_view answer{};  ///< keys of the answer besides id and ok
+  std::string sentence;                              ///< what it does
+  std::string_view answer{};                         ///< keys of the answer besides id and ok
+  const machine::OperationRow* operation = nullptr;  ///< null: it is no key of the panel
 };
 
 [[nodiscard]] const std::vector<Command>& commands();

@@ -8,7 +8,7 @@ Handler find_handler(std::string_view command) {
         &library_handlers(), &training_handlers()}) {
     if (const auto found = table->find(command); found != table->end()) return found->second;
   }
-  return nullptr;
+  return machine::find_operation(command) != nullptr ? press : nullptr;
 }
 
 const Handlers& hub_handlers() {

@@ -30,14 +30,15 @@ void Runner::set_up(const machine::MachineDefinition& definition, control::Memor
 }
 
 void Runner::replace_definition(const machine::MachineDefinition& definition,
-                                control::Memory memory) {
+                                const std::string& machine_file, control::Memory memory) {
   thread_.here();
+  settings_.machine_file = machine_file;
   const auto program = machine_->program();
   const std::string dialect = machine_->dialect();
   const auto breakpoints = machine_->breakpoints();
   set_up(definition, std::move(memory));
-  if (program) static_cast<void>(machine_->load(*program, dialect));
-  static_cast<void>(machine_->set_breakpoints(breakpoints));
+  if (program) static_cast<void>(machine_->perform(machine::Load{*program, dialect}));
+  static_cast<void>(machine_->perform(machine::SetBreakpoints{breakpoints}));
 }
 
 MachineThread::MachineThread(Worker& helpers, Publish publish)

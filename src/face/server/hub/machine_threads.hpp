@@ -38,9 +38,11 @@ class Runner {
     thread_.here();
     return *pulses_;
   }
-  /// The machine is made anew of another machine file, with the program and breakpoints that it
-  /// has. Precondition: nothing moves; the memory has as many tools as the machine file says.
-  void replace_definition(const machine::MachineDefinition& definition, control::Memory memory);
+  /// The machine is made anew of another machine file, `machine_file` being its text, with the
+  /// program and breakpoints that it has. Precondition: nothing moves; the memory has as many tools
+  /// as the machine file says.
+  void replace_definition(const machine::MachineDefinition& definition,
+                          const std::string& machine_file, control::Memory memory);
   /// Precondition: no thread runs it any more.
   [[nodiscard]] control::Memory last_memory() const { return machine_->memory(); }
 

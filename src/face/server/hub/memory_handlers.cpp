@@ -23,27 +23,19 @@ void variables(Hub& hub, const Request& request) {
   });
 }
 
-std::optional<double> not_vacant(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional<double>(value);
-}
-
 // Where the control has read ahead the run is made again, which may take a while.
 void set_variable(Hub& hub, const Request& request) {
-  const auto before = std::make_shared<double>(std::nan(""));
-  const auto act = [body = request.body, before](Runner& runner) -> Outcome<Json> {
-    const Arguments arguments(*body);
-    const std::string name = arguments.text("name");
-    const auto old = runner.machine().variables_named({name}, level_of(arguments));
-    if (!old.rows.empty()) *before = old.rows[0].value;
-    auto set = runner.machine().set_variable(name, not_vacant(arguments.nullable("value")),
-                                             level_of(arguments));
-    if (!set) return tl::unexpected(set.error());
-    return Json::object();
+  const auto key = key_of(request);
+  if (!key) return request.reply.no(key.error());
+  const auto before = std::make_shared<machine::SetVariable>(std::get<machine::SetVariable>(*key));
+  before->value.reset();
+  const auto act = [key = *key, before](Runner& runner) {
+    const auto old = runner.machine().variables_named({before->name}, before->level);
+    if (!old.rows.empty() && !std::isnan(old.rows[0].value)) before->value = old.rows[0].value;
+    return done(runner.machine().perform(key));
   };
-  const auto undo = [body = request.body, before](machine::LiveMachine& machine) {
-    const Arguments arguments(*body);
-    static_cast<void>(
-        machine.set_variable(arguments.text("name"), not_vacant(*before), level_of(arguments)));
+  const auto undo = [before](machine::LiveMachine& machine) {
+    static_cast<void>(machine.perform(*before));
   };
   hub.orders().give_durably(request, {act, undo, {}}, Pace::slow);
 }
@@ -78,13 +70,9 @@ void offsets(Hub& hub, const Request& request) {
 }
 
 void set_offset(Hub& hub, const Request& request) {
-  const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
-    const Arguments arguments(*body);
-    auto set = runner.machine().set_offset(arguments.text("offset"), arguments.text("axis"),
-                                           arguments.number("value"));
-    if (!set) return tl::unexpected(set.error());
-    return Json::object();
-  };
+  const auto key = key_of(request);
+  if (!key) return request.reply.no(key.error());
+  const auto act = [key = *key](Runner& runner) { return done(runner.machine().perform(key)); };
   hub.orders().give_durably(
       request, {act, {}, [&hub, name = request.machine->name] { hub.previews().renew(name); }});
 }
@@ -112,7 +100,8 @@ void set_tool(Hub& hub, const Request& request) {
     for (const char* const part :
          {"length_geometry", "length_wear", "radius_geometry", "radius_wear"}) {
       if (!arguments.has(part)) continue;
-      auto set = runner.machine().set_offset(tool + part, "", arguments.number(part));
+      auto set = runner.machine().perform(
+          machine::SetOffset{.offset = tool + part, .value = arguments.number(part)});
       if (!set) return tl::unexpected(set.error());
     }
     return Json::object();

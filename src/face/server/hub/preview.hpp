@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/program_text.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "face/server/store/chunk_store.hpp"
 #include "job/job.hpp"
 #include "job/run.hpp"

@@ -8,7 +8,8 @@ namespace kerf::server {
 namespace {
 
 constexpr std::string_view kPreface =
-    R"md(<!-- Made by `kerf serve --protocol` from src/face/server/hub/commands.cpp: change that, run this. -->
+    R"md(<!-- Made by `kerf serve --protocol` from src/face/server/hub/commands.cpp and src/machine/panel/operation_table.cpp: change
+those, run this. -->
 
 # The panel's protocol
 

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "motion/axis_point.hpp"
 

@@ -9,7 +9,7 @@
 #include "base/refusal.hpp"
 #include "face/server/hub/client.hpp"
 #include "face/server/hub/server_clock.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "face/server/store/quota.hpp"
 
 namespace kerf::server {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/work_limit.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "face/server/store/chunk_store.hpp"
 
 namespace kerf::server {

@@ -41,6 +41,15 @@ void speeds(Hub& hub, const Request& request) {
                            });
 }
 
+// Its program is read from the disk.
+void journal(Hub& hub, const Request& request) {
+  hub.orders().give(request, Pace::slow, [](Runner& runner) -> Outcome<Json> {
+    auto text = runner.machine().journal();
+    if (!text) return tl::unexpected(text.error());
+    return Json{{"name", runner.name() + ".journal.json"}, {"text", std::move(*text)}};
+  });
+}
+
 void pulses(Hub& hub, const Request& request) {
   hub.orders().give(
       request, Pace::slow,
@@ -115,8 +124,9 @@ void tokens(Hub& /*hub*/, const Request& request) {
 }  // namespace
 
 const Handlers& view_handlers() {
-  static const Handlers handlers = {{"instant", instant}, {"speeds", speeds},   {"pulses", pulses},
-                                    {"check", check},     {"dialect", dialect}, {"tokens", tokens}};
+  static const Handlers handlers = {{"instant", instant}, {"speeds", speeds}, {"pulses", pulses},
+                                    {"journal", journal}, {"check", check},   {"dialect", dialect},
+                                    {"tokens", tokens}};
   return handlers;
 }
 

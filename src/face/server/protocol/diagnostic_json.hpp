@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.hpp"
 #include "base/source_file.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 
 namespace kerf::server {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 
 namespace kerf::server {
 

@@ -5,6 +5,8 @@
 #include "face/server/protocol/diagnostic_json.hpp"
 #include "face/server/protocol/language_json.hpp"
 #include "machine/dialect/registry.hpp"
+#include "machine/dialect/dialect.hpp"
+#include "machine/panel/operation_table.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
@@ -96,14 +98,6 @@ Json switches_json(const machine::PanelSettings& panel) {
   for (std::size_t i = 0; i < machine::kSwitches; ++i) {
     const auto which = static_cast<machine::Switch>(i);
     json[std::string(machine::name_of(which))] = panel[which];
-  }
-  return json;
-}
-
-Json skip_json(std::uint32_t levels) {
-  Json json = Json::array();
-  for (unsigned n = 1; n <= 9; ++n) {
-    if ((levels >> n & 1U) != 0) json.push_back(n);
   }
   return json;
 }
@@ -218,7 +212,7 @@ Json state_json(const Snapshot& s, const MachineDefinition& definition) {
                       {"rapid", s.panel.dials.rapid},
                       {"spindle", s.panel.dials.spindle}};
   json["switches"] = switches_json(s.panel);
-  json["skip"] = skip_json(s.panel.skip_levels);
+  json["skip"] = machine::levels_of(s.panel.skip_levels);
   json["alarm"] = alarm_json(s.alarm);
   json["messages"] = messages_json(s.messages);
   json["stack"] = stack_json(s.stack);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "machine/dialect/variable_listing.hpp"
 #include "machine/panel/snapshot.hpp"

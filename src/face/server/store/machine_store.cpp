@@ -6,7 +6,7 @@
 
 #include "base/output_file.hpp"
 #include "base/source_file.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 #include "face/server/store/private_files.hpp"
 #include "face/server/store/program_name.hpp"
 #include "machine/definition/state_file.hpp"

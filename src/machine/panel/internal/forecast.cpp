@@ -21,14 +21,15 @@ RunStart untouched(RunStart start) {
 }  // namespace
 
 Forecast::Forecast(RunStart start) : core_(untouched(std::move(start))) {
-  static_cast<void>(core_.cycle_start());
+  static_cast<void>(core_.perform(CycleStart{}));
 }
 
 void Forecast::go_to(double time_s) {
   for (int idle = 0; idle < kMostIdleStops;) {
     const std::uint64_t before = core_.points();
     make_points(core_, time_s, LiveCore::kNever);
-    if (core_.is_active() || core_.status() != Status::stopped || !core_.cycle_start()) return;
+    if (core_.is_active() || core_.status() != Status::stopped || !core_.perform(CycleStart{}))
+      return;
     idle = core_.points() == before ? idle + 1 : 0;
   }
 }

@@ -1,10 +1,11 @@
-// Axes moved by hand: jog and reference return, through the interpolator and its limits.
+#include "machine/panel/internal/hand_moves.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/decimal.hpp"
 #include "machine/dialect/refused.hpp"
-#include "machine/panel/internal/live_core.hpp"
 
 namespace kerf::machine {
 
@@ -12,120 +13,123 @@ using base::Refusal;
 namespace {
 
 // How far an axis without an end of its travel goes in one go, mm or degrees.
-constexpr double kFar = 36000;
+constexpr double kFar = JogBy::kMostDistance;
 // Ends of what a linkage reaches are found to this, mm or degrees.
 constexpr double kReachPitch = 1e-3;
 
-}  // namespace
+constexpr const char* kAllHome = "all axes are at their reference points";
 
-std::optional<base::Axis> LiveCore::find_axis(const std::string& name) const {
-  return name.size() == 1 ? definition_.axes.find(name[0]) : std::nullopt;
+base::Failure usage(std::string sentence) {
+  return {base::Failure::Kind::usage, std::move(sentence)};
 }
 
-std::optional<base::Failure> LiveCore::keeps_from_hand() const {
-  if (resetting_) return base::refuse(Refusal::resetting);
-  if (is_active()) return base::refuse(Refusal::moves_already);
-  if (machine_->alarm() || panel_alarm_) return base::refuse(Refusal::alarm_is_on);
-  if (machine_->is_in_program() && !machine_->control().can_be_moved())
-    return base::refuse(is_pattern() ? Refusal::pattern_counts : Refusal::corner_held);
+}  // namespace
+
+std::optional<base::Axis> HandMoves::find_axis(const MachineDefinition& definition,
+                                               const std::string& name) {
+  return name.size() == 1 ? definition.axes.find(name[0]) : std::nullopt;
+}
+
+double HandMoves::own_speed(const std::string& axis) const {
+  const auto found = find_axis(definition_, axis);
+  if (!found) return 0;
+  return definition_.axes[*found].rotary ? settings_.jog_deg_min : settings_.jog_mm_min;
+}
+
+std::optional<base::Failure> HandMoves::keeps_from_hand() const {
+  if (run_.is_resetting) return base::refuse(Refusal::resetting);
+  if (run_.is_active()) return base::refuse(Refusal::moves_already);
+  if (run_.machine().alarm() || console_.alarm()) return base::refuse(Refusal::alarm_is_on);
+  if (run_.machine().is_in_program() && !run_.machine().control().can_be_moved())
+    return base::refuse(run_.is_pattern() ? Refusal::pattern_counts : Refusal::corner_held);
   return std::nullopt;
 }
 
-LiveCore::Outcome LiveCore::queue_moves(const std::vector<motion::Motion>& motions) {
-  trail_->settle();
-  bool any = false;
-  for (const motion::Motion& motion : motions) {
-    if (const auto refusal = machine_->command(motion)) {
-      if (!any) activity_ = Activity::none;
-      if (!any)
-        return refused(base::refuse_for(std::string(base::text_of(refusal->code).number),
-                                        Refusal::joints_cannot, {refusal->sentence}));
-      jog_end_ = JogEnd{refusal->code, refusal->sentence};
-      break;
-    }
-    any = true;
-  }
-  deadline_s_ = time_s();
-  machine_->finish_moves();
-  return {};
+std::optional<base::Failure> HandMoves::keeps_axis(const std::string& axis) const {
+  if (mode_ != Mode::jog && mode_ != Mode::teach) return base::refuse(Refusal::hand_mode);
+  if (!find_axis(definition_, axis)) return base::refuse(Refusal::no_hand_axis, {axis});
+  return std::nullopt;
 }
 
-LiveCore::Outcome LiveCore::jog(const std::string& axis, double speed_per_min) {
-  const auto found = find_axis(axis);
-  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach) return refused(Refusal::hand_mode);
-  if (!found) return refused(Refusal::no_hand_axis, {axis});
-  if (!(std::fabs(speed_per_min) > 0) || !std::isfinite(speed_per_min))
-    return refused(Refusal::jog_speed);
-  if (const auto why = keeps_from_hand()) return refused(*why);
-  return jog_to(*found, std::copysign(kFar, speed_per_min), std::fabs(speed_per_min));
+std::optional<base::Failure> HandMoves::objection(const Jog& key) const {
+  if (auto why = keeps_axis(key.axis)) return why;
+  if (!(std::fabs(key.speed_per_min) > 0) || !std::isfinite(key.speed_per_min))
+    return base::refuse(Refusal::jog_speed);
+  return keeps_from_hand();
 }
 
-LiveCore::Outcome LiveCore::jog_by(const std::string& axis, double distance, double speed_per_min) {
-  const auto found = find_axis(axis);
-  if (panel_.mode != Mode::jog && panel_.mode != Mode::teach) return refused(Refusal::hand_mode);
-  if (!found) return refused(Refusal::no_hand_axis, {axis});
-  if (distance == 0 || !std::isfinite(distance) || std::fabs(distance) > kFar)
-    return refused("a jog by a distance needs one, at most " + base::number_text(kFar));
-  if (speed_per_min < 0 || !std::isfinite(speed_per_min)) return refused(Refusal::jog_speed);
-  if (const auto why = keeps_from_hand()) return refused(*why);
-  const double own = definition_.axes[*found].rotary ? settings_.jog_deg_min : settings_.jog_mm_min;
-  return jog_to(*found, distance, speed_per_min > 0 ? speed_per_min : own);
+std::optional<base::Failure> HandMoves::objection(const JogBy& key) const {
+  if (auto why = keeps_axis(key.axis)) return why;
+  if (key.distance == 0 || !std::isfinite(key.distance) || std::fabs(key.distance) > kFar)
+    return usage("a jog by a distance needs one, at most " + base::number_text(kFar));
+  if (key.speed_per_min < 0 || !std::isfinite(key.speed_per_min))
+    return base::refuse(Refusal::jog_speed);
+  return keeps_from_hand();
+}
+
+std::optional<base::Failure> HandMoves::objection(const Home& /*key*/) const {
+  if (mode_ != Mode::reference) return base::refuse(Refusal::reference_mode);
+  return keeps_from_hand();
 }
 
 // How far the axis can go until the end of its travel. By hand that is an end in any case, as it is
 // for a machine with limit switches: stroke_check is about programs.
-double LiveCore::travel_left(base::Axis axis, bool up) const {
+double HandMoves::travel_left(base::Axis axis, bool up) const {
   const motion::AxisConfig& config = definition_.axes[axis];
   if (!(config.travel_min < config.travel_max)) return kFar;
-  const double at = machine_->servo().commanded()[axis] + machine_->control().tool_length()[axis];
+  PacedRun& machine = run_.machine();
+  const double at = machine.servo().commanded()[axis] + machine.control().tool_length()[axis];
   return std::max(0.0, up ? config.travel_max - at : at - config.travel_min);
 }
 
 // Of a linkage: how much of the move its joints can follow.
-double LiveCore::reachable(const motion::Motion& whole, base::Axis axis, double distance,
-                           std::optional<JogEnd>& end) {
+double HandMoves::reachable(const motion::Motion& whole, base::Axis axis, double distance,
+                            std::optional<HandEnd>& end) {
   const auto part = [&](double way) {
     motion::Motion motion = whole;
     auto& line = std::get<motion::Line>(motion.action);
-    line.to = machine_->servo().commanded();
+    line.to = run_.machine().servo().commanded();
     line.to[axis] += way;
     return motion;
   };
-  auto refusal = machine_->objection(part(distance));
+  auto refusal = run_.machine().objection(part(distance));
   if (!refusal) return distance;
   double good = 0;
   double bad = distance;
   while (std::fabs(bad - good) > kReachPitch) {
     const double middle = good + (bad - good) / 2;
-    auto at_middle = machine_->objection(part(middle));
+    auto at_middle = run_.machine().objection(part(middle));
     (at_middle ? bad : good) = middle;
     if (at_middle) refusal = std::move(at_middle);
   }
-  end = JogEnd{refusal->code, refusal->sentence};
+  end = HandEnd{refusal->code, refusal->sentence};
   return good;
 }
 
-// The motors that count a pattern are left to the interpolator.
-void LiveCore::take_in_hand() {
-  if (!would_begin_by_hand()) return;
-  begin_anew();
-  static_cast<void>(open_program());
+HandMoves::Outcome HandMoves::go(const Jog& key) {
+  return go(*find_axis(definition_, key.axis), std::copysign(kFar, key.speed_per_min),
+            std::fabs(key.speed_per_min));
 }
 
-LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double speed_per_min) {
-  take_in_hand();
+HandMoves::Outcome HandMoves::go(const JogBy& key) {
+  return go(*find_axis(definition_, key.axis), key.distance,
+            key.speed_per_min > 0 ? key.speed_per_min : own_speed(key.axis));
+}
+
+HandMoves::Outcome HandMoves::go(base::Axis axis, double distance, double speed_per_min) {
   const bool up = distance > 0;
   const motion::AxisConfig& config = definition_.axes[axis];
   const double left = travel_left(axis, up);
-  std::optional<JogEnd> end;
+  std::optional<HandEnd> end;
   if (left < std::fabs(distance)) {
     const double limit = up ? config.travel_max : config.travel_min;
-    end = JogEnd{up ? base::Code::overtravel_plus : base::Code::overtravel_minus,
-                 std::string(1, config.letter) + " is at its limit, " + base::number_text(limit)};
+    end = HandEnd{up ? base::Code::overtravel_plus : base::Code::overtravel_minus,
+                  std::string(1, config.letter) + " is at its limit, " + base::number_text(limit)};
     distance = up ? left : -left;
   }
   motion::Motion move;
-  motion::Line line{machine_->servo().commanded(), {speed_per_min, motion::FeedMode::per_minute}};
+  motion::Line line{run_.machine().servo().commanded(),
+                    {speed_per_min, motion::FeedMode::per_minute}};
   line.to[axis] += distance;
   move.action = line;
   if (definition_.axes.linked && distance != 0) {
@@ -136,51 +140,53 @@ LiveCore::Outcome LiveCore::jog_to(base::Axis axis, double distance, double spee
     move.action = line;
     distance = reached;
   }
-  jog_end_ = end;
+  run_.hand_end = end;
   if (distance == 0) {
-    jog_end_.reset();
-    if (end) raise_panel(end->code, end->sentence);
+    run_.hand_end.reset();
+    if (end) console_.raise(end->code, end->sentence);
     return {};
   }
-  stopping_jog_ = false;
-  activity_ = Activity::jog;
-  ++run_;
-  return queue_moves({move});
+  run_.is_jog_stopping = false;
+  run_.begin_next(Activity::jog);
+  return run_.move_by_hand({move});
 }
 
-LiveCore::Outcome LiveCore::jog_stop() {
-  if (activity_ != Activity::jog) return {};
-  stopping_jog_ = true;
-  jog_end_.reset();
-  machine_->servo().source().reset();
-  return {};
+void HandMoves::stop() {
+  if (!run_.is(Activity::jog)) return;
+  run_.is_jog_stopping = true;
+  run_.hand_end.reset();
+  run_.source().reset();
+}
+
+void HandMoves::finish_jog() {
+  if (!std::exchange(run_.is_jog_stopping, false)) {
+    static_cast<void>(run_.ended_early(console_));
+    return;
+  }
+  run_.machine().drop_ahead();
+  run_.hand_end.reset();
 }
 
 // Of a pattern.
-LiveCore::Outcome LiveCore::home_motors() {
-  trail_->settle();
-  if (!machine_->command_way_to_start()) {
-    say("all axes are at their reference points");
-    return {};
+HandMoves::Outcome HandMoves::bring_motors_home() {
+  run_.trail().settle();
+  if (run_.machine().command_way_to_start()) {
+    run_.begin_next(Activity::home);
+  } else {
+    console_.say(kAllHome);
   }
-  deadline_s_ = time_s();
-  activity_ = Activity::home;
-  ++run_;
   return {};
 }
 
-LiveCore::Outcome LiveCore::home() {
-  if (panel_.mode != Mode::reference) return refused(Refusal::reference_mode);
-  if (const auto why = keeps_from_hand()) return refused(*why);
-  jog_end_.reset();
-  if (would_begin_by_hand()) return home_motors();
-  const base::AxisVector length = machine_->control().tool_length();
-  base::TipPoint to = machine_->servo().commanded();
+std::vector<motion::Motion> HandMoves::way_home() const {
+  PacedRun& machine = run_.machine();
+  const base::AxisVector length = machine.control().tool_length();
+  base::TipPoint to = machine.servo().commanded();
   motion::Motion move;
   std::vector<motion::Motion> motions;
   const auto go = [&] {
     const base::TipPoint& from =
-        motions.empty() ? machine_->servo().commanded() : *motion::target_of(motions.back());
+        motions.empty() ? machine.servo().commanded() : *motion::target_of(motions.back());
     if (to == from) return;
     move.action = motion::Rapid{to, true};
     motions.push_back(move);
@@ -193,13 +199,19 @@ LiveCore::Outcome LiveCore::home() {
   for (std::size_t i = 0; i < definition_.axes.count(); ++i)
     send(base::Axis{static_cast<std::uint8_t>(i)});
   go();
+  return motions;
+}
+
+HandMoves::Outcome HandMoves::go(const Home& /*key*/) {
+  run_.hand_end.reset();
+  if (run_.is_behind_pattern()) return bring_motors_home();
+  const std::vector<motion::Motion> motions = way_home();
   if (motions.empty()) {
-    say("all axes are at their reference points");
+    console_.say(kAllHome);
     return {};
   }
-  activity_ = Activity::home;
-  ++run_;
-  return queue_moves(motions);
+  run_.begin_next(Activity::home);
+  return run_.move_by_hand(motions);
 }
 
 }  // namespace kerf::machine

@@ -29,27 +29,39 @@ void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last) {
   }
 }
 
+bool Journal::has_acted(const Entry& entry, std::uint64_t block) {
+  return entry.before_block && *entry.before_block <= block;
+}
+
+void Journal::bring_forward(std::uint64_t block) {
+  for (Entry& entry : entries) {
+    if (entry.before_block) entry.before_block = std::min(*entry.before_block, block);
+  }
+}
+
 // The stop belongs where the last one before it was called off.
 void Journal::go_back(std::uint64_t block, std::size_t kept, const LiveCore::Moment& now) {
-  entries.resize(kept);
-  for (Entry& entry : entries) {
-    if (entry.ahead) entry.ahead->block = std::min(entry.ahead->block, block);
-  }
+  const auto later = entries.begin() + static_cast<std::ptrdiff_t>(kept);
+  entries.erase(std::remove_if(later, entries.end(),
+                               [&](const Entry& entry) { return !has_acted(entry, block); }),
+                entries.end());
+  for (std::size_t i = kept; i < entries.size(); ++i) entries[i].at = now;
+  bring_forward(block);
   const auto last = std::find_if(entries.rbegin(), entries.rend(),
                                  [](const Entry& entry) { return entry.last_block.has_value(); });
   if (last != entries.rend()) {
     last->last_block = block;
   } else {
-    entries.insert(entries.begin(), Entry{{}, {}, block, {}});
+    entries.insert(entries.begin(), Entry{{}, {}, {}, block});
   }
-  entries.push_back({now, {}, 0, {}});
+  entries.push_back({now, {}, {}, 0});
 }
 
 Replay::Replay(const Journal& journal, std::uint64_t last_block)
     : journal_(journal), last_block_(last_block), core_(std::make_unique<LiveCore>(journal.start)) {
-  core_->set_run(journal.run);
+  core_->run().set_number(journal.run);
   for (const Journal::Entry& entry : journal.entries) {
-    if (entry.ahead) core_->act_before(entry.ahead->block, entry.ahead->act);
+    if (entry.before_block) core_->act_before(*entry.before_block, *entry.key);
   }
   core_->stepper().count_blocks(true);
   stop_before(0);
@@ -76,7 +88,11 @@ void Replay::go_to(double time_s, const LiveCore::Moment& last) {
     make_points(*core_, time_s, entry.at);
     if (!is_at(entry.at) || is_at_last_block()) break;
     if (entry.last_block) stop_before(*entry.last_block);
-    if (entry.act) static_cast<void>(entry.act(*core_));
+    if (entry.before_block) {
+      core_->show(*entry.key);
+    } else if (entry.key) {
+      static_cast<void>(core_->perform(*entry.key));
+    }
   }
   make_points(*core_, time_s, last);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "machine/panel/internal/live_core.hpp"
@@ -9,29 +10,29 @@
 namespace kerf::machine {
 
 /// A run as it was driven: what it began with, and what the operator did at which moments. From
-/// that it can be made again (docs/stepping.md).
+/// that it can be made again (docs/stepping.md). It is data.
 struct Journal {
-  using Act = std::function<base::Outcome<void>(LiveCore&)>;
-  /// What is done before a block of this number is executed, which is before the axes come to it.
-  struct Ahead {
-    std::uint64_t block = 0;
-    Act act;
-  };
+  /// One thing that was done: a key, or a step back.
   struct Entry {
     LiveCore::Moment at;
-    Act act;
-    /// Instead of an act: from here on the program stops before the block of this number, 0: not.
+    std::optional<Operation> key{};
+    /// The key acts on the axes: what shows of it is done at the moment, and what it does before a
+    /// block of this number is executed, which is before the axes come to it.
+    std::optional<std::uint64_t> before_block{};
+    /// Instead of a key: from here on the program stops before the block of this number, 0: not.
     std::optional<std::uint64_t> last_block{};
-    /// Besides the act.
-    std::optional<Ahead> ahead{};
   };
   RunStart start;
   std::uint64_t run = 0;
-  std::vector<Entry> entries;
+  std::vector<Entry> entries{};
 
-  /// The run was made again up to before a block, behind its first `kept` entries: forgets the
-  /// others, and notes the stop at `now`.
+  /// The run was made again up to before a block, behind its first `kept` entries: forgets those of
+  /// the others that have not acted on it, and notes the stop at `now`.
   void go_back(std::uint64_t block, std::size_t kept, const LiveCore::Moment& now);
+  /// Whether it acts on the axes, at this block at the latest.
+  [[nodiscard]] static bool has_acted(const Entry& entry, std::uint64_t block);
+  /// What waits for a later block counts from this one on.
+  void bring_forward(std::uint64_t block);
 };
 
 /// Lets a core go on up to a time and a moment, or until nothing moves or executes, or its limit is

@@ -1,56 +1,45 @@
-// The life of a machine under its panel: runs begin, go on, are held and end.
 #include "machine/panel/internal/live_core.hpp"
 
-#include <algorithm>
+#include <cassert>
+#include <utility>
 
-#include "lang/vm/value.hpp"
 #include "machine/definition/pattern_machine.hpp"
 #include "machine/dialect/refused.hpp"
-#include "machine/dialect/registry.hpp"
-#include "machine/panel/internal/approach.hpp"
 
 namespace kerf::machine {
 
 using base::Refusal;
-namespace {
-
-constexpr std::size_t kMostMessages = 50;
-
-}  // namespace
 
 LiveCore::LiveCore(RunStart start)
     : definition_(std::move(start.definition)),
       settings_(std::move(start.settings)),
-      dialect_(std::move(start.dialect)),
-      panel_(start.panel),
-      program_(std::move(start.program)) {
-  machine_ = std::make_unique<PacedRun>(
+      slot_(settings_.dialect.empty() ? definition_.dialect : settings_.dialect,
+            std::move(start.dialect), std::move(start.program)),
+      switchboard_(start.panel),
+      console_(settings_.printed_bytes, std::move(start.printed), start.printed_bytes) {
+  PacedRun first(
       definition_, std::move(start.memory),
-      Machine::Settings{.dialect = dialect_, .signals = start.signals, .by_hand = true});
-  machine_->language().set_shift(start.shift);
-  printed_ = std::move(start.printed);
-  printed_bytes_ = start.printed_bytes;
-  stepper_ = std::make_unique<Stepper>(machine_->language());
-  begin_anew();
+      Machine::Settings{.dialect = slot_.dialect(), .signals = start.signals, .by_hand = true});
+  first.language().set_shift(start.shift);
+  stepper_ = std::make_unique<Stepper>(first.language());
+  begin_with(start_of(first), MovedBy::hand);
   static_cast<void>(open_program());
   static_cast<void>(stepper_->set_breakpoints(std::move(start.breakpoints)));
 }
 
-LiveCore::~LiveCore() = default;
-
-RunStart LiveCore::run_start() const {
-  const motion::AxisPoint at = machine_->servo().stands_at();
+RunStart LiveCore::start_of(const PacedRun& machine) const {
+  const motion::AxisPoint at = machine.servo().stands_at();
   RunStart start{definition_,
-                 machine_->memory(),
+                 machine.memory(),
                  settings_,
-                 dialect_,
-                 panel_,
-                 program_,
+                 slot_.dialect(),
+                 switchboard_.panel(),
+                 slot_.text(),
                  stepper_->breakpoints(),
-                 machine_->language().shift(),
-                 machine_->signals(),
-                 printed_,
-                 printed_bytes_};
+                 machine.language().shift(),
+                 machine.signals(),
+                 console_.printed(),
+                 console_.printed_bytes()};
   start.definition.start = at.joints;
   start.definition.axes.start = at.tip.tip;
   return start;
@@ -58,243 +47,337 @@ RunStart LiveCore::run_start() const {
 
 void LiveCore::add_sink(motion::MotionSink& sink) {
   sinks_.push_back(&sink);
-  machine_->add_sink(sink);
+  machine().add_sink(sink);
 }
 
 void LiveCore::add_point_sink(motion::AxisPointSink& sink) {
   point_sinks_.push_back(&sink);
-  machine_->add_point_sink(sink);
+  machine().add_point_sink(sink);
 }
 
-void LiveCore::tell_sinks() { machine_->servo().tell_sinks(); }
-
-void LiveCore::raise(const base::Diagnostic& alarm) { machine_->raise(alarm); }
-
 // A machine in the state of power-on, its axes where they stand.
-void LiveCore::begin_anew(MovedBy moved_by) {
-  RunStart start = run_start();
-  moved_by_ = moved_by;
-  const bool counts = is_pattern() && moved_by == MovedBy::program;
+void LiveCore::begin_with(RunStart start, MovedBy moved_by) {
+  const bool counts = slot_.is_pattern() && moved_by == MovedBy::program;
   definition_ = counts ? PatternMachine::at_zero(start.definition) : start.definition;
   auto fresh =
-      std::make_unique<PacedRun>(definition_, std::move(start.memory),
-                                 Machine::Settings{.dialect = dialect_,
-                                                   .library_folders = settings_.library_folders,
-                                                   .signals = start.signals,
-                                                   .by_hand = moved_by == MovedBy::hand});
-  fresh->language().set_shift(start.shift);
-  auto trail = std::make_unique<BlockTrail>(fresh->language(), fresh->memory());
-  auto read_ahead = std::make_unique<ReadAhead>(fresh->control(), *stepper_);
-  fresh->add_sink(*trail);
-  fresh->add_sink(*read_ahead);
-  fresh->add_point_sink(*this);
-  for (motion::MotionSink* const sink : sinks_) fresh->add_sink(*sink);
-  for (motion::AxisPointSink* const sink : point_sinks_) fresh->add_point_sink(*sink);
-  fresh->observe_rest([this] { trail_->settle(); });
-  fresh->alter_motions([this](const motion::Motion& motion) { return altered(motion); });
-  fresh->set_print_output([this](std::string_view text) {
-    printed_bytes_ += text.size();
-    printed_ += text;
-    if (printed_.size() > settings_.printed_bytes)
-      printed_.erase(0, printed_.size() - settings_.printed_bytes);
-  });
-  fresh->set_input_ready([this] { return !input_.empty(); });
-  fresh->set_input([this]() -> std::optional<std::string> {
-    if (input_.empty()) return std::nullopt;
-    std::string line = std::move(input_.front());
-    input_.pop_front();
-    return line;
-  });
-  stepper_->attach(fresh->language());
-  machine_ = std::move(fresh);
-  trail_ = std::move(trail);
-  read_ahead_ = std::move(read_ahead);
-  latest_ = {};
-  lines_ = {};
+      std::make_unique<LiveRun>(definition_, std::move(start.memory),
+                                Machine::Settings{.dialect = slot_.dialect(),
+                                                  .library_folders = settings_.library_folders,
+                                                  .signals = start.signals,
+                                                  .by_hand = moved_by == MovedBy::hand},
+                                *stepper_, moved_by, run_ ? run_->number() : 0);
+  fresh->machine().language().set_shift(start.shift);
+  join(*fresh);
+  stepper_->attach(fresh->machine().language());
+  run_ = std::move(fresh);
+  entries_ = {};
   approach_.reset();
-  activity_ = Activity::none;
-  is_entry_ = feed_hold_ = block_hold_ = dial_hold_ = resetting_ = was_stepping_ = false;
-  deadline_s_ = 0;
-  entered_.clear();
-  said_ = 0;
-  interrupts_missed_ = 0;
-  apply_panel();
+  switchboard_.apply(*run_);
   tell_sinks();
 }
 
-// Dry run: cuts at the jog speed.
-motion::Motion LiveCore::altered(const motion::Motion& motion) const {
-  if (!panel_[Switch::dry_run] || activity_ != Activity::program || !motion::is_cut_at_feed(motion))
-    return motion;
-  motion::Motion dry = motion;
-  const motion::Feed feed{settings_.jog_mm_min, motion::FeedMode::per_minute};
-  std::visit(
-      [&](auto& action) {
-        if constexpr (requires { action.feed; }) action.feed = feed;
-      },
-      dry.action);
-  return dry;
-}
-
-// A dial at 0 holds the motions that it is for; the others go on.
-void LiveCore::take(const motion::AxisPoint& point) {
-  latest_.take(machine_->servo().last());
-  const motion::MoveKind kind = point.tip.mark.kind;
-  const bool at_zero = (kind == motion::MoveKind::cut && panel_.dials.feed == 0) ||
-                       (kind == motion::MoveKind::rapid && panel_.dials.rapid == 0);
-  if (!at_zero || machine_->servo().source().wants_hold()) return;
-  dial_hold_ = true;
-  machine_->servo().source().hold();
+void LiveCore::join(LiveRun& run) {
+  PacedRun& machine = run.machine();
+  for (motion::MotionSink* const sink : sinks_) machine.add_sink(*sink);
+  for (motion::AxisPointSink* const sink : point_sinks_) machine.add_point_sink(*sink);
+  machine.alter_motions([this, &run](const motion::Motion& motion) {
+    return switchboard_.altered(motion, run, settings_.jog_mm_min);
+  });
+  machine.set_print_output([this](std::string_view text) { console_.print(text); });
+  machine.set_input_ready([this] { return console_.has_line(); });
+  machine.set_input([this] { return console_.next_line(); });
 }
 
 // Time
 
 void LiveCore::advance(double seconds) {
   if (!is_active()) return;
-  deadline_s_ += seconds;
-  advance_to(deadline_s_, kNever);
+  run_->deadline_s += seconds;
+  advance_to(run_->deadline_s, kNever);
 }
 
 void LiveCore::advance_to(double until_s, const Moment& last) {
   reached_ = false;
   while (is_active()) {
-    reached_ = machine_->advance(until_s, last);
-    tell_missed_interrupts();
-    planner::SetpointSource& source = machine_->servo().source();
-    if (is_active() && block_hold_ && source.held() && source.empty() && machine_->has_halted()) {
-      block_hold_ = false;
-      source.resume();
-      continue;
-    }
+    reached_ = machine().advance(until_s, last);
+    run_->tell_missed_interrupts(console_);
+    if (run_->outruns_block_hold()) continue;
     if (is_active()) break;
     after_activity();
   }
   // Time in which the axes wait for the control is not made up for.
-  if (!reached_) deadline_s_ = time_s();
+  if (!reached_) run_->deadline_s = time_s();
 }
 
 void LiveCore::after_activity() {
-  if (resetting_ || (is_broken_off() && !machine_->servo().at_rest())) forget_ahead();
-  if (resetting_) return finish_reset();
-  switch (std::exchange(activity_, Activity::none)) {
+  if (run_->is_resetting || (run_->is_broken_off() && !machine().servo().at_rest()))
+    run_->forget_ahead();
+  if (run_->is_resetting) return finish_reset();
+  switch (run_->end_activity()) {
     case Activity::none: break;
     case Activity::program: finish_program(); break;
-    case Activity::jog:
-      if (std::exchange(stopping_jog_, false)) {
-        machine_->drop_ahead();
-      } else if (jog_end_) {
-        raise_panel(jog_end_->code, jog_end_->sentence);
-      }
-      jog_end_.reset();
-      break;
+    case Activity::jog: hand().finish_jog(); break;
     case Activity::home:
-      if (!ended_early()) say("all axes are at their reference points");
+      if (!run_->ended_early(console_)) console_.say("all axes are at their reference points");
       break;
     case Activity::approach:
       approach_.reset();
-      if (!ended_early()) go_on();
+      if (!run_->ended_early(console_)) go_on();
       break;
   }
 }
 
-// The joints could not follow the moves to their end.
-bool LiveCore::ended_early() {
-  const auto end = std::exchange(jog_end_, {});
-  if (end) raise_panel(end->code, end->sentence);
-  return end.has_value();
-}
-
 void LiveCore::finish_program() {
-  feed_hold_ = block_hold_ = false;
-  if (stepper_->hit() || machine_->halt() != control::Halt::gate) stepper_->forget_target();
-  const std::vector<std::string>& texts = machine_->statistics().messages();
-  for (; said_ < texts.size(); ++said_) say(texts[said_]);
-  before_ = std::exchange(at_stop_, values());
-  ++changes_;
+  run_->release_holds();
+  if (stepper_->hit() || machine().halt() != control::Halt::gate) stepper_->forget_target();
+  run_->tell_messages(console_);
+  view_.note_stop(*run_);
+  view_.note_change();
 }
 
 // Behind a drive that could not follow, the plan goes on without the axes: it is made anew.
 void LiveCore::finish_reset() {
-  if (is_broken_off()) {
+  view_.note_change();
+  if (run_->is_broken_off()) {
     begin_anew();
     static_cast<void>(open_program());
-    ++changes_;
     return;
   }
-  machine_->drop_ahead();
-  machine_->reset();
-  machine_->abandon();
-  activity_ = Activity::none;
-  feed_hold_ = block_hold_ = dial_hold_ = resetting_ = stopping_jog_ = false;
-  is_entry_ = false;
-  jog_end_.reset();
+  run_->finish_reset();
   approach_.reset();
   stepper_->start();
-  apply_panel();
-  ++changes_;
+  switchboard_.apply(*run_);
 }
 
-void LiveCore::reset() {
-  panel_alarm_.reset();
-  messages_.clear();
-  input_.clear();
-  resetting_ = true;
-  if (is_active()) {
-    if (machine_->servo().at_rest()) trail_->settle();
-    machine_->servo().source().reset();
-  } else {
-    finish_reset();
+// Keys
+
+LiveCore::Outcome LiveCore::perform(const Operation& key) {
+  return std::visit([this](const auto& each) { return act(each); }, key);
+}
+
+LiveCore::Outcome LiveCore::act(const Load& key) {
+  if (auto possible = can_load(key); !possible) return possible;
+  slot_.put(key);
+  console_.forget_alarm();
+  begin_anew();
+  return open_program();
+}
+
+LiveCore::Outcome LiveCore::act(const CycleStart& /*key*/) {
+  if (const auto why = keeps_from_start(standing())) return refused(*why);
+  if (is_active() && !run_->is_held()) return refused(Refusal::running);
+  if (would_begin(standing())) {
+    if (auto begun = begin_program(); !begun) return begun;
   }
+  return set_off(false);
 }
 
-void LiveCore::say(std::string message) {
-  if (!messages_.empty() && messages_.back() == message) return;
-  messages_.push_back(std::move(message));
-  if (messages_.size() > kMostMessages) messages_.pop_front();
+LiveCore::Outcome LiveCore::act(const FeedHold& /*key*/) {
+  if (!is_active()) return refused(Refusal::nothing_to_hold);
+  if (run_->is(Activity::jog)) return act(JogStop{});
+  run_->hold_feed();
+  return {};
 }
 
-void LiveCore::tell_missed_interrupts() {
-  const std::uint64_t missed = machine_->control().interrupts_missed();
-  if (std::exchange(interrupts_missed_, missed) < missed)
-    say("an interrupt signal came while no M96 was in force: it did nothing");
+LiveCore::Outcome LiveCore::act(const Reset& /*key*/) {
+  console_.reset();
+  run_->is_resetting = true;
+  if (!is_active()) {
+    finish_reset();
+    return {};
+  }
+  if (machine().servo().at_rest()) run_->trail().settle();
+  run_->source().reset();
+  return {};
 }
 
-void LiveCore::raise_panel(base::Code code, const std::string& sentence) {
-  panel_alarm_ = base::make_error(code, {}, sentence);
+LiveCore::Outcome LiveCore::act(const TurnSwitch& key) {
+  if (switchboard_[key.which] == key.on) return {};
+  if (auto turned = switchboard_.turn(key, *run_); !turned) return turned;
+  if (key.which == Switch::dry_run && machine().is_in_program())
+    switchboard_.tell_pattern_times(*run_, console_);
+  if (key.which == Switch::machine_lock) {
+    begin_anew();
+    if (!key.on) console_.say("machine lock is off: the position is that of the axes again");
+    return open_program();
+  }
+  switchboard_.apply_switches(*run_);
+  if (key.which == Switch::single_block) Switchboard::obey_single_block(key.on, *run_);
+  return {};
+}
+
+LiveCore::Outcome LiveCore::act(const SetDials& key) {
+  if (auto turned = switchboard_.turn(key, *run_); !turned) return turned;
+  if (machine().is_in_program()) switchboard_.tell_pattern_times(*run_, console_);
+  return {};
+}
+
+template <typename Key>
+LiveCore::Outcome LiveCore::move_by_hand(const Key& key) {
+  if (const auto why = hand().objection(key)) return refused(*why);
+  // The motors that count a pattern are left to the interpolator.
+  if (run_->is_behind_pattern()) {
+    begin_anew();
+    static_cast<void>(open_program());
+  }
+  return hand().go(key);
+}
+
+LiveCore::Outcome LiveCore::act(const Home& key) {
+  if (const auto why = hand().objection(key)) return refused(*why);
+  return hand().go(key);
+}
+
+LiveCore::Outcome LiveCore::act(const EnterBlocks& key) {
+  if (const auto why = keeps_from_entry(standing())) return refused(*why);
+  if (key.text.find_first_not_of(" \t\r\n;") == std::string::npos)
+    return refused(Refusal::empty_entry);
+  machine().abandon();
+  stepper_->start();
+  view_.note_start(*run_);
+  run_->is_entry = true;
+  run_->begin_next(Activity::program);
+  run_->trail().settle();
+  end_unless(machine().set_off_entry(base::SourceFile::from_text("MDI", key.text)));
+  return {};
+}
+
+LiveCore::Outcome LiveCore::act(const TakeStep& key) {
+  if (const auto why = keeps_from_step(standing())) return refused(*why);
+  Step how = key.how;
+  if (would_begin(standing())) {
+    if (auto begun = begin_program(); !begun) return begun;
+    how = Step::into;
+  }
+  stepper_->step(is_active() ? Step::into : how);
+  return set_off(true);
+}
+
+LiveCore::Outcome LiveCore::act(const StepBack& /*key*/) {
+  assert(false);  // it is the run that goes back, not the machine
+  return {};
+}
+
+LiveCore::Outcome LiveCore::act(const RunTo& key) {
+  if (const auto why = keeps_from_start(standing())) return refused(*why);
+  if (key.line == 0) return refused("lines are counted from 1");
+  if (const auto why = keeps_from_step(standing())) return refused(*why);
+  if (would_begin(standing())) {
+    if (auto begun = begin_program(); !begun) return begun;
+  }
+  stepper_->run_to(key.file, key.line);
+  return set_off(false);
+}
+
+LiveCore::Outcome LiveCore::act(const StartAt& key) {
+  if (const auto why = keeps_from_start_at(standing())) return refused(*why);
+  if (auto begun = begin_program(); !begun) return begun;
+  control::Memory before = machine().memory();
+  auto approach = std::make_unique<Approach>();
+  if (auto found = approach->search(*run_, *stepper_, key.line, limit_); !found) {
+    set_memory(std::move(before));
+    begin_anew();
+    if (auto opened = open_program(); !opened) return opened;
+    return found;
+  }
+  switchboard_.apply(*run_);
+  approach_ = std::move(approach);
+  view_.note_start(*run_);
+  return {};
+}
+
+LiveCore::Outcome LiveCore::act(const SetOffset& key) {
+  auto set = Entries::enter(key, *run_);
+  if (set) view_.note_change();
+  return set;
+}
+
+void LiveCore::set_memory(control::Memory memory) {
+  run_->set_memory(std::move(memory));
+  stepper_->forget_values();
+  view_.note_change();
+}
+
+// Keys that act where the axes are
+
+LiveCore::Outcome LiveCore::act(const SetBlockSkip& key) {
+  if (auto checked = Switchboard::check(key); !checked) return checked;
+  switchboard_.show(key);
+  return take_effect(key);
+}
+
+LiveCore::Outcome LiveCore::act(const Interrupt& /*key*/) {
+  if (!machine().is_in_program()) return refused(Refusal::nothing_to_interrupt);
+  machine().control().interrupt();
+  return {};
+}
+
+LiveCore::Outcome LiveCore::act(const SetVariable& key) {
+  if (machine().language().variables().is_input(key.name))
+    return act(SetInput{key.name, key.value.value_or(0)});
+  if (!run_->stands()) return refused(Refusal::variables_moving);
+  const SetVariable shown{key.name, key.value, shown_level(key)};
+  if (auto set = take_effect_of(key); !set) return set;
+  entries_.show(shown, *run_);
+  return {};
+}
+
+std::size_t LiveCore::shown_level(const SetVariable& key) {
+  return key.level.value_or(innermost(run_->shown_levels()));
+}
+
+LiveCore::Outcome LiveCore::take_effect_of(const SetVariable& key) {
+  if (auto set = entries_.enter(key, *run_); !set) return set;
+  stepper_->forget_values();
+  view_.note_change();
+  return {};
+}
+
+void LiveCore::show(const Operation& key) {
+  if (const auto* const skip = std::get_if<SetBlockSkip>(&key)) switchboard_.show(*skip);
+  if (const auto* const variable = std::get_if<SetVariable>(&key)) entries_.show(*variable, *run_);
+}
+
+LiveCore::Outcome LiveCore::take_effect(const Operation& key) {
+  if (const auto* const variable = std::get_if<SetVariable>(&key)) return take_effect_of(*variable);
+  const auto* const skip = std::get_if<SetBlockSkip>(&key);
+  if (skip == nullptr) return perform(key);
+  machine().control().set_block_skip(skip->levels);
+  return {};
+}
+
+void LiveCore::act_before(std::uint64_t block, const Operation& key) {
+  stepper_->before_block(block, [this, key] { has_refused_ |= !take_effect(key); });
 }
 
 // The program
 
-bool LiveCore::would_begin() const {
-  return panel_.mode == Mode::automatic && !is_active() && !panel_alarm_ && !machine_->alarm() &&
-         (!machine_->is_in_program() || is_entry_);
+LiveCore::Outcome LiveCore::can_load(const Load& key) const {
+  if (is_active()) return refused(Refusal::load_busy);
+  return slot_.check(key, definition_);
 }
 
-std::optional<base::Failure> LiveCore::keeps_from_start() const {
-  if (resetting_) return base::refuse(Refusal::resetting);
-  if (panel_alarm_ || machine_->alarm()) return base::refuse(Refusal::alarm_is_on);
-  if (panel_.mode == Mode::automatic) {
-    if (!program_) return base::refuse(Refusal::no_program);
-    return std::nullopt;
-  }
-  if (panel_.mode == Mode::mdi) {
-    if (machine_->is_in_program() && is_entry_) return std::nullopt;
-    return base::refuse(Refusal::no_entry);
-  }
-  return base::refuse(Refusal::start_in_mode, {std::string(name_of(panel_.mode))});
+LiveCore::Outcome LiveCore::begin_program() {
+  if (slot_.is_pattern() && !PatternMachine::of(definition_)->is_at_zero(run_->standing_joints()))
+    return refused(Refusal::pattern_not_at_zero);
+  begin_anew(MovedBy::program);
+  if (auto opened = open_program(); !opened) return opened;
+  stepper_->start();
+  view_.note_start(*run_);
+  console_.forget_messages();
+  switchboard_.tell_pattern_times(*run_, console_);
+  run_->set_number(run_->number() + 1);
+  return {};
 }
 
 // Goes on from wherever the machine stands.
 LiveCore::Outcome LiveCore::set_off(bool may_step) {
-  was_stepping_ = may_step;
-  planner::SetpointSource& source = machine_->servo().source();
+  run_->was_stepping = may_step;
   if (is_active()) {
-    resume_feed();
-    const bool whole_blocks = panel_[Switch::single_block] || may_step;
-    if (activity_ == Activity::program && whole_blocks && !source.empty()) {
-      source.hold_behind_block();
-      block_hold_ = true;
-    }
+    run_->resume_feed();
+    const bool whole_blocks = panel()[Switch::single_block] || may_step;
+    if (run_->is(Activity::program) && whole_blocks && !run_->source().empty())
+      run_->hold_behind_block();
     return {};
   }
   if (approach_) return begin_approach();
@@ -303,131 +386,51 @@ LiveCore::Outcome LiveCore::set_off(bool may_step) {
 }
 
 void LiveCore::go_on() {
-  activity_ = Activity::program;
-  deadline_s_ = time_s();
-  trail_->settle();
+  run_->begin(Activity::program);
+  run_->trail().settle();
   stepper_->go_on();
-  if (!machine_->set_off()) {
-    activity_ = Activity::none;
-    finish_program();
+  end_unless(machine().set_off());
+}
+
+// What has not begun is over, in an alarm.
+void LiveCore::end_unless(bool begun) {
+  if (begun) return;
+  static_cast<void>(run_->end_activity());
+  finish_program();
+}
+
+LiveCore::Outcome LiveCore::begin_approach() {
+  const std::vector<motion::Motion> motions = approach_->motions(*run_, definition_.axes);
+  if (motions.empty()) {
+    approach_.reset();
+    go_on();
+    return {};
   }
+  run_->hand_end.reset();
+  run_->begin(Activity::approach);
+  return run_->move_by_hand(motions);
 }
 
-void LiveCore::resume_feed() {
-  feed_hold_ = block_hold_ = false;
-  if (!dial_hold_) machine_->servo().source().resume();
-}
+// To see
 
-LiveCore::Outcome LiveCore::cycle_start() {
-  if (const auto why = keeps_from_start()) return refused(*why);
-  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running);
-  if (would_begin()) {
-    if (auto begun = begin_program(); !begun) return begun;
-  }
-  return set_off(false);
-}
-
-LiveCore::Outcome LiveCore::feed_hold() {
-  if (!is_active()) return refused(Refusal::nothing_to_hold);
-  if (activity_ == Activity::jog) return jog_stop();
-  feed_hold_ = true;
-  block_hold_ = false;
-  machine_->servo().source().hold();
-  return {};
-}
-
-LiveCore::Outcome LiveCore::step(Step how) {
-  if (const auto why = keeps_from_start()) return refused(*why);
-  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running_hold_first);
-  if (would_begin()) {
-    if (auto begun = begin_program(); !begun) return begun;
-    how = Step::into;
-  }
-  stepper_->step(is_active() ? Step::into : how);
-  return set_off(true);
-}
-
-LiveCore::Outcome LiveCore::run_to(const std::string& file, std::uint32_t line) {
-  if (const auto why = keeps_from_start()) return refused(*why);
-  if (line == 0) return refused("lines are counted from 1");
-  if (is_active() && !feed_hold_ && !block_hold_) return refused(Refusal::running_hold_first);
-  if (would_begin()) {
-    if (auto begun = begin_program(); !begun) return begun;
-  }
-  stepper_->run_to(file, line);
-  return set_off(false);
-}
-
-LiveCore::Outcome LiveCore::interrupt() {
-  if (!machine_->is_in_program()) return refused(Refusal::nothing_to_interrupt);
-  machine_->control().interrupt();
-  return {};
-}
-
-LiveCore::Outcome LiveCore::set_breakpoints(std::vector<Breakpoint> breakpoints) {
-  return stepper_->set_breakpoints(std::move(breakpoints));
-}
-
-LiveCore::Outcome LiveCore::mdi(const std::string& text) {
-  if (panel_.mode != Mode::mdi) return refused(Refusal::entry_mode);
-  if (is_pattern()) return refused(Refusal::pattern_entry);
-  if (is_active()) return refused(Refusal::busy);
-  if (panel_alarm_ || machine_->alarm()) return refused(Refusal::alarm_is_on);
-  if (machine_->is_in_program() && !is_entry_) return refused(Refusal::interrupted);
-  if (text.find_first_not_of(" \t\r\n;") == std::string::npos) return refused(Refusal::empty_entry);
-  machine_->abandon();
-  stepper_->start();
-  before_ = at_stop_ = values();
-  is_entry_ = true;
-  activity_ = Activity::program;
-  deadline_s_ = time_s();
-  trail_->settle();
-  ++run_;
-  if (!machine_->set_off_entry(base::SourceFile::from_text("MDI", text))) {
-    activity_ = Activity::none;
-    finish_program();
-  }
-  return {};
-}
-
-LiveCore::Outcome LiveCore::enter(std::string line) {
-  input_.push_back(std::move(line));
-  return {};
-}
-
-// What was read, and the axes
-
-bool LiveCore::is_ahead() const {
-  return is_active() && activity_ == Activity::program && !machine_->servo().at_rest();
+Snapshot LiveCore::snapshot() {
+  return view_.snapshot({*run_, panel(), console_, *stepper_, slot_.text().has_value()});
 }
 
 bool LiveCore::moves_as(const LiveCore& other) const {
-  return is_active() == other.is_active() && latest_ == other.latest_;
+  return is_active() == other.is_active() && run_->latest() == other.run_->latest();
 }
 
-bool LiveCore::stands() const {
-  if (!is_active()) return true;
-  const planner::SetpointSource& source = machine_->servo().source();
-  return source.held() || source.standing() || machine_->servo().at_rest();
-}
-
-std::size_t LiveCore::shown_level() {
-  const BlockState* const made = block_made();
-  const std::size_t levels = made ? made->calls.size() : machine_->control().open_calls().size();
-  return levels == 0 ? 0 : levels - 1;
-}
-
-void LiveCore::act_before(std::uint64_t block, const std::function<Outcome(LiveCore&)>& act) {
-  stepper_->before_block(block, [this, act] { has_refused_ |= !act(*this); });
+void LiveCore::stand_for_itself() {
+  stepper_->forget_acts();
+  stepper_->count_blocks(false);
+  run_->deadline_s = time_s();
 }
 
 void LiveCore::replace(const LiveCore& other) {
-  stepper_->forget_acts();
-  stepper_->count_blocks(false);
-  deadline_s_ = other.deadline_s_;
-  changes_ = other.changes_ + 1;
+  stand_for_itself();
+  run_->deadline_s = other.run_->deadline_s;
+  view_.note_change(other.view_);
 }
-
-base::JointPoint LiveCore::standing_joints() const { return machine_->servo().stands_at().joints; }
 
 }  // namespace kerf::machine

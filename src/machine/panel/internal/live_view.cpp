@@ -1,9 +1,9 @@
-// What is to be seen of a live machine.
+#include "machine/panel/internal/live_view.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 #include "lang/vm/value.hpp"
-#include "machine/panel/internal/live_core.hpp"
+#include "machine/panel/internal/entries.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -37,132 +37,142 @@ AlarmText words_of(const base::Diagnostic& alarm, const PacedRun& machine) {
   return words;
 }
 
-}  // namespace
-
-Status LiveCore::status() const {
-  if (panel_alarm_ || machine_->alarm()) return Status::alarm;
-  if (is_active()) {
-    if (!machine_->servo().source().held()) return Status::running;
-    if (feed_hold_) return Status::held;
-    if (block_hold_) return was_stepping_ ? Status::step : Status::stopped;
-    return Status::running;
-  }
-  if (machine_->is_in_program())
-    return machine_->halt() == control::Halt::gate ? Status::step : Status::stopped;
-  return machine_->status() == RunStatus::end ? Status::end : Status::idle;
-}
+using Seen = LiveView::Seen;
 
 // While axes move: where they are; at rest: where the control is.
-void LiveCore::show_place(Snapshot& shown) {
-  control::Control& control = machine_->control();
-  const motion::Mark& mark = machine_->servo().last().mark;
-  const base::Place standing = control.standing_at();
-  const bool by_mark = is_active() && mark.motion != 0 && mark.block.line != 0;
+void show_place(const Seen& seen, Snapshot& shown) {
+  PacedRun& machine = seen.run.machine();
+  const motion::Mark& mark = seen.run.last().mark;
+  const base::Place standing = machine.control().standing_at();
+  const bool by_mark = seen.run.is_active() && mark.motion != 0 && mark.block.line != 0;
   const base::FileId file = by_mark ? mark.block.file : standing.file;
   shown.line = by_mark ? mark.block.line : standing.line;
-  shown.file = file_of(*machine_, file);
-  if (machine_->sources().contains(file))
-    shown.text = lines_.text(machine_->sources()[file], file, shown.line);
+  shown.file = file_of(machine, file);
+  if (machine.sources().contains(file))
+    shown.text = seen.run.lines().text(machine.sources()[file], file, shown.line);
   if (by_mark) {
-    shown.program = name_of_program(mark.block.program, machine_->program_name());
-  } else if (machine_->is_in_program() || machine_->alarm()) {
-    shown.program = control.running_program();
-  } else if (program_) {
-    shown.program = machine_->program_name();
+    shown.program = name_of_program(mark.block.program, machine.program_name());
+  } else if (machine.is_in_program() || machine.alarm()) {
+    shown.program = machine.control().running_program();
+  } else if (seen.has_program) {
+    shown.program = machine.program_name();
   }
 }
 
-// What the control showed with the motion that is being made; null: none is.
-const BlockState* LiveCore::block_made() {
-  const motion::Mark& mark = machine_->servo().last().mark;
-  return is_active() && mark.motion != 0 ? &trail_->at(mark.motion) : nullptr;
-}
-
-void LiveCore::show_functions(Snapshot& shown) {
-  const motion::Mark& mark = machine_->servo().last().mark;
-  const BlockState* const made = block_made();
+void show_functions(const Seen& seen, Snapshot& shown) {
+  PacedRun& machine = seen.run.machine();
+  const motion::Mark& mark = seen.run.last().mark;
+  const BlockState* const made = seen.run.block_made();
   const bool moving = made != nullptr;
-  const BlockState& state = moving ? *made : trail_->newest();
-  shown.modal = machine_->control().modal_text(state.modal);
+  const BlockState& state = moving ? *made : seen.run.trail().newest();
+  const int dial = seen.panel.dials.spindle;
+  shown.modal = machine.control().modal_text(state.modal);
   shown.spindle = state.spindle.turning;
   if (state.spindle.turning != motion::Spindle::Turning::stopped)
-    shown.spindle_rpm = state.spindle.speed * panel_.dials.spindle / 100;
+    shown.spindle_rpm = state.spindle.speed * dial / 100;
   shown.coolant = state.coolant;
   shown.tool = state.tool;
-  shown.power_percent = std::min(100.0, state.power.percent * panel_.dials.spindle / 100);
+  shown.power_percent = std::min(100.0, state.power.percent * dial / 100);
   // Where the axes rest on their way it would burn a hole.
-  const bool rests = machine_->servo().source().held() || machine_->servo().at_rest();
+  const bool rests = seen.run.source().held() || machine.servo().at_rest();
   const bool dwells = mark.kind == motion::MoveKind::dwell && mark.power_follows_speed;
   shown.beam = moving && !rests && !dwells && mark.power_percent > 0;
   shown.feed_programmed_mm_min = moving ? 60.0 * static_cast<double>(mark.speed) : 0;
-  shown.feed_actual_mm_min = moving ? 60 * machine_->servo().speed() : 0;
+  shown.feed_actual_mm_min = moving ? 60 * machine.servo().speed() : 0;
 }
 
-void LiveCore::show_positions(Snapshot& shown) {
-  const motion::Setpoint& at = machine_->servo().last();
-  const BlockState* const made = block_made();
+void show_positions(const Seen& seen, Snapshot& shown) {
+  const motion::Setpoint& at = seen.run.last();
+  const BlockState* const made = seen.run.block_made();
   const bool moving = made != nullptr;
-  const BlockState& state = moving ? *made : trail_->newest();
+  const BlockState& state = moving ? *made : seen.run.trail().newest();
   shown.machine = machine_of(at.tip, state.tool_length);
   shown.work = at.tip.numbers() - state.origin;
   if (moving && at.mark.kind != motion::MoveKind::dwell)
-    shown.distance = machine_->servo().source().motion_end() - at.tip;
-  shown.joints = standing_joints();
+    shown.distance = seen.run.source().motion_end() - at.tip;
+  shown.joints = seen.run.standing_joints();
 }
 
-void LiveCore::show_alarm(Snapshot& shown) const {
-  if (machine_->alarm()) {
-    shown.alarm = words_of(*machine_->alarm(), *machine_);
-  } else if (panel_alarm_) {
-    shown.alarm = words_of(*panel_alarm_, *machine_);
+void show_alarm(const Seen& seen, Snapshot& shown) {
+  const PacedRun& machine = seen.run.machine();
+  if (machine.alarm()) {
+    shown.alarm = words_of(*machine.alarm(), machine);
+  } else if (seen.console.alarm()) {
+    shown.alarm = words_of(*seen.console.alarm(), machine);
   }
 }
 
-void LiveCore::show_stack(Snapshot& shown) {
-  if (is_active() ? activity_ != Activity::program
-                  : !machine_->is_in_program() && !machine_->alarm())
+void show_stack(const Seen& seen, Snapshot& shown) {
+  PacedRun& machine = seen.run.machine();
+  if (seen.run.is_active() ? !seen.run.is(Activity::program)
+                           : !machine.is_in_program() && !machine.alarm())
     return;
-  const BlockState* const made = block_made();
-  for (const control::OpenCall& call : made ? made->calls : machine_->control().open_calls())
+  const BlockState* const made = seen.run.block_made();
+  for (const control::OpenCall& call : made ? made->calls : machine.control().open_calls())
     shown.stack.push_back(
-        {call.program, file_of(*machine_, call.block.file), call.block.line, shown.stack.size()});
+        {call.program, file_of(machine, call.block.file), call.block.line, shown.stack.size()});
   if (made == nullptr || shown.stack.empty()) return;
   shown.stack.back().file = shown.file;
   shown.stack.back().line = shown.line;
 }
 
-Snapshot LiveCore::snapshot() {
-  Snapshot shown;
-  shown.status = status();
-  shown.panel = panel_;
-  shown.time_s = time_s();
-  shown.run = run_;
-  shown.motion = machine_->servo().last().mark.motion;
-  shown.motions = trail_->motions();
-  show_place(shown);
-  show_functions(shown);
-  show_positions(shown);
-  show_alarm(shown);
-  show_stack(shown);
-  shown.messages.assign(messages_.begin(), messages_.end());
-  // Even numbers while the axes rest, odd ones on the way.
-  const BlockState* const made = image_made();
-  const std::uint64_t revision =
-      made ? 2 * made->variables_revision + 1 : 2 * machine_->control().blocks();
-  shown.variables_revision = revision + (changes_ << 40U);
+void show_console(const Console& console, Snapshot& shown) {
+  const std::string& printed = console.printed();
+  shown.messages.assign(console.messages().begin(), console.messages().end());
   shown.printed =
-      printed_.size() > kShownPrint ? printed_.substr(printed_.size() - kShownPrint) : printed_;
-  shown.printed_bytes = printed_bytes_;
-  shown.waits_for_input = machine_->waits_for_input();
-  shown.inputs = machine_->signals().inputs();
-  if (shown.status == Status::step) shown.breakpoint = stepper_->hit();
+      printed.size() > kShownPrint ? printed.substr(printed.size() - kShownPrint) : printed;
+  shown.printed_bytes = console.printed_bytes();
+}
+
+}  // namespace
+
+Status status_of(const LiveRun& run, const Console& console) {
+  const PacedRun& machine = run.machine();
+  if (console.alarm() || machine.alarm()) return Status::alarm;
+  if (run.is_active()) {
+    if (!machine.servo().source().held()) return Status::running;
+    if (run.is_feed_held()) return Status::held;
+    if (run.is_held_behind_block()) return run.was_stepping ? Status::step : Status::stopped;
+    return Status::running;
+  }
+  if (machine.is_in_program())
+    return machine.halt() == control::Halt::gate ? Status::step : Status::stopped;
+  return machine.status() == RunStatus::end ? Status::end : Status::idle;
+}
+
+Snapshot LiveView::snapshot(const Seen& seen) const {
+  Snapshot shown;
+  shown.status = status_of(seen.run, seen.console);
+  shown.panel = seen.panel;
+  shown.time_s = seen.run.time_s();
+  shown.run = seen.run.number();
+  shown.motion = seen.run.last().mark.motion;
+  shown.motions = seen.run.trail().motions();
+  show_place(seen, shown);
+  show_functions(seen, shown);
+  show_positions(seen, shown);
+  show_alarm(seen, shown);
+  show_stack(seen, shown);
+  show_console(seen.console, shown);
+  shown.variables_revision = variables_revision(seen.run);
+  shown.waits_for_input = seen.run.machine().waits_for_input();
+  shown.inputs = seen.run.machine().signals().inputs();
+  if (shown.status == Status::step) shown.breakpoint = seen.stepper.hit();
   return shown;
 }
 
-LiveCore::Values LiveCore::values() {
+// Even numbers while the axes rest, odd ones on the way.
+std::uint64_t LiveView::variables_revision(LiveRun& run) const {
+  const BlockState* const made = run.image_made();
+  const std::uint64_t revision =
+      made ? 2 * made->variables_revision + 1 : 2 * run.machine().control().blocks();
+  return revision + (changes_ << 40U);
+}
+
+LiveView::Values LiveView::values(LiveRun& run) {
   Values all;
-  Dialect& language = machine_->language();
-  const std::size_t levels = std::max<std::size_t>(machine_->control().open_calls().size(), 1);
+  Dialect& language = run.machine().language();
+  const std::size_t levels = std::max<std::size_t>(run.machine().control().open_calls().size(), 1);
   std::vector<double> numbers;
   language.variables().read(numbers);
   for (std::size_t level = 0; level < levels; ++level) {
@@ -177,47 +187,51 @@ LiveCore::Values LiveCore::values() {
   return all;
 }
 
-VariableListing LiveCore::variables_named(const std::vector<std::string>& names,
-                                          std::optional<std::size_t> level) {
-  return at_block_made([&] { return list_named(names, level); });
+void LiveView::note_start(LiveRun& run) { before_ = at_stop_ = values(run); }
+
+void LiveView::note_stop(LiveRun& run) { before_ = std::exchange(at_stop_, values(run)); }
+
+VariableListing LiveView::variables_named(LiveRun& run, const std::vector<std::string>& names,
+                                          std::optional<std::size_t> level) const {
+  return run.at_block_made([&] { return list_named(run, names, level); });
 }
 
-VariableListing LiveCore::variables(std::optional<std::size_t> level) {
-  return at_block_made([&] { return list_variables(level); });
+VariableListing LiveView::variables(LiveRun& run, std::optional<std::size_t> level) const {
+  return run.at_block_made([&] { return list(run, level); });
 }
 
-VariableListing LiveCore::list_named(const std::vector<std::string>& names,
-                                     std::optional<std::size_t> level) {
-  const VariableListing all = list_variables(level);
+VariableListing LiveView::list_named(LiveRun& run, const std::vector<std::string>& names,
+                                     std::optional<std::size_t> level) const {
+  const VariableListing all = list(run, level);
+  ProgramVariables& variables = run.machine().language().variables();
   VariableListing listing{{}, all.scopes, all.levels};
-  const std::size_t levels = all.levels;
-  const std::size_t wanted = level.value_or(levels == 0 ? 0 : levels - 1);
+  const std::size_t wanted = level.value_or(innermost(all.levels));
   for (const std::string& name : names) {
     const auto listed = std::find_if(all.rows.begin(), all.rows.end(),
                                      [&](const VariableRow& row) { return row.name == name; });
     if (listed != all.rows.end()) {
       listing.rows.push_back(*listed);
-    } else if (image_made() != nullptr && machine_->language().variables().is_listed(name)) {
+    } else if (run.image_made() != nullptr && variables.is_listed(name)) {
       listing.rows.push_back({name, "", vm::kNull, VariableScope::program, wanted, false});
-    } else if (const auto value = machine_->language().variables().value(name, wanted)) {
+    } else if (const auto value = variables.value(name, wanted)) {
       listing.rows.push_back({name, "", *value, VariableScope::program, wanted, false});
     }
   }
   return listing;
 }
 
-VariableListing LiveCore::list_variables(std::optional<std::size_t> level) {
-  const BlockState* const made = image_made();
+VariableListing LiveView::list(LiveRun& run, std::optional<std::size_t> level) const {
+  const BlockState* const made = run.image_made();
+  ProgramVariables& variables = run.machine().language().variables();
   std::vector<double> numbers;
   if (made) {
     numbers = made->variables->values();
   } else {
-    machine_->language().variables().read(numbers);
+    variables.read(numbers);
   }
-  const std::size_t levels = made ? made->calls.size() : machine_->control().open_calls().size();
-  const std::size_t innermost = levels == 0 ? 0 : levels - 1;
-  VariableListing listing =
-      machine_->language().variables().list(numbers, level.value_or(innermost));
+  const std::size_t levels =
+      made ? made->calls.size() : run.machine().control().open_calls().size();
+  VariableListing listing = variables.list(numbers, level.value_or(innermost(levels)));
   listing.levels = levels;
   for (VariableRow& row : listing.rows) {
     const bool local = row.scope == VariableScope::local;

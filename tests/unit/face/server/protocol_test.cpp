@@ -72,7 +72,7 @@ TEST(Arguments, TextsAndListsAreBounded) {
             true);
   EXPECT_TRUE(check_arguments({{"text", std::string(4096, 'x')}}, find_command("mdi")->arguments));
   Json many = Json::array();
-  for (std::size_t i = 0; i <= kMostEntries; ++i) many.push_back(1);
+  for (std::size_t i = 0; i <= machine::kMostEntries; ++i) many.push_back(1);
   EXPECT_FALSE(check_arguments({{"levels", many}}, find_command("block-skip")->arguments));
 }
 

@@ -104,6 +104,9 @@ export const en = {
   'fulfilled.only': 'Nothing else is cut.',
   'fulfilled.rapids': 'No rapid goes through the work.',
   'fulfilled.time': 'It takes {got_s} s, at most {most_s} s are asked for.',
+  'help.journal': 'Save what was done',
+  'help.journal-holds':
+    '— in this run, for a report: the machine file, the memory, the program and every key since it began. “kerf replay” does it again.',
   'help.more': 'Everything that this page does goes through one protocol:',
   'help.protocol': 'its commands and events',
   'help.notices': 'Licences of what others wrote',

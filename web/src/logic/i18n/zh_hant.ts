@@ -104,6 +104,9 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'fulfilled.only': '沒有切到不該切的地方。',
   'fulfilled.rapids': '快速移動皆未穿過工件。',
   'fulfilled.time': '費時 {got_s} 秒，上限為 {most_s} 秒。',
+  'help.journal': '儲存操作紀錄',
+  'help.journal-holds':
+    '：本次執行的完整紀錄，可附於問題回報，內含機台檔、記憶體、程式，以及開始後的每一個按鍵。用「kerf replay」可重做一遍。',
   'help.more': '本頁面的所有動作都經由同一套通訊協定：',
   'help.protocol': '指令與事件說明',
   'help.notices': '第三方軟體授權條款',

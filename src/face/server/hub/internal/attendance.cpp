@@ -48,8 +48,9 @@ void Attendance::set_operator(MachineRecord& machine, Client* client) {
 }
 
 void Attendance::end_jog(MachineRecord& machine) {
-  machine.thread->post(machine.runner, Pace::quick,
-                       [](Runner& runner) { static_cast<void>(runner.machine().jog_stop()); });
+  machine.thread->post(machine.runner, Pace::quick, [](Runner& runner) {
+    static_cast<void>(runner.machine().perform(machine::JogStop{}));
+  });
 }
 
 void Attendance::tick() {

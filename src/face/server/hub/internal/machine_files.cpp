@@ -60,7 +60,7 @@ Outcome<void> MachineFiles::keep(const StoredMachine& stored, Runner& runner) {
   }
   auto written = disk_.store().write_definition(stored.name, stored.kind, stored.toml);
   if (!written) return written;
-  runner.replace_definition(stored.definition, std::move(memory));
+  runner.replace_definition(stored.definition, stored.toml, std::move(memory));
   return {};
 }
 

@@ -94,6 +94,7 @@ Outcome<std::vector<StoredMachine>> MachineMaker::add_first_machines() {
 std::shared_ptr<Runner> MachineMaker::make_runner(const StoredMachine& stored) const {
   machine::LiveMachine::Settings settings;
   settings.library_folders = {around_.library.folder()};
+  settings.machine_file = stored.toml;
   return std::make_shared<Runner>(stored.name, stored.definition, stored.memory, settings);
 }
 

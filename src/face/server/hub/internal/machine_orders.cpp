@@ -52,7 +52,7 @@ void MachineOrders::enter(const std::shared_ptr<Entered>& entered, Runner& runne
   entered->after = runner.machine().memory();
   if (!entered->outcome) {
     if (!keeps_the_same(entered->before, entered->after))
-      runner.machine().set_memory(entered->before);
+      runner.machine().perform(machine::SetMemory{entered->before});
     return answers_.answer(entered->request.reply, entered->outcome);
   }
   if (disk_.memories().is_on_disk(entered->machine, entered->after)) return keep(*entered, runner);
@@ -64,7 +64,7 @@ void MachineOrders::keep(const Entered& entered, Runner& runner) {
   const Reply& reply = entered.request.reply;
   const auto written = disk_.memories().write(entered.machine, entered.after);
   if (!written) {
-    runner.machine().set_memory(entered.before);
+    runner.machine().perform(machine::SetMemory{entered.before});
     if (entered.entry.undo) entered.entry.undo(runner.machine());
     return answers_.answer(reply, tl::unexpected(written.error()));
   }

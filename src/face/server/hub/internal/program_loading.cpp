@@ -55,7 +55,7 @@ Outcome<ProgramLoading::Found> ProgramLoading::found(const LoadedProgram& progra
   Found ready{*text, program};
   if (const auto file = text->open(); file && program.dialect.empty())
     ready.program.dialect = machine::dialect_shown_by(**file);
-  auto possible = runner.machine().can_load(ready.text, ready.program.dialect);
+  auto possible = runner.machine().can_load({ready.text, ready.program.dialect});
   if (!possible) return tl::unexpected(possible.error());
   return ready;
 }
@@ -70,8 +70,9 @@ void ProgramLoading::keep(const Loading& loading, const Found& found) {
 }
 
 void ProgramLoading::give(const Loading& loading, const Found& found, Runner& runner) {
-  const auto done =
-      guarded([&] { return runner.machine().load(found.text, found.program.dialect); });
+  const auto done = guarded([&] {
+    return runner.machine().perform(machine::Load{found.text, found.program.dialect});
+  });
   if (!done) return around_.answers.answer(loading.reply, tl::unexpected(done.error()));
   around_.answers.to_sockets(
       [this, loading, program = found.program, basis = PreviewBasis::of(runner)] {
@@ -97,8 +98,8 @@ void ProgramLoading::load_again(MachineRecord& machine) {
       [this, program = *machine.program, breakpoints = machine.breakpoint_list](Runner& runner) {
         const auto text = text_of(around_.library, program, runner.machine().definition());
         if (!text) return tell_console(runner.name() + ": " + text.error().message);
-        static_cast<void>(runner.machine().load(*text, program.dialect));
-        static_cast<void>(runner.machine().set_breakpoints(breakpoints));
+        static_cast<void>(runner.machine().perform(machine::Load{*text, program.dialect}));
+        static_cast<void>(runner.machine().perform(machine::SetBreakpoints{breakpoints}));
       });
 }
 

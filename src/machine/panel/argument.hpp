@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "machine/panel/range.hpp"
 
-namespace kerf::server {
+namespace kerf::machine {
 
 using Json = nlohmann::ordered_json;
 
-/// One argument of a command of the panel: what it may be, and a few words for the documents.
+/// One argument of what is written as a JSON object, a key of the panel above all: what it may be,
+/// and a few words for the documents.
 struct Argument {
   enum class Kind : std::uint8_t {
     flag,      ///< true or false
@@ -38,6 +40,32 @@ struct Argument {
   std::vector<Argument> fields{};
   std::string_view note{};  ///< for the documents
 };
+
+// For tables of arguments.
+namespace argument {
+using Need = Argument::Need;
+inline constexpr double kMostName = 100;           ///< bytes of a name
+inline constexpr double kMostLine = 4294967295.0;  ///< of a program
+
+[[nodiscard]] Argument text(std::string_view name, double most_bytes, std::string_view note = {},
+                            Need need = Need::required);
+[[nodiscard]] Argument name_of(std::string_view name, std::string_view note = {},
+                               Need need = Need::required);
+[[nodiscard]] Argument number(std::string_view name, const Range& range, std::string_view note = {},
+                              Need need = Need::required);
+[[nodiscard]] Argument integer(std::string_view name, const Range& range,
+                               std::string_view note = {}, Need need = Need::required);
+[[nodiscard]] Argument integers(std::string_view name, const Range& range,
+                                std::string_view note = {});
+[[nodiscard]] Argument flag(std::string_view name, std::string_view note = {},
+                            Need need = Need::required);
+[[nodiscard]] Argument choice(std::string_view name, std::vector<std::string_view> choices,
+                              std::string_view note = {}, Need need = Need::required);
+/// Any number, or null.
+[[nodiscard]] Argument nullable(std::string_view name, std::string_view note = {});
+/// A list of names, which may be left out.
+[[nodiscard]] Argument texts(std::string_view name, std::string_view note);
+}  // namespace argument
 
 /// Most entries of a list.
 inline constexpr std::size_t kMostEntries = 1000;
@@ -72,4 +100,4 @@ class Arguments {
   const Json& object_;
 };
 
-}  // namespace kerf::server
+}  // namespace kerf::machine

@@ -1,4 +1,4 @@
-#include "face/server/protocol/argument.hpp"
+#include "machine/panel/argument.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,68 @@
 #include "base/decimal.hpp"
 #include "base/refusal.hpp"
 
-namespace kerf::server {
+namespace kerf::machine {
+
+namespace argument {
+
+Argument text(std::string_view name, double most_bytes, std::string_view note, Need need) {
+  return {
+      .name = name, .kind = Argument::Kind::text, .need = need, .high = most_bytes, .note = note};
+}
+
+Argument name_of(std::string_view name, std::string_view note, Need need) {
+  return text(name, kMostName, note, need);
+}
+
+Argument number(std::string_view name, const Range& range, std::string_view note, Need need) {
+  return {.name = name,
+          .kind = Argument::Kind::number,
+          .need = need,
+          .low = range.least,
+          .high = range.most,
+          .note = note};
+}
+
+Argument integer(std::string_view name, const Range& range, std::string_view note, Need need) {
+  Argument whole = number(name, range, note, need);
+  whole.kind = Argument::Kind::integer;
+  return whole;
+}
+
+Argument integers(std::string_view name, const Range& range, std::string_view note) {
+  Argument list = number(name, range, note);
+  list.kind = Argument::Kind::integers;
+  return list;
+}
+
+Argument flag(std::string_view name, std::string_view note, Need need) {
+  return {.name = name, .kind = Argument::Kind::flag, .need = need, .note = note};
+}
+
+Argument choice(std::string_view name, std::vector<std::string_view> choices, std::string_view note,
+                Need need) {
+  return {.name = name,
+          .kind = Argument::Kind::choice,
+          .need = need,
+          .choices = std::move(choices),
+          .note = note};
+}
+
+Argument nullable(std::string_view name, std::string_view note) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  return {.name = name, .kind = Argument::Kind::nullable, .low = -kAny, .high = kAny, .note = note};
+}
+
+Argument texts(std::string_view name, std::string_view note) {
+  return {.name = name,
+          .kind = Argument::Kind::texts,
+          .need = Need::optional,
+          .high = kMostName,
+          .note = note};
+}
+
+}  // namespace argument
+
 namespace {
 
 using base::Failure;
@@ -178,4 +239,4 @@ std::vector<Arguments> Arguments::list(const char* name) const {
   return all;
 }
 
-}  // namespace kerf::server
+}  // namespace kerf::machine

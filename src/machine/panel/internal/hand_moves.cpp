@@ -19,10 +19,6 @@ constexpr double kReachPitch = 1e-3;
 
 constexpr const char* kAllHome = "all axes are at their reference points";
 
-base::Failure usage(std::string sentence) {
-  return {base::Failure::Kind::usage, std::move(sentence)};
-}
-
 }  // namespace
 
 std::optional<base::Axis> HandMoves::find_axis(const MachineDefinition& definition,
@@ -61,7 +57,8 @@ std::optional<base::Failure> HandMoves::objection(const Jog& key) const {
 std::optional<base::Failure> HandMoves::objection(const JogBy& key) const {
   if (auto why = keeps_axis(key.axis)) return why;
   if (key.distance == 0 || !std::isfinite(key.distance) || std::fabs(key.distance) > kFar)
-    return usage("a jog by a distance needs one, at most " + base::number_text(kFar));
+    return base::Failure{base::Failure::Kind::usage,
+                         "a jog by a distance needs one, at most " + base::number_text(kFar)};
   if (key.speed_per_min < 0 || !std::isfinite(key.speed_per_min))
     return base::refuse(Refusal::jog_speed);
   return keeps_from_hand();

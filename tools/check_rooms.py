@@ -82,11 +82,6 @@ NUMBER_TEXT = re.compile(
 )
 # A member as it is defined: at the beginning of a line, its class in front of it.
 MEMBER = re.compile(r"^(?=\w)[^;=(\"'\n]*?((?:\b[A-Z]\w*(?:<[^()]*?>)?::)+)(?:~?\w+|operator[^(]+)\(", re.MULTILINE)
-# Classes that may still have several sources, with the reason.
-SEVERAL_SOURCES = {
-    "LiveCore": "its parts are becoming objects",
-    "Interpolator": "its parts are becoming objects",
-}
 CODE_NUMBER = re.compile(r"\bcase\s+[GM]?\d+\s*:")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 KERF_ROOM = re.compile(r"\bkerf_room\s*\(([^)]*)\)")
@@ -260,7 +255,7 @@ def scattered_classes(src: Path, files: list[Path]) -> Iterator[str]:
     for file in (f for f in files if f.suffix == ".cpp"):
         for name, line in classes_of(file):
             home = homes.setdefault((room_of(file.relative_to(src).as_posix()), name), file)
-            if home != file and name not in SEVERAL_SOURCES:
+            if home != file:
                 yield f"{file}:{line}: {name} has members in {home.name}, too; its parts want to be objects"
 
 

@@ -72,15 +72,6 @@ class Hub {
   /// Where the library is read and written.
   [[nodiscard]] Worker& disk() { return *disk_worker_; }
 
-  // The same in short, for the keys of the panel
-
-  void on_machine(const Request& request, Pace pace, MachineAction action) {
-    orders_.give(request, pace, std::move(action));
-  }
-  void to_sockets(std::function<void()> action) const { answers_.to_sockets(std::move(action)); }
-  [[nodiscard]] MachineRecord* find(const std::string& name) const { return machines_.find(name); }
-  void renew_preview(const MachineRecord& machine) { previews_.renew(machine.name); }
-
  private:
   Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library> library,
       MachineStore store, FolderLock lock);

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/language.hpp"
-#include "face/server/protocol/argument.hpp"
+#include "face/server/protocol/json.hpp"
 
 namespace kerf::server {
 

@@ -205,7 +205,6 @@ describe('refusals that stand in the code', () => {
     '--machine-set ',
     '--host ',
     "'#NUMBER=VALUE' is expected",
-    "at_ms must be a number: ms of the server's clock",
     'the time of computing is over before the interrupt at ',
   ];
   const sources = ['machine', 'face/server'].flatMap((rooms) => {

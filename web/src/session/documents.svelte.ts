@@ -5,7 +5,7 @@ import { DatabaseDrafts, DraftKeeper, type Draft } from '../logic/drafts';
 import { line_end_name, line_ends_of } from '../logic/line_ends';
 import { type LineMap, line_map } from '../logic/line_map';
 import { text_fits } from '../logic/message_size';
-import { MDI_ENTRY, type Breakpoint, type Diagnostic, type ProgramEntry } from '../logic/protocol';
+import { MDI_ENTRY, type Breakpoint, type ProgramEntry } from '../logic/protocol';
 import {
   type Decoded,
   encoded,
@@ -45,18 +45,10 @@ export const is_edited = ({ text, saved, loaded }: TextDocument): boolean =>
 
 const drafts = new DraftKeeper(new DatabaseDrafts());
 
-/** Left out: the text is too long for the check, or the server has not answered. */
-export type CheckState = 'under-way' | 'done' | 'left-out';
-
 class Documents {
   open = $state.raw<TextDocument[]>([]);
   current = $state('');
   programs = $state.raw<ProgramEntry[]>([]);
-  /** What the check of the text on the screen has found. */
-  checked = $state.raw<Diagnostic[]>([]);
-  check_state = $state<CheckState>('under-way');
-  /** Diagnostics of the check besides those that it tells. */
-  more = $state(0);
   /** Changes when the text comes from elsewhere than the editor. */
   revision = $state(0);
   /** A place that the editor is to show. */
@@ -127,19 +119,6 @@ class Documents {
   go_to_machine_line(line: number, select = true): void {
     const at = this.text_line(this.current, line);
     if (at !== null) this.go_to(at, select);
-  }
-
-  begin_check(): void {
-    this.checked = [];
-    this.more = 0;
-    this.check_state = 'under-way';
-  }
-
-  /** Null: it was not checked. */
-  take_check(found: Diagnostic[] | null, more = 0): void {
-    this.checked = found ?? [];
-    this.more = more;
-    this.check_state = found ? 'done' : 'left-out';
   }
 
   show(name: string): void {

@@ -3,11 +3,12 @@ import { count_errors, problem_beside, problems_of, type Problem } from '../logi
 import { documents } from './documents.svelte';
 import { dock } from './dock.svelte';
 import { panel } from './panel.svelte';
+import { text_check } from './text_check.svelte';
 
 class Problems {
   list = $derived.by((): Problem[] =>
     problems_of({
-      checked: { file: documents.current, found: documents.checked },
+      checked: { file: documents.current, found: text_check.found },
       path: panel.path,
       alarm: panel.state.alarm,
       edited: new Set(

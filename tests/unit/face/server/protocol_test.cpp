@@ -18,11 +18,9 @@ std::string objection(const char* command, const char* json) {
 }
 
 TEST(Protocol, EveryCommandOfTheTableIsServedAndNoOther) {
-  std::size_t served = 0;
   for (const Handlers* const table : {&hub_handlers(), &panel_handlers(), &memory_handlers(),
                                       &view_handlers(), &library_handlers(), &training_handlers()})
-    served += table->size();
-  EXPECT_EQ(served, commands().size());
+    for (const auto& [name, handler] : *table) EXPECT_NE(find_command(name), nullptr) << name;
   std::set<std::string_view> names;
   for (const Command& command : commands()) {
     EXPECT_NE(find_handler(command.name), nullptr) << command.name;

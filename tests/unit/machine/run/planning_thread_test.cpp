@@ -25,9 +25,9 @@ class SourceStandIn final : public planner::SetpointSource {
 
   [[nodiscard]] bool room() const override { return waiting_ < kRoom; }
   void take(const motion::Motion& motion) override {
-    if (motion.line == throws_at) throw std::runtime_error("no more of it");
+    if (motion.block.line == throws_at) throw std::runtime_error("no more of it");
     ++waiting_;
-    calls.push_back(motion.line);
+    calls.push_back(motion.block.line);
     threads.push_back(std::this_thread::get_id());
   }
   void skip() override {
@@ -63,7 +63,7 @@ class SourceStandIn final : public planner::SetpointSource {
 
 motion::Motion motion_of(std::uint32_t line) {
   motion::Motion motion;
-  motion.line = line;
+  motion.block.line = line;
   motion.action = motion::Line{};
   return motion;
 }

@@ -4,6 +4,7 @@
 #include "face/server/hub/internal/console.hpp"
 #include "face/server/hub/internal/program_source.hpp"
 #include "face/server/store/program_name.hpp"
+#include "machine/dialect/registry.hpp"
 
 namespace kerf::server {
 namespace {

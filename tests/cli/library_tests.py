@@ -190,5 +190,5 @@ def file_of_a_record(box):
 def column_of_a_record(box):
     box.write("part.nc", "O1\nG90G01X1.F100;X2.;\nX3.\nM30\n")
     status(box.kerf("run", "part.nc", "--motion", "m.jsonl"), 0)
-    equal([(m["line"], m["column"]) for m in box.motions("m.jsonl")], [(2, 1), (2, 16), (3, 1), (4, 1)],
+    equal([(m["line"], m["column"]) for m in box.motions("m.jsonl")], [(2, 1), (2, 15), (3, 1), (4, 1)],
           "places")

@@ -261,7 +261,8 @@ function jogs(axis, way) {
     async begin(p) {
       await p.press('JOG');
       await lit(p, 'JOG');
-      if (axis !== 'Z' || way < 0) return; // Z stands at the end of its travel
+      if (axis !== 'Z' || way < 0) return;
+      // Z stands at the end of its travel, and goes far enough from it that no late key is there again.
       await p.page.locator('h1').click();
       const before = await p.position('Z');
       await p.page.keyboard.down('PageDown');
@@ -273,7 +274,7 @@ function jogs(axis, way) {
               .querySelector('.big')
               .textContent.replace('\u2212', '-'),
           ) <
-          from - 1,
+          from - 15,
         before,
       );
       await p.page.keyboard.up('PageDown');

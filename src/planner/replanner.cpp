@@ -9,9 +9,7 @@ namespace {
 // Shorter than any motion, mm or degrees.
 constexpr double kSameWay = 1e-9;
 
-bool same_block(const motion::Mark& a, const motion::Mark& b) {
-  return a.block == b.block;
-}
+bool same_block(const motion::Mark& a, const motion::Mark& b) { return a.block == b.block; }
 
 }  // namespace
 

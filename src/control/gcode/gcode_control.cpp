@@ -39,7 +39,8 @@ GcodeControl::GcodeControl(const Parameters& parameters, const motion::AxisSetup
       calls_(state_, programs_, call_reader_),
       variables_(state_, library.names()),
       printer_(parameters_, surroundings) {
-  variables_.attach(&interpreter_, [this] { return started() ? programs_.number_at(levels() - 1) : 0; });
+  variables_.attach(&interpreter_,
+                    [this] { return started() ? programs_.number_at(levels() - 1) : 0; });
   if (const auto z = axes.find('Z')) state_.length_axis = *z;
   learn_parameters();
 }

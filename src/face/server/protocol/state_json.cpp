@@ -4,8 +4,8 @@
 
 #include "face/server/protocol/diagnostic_json.hpp"
 #include "face/server/protocol/language_json.hpp"
-#include "machine/dialect/registry.hpp"
 #include "machine/dialect/dialect.hpp"
+#include "machine/dialect/registry.hpp"
 #include "machine/panel/operation_table.hpp"
 #include "output/writing/diagnostic_text.hpp"
 

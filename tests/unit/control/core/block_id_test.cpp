@@ -119,7 +119,8 @@ TEST_F(Blocks, StatementsOfTheLaserAreToldApart) {
 }
 
 TEST_F(Blocks, TaughtPointsAreToldByTheirRecords) {
-  const auto& moves = run("TEACH 1\nFEED 1000\nPOINT 0 0 1 0 0\n  LINE 10 0 1 0 0\nEND\n", "laser5", "path.tch");
+  const auto& moves =
+      run("TEACH 1\nFEED 1000\nPOINT 0 0 1 0 0\n  LINE 10 0 1 0 0\nEND\n", "laser5", "path.tch");
   ASSERT_FALSE(machine_->alarm()) << machine_->alarm()->message;
   ASSERT_FALSE(moves.empty());
   for (const motion::Motion& motion : moves) expect_placed(motion.block);

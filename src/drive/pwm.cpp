@@ -37,7 +37,7 @@ std::optional<std::string> objection(const PwmTimer& timer, const PulseTrain& tr
   return std::nullopt;
 }
 
-base::unexpected<base::Diagnostic> fault(const std::string& sentence) {
+base::unexpected<base::Diagnostic> out_of_range(const std::string& sentence) {
   return base::unexpected(base::make_error(base::Code::pwm_range, {}, sentence));
 }
 
@@ -61,13 +61,13 @@ double line_energy_j_mm(const PulseTrain& train, double power_w, double feed_mm_
 }
 
 base::Result<PwmRegisters> pwm_registers(const PwmTimer& timer, const PulseTrain& train) {
-  if (const auto wrong = objection(timer, train)) return fault(*wrong);
+  if (const auto wrong = objection(timer, train)) return out_of_range(*wrong);
   const std::int64_t hidden = timer.counting == PwmTimer::Counting::hidden_tick ? 1 : 0;
   const std::int64_t period = base::round_away(timer.tick_hz() / train.frequency_hz);
   if (period - hidden < 1 || period - hidden > kMostCount) {
-    return fault(number_text(train.frequency_hz) + " Hz from a timer of " +
-                 number_text(timer.tick_hz()) + " Hz needs TCNTB " +
-                 std::to_string(period - hidden) + ", it must be 1 to 65535");
+    return out_of_range(number_text(train.frequency_hz) + " Hz from a timer of " +
+                        number_text(timer.tick_hz()) + " Hz needs TCNTB " +
+                        std::to_string(period - hidden) + ", it must be 1 to 65535");
   }
   const std::int64_t on = base::round_away(train.duty * static_cast<double>(period));
   const bool after = timer.output == PwmTimer::Output::active_after_match;

@@ -13,7 +13,7 @@ constexpr double kMostSteps = 1099511627776.0;  // 2^40: a double still resolves
 
 std::int64_t nanoseconds(double time_s) { return base::round_away(time_s * 1e9); }
 
-base::unexpected<base::Diagnostic> fault(const std::string& sentence) {
+base::unexpected<base::Diagnostic> no_step(const std::string& sentence) {
   return base::unexpected(base::make_error(base::Code::step_rate, {}, sentence));
 }
 
@@ -54,8 +54,8 @@ base::Result<void> StepGenerator::move_to(const JointMoment& point) {
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     targets[i] = point.joints.values[i] * axes_[i].steps_per_unit;
     if (!(std::abs(targets[i]) <= kMostSteps)) {
-      return fault(at(axes_[i], end_ns) + "position " + base::number_text(targets[i]) +
-                   " steps is more than the counter holds");
+      return no_step(at(axes_[i], end_ns) + "position " + base::number_text(targets[i]) +
+                     " steps is more than the counter holds");
     }
     const Train train = train_of(i, targets[i], duration_ns);
     if (train.pulses == 0) continue;
@@ -104,17 +104,17 @@ base::Result<void> StepGenerator::check(std::size_t axis, const Train& train) co
   if (state.has_stepped && state.last_direction != train.pulse.direction) {
     const std::int64_t settle = timing_.pulse_width_ns + timing_.direction_setup_ns;
     if (since_last < std::max(least, static_cast<double>(settle)) - 1) {
-      return fault(at(setup, train.next_ns) + "turns round " + base::number_text(since_last) +
-                   " ns after a step (" + rate_text(since_last) + "); pulse and direction need " +
-                   base::number_text(std::ceil(std::max(least, static_cast<double>(settle)))) +
-                   " ns");
+      return no_step(at(setup, train.next_ns) + "turns round " + base::number_text(since_last) +
+                     " ns after a step (" + rate_text(since_last) + "); pulse and direction need " +
+                     base::number_text(std::ceil(std::max(least, static_cast<double>(settle)))) +
+                     " ns");
     }
   }
   double interval = state.has_stepped ? since_last : least;
   if (train.pulses > 1) interval = std::min(interval, train.ns_per_step);
   if (interval < least - 1) {
-    return fault(at(setup, train.next_ns) + rate_text(interval) + ", at most " +
-                 base::number_text(std::round(1e9 / least)));
+    return no_step(at(setup, train.next_ns) + rate_text(interval) + ", at most " +
+                   base::number_text(std::round(1e9 / least)));
   }
   return {};
 }

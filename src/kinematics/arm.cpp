@@ -7,6 +7,7 @@
 #include "geometry/angle.hpp"
 #include "geometry/vec2.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
 #include "kinematics/internal/shown.hpp"
@@ -24,10 +25,7 @@ using base::TipPoint;
 using geometry::nearest_turn;
 using geometry::Vec2;
 
-// Of the tip.
-constexpr Axis kX{0};
-constexpr Axis kY{1};
-constexpr Axis kZ{2};
+// Of the tip, besides kX, kY and kZ.
 constexpr Axis kHeading{3};
 // Of the joints.
 constexpr Axis kForearm{0};

@@ -6,6 +6,7 @@
 #include "geometry/angle.hpp"
 #include "geometry/jet.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 
 namespace kerf::kinematics {
@@ -21,10 +22,7 @@ using geometry::Jet;
 using geometry::nearest_turn;
 using geometry::sine_cosine_deg;
 
-// Of tip and joints alike.
-constexpr Axis kX{0};
-constexpr Axis kY{1};
-constexpr Axis kZ{2};
+// Of tip and joints alike, as kX, kY and kZ are.
 constexpr Axis kA{3};
 constexpr Axis kC{4};
 

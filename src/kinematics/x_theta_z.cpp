@@ -5,6 +5,7 @@
 
 #include "geometry/angle.hpp"
 #include "kinematics/deviation.hpp"
+#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
 #include "math/math.hpp"
@@ -19,10 +20,7 @@ using base::JointPoint;
 using base::TipJet;
 using base::TipPoint;
 
-constexpr Axis kX{0};      // of tip and joints
-constexpr Axis kY{1};      // of the tip
-constexpr Axis kTheta{1};  // of the joints
-constexpr Axis kZ{2};      // of both
+constexpr Axis kTheta{1};  // of the joints, whose kX and kZ are those of the tip
 
 constexpr double kNoRadius_mm = 1e-9;  // nearer to the axis θ is open
 

@@ -9,10 +9,7 @@
 namespace kerf::math {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double rounded(Pair x) { return x.high + x.low; }
 
 // exp(x) for |x| < 746: with k = 64 x/ln 2 to the nearest, 2^(k/64) exp(x - k ln 2/64).
 double exponential(Pair x) {

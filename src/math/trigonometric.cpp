@@ -11,7 +11,6 @@ namespace kerf::math {
 namespace {
 
 constexpr double kOwnSine = 0x1p-30;  // below, x and its sine, tangent … are less than 2^-60 apart
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // An angle as quarter turns and a rest within half a quarter, about.
 struct Quarters {
@@ -195,8 +194,6 @@ Pair angle_in_first_quarter(Pair y, Pair x) {
   return sum(kHalfPi, minus(arctangent_of_share(x, y)));
 }
 
-double rounded(Pair x) { return x.high + x.low; }
-
 }  // namespace
 
 // Angles without a turn go straight to the series: a third of the time, and the same bits.
@@ -239,11 +236,11 @@ namespace {
 
 // Where neither can be lost in a product, and the smaller one matters.
 bool are_moderate(double up, double right) {
-  constexpr double kLarge = 0x1p400;
-  constexpr double kSmall = 0x1p-400;
+  constexpr double kLargeSide = 0x1p400;
+  constexpr double kSmallSide = 0x1p-400;
   constexpr double kFar = 0x1p60;
-  return up < kLarge && right < kLarge && up > kSmall && right > kSmall && up < kFar * right &&
-         right < kFar * up;
+  return up < kLargeSide && right < kLargeSide && up > kSmallSide && right > kSmallSide &&
+         up < kFar * right && right < kFar * up;
 }
 
 // x, y >= 0 of any size; where one is far larger than the other its angle is that of the axis.

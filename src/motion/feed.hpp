@@ -5,6 +5,7 @@
 namespace kerf::motion {
 
 inline constexpr double kMillimetresPerInch = 25.4;
+inline constexpr double kSecondsPerMinute = 60;  ///< mm/min outside, mm/s inside
 
 /// mm/min of a move of this length while the spindle has this speed.
 inline double feed_per_minute(const Feed& feed, double length_mm, double speed_rpm) {

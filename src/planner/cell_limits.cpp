@@ -11,8 +11,6 @@
 namespace kerf::planner {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 // Of the chord, at the border between two bends that the tip leaves with some acceleration.
 constexpr double kALittleLess = 0.95;
 

@@ -9,7 +9,6 @@ namespace {
 
 using base::AxisVector;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Directions that differ by less are the same: at 1 m/s a step of 1e-12 m/s.
 constexpr double kSameDirection = 1e-12;
 // A rounding takes this share of what is possible at the feed, so that something remains for

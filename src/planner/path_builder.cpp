@@ -12,7 +12,6 @@ namespace {
 using base::TipPoint;
 using motion::Motion;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 // Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
 constexpr double kChainShare = 0.25;
 // Length per second: slower than any control moves. It keeps times finite.

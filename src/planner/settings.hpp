@@ -7,6 +7,9 @@
 
 namespace kerf::planner {
 
+/// No limit, no end.
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 /// What the driven axes can do, in the order of the machine file. mm or degrees and seconds.
 struct AxisLimits {
   base::AxisVector velocity;      ///< > 0

@@ -30,9 +30,6 @@ namespace {
 using base::Outcome;
 using base::OutputFile;
 
-constexpr auto kRecord = OutputFiles::Kind::record;
-constexpr auto kDrives = OutputFiles::Kind::drives_a_machine;
-
 Outcome<machine::MachineDefinition> machine_of(const PatternOptions& options) {
   auto machine = machine::find_machine(options.machine);
   if (!machine) return machine;
@@ -100,20 +97,20 @@ class Replay {
 };
 
 Outcome<void> Replay::open_output() {
-  return files_.open(options_.output, kDrives, [&](OutputFile& file) {
+  return files_.open(options_.output, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
     writer_ = std::make_unique<drive::PatternWriter>(format_.order, file);
   });
 }
 
 Outcome<void> Replay::open_motion() {
-  return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
+  return files_.open(options_.motion, OutputFiles::Kind::record, [&](OutputFile& file) {
     motion_ = std::make_unique<output::MotionJson>(definition_.axes, nullptr, file);
     replay_.add_sink(static_cast<motion::MotionSink&>(*motion_));
   });
 }
 
 Outcome<void> Replay::open_points() {
-  return files_.open(options_.points, kRecord, [&](OutputFile& file) {
+  return files_.open(options_.points, OutputFiles::Kind::record, [&](OutputFile& file) {
     points_ = std::make_unique<output::SetPointCsv>(definition_, file);
     replay_.add_sink(static_cast<motion::AxisPointSink&>(*points_));
   });
@@ -131,7 +128,7 @@ Outcome<void> Replay::open_pwm() {
   const machine::LaserSettings& laser = definition_.drive.laser;
   if (!options_.pwm.empty() && !laser.fitted())
     return usage("--pwm " + options_.pwm + ": " + definition_.name + " has no laser");
-  return files_.open(options_.pwm, kRecord, [&](OutputFile& file) {
+  return files_.open(options_.pwm, OutputFiles::Kind::record, [&](OutputFile& file) {
     const auto fault = [this](const base::Diagnostic& alarm, const motion::Mark&) {
       if (!laser_alarm_) laser_alarm_ = alarm;
     };
@@ -142,14 +139,14 @@ Outcome<void> Replay::open_pwm() {
 }
 
 Outcome<void> Replay::open_rows() {
-  return files_.open(options_.rows, kRecord, [&](OutputFile& file) {
+  return files_.open(options_.rows, OutputFiles::Kind::record, [&](OutputFile& file) {
     rows_ = std::make_unique<output::RowCsv>(definition_.axes, no_tools_, file);
     replay_.add_sink(static_cast<motion::MotionSink&>(*rows_));
   });
 }
 
 Outcome<void> Replay::open_post() {
-  return files_.open(options_.post, kDrives, [&](OutputFile& file) {
+  return files_.open(options_.post, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
     post_ = std::make_unique<output::Post>(definition_, output::file_title(options_.file), file);
     replay_.add_sink(static_cast<motion::MotionSink&>(*post_));
     files_.when_over([this](OutputFile&) { post_->finish(); });
@@ -158,7 +155,7 @@ Outcome<void> Replay::open_post() {
 
 Outcome<void> Replay::open_plot() {
   if (auto fits = check_picture("--plot", options_.plot); !fits) return fits;
-  return files_.open(options_.plot, kRecord, [&](OutputFile&) {
+  return files_.open(options_.plot, OutputFiles::Kind::record, [&](OutputFile&) {
     plot_ = std::make_unique<output::PathPlot>(
         definition_.axes, output::file_title(options_.file) + " on " + definition_.name);
     way_to_plot_ = std::make_unique<engraver::ReplayPlot>(replay_, *plot_);
@@ -169,7 +166,7 @@ Outcome<void> Replay::open_plot() {
 }
 
 Outcome<void> Replay::open_summary() {
-  return files_.open(options_.summary, kRecord, [&](OutputFile&) {
+  return files_.open(options_.summary, OutputFiles::Kind::record, [&](OutputFile&) {
     files_.when_over(
         [this](OutputFile& into) { into.write(engraver::replay_json(replay_, summary_)); });
   });

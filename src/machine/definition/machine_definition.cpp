@@ -8,12 +8,12 @@
 #include "machine/definition/internal/machine_keys.hpp"
 #include "machine/definition/internal/machine_reader.hpp"
 #include "machine/definition/internal/program_axes.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::machine {
 namespace {
 
 constexpr std::size_t kLargestFile = 1 << 20;
-constexpr double kSecondsPerMinute = 60;
 
 std::string first_line(std::string_view text) {
   return std::string(text.substr(0, text.find('\n')));
@@ -94,7 +94,7 @@ std::unique_ptr<const kinematics::Kinematics> MachineDefinition::make_kinematics
 planner::AxisLimits MachineDefinition::joint_limits() const {
   planner::AxisLimits limits;
   for (std::size_t i = 0; i < driven.size(); ++i) {
-    limits.velocity.values[i] = driven[i].velocity_per_min / kSecondsPerMinute;
+    limits.velocity.values[i] = driven[i].velocity_per_min / motion::kSecondsPerMinute;
     limits.acceleration.values[i] = driven[i].acceleration;
     limits.jerk.values[i] = driven[i].jerk;
   }

@@ -7,6 +7,7 @@
 #include "base/decimal.hpp"
 #include "drive/timer_split.hpp"
 #include "math/math.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 using base::Axis;
 using base::AxisVector;
 using base::JointPoint;
-
-constexpr double kSecondsPerMinute = 60;
 
 // Whether the driven axes are two that move the wheel over the work, the wheel and the lift.
 bool has_four_motors(const MachineDefinition& machine) {
@@ -97,7 +96,7 @@ std::array<drive::FastMove, 5> PatternMachine::way_to_start(drive::ArmCounts cou
 std::int64_t PatternMachine::half_period_ticks(const drive::ArmCounts& from,
                                                const drive::SlowMove& triplet) const {
   const drive::ArmSettings& arm = definition_->drive.arm;
-  const double speed_mm_s = definition_->pattern.cut_speed_mm_min / kSecondsPerMinute;
+  const double speed_mm_s = definition_->pattern.cut_speed_mm_min / motion::kSecondsPerMinute;
   if (speed_mm_s == 0) return arm.half_period_ticks;
   drive::ArmCounts to = from;
   to[drive::ArmAxis::theta1] += triplet.theta1;

@@ -16,7 +16,7 @@ using control::Memory;
 using control::ToolOffset;
 using nlohmann::json;
 
-constexpr std::size_t kLargestFile = 64 << 20;
+constexpr std::size_t kLargestState = 64 << 20;
 constexpr int kFirstRetained = 500;
 constexpr double kMostVariable = 4294967295.0;
 
@@ -133,7 +133,7 @@ void from_json(const json& state, Memory& memory) {
 base::Outcome<void> read_state(const std::string& path, Memory& memory) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
-  const auto text = base::read_whole(path, kLargestFile, "a state file");
+  const auto text = base::read_whole(path, kLargestState, "a state file");
   if (!text) return tl::unexpected(text.error());
   auto taken = take_state(*text, memory);
   if (!taken) taken.error().message = path + ": " + taken.error().message;

@@ -4,6 +4,7 @@
 
 #include "base/decimal.hpp"
 #include "math/math.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -12,7 +13,6 @@ using base::AxisVector;
 using base::TipPoint;
 
 constexpr double kNanoseconds = 1e9;
-constexpr double kSecondsPerMinute = 60;
 
 template <typename Frame>
 base::Point<Frame> tidied(base::Point<Frame> v) {
@@ -58,7 +58,7 @@ base::Result<void> PatternMotors::make(const drive::PatternRecord& record) {
   }
   const double mm = math::hypot(way[machine_->x()], way[machine_->y()]);
   const double ns = static_cast<double>(nanoseconds(drive_.now_ticks() - begin));
-  const double minutes = ns / kNanoseconds / kSecondsPerMinute;
+  const double minutes = ns / kNanoseconds / motion::kSecondsPerMinute;
   const double length = mm > 0 ? mm : std::fabs(way[machine_->c()]);
   motion_->action = motion::Line{to, {length / minutes, motion::FeedMode::per_minute}};
   return {};

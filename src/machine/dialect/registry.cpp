@@ -14,7 +14,7 @@ namespace {
 using Kind = DialectRow::Kind;
 
 // So much of a text is looked at.
-constexpr std::size_t kLook = 4096;
+constexpr std::size_t kBytesToShow = 4096;
 
 template <typename Is>
 const DialectRow* first_dialect(const Is& is) {
@@ -69,7 +69,7 @@ const DialectRow* dialect_by_ending(const std::string& path) {
 }
 
 const DialectRow* dialect_by_text(const base::SourceFile& program) {
-  std::string text(std::min<std::uint64_t>(kLook, program.size()), '\0');
+  std::string text(std::min<std::uint64_t>(kBytesToShow, program.size()), '\0');
   text.resize(program.read(0, text));
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());

@@ -296,7 +296,7 @@ base::Outcome<LiveMachine> LiveMachine::from_journal(std::string_view journal,
 
 namespace {
 
-tl::unexpected<base::Failure> refused(const teach::Mistake& mistake) {
+tl::unexpected<base::Failure> not_taken(const teach::Mistake& mistake) {
   const auto& text = base::text_of(mistake.code);
   const std::string message(text.message);
   return tl::unexpected(
@@ -320,15 +320,15 @@ base::Outcome<LiveMachine::Taught> LiveMachine::capture(Capture what, std::strin
     case Capture::arc_end: mistake = taught.arc(joints); break;
     case Capture::circle_end: mistake = taught.circle(joints); break;
   }
-  if (mistake) return refused(*mistake);
+  if (mistake) return not_taken(*mistake);
   return this->taught();
 }
 
 base::Outcome<LiveMachine::Taught> LiveMachine::teach_record(std::string_view record) {
   if (impl_->core->panel().mode != Mode::teach) return refused(Refusal::records_mode);
   const auto parsed = teach::parse_record(teach::Words(record));
-  if (!parsed) return refused(parsed.error());
-  if (const auto mistake = impl_->capture.add(*parsed)) return refused(*mistake);
+  if (!parsed) return not_taken(parsed.error());
+  if (const auto mistake = impl_->capture.add(*parsed)) return not_taken(*mistake);
   return taught();
 }
 

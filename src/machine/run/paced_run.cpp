@@ -11,7 +11,7 @@ using control::Halt;
 
 // Instructions that the control makes between two looks at the servo, and how many such looks one
 // call of advance() has for a program that commands nothing.
-constexpr std::uint64_t kSlice = 100'000;
+constexpr std::uint64_t kSliceOfPeriod = 100'000;
 constexpr int kMostSlices = 4;
 
 }  // namespace
@@ -117,7 +117,7 @@ PacedRun::Moment PacedRun::moment() const {
 void PacedRun::execute_ahead() {
   if (std::exchange(turns_at_, servo().points()) != servo().points()) turns_ = 0;
   ++turns_;
-  const Halt halt = control().run(kSlice);
+  const Halt halt = control().run(kSliceOfPeriod);
   executes_ = halt == Halt::none;
   if (!executes_ || waits_for_input_) servo().finish();
 }

@@ -21,6 +21,10 @@ struct Pair {
   double low = 0;
 };
 
+constexpr double rounded(Pair x) { return x.high + x.low; }
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
 /// Of |a| >= |b|, or a = 0 (Dekker 1971). Exact.
 constexpr Pair quick_sum(double a, double b) {
   const double sum = a + b;

@@ -8,10 +8,10 @@ namespace kerf::output::plot {
 namespace {
 
 double drawable(double value, double otherwise) {
-  constexpr double kLargest = PathStore::kLargestCoordinate;
-  if (std::abs(value) <= kLargest) return value;
+  constexpr double kFarthest = PathStore::kLargestCoordinate;
+  if (std::abs(value) <= kFarthest) return value;
   if (!std::isfinite(value)) return otherwise;
-  return value > 0 ? kLargest : -kLargest;
+  return value > 0 ? kFarthest : -kFarthest;
 }
 
 }  // namespace

@@ -240,7 +240,6 @@ void PathChunks::place_passed(const TipPoint& at, double time_s) {
 
 void PathChunks::add_vertex(const TipPoint& at, double time_s, const Attributes& attributes) {
   if (arrays_.count() == 0) begin_chunk();
-  constexpr double kSecondsPerMinute = 60;
   const base::AxisVector way = at - last_;
   const double linear = norms_.mm(way);
   const double length = linear > 0 ? linear : norms_.degrees(way);
@@ -248,7 +247,7 @@ void PathChunks::add_vertex(const TipPoint& at, double time_s, const Attributes&
   if (length == 0) {
     last_speed_ = 0;
   } else if (lasted > kShortest_s) {
-    last_speed_ = length / lasted * kSecondsPerMinute;
+    last_speed_ = length / lasted * motion::kSecondsPerMinute;
   }
   append(at, time_s, last_speed_, attributes);
   last_ = at;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 4096;
 
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
   return result + "\"";
@@ -33,7 +33,7 @@ std::string assumptions_of(std::uint32_t line, base::FileId file,
     if (assumption.line == line && file == base::FileId{0})
       what += (what.empty() ? "" : "; ") + assumption.what;
   }
-  return what.empty() ? what : quoted(what);
+  return what.empty() ? what : csv_field(what);
 }
 
 }  // namespace
@@ -56,14 +56,14 @@ void Coverage::write_file(const base::SourceSet& sources, base::FileId file,
                           base::OutputFile& into) const {
   const base::SourceFile& source = sources[file];
   const std::vector<std::uint64_t>& counts = counts_.at(file);
-  const std::string name = quoted(printable(source.name())) + ",";
+  const std::string name = csv_field(printable(source.name())) + ",";
   base::TextWindow window;
   window.stand_at(source, file, 0, source.size());
   base::TextWindow::Line line;
   for (std::uint32_t number = 1; window.next(line) && into.good(); ++number) {
     const std::uint64_t count = number < counts.size() ? counts[number] : 0;
     into.write(name + std::to_string(number) + "," + std::to_string(count) + "," +
-               quoted(printable(text_of(line, source))) + "," +
+               csv_field(printable(text_of(line, source))) + "," +
                assumptions_of(number, file, assumed) + "\n");
   }
 }

@@ -22,11 +22,6 @@ std::string iso_time(std::int64_t ms) {
   return text;
 }
 
-Outcome<Json> done(const Outcome<void>& outcome) {
-  if (!outcome) return tl::unexpected(outcome.error());
-  return Json::object();
-}
-
 void programs(Hub& hub, const Request& request) {
   hub.background().read_disk(request, [](Library& library) -> Outcome<Json> {
     const auto all = library.programs();

@@ -10,7 +10,7 @@
 namespace kerf::server {
 namespace {
 
-tl::unexpected<base::Failure> failure(const std::string& message) {
+tl::unexpected<base::Failure> not_kept(const std::string& message) {
   return tl::unexpected(base::Failure{base::Failure::Kind::output, message});
 }
 
@@ -36,7 +36,7 @@ base::Outcome<void> ChunkStore::open() {
   std::string name = folder_ + "/.preview.XXXXXX";
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (descriptor_ < 0)
-    return failure(std::string("the picture cannot be kept: ") + std::strerror(errno));
+    return not_kept(std::string("the picture cannot be kept: ") + std::strerror(errno));
   ::unlink(name.c_str());
   return {};
 }
@@ -44,14 +44,14 @@ base::Outcome<void> ChunkStore::open() {
 // Written outside of the lock: there is one who adds.
 base::Outcome<void> ChunkStore::add(const std::string& chunk) {
   if (end_ + chunk.size() > kMostBytes)
-    return failure("the picture of this program is larger than 1 GiB; the rest is left out");
+    return not_kept("the picture of this program is larger than 1 GiB; the rest is left out");
   if (budget_->bytes + chunk.size() > ChunkBudget::kMostBytes)
-    return failure("the pictures of this server are larger than 8 GiB; the rest is left out");
+    return not_kept("the pictures of this server are larger than 8 GiB; the rest is left out");
   if (descriptor_ < 0) {
     if (auto opened = open(); !opened) return opened;
   }
   if (!write_all(descriptor_, chunk, end_))
-    return failure(std::string("the picture cannot be kept: ") + std::strerror(errno));
+    return not_kept(std::string("the picture cannot be kept: ") + std::strerror(errno));
   const std::lock_guard lock(guard_);
   extents_.push_back({end_, chunk.size()});
   end_ += chunk.size();

@@ -11,7 +11,7 @@
 namespace kerf::server {
 namespace {
 
-tl::unexpected<base::Failure> failure(const std::string& message) {
+tl::unexpected<base::Failure> not_taken(const std::string& message) {
   return tl::unexpected(base::Failure{base::Failure::Kind::output, message});
 }
 
@@ -20,10 +20,10 @@ tl::unexpected<base::Failure> failure(const std::string& message) {
 base::Outcome<FolderLock> FolderLock::take(const std::string& folder) {
   const std::string path = folder + "/lock";
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (descriptor < 0) return failure(path + ": " + std::strerror(errno));
+  if (descriptor < 0) return not_taken(path + ": " + std::strerror(errno));
   FolderLock lock(descriptor);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return lock;
-  return failure(folder + ": another `kerf serve` is running there; --data names another folder");
+  return not_taken(folder + ": another `kerf serve` is running there; --data names another folder");
 }
 
 FolderLock::~FolderLock() {

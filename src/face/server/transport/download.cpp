@@ -9,7 +9,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kPieceBytes = 256U << 10U;
+constexpr std::size_t kSentAtOnce = 256U << 10U;
 
 base::Outcome<std::shared_ptr<base::SourceFile>> open(const Library& library,
                                                       const std::string& name) {
@@ -51,7 +51,7 @@ void Download::begin(const base::Outcome<std::shared_ptr<base::SourceFile>>& fil
                              if (error) return;
                              if (self->session_->is_head() || self->file_->size() == 0)
                                return self->session_->sent(self->response_.keep_alive());
-                             self->piece_.resize(kPieceBytes);
+                             self->piece_.resize(kSentAtOnce);
                              self->read_piece();
                            });
 }
@@ -61,7 +61,7 @@ void Download::read_piece() {
   session_->stream().expires_never();
   hub.disk().post([self = shared_from_this(), &hub] {
     const std::uint64_t left = self->file_->size() - self->sent_;
-    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(left, kPieceBytes));
+    const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(left, kSentAtOnce));
     const std::size_t bytes = self->file_->read(self->sent_, {self->piece_.data(), most});
     hub.answers().to_sockets([self, bytes] { self->send_piece(bytes); });
   });

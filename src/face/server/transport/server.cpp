@@ -5,15 +5,10 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <condition_variable>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
-#include <mutex>
-#include <stop_token>
-#include <thread>
 
 #include "face/server/transport/descriptors.hpp"
+#include "face/server/transport/last_resort.hpp"
 #include "face/server/transport/listener.hpp"
 
 namespace kerf::server {
@@ -25,28 +20,6 @@ namespace {
 // So long clients have to hear that the server ends.
 constexpr auto kFarewell = std::chrono::milliseconds(300);
 constexpr auto kTick = std::chrono::milliseconds(250);
-
-// Ends the process where its end does not come by itself: a disk that does not answer, a program of
-// hundreds of MiB that is being read. What was answered is on the disk by then, as with a kill.
-class LastResort {
- public:
-  void begin() {
-    thread_ = std::jthread([this](const std::stop_token& stop) {
-      std::unique_lock lock(guard_);
-      wake_.wait_for(lock, stop, kMost, [] { return false; });
-      if (stop.stop_requested()) return;
-      std::fputs("kerf: something did not come to its end within 2.5 s and is left\n", stderr);
-      std::_Exit(0);
-    });
-  }
-
- private:
-  static constexpr auto kMost = std::chrono::milliseconds(2500);
-
-  std::mutex guard_;
-  std::condition_variable_any wake_;
-  std::jthread thread_;  // last: it sees the others
-};
 
 }  // namespace
 

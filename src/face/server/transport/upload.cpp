@@ -11,7 +11,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr std::size_t kPieceBytes = 64U << 10U;
+constexpr std::size_t kReadAtOnce = 64U << 10U;
 constexpr const char* kTooLarge = "A program of the library has at most 256 MiB; nothing was kept.";
 constexpr const char* kGaveWay = "Others wait, and this upload was too slow; nothing was kept.";
 
@@ -85,7 +85,7 @@ void Upload::begin(const base::Outcome<std::shared_ptr<base::OutputFile>>& file)
                   session_->site().hub.answers().without_folder(file.error().message));
   }
   file_ = *file;
-  buffer_.resize(kPieceBytes);
+  buffer_.resize(kReadAtOnce);
   ask_to_go_on();
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 // More than any program of a person needs to come to a line; an endless loop ends here.
 constexpr std::uint64_t kSteps = 50'000'000;
-constexpr std::uint64_t kSlice = 100'000;
+constexpr std::uint64_t kSliceOfApproach = 100'000;
 
 // Executes until the control halts before the line. Why it does not; nothing: it does.
 std::optional<base::Failure> run_up_to(std::uint32_t line, PacedRun& machine,
@@ -25,8 +25,8 @@ std::optional<base::Failure> run_up_to(std::uint32_t line, PacedRun& machine,
   const auto goes_on = [&](std::uint64_t steps) {
     return steps < kSteps && machine.is_active() && !limit.reached();
   };
-  for (std::uint64_t steps = 0; goes_on(steps); steps += kSlice) {
-    if (!machine.execute(kSlice)) continue;
+  for (std::uint64_t steps = 0; goes_on(steps); steps += kSliceOfApproach) {
+    if (!machine.execute(kSliceOfApproach)) continue;
     const control::Halt halt = machine.halt();
     if (halt == control::Halt::gate) return std::nullopt;
     if (halt == control::Halt::end)

@@ -8,7 +8,7 @@ namespace {
 // Calls of a machine that computes without moving before it counts as endless.
 constexpr int kMostIdleCalls = 200;
 // Points between two looks at the limit: some milliseconds.
-constexpr std::uint64_t kSlice = 50'000;
+constexpr std::uint64_t kSliceOfReplay = 50'000;
 
 }  // namespace
 
@@ -17,8 +17,8 @@ void make_points(LiveCore& core, double until_s, const LiveCore::Moment& last) {
   for (int idle = 0; core.is_active() && idle < kMostIdleCalls && !core.limit().reached();) {
     const LiveCore::Moment before = core.moment();
     const std::uint64_t blocks = core.stepper().blocks();
-    const bool is_slice = last.points > before.points + kSlice;
-    const LiveCore::Moment slice_end{before.points + kSlice, LiveCore::Moment::kAllTurns};
+    const bool is_slice = last.points > before.points + kSliceOfReplay;
+    const LiveCore::Moment slice_end{before.points + kSliceOfReplay, LiveCore::Moment::kAllTurns};
     core.advance_to(until_s, is_slice ? slice_end : last);
     const LiveCore::Moment now = core.moment();
     const bool at_slice_end = is_slice && now.points >= slice_end.points;

@@ -6,12 +6,12 @@
 
 #include "base/decimal.hpp"
 #include "drive/pattern/split.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::machine {
 namespace {
 
 constexpr double kNanoseconds = 1e9;
-constexpr double kSecondsPerMinute = 60;
 
 std::array<double, drive::kArmAxes> as_numbers(const drive::ArmCounts& counts) {
   std::array<double, drive::kArmAxes> numbers{};
@@ -26,7 +26,8 @@ motion::Mark mark_of(const motion::Motion& motion, std::uint64_t number) {
   mark.motion = number;
   const auto* const line = std::get_if<motion::Line>(&motion.action);
   mark.kind = line != nullptr ? motion::MoveKind::cut : motion::MoveKind::rapid;
-  if (line != nullptr) mark.speed = static_cast<float>(line->feed.value / kSecondsPerMinute);
+  if (line != nullptr)
+    mark.speed = static_cast<float>(line->feed.value / motion::kSecondsPerMinute);
   return mark;
 }
 

@@ -6,6 +6,8 @@
 
 namespace kerf::output::plot {
 
+inline constexpr double kTickText = 12;  ///< pixels, of the labels
+
 /// A mark of a ruler; minor ones have no label.
 struct Tick {
   double value = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/decimal.hpp"
+#include "motion/feed.hpp"
 #include "output/picture/drawing/text.hpp"
 
 namespace kerf::output::plot {
@@ -13,9 +14,9 @@ bool SpeedOfCut::is_drawn(const motion::Mark& mark) const {
 }
 
 double SpeedOfCut::take(const CutPeriod& period) {
-  constexpr double kSecondsPerMinute = 60;
   beam_was_on_ = beam_was_on_ || period.mark.power_percent > 0;
-  const double speed = period.time_s > 0 ? period.way_mm / period.time_s * kSecondsPerMinute : 0;
+  const double speed =
+      period.time_s > 0 ? period.way_mm / period.time_s * motion::kSecondsPerMinute : 0;
   if (is_drawn(period.mark)) fastest_ = std::max(fastest_, speed);
   return speed;
 }

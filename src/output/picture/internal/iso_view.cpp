@@ -12,7 +12,6 @@
 namespace kerf::output::plot {
 namespace {
 
-constexpr double kTickText = 12;
 constexpr double kShortestEdge = 12;  // pixels: shorter edges of the box get no ruler
 
 // Edge of the box that carries a ruler: along one axis from `corner`, marks going outward.

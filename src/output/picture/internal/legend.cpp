@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kRow = 22;
 constexpr double kTextSize = 13;
-constexpr double kTickText = 12;
 constexpr double kSwatch = 30;
 
 Point row_at(Point corner, std::size_t row) {

@@ -11,8 +11,6 @@
 namespace kerf::output::plot {
 namespace {
 
-constexpr double kTickText = 12;
-
 // Marks of the horizontal ruler, labelled so far apart that no label touches the next.
 std::vector<Tick> horizontal_ticks(const View& view, double factor) {
   double apart = 56;  // pixels

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kSmallestPart = 1e-4;  // mm; anything smaller is shown as a point
 constexpr double kPointWindow = 10;     // mm
-constexpr double kThinnest = 0.25;      // of a part's largest side, for one that is flat in X and Y
+constexpr double kFlattest = 0.25;      // of a part's largest side, for one that is flat in X and Y
 
 void widen(Box3& box, std::size_t side, double size) {
   const double missing = size - box.size()[side];
@@ -25,9 +25,9 @@ Box3 box_to_show(const PathRecorder& recorded) {
   Box3 box = recorded.cut_extents().empty() ? recorded.all_extents() : recorded.cut_extents();
   const double span = box.largest_side() < kSmallestPart ? kPointWindow : box.largest_side();
   const std::size_t across = recorded.has_y() ? kY : kZ;
-  if (std::max(box.size()[kX], box.size()[across]) < kThinnest * span) {
-    widen(box, kX, kThinnest * span);
-    widen(box, across, kThinnest * span);
+  if (std::max(box.size()[kX], box.size()[across]) < kFlattest * span) {
+    widen(box, kX, kFlattest * span);
+    widen(box, across, kFlattest * span);
   }
   return box;
 }

@@ -9,8 +9,8 @@
 namespace kerf::control {
 namespace {
 
-using Member =
-    std::variant<bool Parameters::*, int Parameters::*, double Parameters::*, char Parameters::*>;
+using Member = std::variant<bool Parameters::*, int Parameters::*, double Parameters::*,
+                            char Parameters::*, OfEachAxis Parameters::*>;
 
 struct Row {
   std::string_view key;
@@ -85,7 +85,9 @@ constexpr Row kRows[] = {
     {"length_axis", "5001#0", &Parameters::length_axis_type, 0, 1, "",
      "tool length: 0 Z, 1 the axis of the block"},
     {"external_call", "6030", &Parameters::external_call_m, 0, 99999999, "",
-     "M code that calls an external subprogram"}};
+     "M code that calls an external subprogram"},
+    {"overrun", "5440", &Parameters::overrun, -1000, 1000, "",
+     "of an axis: the last part of the way of G60, in the direction of its sign, mm or degrees"}};
 
 const Row* find(std::string_view key) {
   for (const Row& row : kRows) {
@@ -104,11 +106,25 @@ tl::unexpected<base::Failure> usage(std::string_view key, std::string_view value
 struct Assign {
   Parameters& parameters;
   double number;
+  char axis;
   void operator()(bool Parameters::*member) const { parameters.*member = number != 0; }
   void operator()(int Parameters::*member) const { parameters.*member = static_cast<int>(number); }
   void operator()(double Parameters::*member) const { parameters.*member = number; }
   void operator()(char Parameters::*) const {}
+  void operator()(OfEachAxis Parameters::*member) const { (parameters.*member).set(axis, number); }
 };
+
+struct KeyOfAxis {
+  std::string_view key;
+  char axis;
+};
+
+// "overrun.X"; without a point there is no axis, '\0'.
+KeyOfAxis split(std::string_view key) {
+  const bool of_axis = key.size() > 2 && key[key.size() - 2] == '.' &&
+                       OfEachAxis::kLetters.find(key.back()) != std::string_view::npos;
+  return of_axis ? KeyOfAxis{key.substr(0, key.size() - 2), key.back()} : KeyOfAxis{key, '\0'};
+}
 
 // 6050 and the like: codes that call programs.
 int* code_slot(Parameters& parameters, std::string_view key, double& scale) {
@@ -145,6 +161,41 @@ bool set_start_up_bit(Parameters& parameters, std::string_view key, std::string_
   return true;
 }
 
+// Why a parameter cannot take a number; empty: it can.
+std::string objection_to(const Row& row, const tl::expected<double, base::NumberFault>& number) {
+  if (!number || *number < row.low || *number > row.high) {
+    return "a number from " + std::to_string(static_cast<int>(row.low)) + " to " +
+           std::to_string(static_cast<int>(row.high)) + " is expected";
+  }
+  if (row.key == "shift_direction" && *number == 0) return "it is never 0";
+  const bool whole = std::holds_alternative<bool Parameters::*>(row.member) ||
+                     std::holds_alternative<int Parameters::*>(row.member);
+  if (whole && *number != std::floor(*number)) return "a whole number is expected";
+  return {};
+}
+
+// Why a parameter is not one of this axis ('\0': of none); empty: it is.
+std::string objection_to_axis(const Row& row, char axis) {
+  const bool of_axis = std::holds_alternative<OfEachAxis Parameters::*>(row.member);
+  if (of_axis == (axis != '\0')) return {};
+  return of_axis ? "it belongs to an axis: " + std::string(row.key) + ".X is that of X"
+                 : "it does not belong to an axis";
+}
+
+std::string set_row(Parameters& parameters, const Row& row, char axis, std::string_view value) {
+  if (auto objection = objection_to_axis(row, axis); !objection.empty()) return objection;
+  if (const auto* const letter = std::get_if<char Parameters::*>(&row.member)) {
+    if (value.size() != 1 || row.choices.find(value[0]) == std::string_view::npos)
+      return "one of the letters " + std::string(row.choices) + " is expected";
+    parameters.*(*letter) = value[0];
+    return {};
+  }
+  const auto number = base::read_number(row.key == "unit" ? unit_value(value) : value);
+  if (auto objection = objection_to(row, number); !objection.empty()) return objection;
+  std::visit(Assign{parameters, *number, axis}, row.member);
+  return {};
+}
+
 }  // namespace
 
 base::Outcome<void> Parameters::set(std::string_view key, std::string_view value) {
@@ -157,27 +208,11 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
     *slot = static_cast<int>(base::round_away(*number * scale));
     return {};
   }
-  const Row* const row = find(key);
+  const auto [name, axis] = split(key);
+  const Row* const row = find(name);
   if (row == nullptr) return usage(key, value, "there is no such parameter");
-  if (const auto* const letter = std::get_if<char Parameters::*>(&row->member)) {
-    if (value.size() != 1 || row->choices.find(value[0]) == std::string_view::npos) {
-      return usage(key, value, "one of the letters " + std::string(row->choices) + " is expected");
-    }
-    this->*(*letter) = value[0];
-    return {};
-  }
-  if (row->key == "unit") value = unit_value(value);
-  const auto number = base::read_number(value);
-  if (!number || *number < row->low || *number > row->high) {
-    return usage(key, value,
-                 "a number from " + std::to_string(static_cast<int>(row->low)) + " to " +
-                     std::to_string(static_cast<int>(row->high)) + " is expected");
-  }
-  if (row->key == "shift_direction" && *number == 0) return usage(key, value, "it is never 0");
-  const bool whole = !std::holds_alternative<double Parameters::*>(row->member);
-  if (whole && *number != std::floor(*number))
-    return usage(key, value, "a whole number is expected");
-  std::visit(Assign{*this, *number}, row->member);
+  if (const auto objection = set_row(*this, *row, axis, value); !objection.empty())
+    return usage(key, value, objection);
   return {};
 }
 
@@ -185,6 +220,11 @@ bool Parameters::is_key(std::string_view key) {
   Parameters scratch;
   double scale = 1;
   return find(key) != nullptr || key == "5003#1" || code_slot(scratch, key, scale) != nullptr;
+}
+
+bool Parameters::belongs_to_axis(std::string_view key) {
+  const Row* const row = find(key);
+  return row != nullptr && std::holds_alternative<OfEachAxis Parameters::*>(row->member);
 }
 
 }  // namespace kerf::control

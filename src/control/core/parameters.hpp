@@ -10,6 +10,19 @@
 
 namespace kerf::control {
 
+/// A value for each axis, by its letter; 0 where none was set.
+class OfEachAxis {
+ public:
+  static constexpr std::string_view kLetters = "XYZABCUVW";
+
+  // Precondition of both: one of kLetters.
+  [[nodiscard]] double operator[](char letter) const { return values_[kLetters.find(letter)]; }
+  void set(char letter, double value) { values_[kLetters.find(letter)] = value; }
+
+ private:
+  std::array<double, kLetters.size()> values_{};
+};
+
 /// Settings of the control: data of the machine file, each changeable by name
 /// (docs/parameters.md). Lengths in mm.
 struct Parameters {
@@ -56,16 +69,20 @@ struct Parameters {
   int statement_limit = 10'000'000;  ///< laser BASIC: statements that a program may execute; 0: any
   int length_axis_type = 0;          ///< 5001#0: 0 = always Z, 1 = the axis of the block
   int external_call_m = 198;         ///< 6030
+  OfEachAxis overrun;  ///< 5440: G60 ends with so much of its way, in the direction of the sign
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram
 
-  /// Sets the parameter `key` (a name or a FANUC number) from text.
+  /// Sets the parameter `key` (a name or a FANUC number) from text. One that belongs to an axis has
+  /// its letter behind a point: "overrun.X", "5440.X".
   /// Failure (usage): no such key, or a value that it cannot take.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
   /// True when there is a parameter of this name or FANUC number.
   [[nodiscard]] static bool is_key(std::string_view key);
+  /// True when there is one that has a value for each axis.
+  [[nodiscard]] static bool belongs_to_axis(std::string_view key);
 };
 
 }  // namespace kerf::control

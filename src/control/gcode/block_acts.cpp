@@ -33,6 +33,7 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
 }
 
 bool BlockActs::execute(ReadBlock& block) {
+  state_.one_shot = Meaning::none;
   if (!is_plain_move(block)) return execute_in_full(block);
   const Words& words = block.words;
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) state_.modal.set(*g->row);
@@ -62,6 +63,7 @@ bool BlockActs::execute_in_full(ReadBlock& block) {
   const bool was_in_cycle = state_.modal.in_cycle();
   const bool parameter_entry = state_.parameter_entry;
   if (!settings_.read_codes(words, one_shot)) return false;
+  if (one_shot != nullptr) state_.one_shot = one_shot->meaning();
   if (parameter_entry) return enter_parameter(block, one_shot);
   if (!check_block(words, one_shot) || !auxiliary_.read(words) ||
       !auxiliary_.read_codes(words, codes_) || !check_return(words))
@@ -143,20 +145,15 @@ bool BlockActs::check_look_ahead(const Words& words) {
 }
 
 bool BlockActs::move(ReadBlock& block, const Words::G* one_shot_code) {
-  const Meaning meaning = one_shot_code == nullptr ? Meaning::none : one_shot_code->meaning();
   if (one_shot_code != nullptr && one_shot_code->row->axis_words == AxisWords::own)
     return one_shot(block.words, *one_shot_code);
-  if (meaning == Meaning::look_ahead && !check_look_ahead(block.words)) return false;
+  if (state_.one_shot == Meaning::look_ahead && !check_look_ahead(block.words)) return false;
   if (settings_.takes_axis_words(block.words)) return true;
   bool plain = true;
   if (!select_cycle(block.words, plain)) return false;
   if (!plain) return true;
   if (block.corner != nullptr && !request_corner(block)) return false;
-  const CodeRow& mode = *state_.modal.row(Group::motion);
-  if (meaning == Meaning::single_direction) state_.modal.set(Meaning::rapid);
-  const bool good = moves_.execute(block.words, moved_);
-  state_.modal.set(mode);
-  return good;
+  return moves_.execute(block.words, moved_);
 }
 
 // A chamfer or corner radius at the end of a G01, G02 or G03 move.

@@ -62,7 +62,7 @@ Outcome<void> apply_settings(const RunOptions& options, machine::MachineDefiniti
   for (const std::string& text : options.parameters) {
     auto setting = split_setting(text, "--param");
     if (!setting) return tl::unexpected(setting.error());
-    if (auto set = definition.parameters.set(setting->key, setting->value); !set) return set;
+    if (auto set = definition.set_parameter(setting->key, setting->value); !set) return set;
   }
   if (auto set = set_machine_keys(options.machine_keys, definition); !set) return set;
   if (options.decimal_point.empty()) return {};

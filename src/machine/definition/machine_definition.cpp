@@ -85,6 +85,15 @@ base::Outcome<void> MachineDefinition::set(std::string_view key, std::string_vie
   return {};
 }
 
+base::Outcome<void> MachineDefinition::set_parameter(std::string_view key, std::string_view value) {
+  if (auto set = parameters.set(key, value); !set) return set;
+  const Path path = split_path(key);
+  if (path.rest.size() != 1 || axes.find(path.rest[0])) return {};
+  return tl::unexpected(base::Failure{base::Failure::Kind::usage,
+                                      "parameter " + std::string(key) + "=" + std::string(value) +
+                                          ": the machine has no axis " + std::string(path.rest)});
+}
+
 std::unique_ptr<const kinematics::Kinematics> MachineDefinition::make_kinematics() const {
   auto made = kinematics::make_kinematics(kinematics);
   assert(made);

@@ -57,6 +57,10 @@ struct MachineDefinition {
   /// machine of it. Failure (usage): then nothing has changed.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
+  /// `--param`, `[control]`: changes a parameter of the control (control::Parameters::set()).
+  /// Failure (usage): also for an axis that the machine lacks.
+  [[nodiscard]] base::Outcome<void> set_parameter(std::string_view key, std::string_view value);
+
   /// Never null: neither parse() nor set() lets a linkage pass that cannot be made. Joints of a
   /// Cartesian machine have no range here: there the control compares strokes (`stroke_check`),
   /// which counts the tool's length.

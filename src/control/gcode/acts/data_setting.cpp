@@ -114,22 +114,43 @@ bool DataSetting::enter_bits(const gcode::Word& word, std::uint32_t number) {
   return true;
 }
 
+// P counts the axes: 1 is the first.
+bool DataSetting::name_axis(const Words& words, std::string& key) {
+  std::int64_t p = 0;
+  if (!words.has('P'))
+    return state_.alarms.raise(Code::parameter_entry,
+                               "parameter " + key + " belongs to an axis: P is missing");
+  if (!state_.values.integer(words['P'], 0, 99999999, p)) return false;
+  if (p < 1 || p > static_cast<std::int64_t>(state_.axes.count()))
+    return state_.alarms.raise(Code::parameter_entry, words['P'].text,
+                               "the machine has " + std::to_string(state_.axes.count()) + " axes");
+  key += std::string(".") + state_.axes[Axis{static_cast<std::uint8_t>(p - 1)}].letter;
+  return true;
+}
+
 bool DataSetting::enter_parameter(const Words& words, std::uint32_t number) {
   double value = 0;
   if (number == 0 || !words.has('R')) {
     return state_.alarms.raise(Code::parameter_entry, "parameter entry needs N and R");
   }
   if (!state_.values.plain(words['R'], value)) return false;
-  const std::string key = std::to_string(number);
+  std::string key = std::to_string(number);
+  if (Parameters::belongs_to_axis(key)) {
+    if (!name_axis(words, key)) return false;
+    return set_parameter(words['R'], key, value);
+  }
   if (words.has('P')) {
-    state_.assume(
-        Assumed::parameter_of_axis,
-        "parameter entry by G10 L50: no parameter of Kerf belongs to an axis or spindle, P "
-        "is ignored");
+    state_.assume(Assumed::parameter_of_axis,
+                  "parameter entry by G10 L50: no axis or spindle has a parameter of its own "
+                  "with this number, P is ignored");
   }
   if (!Parameters::is_key(key)) return enter_bits(words['R'], number);
+  return set_parameter(words['R'], key, value);
+}
+
+bool DataSetting::set_parameter(const gcode::Word& word, const std::string& key, double value) {
   const auto set = state_.parameters.set(key, base::number_text(value));
-  return set || state_.alarms.raise(Code::parameter_entry, words['R'].text, set.error().message);
+  return set || state_.alarms.raise(Code::parameter_entry, word.text, set.error().message);
 }
 
 }  // namespace kerf::control

@@ -15,10 +15,13 @@ class DataSetting {
 
   /// A block with G10. False: an alarm was raised.
   [[nodiscard]] bool execute(const Words& words);
-  /// A block between G10 L50 and G11: the parameter `number`, its N, becomes R.
+  /// A block between G10 L50 and G11: the parameter `number`, its N, becomes R; P is the
+  /// axis of one that each axis has.
   [[nodiscard]] bool enter_parameter(const Words& words, std::uint32_t number);
 
  private:
+  bool name_axis(const Words& words, std::string& key);
+  bool set_parameter(const gcode::Word& word, const std::string& key, double value);
   bool enter_bits(const gcode::Word& word, std::uint32_t number);
   bool set_work_offset(const Words& words);
   bool set_tool_offset(const Words& words, std::int64_t l);

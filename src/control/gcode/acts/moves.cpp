@@ -70,6 +70,8 @@ bool Moves::rapid_to(const ProgramPoint& program) {
   return finish({program, 0}, path);
 }
 
+bool Moves::position(const ProgramPoint& program) { return rapid_to(program); }
+
 bool Moves::line_to(const ProgramPoint& program, const motion::Feed& feed) {
   const PathPoint path = state_.coordinates.path_of(program);
   if (!check_limits(path) || !state_.path.straight(motion::Line{on_path(path), feed})) return false;
@@ -86,9 +88,15 @@ void Moves::cut_standing(const Words& words) {
   state_.path.act(spindle);
 }
 
+// G60 is a positioning, whatever motion is in force.
+Meaning Moves::motion_mode() const {
+  return state_.one_shot == Meaning::single_direction ? Meaning::rapid
+                                                      : state_.modal[Group::motion];
+}
+
 bool Moves::execute(const Words& words, bool& moved) {
-  const Meaning mode = state_.modal[Group::motion];
-  const bool circular = state_.modal.circular();
+  const Meaning mode = motion_mode();
+  const bool circular = mode == Meaning::arc_clockwise || mode == Meaning::arc_counterclockwise;
   const bool centre_alone = circular && words.has_any(kCentreLetters | Words::mask('R'));
   if (!words.has_any(targets_.letters()) && !centre_alone) {
     cut_standing(words);

@@ -23,12 +23,15 @@ class Moves {
   void apply_length(base::AxisSet named);
   /// Stored stroke limits and the largest coordinate. `target` without tool length.
   [[nodiscard]] bool check_limits(const base::AxisVector& target);
+  /// To where a cycle or the block itself positions: fast, by the one-shot code of the block.
+  [[nodiscard]] bool position(const base::ProgramPoint& program);
   /// Straight move, fast or at feed, to a programmed point; the programmed point is there
   /// afterwards.
   [[nodiscard]] bool rapid_to(const base::ProgramPoint& program);
   [[nodiscard]] bool line_to(const base::ProgramPoint& program, const motion::Feed& feed);
 
  private:
+  [[nodiscard]] Meaning motion_mode() const;
   bool unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target& target,
                               geometry::Vec2 centre, bool clockwise, geometry::Vec2& image);
   bool arc(const Words& words, bool clockwise, const Target& target);

@@ -71,6 +71,7 @@ struct State {
   ModalState modal;
   ModalState before;  ///< as the previous block left it (#4001…)
   ModalWords words;
+  Meaning one_shot = Meaning::none;  ///< of the executing block
   Coordinates coordinates;
   StrokeLimits strokes;
   Outlet outlet;  ///< of `path`

@@ -152,7 +152,7 @@ bool CannedCycle::step() {
 
 // Over the hole, then down to R; G87 orients and shifts before it goes down beside the bore.
 bool CannedCycle::position() {
-  if (!moves_.rapid_to(hole_)) return false;
+  if (!moves_.position(hole_)) return false;
   if (cycle_ != Meaning::back_bore) return rapid_z(r_);
   spindle(motion::Spindle::Turning::oriented);
   return shift(-q_) && rapid_z(r_) && shift(q_);

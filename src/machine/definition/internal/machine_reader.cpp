@@ -224,10 +224,22 @@ MachineReader::Outcome MachineReader::read_control() {
   if (node == nullptr) return {};
   if (!node->is_table()) return wrong(node, "control must be a table");
   for (const auto& [key, value] : *node->as_table()) {
-    auto set = machine_.parameters.set(key.str(), text_of(value));
-    if (!set) return wrong(&value, set.error().message);
+    if (auto r = read_parameter(std::string(key.str()), value); !r) return r;
   }
   return {};
+}
+
+// overrun = { X = 0.5, Y = -0.5 } is overrun.X and overrun.Y.
+MachineReader::Outcome MachineReader::read_parameter(const std::string& key,
+                                                     const toml::node& node) {
+  if (const toml::table* const of_axes = node.as_table()) {
+    for (const auto& [axis, value] : *of_axes) {
+      if (auto r = read_parameter(key + "." + std::string(axis.str()), value); !r) return r;
+    }
+    return {};
+  }
+  const auto set = machine_.set_parameter(key, text_of(node));
+  return set ? Outcome{} : wrong(&node, set.error().message);
 }
 
 }  // namespace kerf::machine

@@ -34,6 +34,7 @@ class MachineReader {
   Outcome read_tables();
   Outcome read_item(std::string_view table, const std::string& key, const toml::node& node);
   Outcome read_control();
+  Outcome read_parameter(const std::string& key, const toml::node& node);
   Outcome read_rotary(const toml::node& node, DrivenAxis& axis) const;
   Outcome read_travel(const toml::node& node, DrivenAxis& axis) const;
   Outcome read_numbers(const toml::node& node, const std::string& key,

@@ -385,10 +385,28 @@ TEST(MachineFile, WhatIsWrongIsSaidWithItsLine) {
        "m.toml:3: mode must be planned, tail, equal or literal"},
       {head + "[drive]\nhidden_tick = 'true'\n" + x, "m.toml:3: hidden_tick must be true or false"},
       {head + "[drive]\nwidth = 1\n" + x, "m.toml:3: there is no key drive.width"},
+      {head + x + "[control]\noverrun = 1\n",
+       "m.toml:6: parameter overrun=1: it belongs to an axis: overrun.X is that of X"},
+      {head + x + "[control]\nCRE = { X = 1 }\n",
+       "m.toml:6: parameter CRE.X=1: it does not belong to an axis"},
+      {head + x + "[control]\noverrun = { W = 1 }\n",
+       "m.toml:6: parameter overrun.W=1: the machine has no axis W"},
+      {head + x + "[control]\noverrun = { X = 1001 }\n",
+       "m.toml:6: parameter overrun.X=1001: a number from -1000 to 1000 is expected"},
       {head + "[kinematics]\ntype = 'arm'\n" + x,
        "m.toml:2: this kinematics has the axes rotary, rotary, rotary, linear, not linear"},
   };
   for (const Row& row : rows) EXPECT_EQ(refusal(row.toml), row.said);
+}
+
+TEST(MachineFile, AParameterMayHaveAValueForEachAxis) {
+  const auto machine = MachineDefinition::parse(
+      "name = 'm'\n" + axis("X") + axis("Y") + "[control]\noverrun = { X = 0.5, Y = -2 }\n",
+      "m.toml");
+  ASSERT_TRUE(machine) << machine.error().message;
+  EXPECT_EQ(machine->parameters.overrun['X'], 0.5);
+  EXPECT_EQ(machine->parameters.overrun['Y'], -2);
+  EXPECT_EQ(machine->parameters.overrun['Z'], 0);
 }
 
 TEST(MachineFile, JointNamesAreForLinkagesWithATipOfTheirOwn) {

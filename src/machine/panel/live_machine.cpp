@@ -35,8 +35,10 @@ class LiveMachine::Impl {
   Impl(Journal done, std::unique_ptr<LiveCore> made)
       : core(std::move(made)), journal(std::move(done)), capture(core->definition()) {}
 
-  /// Does what the operator asks for, and remembers it.
-  Outcome perform(const Operation& key);
+  // Each does what the operator asks for, and remembers it.
+  Outcome perform_now(const Operation& key);
+  Outcome begin(const Operation& key);
+  [[nodiscard]] bool perform_at_axes(const Operation& key);
   [[nodiscard]] Outcome step_back();
   [[nodiscard]] base::Outcome<LiveCore*> core_at(double time_s);
   [[nodiscard]] LiveCore* earlier(double time_s);
@@ -53,9 +55,6 @@ class LiveMachine::Impl {
   std::shared_ptr<const Snapshot> shown;  // null: something may have changed since
 
  private:
-  Outcome perform_now(const Operation& key);
-  Outcome begin(const Operation& key);
-  [[nodiscard]] bool perform_at_axes(const Operation& key);
   void put(std::unique_ptr<LiveCore> other);
   void touch() {
     shown.reset();
@@ -71,13 +70,6 @@ LiveMachine::Impl::Impl(const MachineDefinition& definition, control::Memory mem
           at_power_on(definition, std::move(memory), std::move(settings)))),
       journal{core->run_start(), 0},
       capture(definition) {}
-
-LiveMachine::Outcome LiveMachine::Impl::perform(const Operation& key) {
-  if (std::holds_alternative<StepBack>(key)) return step_back();
-  if (begins_run(key, *core)) return begin(key);
-  if (const auto later = acts_on_axes(key, *core); later && perform_at_axes(*later)) return {};
-  return perform_now(key);
-}
 
 LiveMachine::Outcome LiveMachine::Impl::perform_now(const Operation& key) {
   const LiveCore::Moment now = core->moment();
@@ -201,7 +193,12 @@ void LiveMachine::add_point_sink(motion::AxisPointSink& sink) {
   impl_->core->add_point_sink(sink);
 }
 
-LiveMachine::Outcome LiveMachine::perform(const Operation& key) { return impl_->perform(key); }
+LiveMachine::Outcome LiveMachine::perform(const Operation& key) {
+  if (std::holds_alternative<StepBack>(key)) return impl_->step_back();
+  if (begins_run(key, *impl_->core)) return impl_->begin(key);
+  const auto later = acts_on_axes(key, *impl_->core);
+  return later && impl_->perform_at_axes(*later) ? Outcome{} : impl_->perform_now(key);
+}
 
 void LiveMachine::advance(double seconds) {
   if (!impl_->core->is_active()) return;

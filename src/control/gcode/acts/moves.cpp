@@ -26,6 +26,21 @@ constexpr double kMostCoordinate = 999999.999;
 constexpr int kMostHelixAxes = 2;
 constexpr std::uint32_t kCentreLetters = Words::mask('I') | Words::mask('J') | Words::mask('K');
 
+// G60: where the last part of the way to `end` begins, which is as long as parameter 5440 and goes
+// in the direction of its sign on the machine: neither mirror image nor rotation turns it. Nothing:
+// no axis has one, as those that stand still.
+std::optional<PathPoint> begin_of_last_part(const State& state, const PathPoint& end) {
+  if (state.one_shot != Meaning::single_direction) return {};
+  const PathPoint from = state.coordinates.path();
+  PathPoint begin = end;
+  for (std::size_t i = 0; i < state.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const double overrun = state.parameters.overrun[state.axes[axis].letter];
+    if (end[axis] != from[axis]) begin[axis] = base::tidy(end[axis] - overrun);
+  }
+  return begin == end ? std::nullopt : std::optional(begin);
+}
+
 }  // namespace
 
 bool Moves::feed(const Words* words, motion::Feed& feed) {
@@ -70,7 +85,15 @@ bool Moves::rapid_to(const ProgramPoint& program) {
   return finish({program, 0}, path);
 }
 
-bool Moves::position(const ProgramPoint& program) { return rapid_to(program); }
+bool Moves::position(const ProgramPoint& program) {
+  const PathPoint end = state_.coordinates.path_of(program);
+  if (const auto turn = begin_of_last_part(state_, end)) {
+    if (!check_limits(end) || !check_limits(*turn) ||
+        !state_.path.straight(state_.rapid(on_path(*turn))))
+      return false;
+  }
+  return rapid_to(program);
+}
 
 bool Moves::line_to(const ProgramPoint& program, const motion::Feed& feed) {
   const PathPoint path = state_.coordinates.path_of(program);
@@ -116,6 +139,7 @@ bool Moves::execute(const Words& words, bool& moved) {
   if (mode == Meaning::thread) return thread(words, target);
   const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
+  if (begin_of_last_part(state_, path)) return position(target.program);
   if (mode == Meaning::rapid) {
     if (!state_.path.move(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
   } else {

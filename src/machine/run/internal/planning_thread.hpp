@@ -41,8 +41,9 @@ class PlanningThread {
   void settle();
 
  private:
-  static constexpr std::size_t kBatch = 256;
-  static constexpr std::size_t kBatches = 4;
+  static constexpr std::size_t kBatch =
+      1024;  // the planner is woken for each: it is often the faster of the two
+  static constexpr std::size_t kBatches = 3;
   using Batch = std::vector<motion::Motion>;
 
   void hand_over();

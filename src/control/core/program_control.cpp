@@ -20,14 +20,12 @@ base::Place ProgramControl::place() {
 }
 
 base::BlockId ProgramControl::block() {
-  return levels() > 0 ? running(interpreter()->block()) : base::BlockId{};
+  return levels() > 0 ? run_by(running(), interpreter()->block()) : base::BlockId{};
 }
 
-base::BlockId ProgramControl::running(base::BlockId block) {
+ProgramControl::Running ProgramControl::running() {
   const std::size_t level = levels() - 1;
-  block.program = number_of_level(level);
-  block.calls = path_to(level);
-  return block;
+  return {number_of_level(level), path_to(level)};
 }
 
 // Calls are open one in the other: those that are known and still open are the first ones.

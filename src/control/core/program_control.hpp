@@ -70,8 +70,18 @@ class ProgramControl : public Control, public vm::Host, protected Whereabouts {
   base::Place place() override;
   base::BlockId block() override;
 
-  /// The same with the running program, and the calls that led to it.
-  [[nodiscard]] base::BlockId running(base::BlockId block);
+  /// What runs: its program, and the calls that led to it.
+  struct Running {
+    base::ProgramNumber program;
+    base::CallPath calls;
+  };
+  [[nodiscard]] Running running();
+  /// The block with both.
+  [[nodiscard]] static base::BlockId run_by(const Running& running, base::BlockId block) {
+    block.program = running.program;
+    block.calls = running.calls;
+    return block;
+  }
 
   /// The interpreter tells of blocks only where somebody asks.
   void learn_tracing();

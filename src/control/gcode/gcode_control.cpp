@@ -227,7 +227,7 @@ void GcodeControl::begin(const gcode::GcodePage& page, const gcode::Statement& s
   state_.line = mark.line;
   state_.before = state_.modal;
   block_memory_.keep(state_);
-  state_.path.begin_block(running(page.id_of(mark)));
+  state_.path.begin_block(run_by(running(), page.id_of(mark)));
   in_block_ = true;
   block_.number = mark.sequence;
   transferred_ = false;

@@ -56,7 +56,7 @@ class BlockParser {
   void word(Cursor& cursor);
   void literal(Cursor& cursor, Word& word, bool minus);
   void program_name(Cursor& cursor, Statement& statement);
-  void finish_word(const char* begin, const char* end, Word& word);
+  void finish_word(const char* begin, const char* end, Word word);
   [[noreturn]] void stray(Cursor& cursor);
   void check_words_first(const Cursor& cursor);
   void do_words(Statement statement, std::uint32_t count);

@@ -43,15 +43,12 @@ std::optional<PathPoint> begin_of_last_part(const State& state, const PathPoint&
 
 }  // namespace
 
-bool Moves::feed(const Words* words, motion::Feed& feed) {
-  feed.mode = state_.modal.feed_mode();
-  if (feed.mode == motion::FeedMode::inverse_time && words != nullptr && !words->has('F')) {
+bool Moves::has_feed(const Words& words) {
+  if (state_.modal.feed_mode() == motion::FeedMode::inverse_time && !words.has('F'))
     return state_.alarms.raise(Code::no_feed_inverse_time);
-  }
-  feed.value = state_.words.feed;
-  if (feed.value > 0) return true;
-  return state_.alarms.raise(
-      Code::feed_zero, words != nullptr && words->has('F') ? "F is 0" : "no F has been commanded");
+  return state_.words.feed > 0 ||
+         state_.alarms.raise(Code::feed_zero,
+                             words.has('F') ? "F is 0" : "no F has been commanded");
 }
 
 void Moves::apply_length(base::AxisSet named) {
@@ -143,9 +140,8 @@ bool Moves::execute(const Words& words, bool& moved) {
   if (mode == Meaning::rapid) {
     if (!state_.path.move(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
   } else {
-    motion::Feed rate;
-    if (!feed(&words, rate) ||
-        !state_.path.move(state_.coordinates.path(), motion::Line{on_path(path), rate}))
+    if (!has_feed(words) ||
+        !state_.path.move(state_.coordinates.path(), motion::Line{on_path(path), feed()}))
       return false;
   }
   return finish(target, path);
@@ -242,16 +238,15 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   if (std::popcount(outside) > kMostHelixAxes) return state_.alarms.raise(Code::helix_axes);
   if (words.has('F') && state_.words.feed == 0)
     return state_.alarms.raise(Code::arc_in_rapid, words['F'].text);
-  motion::Feed rate;
   Vec2 centre;
   bool nothing = false;
-  if (!feed(&words, rate) || !read_centre(words, *plane, target, clockwise, centre, nothing))
+  if (!has_feed(words) || !read_centre(words, *plane, target, clockwise, centre, nothing))
     return false;
   const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   const PathPoint from = state_.coordinates.path();
   if (nothing)
-    return (outside == 0 || state_.path.move(from, motion::Line{on_path(path), rate})) &&
+    return (outside == 0 || state_.path.move(from, motion::Line{on_path(path), feed()})) &&
            finish(target, path);
   const bool image_clockwise = clockwise != transform.reverses(*plane);
   Vec2 image;
@@ -268,7 +263,7 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
       {base::tidy(image.u), base::tidy(image.v)},
       image_clockwise ? motion::Direction::clockwise : motion::Direction::counterclockwise,
       0};
-  return state_.path.arc(from, path, shape, rate) && finish(target, path);
+  return state_.path.arc(from, path, shape, feed()) && finish(target, path);
 }
 
 // G33: the lead is F, or E where it is used.

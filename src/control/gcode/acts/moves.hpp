@@ -16,8 +16,10 @@ class Moves {
   /// happened.
   [[nodiscard]] bool execute(const Words& words, bool& moved);
 
-  /// The feed of a cutting move; alarm PS0011 without one, PS1202 in G93 without F in the block.
-  [[nodiscard]] bool feed(const Words* words, motion::Feed& feed);
+  /// Whether a cutting move has a feed; alarm PS0011 without one, PS1202 in G93 without F in the
+  /// block.
+  [[nodiscard]] bool has_feed(const Words& words);
+  [[nodiscard]] motion::Feed feed() const { return {state_.words.feed, state_.modal.feed_mode()}; }
 
   /// The active length offset takes effect on its axis if that is among `named`.
   void apply_length(base::AxisSet named);

@@ -163,8 +163,8 @@ bool References::skip(const Words& words, bool& moved) {
   if (!targets_.read(words, target)) return false;
   if (target.named == 0) return true;
   moved = true;
-  motion::Feed rate;
-  if (!moves_.feed(&words, rate)) return false;
+  if (!moves_.has_feed(words)) return false;
+  const motion::Feed rate = moves_.feed();
   moves_.apply_length(target.named);
   const PathPoint from = state_.coordinates.path();
   PathPoint path = state_.coordinates.path_of(target.program);
@@ -217,8 +217,7 @@ bool References::offset_move(int times, const Words& words, bool& moved) {
   }
   moves_.apply_length(target.named);
   if (state_.modal[Group::motion] == Meaning::rapid) return moves_.rapid_to(program);
-  motion::Feed rate;
-  return moves_.feed(&words, rate) && moves_.line_to(program, rate);
+  return moves_.has_feed(words) && moves_.line_to(program, moves_.feed());
 }
 
 }  // namespace kerf::control

@@ -123,7 +123,8 @@ bool CannedCycle::check(const Words& words) {
   }
   if (!r_given_) r_ = initial_;
   if (!z_given_) z_ = r_;
-  return moves_.feed(&words, feed_);
+  feed_ = moves_.feed();
+  return moves_.has_feed(words);
 }
 
 bool CannedCycle::step() {

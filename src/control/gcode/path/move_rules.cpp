@@ -5,7 +5,7 @@
 namespace kerf::control {
 
 bool has_bit(double variable, unsigned bit) {
-  return (static_cast<std::uint64_t>(base::round_away(variable)) & bit) != 0;
+  return variable != 0 && (static_cast<std::uint64_t>(base::round_away(variable)) & bit) != 0;
 }
 
 MoveRules move_rules(const Words& words, const ModalState& modal, double feed_control) {

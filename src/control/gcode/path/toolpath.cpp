@@ -17,13 +17,6 @@ Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Set
   compensation_.set_tip(tip_);
 }
 
-void Toolpath::begin_block(const base::BlockId& block) {
-  block_ = block;
-  ending_ = false;
-  moved_in_plane_ = false;
-  corner_at_end_.reset();
-}
-
 bool Toolpath::end_block() {
   if (!corners_.end_block()) return false;
   if (!compensation_.active()) return true;

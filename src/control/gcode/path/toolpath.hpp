@@ -35,7 +35,12 @@ class Toolpath {
            const base::TipPoint& start);
 
   /// A block begins: what is emitted from now on comes from it.
-  void begin_block(const base::BlockId& block);
+  void begin_block(const base::BlockId& block) {
+    block_ = block;
+    ending_ = false;
+    moved_in_plane_ = false;
+    corner_at_end_.reset();
+  }
   /// How the moves end that come from now on.
   void obey(const MoveRules& rules) { rules_ = rules; }
   /// The tool length of the moves that come from now on.

@@ -384,7 +384,7 @@ def harmless_comments(box):
 @test("a posted program of any length takes the same memory, and its travel is that of all of it")
 def long_program(box):
     peaks = []
-    for count in (1_000, 400_000):
+    for count in (10_000, 400_000):
         box.write("long.nc", "O1\nG21G90G0X0Y0\n#1=0\nF900.\n" +
                   f"WHILE[#1LT{count}]DO1\nG1X[#1/1000]Y[#1-FIX[#1/2]*2]\n#1=#1+1\nEND1\nG0Z9.\nM30\n")
         result = box.kerf("run", "long.nc", "--post", "post.nc", peak=True)
@@ -396,7 +396,7 @@ def long_program(box):
     check(text.count("Y") > 399_000, "lines")
     equal(box.files(), ["long.nc", "post.nc"], "files behind it")
     if harness.MEASURES_MEMORY:
-        check(peaks[1] < peaks[0] + 2048, f"{peaks[1]} KiB for 400,000 blocks, {peaks[0]} for 1,000")
+        check(peaks[1] < peaks[0] + 2048, f"{peaks[1]} KiB for 400,000 blocks, {peaks[0]} for 10,000")
 
 
 @test("a posted program for which the disk has no room is told, however long it is")

@@ -203,6 +203,7 @@ describe('refusals that stand in the code', () => {
     'times of a run begin with 0 s',
     "Kerf does not run the language '",
     '--machine-set ',
+    'parameter ',
     '--host ',
     "'#NUMBER=VALUE' is expected",
     'the time of computing is over before the interrupt at ',

@@ -201,8 +201,8 @@ TEST(PathSampler, AtEqualStepsRotaryAxesAloneStepDegrees) {
 }
 
 TEST(PathSampler, WithoutAPeriodADwellIsAPointAtItsEnd) {
-  const Points points = sample({Line{{{1}}, {60}}, Dwell{0.03}, Line{{{2}}, {60}}},
-                               settings_of(Sampling::equal_steps));
+  const Points points =
+      sample({Line{{1}, {60}}, Dwell{0.03}, Line{{2}, {60}}}, settings_of(Sampling::equal_steps));
   ASSERT_EQ(points.size(), 3U);
   EXPECT_NEAR(points[1].time_s, 1.03, 1e-12);
   EXPECT_EQ(points[1].tip, points[0].tip);

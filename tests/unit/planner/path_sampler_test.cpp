@@ -24,7 +24,7 @@ TEST(PathSampler, RapidsGoAsFastAsTheSlowestAxisNeeds) {
   const struct {
     TipPoint to;
     double seconds;
-  } rapids[] = {{{{100}}, 1}, {{{100, 300}}, 1.5}, {{{100, 300, 20}}, 2}};
+  } rapids[] = {{{100}, 1}, {{{100, 300}}, 1.5}, {{{100, 300, 20}}, 2}};
   for (const Sampling sampling : {Sampling::tail, Sampling::equal}) {
     for (const auto& rapid : rapids) {
       PathSampler sampler(axes, settings_of(sampling));
@@ -52,9 +52,9 @@ TEST(PathSampler, RotaryAxesAloneTurnAtTheirRateInEqualSteps) {
 }
 
 TEST(PathSampler, AMoveWhoseFeedCannotBeToldIsAsFastAsARapid) {
-  const Points told = sample({Rapid{{{100}}}}, settings_of(Sampling::equal));
+  const Points told = sample({Rapid{{100}}}, settings_of(Sampling::equal));
   const Points untold =
-      sample({Line{{{100}}, {0.1, FeedMode::per_revolution}}}, settings_of(Sampling::equal));
+      sample({Line{{100}, {0.1, FeedMode::per_revolution}}}, settings_of(Sampling::equal));
   ASSERT_EQ(told.size(), untold.size());
   for (std::size_t i = 0; i < told.size(); ++i) EXPECT_EQ(told[i].tip, untold[i].tip);
 }
@@ -62,14 +62,14 @@ TEST(PathSampler, AMoveWhoseFeedCannotBeToldIsAsFastAsARapid) {
 TEST(PathSampler, FeedPerRevolutionIsThatOfTheSpindle) {
   using motion::Spindle;
   const Points points = sample({Spindle{Spindle::Turning::clockwise, Spindle::Mode::rpm, 600, 0},
-                                Line{{{10}}, {0.5, FeedMode::per_revolution}}},
+                                Line{{10}, {0.5, FeedMode::per_revolution}}},
                                settings_of(Sampling::equal));
   EXPECT_EQ(points.size(), 250U) << "10 mm at 5 mm/s";
 }
 
 TEST(PathSampler, ADwellLastsWholePeriods) {
   const Points points =
-      sample({Line{{{1}}, {7500}}, Dwell{0.03}, Line{{{2}}, {7500}}}, settings_of(Sampling::tail));
+      sample({Line{{1}, {7500}}, Dwell{0.03}, Line{{2}, {7500}}}, settings_of(Sampling::tail));
   ASSERT_EQ(points.size(), 6U);
   for (std::size_t i = 1; i <= 4; ++i) {
     EXPECT_EQ(points[i].tip, (AxisVector{{1}}));
@@ -92,7 +92,7 @@ TEST(PathSampler, AWayOfNoLengthHasNoPoints) {
   for (const Sampling sampling :
        {Sampling::tail, Sampling::equal, Sampling::equal_steps, Sampling::literal}) {
     EXPECT_TRUE(sample({Line{{}, {100}}, Rapid{}, Dwell{0}}, settings_of(sampling)).empty());
-    EXPECT_EQ(sample({Line{{{0.001}}, {100}}}, settings_of(sampling)).size(), 1U);
+    EXPECT_EQ(sample({Line{{0.001}, {100}}}, settings_of(sampling)).size(), 1U);
   }
 }
 

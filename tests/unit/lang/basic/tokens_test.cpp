@@ -2,20 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "lang/basic/language.hpp"
+#include "tokens_of_line.hpp"
 
 namespace kerf::basic {
 namespace {
 
-std::string cut(const std::string& line) {
-  std::string text;
-  for (const base::Token& token : base::tokens_of(language(), line)) {
-    if (token.kind == base::TokenKind::blank) continue;
-    if (!text.empty()) text += ' ';
-    text += line.substr(token.begin, token.length) + "|";
-    text += base::name_of(token.kind);
-  }
-  return text;
-}
+std::string cut(const std::string& line) { return test::tokens_of_line(language(), line); }
 
 TEST(BasicTokens, AreStatementsFunctionsVariablesAndTexts) {
   EXPECT_EQ(cut("if i=0 then move(COS(a),0); print \"x"),

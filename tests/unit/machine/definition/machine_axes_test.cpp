@@ -59,7 +59,7 @@ TEST(MachineAxes, TravelIsTheControlsOnCartesianMachinesAndTheJointsElsewhere) {
   const auto mill = MachineDefinition::parse("name='m'\n" + axis("X", false, travel), "");
   EXPECT_EQ(mill->axes.axes[0].travel_max, 7);
   EXPECT_EQ(mill->kinematics.joints[0].high, kInfinite);
-  EXPECT_TRUE(mill->make_kinematics()->inverse({{100}}, {}));
+  EXPECT_TRUE(mill->make_kinematics()->inverse(base::TipPoint{100}, {}));
 
   const auto head = MachineDefinition::parse("name='m'\nkinematics.type='head-ac'\n" +
                                                  axis("X", false, travel) + axis("Y") + axis("Z") +

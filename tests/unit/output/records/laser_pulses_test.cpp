@@ -76,8 +76,8 @@ std::string text(double value) {
 TEST(LaserPulses, ARowForEachChangeAtTheStandstillWhereItIsMade) {
   Laser laser;
   const std::string rows =
-      laser.rows({Rapid{{{50}}}, Power{80}, Line{{{60}}, Feed{kFeed}}, Power{}, Rapid{{{110}}},
-                  Power{50}, motion::Dwell{0.25}, Power{0}, Rapid{{{60}}}});
+      laser.rows({Rapid{{50}}, Power{80}, Line{{60}, Feed{kFeed}}, Power{}, Rapid{{110}}, Power{50},
+                  motion::Dwell{0.25}, Power{0}, Rapid{{60}}});
   const double rapid_s = seconds(50, 100);
   const double on_s = rapid_s + seconds(10, 25);
   const double again_s = on_s + rapid_s;
@@ -90,14 +90,14 @@ TEST(LaserPulses, ARowForEachChangeAtTheStandstillWhereItIsMade) {
 
 TEST(LaserPulses, TheBeamGoesOffWithTheRun) {
   Laser laser;
-  EXPECT_EQ(laser.rows({Power{20}, Line{{{10}}, Feed{kFeed}}}),
+  EXPECT_EQ(laser.rows({Power{20}, Line{{10}, Feed{kFeed}}}),
             "0,2,2000,0.2,12500,2500\n" + text(seconds(10, 25)) + ",2,2000,0,12500,0\n");
 }
 
 TEST(LaserPulses, PowerThatChangesUnderWayChangesWithinAPeriodOfThere) {
   Laser laser;
   std::istringstream rows(
-      laser.rows({Power{20}, Line{{{10}}, Feed{kFeed}}, Power{100}, Line{{{20}}, Feed{kFeed}}}));
+      laser.rows({Power{20}, Line{{10}, Feed{kFeed}}, Power{100}, Line{{20}, Feed{kFeed}}}));
   std::string row;
   std::getline(rows, row);
   EXPECT_EQ(row, "0,2,2000,0.2,12500,2500");
@@ -128,7 +128,7 @@ TEST(LaserPulses, RegistersAreThoseOfTheMachineFile) {
 
 TEST(LaserPulses, APowerThatNoTimerMakesIsAnAlarmAtItsLine) {
   Laser laser;
-  const std::string rows = laser.rows({Rapid{{{10}}}, Power{120}, motion::Dwell{0.5}});
+  const std::string rows = laser.rows({Rapid{{10}}, Power{120}, motion::Dwell{0.5}});
   EXPECT_EQ(rows.find("1.2"), std::string::npos) << rows;
   EXPECT_EQ(laser.machine().run_to_end(), machine::RunStatus::alarm);
   const base::Diagnostic& alarm = *laser.machine().alarm();

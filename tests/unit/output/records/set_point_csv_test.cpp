@@ -43,8 +43,8 @@ TEST(SetPointCsv, JointsOfTheArmStandBehindItsTip) {
 }
 
 TEST(SetPointCsv, AJointThatPassesTheTipKeepsItsOwnNumber) {
-  EXPECT_EQ(csv_of("laser3", {point(0.001, {{1}}, {{1}}, 4), point(0.002, {{2}}, {{1}}, 4),
-                              point(0.003, {{2}}, {{2}}, 4), point(0.004, {{1}}, {{2}}, 4)}),
+  EXPECT_EQ(csv_of("laser3", {point(0.001, {1}, {1}, 4), point(0.002, {2}, {1}, 4),
+                              point(0.003, {2}, {2}, 4), point(0.004, {1}, {2}, 4)}),
             "t,X,Y,Z,power,j1,j2,j3,line\n"
             "0.001,1,0,0,0,1,0,0,4\n0.002,2,0,0,0,1,0,0,4\n"
             "0.003,2,0,0,0,2,0,0,4\n0.004,1,0,0,0,2,0,0,4\n");

@@ -21,28 +21,28 @@ constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::size_t kMostUnfinished = 64;
 constexpr std::size_t kLongestName = 4096;
 struct Unfinished {
-  std::atomic<bool> used{false};
+  enum class State : std::uint8_t { free, being_written, names_a_file };
+  std::atomic<State> state{State::free};  // whoever writes the name owns the slot
   std::array<char, kLongestName> name{};
 };
 std::array<Unfinished, kMostUnfinished> unfinished;
 
-void remember(const std::string& name) {
-  if (name.size() + 1 > kLongestName) return;
-  for (Unfinished& slot : unfinished) {
-    bool expected = false;
-    if (slot.name[0] != '\0' || !slot.used.compare_exchange_strong(expected, true)) continue;
-    std::memcpy(slot.name.data() + 1, name.c_str() + 1, name.size());
-    slot.name[0] = name[0];
-    return;
+// The slot of the name; kMostUnfinished where there is none for it.
+std::size_t remember(const std::string& name) {
+  if (name.size() + 1 > kLongestName) return kMostUnfinished;
+  for (std::size_t i = 0; i < kMostUnfinished; ++i) {
+    Unfinished& slot = unfinished[i];
+    auto expected = Unfinished::State::free;
+    if (!slot.state.compare_exchange_strong(expected, Unfinished::State::being_written)) continue;
+    std::memcpy(slot.name.data(), name.c_str(), name.size() + 1);
+    slot.state = Unfinished::State::names_a_file;
+    return i;
   }
+  return kMostUnfinished;
 }
 
-void forget(const std::string& name) {
-  for (Unfinished& slot : unfinished) {
-    if (!slot.used || name != slot.name.data()) continue;
-    slot.name[0] = '\0';
-    slot.used = false;
-  }
+void forget(std::size_t slot) {
+  if (slot < kMostUnfinished) unfinished[slot].state = Unfinished::State::free;
 }
 
 // A name that nobody has: ".NAME.XXXXXX".
@@ -87,7 +87,7 @@ std::string folder_of(const std::string& path) {
 
 OutputFile::OutputFile(std::string path, std::string temporary, int descriptor)
     : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {
-  if (!temporary_.empty()) remember(temporary_);
+  if (!temporary_.empty()) slot_ = remember(temporary_);
 }
 
 OutputFile::~OutputFile() {
@@ -95,7 +95,7 @@ OutputFile::~OutputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
   if (temporary_.empty()) return;
   ::unlink(temporary_.c_str());
-  forget(temporary_);
+  forget(slot_);
 }
 
 Outcome<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path) {
@@ -146,7 +146,7 @@ Outcome<void> OutputFile::commit(Durability durability) {
   if (error_ != 0) return output_failure(path_, error_);
   if (temporary_.empty()) return {};
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) return output_failure(path_, errno);
-  forget(temporary_);
+  forget(slot_);
   temporary_.clear();
   if (durable) return sync_folder(folder_of(path_));
   return {};
@@ -163,7 +163,7 @@ Outcome<void> sync_folder(const std::string& folder) {
 
 void remove_unfinished_outputs() noexcept {
   for (const Unfinished& slot : unfinished) {
-    if (slot.used && slot.name[0] != '\0') ::unlink(slot.name.data());
+    if (slot.state == Unfinished::State::names_a_file) ::unlink(slot.name.data());
   }
 }
 

@@ -52,7 +52,8 @@ class OutputFile {
   void flush();
 
   std::string path_;
-  std::string temporary_;  // empty: writes go straight to `path_`
+  std::string temporary_;               // empty: writes go straight to `path_`
+  std::size_t slot_ = ~std::size_t{0};  // among the unfinished ones
   int descriptor_;
   int error_ = 0;
   std::string buffer_;

@@ -29,9 +29,11 @@ Download::Download(std::shared_ptr<HttpSession> session, std::string name)
 void Download::start() {
   Hub& hub = session_->site().hub;
   session_->stream().expires_never();
-  hub.disk().post([self = shared_from_this(), &hub] {
+  // Each job of the disk hands its share of this back: the last one ends on the sockets' thread.
+  hub.disk().post([self = shared_from_this(), &hub]() mutable {
     auto file = open(hub.library(), self->name_);
-    hub.answers().to_sockets([self, file = std::move(file)] { self->begin(file); });
+    hub.answers().to_sockets(
+        [self = std::move(self), file = std::move(file)] { self->begin(file); });
   });
 }
 
@@ -59,11 +61,11 @@ void Download::begin(const base::Outcome<std::shared_ptr<base::SourceFile>>& fil
 void Download::read_piece() {
   Hub& hub = session_->site().hub;
   session_->stream().expires_never();
-  hub.disk().post([self = shared_from_this(), &hub] {
+  hub.disk().post([self = shared_from_this(), &hub]() mutable {
     const std::uint64_t left = self->file_->size() - self->sent_;
     const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(left, kSentAtOnce));
     const std::size_t bytes = self->file_->read(self->sent_, {self->piece_.data(), most});
-    hub.answers().to_sockets([self, bytes] { self->send_piece(bytes); });
+    hub.answers().to_sockets([self = std::move(self), bytes] { self->send_piece(bytes); });
   });
 }
 

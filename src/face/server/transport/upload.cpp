@@ -66,7 +66,8 @@ void Upload::start() {
     return refuse(http::status::payload_too_large, kTooLarge);
   Hub& hub = session_->site().hub;
   session_->stream().expires_never();
-  hub.disk().post([self = shared_from_this(), &hub] {
+  // Each job of the disk hands its share of this back: the last one ends on the sockets' thread.
+  hub.disk().post([self = shared_from_this(), &hub]() mutable {
     auto file = hub.library().begin_upload(self->name_);
     base::Outcome<std::shared_ptr<base::OutputFile>> made;
     if (file) {
@@ -74,7 +75,8 @@ void Upload::start() {
     } else {
       made = tl::unexpected(file.error());
     }
-    hub.answers().to_sockets([self, made = std::move(made)] { self->begin(made); });
+    hub.answers().to_sockets(
+        [self = std::move(self), made = std::move(made)] { self->begin(made); });
   });
 }
 
@@ -128,9 +130,10 @@ void Upload::keep(std::size_t bytes) {
   if (bytes_ > Library::kMostBytes) return refuse(http::status::payload_too_large, kTooLarge);
   Hub& hub = session_->site().hub;
   session_->stream().expires_never();
-  hub.disk().post([self = shared_from_this(), &hub, bytes] {
+  hub.disk().post([self = shared_from_this(), &hub, bytes]() mutable {
     self->file_->write({self->buffer_.data(), bytes});
-    hub.answers().to_sockets([self, good = self->file_->good()] { self->kept(good); });
+    const bool good = self->file_->good();
+    hub.answers().to_sockets([self = std::move(self), good] { self->kept(good); });
   });
 }
 
@@ -143,9 +146,9 @@ void Upload::kept(bool good) {
 void Upload::finish() {
   Hub& hub = session_->site().hub;
   leave();
-  hub.disk().post([self = shared_from_this(), &hub] {
+  hub.disk().post([self = shared_from_this(), &hub]() mutable {
     const auto made = hub.library().finish_upload(self->name_, *self->file_);
-    hub.answers().to_sockets([self, made, &hub] {
+    hub.answers().to_sockets([self = std::move(self), made, &hub] {
       if (!made)
         return self->refuse(http::status::insufficient_storage,
                             hub.answers().without_folder(made.error().message));

@@ -4,9 +4,17 @@
 #include <cassert>
 
 namespace kerf::gcode {
+namespace {
+
+constexpr std::uint32_t kStraightPages = 8;  // before a thread is worth its while
+
+}  // namespace
 
 CodeLibrary::CodeLibrary(base::SourceSet& sources, const Settings& settings)
-    : sources_(sources), compiler_(settings.lines_per_page), pages_(settings) {}
+    : sources_(sources),
+      compiler_(settings.lines_per_page),
+      pages_(settings),
+      ahead_(settings.lines_per_page) {}
 
 CodeLibrary::~CodeLibrary() = default;
 
@@ -63,14 +71,34 @@ GcodePage& CodeLibrary::page(vm::CodeId code, std::uint32_t number) {
 GcodePage& CodeLibrary::compile(vm::CodeId code, std::uint32_t number, bool seen_before) {
   Program& target = program(code);
   GcodePage& page = pages_.make_room(code, number, seen_before);
-  compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end,
-                    names_, page);
+  if (!ahead_.take(code, number, page)) {
+    compiler_.compile(sources_[target.file], target.file, target.starts[number], target.entry.end,
+                      names_, page);
+    look_ahead(page);
+  }
   if (page.last) {
     target.complete = true;
   } else if (target.starts.size() == number + 1) {
     target.starts.push_back({page.text_end, page.next_line, page.text_end});
   }
   return page;
+}
+
+// Whoever has come so far straight on will want the pages that follow.
+void CodeLibrary::look_ahead(const GcodePage& page) {
+  const bool straight = page.code == newest_code_ && page.number == newest_ + 1;
+  straight_pages_ = straight ? straight_pages_ + 1 : 0;
+  newest_code_ = page.code;
+  newest_ = page.number;
+  if (straight_pages_ < kStraightPages || page.last) return;
+  straight_pages_ = 0;
+  const Program& target = program(page.code);
+  ahead_.begin({.file = &sources_[target.file],
+                .id = target.file,
+                .end = target.entry.end,
+                .code = page.code,
+                .number = page.number + 1,
+                .start = {page.text_end, page.next_line, page.text_end}});
 }
 
 // A page that nobody has come near yet: the pages before it tell where it begins.

@@ -13,6 +13,7 @@
 #include "lang/gcode/loops.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/gcode/page_compiler.hpp"
+#include "lang/gcode/pages_ahead.hpp"
 #include "lang/gcode/program_directory.hpp"
 #include "lang/vm/code_page.hpp"
 #include "lang/vm/page_store.hpp"
@@ -77,6 +78,7 @@ class CodeLibrary : public vm::CodeSource {
   };
   Program& program(vm::CodeId code) { return programs_[static_cast<std::size_t>(code)]; }
   GcodePage& compile(vm::CodeId code, std::uint32_t number, bool seen_before);
+  void look_ahead(const GcodePage& page);
   void learn_starts(vm::CodeId code, std::uint32_t number);
   const std::vector<PlacedLabel>& labels_of(vm::CodeId code);
   void check_page(vm::CodeId code, std::uint32_t number, base::Findings& found);
@@ -92,6 +94,10 @@ class CodeLibrary : public vm::CodeSource {
   std::unordered_map<std::string, vm::CodeId> by_name_;
   std::vector<base::Diagnostic> findings_;
   std::vector<UnreadText> unread_;
+  vm::CodeId newest_code_{};          // of the page that was compiled here last
+  std::uint32_t newest_ = 0;          // its number
+  std::uint32_t straight_pages_ = 0;  // up to it, each behind the one before
+  PagesAhead ahead_;                  // last: its thread reads the sources
 };
 
 }  // namespace kerf::gcode

@@ -54,12 +54,6 @@ TipPoint Toolpath::tip() const {
   return compensation_.active() ? compensation_.tip() : tip_;
 }
 
-motion::Motion Toolpath::make(const motion::Motion::Action& action) const {
-  motion::Motion motion{.block = block_, .length = length_, .action = action};
-  mark(motion, rules_);
-  return motion;
-}
-
 bool Toolpath::arc(const PathPoint& from, const PathPoint& to, const ArcShape& shape,
                    const motion::Feed& feed) {
   const motion::Arc arc{on_path(to), {shape.centre.u, shape.centre.v},
@@ -68,21 +62,17 @@ bool Toolpath::arc(const PathPoint& from, const PathPoint& to, const ArcShape& s
   return move(from, arc, &shape);
 }
 
-bool Toolpath::straight(const motion::Motion::Action& action) {
+bool Toolpath::straight(const motion::Motion& motion) {
   if (!interrupt_compensation()) return false;
   if (compensation_.active()) tip_ = compensation_.tip();
-  return emit(make(action));
+  return emit(motion);
 }
 
-bool Toolpath::admits(const motion::Motion::Action& action) {
-  return outlet_.admits(make(action), tip());
-}
-
-void Toolpath::act(const motion::Motion::Action& action) {
+void Toolpath::act(const motion::Motion& motion) {
   if (corners_.holding()) {
-    corners_.beside(make(action));
+    corners_.beside(motion);
   } else {
-    pass(make(action));
+    pass(motion);
   }
 }
 
@@ -92,9 +82,7 @@ bool Toolpath::pass(const motion::Motion& motion) {
 }
 
 // Most moves meet neither a corner nor compensation.
-bool Toolpath::move(const PathPoint& from, const motion::Motion::Action& action,
-                    const ArcShape* shape) {
-  const motion::Motion motion = make(action);
+bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const ArcShape* shape) {
   const bool rounds = corner_at_end_.has_value() || corners_.holding();
   if (!compensation_.active() && !rounds) return emit(motion);
   const motion::PlaneAxes plane = compensation_.active() ? compensation_.plane()

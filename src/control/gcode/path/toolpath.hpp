@@ -55,16 +55,28 @@ class Toolpath {
   // Moves of the programmed path, from `from` to the target. False: an alarm was
   // raised.
   /// `shape`: of an arc.
-  [[nodiscard]] bool move(const base::PathPoint& from, const motion::Motion::Action& action,
-                          const ArcShape* shape = nullptr);
+  template <typename Action>
+  [[nodiscard]] bool move(const base::PathPoint& from, const Action& action,
+                          const ArcShape* shape = nullptr) {
+    return move(from, make(action), shape);
+  }
   [[nodiscard]] bool arc(const base::PathPoint& from, const base::PathPoint& to,
                          const ArcShape& shape, const motion::Feed& feed);
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
-  [[nodiscard]] bool straight(const motion::Motion::Action& action);
+  template <typename Action>
+  [[nodiscard]] bool straight(const Action& action) {
+    return straight(make(action));
+  }
   /// Whether such a move could be made now. False: an alarm was raised.
-  [[nodiscard]] bool admits(const motion::Motion::Action& action);
+  template <typename Action>
+  [[nodiscard]] bool admits(const Action& action) {
+    return outlet_.admits(make(action), tip());
+  }
   /// Anything that is not a move.
-  void act(const motion::Motion::Action& action);
+  template <typename Action>
+  void act(const Action& action) {
+    act(make(action));
+  }
 
   void configure(const CutterCompensation::Settings& settings) {
     compensation_.configure(settings);
@@ -98,7 +110,16 @@ class Toolpath {
   bool compensate(const PathStep& step);
   bool pass(const motion::Motion& motion);
   bool emit(const motion::Motion& motion, const base::Place* place = nullptr);
-  [[nodiscard]] motion::Motion make(const motion::Motion::Action& action) const;
+  // Where the action is known it is written into its place at once: motions are large.
+  template <typename Action>
+  [[nodiscard]] motion::Motion make(const Action& action) const {
+    motion::Motion motion{.block = block_, .length = length_, .action = action};
+    mark(motion, rules_);
+    return motion;
+  }
+  bool move(const base::PathPoint& from, const motion::Motion& motion, const ArcShape* shape);
+  bool straight(const motion::Motion& motion);
+  void act(const motion::Motion& motion);
 
   Alarms& alarms_;
   Outlet& outlet_;

@@ -6,7 +6,8 @@ kerf_room(… LINKS …) names, and nothing of another room's internal/ folder. 
 library stay out of all rooms: math has them, with the same bits everywhere. Text of numbers is read and written
 by base/decimal alone, or by fmt: both know no locale. Code numbers stand in the tables of control/gcode/codes and in
 no switch. A folder holds at most MOST_CLASSES classes, a source and its header counted once. The members of a class
-are defined in one source: where they would fill several, its parts want to be objects.
+are defined in one source: where they would fill several, its parts want to be objects. A room has a README.md of at
+most MOST_README_LINES lines.
 
 usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: file:line: what is wrong
 """
@@ -14,7 +15,7 @@ usage: check_rooms.py [ROOT]      exit 1 when anything is found, one line each: 
 import re
 import sys
 from pathlib import Path
-from typing import Iterator, NamedTuple, Optional
+from typing import Iterable, Iterator, NamedTuple, Optional
 
 # Each room below src/, top to bottom, with those that it may use; what they use is allowed as well. A room inside of
 # another one's folder is not part of that: control/gcode is what drives control/gcode/path.
@@ -64,6 +65,7 @@ ROOMS = {
 }
 
 MOST_CLASSES = 30
+MOST_README_LINES = 10
 SOURCE_SUFFIXES = {".cpp", ".hpp", ".def", ".inc"}
 # Each library rounds them in its own way, and one may choose by the processor. What is exact everywhere, as sqrt, is not here.
 ELEMENTARY = (
@@ -238,6 +240,17 @@ def full_folders(files: list[Path]) -> Iterator[str]:
             yield f"{folder}:1: {len(classes)} classes in a folder, more than {MOST_CLASSES}: nobody finds one"
 
 
+def untold_rooms(src: Path, rooms: Iterable[str]) -> Iterator[str]:
+    """Rooms that no README.md tells of, or one that nobody reads to its end."""
+    for room in rooms:
+        readme = src / room / "README.md"
+        count = len(readme.read_text(encoding="utf-8").splitlines()) if readme.exists() else 0
+        if count == 0:
+            yield f"{readme}:1: {room} has no README.md: what it is, what it may use, where to begin"
+        elif count > MOST_README_LINES:
+            yield f"{readme}:{count}: {count} lines, more than {MOST_README_LINES}: a stranger wants to begin"
+
+
 def classes_of(file: Path) -> Iterator[tuple[str, int]]:
     """The classes whose members a source defines, each with the line of the first."""
     seen = set()
@@ -281,7 +294,7 @@ def check(root: Path) -> tuple[int, list[str]]:
     src = root / "src"
     links = read_links(src)
     files = sorted(f for f in src.rglob("*") if f.suffix in SOURCE_SUFFIXES)
-    findings = [*check_links(links), *full_folders(files), *scattered_classes(src, files)]
+    findings = [*check_links(links), *full_folders(files), *scattered_classes(src, files), *untold_rooms(src, links)]
     for file in files:
         findings += check_file(src, file, links)
     return len(files), findings

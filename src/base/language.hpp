@@ -9,6 +9,9 @@
 
 namespace kerf::base {
 
+/// In capital letters.
+[[nodiscard]] std::string capitals(std::string text);
+
 /// The first word of a line in capitals, and the character behind it.
 struct FirstWord {
   std::string word;

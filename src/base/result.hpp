@@ -31,4 +31,9 @@ struct Failure {
 template <typename T>
 using Outcome = tl::expected<T, Failure>;
 
+/// A failure of wrong usage.
+[[nodiscard]] inline tl::unexpected<Failure> usage(const std::string& message) {
+  return tl::unexpected(Failure{Failure::Kind::usage, message});
+}
+
 }  // namespace kerf::base

@@ -30,6 +30,16 @@ std::string shown_beside(double mm, double limit_mm) {
 
 }  // namespace
 
+output::JsonObject records_json(std::uint64_t fast, std::uint64_t triplets) {
+  const std::uint64_t records = fast + triplets;
+  output::JsonObject object;
+  object.number("records", static_cast<double>(records))
+      .number("fast", static_cast<double>(fast))
+      .number("triplets", static_cast<double>(triplets))
+      .number("bytes", static_cast<double>(records * drive::kRecordBytes));
+  return object;
+}
+
 std::string counters_json(const drive::ArmCounts& counters) {
   output::JsonObject object;
   for (std::size_t i = 0; i < drive::kArmAxes; ++i)
@@ -38,13 +48,8 @@ std::string counters_json(const drive::ArmCounts& counters) {
 }
 
 std::string pattern_json(const PatternReport& report, const machine::PatternSettings& settings) {
-  const std::uint64_t records = report.fast + report.triplets;
-  output::JsonObject object;
-  object.number("records", static_cast<double>(records))
-      .number("fast", static_cast<double>(report.fast))
-      .number("triplets", static_cast<double>(report.triplets))
-      .number("bytes", static_cast<double>(records * drive::kRecordBytes))
-      .number("splits", static_cast<double>(report.splits))
+  output::JsonObject object = records_json(report.fast, report.triplets);
+  object.number("splits", static_cast<double>(report.splits))
       .number("lifts", static_cast<double>(report.lifts))
       .number("dwells", static_cast<double>(report.dwells))
       .number("time_s", base::tidy(report.time_s))

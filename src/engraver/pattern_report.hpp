@@ -5,6 +5,7 @@
 
 #include "drive/arm_axis.hpp"
 #include "machine/definition/machine_definition.hpp"
+#include "output/writing/json_object.hpp"
 
 namespace kerf::engraver {
 
@@ -37,6 +38,9 @@ struct PatternReport {
 /// The same as one JSON object: "pattern" of a summary (docs/pattern.md).
 [[nodiscard]] std::string pattern_json(const PatternReport& report,
                                        const machine::PatternSettings& settings);
+
+/// How many records of each kind there are, and their bytes; to be gone on with.
+[[nodiscard]] output::JsonObject records_json(std::uint64_t fast, std::uint64_t triplets);
 
 /// Axis names and counts.
 [[nodiscard]] std::string counters_json(const drive::ArmCounts& counters);

@@ -27,13 +27,8 @@ const char* status_of(const ReplaySummary& summary) {
 }
 
 std::string pattern_json(const PatternReplay::Totals& totals) {
-  const std::uint64_t records = totals.fast + totals.triplets;
-  output::JsonObject object;
-  object.number("records", static_cast<double>(records))
-      .number("fast", static_cast<double>(totals.fast))
-      .number("triplets", static_cast<double>(totals.triplets))
-      .number("bytes", static_cast<double>(records * drive::kRecordBytes))
-      .number("pulses", static_cast<double>(totals.pulses));
+  output::JsonObject object = records_json(totals.fast, totals.triplets);
+  object.number("pulses", static_cast<double>(totals.pulses));
   return object.done();
 }
 

@@ -7,21 +7,15 @@
 #include "geometry/angle.hpp"
 #include "geometry/vec2.hpp"
 #include "kinematics/deviation.hpp"
-#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
 #include "kinematics/internal/shown.hpp"
+#include "kinematics/internal/vocabulary.hpp"
 #include "math/math.hpp"
 
 namespace kerf::kinematics {
 namespace {
 
-using base::Axis;
-using base::AxisVector;
-using base::JointJet;
-using base::JointPoint;
-using base::TipJet;
-using base::TipPoint;
 using geometry::nearest_turn;
 using geometry::Vec2;
 

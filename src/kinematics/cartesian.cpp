@@ -3,13 +3,9 @@
 #include <cstddef>
 #include <utility>
 
-namespace kerf::kinematics {
+#include "kinematics/internal/vocabulary.hpp"
 
-using base::AxisVector;
-using base::JointJet;
-using base::JointPoint;
-using base::TipJet;
-using base::TipPoint;
+namespace kerf::kinematics {
 
 // Also a rotary axis keeps the program's turn: nothing of it is computed.
 Cartesian::Cartesian(std::vector<Joint> joints) : Kinematics(std::move(joints), Turns{}) {}

@@ -6,18 +6,12 @@
 #include "geometry/angle.hpp"
 #include "geometry/jet.hpp"
 #include "kinematics/deviation.hpp"
-#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
+#include "kinematics/internal/vocabulary.hpp"
 
 namespace kerf::kinematics {
 namespace {
 
-using base::Axis;
-using base::AxisVector;
-using base::JointJet;
-using base::JointPoint;
-using base::TipJet;
-using base::TipPoint;
 using geometry::Jet;
 using geometry::nearest_turn;
 using geometry::sine_cosine_deg;

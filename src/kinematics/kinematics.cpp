@@ -5,14 +5,10 @@
 #include <utility>
 
 #include "kinematics/internal/shown.hpp"
+#include "kinematics/internal/vocabulary.hpp"
 
 namespace kerf::kinematics {
 namespace {
-
-using base::Axis;
-using base::AxisVector;
-using base::JointPoint;
-using base::TipPoint;
 
 constexpr double kRangeTolerance = 1e-9;  // mm, degrees: rounding of the inverse
 constexpr double kEqualTurns_deg = 1e-9;

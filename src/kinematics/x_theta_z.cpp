@@ -5,20 +5,13 @@
 
 #include "geometry/angle.hpp"
 #include "kinematics/deviation.hpp"
-#include "kinematics/internal/axes_of_tip.hpp"
 #include "kinematics/internal/axis_jet.hpp"
 #include "kinematics/internal/polar.hpp"
+#include "kinematics/internal/vocabulary.hpp"
 #include "math/math.hpp"
 
 namespace kerf::kinematics {
 namespace {
-
-using base::Axis;
-using base::AxisVector;
-using base::JointJet;
-using base::JointPoint;
-using base::TipJet;
-using base::TipPoint;
 
 constexpr Axis kTheta{1};  // of the joints, whose kX and kZ are those of the tip
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/axes.hpp"
+#include "base/interface.hpp"
 #include "motion/setpoint.hpp"
 
 namespace kerf::motion {
@@ -16,13 +17,8 @@ struct AxisPoint {
 
 /// Receives the set-points of a run in the order of their times: one for every period of the servo,
 /// if the machine's Sampling has one.
-class AxisPointSink {
+class AxisPointSink : public base::Interface {
  public:
-  AxisPointSink() = default;
-  virtual ~AxisPointSink() = default;
-  AxisPointSink(const AxisPointSink&) = delete;
-  AxisPointSink& operator=(const AxisPointSink&) = delete;
-
   /// Where the axes stand before the first point, and anew when they go on after breaking off.
   virtual void start(const AxisPoint& /*at*/) {}
   virtual void take(const AxisPoint& point) = 0;

@@ -121,11 +121,11 @@ double largest_swing(double a, double b, Sector& sector) {
 
 }  // namespace
 
+Curve::Curve(Kind kind, const TipPoint& end, double length, std::size_t axes)
+    : kind_(kind), axes_(static_cast<std::uint8_t>(axes)), length_(length), end_(end) {}
+
 Curve Curve::line(const TipPoint& from, const TipPoint& to, double length, std::size_t axes) {
-  Curve curve;
-  curve.length_ = length;
-  curve.end_ = to;
-  curve.axes_ = static_cast<std::uint8_t>(axes);
+  Curve curve(Kind::line, to, length, axes);
   curve.c_[0] = from;
   for (std::size_t m = 0; m < axes; ++m)
     curve.c_[1].values[m] = (to.values[m] - from.values[m]) / length;
@@ -133,11 +133,7 @@ Curve Curve::line(const TipPoint& from, const TipPoint& to, double length, std::
 }
 
 Curve Curve::hermite(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
-  Curve curve;
-  curve.kind_ = Kind::quintic;
-  curve.length_ = length;
-  curve.end_ = to.value;
-  curve.axes_ = static_cast<std::uint8_t>(axes);
+  Curve curve(Kind::quintic, to.value, length, axes);
   const double l = length;
   for (std::size_t m = 0; m < axes; ++m) {
     const double p = from.value.values[m];
@@ -158,11 +154,7 @@ Curve Curve::hermite(const TipJet& from, const TipJet& to, double length, std::s
 }
 
 Curve Curve::cubic(const TipJet& from, const TipJet& to, double length, std::size_t axes) {
-  Curve curve;
-  curve.kind_ = Kind::cubic;
-  curve.length_ = length;
-  curve.end_ = to.value;
-  curve.axes_ = static_cast<std::uint8_t>(axes);
+  Curve curve(Kind::cubic, to.value, length, axes);
   for (std::size_t m = 0; m < axes; ++m) {
     const double v = from.first.values[m];
     const double d0 = (to.value.values[m] - from.value.values[m]) / length - v;
@@ -176,11 +168,7 @@ Curve Curve::cubic(const TipJet& from, const TipJet& to, double length, std::siz
 }
 
 Curve Curve::arc(const ArcShape& shape, const TipPoint& to, double length, std::size_t axes) {
-  Curve curve;
-  curve.kind_ = Kind::arc;
-  curve.length_ = length;
-  curve.end_ = to;
-  curve.axes_ = static_cast<std::uint8_t>(axes);
+  Curve curve(Kind::arc, to, length, axes);
   curve.c_[0] = shape.origin;
   curve.c_[1] = shape.slope;
   curve.c_[2] = shape.e1;

@@ -81,6 +81,8 @@ class Curve {
  private:
   enum class Kind : std::uint8_t { line, cubic, quintic, arc };
 
+  Curve(Kind kind, const base::TipPoint& end, double length, std::size_t axes);
+
   [[nodiscard]] base::TipPoint point(double s) const;
   template <std::size_t count>
   [[nodiscard]] std::array<double, count> coefficients(std::size_t axis) const;

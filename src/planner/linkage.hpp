@@ -3,19 +3,15 @@
 #include <optional>
 
 #include "base/axes.hpp"
+#include "base/interface.hpp"
 #include "base/path_jet.hpp"
 
 namespace kerf::planner {
 
 /// How the driven axes follow the tip, for machines whose axes are not those of the program. Who
 /// hands over motions has asked before whether they can be driven.
-class Linkage {
+class Linkage : public base::Interface {
  public:
-  Linkage() = default;
-  virtual ~Linkage() = default;
-  Linkage(const Linkage&) = delete;
-  Linkage& operator=(const Linkage&) = delete;
-
   /// Number of driven axes.
   [[nodiscard]] virtual std::size_t size() const = 0;
 

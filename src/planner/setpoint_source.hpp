@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/interface.hpp"
 #include "motion/motion.hpp"
 #include "motion/setpoint.hpp"
 #include "planner/overrides.hpp"
@@ -13,13 +14,8 @@ namespace kerf::planner {
 ///
 /// Points come in the order of their times. Each belongs to the motion that is under way or ends
 /// there; what follows a standstill begins with the point after it.
-class SetpointSource {
+class SetpointSource : public base::Interface {
  public:
-  SetpointSource() = default;
-  virtual ~SetpointSource() = default;
-  SetpointSource(const SetpointSource&) = delete;
-  SetpointSource& operator=(const SetpointSource&) = delete;
-
   [[nodiscard]] virtual bool room() const = 0;
   /// Precondition: room().
   virtual void take(const motion::Motion& motion) = 0;

@@ -103,12 +103,17 @@ def json_format(box):
         check(item["column"] > 0, f"column {item['column']} in line {item['line']}")
 
 
-@test("check as SARIF 2.1.0 has a run with a result per finding")
-def sarif_format(box):
+def check_good_and_wrong(box, form):
     box.write("wrong.nc", WRONG)
     box.write("good.nc", GOOD)
-    result = box.kerf("check", "good.nc", "wrong.nc", "--format", "sarif")
+    result = box.kerf("check", "good.nc", "wrong.nc", "--format", form)
     status(result, 1)
+    return result
+
+
+@test("check as SARIF 2.1.0 has a run with a result per finding")
+def sarif_format(box):
+    result = check_good_and_wrong(box, "sarif")
     document = json.loads(result.text)
     equal((document["version"], len(document["runs"])), ("2.1.0", 1), "version, runs")
     contains(document["$schema"], "sarif", "the schema")
@@ -129,10 +134,7 @@ def sarif_format(box):
 
 @test("check as JUnit has a test case per file, and the findings in those that failed")
 def junit_format(box):
-    box.write("wrong.nc", WRONG)
-    box.write("good.nc", GOOD)
-    result = box.kerf("check", "good.nc", "wrong.nc", "--format", "junit")
-    status(result, 1)
+    result = check_good_and_wrong(box, "junit")
     suite = xml.fromstring(result.out)
     equal((suite.tag, suite.get("tests"), suite.get("failures")), ("testsuite", "2", "1"), "suite")
     cases = suite.findall("testcase")

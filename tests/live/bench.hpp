@@ -16,6 +16,15 @@ using machine::Mode;
 using machine::Status;
 using machine::Switch;
 
+/// The words of a refusal; empty: it was done.
+inline std::string why(const base::Outcome<void>& outcome) {
+  return outcome ? std::string() : outcome.error().message;
+}
+
+#define EXPECT_DONE(outcome) EXPECT_EQ(::kerf::test::why(outcome), "")
+#define EXPECT_REFUSED(outcome, words) \
+  EXPECT_NE(::kerf::test::why(outcome).find(words), std::string::npos) << ::kerf::test::why(outcome)
+
 /// Keeps all set-points, and where sinks were told that the axes stand.
 class Points : public motion::AxisPointSink {
  public:
@@ -55,6 +64,28 @@ class Bench {
     EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
     return *this;
   }
+  /// Loads a program and presses cycle start.
+  Bench& start(const std::string& text) {
+    load(text);
+    EXPECT_DONE(machine_->perform(machine::CycleStart{}));
+    return *this;
+  }
+  /// And lets time pass.
+  Bench& start(const std::string& text, double seconds) {
+    start(text);
+    machine_->advance(seconds);
+    return *this;
+  }
+  /// Presses feed hold and waits for the axes to rest.
+  void hold() {
+    EXPECT_DONE(machine_->perform(machine::FeedHold{}));
+    EXPECT_EQ(settle(), Status::held);
+  }
+  /// Presses cycle start and waits for the end of the program.
+  void go_on_to_end() {
+    EXPECT_DONE(machine_->perform(machine::CycleStart{}));
+    EXPECT_EQ(settle(), Status::end);
+  }
   machine::Snapshot now() { return *machine_->snapshot(); }
   Status status() { return machine_->snapshot()->status; }
   double x() { return machine_->snapshot()->machine.values[0]; }
@@ -77,14 +108,5 @@ class Bench {
   machine::MachineDefinition definition_;
   std::optional<LiveMachine> machine_;
 };
-
-/// The words of a refusal; empty: it was done.
-inline std::string why(const base::Outcome<void>& outcome) {
-  return outcome ? std::string() : outcome.error().message;
-}
-
-#define EXPECT_DONE(outcome) EXPECT_EQ(::kerf::test::why(outcome), "")
-#define EXPECT_REFUSED(outcome, words) \
-  EXPECT_NE(::kerf::test::why(outcome).find(words), std::string::npos) << ::kerf::test::why(outcome)
 
 }  // namespace kerf::test

@@ -72,22 +72,19 @@ TEST(Jog, OfALinkageEndsWhereItsJointsEnd) {
 
 TEST(Jog, BetweenTwoBlocksTheProgramGoesOnFromWhereTheAxesAre) {
   Bench bench;
-  bench.load("O1\nG90G00X10.\nM00\nG91X5.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG90G00X10.\nM00\nG91X5.\nM30\n");
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
   EXPECT_DONE(bench->perform(JogBy{"X", 20, 600}));
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 35);
 }
 
 TEST(Jog, IsRefusedWhileCompensationHoldsAMove) {
   Bench bench;
-  bench.load("O1\nG10L12P1R5.\nG91G41D1G01X10.F600\nX10.\nM00\nX10.\nG40X10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG10L12P1R5.\nG91G41D1G01X10.F600\nX10.\nM00\nX10.\nG40X10.\nM30\n");
   ASSERT_EQ(bench.settle(), Status::stopped);
   EXPECT_DONE(bench->perform(SetMode{Mode::jog}));
   EXPECT_REFUSED(bench->perform(Jog{"X", 600}), "compensation");
@@ -138,8 +135,7 @@ TEST(TeachKeys, CapturedPointsMakeAProgramThatGoesThere) {
 
   Bench other("laser5", {.dialect = "teach"});
   other.load(taught->text, "taught.tch");
-  EXPECT_DONE(other->perform(CycleStart{}));
-  EXPECT_EQ(other.settle(), Status::end);
+  other.go_on_to_end();
   EXPECT_NEAR(other.now().machine.values[0], 20, 1e-6);
   EXPECT_NEAR(other.now().machine.values[1], 30, 1e-6);
 }

@@ -101,9 +101,7 @@ TEST(Journal, WhatARandomOperatorDidIsMadeAgain) {
 
 TEST(Journal, AMachineMadeAgainGoesOnAsTheOther) {
   Bench bench;
-  bench.load("O1\nN1G90G94G01X10.F600\nDPRNT[X#500[31]]\nM00\nX20.\n#500=5\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.4);
+  bench.start("O1\nN1G90G94G01X10.F600\nDPRNT[X#500[31]]\nM00\nX20.\n#500=5\nM30\n", 0.4);
   PointsOfRun points;
   auto other = made_again(journal_of(*bench), points);
   ASSERT_TRUE(other);
@@ -156,8 +154,7 @@ TEST(Journal, EveryKeyIsWritten) {
 
 TEST(Journal, TextThatIsNoUtf8StaysAsItIs) {
   Bench bench;
-  bench.load("O1\n(\xa4\x51)\nDPRNT[\xe9]\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n(\xa4\x51)\nDPRNT[\xe9]\nM30\n");
   bench.settle();
   PointsOfRun points;
   auto other = made_again(journal_of(*bench), points);
@@ -226,8 +223,7 @@ TEST(Journal, WhatItCannotHoldIsSaid) {
   };
   bench.load(std::string(LiveMachine::kMostJournalProgramBytes + 1, '\n'));
   EXPECT_NE(why().find("8 MiB"), std::string::npos) << why();
-  bench.load("O1\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nM30\n");
   EXPECT_EQ(why(), "");
   Bench nameless("mill3");
   const auto definition = *machine::find_machine("mill3");
@@ -238,9 +234,7 @@ TEST(Journal, WhatItCannotHoldIsSaid) {
 
 TEST(Journal, TheLimitEndsWhatGoesOnForEver) {
   Bench bench;
-  bench.load("O1\nN1G04X1000.\nGOTO1\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.1);
+  bench.start("O1\nN1G04X1000.\nGOTO1\nM30\n", 0.1);
   const std::string text =
       with(journal_of(*bench), "\"until\": [", "\"until\": [\n 90000000000],\n \"x\": [");
   const auto made = LiveMachine::from_journal(text, {}, {}, base::WorkLimit(0.2));

@@ -38,9 +38,7 @@ TEST(ALimit, ThatIsStoppedEndsAtOnce) {
 
 TEST(ALimit, LeavesARunThatCouldNotBeMadeAgainAsItIs) {
   Bench bench;
-  bench.load(kEndless);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.15);
+  bench.start(kEndless, 0.15);
   EXPECT_DONE(bench->perform(FeedHold{}));
   for (int i = 0; i < 100 && bench.status() != Status::held; ++i) bench->advance(0.05);
   bench->perform(Reset{});

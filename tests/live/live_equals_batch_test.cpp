@@ -176,8 +176,7 @@ TEST(LiveMachine, AClockThatAProgramReadsIsThatOfTheBatchRun) {
 
 TEST(LiveMachine, TheLineShownIsThatOfTheAxesNotThatOfTheControl) {
   Bench bench;
-  bench.load("O1\nG91G94G01X10.F600\nX10.\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG91G94G01X10.F600\nX10.\nX10.\nX10.\nM30\n");
   for (int i = 0; i < 600; ++i) {
     bench->advance(0.01);
     const machine::Snapshot shown = bench.now();
@@ -196,9 +195,7 @@ TEST(LiveMachine, TheLineShownIsThatOfTheAxesNotThatOfTheControl) {
 
 TEST(LiveMachine, ModalCodesAreThoseOfTheMotionUnderWay) {
   Bench bench;
-  bench.load("O1\nG91G01X10.F600\nG90G00X20.\nG55\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
+  bench.start("O1\nG91G01X10.F600\nG90G00X20.\nG55\nM30\n", 0.5);
   const auto has = [&](const std::string& code) {
     const auto modal = bench.now().modal;
     return std::find(modal.begin(), modal.end(), code) != modal.end();

@@ -25,8 +25,7 @@ TEST(Panel, CycleStartDoesNothingInModesThatRunNothing) {
 TEST(Panel, CycleStartNeedsAProgramAndNoAlarm) {
   Bench bench;
   EXPECT_REFUSED(bench->perform(CycleStart{}), "no program is loaded");
-  bench.load("O1\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG01X1.\nM30\n");
   EXPECT_EQ(bench.settle(), Status::alarm);
   EXPECT_REFUSED(bench->perform(CycleStart{}), "press reset first");
   ASSERT_TRUE(bench.now().alarm);
@@ -40,9 +39,7 @@ TEST(Panel, CycleStartNeedsAProgramAndNoAlarm) {
 
 TEST(Panel, WhileItRunsItRefusesWhatWouldDisturb) {
   Bench bench;
-  bench.load(kLong);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1);
+  bench.start(kLong, 1);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_REFUSED(bench->perform(SetMode{Mode::jog}), "while the machine is running");
   EXPECT_REFUSED(bench->perform(CycleStart{}), "running");
@@ -62,8 +59,7 @@ TEST(Panel, WhileItRunsItRefusesWhatWouldDisturb) {
   EXPECT_REFUSED(bench->perform(SetDials{100, 101, 100}), "0 to 100");
   EXPECT_REFUSED(bench->perform(SetDials{100, 100, 49}), "50 to 120");
   EXPECT_REFUSED(bench->perform(SetBlockSkip{1}), "levels 1 to 9");
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.hold();
   EXPECT_REFUSED(bench->perform(SetMode{Mode::jog}), "go on with cycle start");
 }
 
@@ -73,8 +69,7 @@ TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
   EXPECT_REFUSED(bench->perform(FeedHold{}), "nothing moves");
   EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(3);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.hold();
   const double held = bench.x();
   EXPECT_GT(held, 25);
   EXPECT_LT(held, 35);
@@ -82,8 +77,7 @@ TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
   bench->advance(5);
   EXPECT_EQ(bench.x(), held);
   EXPECT_EQ(bench.now().feed_actual_mm_min, 0);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 200);
 }
 
@@ -110,8 +104,7 @@ TEST(Panel, AFileWithoutBlocksHarmsNothingWhateverIsPressed) {
         EXPECT_NE(bench.settle(), Status::running);
         bench->perform(Reset{});
         bench.load("O1\nG91G01X10.F600\nM30\n", "part.nc", "fanuc-mill");
-        EXPECT_DONE(bench->perform(CycleStart{}));
-        EXPECT_EQ(bench.settle(), Status::end);
+        bench.go_on_to_end();
       }
     }
   }
@@ -119,8 +112,7 @@ TEST(Panel, AFileWithoutBlocksHarmsNothingWhateverIsPressed) {
 
 TEST(Panel, AnEmptyFileSaysSoAtCycleStart) {
   Bench bench;
-  bench.load("(hi)\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("(hi)\n");
   EXPECT_EQ(bench.settle(), Status::alarm);
   ASSERT_TRUE(bench.now().alarm);
   EXPECT_EQ(bench.now().alarm->code, "EMPTY_PROGRAM");
@@ -129,11 +121,8 @@ TEST(Panel, AnEmptyFileSaysSoAtCycleStart) {
 
 TEST(Panel, ADwellIsHeldAndTheRestOfItFollows) {
   Bench bench;
-  bench.load("O1\nG04X10.\nG91G00X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(4);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.start("O1\nG04X10.\nG91G00X1.\nM30\n", 4);
+  bench.hold();
   bench->advance(100);
   EXPECT_EQ(bench.x(), 0);
   EXPECT_DONE(bench->perform(CycleStart{}));
@@ -146,17 +135,14 @@ TEST(Panel, ADwellIsHeldAndTheRestOfItFollows) {
 
 TEST(Panel, ResetStopsOnTheWayAndTheControlKnowsWhere) {
   Bench bench;
-  bench.load(kLong);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(3);
+  bench.start(kLong, 3);
   bench->perform(Reset{});
   EXPECT_EQ(bench.settle(), Status::idle);
   const double at = bench.x();
   EXPECT_GT(at, 25);
   EXPECT_LT(at, 35);
   EXPECT_EQ(bench.now().work.values[0], at);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), at + 200);
 }
 
@@ -170,17 +156,14 @@ TEST(Panel, SingleBlockStopsBehindEachBlock) {
   EXPECT_DONE(bench->perform(CycleStart{}));
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.x(), 2);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
 }
 
 TEST(Panel, SingleBlockTurnedOnOnTheWayStopsBehindTheBlockUnderWay) {
   Bench bench;
   std::string blocks = "O1\nG91G94G64G01F600\n";
   for (int i = 0; i < 40; ++i) blocks += "X10.\n";
-  bench.load(blocks + "M30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(5.5);
+  bench.start(blocks + "M30\n", 5.5);
   const double before = bench.x();
   EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, true}));
   EXPECT_EQ(bench.settle(), Status::stopped);
@@ -192,8 +175,7 @@ TEST(Panel, SingleBlockTurnedOnOnTheWayStopsBehindTheBlockUnderWay) {
     EXPECT_NEAR(bench.x(), stopped + 10 * i, 1e-6);
   }
   EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, false}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 400);
 }
 
@@ -206,8 +188,7 @@ TEST(Panel, SingleBlockInBasicStopsBehindEveryStatement) {
     EXPECT_EQ(bench.settle(), Status::stopped);
     EXPECT_EQ(bench.x(), x);
   }
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
 }
 
 TEST(Panel, OptionalStopAndBlockSkipAreSwitches) {
@@ -243,8 +224,7 @@ TEST(Panel, UnderMachineLockThePositionCountsAndTheAxesStand) {
   bench->add_point_sink(points);
   bench.load("O1\nG91G01X50.F6000\nM30\n");
   EXPECT_DONE(bench->perform(TurnSwitch{Switch::machine_lock, true}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 50);
   EXPECT_GT(points.all.size(), 100U);
   for (const auto& point : points.all) {
@@ -320,8 +300,7 @@ TEST(Panel, MdiOfBasicIsNotTheProgramThatIsLoaded) {
 
 TEST(Panel, MdiIsRefusedWhileAProgramIsInterrupted) {
   Bench bench;
-  bench.load("O1\nM00\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nM00\nM30\n");
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
   EXPECT_REFUSED(bench->perform(EnterBlocks{"X1."}), "interrupted");
@@ -341,8 +320,7 @@ TEST(Panel, InputWaitsForALineOfTheOperator) {
 
 TEST(Panel, AnEndlessLoopWithoutMotionLeavesThePanelAlive) {
   Bench bench;
-  bench.load("O1\nN1 #100=#100+1\nGOTO1\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nN1 #100=#100+1\nGOTO1\n");
   for (int i = 0; i < 3; ++i) bench->advance(0.05);
   EXPECT_EQ(bench.status(), Status::running);
   bench->perform(Reset{});
@@ -358,8 +336,7 @@ TEST(Panel, OffsetsAndToolsAreEntered) {
   EXPECT_REFUSED(bench->perform(SetOffset{"G60", "X", 1}), "no offset");
   EXPECT_REFUSED(bench->perform(SetOffset{"G54", "Q", 1}), "no axis");
   EXPECT_REFUSED(bench->perform(SetOffset{"tool.5.colour", "", 1}), "no offset");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 12.5);
   EXPECT_EQ(bench.now().machine.values[2], 30);
   EXPECT_EQ(bench.now().work.values[0], 0);
@@ -404,8 +381,7 @@ TEST(Panel, AnAlarmOfADriveStopsTheAxesThereAndResetGoesOnFromThere) {
   Bench bench;
   Weak drive(bench);
   bench->add_point_sink(drive);
-  bench.load("O1\nG91G94G01X10.F600\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG91G94G01X10.F600\nX10.\nX10.\nM30\n");
   EXPECT_EQ(bench.settle(), Status::alarm);
   EXPECT_EQ(bench.now().alarm->code, "STEP_RATE");
   EXPECT_FALSE(bench.now().alarm->remedy.empty());
@@ -415,15 +391,13 @@ TEST(Panel, AnAlarmOfADriveStopsTheAxesThereAndResetGoesOnFromThere) {
   bench->perform(Reset{});
   EXPECT_EQ(bench.status(), Status::idle);
   EXPECT_EQ(bench.x(), stopped);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_NEAR(bench.x(), stopped + 30, 1e-9);
 }
 
 TEST(Panel, MessagesAreToldOnce) {
   Bench bench;
-  bench.load("O1\n#3006=1(LOOK)\nM00\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n#3006=1(LOOK)\nM00\nM30\n");
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.now().messages, std::vector<std::string>{"LOOK"});
   EXPECT_DONE(bench->perform(CycleStart{}));

@@ -67,8 +67,7 @@ TEST(PatternOnThePanel, StopsBehindEachRecordInSingleBlock) {
   }
   EXPECT_EQ(passed, (std::vector<std::string>{"F Z 200", "F T2 4000", "S 0 12 -7", "S 3 30 30",
                                               "F Z -200"}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   Replayed replayed;
   replay(bench->definition(), kListing, replayed);
   EXPECT_EQ(bench.now().joints, replayed.points.all.back().joints);
@@ -104,8 +103,7 @@ TEST(PatternOnThePanel, StepsAndRunsToALine) {
   EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.line(), 3U);
   EXPECT_DOUBLE_EQ(bench.now().joints.values[1], 4000 * 0.005);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
 }
 
 // 4000 pulses take 10 s; the ramp from 400 pulses/s needs 0.29 s.
@@ -159,8 +157,7 @@ TEST(PatternOnThePanel, BeginsWhereEveryMotorStandsAtItsZero) {
   EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
   Points again;
   bench->add_point_sink(again);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   Replayed replayed;
   replay(bench->definition(), kListing, replayed);
   EXPECT_EQ(again.all.back().joints, replayed.points.all.back().joints);
@@ -191,8 +188,7 @@ TEST(PatternOnThePanel, GoesHomeByItsMotors) {
   }
   EXPECT_DONE(bench->perform(SetMode{Mode::automatic}));
   EXPECT_DONE(bench->perform(TurnSwitch{Switch::single_block, false}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
 }
 
 // A straight way that a stretched arm cannot go is no way to the reference points.

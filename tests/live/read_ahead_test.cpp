@@ -59,8 +59,7 @@ double shown_last(Bench& bench) {
 
 TEST(ReadAhead, TheMemoryIsThatOfTheBlockThatIsMade) {
   Bench bench;
-  bench.load(kCounters);
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start(kCounters);
   double before = 0;
   for (int i = 0; i < 40; ++i) {
     bench->advance(0.05);
@@ -77,9 +76,7 @@ TEST(ReadAhead, TheMemoryIsThatOfTheBlockThatIsMade) {
 
 TEST(ReadAhead, ResetGoesBackToWhatThePanelShowed) {
   Bench bench;
-  bench.load(kCounters);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(2);
+  bench.start(kCounters, 2);
   bench->perform(Reset{});
   const double shown = shown_last(bench);
   EXPECT_EQ(bench.status(), Status::idle);
@@ -106,9 +103,7 @@ TEST(ReadAhead, ACounterBesideADwellCountsDwellsThatWereMade) {
 
 TEST(ReadAhead, AnAlarmOfADriveGoesBackToWhatThePanelShowed) {
   Bench bench;
-  bench.load(kCounters);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(2);
+  bench.start(kCounters, 2);
   const double shown = bench.value("#500");
   bench->perform(Raise{base::make_error(base::Code::timer_overflow, {}, "X")});
   bench->advance(0.01);
@@ -122,8 +117,7 @@ TEST(ReadAhead, AnAlarmOfADriveGoesBackToWhatThePanelShowed) {
 
 TEST(ReadAhead, AnAlarmOfTheProgramKeepsAllThatWasDoneBefore) {
   Bench bench;
-  bench.load("O1\n#500=1\nG91G01X10.F6000\n#500=2\nG01X10.\n#500=3\n#3000=1(NO)\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n#500=1\nG91G01X10.F6000\n#500=2\nG01X10.\n#500=3\n#3000=1(NO)\n");
   EXPECT_EQ(bench.settle(), Status::alarm);
   EXPECT_EQ(kept(bench), 3);
   bench->perform(Reset{});
@@ -132,8 +126,7 @@ TEST(ReadAhead, AnAlarmOfTheProgramKeepsAllThatWasDoneBefore) {
 
 TEST(ReadAhead, StopsAndTheEndKeepAll) {
   Bench bench;
-  bench.load("O1\nG91G01X10.F6000\n#500=2\nM00\n#500=3\nG01X10.\n#500=4\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG91G01X10.F6000\n#500=2\nM00\n#500=3\nG01X10.\n#500=4\nM30\n");
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(kept(bench), 2);
   EXPECT_DONE(bench->perform(SetVariable{"#501", 7}));
@@ -150,8 +143,7 @@ TEST(ReadAhead, StopsAndTheEndKeepAll) {
 TEST(ReadAhead, ALoopThatMovesNothingIsNotKeptBeforeTheMoveBehindItBegins) {
   Bench bench;
   EXPECT_DONE(bench->perform(SetVariable{"#500", 0}));
-  bench.load("O1\nG91G01X10.F600\nWHILE[#500LT1000000]DO1\n#500=#500+1\nEND1\nG01X10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG91G01X10.F600\nWHILE[#500LT1000000]DO1\n#500=#500+1\nEND1\nG01X10.\nM30\n");
   for (int i = 0; i < 5; ++i) {
     bench->advance(0.1);
     EXPECT_EQ(bench.value("#500"), 0);
@@ -160,15 +152,13 @@ TEST(ReadAhead, ALoopThatMovesNothingIsNotKeptBeforeTheMoveBehindItBegins) {
   bench->perform(Reset{});
   bench.settle();
   EXPECT_EQ(kept(bench), 0);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(kept(bench), 1000000);
 }
 
 TEST(ReadAhead, WhatWasWrittenAtRestIsKeptWhileTheControlWaits) {
   Bench bench;
-  bench.load("O1\nG91G01X1.F6000\n#500=5\n#1=#3001\nN1IF[#3001LT#1+60000]GOTO1\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\nG91G01X1.F6000\n#500=5\n#1=#3001\nN1IF[#3001LT#1+60000]GOTO1\nG01X1.\nM30\n");
   for (int i = 0; i < 20; ++i) bench->advance(0.1);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_EQ(bench.value("#500"), 5);
@@ -209,9 +199,7 @@ TEST(ReadAhead, WhatTheOperatorEntersIsKeptFromTheFirstInstantOfTheNextMove) {
 
 TEST(ReadAhead, NamesOfVariablesGoBackToo) {
   Bench bench;
-  bench.load("O1\nG91G01X100.F600\nSETVN510[AHEAD]\n#510=3\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1);
+  bench.start("O1\nG91G01X100.F600\nSETVN510[AHEAD]\n#510=3\nG01X1.\nM30\n", 1);
   EXPECT_TRUE(bench->memory().names.empty());
   EXPECT_TRUE(vm::is_null(bench.value("#510")));
   bench->perform(Reset{});
@@ -224,9 +212,7 @@ TEST(ReadAhead, NamesOfVariablesGoBackToo) {
 
 TEST(ReadAhead, CommonsThatSurviveTheResetGoBackToo) {
   Bench bench("mill3", {}, {{"CCV", "1"}});
-  bench.load("O1\n#100=1\nG91G01X100.F600\n#100=2\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1);
+  bench.start("O1\n#100=1\nG91G01X100.F600\n#100=2\nG01X1.\nM30\n", 1);
   EXPECT_EQ(bench.value("#100"), 1);
   bench->perform(Reset{});
   bench.settle();
@@ -236,11 +222,8 @@ TEST(ReadAhead, CommonsThatSurviveTheResetGoBackToo) {
 // What the operator has entered counts from then on, though no block has read it yet.
 TEST(ReadAhead, WhatTheOperatorEntersInAHoldIsShownAtOnceAndStays) {
   Bench bench;
-  bench.load("O1\n#500=1\n#501=1\nG91G01X100.F600\n#501=2\nG01X1.\n#500=3\nG01X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.start("O1\n#500=1\n#501=1\nG91G01X100.F600\n#501=2\nG01X1.\n#500=3\nG01X1.\nM30\n", 1);
+  bench.hold();
   EXPECT_DONE(bench->perform(SetVariable{"#500", 7}));
   EXPECT_DONE(bench->perform(SetVariable{"#502", 8}));
   EXPECT_DONE(bench->perform(SetVariable{"#500", 9}));
@@ -259,11 +242,8 @@ TEST(ReadAhead, WhatTheOperatorEntersInAHoldIsShownAtOnceAndStays) {
 
 TEST(ReadAhead, WhatTheProgramSetsBehindAnEntryCounts) {
   Bench bench;
-  bench.load("O1\n#500=1\nG91G61G01X10.F600\n#501=#500\nG01X10.\n#500=3\nG01X10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.start("O1\n#500=1\nG91G61G01X10.F600\n#501=#500\nG01X10.\n#500=3\nG01X10.\nM30\n", 0.5);
+  bench.hold();
   EXPECT_DONE(bench->perform(SetVariable{"#500", 7}));
   EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
@@ -279,8 +259,7 @@ TEST(ReadAhead, AVariableOfBasicIsShownAsItWasEntered) {
   bench.load("speed(10)\na=1\nline(100,0)\na=2\nline(200,0)\nend\n", "a.bas", "laser-basic");
   EXPECT_DONE(bench->perform(CycleStart{}));
   bench->advance(1);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.hold();
   EXPECT_DONE(bench->perform(SetVariable{"A", 7}));
   EXPECT_EQ(bench.value("A"), 7);
 }
@@ -296,8 +275,7 @@ TEST(ReadAhead, ASearchThatFindsNoLineChangesNoMemory) {
 // More changes ahead than the trail has entries for: what is kept is at most what was made.
 TEST(ReadAhead, ShortLinesThatJoinInOneAreCountedAsTheyAreMade) {
   Bench bench;
-  bench.load("O1\n#500=0\nG91G64\nWHILE[#500LT60000]DO1\n#500=#500+1\nG01X0.001F60\nEND1\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n#500=0\nG91G64\nWHILE[#500LT60000]DO1\n#500=#500+1\nG01X0.001F60\nEND1\nM30\n");
   for (int i = 0; i < 20; ++i) {
     bench->advance(0.25);
     const double made = std::round(bench.x() / 0.001);

@@ -8,9 +8,7 @@ constexpr const char* kWaits = "O1\nG91G01X5.F600\nWHILE[#1003EQ0]DO1\nG04P100\n
 
 TEST(Inputs, AProgramThatWaitsForOneGoesOnWhenItIsGiven) {
   Bench bench;
-  bench.load(kWaits);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(3);
+  bench.start(kWaits, 3);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_EQ(bench.x(), 5);
   EXPECT_DONE(bench->perform(SetVariable{"#1003", 1}));
@@ -20,25 +18,20 @@ TEST(Inputs, AProgramThatWaitsForOneGoesOnWhenItIsGiven) {
 
 TEST(Inputs, AreGivenInFeedHoldToo) {
   Bench bench;
-  bench.load(kWaits);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(3);
+  bench.start(kWaits, 3);
   EXPECT_DONE(bench->perform(FeedHold{}));
   bench->advance(0.2);
   EXPECT_EQ(bench.status(), Status::held);
   EXPECT_DONE(bench->perform(SetVariable{"#1003", 1}));
   bench->advance(1);
   EXPECT_EQ(bench.x(), 5);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 10);
 }
 
 TEST(Inputs, AreReadWhenTheAxesHaveComeToTheBlock) {
   Bench bench;
-  bench.load("O1\nG91G01X10.F600\nX10.\nIF[#1000EQ1]GOTO9\nY5.\nN9X10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1.9);
+  bench.start("O1\nG91G01X10.F600\nX10.\nIF[#1000EQ1]GOTO9\nY5.\nN9X10.\nM30\n", 1.9);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_DONE(bench->perform(SetInput{"#1000", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
@@ -52,8 +45,7 @@ TEST(Inputs, StayForTheProgramsThatFollow) {
   EXPECT_DONE(bench->perform(SetInput{"#1000", 1}));
   EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
   EXPECT_DONE(bench->perform(SetInput{"#1033", -2}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.value("#500"), 1);
   EXPECT_EQ(bench.value("#501"), 9);
   EXPECT_EQ(bench.value("#502"), -2);
@@ -74,9 +66,8 @@ TEST(Inputs, ThatDoNotExistOrAreNoNumbersAreRefused) {
 // The loop moves nothing and takes no time: only the journal knows how often it went round.
 TEST(Inputs, ALoopWithoutAnyMotionEndsAndAnInstantFindsItsPasses) {
   Bench bench;
-  bench.load(
+  bench.start(
       "O1\nG91G01X5.F600\n#500=0\nWHILE[#1003EQ0]DO1\n#500=#500+1\nEND1\nX5.\nG04X1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
   for (int i = 0; i < 40; ++i) bench->advance(0.05);
   EXPECT_EQ(bench.status(), Status::running);
   EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
@@ -94,9 +85,7 @@ TEST(Inputs, ALoopWithoutAnyMotionEndsAndAnInstantFindsItsPasses) {
 
 TEST(Inputs, AnInstantBeforeTheSignalIsInTheLoop) {
   Bench bench;
-  bench.load(kWaits);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(2);
+  bench.start(kWaits, 2);
   EXPECT_DONE(bench->perform(SetInput{"#1003", 1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ((*bench->state_at(1.5))->line, 4U);
@@ -110,27 +99,21 @@ constexpr const char* kCuts = "O1\n#100=1\nG91G61G01X10.F600\nX[#100]\n#100=3\nX
 
 TEST(VariablesUnderWay, AreSetInFeedHoldAndActOnTheNextBlock) {
   Bench bench;
-  bench.load(kCuts);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
+  bench.start(kCuts, 0.5);
   EXPECT_REFUSED(bench->perform(SetVariable{"#100", 7}), "while nothing moves");
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.hold();
   const double held = bench.x();
   EXPECT_DONE(bench->perform(SetVariable{"#100", 7}));
   EXPECT_EQ(bench.status(), Status::held);
   EXPECT_EQ(bench.x(), held);
   EXPECT_REFUSED(bench->perform(SetVariable{"#4711", 7}), "#4711");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 20);  // 10 + 7 + 3: what the program sets later counts then
 }
 
 TEST(VariablesUnderWay, AreSetInADwell) {
   Bench bench;
-  bench.load("O1\n#100=1\nG91G01X5.F600\nG04X2.\nX[#100]\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1.5);
+  bench.start("O1\n#100=1\nG91G01X5.F600\nG04X2.\nX[#100]\nM30\n", 1.5);
   EXPECT_DONE(bench->perform(SetVariable{"#100", 7}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 12);
@@ -138,14 +121,10 @@ TEST(VariablesUnderWay, AreSetInADwell) {
 
 TEST(VariablesUnderWay, OfTheLevelThatIsShown) {
   Bench bench;
-  bench.load("O1\nG65P2A1.\nG91G01X100.F6000\nM30\nO2\nG91G61G01X10.F600\nX#1\nM99\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
-  EXPECT_DONE(bench->perform(FeedHold{}));
-  EXPECT_EQ(bench.settle(), Status::held);
+  bench.start("O1\nG65P2A1.\nG91G01X100.F6000\nM30\nO2\nG91G61G01X10.F600\nX#1\nM99\n", 0.5);
+  bench.hold();
   EXPECT_DONE(bench->perform(SetVariable{"#1", 5}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 115);
 }
 
@@ -171,9 +150,7 @@ TEST(Interrupt, RunsItsProgramBehindTheBlockThatTheAxesAreIn) {
 
 TEST(Interrupt, ThatMeetsNoM96IsTold) {
   Bench bench;
-  bench.load(kInterruptible);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(3.5);  // behind M97
+  bench.start(kInterruptible, 3.5);  // behind M97
   EXPECT_DONE(bench->perform(Interrupt{}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.now().machine.values[1], 0);

@@ -141,8 +141,7 @@ TEST(Breakpoints, OfAVariableStopBehindTheBlockThatHasWrittenIt) {
   EXPECT_EQ(bench.now().breakpoint->written_line, 8U);
   EXPECT_EQ(bench.now().breakpoint->before, 1);
   EXPECT_EQ(bench.now().breakpoint->after, 6);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
 }
 
 TEST(Breakpoints, ALocalVariableIsThatOfItsLevel) {
@@ -175,8 +174,7 @@ TEST(Variables, AreMarkedThatChangedAndCanBeSet) {
   EXPECT_REFUSED(bench->perform(SetVariable{"101", 20}), "'#NUMBER'");
   EXPECT_REFUSED(bench->perform(SetVariable{"#1", 20, 3}), "no such level");
   EXPECT_DONE(bench->perform(SetVariable{"#100", std::nullopt}));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.value("#102"), 20);
   EXPECT_TRUE(vm::is_null(bench->memory().commons[0]));
 }
@@ -210,8 +208,7 @@ TEST(StepBack, UndoesSteps) {
 
 TEST(StepBack, GoesBackFromAnAlarmAndFromTheEnd) {
   Bench bench;
-  bench.load("O1\n#100=5\nG91G00X1.\n#100=#100/0\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n#100=5\nG91G00X1.\n#100=#100/0\nM30\n");
   EXPECT_EQ(bench.settle(), Status::alarm);
   EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.status(), Status::step);
@@ -236,8 +233,7 @@ TEST(StepBack, KeepsWhatTheOperatorDidBefore) {
   EXPECT_DONE(bench->perform(StepBack{}));
   EXPECT_EQ(bench.line(), 4U);
   EXPECT_EQ(bench.value("#101"), 7);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.value("#102"), 7);
 }
 
@@ -248,8 +244,7 @@ constexpr const char* kMacroOnTheWay =
 
 TEST(OnTheWay, VariablesAndCallsAreThoseOfTheMotion) {
   Bench bench;
-  bench.load(kMacroOnTheWay);
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start(kMacroOnTheWay);
   std::vector<std::uint64_t> revisions;
   for (const double a : {10.0, 20.0}) {
     for (int i = 0; i < 8; ++i) {
@@ -285,8 +280,7 @@ TEST(OnTheWay, VariablesOfBasicAreThoseOfTheMotion) {
 
 TEST(AnInstant, HasTheVariablesOfItsMotion) {
   Bench bench;
-  bench.load(kMacroOnTheWay);
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start(kMacroOnTheWay);
   EXPECT_EQ(bench.settle(), Status::end);
   const auto variable = [&](const std::string& name) {
     for (const auto& row : bench->variables_at_state().rows)
@@ -303,8 +297,7 @@ TEST(AnInstant, HasTheVariablesOfItsMotion) {
 
 TEST(AnInstant, IsTheStateThatTheRunHadThen) {
   Bench bench;
-  bench.load("O1\n#100=1\nG91G01X10.F600\n#100=2\n#1=#3001\nG00Y5.\nG04X1.\nX5.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start("O1\n#100=1\nG91G01X10.F600\n#100=2\n#1=#3001\nG00Y5.\nG04X1.\nX5.\nM30\n");
   struct Seen {
     double time_s;
     machine::Snapshot shown;
@@ -387,8 +380,7 @@ TEST(StartAt, RebuildsTheModesAndMovesNothingUntilCycleStart) {
   EXPECT_NE(std::find(modal.begin(), modal.end(), "G01"), modal.end());
   Points points;
   bench->add_point_sink(points);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 50);
   EXPECT_EQ(bench.now().tool, 5U);
   EXPECT_EQ(bench.now().spindle_rpm, 800);
@@ -411,8 +403,7 @@ TEST(StartAt, BringsTheAxesThereWithTheBeamOff) {
     EXPECT_DONE(bench->perform(StartAt{line}));
     Points points;
     bench->add_point_sink(points);
-    EXPECT_DONE(bench->perform(CycleStart{}));
-    EXPECT_EQ(bench.settle(), Status::end);
+    bench.go_on_to_end();
     ASSERT_FALSE(points.all.empty());
     for (const auto& point : points.all) {
       const bool there = point.tip.tip.values[0] > 30;
@@ -431,9 +422,7 @@ TEST(StartAt, TellsOfAnAlarmOnTheWay) {
 // obeyed it on their way there.
 TEST(Stepping, AStepBackKeepsASwitchThatTheAxesHaveObeyed) {
   Bench bench;
-  bench.load("O1\nG91G94G01X10.F600\n/Y1.\nX10.\n/Y1.\nM00\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(1.5);
+  bench.start("O1\nG91G94G01X10.F600\n/Y1.\nX10.\n/Y1.\nM00\nM30\n", 1.5);
   EXPECT_DONE(bench->perform(SetBlockSkip{1U << 1U}));
   ASSERT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.now().machine.values[1], 1);  // the second slash was not begun

@@ -11,14 +11,11 @@ constexpr const char* kStopAhead = "O1\nG21G90G94G01X10.F600\nX20.\nX30.\nM01\nX
 
 TEST(OptionalStop, SwitchedOnUnderWayStops) {
   Bench bench;
-  bench.load(kStopAhead);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.3);
+  bench.start(kStopAhead, 0.3);
   EXPECT_DONE(bench->perform(TurnSwitch{Switch::optional_stop, true}));
   EXPECT_EQ(bench.settle(), Status::stopped);
   EXPECT_EQ(bench.x(), 30);
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  EXPECT_EQ(bench.settle(), Status::end);
+  bench.go_on_to_end();
   EXPECT_EQ(bench.x(), 40);
 }
 
@@ -47,9 +44,7 @@ TEST(BlockSkip, SwitchedUnderWayActsOnTheSlashesThatTheAxesHaveNotBegun) {
     Bench bench;
     Points points;
     bench->add_point_sink(points);
-    bench.load(with_slashes(mode, 3));
-    EXPECT_DONE(bench->perform(CycleStart{}));
-    bench->advance(0.5);
+    bench.start(with_slashes(mode, 3), 0.5);
     EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
     EXPECT_EQ(bench.now().panel.skip_levels, kLevel1);
     bench->advance(1.2);  // in the second X10. now
@@ -65,9 +60,7 @@ TEST(BlockSkip, SwitchedUnderWayActsOnTheSlashesThatTheAxesHaveNotBegun) {
 
 TEST(BlockSkip, AnInstantAndAStepBackKnowWhatWasSwitchedWhen) {
   Bench bench;
-  bench.load(with_slashes("G61", 3));
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
+  bench.start(with_slashes("G61", 3), 0.5);
   EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   bench->advance(1.2);
   EXPECT_DONE(bench->perform(SetBlockSkip{0}));
@@ -90,9 +83,8 @@ TEST(BlockSkip, AnInstantAndAStepBackKnowWhatWasSwitchedWhen) {
 
 TEST(BlockSkip, WhereTheAxesCannotTurnOffAnyMoreTheNextSlashIsMeant) {
   Bench bench;
-  bench.load(
+  bench.start(
       "O1\nG21G91G94G64G01X10.F6000\n/X10.\nX10.\n/Y7.\nX0.1\nX10.\nX10.\nX10.\nX10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
   while (bench.x() < 9.9) bench->advance(0.001);
   EXPECT_LT(bench.x(), 10);
   EXPECT_GT(bench.now().feed_actual_mm_min, 3000);
@@ -105,8 +97,7 @@ TEST(BlockSkip, AThousandTinyBlocksAheadDoNotMatter) {
   Bench bench;
   std::string text = "O1\nG21G91G94G64G01X1.F3000\n";
   for (int i = 0; i < 2000; ++i) text += "/X0.05\n";
-  bench.load(text + "Y1.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
+  bench.start(text + "Y1.\nM30\n");
   while (bench.x() < 10) bench->advance(0.01);
   const double at = bench.x();
   EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
@@ -117,9 +108,7 @@ TEST(BlockSkip, AThousandTinyBlocksAheadDoNotMatter) {
 
 TEST(BlockSkip, OfAProgramWithoutSlashesIsOnlyASwitch) {
   Bench bench;
-  bench.load("O1\nG91G01X10.F600\nX10.\nM30\n");
-  EXPECT_DONE(bench->perform(CycleStart{}));
-  bench->advance(0.5);
+  bench.start("O1\nG91G01X10.F600\nX10.\nM30\n", 0.5);
   EXPECT_DONE(bench->perform(SetBlockSkip{kLevel1}));
   EXPECT_EQ(bench.settle(), Status::end);
   EXPECT_EQ(bench.x(), 20);
@@ -165,8 +154,7 @@ TEST(RandomSwitching, EachSlashAndEachOptionalStopObeysTheSwitchOfItsInstant) {
     Bench bench;
     Slashes seen;
     bench->add_point_sink(seen);
-    bench.load(rows());
-    EXPECT_DONE(bench->perform(CycleStart{}));
+    bench.start(rows());
     std::vector<Switching> skips{{-1, false}};
     std::vector<Switching> stops{{-1, false}};
     std::vector<double> stopped_at;

@@ -82,6 +82,16 @@ TEST(PathStore, NeverHoldsMoreThanItsBudget) {
   }
 }
 
+/// The store has left points out, and each sample is as near to the path that it has kept as it
+/// says.
+void expect_path_near(const PathStore& store, const std::vector<Point3>& samples) {
+  ASSERT_GT(store.tolerance(), 0);
+  const Path path = store.path();
+  for (const Point3& sample : samples) {
+    ASSERT_LE(distance(sample, path), PathStore::kMostOff * store.tolerance());
+  }
+}
+
 TEST(PathStore, EveryPointStaysWithinTheStatedDistanceOfThePathKept) {
   PathStore store;
   Pencil pencil(store);
@@ -92,12 +102,8 @@ TEST(PathStore, EveryPointStaysWithinTheStatedDistanceOfThePathKept) {
     pencil.to(next);
     if (i % 997 == 0) samples.push_back(next);
   }
-  ASSERT_GT(store.tolerance(), 0);
   EXPECT_LT(store.tolerance(), 0.1);
-  const Path path = store.path();
-  for (const Point3& sample : samples) {
-    ASSERT_LE(distance(sample, path), PathStore::kMostOff * store.tolerance());
-  }
+  expect_path_near(store, samples);
 }
 
 TEST(PathStore, ALongHatchStaysWithinTheStatedDistanceOfThePathKept) {
@@ -110,11 +116,7 @@ TEST(PathStore, ALongHatchStaysWithinTheStatedDistanceOfThePathKept) {
     pencil.to({x, y, 0});
     if (i % 401 == 0) samples.push_back({x, y, 0});
   }
-  ASSERT_GT(store.tolerance(), 0);
-  const Path path = store.path();
-  for (const Point3& sample : samples) {
-    ASSERT_LE(distance(sample, path), PathStore::kMostOff * store.tolerance());
-  }
+  expect_path_near(store, samples);
 }
 
 TEST(PathStore, ThePathKeptEndsWhereThePenIs) {

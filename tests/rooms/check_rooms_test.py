@@ -65,40 +65,37 @@ NOT_FOUND = {
 }
 
 
-def findings(path: str, text: str) -> list[str]:
+def findings(files: dict[str, str], links: dict[str, str] = LINKS) -> list[str]:
+    """What is found in a tree of the rooms `links`, with these files."""
     with tempfile.TemporaryDirectory() as folder:
         src = Path(folder) / "src"
-        for room, links in LINKS.items():
-            (src / room).mkdir(parents=True)
-            (src / room / "CMakeLists.txt").write_text(links)
-        (src / path).parent.mkdir(parents=True, exist_ok=True)
-        (src / path).write_text(text)
+        rooms = {f"{room}/CMakeLists.txt": call for room, call in links.items()}
+        readmes = {f"{room}/README.md": f"# {room}\n" for room in links}
+        for path, text in (rooms | readmes | files).items():
+            (src / path).parent.mkdir(parents=True, exist_ok=True)
+            (src / path).write_text(text)
         return check_rooms.check(Path(folder))[1]
 
 
 class Rules(unittest.TestCase):
+    def one_finding(self, wanted: str, found: list[str]) -> None:
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(wanted, found[0])
+
     def test_finds(self):
         for name, (path, text, wanted) in FOUND.items():
             with self.subTest(name):
-                found = findings(path, text)
-                self.assertEqual(len(found), 1, found)
-                self.assertIn(wanted, found[0])
+                self.one_finding(wanted, findings({path: text}))
 
     def test_leaves_alone(self):
         for name, (path, text) in NOT_FOUND.items():
             with self.subTest(name):
-                self.assertEqual(findings(path, text), [])
+                self.assertEqual(findings({path: text}), [])
 
     def test_a_folder_holds_so_many_classes(self):
         for count, found in ((check_rooms.MOST_CLASSES, 0), (check_rooms.MOST_CLASSES + 1, 1)):
-            with tempfile.TemporaryDirectory() as folder:
-                room = Path(folder) / "src/base"
-                room.mkdir(parents=True)
-                (room / "CMakeLists.txt").write_text("kerf_room()")
-                for i in range(count):
-                    for suffix in ("cpp", "hpp"):
-                        (room / f"class_{i}.{suffix}").write_text("")
-                self.assertEqual(len(check_rooms.check(Path(folder))[1]), found)
+            files = {f"base/class_{i}.{suffix}": "" for i in range(count) for suffix in ("cpp", "hpp")}
+            self.assertEqual(len(findings(files)), found)
 
     def test_a_class_has_one_source(self):
         one = "namespace kerf {\n\nvoid Mill::turn() {\n  Lathe::turn();\n}\n"
@@ -113,22 +110,19 @@ class Rules(unittest.TestCase):
             "void turn(Mill& mill) {\n  Mill::turn();\n}\n": 0,
         }
         for other, found in others.items():
-            with self.subTest(other), tempfile.TemporaryDirectory() as folder:
-                room = Path(folder) / "src/base"
-                (room / "internal").mkdir(parents=True)
-                (room / "CMakeLists.txt").write_text("kerf_room()")
-                (room / "mill.cpp").write_text(one)
-                (room / "internal/mill_more.cpp").write_text(other)
-                self.assertEqual(len(check_rooms.check(Path(folder))[1]), found)
+            with self.subTest(other):
+                files = {"base/mill.cpp": one, "base/internal/mill_more.cpp": other}
+                self.assertEqual(len(findings(files)), found)
 
     def test_a_room_may_not_link_one_below(self):
-        with tempfile.TemporaryDirectory() as folder:
-            room = Path(folder) / "src/base"
-            room.mkdir(parents=True)
-            (room / "CMakeLists.txt").write_text("kerf_room(LINKS kerf_control_gcode)\n")
-            found = check_rooms.check(Path(folder))[1]
-        self.assertEqual(len(found), 1)
-        self.assertIn("base may not link control/gcode", found[0])
+        found = findings({}, {"base": "kerf_room(LINKS kerf_control_gcode)\n"})
+        self.one_finding("base may not link control/gcode", found)
+
+    def test_a_room_has_a_short_readme(self):
+        most = check_rooms.MOST_README_LINES
+        self.one_finding("has no README.md", findings({"base/README.md": ""}))
+        self.one_finding(f"{most + 1} lines", findings({"base/README.md": "a line\n" * (most + 1)}))
+        self.assertEqual(findings({"base/README.md": "a line\n" * most}), [])
 
 
 if __name__ == "__main__":

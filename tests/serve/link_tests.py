@@ -62,24 +62,25 @@ def _(place):
     equal(client.settle()["status"], "idle", "status")
 
 
-@test("who has sent pings and falls silent lets go of the jog key")
-def _(place):
+def jogging_with_pings(place):
     client = place.serve().client().watch("mill")
     client.do("mode", mode="jog")
     client.do("ping")
     client.do("jog", axis="X", speed_mm_min=60)
     client.wait_for(lambda: client.state["status"] == "running", "the jog")
+    return client
+
+
+@test("who has sent pings and falls silent lets go of the jog key")
+def _(place):
+    client = jogging_with_pings(place)
     client.wait_for(lambda: client.state["status"] != "running", "its end")
     check(client.state["position"]["machine"]["X"] < 15, "not far")
 
 
 @test("pings keep a jog going")
 def _(place):
-    client = place.serve().client().watch("mill")
-    client.do("mode", mode="jog")
-    client.do("ping")
-    client.do("jog", axis="X", speed_mm_min=60)
-    client.wait_for(lambda: client.state["status"] == "running", "the jog")
+    client = jogging_with_pings(place)
     end = time.monotonic() + 5
     while time.monotonic() < end:
         client.do("ping")

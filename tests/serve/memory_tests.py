@@ -134,15 +134,21 @@ def _(place):
     check(0 < kept <= counted + 2, f"{kept} of {counted} are kept")
 
 
-@test("a full disk: what was not written is told, and is written when there is room")
-def _(place):
-    server = place.serve()
+def with_unsaved_memory(server):
+    """A client whose program has set offset and variable, and the full disk that they were not written to."""
     client = server.client().watch("mill")
     client.load("O1\n#500=42\nG10L2P1X10.\nM0\nM30\n")
     disk = Disk(server)
     disk.fill()
     start(client)
     client.wait_for(lambda: client.state.get("unsaved"), "the trouble")
+    return client, disk
+
+
+@test("a full disk: what was not written is told, and is written when there is room")
+def _(place):
+    server = place.serve()
+    client, disk = with_unsaved_memory(server)
     says(client.state["unsaved"], "memory.json")
     other = server.client().watch("mill", operate=False)
     check(other.state["unsaved"], "who comes later sees it, too")
@@ -156,12 +162,7 @@ def _(place):
 @test("a disk that was full is tried once more at the end")
 def _(place):
     server = place.serve()
-    client = server.client().watch("mill")
-    client.load("O1\n#500=42\nG10L2P1X10.\nM0\nM30\n")
-    disk = Disk(server)
-    disk.fill()
-    start(client)
-    client.wait_for(lambda: client.state.get("unsaved"), "the trouble")
+    _, disk = with_unsaved_memory(server)
     disk.free()
     equal(server.stop(), 0, "exit status")
     equal(first(place)[:2], (10, 42), "on the disk")

@@ -1,22 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { first_machine, is_at_home, machine_for } from '../src/logic/first_machine';
 import type { MachineEntry, ProgramKind } from '../src/logic/protocol';
+import { machine_entry } from './machine_entry';
 
 const machine = (
   name: string,
   definition: string,
   suits: ProgramKind[],
   operator: string | null = null,
-): MachineEntry => ({
-  name,
-  title: '',
-  definition,
-  status: 'idle',
-  program: null,
-  operator,
-  clients: 0,
-  suits,
-});
+): MachineEntry => machine_entry(name, definition, { suits, operator });
 const ARM = machine('arm', 'arm4', []);
 const LASER = machine('laser', 'laser3', ['laser', 'laser-basic']);
 const BIG = machine('big', 'mill5', ['mill']);

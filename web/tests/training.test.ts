@@ -11,17 +11,10 @@ import {
   with_score,
   words_of,
 } from '../src/logic/training';
+import { machine_entry } from './machine_entry';
 
-const machine = (name: string, definition: string, operator: string | null): MachineEntry => ({
-  name,
-  title: '',
-  definition,
-  status: 'idle',
-  program: null,
-  operator,
-  clients: 0,
-  suits: [],
-});
+const machine = (name: string, definition: string, operator: string | null): MachineEntry =>
+  machine_entry(name, definition, { operator });
 
 describe('the machine of an exercise', () => {
   const machines = [

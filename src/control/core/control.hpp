@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
+#include "base/interface.hpp"
 #include "base/place.hpp"
 #include "base/point.hpp"
 #include "control/core/assumptions.hpp"
@@ -53,13 +54,8 @@ struct BlockStart {
 };
 
 /// Asked before every block.
-class BlockGate {
+class BlockGate : public base::Interface {
  public:
-  BlockGate() = default;
-  virtual ~BlockGate() = default;
-  BlockGate(const BlockGate&) = delete;
-  BlockGate& operator=(const BlockGate&) = delete;
-
   /// False: the control halts before the block (Halt::gate). Run on, it executes the block without
   /// asking again.
   [[nodiscard]] virtual bool passes(const BlockStart& block) = 0;
@@ -67,15 +63,10 @@ class BlockGate {
 
 /// A control as its machine sees it: executes a program of its language and emits what the machine
 /// must do. How a program gets into it and is started is the matter of each.
-class Control {
+class Control : public base::Interface {
  public:
   /// Called at the beginning of each block with its file and line.
   using BlockObserver = std::function<void(base::FileId file, std::uint32_t line)>;
-
-  Control() = default;
-  virtual ~Control() = default;
-  Control(const Control&) = delete;
-  Control& operator=(const Control&) = delete;
 
   /// Runs on, at most about `instructions` steps, until something halts it, the receiver of the
   /// motions is not ready, or the budget is used up. Not after an end or an alarm.

@@ -46,7 +46,6 @@ class LaserControl final : public ProgramControl {
   [[nodiscard]] base::AxisVector work_origin() const override { return moves_.origin(); }
   void stand_at(const base::TipPoint& tip) override { moves_.stand_at(tip); }
   [[nodiscard]] bool can_be_moved() const override { return true; }
-  [[nodiscard]] std::string running_program() const override { return kName; }
   [[nodiscard]] ModalView modal() const override;
   [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override;
   void set_optional_stop(bool /*on*/) override {}

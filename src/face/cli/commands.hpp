@@ -11,23 +11,9 @@ namespace kerf::cli {
 
 enum class DiagnosticFormat : std::uint8_t { text, json };
 
-/// What the options of `kerf run` ask for; paths are empty when not asked for.
-struct RunOptions {
-  std::string program;
-  std::string machine;
-  std::string dialect;
-  std::vector<std::string> libraries;
-  std::vector<std::string> variables;     ///< "#100=5"
-  std::vector<std::string> parameters;    ///< "KEY=VALUE"
+/// What runs of programs and of patterns are asked for alike; paths are empty when not asked for.
+struct CommonOptions {
   std::vector<std::string> machine_keys;  ///< "KEY=VALUE"
-  std::string decimal_point;
-  std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
-  std::vector<double> interrupt_at;  ///< s of the run, each >= 0
-  std::string tools;
-  std::string offsets;
-  std::string state;
-  std::string block_skip;
-  bool optional_stop = false;
   double max_seconds = 60;
   std::uint64_t max_motions = 50'000'000;
   bool keep_partial = false;
@@ -37,16 +23,34 @@ struct RunOptions {
   std::string pulses;
   std::string pwm;
   std::string rows;
+  std::string post;
+  std::string plot;
+  DiagnosticFormat diagnostics = DiagnosticFormat::text;
+};
+
+/// What the options of `kerf run` ask for.
+struct RunOptions : CommonOptions {
+  std::string program;
+  std::string machine;
+  std::string dialect;
+  std::vector<std::string> libraries;
+  std::vector<std::string> variables;   ///< "#100=5"
+  std::vector<std::string> parameters;  ///< "KEY=VALUE"
+  std::string decimal_point;
+  std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
+  std::vector<double> interrupt_at;  ///< s of the run, each >= 0
+  std::string tools;
+  std::string offsets;
+  std::string state;
+  std::string block_skip;
+  bool optional_stop = false;
   std::string pattern;
   std::string pattern_plot;
-  std::string plot;
   bool plot_speed = false;
   bool plot_energy = false;
   std::string dprnt;
-  std::string post;
   std::string teach;
   std::string coverage;
-  DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };
 
 /// A run whose time is looked at; outputs are not asked for.
@@ -67,9 +71,8 @@ struct CheckOptions {
   std::string format = "text";
 };
 
-/// Patterns of the engraving arm as bytes, as text and on the machine; paths are empty when not
-/// asked for.
-struct PatternOptions {
+/// Patterns of the engraving arm as bytes, as text and on the machine.
+struct PatternOptions : CommonOptions {
   enum class Action : std::uint8_t { decode, encode, replay };
 
   Action action = Action::decode;
@@ -77,22 +80,9 @@ struct PatternOptions {
   std::string output;
   std::string byte_order;  ///< empty: that of the machine, else high byte first
   bool lenient = false;
-  DiagnosticFormat diagnostics = DiagnosticFormat::text;
   // Of a replay
   std::string machine = "arm4";
-  std::vector<std::string> machine_keys{};  ///< "KEY=VALUE"
   bool return_to_start = false;
-  double max_seconds = 60;
-  std::uint64_t max_motions = 50'000'000;
-  bool keep_partial = false;
-  std::string summary;
-  std::string motion;
-  std::string points;
-  std::string pulses;
-  std::string pwm;
-  std::string rows;
-  std::string post;
-  std::string plot;
 };
 
 /// What was done at a panel is done again.

@@ -11,9 +11,6 @@ namespace kerf::cli {
 /// holds. Returns its exit status.
 ExitStatus fail(const base::Failure& failure);
 
-/// A failure of wrong usage.
-[[nodiscard]] inline tl::unexpected<base::Failure> usage(const std::string& message) {
-  return tl::unexpected(base::Failure{base::Failure::Kind::usage, message});
-}
+using base::usage;
 
 }  // namespace kerf::cli

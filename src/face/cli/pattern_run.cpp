@@ -37,23 +37,11 @@ ExitStatus run_pattern(const RunOptions& options) {
     return fail({base::Failure::Kind::usage,
                  std::string(option) + " does not go with --dialect pattern: it is for programs"});
   PatternOptions replay;
+  static_cast<CommonOptions&>(replay) = options;
   replay.action = PatternOptions::Action::replay;
   replay.file = options.program;
   replay.output = options.pattern;
-  replay.diagnostics = options.diagnostics;
   if (!options.machine.empty()) replay.machine = options.machine;
-  replay.machine_keys = options.machine_keys;
-  replay.max_seconds = options.max_seconds;
-  replay.max_motions = options.max_motions;
-  replay.keep_partial = options.keep_partial;
-  replay.summary = options.summary;
-  replay.motion = options.motion;
-  replay.points = options.points;
-  replay.pulses = options.pulses;
-  replay.pwm = options.pwm;
-  replay.rows = options.rows;
-  replay.post = options.post;
-  replay.plot = options.plot;
   return pattern(replay);
 }
 

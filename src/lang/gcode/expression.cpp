@@ -140,38 +140,23 @@ Operand Expression::comparison() {
 }
 
 // sum = term { (+|-|OR|XOR) term }
-Operand Expression::sum() {
-  Operand left = term();
-  for (;;) {
-    const char sign = cursor_.peek();
-    const KeywordMatch match = next_operator();
-    if (sign == '+' || sign == '-') {
-      cursor_.advance();
-      const Operand right = term();
-      left = arithmetic(sign, left, right);
-    } else if (is_sum(match.keyword)) {
-      cursor_.advance(match.length);
-      const Operand right = term();
-      left = logic(match.keyword, left, right);
-    } else {
-      return left;
-    }
-  }
-}
+Operand Expression::sum() { return chain(&Expression::term, "+-", is_sum); }
 
 // term = signed { (*|/|AND|MOD) signed }
-Operand Expression::term() {
-  Operand left = signed_operand();
+Operand Expression::term() { return chain(&Expression::signed_operand, "*/", is_product); }
+
+Operand Expression::chain(Rule operand, std::string_view signs, bool (*joins)(Keyword)) {
+  Operand left = (this->*operand)();
   for (;;) {
     const char sign = cursor_.peek();
     const KeywordMatch match = next_operator();
-    if (sign == '*' || sign == '/') {
+    if (signs.find(sign) != std::string_view::npos) {
       cursor_.advance();
-      const Operand right = signed_operand();
+      const Operand right = (this->*operand)();
       left = arithmetic(sign, left, right);
-    } else if (is_product(match.keyword)) {
+    } else if (joins(match.keyword)) {
       cursor_.advance(match.length);
-      const Operand right = signed_operand();
+      const Operand right = (this->*operand)();
       left = logic(match.keyword, left, right);
     } else {
       return left;

@@ -59,6 +59,9 @@ class Expression {
   Operand comparison();
   Operand sum();
   Operand term();
+  /// Operands with one of `signs` or of the words that `joins` knows between them.
+  using Rule = Operand (Expression::*)();
+  Operand chain(Rule operand, std::string_view signs, bool (*joins)(Keyword));
   Operand signed_operand();
   Operand primary();
   Operand literal();

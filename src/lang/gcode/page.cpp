@@ -3,14 +3,6 @@
 #include <algorithm>
 
 namespace kerf::gcode {
-namespace {
-
-template <typename T>
-std::size_t bytes_of(const std::vector<T>& items) {
-  return items.capacity() * sizeof(T);
-}
-
-}  // namespace
 
 void GcodePage::clear() {
   clear_code();
@@ -37,9 +29,8 @@ std::string_view GcodePage::comment_of(std::uint32_t instruction) const {
 }
 
 std::size_t GcodePage::bytes() const {
-  return sizeof(*this) + bytes_of(instructions) + bytes_of(spans) + bytes_of(constants) +
-         bytes_of(regions) + bytes_of(marks) + bytes_of(words) + bytes_of(statements) +
-         bytes_of(labels) + bytes_of(failures) + bytes_of(comments) + bytes_of(print_items);
+  return sizeof(*this) + bytes_of_code() + bytes_of(words) + bytes_of(statements) +
+         bytes_of(labels) + bytes_of(comments) + bytes_of(print_items);
 }
 
 }  // namespace kerf::gcode

@@ -9,10 +9,6 @@ void TeachPage::clear() {
   last = false;
 }
 
-std::size_t TeachPage::bytes() const {
-  return instructions.capacity() * sizeof(vm::Instruction) + spans.capacity() * sizeof(vm::Span) +
-         failures.capacity() * sizeof(base::Diagnostic) + marks.capacity() * sizeof(vm::BlockMark) +
-         blocks.capacity() * sizeof(Block);
-}
+std::size_t TeachPage::bytes() const { return bytes_of_code() + bytes_of(blocks); }
 
 }  // namespace kerf::teach

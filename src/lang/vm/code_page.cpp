@@ -32,4 +32,9 @@ void CodePage::clear_code() {
   marks.clear();
 }
 
+std::size_t CodePage::bytes_of_code() const {
+  return bytes_of(instructions) + bytes_of(spans) + bytes_of(constants) + bytes_of(regions) +
+         bytes_of(failures) + bytes_of(marks);
+}
+
 }  // namespace kerf::vm

@@ -101,6 +101,13 @@ struct CodePage {
 
  protected:
   void clear_code();
+
+  /// Bytes that what is here occupies, for the budget of those who keep pages.
+  [[nodiscard]] std::size_t bytes_of_code() const;
+  template <typename T>
+  [[nodiscard]] static std::size_t bytes_of(const std::vector<T>& items) {
+    return items.capacity() * sizeof(T);
+  }
 };
 
 /// Where the interpreter gets its code from. Pages may be thrown away and made again between two

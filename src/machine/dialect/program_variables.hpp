@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/interface.hpp"
 #include "base/refusal.hpp"
 #include "base/result.hpp"
 #include "control/core/memory.hpp"
@@ -20,13 +21,8 @@ struct Variable {
 };
 
 /// The variables of a program as whoever watches it names them, and conditions on them.
-class ProgramVariables {
+class ProgramVariables : public base::Interface {
  public:
-  ProgramVariables() = default;
-  virtual ~ProgramVariables() = default;
-  ProgramVariables(const ProgramVariables&) = delete;
-  ProgramVariables& operator=(const ProgramVariables&) = delete;
-
   /// A condition of a breakpoint. Failure (usage): it is none in this language.
   [[nodiscard]] virtual base::Outcome<Condition> compile_condition(const std::string& text) = 0;
   /// Whether it holds where the program stands; nothing: it has no value there.

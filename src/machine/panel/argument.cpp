@@ -74,11 +74,8 @@ namespace {
 
 using base::Failure;
 using base::Outcome;
+using base::usage;
 using Kind = Argument::Kind;
-
-tl::unexpected<Failure> usage(const std::string& message) {
-  return tl::unexpected(Failure{Failure::Kind::usage, message});
-}
 
 std::string range_text(const Argument& argument) {
   const auto side = [](double value) {

@@ -12,15 +12,6 @@ constexpr std::size_t kWidth = 120;  // of the source text that is shown
 constexpr std::size_t kReach =
     4 * kWidth;  // bytes of it on either side: a character has up to four
 
-const char* severity_name(base::Severity severity) {
-  switch (severity) {
-    case base::Severity::error: return "error";
-    case base::Severity::warning: return "warning";
-    case base::Severity::note: return "note";
-  }
-  return "";
-}
-
 // Bytes of a valid UTF-8 character at `at`, or 0; 0 as well for the control characters U+0080 to
 // U+009F.
 std::size_t character_length(const std::string& text, std::size_t at) {
@@ -102,6 +93,15 @@ std::string excerpt(const base::Place& place, const base::SourceFile& file) {
 }
 
 }  // namespace
+
+const char* severity_name(base::Severity severity) {
+  switch (severity) {
+    case base::Severity::error: return "error";
+    case base::Severity::warning: return "warning";
+    case base::Severity::note: return "note";
+  }
+  return "";
+}
 
 std::string printable(const std::string& text) {
   std::string result;

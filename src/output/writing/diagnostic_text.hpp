@@ -16,6 +16,9 @@ namespace kerf::output {
 [[nodiscard]] std::string diagnostic_json(const base::Diagnostic& diagnostic,
                                           const base::SourceSet& sources);
 
+/// "error", "warning", "note".
+[[nodiscard]] const char* severity_name(base::Severity severity);
+
 /// Name of the file that a diagnostic speaks of; empty without one.
 [[nodiscard]] std::string file_name(const base::Diagnostic& diagnostic,
                                     const base::SourceSet& sources);

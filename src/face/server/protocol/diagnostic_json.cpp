@@ -5,18 +5,6 @@
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::server {
-namespace {
-
-const char* severity_name(base::Severity severity) {
-  switch (severity) {
-    case base::Severity::error: return "error";
-    case base::Severity::warning: return "warning";
-    case base::Severity::note: return "note";
-  }
-  return "";
-}
-
-}  // namespace
 
 std::string file_label(const std::string& path) {
   return output::printable(std::filesystem::path(path).filename().string());
@@ -24,7 +12,7 @@ std::string file_label(const std::string& path) {
 
 Json diagnostic_json(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
   Json json;
-  json["severity"] = severity_name(diagnostic.severity);
+  json["severity"] = output::severity_name(diagnostic.severity);
   json["code"] = diagnostic.number;
   json["message"] = output::printable(diagnostic.message);
   json["file"] = file_label(output::file_name(diagnostic, sources));

@@ -19,11 +19,8 @@ namespace {
 
 using base::Failure;
 using base::Outcome;
+using base::usage;
 namespace fs = std::filesystem;
-
-tl::unexpected<Failure> usage(const std::string& message) {
-  return tl::unexpected(Failure{Failure::Kind::usage, message});
-}
 
 tl::unexpected<Failure> refused(base::Refusal why, std::vector<std::string> values) {
   return tl::unexpected(base::refuse(why, std::move(values)));

@@ -1,21 +1,12 @@
 #include "machine/dialect/internal/basic_variables.hpp"
 
 #include <algorithm>
-#include <cctype>
 
+#include "base/language.hpp"
 #include "lang/vm/value.hpp"
 #include "machine/dialect/refused.hpp"
 
 namespace kerf::machine {
-namespace {
-
-std::string capitals(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
-}  // namespace
 
 void BasicVariables::begin() {
   for (const auto& [number, value] : first_values_) control_.set_variable(number, value);
@@ -45,7 +36,7 @@ std::optional<bool> BasicVariables::holds(Condition& condition) {
 }
 
 std::optional<double> BasicVariables::value(const std::string& name, std::size_t /*level*/) {
-  const auto number = program_.find_variable(capitals(name));
+  const auto number = program_.find_variable(base::capitals(name));
   if (!number) return std::nullopt;
   if (started_) return control_.variable(*number);
   const auto first = first_values_.find(*number);
@@ -53,7 +44,7 @@ std::optional<double> BasicVariables::value(const std::string& name, std::size_t
 }
 
 base::Outcome<void> BasicVariables::set(const std::string& name, double value) {
-  const auto number = program_.find_variable(capitals(name));
+  const auto number = program_.find_variable(base::capitals(name));
   if (!number) return refused(base::Refusal::no_program_variable);
   if (started_) {
     control_.set_variable(*number, value);
@@ -71,7 +62,7 @@ void BasicVariables::read(std::vector<double>& values) {
 
 void BasicVariables::put(std::vector<double>& values, const std::string& name, double value,
                          std::size_t /*level*/) const {
-  const auto number = program_.find_variable(capitals(name));
+  const auto number = program_.find_variable(base::capitals(name));
   if (number && *number < values.size()) values[*number] = value;
 }
 

@@ -10,30 +10,24 @@ using vm::Verdict;
 
 PatternControl::PatternControl(const PatternMachine& machine, PatternLibrary& library,
                                PatternQueue& records, motion::MotionSink& sink)
-    : machine_(machine),
+    : RecordControl(library, sink),
+      machine_(machine),
       records_(records),
-      sink_(sink),
-      motors_(machine, counted_),
-      interpreter_(library, *this, {}) {}
+      motors_(machine, counted_) {}
 
 void PatternControl::start(std::string name) {
-  name_ = std::move(name);
   motors_ = PatternMotors(machine_, counted_);
-  interpreter_.start(PatternLibrary::kProgram);
-  halt_ = Halt::none;
+  stand_at_head(PatternLibrary::kProgram, std::move(name));
   is_open_ = true;
 }
 
 void PatternControl::reset() {
-  alarms_.clear();
-  halt_ = Halt::none;
+  RecordControl::reset();
   is_open_ = false;
 }
 
 Halt PatternControl::run(std::uint64_t instructions) {
-  halt_ = Halt::none;
-  interpreter_.run(instructions);
-  if (alarms_.alarm()) halt_ = Halt::alarm;
+  RecordControl::run(instructions);
   is_open_ = halt_ != Halt::alarm && halt_ != Halt::end;
   return halt_;
 }
@@ -78,8 +72,7 @@ Verdict PatternControl::execute(const vm::CodePage& page, std::uint32_t block,
                      });
   if (last) good = good && command(*last, true);
   if (!good) return Verdict::stop;
-  if (single_block_) return halt_with(Halt::single_block, Verdict::pause);
-  return sink_.ready() ? Verdict::go_on : Verdict::pause;
+  return behind_record();
 }
 
 Verdict PatternControl::end_of_code() {
@@ -88,10 +81,5 @@ Verdict PatternControl::end_of_code() {
   hand_out(end);
   return halt_with(Halt::end, Verdict::stop);
 }
-
-// The library makes no code that reads, writes or calculates.
-Verdict PatternControl::read(double /*number*/, double& /*value*/) { return Verdict::stop; }
-Verdict PatternControl::write(double /*number*/, double /*value*/) { return Verdict::stop; }
-void PatternControl::fault(vm::Fault /*fault*/) {}
 
 }  // namespace kerf::machine

@@ -57,19 +57,12 @@ void PatternPage::clear() {
   last = false;
 }
 
-std::size_t PatternPage::bytes() const {
-  return instructions.capacity() * sizeof(vm::Instruction) + spans.capacity() * sizeof(vm::Span) +
-         failures.capacity() * sizeof(base::Diagnostic) + marks.capacity() * sizeof(vm::BlockMark) +
-         blocks.capacity() * sizeof(Block);
-}
+std::size_t PatternPage::bytes() const { return bytes_of_code() + bytes_of(blocks); }
 
 PatternLibrary::PatternLibrary(const base::SourceSet& sources, const vm::PageSettings& settings)
-    : sources_(sources), settings_(settings), pages_(settings) {}
+    : StraightProgram(settings), sources_(sources) {}
 
-void PatternLibrary::load(base::FileId file) {
-  file_ = file;
-  pages_ = vm::PageStore<PatternPage>(settings_);
-  next_page_ = 0;
+void PatternLibrary::rewind() {
   next_offset_ = 0;
   next_line_ = 1;
 }
@@ -80,7 +73,7 @@ void PatternLibrary::compile_line(const base::TextWindow::Line& line, std::uint3
       line.offset == 0 ? base::without_byte_order_mark(line.text) : line.text;
   const std::size_t first = std::min(line.text.find_first_not_of(" \t"), line.text.size());
   const std::size_t end = line.text.find_last_not_of(" \t", line.text.find('#') - 1) + 1;
-  base::Place place{.file = file_,
+  base::Place place{.file = file(),
                     .line = number,
                     .column = static_cast<std::uint32_t>(first + 1),
                     .line_start = line.offset};
@@ -99,15 +92,14 @@ void PatternLibrary::compile_line(const base::TextWindow::Line& line, std::uint3
   }
 }
 
-PatternPage& PatternLibrary::compile_next() {
-  PatternPage& page = pages_.make_room(kProgram, next_page_, false);
+void PatternLibrary::compile(PatternPage& page) {
   page.clear();
-  page.file = file_;
+  page.file = file();
   page.text_begin = next_offset_;
-  const base::SourceFile& file = sources_[file_];
-  window_.stand_at(file, file_, next_offset_, file.size());
+  const base::SourceFile& text = sources_[file()];
+  window_.stand_at(text, file(), next_offset_, text.size());
   const auto full = [&](std::uint32_t lines) {
-    return lines >= settings_.lines_per_page ||
+    return lines >= settings().lines_per_page ||
            window_.position() - page.text_begin >= kMostPageBytes;
   };
   base::TextWindow::Line line;
@@ -117,41 +109,6 @@ PatternPage& PatternLibrary::compile_next() {
   }
   next_offset_ = window_.position();
   emit(page, page.last ? Op::end_of_code : Op::next_page, 0, {});
-  ++next_page_;
-  return page;
-}
-
-// Asked for is the next page, or the first one again.
-PatternPage& PatternLibrary::page(vm::CodeId code, std::uint32_t number) {
-  if (PatternPage* const kept = pages_.find(code, number)) return *kept;
-  if (number < next_page_) {
-    next_page_ = 0;
-    next_offset_ = 0;
-    next_line_ = 1;
-  }
-  while (next_page_ < number) static_cast<void>(compile_next());
-  return compile_next();
-}
-
-std::optional<vm::Address> PatternLibrary::find_label(vm::CodeId /*code*/, vm::Address /*from*/,
-                                                      std::uint32_t /*label*/) {
-  return std::nullopt;
-}
-
-vm::Region PatternLibrary::resolve_region(vm::CodeId /*code*/, std::uint32_t /*page*/,
-                                          std::uint32_t /*region*/) {
-  return {};
-}
-
-void PatternLibrary::check(const std::string& program, base::Findings& found) {
-  for (std::uint32_t number = 0; !found.over(); ++number) {
-    const PatternPage& current = page(kProgram, number);
-    for (base::Diagnostic failure : current.failures) {
-      failure.program = program;
-      found.add(std::move(failure));
-    }
-    if (current.last) return;
-  }
 }
 
 }  // namespace kerf::machine

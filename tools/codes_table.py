@@ -13,9 +13,9 @@ TABLE = ROOT / "src/control/gcode/codes/mill_codes.def"
 PAGE = ROOT / "docs/dialect/codes.md"
 STRING = r'"((?:[^"\\]|\\.)*)"'
 G = re.compile(
-    rf"^G\((\d+), (\w+), (\w+), {STRING}, (\w+), (-?\d+), (\w+), {STRING},\s*{STRING}, {STRING}\)$", re.MULTILINE
+    rf"^(?:ALSO_)?G\((\d+), (\w+), (\w+), {STRING}, (\w+), (-?\d+), (\w+), {STRING},\s*{STRING}, {STRING}\)$", re.MULTILINE
 )
-M = re.compile(rf"^M\((\d+), (\w+), (\w+), {STRING}, {STRING}\)$", re.MULTILINE)
+M = re.compile(rf"^(?:ALSO_)?M\((\d+), (\w+), (\w+), {STRING}, {STRING}\)$", re.MULTILINE)
 HEAD = """<!-- Made by tools/codes_table.py from src/control/gcode/codes/mill_codes.def: change that, run this. -->
 # All codes
 
@@ -63,7 +63,7 @@ def rows(table: str) -> tuple[list[str], list[str]]:
 def page() -> str:
     table = TABLE.read_text(encoding="utf-8")
     codes, functions = rows(table)
-    written = len(re.findall(r"^[GM]\(\d", table, re.MULTILINE))
+    written = len(re.findall(r"^\w+\(", table, re.MULTILINE))
     if written != len(codes) + len(functions):
         raise SystemExit(f"{TABLE}: {written} rows, of which {len(codes) + len(functions)} can be read")
     return HEAD + "\n".join(codes) + "\n" + FUNCTIONS + "\n".join(functions) + "\n"

@@ -96,85 +96,13 @@ Read read_offset(const Arguments& a) {
 
 std::vector<OperationRow> make_table() {
   using namespace argument;
-  const Argument line = integer("line", kLines);
-  const Range offsets{-SetOffset::kMost, SetOffset::kMost};
   return {
-      {"mode", {choice("mode", mode_names())}, "Turns the mode switch.", read_mode},
-      {"cycle-start",
-       {},
-       "Starts the program, or goes on behind a stop or a feed hold.",
-       pressed<CycleStart>},
-      {"feed-hold", {}, "The axes come to rest on the path.", pressed<FeedHold>},
-      {"reset", {}, "Ends alarm and program; the axes come to rest.", pressed<Reset>},
-      {"interrupt",
-       {},
-       "Gives the interrupt signal of M96: its program runs behind the block that the axes are in. "
-       "One that meets no M96 in force is told among the messages.",
-       pressed<Interrupt>},
-      {"switch",
-       {choice("switch", switch_names()), flag("on")},
-       "Turns a switch of the panel.",
-       read_switch},
-      {"block-skip",
-       {integers("levels", SetBlockSkip::kLevels, "those that are on")},
-       "Sets the levels of block skip: /n. The axes obey them in the next block that they begin "
-       "and can still turn off to.",
-       read_block_skip},
-      {"override",
-       {number("feed", SetDials::kFeed, "percent", Need::optional),
-        number("rapid", SetDials::kRapid, "percent", Need::optional),
-        number("spindle", SetDials::kSpindle, "percent", Need::optional)},
-       "Sets overrides; those that are not named stay. That of the spindle is a laser's override "
-       "of power.",
-       read_override},
-      {"jog",
-       {name_of("axis"),
-        number("speed_mm_min", Jog::kSpeeds_per_min,
-               "°/min of a rotary axis; its sign is the direction"),
-        number("distance_mm", {0, JogBy::kMostDistance},
-               "° of a rotary axis; without it until jog-stop", Need::optional)},
-       "Moves an axis until jog-stop, the end of its travel, or the loss of the connection.",
-       read_jog},
-      {"jog-stop", {}, "Ends jogging.", pressed<JogStop>},
-      {"home", {}, "Moves all axes to their first reference points.", pressed<Home>},
-      {"mdi",
-       {text("text", EnterBlocks::kMostBytes)},
-       "Executes these blocks, in the mode mdi.",
-       read_mdi},
-      {"enter",
-       {text("text", EnterLine::kMostBytes)},
-       "Gives a line to the program that waits for input.",
-       read_enter},
-      {"step",
-       {choice("how", {kSteps[0], kSteps[1], kSteps[2], "back"})},
-       "Executes one block: with what it calls, into what it calls, until the end of the program "
-       "that is called, or back to the state before the last one.",
-       read_step},
-      {"run-to", {name_of("file"), line}, "Runs until this line is reached.", read_run_to},
-      {"start-at",
-       {line},
-       "Stands at this line of the program with the modal state that it would have there; nothing "
-       "moves until cycle-start.",
-       read_start_at},
-      {"breakpoints", {breakpoint_list()}, "Replaces all breakpoints.", read_breakpoints},
-      {"set-variable",
-       {name_of("name"), nullable("value", "null: vacant"),
-        integer("level", SetVariable::kLevels, "of the calls; otherwise the innermost",
-                Need::optional)},
-       "Changes a variable while nothing moves: at rest, held, in a dwell. The axes find it in the "
-       "next block that they begin. An input is set at any time.",
-       read_variable},
-      {"set-input",
-       {integer("input", SetInput::kInputs, "#1000 to #1015 and #1032 to #1035"),
-        number("value", SetInput::kValues, "a bit is on unless this is 0")},
-       "Sets an input signal, at any time; the program reads it when the axes have come to the "
-       "block. It stays for the programs that follow.",
-       read_input},
-      {"set-offset",
-       {name_of("offset", "G54, EXT, G54.1 P3, tool.5.length_geometry …"),
-        name_of("axis", "of a work offset", Need::optional), number("value", offsets, "mm or °")},
-       "Changes an offset.",
-       read_offset},
+#define ARGUMENTS(...) \
+  { __VA_ARGS__ }
+#define OPERATION(name, arguments, sentence, read) {name, arguments, sentence, read},
+#include "machine/panel/operations.def"
+#undef ARGUMENTS
+#undef OPERATION
   };
 }
 

@@ -4,117 +4,36 @@
 
 namespace kerf::control {
 
+// The tables of codes say what there is: each row G or M adds an enumerator of its name, so a name
+// has one such row in all tables together. Rows ALSO_G and ALSO_M give a further number, of this
+// dialect or of another one, to what has such a row. The order of the enumerators means nothing.
+
 /// What a G code means, whatever number it has in a dialect.
 enum class Meaning : std::uint8_t {
   none,
-  // motion
-  rapid,
-  line,
-  arc_clockwise,
-  arc_counterclockwise,
-  thread,
-  // a block of its own
-  dwell,
-  look_ahead_stop,
-  high_speed,
-  look_ahead_of_contours,
-  look_ahead,
-  exact_stop,
-  single_direction,
-  data_setting,
-  data_setting_end,
-  reference_check,
-  reference_return,
-  way_from_reference,
-  further_reference_return,
-  skip,
-  offset_move,
-  local_system,
-  machine_system,
-  preset,
-  clear_shifts,
-  macro_call,
-  // modes
-  plane_xy,
-  plane_zx,
-  plane_yz,
-  absolute,
-  incremental,
-  stroke_check_on,
-  stroke_check_off,
-  inverse_time,
-  per_minute,
-  per_revolution,
-  inch,
-  millimetre,
-  compensation_off,
-  compensation_left,
-  compensation_right,
-  length_plus,
-  length_minus,
-  length_off,
-  return_to_initial,
-  return_to_r,
-  scaling_off,
-  scaling_on,
-  modal_call,
-  modal_call_every_block,
-  modal_call_off,
-  surface_speed,
-  constant_rpm,
-  work_system,
-  further_work_system,
-  exact_stop_mode,
-  corner_override,
-  tapping_mode,
-  cutting_mode,
-  rotation_on,
-  rotation_off,
-  polar_off,
-  polar_on,
-  normal_direction_off,
-  in_feed_off,
-  in_feed_on,
-  polar_interpolation_off,
-  mirror_off,
-  mirror_on,
-  // cycles
-  cycle_off,
-  peck_chip_break,
-  tap_left,
-  fine_bore,
-  drill,
-  counterbore,
-  peck,
-  tap_right,
-  bore,
-  bore_spindle_stop,
-  back_bore,
-  bore_by_hand,
-  bore_dwell
+#define G(number, meaning, ...) meaning,
+#define ALSO_G(...)
+#define M(...)
+#define ALSO_M(...)
+#include "control/gcode/codes/mill_codes.def"
+#undef G
+#undef ALSO_G
+#undef M
+#undef ALSO_M
 };
 
 /// What an M code means.
 enum class Function : std::uint8_t {
   passed_on,  ///< nothing to the control
-  stop,
-  optional_stop,
-  end,
-  end_and_rewind,
-  spindle_clockwise,
-  spindle_counterclockwise,
-  spindle_stop,
-  spindle_orient,
-  tool_change,
-  mist,
-  flood,
-  coolant_off,
-  rigid_tapping,
-  interrupt_on,
-  interrupt_off,
-  call,
-  external_call,
-  return_
+#define G(...)
+#define ALSO_G(...)
+#define M(number, function, ...) function,
+#define ALSO_M(...)
+#include "control/gcode/codes/mill_codes.def"
+#undef G
+#undef ALSO_G
+#undef M
+#undef ALSO_M
 };
 
 }  // namespace kerf::control

@@ -8,19 +8,27 @@ constexpr CodeRow kCodes[] = {
 #define G(number, meaning, group, letters, words, value, power_on, effect, title, sentence) \
   {number, Meaning::meaning, Group::group, letters, AxisWords::words,                       \
    value,  power_on,         effect,       title,   sentence},
-#define M(number, function, moment, title, sentence)
+#define ALSO_G G
+#define M(...)
+#define ALSO_M M
 #include "control/gcode/codes/mill_codes.def"
 #undef G
+#undef ALSO_G
 #undef M
+#undef ALSO_M
 };
 
 constexpr FunctionRow kFunctions[] = {
-#define G(number, meaning, group, letters, words, value, power_on, effect, title, sentence)
+#define G(...)
+#define ALSO_G G
 #define M(number, function, moment, title, sentence) \
   {number, Function::function, Moment::moment, title, sentence},
+#define ALSO_M M
 #include "control/gcode/codes/mill_codes.def"
 #undef G
+#undef ALSO_G
 #undef M
+#undef ALSO_M
 };
 
 constexpr Meaning meaning_of(double code) {

@@ -8,7 +8,7 @@ namespace kerf::server {
 namespace {
 
 constexpr std::string_view kPreface =
-    R"md(<!-- Made by `kerf serve --protocol` from src/face/server/hub/commands.cpp and src/machine/panel/operation_table.cpp: change
+    R"md(<!-- Made by `kerf serve --protocol` from src/face/server/hub/commands.def and src/machine/panel/operations.def: change
 those, run this. -->
 
 # The panel's protocol

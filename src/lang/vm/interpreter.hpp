@@ -143,6 +143,8 @@ class Interpreter {
   };
 
   template <bool kTracing>
+  struct Loop;
+  template <bool kTracing>
   Stop run_loop(std::uint64_t instructions);
   void drop_left_regions(Address target);
   bool go_to_label(double label);

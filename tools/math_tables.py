@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Computes the tables of src/math by whole numbers of any length, and writes src/math/internal/tables.hpp.
+"""Computes the tables of src/math by whole numbers of any length, and writes the headers of them in src/math/internal.
 
 Every value is a pair of doubles: the nearest one, and the nearest to what is left.
 
-usage: math_tables.py [--check]      --check: exit 1 when the file differs from what would be written
+usage: math_tables.py [--check]      --check: exit 1 when a file differs from what would be written
 """
 
 import sys
 from fractions import Fraction
 from pathlib import Path
 
-FILE = Path(__file__).resolve().parent.parent / "src/math/internal/tables.hpp"
+FOLDER = Path(__file__).resolve().parent.parent / "src/math/internal"
 BITS = 400  # of a sum, behind the point
 ONE = 1 << BITS
 
@@ -144,30 +144,46 @@ def pi_of(bits: int) -> Fraction:
     return value
 
 
-def file_text() -> str:
-    angles = [Fraction(k, 64) for k in range(52)]
-    reciprocals = [reciprocal(i) for i in range(128)]
-    words = two_over_pi_words()
-    lines = [", ".join(words[i : i + 8]) for i in range(0, len(words), 8)]
+def header(tables: list[str]) -> str:
     return "\n".join(
         [
             "// Written by tools/math_tables.py; do not edit.\n// clang-format off\n#pragma once\n",
             "#include <cstdint>\n",
             '#include "math/internal/pair.hpp"\n',
             "namespace kerf::math {\n",
+            *tables,
+            "}  // namespace kerf::math\n",
+        ]
+    )
+
+
+def trigonometric_tables() -> str:
+    angles = [Fraction(k, 64) for k in range(52)]
+    words = two_over_pi_words()
+    lines = [", ".join(words[i : i + 8]) for i in range(0, len(words), 8)]
+    return header(
+        [
             constant("kPi", pair(PI))
             + constant("kHalfPi", pair(PI / 2))
-            + constant("kOverLn2", pair(1 / LN2))
-            + constant("kOverLn10", pair(1 / LN10))
-            + f"inline constexpr double kTwoOverPi = {text(float(2 / PI))};\n"
-            + f"inline constexpr double k64OverLn2 = {text(float(64 / LN2))};\n",
+            + f"inline constexpr double kTwoOverPi = {text(float(2 / PI))};\n",
             table("kHalfPiParts", "pi/2 in parts of 33 bits and a rest.", parts(PI / 2, 33, 3), "double"),
-            table("kLn2Parts", "ln 2 in a part of 42 bits and a rest.", parts(LN2, 42, 1), "double"),
-            table("kLn2Over64Parts", "ln 2 / 64 in parts of 36 bits and a rest.", parts(LN2 / 64, 36, 2), "double"),
             table("kTwoOverPiWords", "2/pi behind the point, 32 bits each.", lines, "std::uint32_t"),
             table("kSines", "sin(k/64).", [pair(sine_cosine(x)[0]) for x in angles]),
             table("kCosines", "cos(k/64).", [pair(sine_cosine(x)[1]) for x in angles]),
             table("kArctangents", "atan(k/64).", [pair(arctangent(Fraction(k, 64))) for k in range(65)]),
+        ]
+    )
+
+
+def exponential_tables() -> str:
+    reciprocals = [reciprocal(i) for i in range(128)]
+    return header(
+        [
+            constant("kOverLn2", pair(1 / LN2))
+            + constant("kOverLn10", pair(1 / LN10))
+            + f"inline constexpr double k64OverLn2 = {text(float(64 / LN2))};\n",
+            table("kLn2Parts", "ln 2 in a part of 42 bits and a rest.", parts(LN2, 42, 1), "double"),
+            table("kLn2Over64Parts", "ln 2 / 64 in parts of 36 bits and a rest.", parts(LN2 / 64, 36, 2), "double"),
             table("kPowersOf2", "2^(k/64).", [pair(exponential(LN2 * k / 64)) for k in range(64)]),
             table(
                 "kReciprocals",
@@ -176,20 +192,22 @@ def file_text() -> str:
                 "double",
             ),
             table("kLogarithms", "-ln(c) of kReciprocals.", [pair(-logarithm(c)) for c in reciprocals]),
-            "}  // namespace kerf::math\n",
         ]
     )
 
 
 def main() -> int:
-    wanted = file_text()
-    if "--check" not in sys.argv[1:]:
-        FILE.write_text(wanted, encoding="utf-8")
-        return 0
-    if FILE.read_text(encoding="utf-8") == wanted:
-        return 0
-    print(f"{FILE.name} is not what tools/math_tables.py writes", file=sys.stderr)
-    return 1
+    wanted = {"trigonometric_tables.hpp": trigonometric_tables(), "exponential_tables.hpp": exponential_tables()}
+    stale = []
+    for name, content in wanted.items():
+        file = FOLDER / name
+        if "--check" not in sys.argv[1:]:
+            file.write_text(content, encoding="utf-8")
+        elif not file.exists() or file.read_text(encoding="utf-8") != content:
+            stale.append(name)
+    for name in stale:
+        print(f"{name} is not what tools/math_tables.py writes", file=sys.stderr)
+    return 1 if stale else 0
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "math/internal/tables.hpp"
+#include "math/internal/exponential_tables.hpp"
 #include "math/math.hpp"
 
 namespace kerf::math {

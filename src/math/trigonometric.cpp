@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "math/internal/tables.hpp"
+#include "math/internal/trigonometric_tables.hpp"
 #include "math/math.hpp"
 
 namespace kerf::math {

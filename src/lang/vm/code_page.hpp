@@ -69,7 +69,13 @@ struct Span {
 /// The code of some consecutive blocks of a program, together with what maps it back to the text.
 /// A front end derives its own page type to keep with it what its blocks hold.
 struct CodePage {
+  CodePage() = default;
   virtual ~CodePage() = default;
+  // Pages change places without their contents being copied.
+  CodePage(const CodePage&) = default;
+  CodePage& operator=(const CodePage&) = default;
+  CodePage(CodePage&&) = default;
+  CodePage& operator=(CodePage&&) = default;
 
   CodeId code{};
   std::uint32_t number = 0;

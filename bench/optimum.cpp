@@ -36,7 +36,7 @@ class Grid {
     for (int i = 0; i < count; ++i) {
       const base::TipJet jet = piece.curve.jet(piece.begin + length * (i + 0.5) / count);
       Interval interval{length / count, jet.first, jet.second, 0, piece.stop && i + 1 == count};
-      double speed = piece.feed;
+      double speed = piece.speed.at(piece.curve, piece.begin + length * (i + 0.5) / count);
       for (std::size_t m = 0; m < axes_; ++m)
         speed = std::min(speed, limits_.velocity.values[m] / std::fabs(jet.first.values[m]));
       interval.most_z = speed * speed;

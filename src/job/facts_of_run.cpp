@@ -43,11 +43,12 @@ std::vector<RunFacts::Axis> axes_of(const BatchRun& machine) {
   const base::AxisVector work = at.numbers() - machine.control().work_origin();
   std::vector<RunFacts::Axis> list;
   for (std::size_t i = 0; i < axes.count(); ++i) {
+    const double count = axes.axes[i].count_per_mm();
     list.push_back({.letter = axes.axes[i].letter,
-                    .low = machine.statistics().low().values[i],
-                    .high = machine.statistics().high().values[i],
-                    .work = work.values[i],
-                    .machine = at.values[i]});
+                    .low = machine.statistics().low().values[i] * count,
+                    .high = machine.statistics().high().values[i] * count,
+                    .work = work.values[i] * count,
+                    .machine = at.values[i] * count});
   }
   return list;
 }

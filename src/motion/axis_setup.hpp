@@ -15,12 +15,16 @@ struct AxisConfig {
 
   char letter = 'X';
   bool rotary = false;         ///< degrees instead of millimetres
+  bool diameter = false;       ///< programs and records say twice the way from the centre
   double rapid_per_min = 0;    ///< mm/min or degrees/min, > 0
   double acceleration = 1000;  ///< mm/s² or degrees/s², > 0
   double jerk = kNoLimit;      ///< mm/s³ or degrees/s³, > 0
   double travel_min = 0;       ///< machine coordinates; used when min < max
   double travel_max = 0;
   std::array<double, 4> reference{};  ///< 1st to 4th reference point, machine coordinates
+
+  /// What people count while the axis moves by 1.
+  [[nodiscard]] double count_per_mm() const { return diameter ? 2 : 1; }
 };
 
 /// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
@@ -32,6 +36,15 @@ struct AxisSetup {
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }
+  /// A point or way as people count it, and the other way round.
+  [[nodiscard]] base::AxisVector counted(base::AxisVector mm) const {
+    for (std::size_t i = 0; i < axes.size(); ++i) mm.values[i] *= axes[i].count_per_mm();
+    return mm;
+  }
+  [[nodiscard]] base::AxisVector in_mm(base::AxisVector counted) const {
+    for (std::size_t i = 0; i < axes.size(); ++i) counted.values[i] /= axes[i].count_per_mm();
+    return counted;
+  }
   [[nodiscard]] std::optional<base::Axis> find(char letter) const {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (axes[i].letter == letter) return base::Axis{static_cast<std::uint8_t>(i)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -99,8 +100,13 @@ struct Spindle {
   enum class Mode : std::uint8_t { rpm, constant_surface_speed };
   Turning turning = Turning::stopped;
   Mode mode = Mode::rpm;
-  double speed = 0;    ///< rpm, or m/min with constant surface speed
-  double max_rpm = 0;  ///< with constant surface speed; 0: no limit
+  double speed = 0;     ///< rpm, or m/min with constant surface speed
+  double max_rpm = 0;   ///< with constant surface speed; 0: the program sets no limit
+  double most_rpm = 0;  ///< likewise, what the machine's spindle can do; 0: not known
+  /// With constant surface speed: the tip is at the radius that it is away from `centre` along this
+  /// axis, in mm as targets have them. None: the radius is not known, and the speed is known_rpm().
+  std::optional<base::Axis> radius_axis{};
+  double centre = 0;
   /// A cut without a way, where it is the beam of a laser: that goes on where it stands. Only for
   /// AxisSetup::beam.
   bool cuts_standing = false;
@@ -109,8 +115,16 @@ struct Spindle {
     return turning == Turning::clockwise || turning == Turning::counterclockwise;
   }
   [[nodiscard]] bool turns() const { return turns(turning); }
+  /// The speed depends on the tool's place.
+  [[nodiscard]] bool follows_radius() const {
+    return mode == Mode::constant_surface_speed && radius_axis && speed > 0;
+  }
+  /// The least limit with constant surface speed; 0: there is none.
+  [[nodiscard]] double limit_rpm() const {
+    return max_rpm > 0 && most_rpm > 0 ? std::min(max_rpm, most_rpm) : std::max(max_rpm, most_rpm);
+  }
   /// The speed as far as it is known without the tool's place: of a surface speed its limit.
-  [[nodiscard]] double known_rpm() const { return mode == Mode::rpm ? speed : max_rpm; }
+  [[nodiscard]] double known_rpm() const { return mode == Mode::rpm ? speed : limit_rpm(); }
 };
 
 struct Coolant {
@@ -138,10 +152,14 @@ struct Probe {
   bool contact = false;
 };
 
-/// Thread cut from here to `to`, synchronised with the spindle.
+/// Thread cut from here to `to`, synchronised with the spindle. Threads in a row are one: the first
+/// of them waits for the spindle's mark, and the spindle keeps the speed that it has there. Neither
+/// feed override nor feed hold act on them.
 struct Thread {
   base::TipPoint to;
-  double lead = 0;  ///< mm per revolution along the longer axis
+  double lead = 0;         ///< mm per revolution along the longer axis, at its begin
+  double lead_change = 0;  ///< and so much more with every revolution, mm
+  double angle_deg = 0;    ///< of the spindle behind its mark where the first one begins
 };
 
 /// M code without a meaning of its own for the control.

@@ -46,9 +46,11 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
       cell.piece = next_piece_;
       cell.dwell_s = piece.dwell_s;
       cell.stop = true;
-    } else if (linkage_ == nullptr) {
+    } else if (linkage_ != nullptr) {
+      if (!cut(piece, overrides, cells)) return;
+    } else if (piece.speed.is_constant()) {
       split(piece, overrides, cells);
-    } else if (!cut(piece, overrides, cells)) {
+    } else if (!cut_by_speed(piece, overrides, cells)) {
       return;
     }
   }
@@ -99,6 +101,30 @@ void CellMaker::split_inside(const PathPiece& piece, double begin, double end,
 }
 
 // False: there is no more room, and the piece goes on.
+bool CellMaker::cut_by_speed(const PathPiece& piece, const Overrides& overrides,
+                             Ring<Cell>& cells) {
+  has_cut_by_speed_ = true;
+  if (cells_of_piece_ == 0) {
+    begin_ = piece.begin;
+    border_ = limits_.border_mm(bounds_of(piece, piece.begin, piece.end));
+  }
+  for (; begin_ < piece.end; ++cells_of_piece_) {
+    if (cells.room() < kMostParts) return false;
+    const double end = piece.speed.part_end(piece.curve, begin_, most_end_of(piece));
+    CellBounds bounds = bounds_of(piece, begin_, end);
+    bounds.at_border = begin_ < piece.begin + border_ || end > piece.end - border_;
+    if (bounds.at_border) {
+      add(piece, begin_, end, bounds, overrides, cells);
+    } else {
+      split_inside(piece, begin_, end, bounds, overrides, cells);
+    }
+    begin_ = end;
+  }
+  cells_of_piece_ = 0;
+  return true;
+}
+
+// False: there is no more room, and the piece goes on.
 bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells) {
   if (cells_of_piece_ == 0) {
     begin_ = piece.begin;
@@ -144,7 +170,7 @@ double CellMaker::look(const PathPiece& piece, const JointSample& first, Stretch
   const bool fine = cells_of_piece_ < kMostFineCells;
   const double coarse = fine ? 0 : (piece.end - piece.begin) / kCoarseCells;
   for (double length = 2 * length_;; length = stretch.length() / 2) {
-    const double most = most_end_of(piece);
+    const double most = piece.speed.part_end(piece.curve, begin_, most_end_of(piece));
     // What would remain behind the cell must not be shorter than a cell.
     const bool last = begin_ + length + kShortest > most;
     const double end = last ? most : begin_ + length;
@@ -170,7 +196,8 @@ bool CellMaker::is_cell(const PathPiece& piece, const Stretch& stretch, const St
                         const CellBounds& bounds) const {
   if (!stretch.agrees()) return false;
   const double speed = limits_.highest_speed(bounds, piece.use);
-  if (speed >= kMostOverride * piece.feed) return true;
+  const double end = begin_ + stretch.length();
+  if (speed >= kMostOverride * piece.speed.mean(piece.curve, begin_, end)) return true;
   if (stretch.length() <= kFewPeriods * limits_.period_s() * speed) return true;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const CellBounds at = bounds_at(*stretch.samples()[i].rates, bends[i], bounds);
@@ -187,17 +214,18 @@ void CellMaker::add(const PathPiece& piece, double begin, double end, const Cell
   cell.end = end;
   cell.dwell_s = 0;
   cell.stop = piece.stop && end == piece.end;
-  cell.limits = limits_of(bounds, piece, overrides);
-  cell.overrides = cell.former_overrides = overrides;
   cell.bounds = bounds;
+  cell.limits = limits_of(cell, piece, overrides);
+  cell.overrides = cell.former_overrides = overrides;
 }
 
-PathLimits CellMaker::limits_of(const CellBounds& bounds, const PathPiece& piece,
+PathLimits CellMaker::limits_of(const Cell& cell, const PathPiece& piece,
                                 const Overrides& overrides) const {
-  if (piece.fixed_override) return limits_.of(bounds, piece.feed, piece.use);
-  if (!piece.rapid) return limits_.of(bounds, piece.feed * overrides.feed, piece.use);
-  const PathLimits full = limits_.of(bounds, piece.feed, piece.use);
-  return limits_.of(bounds, full.velocity * overrides.rapid, piece.use);
+  const double feed = piece.speed.mean(piece.curve, cell.begin, cell.end);
+  if (piece.fixed_override) return limits_.of(cell.bounds, feed, piece.use);
+  if (!piece.rapid) return limits_.of(cell.bounds, feed * overrides.feed, piece.use);
+  const PathLimits full = limits_.of(cell.bounds, feed, piece.use);
+  return limits_.of(cell.bounds, full.velocity * overrides.rapid, piece.use);
 }
 
 }  // namespace kerf::planner

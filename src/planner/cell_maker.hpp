@@ -14,7 +14,8 @@ namespace kerf::planner {
 
 /// Cuts the pieces of a path into cells. Where the driven axes are those of the program a piece is
 /// one cell, or some of equal length, besides one for each of its borders (CellLimits), and its
-/// curve has bounds of its own.
+/// curve has bounds of its own. Where the program's speed changes along a piece, cells are so short
+/// that it is nearly constant in each (motion::PathSpeed), and take as long as it says.
 ///
 /// Through a linkage the bounds come from samples. A cell is so short that these agree (Stretch),
 /// and that it is driven nearly as fast as its fastest place allows, or at twice the feed, or
@@ -37,12 +38,14 @@ class CellMaker {
 
   /// Makes cells of what has none yet, as far as there is room.
   void make(const Path& path, const Overrides& overrides, Ring<Cell>& cells);
-  /// The limits of a cell with these bounds under other overrides.
-  [[nodiscard]] PathLimits limits_of(const CellBounds& bounds, const PathPiece& piece,
+  /// The limits of a cell of this piece under other overrides.
+  [[nodiscard]] PathLimits limits_of(const Cell& cell, const PathPiece& piece,
                                      const Overrides& overrides) const;
 
   /// Number of the first piece that is not all cells yet.
   [[nodiscard]] std::uint64_t next_piece() const { return next_piece_; }
+  /// There has been a piece whose speed changes along it.
+  [[nodiscard]] bool has_cut_by_speed() const { return has_cut_by_speed_; }
   /// Pieces up to now need no cells.
   void skip_to(const Path& path);
   /// The driven axes stand here: where the next piece begins.
@@ -54,6 +57,7 @@ class CellMaker {
   void split_inside(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
                     const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double most_end_of(const PathPiece& piece) const;
+  bool cut_by_speed(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   bool cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double look(const PathPiece& piece, const JointSample& first, Stretch& stretch,
                             CellBounds& bounds) const;
@@ -66,6 +70,7 @@ class CellMaker {
   const CellLimits& limits_;
   const Linkage* linkage_;
   std::uint64_t next_piece_ = 0;
+  bool has_cut_by_speed_ = false;
   base::JointPoint joints_;  // at the begin of the next cell
 
   // Of the piece that is being cut.

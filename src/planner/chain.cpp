@@ -65,7 +65,7 @@ ChainSmoother::ChainSmoother(double tolerance_mm, std::size_t axes,
 
 void ChainSmoother::start(const TipPoint& from) {
   points_.clear();
-  points_.push({from, 0, 0, false, {}});
+  points_.push({from, 0, {}, {}});
   at_ = origin_ = points_.begin();
   node_known_ = false;
 }
@@ -84,10 +84,10 @@ bool ChainSmoother::accepts(const TipPoint& to, double length) const {
   return angle < kSharpestTurn_rad && std::max(length, last_length) * angle / 8 < tolerance_;
 }
 
-void ChainSmoother::add(const TipPoint& to, double length, double feed, bool fixed_override,
+void ChainSmoother::add(const TipPoint& to, double length, const Pace& pace,
                         const motion::Mark& mark) {
   const double way = points_.back().way + length;
-  points_.push({to, way, feed, fixed_override, mark});
+  points_.push({to, way, pace, mark});
 }
 
 // Value and derivatives, at the point `at`, of the parabola through three points in their order.
@@ -185,8 +185,7 @@ std::uint64_t ChainSmoother::furthest(std::uint64_t last) const {
   const std::uint64_t most = std::min({at_ + kLongestPiece, last, at_ + 2 * node_.spread});
   const Point& first = points_[at_ + 1];
   for (std::uint64_t n = at_ + 2; n <= most; ++n) {
-    const Point& p = points_[n];
-    if (p.feed != first.feed || p.fixed_override != first.fixed_override) return n - 1;
+    if (points_[n].pace != first.pace) return n - 1;
   }
   return most;
 }

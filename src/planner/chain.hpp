@@ -11,6 +11,15 @@
 
 namespace kerf::planner {
 
+/// How fast the program wants a move, as long as it is not known where on the path.
+struct Pace {
+  double value = 0;             ///< mm (degrees) a second, or mm per turn
+  bool per_turn = false;        ///< of a spindle whose speed follows the tip's radius
+  bool fixed_override = false;  ///< the operator cannot change it
+
+  bool operator==(const Pace&) const = default;
+};
+
 /// Makes one smooth curve of a chain of short lines, as they come from CAM systems: what was a
 /// curve before it was written as points becomes a curve again, free of the rounding of its points.
 ///
@@ -38,9 +47,8 @@ class ChainSmoother {
 
   struct Point {
     base::TipPoint at;
-    double way = 0;   ///< from the begin of the chain along the lines
-    double feed = 0;  ///< of the line that ends here
-    bool fixed_override = false;
+    double way = 0;  ///< from the begin of the chain along the lines
+    Pace pace;       ///< of the line that ends here
     motion::Mark mark;
   };
 
@@ -55,8 +63,7 @@ class ChainSmoother {
   void start(const base::TipPoint& from);
   /// Precondition: accepts(), or empty() and start() was called; room for one more is there after
   /// next() returned false.
-  void add(const base::TipPoint& to, double length, double feed, bool fixed_override,
-           const motion::Mark& mark);
+  void add(const base::TipPoint& to, double length, const Pace& pace, const motion::Mark& mark);
 
   /// The next piece; false when it needs more lines. With `ended` the chain ends at its last point,
   /// and after the last piece it is empty.

@@ -45,6 +45,9 @@ class LookAhead {
   /// Takes over the cells of the ring that it has not seen yet, as far as there is room.
   void absorb(const Ring<Cell>& cells);
 
+  /// Number of the first cell that has not been absorbed.
+  [[nodiscard]] std::uint64_t next_cell() const { return seen_; }
+
   /// Plans what is there. With `ended` nothing follows, and all of it is final; otherwise the first
   /// half is. False when the speed at the begin is too high for what follows, which happens only
   /// after begin_at(); nothing is final then.

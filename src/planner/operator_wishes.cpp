@@ -39,6 +39,7 @@ void OperatorWishes::forget_ahead() {
 
 void OperatorWishes::try_to_grant() {
   if (!held_ && !drive_.driving() && !drive_.standing()) return;  // starved on the way
+  if (wants_hold_ && !wants_reset_ && drive_.driving() && ahead_.is_in_thread()) return;
   const bool at_rest = held_ || !drive_.driving();
   if (at_rest && wants_hold_ && (!wants_whole_block_ || held_ || block_is_over()))
     return grant_at_rest();

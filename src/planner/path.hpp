@@ -5,6 +5,7 @@
 
 #include "motion/curve.hpp"
 #include "motion/mark.hpp"
+#include "motion/path_speed.hpp"
 #include "planner/cell_limits.hpp"
 #include "planner/ring.hpp"
 
@@ -14,12 +15,17 @@ namespace kerf::planner {
 struct PathPiece {
   double begin = 0;  ///< the part of the curve, by its parameter
   double end = 0;
-  double feed = 0;     ///< units of the parameter a second, > 0; infinite for rapids
-  double dwell_s = 0;  ///< > 0: the axes rest this long; there is no curve then
+  motion::PathSpeed speed;  ///< that the program wants, > 0; infinite for rapids
+  double dwell_s = 0;       ///< > 0: the axes rest this long; there is no curve then
+  /// > 0: a dwell until the spindle, at this speed, is `mark_deg` behind its mark; `dwell_s` is a
+  /// turn.
+  double mark_rpm = 0;
+  double mark_deg = 0;
   CellLimits::Use use = CellLimits::Use::path;
   bool rapid = false;
   bool fixed_override = false;  ///< the operator cannot change the feed
   bool stop = false;            ///< the axes come to rest at its end
+  bool thread = false;          ///< a feed hold waits for its end
   motion::Curve curve;
 };
 
@@ -30,6 +36,12 @@ struct PathMark {
   motion::Mark mark;
 };
 
+/// From where on the spindle has another speed: the axes rest there.
+struct SpindleChange {
+  std::uint64_t piece = 0;  ///< that begins there
+  double rpm = 0;           ///< < 0: it depends on the tip's place
+};
+
 /// The path ahead of the tool, and the motions that it belongs to.
 struct Path {
   static constexpr std::size_t kPieces = 2048;
@@ -37,6 +49,7 @@ struct Path {
 
   Ring<PathPiece> pieces{kPieces};
   Ring<PathMark> marks{kMarks};
+  Ring<SpindleChange> spindle_changes{2 * kPieces};
 };
 
 }  // namespace kerf::planner

@@ -5,12 +5,15 @@
 #include <limits>
 
 #include "motion/feed.hpp"
+#include "motion/spindle_speed.hpp"
+#include "motion/thread_speed.hpp"
 
 namespace kerf::planner {
 namespace {
 
 using base::TipPoint;
 using motion::Motion;
+using motion::PathSpeed;
 
 // Shares of the tolerance: what a smoothed chain may take, and what a corner beside one cannot.
 constexpr double kChainShare = 0.25;
@@ -34,18 +37,31 @@ PathBuilder::PathBuilder(const motion::AxisSetup& axes, const CellLimits& limits
       chain_(kChainShare * settings.tolerance_mm, axes.count(), norms_.linear, follower_),
       curves_(axes),
       path_(path),
-      at_(axes.start) {}
+      at_(axes.start),
+      keeps_spindle_angle_(settings.sampling == Sampling::planned) {}
 
 bool PathBuilder::room() const {
   return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
 }
 
-// Length of the path per second. A feed that cannot be told is no limit.
-double PathBuilder::speed_of(const motion::Feed& feed, double length) const {
+// Length of the path per second or turn. A feed that cannot be told is no limit.
+Pace PathBuilder::pace_of(const Motion& motion, const motion::Feed& feed, double length) const {
   const bool turned = feed.mode == motion::FeedMode::per_revolution;
-  const double speed =
-      motion::feed_per_minute(feed, length, speed_rpm_) * (turned ? spindle_override_ : 1) / 60;
-  return speed > 0 ? std::max(speed, kSlowest) : kInfinite;
+  if (turned && spindle_.follows_radius() && feed.value > 0)
+    return {std::max(feed.value * spindle_override_, kSlowest), true, motion.fixed_override};
+  const double speed = motion::feed_per_minute(feed, length, spindle_.known_rpm()) *
+                       (turned ? spindle_override_ : 1) / 60;
+  return {speed > 0 ? std::max(speed, kSlowest) : kInfinite, false, motion.fixed_override};
+}
+
+PathBuilder::Drive PathBuilder::drive_at(const Pace& pace) const {
+  return {
+      pace.per_turn ? PathSpeed::surface(spindle_, pace.value) : PathSpeed::constant(pace.value),
+      pace.fixed_override};
+}
+
+double PathBuilder::speed_at(const Pace& pace, const TipPoint& tip) const {
+  return pace.per_turn ? pace.value * motion::rpm_at(spindle_, tip) / 60 : pace.value;
 }
 
 motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, double speed) const {
@@ -61,6 +77,7 @@ motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, d
 void PathBuilder::take(const Motion& motion) {
   using namespace motion;
   ++motions_;
+  if (in_thread_ && motion::ends_thread(motion)) end_thread();
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     add_line(motion, line->to, line->feed);
   } else if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
@@ -73,14 +90,13 @@ void PathBuilder::take(const Motion& motion) {
     stop();
     add_line(motion, probe->to, probe->feed);
   } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
-    add_line(motion, thread->to, {thread->lead, FeedMode::per_revolution});
+    return add_thread(motion, *thread);
   } else if (const auto* const dwell = std::get_if<Dwell>(&motion.action)) {
     add_dwell(motion, dwell->seconds);
   } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
     power_ = *power;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
-    stop();
-    speed_rpm_ = spindle->known_rpm();
+    turn_spindle(*spindle);
   } else if (const auto* const change = std::get_if<ToolChange>(&motion.action)) {
     stop();
     tool_ = change->tool;
@@ -99,9 +115,8 @@ void PathBuilder::add_line(const Motion& motion, const TipPoint& to, const motio
   rotary_only_ = rotary_only;
   if (!chain_.empty() && !chain_.accepts(to, length)) drain_chain(true);
   if (chain_.empty()) chain_.start(at_);
-  const double speed = speed_of(feed, length);
-  chain_.add(to, length, speed, motion.fixed_override,
-             mark_of(motion, motion::MoveKind::cut, speed));
+  const Pace pace = pace_of(motion, feed, length);
+  chain_.add(to, length, pace, mark_of(motion, motion::MoveKind::cut, speed_at(pace, to)));
   at_ = to;
   drain_chain(tolerance_mm_ == 0);
 }
@@ -110,7 +125,8 @@ void PathBuilder::add_line(const Motion& motion, const TipPoint& to, const motio
 void PathBuilder::add_rapid(const Motion& motion, const motion::Rapid& rapid) {
   stop();
   rapid_ = true;
-  add_curves(curves_.of(at_, motion), mark_of(motion, motion::MoveKind::rapid), kInfinite, false);
+  add_curves(curves_.of(at_, motion), mark_of(motion, motion::MoveKind::rapid),
+             {PathSpeed::constant(kInfinite)});
   at_ = rapid.to;
   stop();
   rapid_ = false;
@@ -124,28 +140,78 @@ void PathBuilder::add_arc(const Motion& motion, const TipPoint& to, const motion
   drain_chain(true);
   double length = 0;
   for (const motion::Curve& curve : curves) length += curve.length();
-  const double speed = speed_of(feed, length);
-  add_curves(curves, mark_of(motion, motion::MoveKind::cut, speed), speed, motion.fixed_override);
+  const Pace pace = pace_of(motion, feed, length);
+  add_curves(curves, mark_of(motion, motion::MoveKind::cut, speed_at(pace, to)), drive_at(pace));
   at_ = to;
 }
 
 // The mark belongs to the last one.
 void PathBuilder::add_curves(std::span<const motion::Curve> curves,
-                             const motion::Mark& mark_of_last, double speed, bool fixed_override) {
+                             const motion::Mark& mark_of_last, const Drive& drive) {
   for (const motion::Curve& curve : curves) {
     if (&curve == &curves.back()) mark(curve.length(), mark_of_last);
-    add_curve(curve, speed, fixed_override, false);
+    add_curve(curve, drive, false);
   }
 }
 
 void PathBuilder::add_dwell(const Motion& motion, double seconds) {
   stop();
-  if (seconds <= 0) return;
+  if (seconds > 0) emit_dwell(motion, seconds);
+}
+
+PathPiece& PathBuilder::emit_dwell(const Motion& motion, double seconds) {
   mark(0, mark_of(motion, motion::MoveKind::dwell));
   place_marks(path_.marks.end(), 0, 0);
-  PathPiece& piece = emit(motion::Curve::line(at_, at_, 1, axes_.count()), 0, 1, 1);
+  PathPiece& piece =
+      emit(motion::Curve::line(at_, at_, 1, axes_.count()), 0, 1, {PathSpeed::constant(1)});
   piece.dwell_s = seconds;
   piece.stop = true;
+  return piece;
+}
+
+void PathBuilder::turn_spindle(const motion::Spindle& spindle) {
+  stop();
+  spindle_ = spindle;
+  if (!keeps_spindle_angle_) return;
+  Ring<SpindleChange>& changes = path_.spindle_changes;
+  const std::uint64_t next = path_.pieces.end();
+  if (changes.empty() || changes.back().piece < next) changes.push({next, 0});
+  constexpr double kNotKnown = -1;
+  const double speed = spindle.follows_radius() ? kNotKnown : spindle.known_rpm();
+  changes.back().rpm = spindle.turns() ? speed : 0;
+}
+
+// Threads in a row are one: no stop between them, and the speed of the spindle is that of the first
+// one's begin, also with constant surface speed.
+void PathBuilder::add_thread(const Motion& motion, const motion::Thread& thread) {
+  const auto curves = curves_.of(at_, motion);
+  if (curves.empty()) return;
+  if (rotary_only_) stop();
+  rotary_only_ = false;
+  drain_chain(true);
+  if (!in_thread_) begin_thread(motion, thread);
+  const motion::ThreadWay way(thread, at_, axes_);
+  const Drive drive{way.speed(thread_rpm_), true, true};
+  const double speed = drive.speed.at(curves.front(), 0);
+  add_curves(curves, mark_of(motion, motion::MoveKind::cut, speed), drive);
+  at_ = thread.to;
+  thread_stops_ = motion.exact_stop;
+}
+
+// It waits for the spindle's mark.
+void PathBuilder::begin_thread(const Motion& motion, const motion::Thread& thread) {
+  stop();
+  in_thread_ = true;
+  thread_rpm_ = motion::rpm_at(spindle_, at_) * spindle_override_;
+  if (!keeps_spindle_angle_ || !(thread_rpm_ > 0)) return;
+  PathPiece& piece = emit_dwell(motion, 60 / thread_rpm_);
+  piece.mark_rpm = thread_rpm_;
+  piece.mark_deg = thread.angle_deg;
+}
+
+void PathBuilder::end_thread() {
+  in_thread_ = false;
+  if (thread_stops_) stop();
 }
 
 void PathBuilder::drain_chain(bool ended) {
@@ -159,28 +225,28 @@ void PathBuilder::add_piece(const ChainSmoother::Piece& piece) {
   for (std::uint64_t n = piece.first + 1; n <= piece.last; ++n)
     mark(chain_.point(n).way - begin, chain_.point(n).mark);
   const ChainSmoother::Point& first = chain_.point(piece.first + 1);
-  add_curve(piece.curve, first.feed, first.fixed_override, piece.joined, piece.begin_off_mm,
-            piece.begin_turn, piece.end_turn);
+  add_curve(piece.curve, drive_at(first.pace), piece.joined, piece.begin_off_mm, piece.begin_turn,
+            piece.end_turn);
 }
 
 // The marks of the curve stand already behind those of the open one.
-void PathBuilder::add_curve(const motion::Curve& curve, double feed, bool fixed_override,
-                            bool joined, double begin_off_mm, double begin_turn, double end_turn) {
+void PathBuilder::add_curve(const motion::Curve& curve, const Drive& drive, bool joined,
+                            double begin_off_mm, double begin_turn, double end_turn) {
   double begin = 0;
   if (is_open_ && joined) {
     close_open(false);
   } else if (is_open_) {
     const double most = kMostOfCurve * std::min(open_.curve.length(), curve.length());
-    const double slower = std::min(open_.feed, feed);
     // What a smoothed chain leaves its lines near their end.
     const double near_it = 2 * most * std::max(open_.end_turn, begin_turn);
     const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
     // Between the legs of a rapid the axes may go anywhere, if it is they that are driven.
     const bool free = rapid_ && !follower_.linked();
-    const Passage passage{open_.feed, feed, most, free ? kInfinite : tolerance_mm_ - used};
+    const Passage passage{open_.drive.speed.at(open_.curve, open_.curve.length()),
+                          drive.speed.at(curve, 0), most, free ? kInfinite : tolerance_mm_ - used};
     const Corner corner = corners_.between(open_.curve, curve, passage);
     if (corner.kind == Corner::Kind::rounded) {
-      round(corner.rounding, slower * std::max(pitch_of(open_.curve), pitch_of(curve)));
+      round(corner.rounding, drive_of_corner(curve, drive, passage));
       begin = corner.rounding.reach;
     } else {
       close_open(corner.kind == Corner::Kind::sharp);
@@ -188,31 +254,38 @@ void PathBuilder::add_curve(const motion::Curve& curve, double feed, bool fixed_
   }
   open_.curve = curve;
   open_.begin = begin;
-  open_.feed = feed;
+  open_.drive = drive;
   open_.begin_turn = begin_turn;
   open_.end_turn = end_turn;
-  open_.fixed_override = fixed_override;
   open_.last_mark = path_.marks.end();
   is_open_ = true;
 }
 
 void PathBuilder::close_open(bool with_stop) {
   place_marks(open_.last_mark, open_.curve.length(), 0);
-  PathPiece& piece = emit(open_.curve, open_.begin, open_.curve.length(), open_.feed);
-  piece.fixed_override = open_.fixed_override;
-  piece.stop = with_stop;
+  emit(open_.curve, open_.begin, open_.curve.length(), open_.drive).stop = with_stop;
   is_open_ = false;
 }
 
-void PathBuilder::round(const Rounding& rounding, double feed) {
+// Between two curves, from the open one to the next. What a thread takes there is what both would.
+PathBuilder::Drive PathBuilder::drive_of_corner(const motion::Curve& out, const Drive& drive,
+                                                const Passage& passage) const {
+  if (open_.drive.thread && drive.thread) {
+    const double mean = 2 / (1 / passage.feed_in + 1 / passage.feed_out);
+    return {PathSpeed::constant(mean), true, true};
+  }
+  const PathSpeed slower =
+      PathSpeed::slower(open_.drive.speed, passage.feed_in, drive.speed, passage.feed_out);
+  return {slower.times(std::max(pitch_of(open_.curve), pitch_of(out))), open_.drive.fixed_override};
+}
+
+void PathBuilder::round(const Rounding& rounding, const Drive& drive) {
   const double end = open_.curve.length() - rounding.reach;
   place_marks(open_.last_mark, end, 0);
-  emit(open_.curve, open_.begin, end, open_.feed).fixed_override = open_.fixed_override;
+  emit(open_.curve, open_.begin, end, open_.drive);
   place_marks(open_.last_mark, open_.curve.length(), -end);
   place_marks(path_.marks.end(), rounding.reach, rounding.reach);
-  PathPiece& piece = emit(rounding.curve, 0, rounding.curve.length(), feed);
-  piece.use = CellLimits::Use::corner;
-  piece.fixed_override = open_.fixed_override;
+  emit(rounding.curve, 0, rounding.curve.length(), drive).use = CellLimits::Use::corner;
 }
 
 // Gives the next marks, up to number `last` and parameter `up_to`, to the piece that comes next.
@@ -250,16 +323,19 @@ double PathBuilder::pitch_of(const motion::Curve& curve) const {
   return curve.is_arc() ? std::max(1.0, way_in_space(curve, 0)) : 1;
 }
 
-PathPiece& PathBuilder::emit(const motion::Curve& curve, double begin, double end, double feed) {
+PathPiece& PathBuilder::emit(const motion::Curve& curve, double begin, double end,
+                             const Drive& drive) {
   PathPiece& piece = path_.pieces.push();
   piece.curve = curve;
   piece.begin = begin;
   piece.end = end;
-  piece.feed = feed / length_per_parameter(curve, begin, end);
-  piece.dwell_s = 0;
+  piece.speed = drive.speed.over(length_per_parameter(curve, begin, end));
+  piece.dwell_s = piece.mark_rpm = 0;
   piece.use = CellLimits::Use::path;
   piece.rapid = rapid_;
-  piece.fixed_override = piece.stop = false;
+  piece.fixed_override = drive.fixed_override;
+  piece.thread = drive.thread;
+  piece.stop = false;
   return piece;
 }
 
@@ -270,11 +346,12 @@ void PathBuilder::mark(double way, const motion::Mark& mark) {
 void PathBuilder::clear(const TipPoint& at) {
   at_ = at;
   chain_.start(at);
-  is_open_ = rapid_ = false;
+  is_open_ = rapid_ = in_thread_ = false;
   placed_ = path_.marks.end();
 }
 
 void PathBuilder::stop() {
+  in_thread_ = false;
   drain_chain(true);
   if (is_open_) close_open(true);
 }

@@ -42,43 +42,58 @@ class PathBuilder {
   [[nodiscard]] const base::TipPoint& at() const { return at_; }
   /// Forgets what it keeps back; the next motion begins at `at`.
   void clear(const base::TipPoint& at);
-  void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }
   /// What the operator makes of spindle speeds, > 0; feeds per revolution follow from the next
   /// motion on.
   void set_spindle_override(double factor) { spindle_override_ = factor; }
 
  private:
+  /// How a curve is driven.
+  struct Drive {
+    motion::PathSpeed speed;
+    bool fixed_override = false;
+    bool thread = false;
+  };
+
   /// A curve whose end is still open.
   struct Open {
     motion::Curve curve;
     double begin = 0;  // behind the rounding of the corner before
-    double feed = 0;
+    Drive drive;
     double begin_turn = 0;  // from the programmed line to the curve, at its begin and end
     double end_turn = 0;
-    bool fixed_override = false;
     std::uint64_t last_mark = 0;  // behind the marks of the curve
   };
 
   void add_line(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
   void add_rapid(const motion::Motion& motion, const motion::Rapid& rapid);
   void add_arc(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
+  void add_thread(const motion::Motion& motion, const motion::Thread& thread);
+  void begin_thread(const motion::Motion& motion, const motion::Thread& thread);
+  void end_thread();
+  void turn_spindle(const motion::Spindle& spindle);
   void add_curves(std::span<const motion::Curve> curves, const motion::Mark& mark_of_last,
-                  double speed, bool fixed_override);
+                  const Drive& drive);
   void add_dwell(const motion::Motion& motion, double seconds);
   void drain_chain(bool ended);
   void add_piece(const ChainSmoother::Piece& piece);
-  void add_curve(const motion::Curve& curve, double feed, bool fixed_override, bool joined,
+  void add_curve(const motion::Curve& curve, const Drive& drive, bool joined,
                  double begin_off_mm = 0, double begin_turn = 0, double end_turn = 0);
   void close_open(bool with_stop);
-  void round(const Rounding& rounding, double feed);
+  void round(const Rounding& rounding, const Drive& drive);
+  [[nodiscard]] Drive drive_of_corner(const motion::Curve& out, const Drive& drive,
+                                      const Passage& passage) const;
   [[nodiscard]] double way_in_space(const motion::Curve& curve, double at) const;
   [[nodiscard]] double pitch_of(const motion::Curve& curve) const;
   [[nodiscard]] double length_per_parameter(const motion::Curve& curve, double begin,
                                             double end) const;
-  PathPiece& emit(const motion::Curve& curve, double begin, double end, double feed);
+  PathPiece& emit(const motion::Curve& curve, double begin, double end, const Drive& drive);
+  PathPiece& emit_dwell(const motion::Motion& motion, double seconds);
   void mark(double way, const motion::Mark& mark);
   void place_marks(std::uint64_t last, double up_to, double shift);
-  [[nodiscard]] double speed_of(const motion::Feed& feed, double length) const;
+  [[nodiscard]] Pace pace_of(const motion::Motion& motion, const motion::Feed& feed,
+                             double length) const;
+  [[nodiscard]] Drive drive_at(const Pace& pace) const;
+  [[nodiscard]] double speed_at(const Pace& pace, const base::TipPoint& tip) const;
   [[nodiscard]] motion::Mark mark_of(const motion::Motion& motion, motion::MoveKind kind,
                                      double speed = 0) const;
 
@@ -96,8 +111,12 @@ class PathBuilder {
   bool rotary_only_ = false;  // the parameter counts degrees
   std::uint64_t placed_ = 0;  // marks before this one know their cell
   base::TipPoint at_;
-  double speed_rpm_ = 0;
+  motion::Spindle spindle_;
   double spindle_override_ = 1;
+  bool keeps_spindle_angle_;
+  double thread_rpm_ = 0;      // of the thread under way
+  bool in_thread_ = false;     // the last move was a thread
+  bool thread_stops_ = false;  // and the program wants a stop behind it
   motion::Power power_;
   std::uint32_t tool_ = 0;
   std::uint64_t motions_ = 0;  // taken

@@ -109,9 +109,10 @@ double PathSampler::way_of(const motion::Curve& curve) const {
 // As fast as the axes go where there is no feed, and with a period also where only rotary axes turn
 // (docs/motion.md, "Constant feed").
 double PathSampler::speed_of(const PathPiece& piece) const {
-  const bool has_feed = std::isfinite(piece.feed);
+  const double feed = piece.speed.mean(piece.curve, piece.begin, piece.end);
+  const bool has_feed = std::isfinite(feed);
   if (has_feed && !(is_periodic(settings_.sampling) && turns_in_place(piece.curve)))
-    return piece.fixed_override ? piece.feed : piece.feed * overrides_.feed;
+    return piece.fixed_override ? feed : feed * overrides_.feed;
   const AxisVector slope = piece.curve.bounds(piece.begin, piece.end).first;
   double speed = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < axes_.count(); ++m) {

@@ -137,7 +137,7 @@ bool Replanner::to_overrides(const PathState& from, const Overrides& wanted) {
     override_cells(first, wanted);
     trial_.begin_at(from.cell, from.offset, from.speed);
     trial_.absorb(cells);
-    if (trial_.plan(ahead_.ended)) return true;
+    if (trial_.plan(ahead_.is_seen_to_its_end(trial_))) return true;
     put_back_overrides(first);
     if (first == cells.end()) return false;
   }
@@ -159,8 +159,7 @@ void Replanner::put_back_overrides(std::uint64_t first) {
 void Replanner::set_overrides_of(std::uint64_t cell, const Overrides& overrides) {
   Cell& c = ahead_.cells[cell];
   c.overrides = overrides;
-  if (c.dwell_s == 0)
-    c.limits = ahead_.maker.limits_of(c.bounds, ahead_.path.pieces[c.piece], overrides);
+  if (c.dwell_s == 0) c.limits = ahead_.maker.limits_of(c, ahead_.path.pieces[c.piece], overrides);
 }
 
 }  // namespace kerf::planner

@@ -47,7 +47,38 @@ void SectionDrive::begin_phases(const Section& section) {
   cell_way_ = -offset_;
   cells_left_ = section_.cells;
   driving_ = true;
-  if (section_.dwell_s == 0) standing_ = false;
+  waiting_ = false;
+  if (!ahead_.path.spindle_changes.empty()) turn_spindle();
+  if (section_.dwell_s == 0) {
+    standing_ = false;
+  } else if (ahead_.path.pieces.front().mark_rpm > 0) {
+    begin_wait();
+  }
+}
+
+// The changes that come before the section.
+void SectionDrive::turn_spindle() {
+  Ring<SpindleChange>& changes = ahead_.path.spindle_changes;
+  while (!changes.empty() && changes.front().piece <= ahead_.path.pieces.begin()) {
+    spindle_.set_speed(changes.front().rpm, time_s());
+    changes.pop();
+  }
+}
+
+void SectionDrive::begin_wait() {
+  const PathPiece& piece = ahead_.path.pieces.front();
+  const double wait_s = spindle_.seconds_until(piece.mark_deg, time_s(), piece.mark_rpm);
+  const double whole = whole_part(wait_s / period_s_);
+  waiting_ = true;
+  wait_tick_ = tick_ + whole_periods(whole);
+  wait_late_s_ = std::max(0.0, wait_s - whole * period_s_);
+}
+
+// What follows begins when the mark passes, which is rarely at a period.
+void SectionDrive::end_wait() {
+  rest_at(wait_tick_);
+  phase_late_s_ = wait_late_s_;
+  end();
 }
 
 void SectionDrive::end() {
@@ -107,11 +138,25 @@ void SectionDrive::fill(motion::Setpoint& point, double way) {
   point = {time_s(), tip_, mark_};
 }
 
-SectionDrive::Step SectionDrive::next_of_dwell(motion::Setpoint& point) {
+void SectionDrive::fill_at_rest(motion::Setpoint& point) {
   ++tick_;
   ahead_.leave_marks(0);
   if (!ahead_.path.marks.empty()) mark_ = ahead_.path.marks.front().mark;
   point = {time_s(), tip_, mark_};
+}
+
+SectionDrive::Step SectionDrive::next_of_wait(motion::Setpoint& point) {
+  if (tick_ < wait_tick_) {
+    fill_at_rest(point);
+    return Step::point;
+  }
+  end_wait();
+  return Step::over;
+}
+
+SectionDrive::Step SectionDrive::next_of_dwell(motion::Setpoint& point) {
+  if (waiting_) return next_of_wait(point);
+  fill_at_rest(point);
   if (tick_ < phase_tick_ + ticks_until(section_.dwell_s)) return Step::point;
   rest_at(tick_);
   end();
@@ -159,6 +204,10 @@ void SectionDrive::stand(motion::Setpoint& point) {
 }
 
 void SectionDrive::skip() {
+  if (waiting_) {
+    end_wait();
+    return ahead_.leave_marks(0);
+  }
   if (section_.dwell_s > 0) {
     rest_at(phase_tick_ + ticks_until(section_.dwell_s));
   } else {

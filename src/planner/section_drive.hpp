@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "motion/setpoint.hpp"
+#include "motion/spindle_angle.hpp"
 #include "planner/path_state.hpp"
 #include "planner/profile.hpp"
 #include "planner/way_ahead.hpp"
@@ -60,6 +61,8 @@ class SectionDrive {
 
  private:
   void begin_phases(const Section& section);
+  void turn_spindle();
+  void begin_wait();
   void end();
   void end_phase(const Phase& phase);
   void rest_at(std::uint64_t tick);
@@ -68,6 +71,9 @@ class SectionDrive {
   [[nodiscard]] std::uint64_t ticks_until(double time_s) const;
   [[nodiscard]] bool find_place(double& way);
   [[nodiscard]] Step next_of_dwell(motion::Setpoint& point);
+  [[nodiscard]] Step next_of_wait(motion::Setpoint& point);
+  void end_wait();
+  void fill_at_rest(motion::Setpoint& point);
 
   WayAhead& ahead_;
   double period_s_;
@@ -83,6 +89,10 @@ class SectionDrive {
   double cell_way_ = 0;           // at the begin of the cell, from that of the section
   double offset_ = 0;
   std::uint64_t cells_left_ = 0;  // that end within the section
+  motion::SpindleAngle spindle_;
+  bool waiting_ = false;         // the section is one of PathPiece::mark_rpm;
+  std::uint64_t wait_tick_ = 0;  // the last period before its end,
+  double wait_late_s_ = 0;       // and how long after that it ends
 
   std::uint64_t tick_ = 0;
   base::TipPoint tip_;

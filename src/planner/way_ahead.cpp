@@ -32,7 +32,7 @@ bool WayAhead::next_section(const Overrides& overrides, Section& section) {
     maker.make(path, overrides, cells);
     plan.absorb(cells);
     if (plan.empty() || (!ended && builder.room())) return false;
-    if (!plan.plan(ended) || !plan.has_planned()) return false;
+    if (!plan.plan(is_seen_to_its_end(plan)) || !plan.has_planned()) return false;
   }
   plan.take(section);
   return true;

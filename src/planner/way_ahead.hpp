@@ -27,6 +27,17 @@ struct WayAhead {
   /// The next planned section, of cells made with these overrides. False when what is known of the
   /// path is not enough.
   [[nodiscard]] bool next_section(const Overrides& overrides, Section& section);
+  /// Nothing follows what this plan has. Of constant speeds that is said of all that it has room
+  /// for, once nothing is to come: the axes may rest there once. Speeds that change along the path
+  /// have so many cells that they would do so often.
+  [[nodiscard]] bool is_seen_to_its_end(const LookAhead& seen) const {
+    if (!maker.has_cut_by_speed()) return ended;
+    return ended && maker.next_piece() >= path.pieces.end() && seen.next_cell() >= cells.end();
+  }
+  /// The piece under way is of a thread, which nothing interrupts.
+  [[nodiscard]] bool is_in_thread() const {
+    return !path.pieces.empty() && path.pieces[path.pieces.begin()].thread;
+  }
   /// The first cell is driven, and the pieces before the next one with it.
   void leave_cell();
   /// The motions are over that end before `at` of the first piece, by its parameter.

@@ -31,6 +31,14 @@ def a_parallel_axis(box):
     alarm(on_four_axes(box, "O1\nG18U2.Z1.\nM30\n"), "PS0028", 2)
 
 
+@test("a turning cycle with another axis than X and Z raises PS0330")
+def a_cycle_with_y(box):
+    lathe = box.kerf("machines", "lathe2").text
+    box.write("lathe.toml", lathe.replace('[[axis]]\nname = "Z"', '[[axis]]\nname = "Y"\nvelocity = 6000\n\n[[axis]]\nname = "Z"'))
+    box.write("part.nc", "O1\nG97S500M03\nG00X52.Z2.\nG90X46.Y1.Z-30.F.2\nM30\n")
+    alarm(box.kerf("run", "part.nc", "--machine", "lathe.toml"), "PS0330", 4)
+
+
 @test("an external subprogram that calls an external subprogram raises PS1080")
 def external_in_external(box):
     box.write("main/part.nc", "O1\nM198P9401\nM30\n")

@@ -5,7 +5,7 @@ from harness import equal, near, refused, status, test
 
 PROGRAM = "O1\nG21G90\nG00X150.Y50.Z5.\nG01X100.F600\nG03X100.Y50.I10.J0\nM30\n"
 
-BUILT_IN = ["arm4", "cartesian-step", "laser-xtz", "laser3", "laser5", "mill3", "mill4", "mill5"]
+BUILT_IN = ["arm4", "cartesian-step", "laser-xtz", "laser3", "laser5", "lathe2", "mill3", "mill4", "mill5"]
 
 # Keys that every machine has, and those of one linkage.
 COMMON = ["axis.Z.velocity=500", "axis.Z.acceleration=10", "axis.Z.jerk=1000", "axis.Z.jerk=0",
@@ -32,12 +32,24 @@ def built_in(box):
     box.write("part.nc", PROGRAM)
     axes = {"arm4": "XYZC", "laser-xtz": "XYZ", "laser5": "XYZAC", "cartesian-step": "XYCZ"}
     for name in BUILT_IN:
+        if name == "lathe2":
+            continue
         status(box.kerf("run", "part.nc", "--machine", name, "--motion", "m.json"), 0)
         records = box.motions("m.json")
         equal([record["kind"] for record in records], ["rapid", "line", "arc", "end"], name)
         to = records[1]["to"]
         equal((to["X"], to["Y"], to["Z"]), (100, 50, 5), f"the line of {name}")
         equal("".join(to), axes.get(name, "".join(to)), f"axes of {name}")
+
+
+@test("a lathe runs a program, its records in diameters")
+def a_lathe(box):
+    box.write("part.nc", "O1\nG97S500M03\nG00X60.Z5.\nG01U-10.W-5.F.2\nM30\n")
+    status(box.kerf("run", "part.nc", "--machine", "lathe2", "--motion", "m.json", "--summary", "s.json"), 0)
+    equal([record["to"] for record in box.motions("m.json") if "to" in record],
+          [{"X": 60, "Z": 5}, {"X": 50, "Z": 0}], "targets")
+    equal(box.json("s.json")["extents"], {"X": [50, 60], "Z": [0, 5]}, "extents")
+    equal(box.json("s.json")["position"]["work"], {"X": 50, "Z": 0}, "position")
 
 
 def run_with(box, machine, key):

@@ -286,6 +286,14 @@ TEST(Panel, MdiExecutesBlocksAndRemembersModesUntilReset) {
   EXPECT_EQ(bench.settle(), Status::alarm);
 }
 
+TEST(Panel, ACycleAlongAShapeIsRefusedInMdi) {
+  Bench bench("lathe2");
+  EXPECT_DONE(bench->perform(SetMode{Mode::mdi}));
+  EXPECT_DONE(bench->perform(EnterBlocks{"G71P10Q20F.2\nN10G00X10.\nN20G01Z-10."}));
+  EXPECT_EQ(bench.settle(), Status::alarm);
+  EXPECT_EQ(bench.now().alarm->code, "PS0067");
+}
+
 TEST(Panel, MdiOfBasicIsNotTheProgramThatIsLoaded) {
   Bench bench("laser3");
   bench.load("speed(40)\nmove(5, 5)\nline(500, 5)\nend\n", "wrong.bas", "laser-basic");

@@ -22,7 +22,7 @@ def kinds(client, dialect, line):
 @test("the first event tells what there is to know of each dialect")
 def _(place):
     dialects = {d["name"]: d for d in hello(place.serve().client())["dialects"]}
-    equal(list(dialects), ["fanuc-mill", "laser-basic", "teach", "pattern"], "dialects")
+    equal(list(dialects), ["fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "pattern"], "dialects")
     equal(dialects["teach"]["comment"], [";", ""], "comment")
     equal(dialects["fanuc-mill"]["shows_by_ending"], False, "G-code has everybody's endings")
     equal([d["name"] for d in dialects.values() if d["is_listing"]], ["pattern"], "listings")
@@ -48,7 +48,7 @@ def _(place):
     equal(kinds(client, "laser-basic", "wait(1) ' so"),
           ["command 4", "operator 1", "number 1", "operator 1", "blank 1", "comment 4"])
     equal(client.do("tokens", dialect="teach", lines="END\n\nEND")["tokens"][1], [], "an empty line")
-    says(client.refused("tokens", dialect="fanuc-lathe", lines=""), "one of fanuc-mill")
+    says(client.refused("tokens", dialect="rs274", lines=""), "one of fanuc-mill")
     says(client.refused("tokens", dialect="teach", lines=" " * (32 * KIB + 1)), "at most 32768 bytes")
 
 

@@ -146,10 +146,9 @@ def _(place):
 def _(place):
     client = place.serve().client().watch("mill")
     toml = client.do("settings")["toml"]
-    for dialect in ("fanuc-lathe", "pattern"):
-        wrong = toml.replace('dialect = "fanuc-mill"', f'dialect = "{dialect}"')
-        check(wrong != toml, "the dialect of the file")
-        client.refused("set-settings", toml=wrong)
+    wrong = toml.replace('dialect = "fanuc-mill"', 'dialect = "pattern"')
+    check(wrong != toml, "the dialect of the file")
+    client.refused("set-settings", toml=wrong)
     equal(client.do("settings")["toml"], toml)
 
 

@@ -20,14 +20,14 @@ def all_text(folder, *patterns):
 def main():
     sources = all_text("src", "*.cpp", "*.hpp")
     programs = all_text("tests/text", "*.nc", "*.bas")
-    commands = all_text("tests/cli", "*.py")
+    commands = all_text("tests/cli", "*.py") + all_text("tests/live", "*.cpp")
     codes = CODE.findall((ROOT / "src/base/diagnostic_codes.def").read_text(encoding="utf-8"))
     problems = []
     for name, number in codes:
         if not re.search(rf"Code::{name}\b", sources):
             problems.append(f"{number} ({name}) is raised nowhere")
         raised = re.search(rf"\((expect|finally) (alarm|warning) {number}\b", programs) or \
-            re.search(rf'alarm\(.*"{number}"', commands)
+            re.search(rf'(alarm\(|code, ).*"{number}"', commands)
         if re.match(r"(PS|OT|MC|LB|LW)\d", number) and not raised:
             problems.append(f"{number} ({name}) has no test")
     print("\n".join(problems) or f"{len(codes)} codes, all raised, all alarms tested")

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/decimal.hpp"
+#include "motion/plane_axes.hpp"
 
 namespace kerf::test {
 namespace {
@@ -24,17 +25,22 @@ struct Describe {
   std::string target(const base::TipPoint& to) const {
     std::string text;
     for (std::size_t i = 0; i < axes.count(); ++i)
-      text += std::string(" ") + axes.axes[i].letter + number(to.values[i]);
+      text += std::string(" ") + axes.axes[i].letter +
+              number(to.values[i] * axes.axes[i].count_per_mm());
     return text;
+  }
+  std::string centre(const Arc& a) const {
+    const auto plane = plane_axes(a.plane, axes);
+    return number(a.center[0] * axes[plane->first].count_per_mm()) + "," +
+           number(a.center[1] * axes[plane->second].count_per_mm());
   }
   std::string operator()(const Rapid& a) const { return "rapid" + target(a.to); }
   std::string operator()(const Line& a) const {
     return "line" + target(a.to) + " F" + number(a.feed.value);
   }
   std::string operator()(const Arc& a) const {
-    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" +
-           number(a.center[0]) + "," + number(a.center[1]) + " " + plane_name(a.plane) + " F" +
-           number(a.feed.value);
+    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" + centre(a) +
+           " " + plane_name(a.plane) + " F" + number(a.feed.value);
   }
   std::string operator()(const SpaceArc& a) const {
     return "space-arc" + target(a.to) + " via" + target(a.via) + " F" + number(a.feed.value);
@@ -74,12 +80,14 @@ double value_of(const std::string& word, std::size_t from) {
   return std::strtod(word.c_str() + from, nullptr);
 }
 
-std::string check_centre(const std::string& word, const Motion& motion) {
+std::string check_centre(const std::string& word, const Motion& motion, const AxisSetup& axes) {
   const auto* const arc = std::get_if<Arc>(&motion.action);
   const std::size_t comma = word.find(',');
   if (arc == nullptr || comma == std::string::npos) return "it is no arc";
-  if (near(arc->center[0], value_of(word, 1)) && near(arc->center[1], value_of(word, comma + 1)))
-    return {};
+  const auto plane = plane_axes(arc->plane, axes);
+  const double first = arc->center[0] * axes[plane->first].count_per_mm();
+  const double second = arc->center[1] * axes[plane->second].count_per_mm();
+  if (near(first, value_of(word, 1)) && near(second, value_of(word, comma + 1))) return {};
   return "its centre differs";
 }
 
@@ -111,7 +119,7 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
   for (const Manner& manner : kManners) {
     if (word == manner.word) return manner.holds(motion) ? "" : "it is not " + word;
   }
-  if (word[0] == '@') return check_centre(word, motion);
+  if (word[0] == '@') return check_centre(word, motion, axes);
   if (word.size() == 2 && std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
     const auto* const arc = std::get_if<Arc>(&motion.action);
     return arc != nullptr && word == plane_name(arc->plane) ? "" : "its plane differs";
@@ -129,7 +137,8 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
   const auto axis = axes.find(word[0]);
   const base::TipPoint* const to = target_of(motion);
   if (!axis || to == nullptr) return "there is no axis " + word.substr(0, 1);
-  return near((*to)[*axis], value_of(word, 1)) ? "" : word.substr(0, 1) + " differs";
+  const double counted = (*to)[*axis] * axes[*axis].count_per_mm();
+  return near(counted, value_of(word, 1)) ? "" : word.substr(0, 1) + " differs";
 }
 
 }  // namespace

@@ -302,7 +302,8 @@ void TextTest::check_positions() {
     for (const WantedPosition& item : wanted) {
       const auto axis = machine_->definition().axes.find(item.axis);
       ASSERT_TRUE(axis) << item.axis;
-      EXPECT_NEAR(got[*axis], item.value, 6e-4) << system << " " << item.axis;
+      const double count = machine_->definition().axes[*axis].count_per_mm();
+      EXPECT_NEAR(got[*axis] * count, item.value, 6e-4) << system << " " << item.axis;
     }
   };
   check(expected_.machine, machine, "machine");

@@ -26,6 +26,23 @@ struct Assumed {
   static constexpr std::uint32_t unread_text = 53;  ///< to 55: where
   static constexpr std::uint32_t no_speed = 60;
   static constexpr std::uint32_t interrupt_missed = 61;
+  static constexpr std::uint32_t tool_without_digits = 62;
+  static constexpr std::uint32_t lone_cycle = 63;
+  static constexpr std::uint32_t lone_reference = 64;
+  static constexpr std::uint32_t rough_without_nose = 65;
+  static constexpr std::uint32_t shape_not_monotone = 66;
+  static constexpr std::uint32_t no_spindle_turns = 67;
+  static constexpr std::uint32_t thread_under_css = 68;
+  static constexpr std::uint32_t ignored_allowance = 69;
+  static constexpr std::uint32_t thread_infeed = 70;
+  static constexpr std::uint32_t pocket_allowance = 71;
+  static constexpr std::uint32_t short_run_in = 72;
+  static constexpr std::uint32_t spindle_number = 73;
+  static constexpr std::uint32_t codes_of_shape = 74;
+  static constexpr std::uint32_t builder_m = 75;
+  static constexpr std::uint32_t bare_corner = 76;
+  static constexpr std::uint32_t no_nose = 77;
+  static constexpr std::uint32_t lost_corner = 78;
   static constexpr std::uint32_t g_code = 100;
 };
 

@@ -30,7 +30,7 @@ enum class Halt : std::uint8_t {
 /// The modes of a control at one moment, as a plain value: what it means says the control whose it
 /// is (Control::modal_text).
 struct ModalView {
-  std::array<std::uint16_t, 24> codes{};
+  std::array<std::uint16_t, 26> codes{};
   double feed = 0;
   double speed = 0;
   std::uint32_t further_system = 0;  ///< 1 to 300: G54.1 P; 0: one of the six

@@ -6,7 +6,9 @@
 
 namespace kerf::control {
 
-Memory::Memory(int n_offsets) : tools(static_cast<std::size_t>(n_offsets) + 1) {
+Memory::Memory(int n_offsets)
+    : tools(static_cast<std::size_t>(n_offsets) + 1),
+      turning(static_cast<std::size_t>(n_offsets) + 1) {
   commons.fill(vm::kNull);
 }
 

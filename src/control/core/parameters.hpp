@@ -70,6 +70,28 @@ struct Parameters {
   int length_axis_type = 0;          ///< 5001#0: 0 = always Z, 1 = the axis of the block
   int external_call_m = 198;         ///< 6030
   OfEachAxis overrun;  ///< 5440: G60 ends with so much of its way, in the direction of the sign
+  // Of lathes (docs/dialect/turning.md).
+  char g_system = 'A';            ///< gsystem: system A, B or C of G codes
+  int tool_offset_digits = 2;     ///< T_digits, 5028: last digits of T that are the offset's number
+  bool geometry_by_tool = false;  ///< LGN: the geometry offset has the tool's number
+  bool check_shapes = false;      ///< MRC: G71 to G73 check their shapes
+  double monotone_z = 0;          ///< 5145: so far a checked shape may go back along Z, mm
+  double monotone_x = 0;          ///< 5146: likewise along X, mm of radius
+  bool compensated_cycles = false;  ///< cycle_nose: G71 to G73 compensate the nose radius
+  bool bare_corners = false;        ///< CCR: A, C and R without the comma are angle and corners
+  double chamfer_thread = 10;       ///< 5130: run-out of threads, tenths of the lead
+  double chamfer_angle = 45;        ///< 5131: of the run-out, degrees
+  double rough_depth = 1;           ///< 5132: depth of cut of G71 and G72, mm of radius
+  double rough_retreat = 0.5;       ///< 5133: retreat of G71 and G72, mm
+  double pattern_x = 0;             ///< 5135: first shift of G73, mm of radius
+  double pattern_z = 0;             ///< 5136: likewise along Z, mm
+  int pattern_count = 1;            ///< 5137: passes of G73
+  double peck_retreat = 0.5;        ///< 5139: retreat of the pecks of G74 and G75, mm
+  double thread_least_cut = 0;      ///< 5140: of G76, mm of radius
+  double thread_finish = 0;         ///< 5141: finishing allowance of G76, mm of radius
+  int thread_finish_passes = 1;     ///< 5142
+  int thread_angle = 60;            ///< 5143: of the tool's tip in G76, degrees
+  bool peck_to_r = true;            ///< RTR: G83 and G87 of lathes clear each peck to level R
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram

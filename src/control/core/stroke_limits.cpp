@@ -19,12 +19,13 @@ std::optional<Refusal> StrokeLimits::refusal(Axis axis, double target) const {
   const motion::AxisConfig& config = axes_[axis];
   if (!on_ || !(config.travel_min < config.travel_max)) return {};
   const double machine = target + (length_ != nullptr ? (*length_)[axis] : 0);
+  const double count = config.count_per_mm();
   const bool high = machine > config.travel_max + kOnLimit;
   if (!high && !(machine < config.travel_min - kOnLimit)) return {};
   return Refusal{high ? Code::overtravel_plus : Code::overtravel_minus,
                  std::string(1, config.letter) + " would go to " +
-                     base::number_text(base::tidy(machine)) + ", the limit is " +
-                     base::number_text(high ? config.travel_max : config.travel_min)};
+                     base::number_text(base::tidy(machine * count)) + ", the limit is " +
+                     base::number_text((high ? config.travel_max : config.travel_min) * count)};
 }
 
 std::optional<Refusal> StrokeLimits::refusal(const TipPoint& from,

@@ -24,11 +24,16 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
       parameters_entered_(std::move(parameters_entered)),
       targets_(state),
       moves_(state, targets_),
+      drawing_(state, targets_, moves_),
       settings_(state, targets_, moves_),
       data_setting_(state, targets_),
       references_(state, targets_, moves_),
       auxiliary_(state),
-      cycle_(state, targets_, moves_) {
+      cycle_(state, targets_, moves_),
+      turning_(state, moves_),
+      single_(state, targets_, moves_, turning_),
+      multiple_(state, targets_, moves_, turning_),
+      shapes_(state, targets_, moves_, turning_) {
   targets_.learn_letters();
 }
 
@@ -50,11 +55,18 @@ bool BlockActs::execute(ReadBlock& block) {
 bool BlockActs::is_plain_move(const ReadBlock& block) const {
   constexpr std::uint32_t kPlain = Words::mask("GFNIJKR");
   const Words& words = block.words;
-  if (block.corner != nullptr || (words.present() & ~(kPlain | targets_.letters())) != 0 ||
-      state_.modal.in_cycle() || state_.parameter_entry)
+  if (block.dimensions.any() || (words.present() & ~(kPlain | targets_.letters())) != 0 ||
+      state_.modal.in_cycle() || state_.parameter_entry || nose_may_have_changed() ||
+      SingleCycles::is_one(state_.modal[Group::motion]))
     return false;
-  return std::all_of(words.g_begin(), words.g_end(),
-                     [](const Words::G& g) { return g.group() == Group::motion; });
+  return std::all_of(words.g_begin(), words.g_end(), [](const Words::G& g) {
+    return g.group() == Group::motion && !SingleCycles::is_one(g.meaning());
+  });
+}
+
+// Of a lathe the compensation follows the offset in force, whoever writes it.
+bool BlockActs::nose_may_have_changed() const {
+  return state_.codes.habits().tool_brings_offset && state_.modal.compensating();
 }
 
 bool BlockActs::execute_in_full(ReadBlock& block) {
@@ -64,6 +76,7 @@ bool BlockActs::execute_in_full(ReadBlock& block) {
   const bool parameter_entry = state_.parameter_entry;
   if (!settings_.read_codes(words, one_shot)) return false;
   if (one_shot != nullptr) state_.one_shot = one_shot->meaning();
+  if (one_shot != nullptr && one_shot->meaning() != Meaning::dwell) single_.forget();
   if (parameter_entry) return enter_parameter(block, one_shot);
   if (!check_block(words, one_shot) || !auxiliary_.read(words) ||
       !auxiliary_.read_codes(words, codes_) || !check_return(words))
@@ -73,7 +86,9 @@ bool BlockActs::execute_in_full(ReadBlock& block) {
   auxiliary_.before_motion(words);
   if (was_in_cycle && !state_.modal.in_cycle()) cycle_.cancel();
   state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
-  return move(block, one_shot);
+  if (!move(block, one_shot)) return false;
+  auxiliary_.follow_work_zero();
+  return true;
 }
 
 // Between G10 L50 and G11.
@@ -103,7 +118,9 @@ bool BlockActs::check_block(const Words& words, const Words::G* one_shot) {
     }
   }
   if (one_shot == nullptr || !words.has('T')) return true;
-  if (one_shot->meaning() == Meaning::dwell || one_shot->meaning() == Meaning::data_setting)
+  const bool sets =
+      one_shot->meaning() == Meaning::preset && state_.codes.habits().tool_brings_offset;
+  if (sets || one_shot->meaning() == Meaning::dwell || one_shot->meaning() == Meaning::data_setting)
     return state_.alarms.raise(Code::tool_not_allowed, words['T'].text);
   return true;
 }
@@ -145,6 +162,7 @@ bool BlockActs::check_look_ahead(const Words& words) {
 }
 
 bool BlockActs::move(ReadBlock& block, const Words::G* one_shot_code) {
+  if (block.dimensions.any() && !drawing_.admits(block.words, block.dimensions)) return false;
   if (one_shot_code != nullptr && one_shot_code->row->axis_words == AxisWords::own)
     return one_shot(block.words, *one_shot_code);
   if (state_.one_shot == Meaning::look_ahead && !check_look_ahead(block.words)) return false;
@@ -152,27 +170,9 @@ bool BlockActs::move(ReadBlock& block, const Words::G* one_shot_code) {
   bool plain = true;
   if (!select_cycle(block.words, plain)) return false;
   if (!plain) return true;
-  if (block.corner != nullptr && !request_corner(block)) return false;
+  if (block.dimensions.any()) return drawing_.move(block.words, block.dimensions, moved_);
+  if (SingleCycles::is_one(state_.modal[Group::motion])) return single_.begin(block.words, moved_);
   return moves_.execute(block.words, moved_);
-}
-
-// A chamfer or corner radius at the end of a G01, G02 or G03 move.
-bool BlockActs::request_corner(const ReadBlock& block) {
-  const Word& corner = *block.corner;
-  if (state_.modal[Group::motion] != Meaning::line && !state_.modal.circular()) {
-    return state_.alarms.raise(Code::corner_second, corner.text, "it needs a G01, G02 or G03 move");
-  }
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane) return state_.alarms.raise(Code::illegal_plane_axis);
-  if (!block.words.has_any(targets_.letters()))
-    return state_.alarms.raise(Code::corner_missing_move, corner.text, "this block does not move");
-  double size = 0;
-  if (!state_.values.length(corner, size)) return false;
-  if (size < 0) return state_.alarms.raise(Code::illegal_minus, corner.text);
-  const auto kind =
-      corner.letter == 'C' ? CornerRounding::Kind::chamfer : CornerRounding::Kind::radius;
-  state_.path.round_corner({{kind, size}, state_.modal.plane(), *plane});
-  return true;
 }
 
 // CYC-15: of a cycle code and a group 01 code in one block the last one counts. `plain` is false
@@ -205,6 +205,13 @@ bool BlockActs::one_shot(const Words& words, const Words::G& g) {
     case Meaning::local_system: return settings_.local_system(words);
     case Meaning::preset: return settings_.preset(words);
     case Meaning::clear_shifts: return settings_.clear_shifts(words);
+    case Meaning::face_pecks:
+    case Meaning::groove_pecks:
+    case Meaning::compound_thread: return multiple_.execute(g.meaning(), words, moved_);
+    case Meaning::finishing:
+    case Meaning::rough_turning:
+    case Meaning::rough_facing:
+    case Meaning::pattern_repeat: return shapes_.execute(g.meaning(), words, moved_);
     default: return references_.execute(g, words, moved_);
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
 #include "lang/vm/value.hpp"
 
 namespace kerf::control {
@@ -14,6 +15,7 @@ using gcode::Word;
 using gcode::WordFlag;
 
 constexpr std::uint32_t kAlwaysAllowed = Words::mask("DEFGHIJKLMNPQRST");
+constexpr std::uint32_t kBareDimensions = Words::mask("ACRIK");
 
 }  // namespace
 
@@ -38,15 +40,15 @@ std::span<const Word> BlockReader::fetch(const gcode::GcodePage& page,
 bool BlockReader::collect(std::span<const Word> words, ReadBlock& block) {
   block.words.clear();
   block.called_m = nullptr;
-  block.corner = nullptr;
+  block.dimensions = {};
   for (const Word& word : words) {
     if (!collect_word(word, block)) return false;
   }
-  return check_addresses(words, block);
+  return collect_bare(block) && check_addresses(words, block);
 }
 
 bool BlockReader::collect_word(const Word& word, ReadBlock& block) {
-  if (word.has(WordFlag::comma)) return collect_corner(word, block);
+  if (word.has(WordFlag::comma)) return collect_dimension(word, block);
   if (word.letter == 'G') return collect_g(word, block);
   if (word.letter == 'M') return collect_m(word, block);
   block.words.put(word);
@@ -88,15 +90,63 @@ const FunctionRow* BlockReader::function_of(const Word& word) const {
   return is_free ? nullptr : row;
 }
 
-// ",C" and ",R".
-bool BlockReader::collect_corner(const Word& word, ReadBlock& block) {
-  if (word.letter != 'C' && word.letter != 'R') {
-    return state_.alarms.raise(Code::improper_address, word.text,
-                               "a comma stands only before C and R");
+// ",C" and ",R", of a lathe also ",A".
+bool BlockReader::collect_dimension(const Word& word, ReadBlock& block) {
+  const bool drawing = state_.codes.habits().drawing_dimensions;
+  if (word.letter == 'C' || word.letter == 'R') return put_corner(word, block);
+  if (word.letter != 'A' || !drawing) {
+    return state_.alarms.raise(
+        Code::improper_address, word.text,
+        drawing ? "a comma stands only before A, C and R" : "a comma stands only before C and R");
   }
-  if (block.corner != nullptr) return state_.alarms.raise(Code::corner_too_many, word.text);
-  block.corner = &word;
+  if (block.dimensions.angle != nullptr)
+    return state_.alarms.raise(Code::corner_too_many, word.text);
+  block.dimensions.angle = &word;
   return true;
+}
+
+bool BlockReader::put_corner(const Word& word, ReadBlock& block) {
+  if (block.dimensions.corner != nullptr)
+    return state_.alarms.raise(Code::corner_too_many, word.text);
+  block.dimensions.corner = &word;
+  return true;
+}
+
+// Of a lathe: words of a line that are its dimensions without a comma. Where nothing moves they
+// are words as any other.
+bool BlockReader::collect_bare(ReadBlock& block) {
+  if (!state_.codes.habits().drawing_dimensions || !block.words.has_any(kBareDimensions) ||
+      state_.parameter_entry || !cuts_line(block.words, state_.modal))
+    return true;
+  if (!take_bare('A', block)) return false;
+  if (block.dimensions.angle == nullptr && !block.words.has_any(targets_.letters())) return true;
+  return take_bare('C', block) && take_bare('R', block) && take_bare('I', block) &&
+         take_bare('K', block);
+}
+
+bool BlockReader::take_bare(char letter, ReadBlock& block) {
+  if (!block.words.has(letter) || !is_bare_dimension(letter)) return true;
+  for (const Words::G* g = block.words.g_begin(); g != block.words.g_end(); ++g) {
+    if (g->row != nullptr &&
+        std::string_view(g->row->letters).find(letter) != std::string_view::npos)
+      return true;  // another code's
+  }
+  const Word& word = block.words[letter];
+  block.words.forget(letter);
+  if (letter == 'I' || letter == 'K') return put_corner(word, block);
+  state_.assume(Assumed::bare_corner,
+                "A, C and R of a line without a comma are its angle, its chamfer and its corner");
+  if (letter != 'A') return put_corner(word, block);
+  if (block.dimensions.angle != nullptr)
+    return state_.alarms.raise(Code::corner_too_many, word.text);
+  block.dimensions.angle = &word;
+  return true;
+}
+
+// I and K are the legs of a chamfer.
+bool BlockReader::is_bare_dimension(char letter) const {
+  return letter == 'I' || letter == 'K' || state_.parameters.bare_corners ||
+         (targets_.letters() & Words::mask(letter)) == 0;
 }
 
 // LEX-32: every letter must be an address of this machine.
@@ -104,8 +154,12 @@ bool BlockReader::check_addresses(std::span<const Word> words, const ReadBlock& 
   std::uint32_t allowed = kAlwaysAllowed | targets_.letters();
   if (state_.parameters.b_calls_program) allowed |= Words::mask('B');
   if ((block.words.present() & ~allowed) == 0) return true;
-  // G04 takes its time under X or U.
+  // G04 takes its time under X or U, G10 of a lathe changes of the nose under C, G76 the angle of
+  // the tip under A.
   if (block.words.has_g(Meaning::dwell)) allowed |= Words::mask("XU");
+  if (block.words.has_g(Meaning::compound_thread)) allowed |= Words::mask('A');
+  if (block.words.has_g(Meaning::data_setting) && state_.codes.habits().tool_brings_offset)
+    allowed |= Words::mask("CYV");
   if ((block.words.present() & ~allowed) == 0) return true;
   const auto bad = std::find_if(words.begin(), words.end(), [&](const Word& word) {
     return (Words::mask(word.letter) & ~allowed) != 0;

@@ -7,6 +7,7 @@
 #include "control/gcode/acts/state.hpp"
 #include "control/gcode/acts/targets.hpp"
 #include "control/gcode/call_reader.hpp"
+#include "control/gcode/words/dimensions.hpp"
 #include "lang/gcode/page.hpp"
 
 namespace kerf::control {
@@ -14,7 +15,7 @@ namespace kerf::control {
 /// A block with its words read. Points into what it was read from.
 struct ReadBlock {
   Words words;
-  const gcode::Word* corner = nullptr;    ///< its ",C" or ",R"
+  Dimensions dimensions;                  ///< of its line
   const gcode::Word* called_m = nullptr;  ///< its M code that calls a subprogram
   std::uint32_t number = 0;               ///< its N; 0: none
 };
@@ -38,7 +39,11 @@ class BlockReader {
   bool collect_word(const gcode::Word& word, ReadBlock& block);
   bool collect_g(const gcode::Word& word, ReadBlock& block);
   bool collect_m(const gcode::Word& word, ReadBlock& block);
-  bool collect_corner(const gcode::Word& word, ReadBlock& block);
+  bool collect_dimension(const gcode::Word& word, ReadBlock& block);
+  bool put_corner(const gcode::Word& word, ReadBlock& block);
+  bool collect_bare(ReadBlock& block);
+  bool take_bare(char letter, ReadBlock& block);
+  [[nodiscard]] bool is_bare_dimension(char letter) const;
   bool check_addresses(std::span<const gcode::Word> words, const ReadBlock& block);
   [[nodiscard]] const FunctionRow* function_of(const gcode::Word& word) const;
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -65,6 +66,19 @@ bool CallReader::find_code_macro(const Word& word, std::size_t index, BlockCall&
   const auto g = place_of(parameters.g_macro, base::round_away(word.value * 10));
   if (g) call = {Kind::code_macro, index + 1, kFirstGMacro + *g, &word};
   return g.has_value();
+}
+
+bool CallReader::admits_before(std::span<const Word> words, const BlockCall& call) const {
+  const auto is_g = [](const Word& word) { return word.letter == 'G'; };
+  const bool all = std::all_of(words.begin(), words.end(),
+                               [&](const Word& word) { return is_g(word) || word.letter == 'N'; });
+  if (!all)
+    return state_.alarms.raise(Code::argument_g, call.word->text,
+                               "arguments stand behind the macro call");
+  if (std::any_of(words.begin(), words.end(), is_g))
+    state_.assume(Assumed::words_before_call,
+                  "G codes before a macro call in its block act as usual");
+  return true;
 }
 
 bool CallReader::find(std::span<const Word> block, BlockCall& call) const {

@@ -40,6 +40,9 @@ class CallReader {
   }
   /// An M code that calls a subprogram, which has no other meaning and no strobe (CODE-2).
   [[nodiscard]] bool calls_subprogram(const gcode::Word& word) const;
+  /// Whether the words before a call may stand there: codes that act as usual. False: an alarm was
+  /// raised.
+  [[nodiscard]] bool admits_before(std::span<const gcode::Word> words, const BlockCall& call) const;
   /// The call of a block, if it has one. False: an alarm was raised.
   [[nodiscard]] bool find(std::span<const gcode::Word> block, BlockCall& call) const;
 

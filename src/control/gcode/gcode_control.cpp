@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/decimal.hpp"
-#include "base/refusal.hpp"
-#include "control/core/assumed.hpp"
+#include "control/gcode/acts/compensation.hpp"
 #include "control/gcode/macro/fault_alarm.hpp"
 #include "control/gcode/macro/user_alarm.hpp"
 #include "lang/vm/value.hpp"
@@ -20,8 +19,9 @@ using vm::Verdict;
 
 }  // namespace
 
-GcodeControl::GcodeControl(const Parameters& parameters, const motion::AxisSetup& axes,
-                           Memory& memory, gcode::CodeLibrary& library, ProgramFinder& finder,
+GcodeControl::GcodeControl(const CodeTable& codes, const Parameters& parameters,
+                           const motion::AxisSetup& axes, Memory& memory,
+                           gcode::CodeLibrary& library, ProgramFinder& finder,
                            Surroundings& surroundings, motion::MotionSink& sink)
     : parameters_(parameters),
       axes_(axes),
@@ -29,13 +29,13 @@ GcodeControl::GcodeControl(const Parameters& parameters, const motion::AxisSetup
       surroundings_(surroundings),
       math_{parameters.signed_angles, parameters.small_is_zero, 1000},
       buffer_(sink),
-      state_(mill_codes(), parameters_, axes_, memory, alarms_, assumptions_, surroundings,
-             buffer_),
+      state_(codes, parameters_, axes_, memory, alarms_, assumptions_, surroundings, buffer_),
       interpreter_(library, *this, {gcode::kLocals, memory.commons, &math_}),
       programs_(state_, interpreter_, library, finder),
       call_reader_(state_, programs_),
       acts_(state_, programs_, buffer_, [this] { learn_parameters(); }),
       reader_(state_, acts_.targets(), call_reader_),
+      shapes_(state_, acts_, reader_, buffer_, interpreter_, library),
       calls_(state_, programs_, call_reader_),
       variables_(state_, library.names()),
       printer_(parameters_, surroundings) {
@@ -68,6 +68,7 @@ void GcodeControl::start(vm::CodeId main, Ends ends) {
   halt_ = Halt::none;
   mid_block_ = at_optional_stop_ = false;
   in_block_ = false;
+  shapes_.drop();
 }
 
 void GcodeControl::reset() {
@@ -75,6 +76,7 @@ void GcodeControl::reset() {
   halt_ = Halt::none;
   mid_block_ = at_optional_stop_ = false;
   interrupt_ = {};
+  shapes_.drop();
   acts_.stop();
   acts_.cancel_cycle();
   state_.reset();
@@ -120,6 +122,7 @@ void GcodeControl::settle_alarm() {
 // A macro statement changes nothing before its alarm: what was kept is of a block before it.
 void GcodeControl::undo_block() {
   mid_block_ = false;
+  shapes_.drop();
   if (in_block_) block_memory_.restore(state_);
   in_block_ = false;
   BlockMemory::settle(state_);
@@ -136,18 +139,6 @@ std::optional<double> GcodeControl::peek(double number) {
 
 vm::Interpreter::Settings GcodeControl::evaluation_settings() {
   return {gcode::kLocals, state_.memory.commons, &math_};
-}
-
-base::Outcome<void> GcodeControl::set_variable(std::uint32_t number, double value) {
-  SystemVariables::Event event;
-  const bool good =
-      variables_.write(number, value, event) && event.kind == SystemVariables::Event::Kind::none;
-  if (good) return {};
-  const auto alarm = alarms_.alarm();
-  alarms_.clear();
-  return tl::unexpected(
-      base::refuse_for(alarm ? alarm->number : "", base::Refusal::variable_not_set,
-                       {std::to_string(number), alarm ? alarm->message : "it cannot be set"}));
 }
 
 // vm::Host
@@ -175,6 +166,10 @@ Verdict GcodeControl::write(double number, double value) {
 void GcodeControl::fault(vm::Fault fault) { alarms_.raise(code_of(fault), detail_of(fault)); }
 
 Verdict GcodeControl::end_of_code() {
+  if (shapes_.active()) {
+    shapes_.miss_last();
+    return Verdict::stop;
+  }
   if (ends_ == Ends::with_text && programs_.in_main()) return end_of_entry();
   alarms_.raise(Code::end_of_record, "the program runs out without M02, M30 or M99");
   return Verdict::stop;
@@ -189,6 +184,7 @@ Verdict GcodeControl::end_of_entry() {
 }
 
 Verdict GcodeControl::begin_block(const vm::CodePage& page, const vm::BlockMark& mark) {
+  if (shapes_.reading()) return Verdict::go_on;
   const bool behind_statement = std::exchange(in_statement_, true);
   Verdict verdict = ProgramControl::begin_block(page, mark);
   if (verdict == Verdict::go_on && interrupt_.is_pending()) verdict = answer_interrupt();
@@ -236,8 +232,10 @@ void GcodeControl::begin(const gcode::GcodePage& page, const gcode::Statement& s
 
 Verdict GcodeControl::execute_words(const gcode::GcodePage& page, const gcode::Statement& statement,
                                     const double* registers) {
+  if (shapes_.active() && shapes_.is_behind(page.marks[statement.mark].sequence))
+    return come_behind_shape();
   begin(page, statement);
-  const std::span<const Word> words = reader_.fetch(page, statement, registers);
+  const std::span<const Word> words = block_words_ = reader_.fetch(page, statement, registers);
   call_name_.clear();
   if (statement.name >= 0) call_name_ = page.names[static_cast<std::size_t>(statement.name)];
   if (statement.may_call || call_reader_.codes_call_macros() || programs_.modal_active()) {
@@ -245,11 +243,17 @@ Verdict GcodeControl::execute_words(const gcode::GcodePage& page, const gcode::S
     if (!call_reader_.find(words, call)) return Verdict::stop;
     if (call.kind != BlockCall::Kind::none) return execute_call(words, call);
   }
-  if (!reader_.collect(words, block_) || !acts_.execute(block_)) return Verdict::stop;
+  if (!reader_.collect(words, block_)) return Verdict::stop;
+  if (shapes_.active() && !admits_in_shape(state_, block_.words)) return Verdict::stop;
+  if (!acts_.execute(block_)) return Verdict::stop;
   return continue_block();
 }
 
 Verdict GcodeControl::execute_call(std::span<const Word> words, const BlockCall& call) {
+  if (shapes_.active()) {
+    alarms_.raise(Code::shape_command, "a macro call");
+    return Verdict::stop;
+  }
   if (!call_program(words, call)) return Verdict::stop;
   buffer_.release();
   in_block_ = false;
@@ -260,17 +264,8 @@ Verdict GcodeControl::execute_call(std::span<const Word> words, const BlockCall&
 // are arguments.
 bool GcodeControl::call_program(std::span<const Word> words, const BlockCall& call) {
   const auto before = words.first(call.first_argument == 0 ? 0 : call.first_argument - 1);
-  const auto is_g = [](const Word& word) { return word.letter == 'G'; };
-  for (const Word& word : before) {
-    if (is_g(word) || word.letter == 'N') continue;
-    return alarms_.raise(Code::argument_g, call.word->text,
-                         "arguments stand behind the macro call");
-  }
+  if (!call_reader_.admits_before(before, call)) return false;
   if (!before.empty()) {
-    if (std::any_of(before.begin(), before.end(), is_g)) {
-      state_.assume(Assumed::words_before_call,
-                    "G codes before a macro call in its block act as usual");
-    }
     if (!reader_.collect(before, block_) || !acts_.execute(block_) || !state_.path.end_block())
       return false;
   }
@@ -283,15 +278,47 @@ bool GcodeControl::call_program(std::span<const Word> words, const BlockCall& ca
 Verdict GcodeControl::continue_block() {
   mid_block_ = false;
   buffer_.release();
-  while (acts_.has_holes()) {
+  if (acts_.shapes().request() && !shapes_.active()) return go_to_shape();
+  while (acts_.has_steps()) {
     if (!buffer_.ready()) {
       mid_block_ = true;
       return Verdict::pause;
     }
-    if (!acts_.make_hole()) return Verdict::stop;
+    if (!acts_.step()) return Verdict::stop;
     buffer_.release();
   }
   return finish_block();
+}
+
+Verdict GcodeControl::go_to_shape() {
+  if (ends_ == Ends::with_text && programs_.in_main()) {
+    alarms_.raise(Code::cycle_in_mdi);
+    return Verdict::stop;
+  }
+  if (!shapes_.go(block_, block_words_)) return Verdict::stop;
+  in_block_ = false;
+  return Verdict::transferred;
+}
+
+// The last block of the shape has no words: this one is executed again behind the cycle.
+Verdict GcodeControl::come_behind_shape() {
+  if (shapes_.reading()) {
+    interpreter_.jump(interpreter_.running());
+    in_block_ = true;
+    if (!shapes_.finish_reading(block_)) return Verdict::stop;
+    const Verdict verdict = continue_block();
+    return verdict == Verdict::go_on ? Verdict::transferred : verdict;
+  }
+  return shapes_.finish_making() ? Verdict::transferred : Verdict::stop;
+}
+
+// A block that is read commands nothing; behind the last one the cycle goes on.
+Verdict GcodeControl::finish_shape_block() {
+  if (!shapes_.end_block(block_) || !state_.path.end_block()) return Verdict::stop;
+  if (shapes_.is_last(block_))
+    return shapes_.finish_reading(block_) ? continue_block() : Verdict::stop;
+  in_block_ = false;
+  return Verdict::go_on;
 }
 
 Verdict GcodeControl::stopped(Halt halt) {
@@ -300,9 +327,11 @@ Verdict GcodeControl::stopped(Halt halt) {
 }
 
 Verdict GcodeControl::finish_block() {
+  if (shapes_.reading()) return finish_shape_block();
   if (!at_optional_stop_) {
     acts_.finish(block_.words);
     if (!state_.path.end_block()) return Verdict::stop;
+    tell_lost_corner(state_);
   }
   at_optional_stop_ = acts_.codes().optional_stop;
   if (!at_optional_stop_ || come_to_optional_stop()) return end_block();
@@ -351,7 +380,8 @@ Verdict GcodeControl::end_block() {
   if (!stop_behind(halt)) return Verdict::stop;
   in_block_ = false;
   if (halt == Halt::end) return end_program();
-  if (!set_interrupt() || !finish_calls()) return Verdict::stop;
+  if (!interrupt_.obey(acts_.codes(), block_.words, state_) || !finish_calls())
+    return Verdict::stop;
   if (halt != Halt::none) return stopped(halt);
   if (single_block_) return stopped(Halt::single_block);
   if (!buffer_.ready()) return Verdict::pause;
@@ -364,21 +394,9 @@ bool GcodeControl::finish_calls() {
   const bool good = codes.return_ ? calls_.return_from_program(block_.words)
                                   : calls_.finish(block_, codes, acts_.moved(), call_name_);
   transferred_ = codes.return_ || interpreter_.depth() != depth;
-  return good;
-}
-
-bool GcodeControl::set_interrupt() {
-  const Auxiliary::Codes& codes = acts_.codes();
-  if (codes.interrupt_off) interrupt_.forbid();
-  if (!codes.interrupt_on) return true;
-  std::int64_t p = 0;
-  const Word* const word = block_.words.find('P');
-  if (word == nullptr) return alarms_.raise(Code::interrupt_statement, "M96 needs P");
-  if (!state_.values.integer(*word, 0, 99999999, p)) return false;
-  interrupt_.allow(static_cast<std::uint32_t>(p));
-  state_.assume(Assumed::interrupt,
-                "M96: the interrupt program runs when the interrupt signal comes");
-  return true;
+  if (!good || !shapes_.is_last(block_)) return good;
+  transferred_ = true;
+  return shapes_.finish_making();
 }
 
 // Macro statements

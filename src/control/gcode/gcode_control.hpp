@@ -18,19 +18,22 @@
 #include "control/gcode/macro/program_calls.hpp"
 #include "control/gcode/macro/system_variables.hpp"
 #include "control/gcode/path/block_buffer.hpp"
+#include "control/gcode/shape_blocks.hpp"
 #include "lang/gcode/code_library.hpp"
 #include "lang/gcode/math_rules.hpp"
 #include "lang/vm/interpreter.hpp"
 
 namespace kerf::control {
 
-/// The control of a machining centre: executes the blocks that the interpreter hands it and emits
-/// what the machine must do. Reads all its settings from the machine; knows neither time nor files.
+/// The control of a machining centre or of a lathe: executes the blocks that the interpreter hands
+/// it and emits what the machine must do. Reads all its settings from the machine; knows neither
+/// time nor files.
 class GcodeControl : public ProgramControl {
  public:
-  GcodeControl(const Parameters& parameters, const motion::AxisSetup& axes, Memory& memory,
-               gcode::CodeLibrary& library, ProgramFinder& finder, Surroundings& surroundings,
-               motion::MotionSink& sink);
+  /// `codes`: of the dialect.
+  GcodeControl(const CodeTable& codes, const Parameters& parameters, const motion::AxisSetup& axes,
+               Memory& memory, gcode::CodeLibrary& library, ProgramFinder& finder,
+               Surroundings& surroundings, motion::MotionSink& sink);
 
   /// Where a program ends: by M02, M30 or M99, or else it is an alarm; of an entry in MDI also
   /// where its text does.
@@ -81,7 +84,9 @@ class GcodeControl : public ProgramControl {
   }
 
   /// Writes a variable from outside, before the start: `#number`. Failure: why not.
-  [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value);
+  [[nodiscard]] base::Outcome<void> set_variable(std::uint32_t number, double value) {
+    return variables_.set(number, value);
+  }
 
   // vm::Host
   vm::Verdict execute(const vm::CodePage& page, std::uint32_t block,
@@ -120,6 +125,9 @@ class GcodeControl : public ProgramControl {
   vm::Verdict execute_call(std::span<const gcode::Word> words, const BlockCall& call);
   bool call_program(std::span<const gcode::Word> words, const BlockCall& call);
   vm::Verdict continue_block();
+  vm::Verdict go_to_shape();
+  vm::Verdict come_behind_shape();
+  vm::Verdict finish_shape_block();
   vm::Verdict finish_block();
   bool come_to_optional_stop();
   [[nodiscard]] Halt halt_of_block() const;
@@ -127,7 +135,6 @@ class GcodeControl : public ProgramControl {
   vm::Verdict end_program();
   vm::Verdict end_block();
   bool finish_calls();
-  bool set_interrupt();
   vm::Verdict stopped(Halt halt);
   vm::Verdict end_of_entry();
 
@@ -149,6 +156,7 @@ class GcodeControl : public ProgramControl {
   CallReader call_reader_;
   BlockActs acts_;
   BlockReader reader_;
+  ShapeBlocks shapes_;
   BlockCalls calls_;
   SystemVariables variables_;
   Printer printer_;
@@ -156,6 +164,7 @@ class GcodeControl : public ProgramControl {
   BlockMemory block_memory_;
 
   ReadBlock block_;
+  std::span<const gcode::Word> block_words_;  // it was read from these
   std::string call_name_;
   bool mid_block_ = false;         // a block waits for its cycle or for the axes to go on
   bool at_optional_stop_ = false;  // it waits for the axes to come to its M01

@@ -23,10 +23,7 @@ bool is_available(std::string_view dialect) {
 std::string why_not(const std::string& dialect) {
   if (dialect == kPatternDialect)
     return "pattern bytes are run by `kerf pattern replay` and `kerf run --dialect pattern`";
-  const bool known = std::find(machine::kDialects.begin(), machine::kDialects.end(), dialect) !=
-                     machine::kDialects.end();
-  return known ? "the dialect " + dialect + " is not available yet"
-               : "there is no dialect " + dialect;
+  return "there is no dialect " + dialect;
 }
 
 Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,

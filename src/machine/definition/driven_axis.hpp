@@ -13,6 +13,7 @@ struct DrivenAxis {
 
   std::string name;  ///< a letter, or T1, T2, T3
   bool rotary = false;
+  bool diameter = false;          ///< programs say twice its way (AxisConfig::diameter)
   double velocity_per_min = 0;    ///< > 0
   double acceleration = 1000;     ///< > 0
   double jerk = kNoLimit;         ///< > 0

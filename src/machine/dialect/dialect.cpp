@@ -33,7 +33,8 @@ std::unique_ptr<Dialect> make_dialect(std::string_view name, const Dialect::Arou
   const DialectRow* const row = find_dialect(name);
   assert(row != nullptr);
   switch (row->kind) {
-    case DialectRow::Kind::gcode: return std::make_unique<GcodeDialect>(around);
+    case DialectRow::Kind::gcode:
+      return std::make_unique<GcodeDialect>(around, row->codes(around.definition.parameters));
     case DialectRow::Kind::basic: return std::make_unique<BasicDialect>(around);
     case DialectRow::Kind::teach: return std::make_unique<TeachDialect>(around);
     case DialectRow::Kind::pattern: return std::make_unique<PatternDialect>(around);

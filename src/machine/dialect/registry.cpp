@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "control/gcode/codes/lathe_codes.hpp"
 #include "drive/pattern/language.hpp"
 #include "lang/basic/language.hpp"
 #include "lang/gcode/language.hpp"
@@ -15,6 +16,14 @@ using Kind = DialectRow::Kind;
 
 // So much of a text is looked at.
 constexpr std::size_t kBytesToShow = 4096;
+
+const control::CodeTable& codes_of_mills(const control::Parameters& /*parameters*/) {
+  return control::mill_codes();
+}
+
+const control::CodeTable& codes_of_lathes(const control::Parameters& parameters) {
+  return control::lathe_codes(parameters.g_system);
+}
 
 template <typename Is>
 const DialectRow* first_dialect(const Is& is) {
@@ -38,7 +47,8 @@ bool says_something(const base::FirstWord& first) {
 
 std::span<const DialectRow> dialects() {
   static const std::array rows = {
-      DialectRow{Kind::gcode, "fanuc-mill", &gcode::language(), "mill3"},
+      DialectRow{Kind::gcode, "fanuc-mill", &gcode::language(), "mill3", codes_of_mills},
+      DialectRow{Kind::gcode, "fanuc-lathe", &gcode::language(), "lathe2", codes_of_lathes},
       DialectRow{Kind::basic, "laser-basic", &basic::language(), "laser3"},
       DialectRow{Kind::teach, "teach", &teach::language(), "laser5"},
       DialectRow{Kind::pattern, kPatternDialect, &drive::pattern_language(), "arm4"}};

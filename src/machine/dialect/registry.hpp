@@ -8,6 +8,8 @@
 
 #include "base/language.hpp"
 #include "base/source_file.hpp"
+#include "control/core/parameters.hpp"
+#include "control/gcode/codes/code_table.hpp"
 
 namespace kerf::machine {
 
@@ -22,6 +24,8 @@ struct DialectRow {
   std::string_view name;  ///< of kDialects
   const base::Language* language = nullptr;
   std::string_view machine;  ///< built-in one that runs it where none is named
+  /// Of G-code: what its codes mean.
+  const control::CodeTable& (*codes)(const control::Parameters&) = nullptr;
 };
 
 /// All of them, the usual one first.

@@ -5,7 +5,10 @@
 
 #include "geometry/arc.hpp"
 #include "math/math.hpp"
+#include "motion/path_speed.hpp"
 #include "motion/plane_axes.hpp"
+#include "motion/spindle_speed.hpp"
+#include "motion/thread_speed.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -20,7 +23,7 @@ constexpr std::size_t kMostMessages = 1000;
 }  // namespace
 
 RunStatistics::RunStatistics(const motion::AxisSetup& axes)
-    : axes_(axes), at_(axes.start), low_(axes.start), high_(axes.start) {
+    : axes_(axes), at_(axes.start), low_(axes.start), high_(axes.start), curves_(axes) {
   for (std::size_t i = 0; i < axes.count(); ++i) {
     rapid_s_per_unit_[i] = 60 / axes.axes[i].rapid_per_min;
     linear_[i] = !axes.axes[i].rotary;
@@ -101,8 +104,30 @@ void RunStatistics::space_arc(const motion::SpaceArc& arc, std::uint32_t line) {
   cut(path.circle().length(), path.circle().length(), arc.feed, line);
 }
 
+// A thread keeps the speed of its begin.
+void RunStatistics::thread(const motion::Thread& thread, std::uint32_t line) {
+  if (!in_thread_) thread_rpm_ = motion::rpm_at(spindle_, at_);
+  in_thread_ = true;
+  const motion::ThreadWay way(thread, at_, axes_);
+  cut_mm_ += way.length_mm();
+  const double turns = way.revolutions();
+  if (thread_rpm_ > 0 && std::isfinite(turns)) {
+    seconds_ += turns * 60 / thread_rpm_;
+  } else if (untimed_line_ == 0) {
+    untimed_line_ = line;
+  }
+}
+
+void RunStatistics::find_speed(const motion::Motion& motion) {
+  if (!spindle_.follows_radius() || motion::target_of(motion) == nullptr) return;
+  const auto curves = curves_.of(at_, motion);
+  if (!curves.empty()) speed_rpm_ = motion::mean_rpm(spindle_, curves);
+}
+
 void RunStatistics::take(const motion::Motion& motion) {
   using namespace motion;
+  in_thread_ = in_thread_ && !ends_thread(motion);
+  find_speed(motion);
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     bool rotary_only = false;
     const double length = distance(line->to, rotary_only);
@@ -124,10 +149,8 @@ void RunStatistics::take(const motion::Motion& motion) {
       bool rotary_only = false;
       const double length = distance(*to, rotary_only);
       cut(rotary_only ? 0 : length, length, probe->feed, motion.block.line);
-    } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {
-      bool rotary_only = false;
-      const double length = distance(*to, rotary_only);
-      cut(length, length, {thread->lead, FeedMode::per_revolution}, motion.block.line);
+    } else if (const auto* const in_turns = std::get_if<Thread>(&motion.action)) {
+      thread(*in_turns, motion.block.line);
     }
     at_ = *to;
     ++motions_;
@@ -135,6 +158,7 @@ void RunStatistics::take(const motion::Motion& motion) {
     seconds_ += dwell->seconds;
     dwell_seconds_ += dwell->seconds;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
+    spindle_ = *spindle;
     speed_rpm_ = spindle->known_rpm();
   } else if (const auto* const tool = std::get_if<ToolChange>(&motion.action)) {
     if (std::find(tools_.begin(), tools_.end(), tool->tool) == tools_.end())

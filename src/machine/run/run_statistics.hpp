@@ -8,6 +8,7 @@
 #include "motion/axis_setup.hpp"
 #include "motion/motion.hpp"
 #include "motion/motion_extent.hpp"
+#include "motion/move_curves.hpp"
 #include "motion/space_arc_path.hpp"
 
 namespace kerf::machine {
@@ -16,7 +17,9 @@ namespace kerf::machine {
 ///
 /// The time here is that of the programmed feed and the machine's rapid rates, without
 /// acceleration: a rapid takes as long as its slowest axis, a cut its length (of an arc: in its
-/// plane) divided by its feed. What the axes really take is Servo's.
+/// plane) divided by its feed, with constant surface speed the integral of that, a thread its
+/// revolutions. What the axes really take, and how long a thread waits for the spindle's mark, is
+/// Servo's.
 class RunStatistics : public motion::MotionSink {
  public:
   explicit RunStatistics(const motion::AxisSetup& axes);
@@ -45,6 +48,8 @@ class RunStatistics : public motion::MotionSink {
   void cut(double length, double feed_length, const motion::Feed& feed, std::uint32_t line);
   void arc(const motion::Arc& arc, std::uint32_t line);
   void space_arc(const motion::SpaceArc& arc, std::uint32_t line);
+  void thread(const motion::Thread& thread, std::uint32_t line);
+  void find_speed(const motion::Motion& motion);
   [[nodiscard]] double distance(const base::TipPoint& to, bool& rotary_only) const;
 
   const motion::AxisSetup& axes_;
@@ -53,7 +58,11 @@ class RunStatistics : public motion::MotionSink {
   base::TipPoint high_;
   std::array<double, base::kMaxAxes> rapid_s_per_unit_{};
   std::array<bool, base::kMaxAxes> linear_{};
-  double speed_rpm_ = 0;
+  motion::MoveCurves curves_;
+  motion::Spindle spindle_;
+  double speed_rpm_ = 0;    // of the move under way, where it changes its mean
+  double thread_rpm_ = 0;   // of threads in a row: of where the first one begins
+  bool in_thread_ = false;  // the last move was a thread
   double seconds_ = 0;
   double dwell_seconds_ = 0;
   double rapid_mm_ = 0;

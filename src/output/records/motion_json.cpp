@@ -5,6 +5,7 @@
 #include "base/decimal.hpp"
 #include "base/program_name.hpp"
 #include "geometry/angle.hpp"
+#include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
 #include "output/writing/json_object.hpp"
 
@@ -104,9 +105,16 @@ void MotionJson::point(const char* name, const base::TipPoint& at) {
   line_ += name;
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     line_ += keys_[i];
-    base::append_number(line_, at.values[i]);
+    base::append_number(line_, at.values[i] * axes_.axes[i].count_per_mm());
   }
   line_ += '}';
+}
+
+void MotionJson::centre(const Arc& arc) {
+  const auto plane = plane_axes(arc.plane, axes_);
+  append_member(line_, "\",\"center\":[",
+                arc.center[0] * (plane ? axes_[plane->first].count_per_mm() : 1));
+  append_member(line_, ",", arc.center[1] * (plane ? axes_[plane->second].count_per_mm() : 1));
 }
 
 void MotionJson::feed(const Feed& feed) {
@@ -151,8 +159,7 @@ void MotionJson::write(const Motion& motion) {
       target(action.to);
       line_ += ",\"plane\":\"";
       line_ += plane_name(action.plane);
-      append_member(line_, "\",\"center\":[", action.center[0]);
-      append_member(line_, ",", action.center[1]);
+      centre(action);
       line_ += action.direction == Direction::clockwise ? "],\"direction\":\"cw\""
                                                         : "],\"direction\":\"ccw\"";
       line_ += ",\"turns\":";
@@ -175,6 +182,7 @@ void MotionJson::write(const Motion& motion) {
       append_member(line_, ",\"speed\":", action.speed);
       line_ += css ? ",\"mode\":\"css\"" : ",\"mode\":\"rpm\"";
       if (css && action.max_rpm > 0) append_member(line_, ",\"max_rpm\":", action.max_rpm);
+      if (action.follows_radius()) append_member(line_, ",\"centre\":", action.centre);
     } else if constexpr (std::is_same_v<Action, Coolant>) {
       begin("coolant", motion);
       line_ += std::string(",\"state\":\"") + coolant_name(action.state) + '"';
@@ -192,6 +200,8 @@ void MotionJson::write(const Motion& motion) {
       begin("thread", motion);
       target(action.to);
       append_member(line_, ",\"lead\":", action.lead);
+      if (action.lead_change != 0) append_member(line_, ",\"lead_change\":", action.lead_change);
+      if (action.angle_deg != 0) append_member(line_, ",\"angle_deg\":", action.angle_deg);
     } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
       begin("mcode", motion);
       line_ += ",\"code\":";

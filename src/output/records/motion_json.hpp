@@ -25,6 +25,7 @@ class MotionJson : public motion::MotionSink {
   void point(const char* name, const base::TipPoint& at);
   void target(const base::TipPoint& to) { point(",\"to\":{", to); }
   void space_arc(const motion::SpaceArc& arc);
+  void centre(const motion::Arc& arc);
   void feed(const motion::Feed& feed);
   void write(const motion::Motion& motion);
 

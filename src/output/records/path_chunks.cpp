@@ -7,6 +7,7 @@
 
 #include "math/math.hpp"
 #include "motion/feed.hpp"
+#include "motion/spindle_speed.hpp"
 
 namespace kerf::output {
 namespace {
@@ -113,7 +114,7 @@ void PathChunks::take(const motion::Motion& motion) {
   } else if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     tool_ = change->tool;
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    speed_rpm_ = spindle->known_rpm();
+    spindle_ = *spindle;
   }
 }
 
@@ -136,7 +137,8 @@ void PathChunks::add_move(const motion::Motion& motion, const TipPoint& to) {
   Move& move = moves_.emplace_back(Move{attributes_of(motion, kind_of(motion)), to});
   double length = 0;
   for (const motion::Curve& curve : curves) length += curve.length();
-  move.attributes.feed_mm_min = static_cast<float>(programmed_feed(motion, length, speed_rpm_));
+  move.attributes.feed_mm_min =
+      static_cast<float>(programmed_feed(motion, length, motion::rpm_at(spindle_, to)));
   if (curves.size() == 1 && curves.front().is_line()) return;
   for (const motion::Curve& curve : curves) move.curves.push_back({curve, chords_of(curve)});
 }

@@ -128,7 +128,7 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
   // Of the motions.
   base::TipPoint commanded_;
   std::uint64_t motions_ = 0;
-  double speed_rpm_ = 0;
+  motion::Spindle spindle_;
   double power_percent_ = 0;
   std::uint32_t tool_ = 0;
   std::deque<Move> moves_;

@@ -69,7 +69,7 @@ Smoothed smooth(const std::vector<Point>& points, double tolerance) {
       chain.start(points[n - 1].at);
       ++smoothed.chains;
     }
-    chain.add(points[n].at, length, points[n].feed, points[n].fixed_override, {});
+    chain.add(points[n].at, length, {points[n].feed, false, points[n].fixed_override}, {});
     drain(false);
   }
   drain(true);
@@ -295,7 +295,7 @@ TEST(ChainSmoother, NeverGoesRoundACornerThatTurnsMoreThanTwentyDegrees) {
     ChainSmoother chain(1e3, kAxes, kLinear, follower);
     chain.start({});
     const TipPoint first{{length * std::cos(heading), length * std::sin(heading)}};
-    chain.add(first, length, 10, false, {});
+    chain.add(first, length, {10}, {});
     TipPoint next = first;
     next.values[0] += length * std::cos(heading + turn);
     next.values[1] += length * std::sin(heading + turn);
@@ -309,7 +309,7 @@ TEST(ChainSmoother, LongLinesAreNoPartOfACurve) {
   Follower follower(nullptr);
   ChainSmoother chain(kTolerance, kAxes, kLinear, follower);
   chain.start({});
-  chain.add({{10, 0}}, 10, 10, false, {});
+  chain.add({{10, 0}}, 10, {10}, {});
   const auto accepts = [&](double turn) {
     return chain.accepts({{10 + 10 * std::cos(turn), 10 * std::sin(turn)}}, 10);
   };

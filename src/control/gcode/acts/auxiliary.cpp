@@ -36,13 +36,16 @@ bool Auxiliary::read(const Words& words) {
     }
     s.words.speed = static_cast<double>(value);
   }
-  if (words.has('T')) {
-    if (!s.values.integer(words['T'], 0, kMostCode, value)) return false;
-    s.words.tool = value;
-  }
+  if (words.has('T') && !read_tool(words['T'])) return false;
   if (words.has('E') && !s.values.plain(words['E'], s.words.e)) return false;
+  if (s.codes.habits().tool_brings_offset) return true;  // H and D belong to axes and cycles
   return read_offset(words, 'H', s.words.length_offset) &&
          read_offset(words, 'D', s.words.radius_offset);
+}
+
+bool Auxiliary::read_tool(const Word& word) {
+  if (state_.codes.habits().tool_brings_offset) return turret_.read(word);
+  return state_.values.integer(word, 0, kMostCode, state_.words.tool);
 }
 
 // NUM-4, NUM-5. F is kept in mm; what it counts depends on the feed mode.
@@ -119,7 +122,19 @@ bool Auxiliary::Codes::add(Function function) {
 
 void Auxiliary::turn(motion::Spindle::Turning turning) {
   state_.words.turning = turning;
-  state_.path.act(state_.spindle());
+  tell_spindle();
+}
+
+void Auxiliary::tell_spindle() {
+  const motion::Spindle spindle = state_.spindle();
+  told_centre_ = spindle.centre;
+  state_.path.act(spindle);
+}
+
+void Auxiliary::follow_work_zero() {
+  const bool turns = motion::Spindle::turns(state_.words.turning);
+  if (!turns || state_.modal[Group::speed] != Meaning::surface_speed) return;
+  if (state_.spindle().centre != told_centre_) tell_spindle();
 }
 
 void Auxiliary::before_motion(const Words& words) {
@@ -130,10 +145,11 @@ void Auxiliary::before_motion(const Words& words) {
     told |=
         function == Function::spindle_clockwise || function == Function::spindle_counterclockwise;
   }
+  if (words.has('T') && state_.codes.habits().tool_brings_offset) turret_.turn();
   const bool turning = motion::Spindle::turns(state_.words.turning);
   const bool changes_speed =
       !words.has_g(Meaning::preset) || state_.modal[Group::speed] == Meaning::surface_speed;
-  if (words.has('S') && turning && !told && changes_speed) state_.path.act(state_.spindle());
+  if (words.has('S') && turning && !told && changes_speed) tell_spindle();
 }
 
 void Auxiliary::after_motion(const Words& words) {

@@ -3,13 +3,14 @@
 #include <cstdint>
 
 #include "control/gcode/acts/state.hpp"
+#include "control/gcode/acts/turret.hpp"
 
 namespace kerf::control {
 
 /// F, S, T, H, D and the M codes of a block (docs/dialect.md §8, order in a block; §11.5).
 class Auxiliary {
  public:
-  explicit Auxiliary(State& state) : state_(state) {}
+  explicit Auxiliary(State& state) : state_(state), turret_(state) {}
 
   /// What the M codes of a block ask for besides their own action.
   struct Codes {
@@ -37,13 +38,19 @@ class Auxiliary {
   void before_motion(const Words& words);
   /// Actions behind it: M05, M09 and every code that the control passes through.
   void after_motion(const Words& words);
+  /// The zero of the work has moved under a constant surface speed: the spindle is told again.
+  void follow_work_zero();
 
  private:
+  void tell_spindle();
+  bool read_tool(const gcode::Word& word);
   bool read_offset(const Words& words, char letter, std::int64_t& number);
   void turn(motion::Spindle::Turning turning);
   void act(const FunctionRow& code);
 
   State& state_;
+  Turret turret_;
+  double told_centre_ = 0;  // of the spindle as it was told last
 };
 
 }  // namespace kerf::control

@@ -11,7 +11,8 @@ using base::AxisSet;
 using base::AxisVector;
 using base::Code;
 
-constexpr double kMostToolOffset = 9999.999;  // mm
+constexpr double kMostToolOffset = 9999.999;    // mm
+constexpr std::int64_t kFirstGeometry = 10000;  // P of a lathe's G10: wear up to here
 
 // What the L of a tool offset names in each memory: 0 geometry length, 1 wear length, 2 geometry
 // radius, 3 wear radius; -1: no such L.
@@ -26,6 +27,7 @@ int tool_part(char memory, std::int64_t l) {
 
 bool DataSetting::execute(const Words& words) {
   std::int64_t l = 0;
+  if (!words.has('L') && state_.codes.habits().tool_brings_offset) return set_turning_offset(words);
   if (!words.has('L')) return state_.alarms.raise(Code::g10_format, "L is missing");
   if (!state_.values.integer(words['L'], 0, 99999999, l)) return false;
   if (l == 2 || l == 20) return set_work_offset(words);
@@ -60,8 +62,8 @@ bool DataSetting::set_work_offset(const Words& words) {
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(named, axis)) continue;
-    target[axis] =
-        state_.modal.incremental() ? base::tidy(target[axis] + values[axis]) : values[axis];
+    const double value = values[axis] * state_.axes[axis].count_per_mm();
+    target[axis] = state_.modal.incremental() ? base::tidy(target[axis] + value) : value;
   }
   ++state_.memory.revision;
   state_.coordinates.offsets_changed();
@@ -92,6 +94,61 @@ bool DataSetting::set_tool_offset(const Words& words, std::int64_t l) {
   }
   part = value;
   ++state_.memory.revision;
+  return true;
+}
+
+// A part of an offset: the first letter is its new value, the second one what is added to it.
+bool DataSetting::set_part(const Words& words, char letter, char increment, double& part) {
+  for (const char name : {letter, increment}) {
+    if (name == 0 || !words.has(name)) continue;
+    double value = 0;
+    if (!state_.values.length(words[name], value)) return false;
+    if (name == increment) value = base::tidy(part + value);
+    if (value > kMostToolOffset || value < -kMostToolOffset)
+      return state_.alarms.raise(Code::offset_too_large, words[name].text);
+    part = value;
+  }
+  return true;
+}
+
+// G10 P of a lathe: wear, from 10001 on geometry; R is the nose, Q the direction of the tip.
+bool DataSetting::set_turning_offset(const Words& words) {
+  std::int64_t p = 0;
+  if (!words.has('P')) return state_.alarms.raise(Code::g10_format, "P is missing");
+  if (!state_.values.integer(words['P'], 0, 99999999, p)) return false;
+  if (p == 0) return set_work_shift(words);
+  const bool geometry = p > kFirstGeometry;
+  const std::int64_t number = geometry ? p - kFirstGeometry : p;
+  if (number > state_.parameters.n_offsets) {
+    return state_.alarms.raise(
+        Code::illegal_offset_number, words['P'].text,
+        "the control has " + std::to_string(state_.parameters.n_offsets) + " offsets");
+  }
+  TurningOffset& row = state_.memory.turning[static_cast<std::size_t>(number)];
+  TurningOffset changed = row;
+  TurningOffset::Part& part = geometry ? changed.geometry : changed.wear;
+  std::int64_t tip = static_cast<std::int64_t>(row.tip);
+  if (words.has('Q') && !state_.values.integer(words['Q'], 0, 9, tip)) return false;
+  changed.tip = static_cast<double>(tip);
+  if (!set_part(words, 'X', 'U', part.x) || !set_part(words, 'Y', 'V', part.y) ||
+      !set_part(words, 'Z', 'W', part.z) || !set_part(words, 'R', 'C', part.radius))
+    return false;
+  row = changed;
+  ++state_.memory.revision;
+  return true;
+}
+
+// G10 P0: EXT, as the operator enters it.
+bool DataSetting::set_work_shift(const Words& words) {
+  base::AxisVector shift = state_.memory.external;
+  constexpr std::pair<char, char> kLetters[] = {{'X', 'U'}, {'Y', 'V'}, {'Z', 'W'}, {'C', 'H'}};
+  for (const auto& [letter, increment] : kLetters) {
+    const auto axis = state_.axes.find(letter);
+    if (axis && !set_part(words, letter, increment, shift[*axis])) return false;
+  }
+  state_.memory.external = shift;
+  ++state_.memory.revision;
+  state_.coordinates.offsets_changed();
   return true;
 }
 

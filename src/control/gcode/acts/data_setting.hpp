@@ -25,6 +25,9 @@ class DataSetting {
   bool enter_bits(const gcode::Word& word, std::uint32_t number);
   bool set_work_offset(const Words& words);
   bool set_tool_offset(const Words& words, std::int64_t l);
+  bool set_turning_offset(const Words& words);
+  bool set_work_shift(const Words& words);
+  bool set_part(const Words& words, char letter, char increment, double& part);
 
   State& state_;
   Targets& targets_;

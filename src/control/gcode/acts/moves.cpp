@@ -8,6 +8,8 @@
 #include "control/core/assumed.hpp"
 #include "geometry/arc.hpp"
 #include "motion/feed.hpp"
+#include "motion/spindle_speed.hpp"
+#include "motion/thread_speed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -52,8 +54,17 @@ bool Moves::has_feed(const Words& words) {
 }
 
 void Moves::apply_length(base::AxisSet named) {
+  if (state_.codes.habits().tool_brings_offset) return apply_tool_offset(named);
   if (base::contains(named, state_.length_axis)) {
     state_.set_length(state_.length_axis, state_.wanted_length);
+  }
+}
+
+// LAT-7: with the next move of each axis.
+void Moves::apply_tool_offset(base::AxisSet named) {
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    if (base::contains(named, axis)) state_.set_length(axis, state_.wanted_offset[axis]);
   }
 }
 
@@ -123,21 +134,32 @@ bool Moves::execute(const Words& words, bool& moved) {
     return true;
   }
   Target target;
-  if (!targets_.read(words, target)) return false;
-  if (state_.axes.count() > static_cast<std::size_t>(state_.parameters.simultaneous_axes) &&
-      std::popcount(target.named) > state_.parameters.simultaneous_axes) {  // G-4
-    return state_.alarms.raise(
-        Code::too_many_axes,
-        std::to_string(state_.parameters.simultaneous_axes) + " axes can move together");
-  }
+  if (!targets_.read(words, target) || !check_axes(target)) return false;
   moved = true;
+  const bool threads = mode == Meaning::thread || mode == Meaning::thread_of_variable_lead;
+  if (circular || threads) {
+    apply_length(target.named);
+    return circular ? arc(words, mode == Meaning::arc_clockwise, target) : thread(words, target);
+  }
+  return straight(words, target);
+}
+
+// G-4
+bool Moves::check_axes(const Target& target) {
+  if (state_.axes.count() <= static_cast<std::size_t>(state_.parameters.simultaneous_axes) ||
+      std::popcount(target.named) <= state_.parameters.simultaneous_axes)
+    return true;
+  return state_.alarms.raise(
+      Code::too_many_axes,
+      std::to_string(state_.parameters.simultaneous_axes) + " axes can move together");
+}
+
+bool Moves::straight(const Words& words, const Target& target) {
   apply_length(target.named);
-  if (circular) return arc(words, mode == Meaning::arc_clockwise, target);
-  if (mode == Meaning::thread) return thread(words, target);
   const PathPoint path = state_.coordinates.path_of(target.program);
   if (!check_limits(path)) return false;
   if (begin_of_last_part(state_, path)) return position(target.program);
-  if (mode == Meaning::rapid) {
+  if (motion_mode() == Meaning::rapid) {
     if (!state_.path.move(state_.coordinates.path(), state_.rapid(on_path(path)))) return false;
   } else {
     if (!has_feed(words) ||
@@ -266,13 +288,13 @@ bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
   return state_.path.arc(from, path, shape, feed()) && finish(target, path);
 }
 
-// G33: the lead is F, or E where it is used.
-bool Moves::thread(const Words& words, const Target& target) {
+// NUM-6: the lead is F; without a decimal point it counts hundredths.
+bool Moves::read_lead(const Words& words, double& lead) {
   if (!words.has('F') && state_.words.feed == 0)
-    return state_.alarms.raise(Code::feed_zero, "G33 needs its lead F");
+    return state_.alarms.raise(Code::feed_zero, "a thread needs its lead F");
   if (state_.words.speed == 0)
     return state_.alarms.raise(Code::speed_zero, "a thread needs a turning spindle");
-  double lead = state_.words.feed;
+  lead = state_.words.feed;
   if (words.has('F')) {
     lead = words['F'].value;
     const bool bare =
@@ -281,10 +303,42 @@ bool Moves::thread(const Words& words, const Target& target) {
     if (state_.modal.inch()) lead = base::tidy(lead * motion::kMillimetresPerInch);
     state_.words.feed = lead;
   }
+  lead = base::tidy(lead);
+  return true;
+}
+
+// G33 and its like; Q is where on the circumference the thread begins, K of G34 how its lead grows.
+bool Moves::thread(const Words& words, const Target& target) {
+  motion::Thread cut;
+  if (!read_lead(words, cut.lead) || !read_start(words, cut)) return false;
   const PathPoint path = state_.coordinates.path_of(target.program);
-  return check_limits(path) &&
-         state_.path.straight(motion::Thread{on_path(path), base::tidy(lead)}) &&
+  cut.to = on_path(path);
+  return check_limits(path) && can_follow_spindle(cut) && state_.path.straight(cut) &&
          finish(target, path);
+}
+
+bool Moves::read_start(const Words& words, motion::Thread& cut) {
+  if (words.has('Q')) {
+    double thousandths = 0;
+    if (!state_.values.plain(words['Q'], thousandths)) return false;
+    cut.angle_deg = base::tidy(thousandths / 1000);
+  }
+  const bool grows = state_.modal[Group::motion] == Meaning::thread_of_variable_lead;
+  return !grows || !words.has('K') || state_.values.length(words['K'], cut.lead_change);
+}
+
+// Slower than the spindle asks for it would have another lead.
+bool Moves::can_follow_spindle(const motion::Thread& thread) {
+  const base::TipPoint from = state_.path.tip();
+  if (std::isinf(motion::ThreadWay(thread, from, state_.axes).revolutions()))
+    return state_.alarms.raise(Code::thread_lead_negative);
+  const double most = motion::highest_rpm(thread, from, state_.axes);
+  const double rpm = motion::rpm_at(state_.spindle(), from);
+  constexpr double kSame = 1 + 1e-9;
+  if (rpm <= most * kSame) return true;
+  return state_.alarms.raise(Code::spindle_too_fast,
+                             "S" + base::rounded_text(rpm, 0) + ", at most S" +
+                                 base::rounded_text(std::floor(most * kSame), 0));
 }
 
 }  // namespace kerf::control

@@ -16,10 +16,21 @@ class Moves {
   /// happened.
   [[nodiscard]] bool execute(const Words& words, bool& moved);
 
+  /// A line to a target, fast or at feed by the active motion mode. False: an alarm was raised.
+  [[nodiscard]] bool straight(const Words& words, const Target& target);
+
   /// Whether a cutting move has a feed; alarm PS0011 without one, PS1202 in G93 without F in the
   /// block.
   [[nodiscard]] bool has_feed(const Words& words);
   [[nodiscard]] motion::Feed feed() const { return {state_.words.feed, state_.modal.feed_mode()}; }
+
+  /// The lead of a thread: F of the block, else the feed in force. Alarm PS0011 without one, PS1541
+  /// without a speed.
+  [[nodiscard]] bool read_lead(const Words& words, double& lead);
+
+  /// Whether every axis can go as fast as a thread from here asks for; alarm SPINDLE_TOO_FAST, or
+  /// PS0313 where its lead shrinks to nothing on the way.
+  [[nodiscard]] bool can_follow_spindle(const motion::Thread& thread);
 
   /// The active length offset takes effect on its axis if that is among `named`.
   void apply_length(base::AxisSet named);
@@ -33,12 +44,15 @@ class Moves {
   [[nodiscard]] bool line_to(const base::ProgramPoint& program, const motion::Feed& feed);
 
  private:
+  void apply_tool_offset(base::AxisSet named);
   [[nodiscard]] Meaning motion_mode() const;
   bool unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target& target,
                               geometry::Vec2 centre, bool clockwise, geometry::Vec2& image);
+  bool check_axes(const Target& target);
   bool arc(const Words& words, bool clockwise, const Target& target);
   void cut_standing(const Words& words);
   bool thread(const Words& words, const Target& target);
+  bool read_start(const Words& words, motion::Thread& cut);
   bool read_centre(const Words& words, const motion::PlaneAxes& plane, const Target& target,
                    bool clockwise, geometry::Vec2& centre, bool& nothing);
   bool centre_offset(const Words& words, char letter, double& mm);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "control/core/assumed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -67,7 +68,11 @@ bool References::rapid_to_machine(const MachinePoint& machine, AxisSet named) {
 bool References::return_to_reference(const Words& words, std::size_t point, bool& moved) {
   Target target;
   if (!targets_.read(words, target)) return false;
-  if (target.named == 0) return true;
+  if (target.named == 0) {
+    if (state_.codes.habits().tool_brings_offset)
+      state_.assume(Assumed::lone_reference, "G28 or G30 without an axis moves nothing");
+    return true;
+  }
   moved = true;
   const PathPoint middle = state_.coordinates.path_of(target.program);
   if (!moves_.check_limits(middle) || !state_.path.straight(state_.rapid(on_path(middle))))
@@ -149,7 +154,8 @@ bool References::machine_position(const Words& words, bool& moved) {
   if (state_.modal.incremental()) return true;
   MachinePoint machine;
   AxisSet named = 0;
-  return targets_.values(words, machine, named) && rapid_to_machine(machine, named);
+  return targets_.values(words, machine, named) &&
+         rapid_to_machine(machine, static_cast<AxisSet>(named & ~targets_.ways(words)));
 }
 
 // REF-5

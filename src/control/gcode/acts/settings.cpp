@@ -33,8 +33,6 @@ bool leaves_system(const State& state, const CodeRow& row) {
   }
 }
 
-bool is_straight(Meaning motion) { return motion == Meaning::rapid || motion == Meaning::line; }
-
 bool shifts_system(Meaning meaning) {
   return meaning == Meaning::local_system || meaning == Meaning::preset ||
          meaning == Meaning::clear_shifts;
@@ -153,7 +151,7 @@ bool Settings::apply_codes(const Words& words) {
   // F counts something else now: the old one means nothing any more.
   if (feed_mode && state_.before.feed_mode() != state_.modal.feed_mode() && !words.has('F'))
     state_.words.feed = 0;
-  return set_length(words, length) && set_compensation(words, compensation);
+  return set_length(words, length) && compensation_.apply(words, compensation);
 }
 
 // WCS-1, WCS-2
@@ -181,13 +179,6 @@ bool Settings::select_work(const Words& words, const CodeRow& row) {
 double Settings::length_of(std::int64_t number) const {
   const ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(number)];
   return base::tidy(tool.length_geometry + tool.length_wear);
-}
-
-double Settings::radius_of(std::int64_t number) const {
-  const ToolOffset& tool = state_.memory.tools[static_cast<std::size_t>(number)];
-  if (state_.parameters.offset_memory != 'C')
-    return base::tidy(tool.length_geometry + tool.length_wear);
-  return base::tidy(tool.radius_geometry + tool.radius_wear);
 }
 
 // Always Z, or with type C the axis that the block names (TLC-4).
@@ -230,53 +221,6 @@ bool Settings::set_length(const Words& words, bool switched) {
     state_.assume(Assumed::no_offset, "G43 or G44 without an offset number: length offset 0");
   }
   moves_.apply_length(base::only(axis));
-  return true;
-}
-
-bool Settings::set_compensation(const Words& words, bool switched) {
-  const Meaning mode = state_.modal[Group::compensation];
-  if (mode == Meaning::compensation_off) {
-    if (!switched || !state_.path.compensating()) return true;
-    std::optional<geometry::Vec2> wall;
-    const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
-    if (plane && (words.has(plane->first_offset) || words.has(plane->second_offset)) &&
-        is_straight(state_.modal[Group::motion])) {
-      geometry::Vec2 direction;
-      if (words.has(plane->first_offset) &&
-          !state_.values.length(words[plane->first_offset], direction.u))
-        return false;
-      if (words.has(plane->second_offset) &&
-          !state_.values.length(words[plane->second_offset], direction.v))
-        return false;
-      if (geometry::length(direction) > 0) wall = direction;
-    }
-    if (!is_straight(state_.modal[Group::motion]) && words.has_any(targets_.letters())) {
-      return state_.alarms.raise(Code::arc_at_start_up);
-    }
-    state_.path.end_compensation(wall);
-    return true;
-  }
-  if (!switched && !words.has('D')) return true;
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
-  if (!plane)
-    return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
-  const Transform& transform = state_.coordinates.transform();
-  if (transform.rotated() && !transform.rotates(*plane))  // TRF-3
-    return state_.alarms.raise(Code::illegal_transform_plane);
-  const double radius = radius_of(state_.words.radius_offset);
-  if (std::fabs(radius) > kMostOffset)
-    return state_.alarms.raise(
-        Code::illegal_offset_value,
-        "D" + std::to_string(state_.words.radius_offset) + " is " + base::number_text(radius));
-  if (state_.words.radius_offset == 0 || radius == 0) {  // D0 cancels (CRC-1, CRC-12)
-    if (switched && state_.words.radius_offset == 0) {
-      state_.assume(Assumed::no_offset + 500, "G41 or G42 without an offset number: radius 0");
-    }
-    if (state_.path.compensating()) state_.path.end_compensation(std::nullopt);
-    return true;
-  }
-  const bool left = (mode == Meaning::compensation_left) != transform.reverses(*plane);
-  state_.path.compensate(*plane, left ? radius : -radius);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/gcode/acts/compensation.hpp"
 #include "control/gcode/acts/moves.hpp"
 #include "control/gcode/acts/state.hpp"
 #include "control/gcode/acts/targets.hpp"
@@ -12,7 +13,7 @@ namespace kerf::control {
 class Settings {
  public:
   Settings(State& state, Targets& targets, Moves& moves)
-      : state_(state), targets_(targets), moves_(moves) {}
+      : state_(state), targets_(targets), moves_(moves), compensation_(state, targets) {}
 
   /// Takes the modal codes of a block over; checks each.
   [[nodiscard]] bool read_codes(const Words& words, const Words::G*& one_shot);
@@ -28,7 +29,6 @@ class Settings {
 
   /// The length offset that H selects, mm.
   [[nodiscard]] double length_of(std::int64_t number) const;
-  [[nodiscard]] double radius_of(std::int64_t number) const;
 
  private:
   bool check_parallel_axes(const Words& words);
@@ -37,7 +37,6 @@ class Settings {
   bool select_work(const Words& words, const CodeRow& row);
   bool find_length_axis(const Words& words, base::Axis& axis) const;
   bool set_length(const Words& words, bool switched);
-  bool set_compensation(const Words& words, bool switched);
   bool set_scaling(const Words& words);
   bool scale_factor(const Words& words, char letter, double& factor);
   bool set_mirror(const Words& words, bool on);
@@ -46,6 +45,7 @@ class Settings {
   State& state_;
   Targets& targets_;
   Moves& moves_;
+  Compensation compensation_;
 };
 
 }  // namespace kerf::control

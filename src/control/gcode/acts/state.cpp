@@ -11,9 +11,11 @@ void State::reset() {
   for (std::size_t i = 0; i < axes.count(); ++i) {
     coordinates.set_local(base::Axis{static_cast<std::uint8_t>(i)}, 0);
   }
-  set_length(length_axis, 0);
+  for (std::size_t i = 0; i < axes.count(); ++i)
+    set_length(base::Axis{static_cast<std::uint8_t>(i)}, 0);
   coordinates.select({});
   wanted_length = 0;
+  wanted_offset = {};
   modal = ModalState(codes, parameters);
   before = modal;
   refresh_format();

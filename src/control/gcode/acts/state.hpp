@@ -27,13 +27,16 @@ struct ModalWords {
   double speed = 0;            ///< S
   double max_rpm = 0;          ///< G92 S
   motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
-  std::int64_t tool = 0;           ///< last T (#4120)
-  std::int64_t length_offset = 0;  ///< H (#4111)
-  std::int64_t radius_offset = 0;  ///< D (#4107)
-  std::int64_t last_m = 0;         ///< #4113
-  double second_auxiliary = 0;     ///< B (#4102)
-  double e = 0;                    ///< #4108
-  std::int64_t extended_work = 1;  ///< P of the last G54.1 (#4130)
+  std::int64_t tool = 0;             ///< last T (#4120)
+  std::int64_t station = 0;          ///< of a lathe: the tool that the turret has brought
+  std::int64_t turning_offset = 0;   ///< of a lathe: the number of the offset that T has brought
+  std::int64_t geometry_offset = 0;  ///< likewise, of its geometry
+  std::int64_t length_offset = 0;    ///< H (#4111)
+  std::int64_t radius_offset = 0;    ///< D (#4107)
+  std::int64_t last_m = 0;           ///< #4113
+  double second_auxiliary = 0;       ///< B (#4102)
+  double e = 0;                      ///< #4108
+  std::int64_t extended_work = 1;    ///< P of the last G54.1 (#4130)
 };
 
 /// The state that the parts of the control share. Each part changes what its header says.
@@ -81,22 +84,32 @@ struct State {
   std::uint32_t outputs[4] = {};                   ///< #1100 to #1135
   std::optional<base::ProgramPoint> intermediate;  ///< of the last G28 or G30
   base::AxisSet intermediate_axes = 0;
-  double wanted_length = 0;    ///< offset that G43 or G44 asks for; in force from the next move on
-  base::Axis length_axis{};    ///< its axis
-  bool rigid_tapping = false;  ///< M29
+  double wanted_length = 0;  ///< offset that G43 or G44 asks for; in force from the next move on
+  base::AxisVector wanted_offset;  ///< that T of a lathe asks for, mm; likewise, axis by axis
+  base::Axis length_axis{};        ///< its axis
+  bool rigid_tapping = false;      ///< M29
   bool moved_since_m29 = false;
   bool parameter_entry = false;  ///< between G10 L50 and G11
+  bool reads_shape = false;      ///< of a cycle, whose blocks command nothing
   double block_control = 0;      ///< #3003
   double feed_control = 0;       ///< #3004, bits of FeedControl
 
   /// What turns now.
   [[nodiscard]] motion::Spindle spindle() const {
     const bool css = modal[Group::speed] == Meaning::surface_speed;
-    return {
+    motion::Spindle spindle{
         .turning = words.turning,
         .mode = css ? motion::Spindle::Mode::constant_surface_speed : motion::Spindle::Mode::rpm,
         .speed = words.speed,
         .max_rpm = css ? words.max_rpm : 0};
+    if (css && codes.habits().tool_brings_offset) measure_radius(spindle);
+    return spindle;
+  }
+  /// The work turns: the surface speed is that at the diameter, from the zero of the work system.
+  void measure_radius(motion::Spindle& spindle) const {
+    spindle.most_rpm = parameters.spindle_max_rpm;
+    spindle.radius_axis = axes.find('X');
+    if (spindle.radius_axis) spindle.centre = coordinates.origin()[*spindle.radius_axis];
   }
   /// The reset button: modes as at power-on. The tool stays where it is, offsets and the shift of
   /// G92 stay.

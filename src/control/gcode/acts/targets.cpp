@@ -7,34 +7,83 @@
 namespace kerf::control {
 
 using base::Axis;
+using gcode::Word;
 using gcode::WordFlag;
+
+namespace {
+
+// The letter of ways along an axis where letters say what is a way; 0: it has none.
+char letter_of_ways(char axis) {
+  switch (axis) {
+    case 'X': return 'U';
+    case 'Y': return 'V';
+    case 'Z': return 'W';
+    case 'C': return 'H';
+    default: return 0;
+  }
+}
+
+}  // namespace
 
 void Targets::learn_letters() {
   letters_ = 0;
-  for (const motion::AxisConfig& axis : state_.axes.axes) letters_ |= Words::mask(axis.letter);
+  for (const motion::AxisConfig& axis : state_.axes.axes) {
+    letters_ |= Words::mask(axis.letter);
+    const char way = ways_have_letters() ? letter_of_ways(axis.letter) : '\0';
+    if (way != 0) letters_ |= Words::mask(way);
+  }
 }
 
-bool Targets::value(const gcode::Word& word, Axis axis, double& value) {
-  const bool rotary = state_.axes[axis].rotary;
-  const bool bare = word.has(WordFlag::literal) && !word.has(WordFlag::point) && word.value != 0;
-  if (bare && !state_.parameters.calculator_point &&
-      state_.assumptions.is_new(Assumed::least_increments)) {
-    const double unit = rotary || !state_.modal.inch() ? 0.001 : 0.0001;
-    const char* const name = rotary ? " degrees" : state_.modal.inch() ? " inch" : " mm";
-    state_.assumptions.add(
-        state_.line, std::string("a number without a decimal point counts least increments: ") +
-                         word.letter + base::number_text(word.value) + " is " +
-                         base::number_text(base::tidy(word.value * unit)) + name);
+const Word* Targets::word_of(const Words& words, Axis axis) const {
+  const char letter = state_.axes[axis].letter;
+  const Word* const point = words.find(letter);
+  if (!ways_have_letters()) return point;
+  const char way_letter = letter_of_ways(letter);
+  const Word* const way = way_letter != 0 ? words.find(way_letter) : nullptr;
+  return way != nullptr && (point == nullptr || way > point) ? way : point;  // LAT-2
+}
+
+base::AxisSet Targets::ways(const Words& words) const {
+  base::AxisSet ways = 0;
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const Word* const word = word_of(words, axis);
+    if (word != nullptr && is_way(*word, axis))
+      ways = static_cast<base::AxisSet>(ways | base::only(axis));
   }
-  return rotary ? state_.values.angle(word, value) : state_.values.length(word, value);
+  return ways;
+}
+
+void Targets::tell_increments(const Word& word, bool angle) {
+  const bool bare = word.has(WordFlag::literal) && !word.has(WordFlag::point) && word.value != 0;
+  if (!bare || state_.parameters.calculator_point ||
+      !state_.assumptions.is_new(Assumed::least_increments))
+    return;
+  const double unit = angle || !state_.modal.inch() ? 0.001 : 0.0001;
+  const char* const name = angle ? " degrees" : state_.modal.inch() ? " inch" : " mm";
+  state_.assumptions.add(state_.line,
+                         std::string("a number without a decimal point counts least increments: ") +
+                             word.letter + base::number_text(word.value) + " is " +
+                             base::number_text(base::tidy(word.value * unit)) + name);
+}
+
+bool Targets::value(const Word& word, Axis axis, double& value) {
+  const bool rotary = state_.axes[axis].rotary;
+  tell_increments(word, rotary);
+  if (rotary) return state_.values.angle(word, value);
+  if (!state_.values.length(word, value)) return false;
+  value /= state_.axes[axis].count_per_mm();
+  return true;
 }
 
 bool Targets::values(const Words& words, base::AxisVector& values, base::AxisSet& named) {
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
-    const gcode::Word* const word = words.find(state_.axes[axis].letter);
+    const Word* const word = word_of(words, axis);
     if (word == nullptr) continue;
-    if (!value(*word, axis, values[axis])) return false;
+    double number = 0;
+    if (!value(*word, axis, number)) return false;
+    values[axis] = is_way(*word, axis) ? base::tidy(values[axis] + number) : number;
     named = static_cast<base::AxisSet>(named | base::only(axis));
   }
   return true;
@@ -48,11 +97,12 @@ bool Targets::read(const Words& words, Target& target) {
   const bool incremental = state_.modal.incremental();
   for (std::size_t i = 0; i < state_.axes.count(); ++i) {
     const Axis axis{static_cast<std::uint8_t>(i)};
-    const gcode::Word* const word = words.find(state_.axes[axis].letter);
+    const Word* const word = word_of(words, axis);
     if (word == nullptr) continue;
     double number = 0;
     if (!value(*word, axis, number)) return false;
-    target.program[axis] = incremental ? base::tidy(target.program[axis] + number) : number;
+    const bool way = incremental || is_way(*word, axis);
+    target.program[axis] = way ? base::tidy(target.program[axis] + number) : number;
     target.named = static_cast<base::AxisSet>(target.named | base::only(axis));
   }
   return true;

@@ -10,17 +10,29 @@ struct Target {
   base::AxisSet named = 0;  ///< axes that have a word
 };
 
-/// Reads axis words: absolute or incremental (G90, G91), cartesian or polar (G15, G16).
+/// Reads axis words: absolute or incremental (G90, G91, or by their letter), cartesian or polar
+/// (G15, G16), diameters halved.
 class Targets {
  public:
   explicit Targets(State& state) : state_(state) {}
 
   /// The target of a move from the programmed point. False: an alarm was raised.
   [[nodiscard]] bool read(const Words& words, Target& target);
-  /// The values of all axis words of a block as written; `values` keeps what no word names.
+  /// The values of all axis words of a block as written; `values` keeps what no word names, and is
+  /// what a word counts from that is incremental by its letter.
   [[nodiscard]] bool values(const Words& words, base::AxisVector& values, base::AxisSet& named);
   /// Value of one axis word, mm or degrees.
   [[nodiscard]] bool value(const gcode::Word& word, base::Axis axis, double& value);
+  /// Says once that the number of a word counts least increments, if it has no decimal point.
+  void tell_increments(const gcode::Word& word, bool angle);
+  /// The word of an axis, null: it has none. Of two the last one counts.
+  [[nodiscard]] const gcode::Word* word_of(const Words& words, base::Axis axis) const;
+  /// Whether a word is a way along its axis because of its letter: U of a lathe.
+  [[nodiscard]] bool is_way(const gcode::Word& word, base::Axis axis) const {
+    return word.letter != state_.axes[axis].letter;
+  }
+  /// Axes whose word is a way by its letter.
+  [[nodiscard]] base::AxisSet ways(const Words& words) const;
   /// Mask of the machine's axis letters.
   [[nodiscard]] std::uint32_t letters() const { return letters_; }
   void learn_letters();
@@ -29,6 +41,9 @@ class Targets {
 
  private:
   bool read_polar(const Words& words, Target& target);
+  [[nodiscard]] bool ways_have_letters() const {
+    return state_.codes.habits().letters_are_increments;
+  }
 
   State& state_;
   std::uint32_t letters_ = 0;

@@ -11,6 +11,11 @@ const CodeRow* CodeTable::search(GCode number) const {
   return found == codes_.end() ? nullptr : &*found;
 }
 
+Group CodeTable::group_of(std::size_t number) const {
+  if (!numbers_.empty()) return number < numbers_.size() ? numbers_[number] : Group::none;
+  return number < kGroups ? static_cast<Group>(number) : Group::none;
+}
+
 const CodeRow& CodeTable::with(Meaning meaning) const {
   const auto found = std::find_if(codes_.begin(), codes_.end(),
                                   [&](const CodeRow& row) { return row.meaning == meaning; });

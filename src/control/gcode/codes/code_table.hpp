@@ -13,7 +13,8 @@ namespace kerf::control {
 /// A G code times ten: G54.1 is 541.
 using GCode = std::uint16_t;
 
-/// Groups of modal codes by the number behind #40 (docs/dialect/motion.md §8.1).
+/// Groups of modal codes by the number behind #40 of a machining centre (docs/dialect/motion.md
+/// §8.1); other dialects number them otherwise (CodeTable::group_of()).
 enum class Group : std::uint8_t {
   one_shot = 0,
   motion = 1,
@@ -37,9 +38,11 @@ enum class Group : std::uint8_t {
   in_feed = 20,
   polar_interpolation = 21,
   mirror = 22,
-  none = 255  ///< the code does not exist
+  turrets = 23,        ///< of lathes: G68, G69
+  spindle_watch = 24,  ///< of lathes: G25, G26
+  none = 255           ///< the code does not exist
 };
-inline constexpr std::size_t kGroups = 23;
+inline constexpr std::size_t kGroups = 25;
 
 /// Whose the axis words of a block are that has the code.
 enum class AxisWords : std::uint8_t {
@@ -74,11 +77,20 @@ struct FunctionRow {
   const char* sentence = "";
 };
 
-/// The codes of a dialect. Both lists are sorted by number and outlive the table.
+/// What a dialect's words mean besides its codes.
+struct Habits {
+  bool letters_are_increments = false;  ///< U V W H are ways along X Y Z C, and these are points
+  bool tool_brings_offset = false;  ///< T turns the turret and brings the offset of its last digits
+  bool drawing_dimensions = false;  ///< lines by their angle; corners stand between lines alone
+};
+
+/// The codes of a dialect. All lists outlive the table; rows are sorted by number.
 class CodeTable {
  public:
-  constexpr CodeTable(std::span<const CodeRow> codes, std::span<const FunctionRow> functions)
-      : codes_(codes), functions_(functions) {
+  /// `numbers`: the groups by the number behind #40; empty: as those of Group.
+  constexpr CodeTable(std::span<const CodeRow> codes, std::span<const FunctionRow> functions,
+                      std::span<const Group> numbers = {}, const Habits& habits = {})
+      : codes_(codes), functions_(functions), numbers_(numbers), habits_(habits) {
     for (std::size_t i = 0; i < codes.size(); ++i) {
       if (codes[i].number < kDirect) direct_[codes[i].number] = static_cast<std::uint8_t>(i + 1);
     }
@@ -97,6 +109,9 @@ class CodeTable {
   /// Null: the control has no meaning for it, and passes it on.
   [[nodiscard]] const FunctionRow* find_function(std::int64_t number) const;
 
+  /// The group with the variable #4000 + number; none: there is none.
+  [[nodiscard]] Group group_of(std::size_t number) const;
+  [[nodiscard]] const Habits& habits() const { return habits_; }
   [[nodiscard]] std::span<const CodeRow> codes() const { return codes_; }
   [[nodiscard]] std::span<const FunctionRow> functions() const { return functions_; }
 
@@ -106,6 +121,8 @@ class CodeTable {
 
   std::span<const CodeRow> codes_;
   std::span<const FunctionRow> functions_;
+  std::span<const Group> numbers_;
+  Habits habits_;
   std::array<std::uint8_t, kDirect> direct_{};  // 1 + the place of a code; 0: none
 };
 

@@ -17,6 +17,9 @@ enum class Meaning : std::uint8_t {
 #define ALSO_M(...)
 #include "control/gcode/codes/mill_codes.def"
 #undef G
+#define G(a, b, c, meaning, ...) meaning,
+#include "control/gcode/codes/lathe_codes.def"
+#undef G
 #undef ALSO_G
 #undef M
 #undef ALSO_M
@@ -29,6 +32,7 @@ enum class Function : std::uint8_t {
 #define ALSO_G(...)
 #define M(number, function, ...) function,
 #define ALSO_M(...)
+#include "control/gcode/codes/lathe_codes.def"
 #include "control/gcode/codes/mill_codes.def"
 #undef G
 #undef ALSO_G

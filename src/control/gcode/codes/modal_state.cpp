@@ -33,8 +33,9 @@ std::array<GCode, kGroups> ModalState::codes() const {
 }
 
 double ModalState::variable(std::size_t group_number) const {
-  if (group_number == 0 || group_number >= kGroups || rows_[group_number] == nullptr) return -1;
-  return rows_[group_number]->number / 10.0;
+  const Group group = group_number == 0 ? Group::none : codes_->group_of(group_number);
+  const CodeRow* const row = group == Group::none ? nullptr : rows_[index(group)];
+  return row == nullptr ? -1 : row->number / 10.0;
 }
 
 }  // namespace kerf::control

@@ -5,24 +5,25 @@
 #include "control/gcode/acts/moves.hpp"
 #include "control/gcode/acts/state.hpp"
 #include "control/gcode/acts/targets.hpp"
+#include "control/gcode/cycles/stepped.hpp"
 
 namespace kerf::control {
 
 /// Drilling cycles G73 to G89 (docs/dialect.md §10). A block only starts its holes; step() then
 /// makes one peck, or one hole, at a time, so that no block floods whoever receives the motions.
-class CannedCycle {
+class CannedCycle : public Stepped {
  public:
   CannedCycle(State& state, Targets& targets, Moves& moves)
       : state_(state), targets_(targets), moves_(moves) {}
 
   /// A block in cycle mode: stores its data and starts its holes if it names a position.
   [[nodiscard]] bool begin(const Words& words, bool starts_mode, bool& moved);
-  [[nodiscard]] bool running() const { return holes_left_ > 0; }
+  [[nodiscard]] bool running() const override { return holes_left_ > 0; }
   /// The next part of the holes that begin() started. False: an alarm was raised.
-  [[nodiscard]] bool step();
+  [[nodiscard]] bool step() override;
   /// G80 or a code of group 01: the data are forgotten.
   void cancel();
-  void stop() { holes_left_ = 0; }
+  void stop() override { holes_left_ = 0; }
 
  private:
   enum class Stage : std::uint8_t { position, hole };

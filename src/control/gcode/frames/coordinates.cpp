@@ -38,7 +38,7 @@ void Coordinates::refresh_origin() {
   const AxisVector& offset =
       work_.extended != 0 ? memory_->extended[work_.extended - 1] : memory_->work[work_.index];
   const AxisVector before = origin_;
-  origin_ = tidied(memory_->external + offset + local_ + shift_);
+  origin_ = tidied(axes_->in_mm(memory_->external + offset) + local_ + shift_);
   if (before != origin_) program_ = program_of(image_of(program_) + before - origin_);
   plain_ = transform_.identity() && origin_ == AxisVector{};
 }

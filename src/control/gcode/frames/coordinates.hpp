@@ -25,7 +25,8 @@ struct WorkSystem {
 ///   machine = path + length offset
 ///
 /// `program` is what the words of the program say (#5001), `path` the same point in the machine's
-/// coordinate system without tool length. mm and degrees.
+/// coordinate system without tool length. mm and degrees: what programs and offsets say as a
+/// diameter is halved where it is read.
 class Coordinates {
  public:
   /// At power-on G54 is in force with the offset that the memory has kept.

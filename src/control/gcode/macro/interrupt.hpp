@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
+
+#include "control/gcode/acts/auxiliary.hpp"
 
 namespace kerf::control {
 
@@ -10,9 +11,8 @@ class Interrupt {
  public:
   void signal() { is_pending_ = true; }
   [[nodiscard]] bool is_pending() const { return is_pending_; }
-  /// M96 P, M97.
-  void allow(std::uint32_t program) { program_ = program; }
-  void forbid() { program_ = 0; }
+  /// M96 P and M97 of a block. False: an alarm was raised.
+  [[nodiscard]] bool obey(const Auxiliary::Codes& codes, const Words& words, State& state);
   /// The signal is over; what is to be called for it, 0: nothing is allowed.
   [[nodiscard]] std::uint32_t take() {
     is_pending_ = false;

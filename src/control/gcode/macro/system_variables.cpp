@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "base/refusal.hpp"
 #include "control/core/assumed.hpp"
 #include "control/gcode/macro/system_number.hpp"
 #include "lang/gcode/page.hpp"
@@ -13,7 +14,6 @@ namespace kerf::control {
 namespace {
 
 using base::Axis;
-using base::AxisVector;
 using base::Code;
 
 static_assert(kVolatileCommons == gcode::kVolatileCommons && kCommons == gcode::kGlobals,
@@ -25,6 +25,7 @@ constexpr double kClockWrap_ms = 2147483648.0;
 constexpr double kHoursWrap = 9544.371767;
 constexpr double kMostToolOffset_mm = 9999.999;
 constexpr double kMostWorkOffset_mm = 999999.999;
+constexpr double kMostTip = 9;
 constexpr std::uint32_t kAxesPerRow = 20;
 constexpr std::uint32_t kInchBit = 4;  // of #3005
 
@@ -96,6 +97,16 @@ bool SystemVariables::write(double number, double value, Event& event) {
   return write_system(resolved, value, event);
 }
 
+base::Outcome<void> SystemVariables::set(std::uint32_t number, double value) {
+  Event event;
+  if (write(number, value, event) && event.kind == Event::Kind::none) return {};
+  const auto alarm = state_.alarms.alarm();
+  state_.alarms.clear();
+  return tl::unexpected(
+      base::refuse_for(alarm ? alarm->number : "", base::Refusal::variable_not_set,
+                       {std::to_string(number), alarm ? alarm->message : "it cannot be set"}));
+}
+
 bool SystemVariables::read_system(std::uint32_t number, double& value) {
   if (number >= gcode::kParameter) return read_compiler_variable(number, value);
   if (between(number, 1000, 1135)) return read_interface(number, value);
@@ -106,13 +117,12 @@ bool SystemVariables::read_system(std::uint32_t number, double& value) {
     value = 0;
     return true;
   }
-  if (const double* const offset = tool_offset(number)) {
-    value = to_unit(*offset, true);
+  if (const OffsetVariables::Place place = offsets_.tool(number)) {
+    value = to_unit(*place.value, place.is_length);
     return true;
   }
-  bool exists = false;
-  if (const double* const offset = work_offset(number, exists)) {
-    value = to_unit(*offset, true);
+  if (const OffsetVariables::Place place = offsets_.work(number)) {
+    value = to_unit(*place.value, true);
     return true;
   }
   return missing(number);
@@ -223,6 +233,7 @@ bool SystemVariables::read_position(std::uint32_t number, double& value) {
     case PositionRow::distance_to_go: value = 0; break;
     default: return missing(number);
   }
+  value *= state_.axes[axis].count_per_mm();
   const double per_unit = linear && state_.modal.inch() ? 10000 : 1000;
   value =
       std::round(to_unit(value, linear) * per_unit + std::copysign(1e-6, value)) / per_unit + 0.0;
@@ -244,7 +255,8 @@ bool SystemVariables::read_parameter(std::uint32_t encoded, double& value) {
   const std::uint32_t suffix = encoded % 100;
   const std::uint32_t axis_number = suffix > 50 ? suffix - 51 : 0;
   if (between(number, kFirstReference, kFirstReference + 3) && axis_number < state_.axes.count()) {
-    value = to_unit(state_.axes.axes[axis_number].reference[number - kFirstReference],
+    const motion::AxisConfig& axis = state_.axes.axes[axis_number];
+    value = to_unit(axis.reference[number - kFirstReference] * axis.count_per_mm(),
                     is_linear(axis_number));
     return true;
   }
@@ -262,23 +274,24 @@ bool SystemVariables::write_system(std::uint32_t number, double value, Event& ev
     return state_.alarms.raise(Code::write_protected,
                                "#" + std::to_string(number) + " can only be read");
   }
-  if (double* const offset = tool_offset(number)) {
-    const double length = from_unit(amount, true);
-    if (std::fabs(length) > kMostToolOffset_mm) return state_.alarms.raise(Code::offset_too_large);
-    *offset = length;
-    ++state_.memory.revision;
-    return true;
-  }
-  bool exists = false;
-  if (double* const offset = work_offset(number, exists)) {
-    const double length = from_unit(amount, true);
-    if (std::fabs(length) > kMostWorkOffset_mm) return state_.alarms.raise(Code::offset_too_large);
-    *offset = length;
-    ++state_.memory.revision;
+  if (const OffsetVariables::Place place = offsets_.tool(number))
+    return write_offset(place, from_unit(amount, place.is_length), kMostToolOffset_mm);
+  if (const OffsetVariables::Place place = offsets_.work(number)) {
+    if (!write_offset(place, from_unit(amount, true), kMostWorkOffset_mm)) return false;
     state_.coordinates.offsets_changed();
     return true;
   }
   return missing(number);
+}
+
+bool SystemVariables::write_offset(const OffsetVariables::Place& place, double value, double most) {
+  if (std::fabs(value) > most) return state_.alarms.raise(Code::offset_too_large);
+  const bool tip = !place.is_length;
+  if (tip && (value < 0 || value > kMostTip || value != std::floor(value)))
+    return state_.alarms.raise(Code::offset_too_large);
+  *place.value = value;
+  ++state_.memory.revision;
+  return true;
 }
 
 bool SystemVariables::write_interface(std::uint32_t number, double value) {
@@ -345,74 +358,6 @@ bool SystemVariables::write_clock(std::uint32_t number, double value, Event& eve
                                  "#" + std::to_string(number) + " can only be read");
     }
   }
-}
-
-// §3.4: EXT, G54 to G59 and G54.1 by axis; #2500 to #2906 by the old numbers.
-double* SystemVariables::work_offset(std::uint32_t number, bool& exists) {
-  std::uint32_t system = 0;
-  std::uint32_t axis = 0;
-  AxisVector* row = nullptr;
-  Memory& memory = state_.memory;
-  if (between(number, 5201, 5340)) {
-    system = (number - 5201) / kAxesPerRow;
-    axis = (number - 5201) % kAxesPerRow;
-    row = system == 0 ? &memory.external : &memory.work[system - 1];
-  } else if (between(number, 7001, 7960)) {
-    axis = (number - 7001) % kAxesPerRow;
-    row = &memory.extended[(number - 7001) / kAxesPerRow];
-  } else if (between(number, 14001, 20000)) {
-    axis = (number - 14001) % kAxesPerRow;
-    row = &memory.extended[(number - 14001) / kAxesPerRow];
-  } else if (between(number, 2500, 2906) && number % 100 <= kWorkSystems) {
-    system = number % 100;
-    axis = (number - 2500) / 100;
-    row = system == 0 ? &memory.external : &memory.work[system - 1];
-  }
-  exists = row != nullptr && axis < state_.axes.count();
-  return exists ? &row->values[axis] : nullptr;
-}
-
-// §3.5: which part of the tool offset table a variable names.
-double* SystemVariables::tool_offset(std::uint32_t number) {
-  enum class Part : std::uint8_t { length_geometry, length_wear, radius_geometry, radius_wear };
-  struct Range {
-    std::uint32_t first;
-    std::uint32_t count;
-    Part part;
-    Part part_15;  // with V15 = 1
-  };
-  static constexpr Range kMemoryA[] = {{2000, 200, Part::length_geometry, Part::length_geometry},
-                                       {10000, 999, Part::length_geometry, Part::length_geometry}};
-  static constexpr Range kMemoryBC[] = {{2000, 200, Part::length_wear, Part::length_geometry},
-                                        {10000, 999, Part::length_wear, Part::length_geometry},
-                                        {2200, 200, Part::length_geometry, Part::length_wear},
-                                        {11000, 999, Part::length_geometry, Part::length_wear}};
-  static constexpr Range kMemoryCRadius[] = {
-      {12000, 999, Part::radius_wear, Part::radius_geometry},
-      {13000, 999, Part::radius_geometry, Part::radius_wear}};
-  static constexpr Range kMemoryC15[] = {{2400, 200, Part::radius_geometry, Part::radius_geometry},
-                                         {2600, 200, Part::radius_wear, Part::radius_wear}};
-  const bool v15 = state_.parameters.offset_numbering_15;
-  const auto search = [&](const auto& ranges) -> double* {
-    for (const Range& range : ranges) {
-      if (number <= range.first || number > range.first + range.count) continue;
-      const std::uint32_t index = number - range.first;
-      if (index > static_cast<std::uint32_t>(state_.parameters.n_offsets)) return nullptr;
-      ToolOffset& tool = state_.memory.tools[index];
-      switch (v15 ? range.part_15 : range.part) {
-        case Part::length_geometry: return &tool.length_geometry;
-        case Part::length_wear: return &tool.length_wear;
-        case Part::radius_geometry: return &tool.radius_geometry;
-        case Part::radius_wear: return &tool.radius_wear;
-      }
-    }
-    return nullptr;
-  };
-  if (state_.parameters.offset_memory == 'A') return search(kMemoryA);
-  if (double* const length = search(kMemoryBC)) return length;
-  if (state_.parameters.offset_memory == 'B') return nullptr;
-  if (double* const radius = search(kMemoryCRadius)) return radius;
-  return v15 ? search(kMemoryC15) : nullptr;
 }
 
 }  // namespace kerf::control

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "control/gcode/acts/state.hpp"
+#include "control/gcode/macro/offset_variables.hpp"
 #include "lang/gcode/name_table.hpp"
 #include "lang/vm/interpreter.hpp"
 
@@ -19,7 +20,8 @@ class SystemVariables {
     double number = 0;
   };
 
-  SystemVariables(State& state, const gcode::NameTable& names) : state_(state), names_(names) {}
+  SystemVariables(State& state, const gcode::NameTable& names)
+      : state_(state), offsets_(state), names_(names) {}
 
   void attach(vm::Interpreter* interpreter, std::function<std::uint32_t()> program_number) {
     interpreter_ = interpreter;
@@ -36,6 +38,8 @@ class SystemVariables {
   [[nodiscard]] bool read(double number, double& value);
   /// False: an alarm was raised (PS0115, PS0116, PS0032 …). `event` tells what else must happen.
   [[nodiscard]] bool write(double number, double value, Event& event);
+  /// Writes one from outside, before the start. Failure: why not.
+  [[nodiscard]] base::Outcome<void> set(std::uint32_t number, double value);
   /// SETVN. False: PS1098 family.
   void name(const std::string& name, std::uint32_t number) {
     state_.memory.names[name] = number;
@@ -53,8 +57,7 @@ class SystemVariables {
   bool read_parameter(std::uint32_t number, double& value);
   bool write_interface(std::uint32_t number, double value);
   bool write_clock(std::uint32_t number, double value, Event& event);
-  double* work_offset(std::uint32_t number, bool& exists);
-  double* tool_offset(std::uint32_t number);
+  bool write_offset(const OffsetVariables::Place& place, double value, double most);
   double* common_or_local(std::uint32_t number);
   bool resolve(double number, std::uint32_t& result);
   bool missing(std::uint32_t number);
@@ -64,6 +67,7 @@ class SystemVariables {
   [[nodiscard]] double from_unit(double value, bool linear) const;
 
   State& state_;
+  OffsetVariables offsets_;
   const gcode::NameTable& names_;
   vm::Interpreter* interpreter_ = nullptr;
   std::function<std::uint32_t()> program_number_;

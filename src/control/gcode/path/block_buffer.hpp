@@ -13,12 +13,16 @@ class BlockBuffer : public motion::MotionSink {
   explicit BlockBuffer(motion::MotionSink& sink) : sink_(sink) {}
 
   void take(const motion::Motion& motion) override {
-    if (pass_through_) {
+    if (diverted_ != nullptr) {
+      diverted_->take(motion);
+    } else if (pass_through_) {
       sink_.take(motion);
     } else {
       held_.push_back(motion);
     }
   }
+  /// Everything goes to another receiver at once; null: not any more.
+  void divert(motion::MotionSink* sink) { diverted_ = sink; }
   /// Holds nothing back while on.
   void pass_through(bool on) { pass_through_ = on; }
   [[nodiscard]] bool ready() const override { return sink_.ready(); }
@@ -36,6 +40,7 @@ class BlockBuffer : public motion::MotionSink {
 
  private:
   motion::MotionSink& sink_;
+  motion::MotionSink* diverted_ = nullptr;
   std::vector<motion::Motion> held_;
   bool pass_through_ = false;
 };

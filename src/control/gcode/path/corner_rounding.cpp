@@ -1,5 +1,8 @@
 #include "control/gcode/path/corner_rounding.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include "base/decimal.hpp"
 
 namespace kerf::control {
@@ -39,14 +42,29 @@ bool CornerRounding::move(const PathStep& step, motion::Plane plane, const motio
   plane_ = plane;
   axes_ = axes;
   fresh_ = true;
+  idle_blocks_ = 0;
   return true;
+}
+
+// I and K of a lathe: the next move goes along one axis, to the side of their sign.
+bool CornerRounding::check_next(const PathStep& next) {
+  const bool fast = std::holds_alternative<motion::Rapid>(next.motion.action);
+  if (fast || (request_.between_lines && next.piece.is_arc))
+    return alarms_.raise_at(Code::corner_not_line, next.place);
+  if (!request_.toward) return true;
+  const Vec2 way = next.piece.to - next.piece.from;
+  if (std::fabs(geometry::cross(*request_.toward, way)) > kAlongAxis_mm)
+    return alarms_.raise_at(Code::corner_taper, next.place);
+  if (geometry::dot(*request_.toward, way) > 0) return true;
+  alarms_.raise_at(Code::corner_too_short, held_->place,
+                   "the next move goes to the other side than the sign of I or K says");
+  reset();
+  return false;
 }
 
 // Emits the held move up to the corner and the corner itself; `next` begins behind it.
 bool CornerRounding::blend(PathStep& next) {
-  if (std::holds_alternative<motion::Rapid>(next.motion.action)) {
-    return alarms_.raise_at(Code::corner_not_line, next.place);
-  }
+  if (!check_next(next)) return false;
   if (geometry::is_smooth(held_->piece, next.piece)) return let_go();
   const auto blend = request_.kind == Kind::radius
                          ? geometry::fillet(held_->piece, next.piece, request_.size_mm)
@@ -89,16 +107,20 @@ bool CornerRounding::let_go() {
 
 bool CornerRounding::end_block() {
   if (!held_) return true;
-  if (!fresh_) return refuse();
-  fresh_ = false;
-  return true;
+  if (std::exchange(fresh_, false)) return true;
+  if (!request_.between_lines) return refuse();
+  return ++idle_blocks_ <= kMostIdleBlocks || refuse(Code::drawing_format);
 }
 
-bool CornerRounding::refuse() {
+bool CornerRounding::refuse_other_move() {
+  return refuse(request_.between_lines ? Code::corner_not_line : Code::corner_missing_move);
+}
+
+bool CornerRounding::refuse(Code code) {
   if (!held_) return true;
   const base::Place place = held_->place;
   if (!let_go()) return false;
-  return alarms_.raise_at(Code::corner_missing_move, place);
+  return alarms_.raise_at(code, place);
 }
 
 void CornerRounding::reset() {

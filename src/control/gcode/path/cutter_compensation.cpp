@@ -47,19 +47,19 @@ base::TipPoint CutterCompensation::tip() const {
   for (const Beside& item : beside_) {
     if (const base::TipPoint* const to = motion::target_of(item.motion)) result = *to;
   }
-  const Vec2 normal = held_->offset * geometry::left_of(direction_at_end(held_->step));
-  plane_.place(result, held_->step.piece.to + normal);
+  const Vec2 normal = held_->cutter.offset * geometry::left_of(direction_at_end(held_->step));
+  plane_.place(result, held_->step.piece.to + normal + held_->cutter.tip);
   return result;
 }
 
-void CutterCompensation::begin(const motion::PlaneAxes& plane, double offset) {
+void CutterCompensation::begin(const motion::PlaneAxes& plane, const Cutter& cutter) {
   if (mode_ == Mode::off || mode_ == Mode::ending) {
     mode_ = Mode::armed;
     moved_since_begin_ = false;
     idle_blocks_ = 0;
   }
   plane_ = plane;
-  offset_ = offset;
+  cutter_ = cutter;
 }
 
 void CutterCompensation::end() {
@@ -80,21 +80,21 @@ bool CutterCompensation::move(const PathStep& step) {
     return alarms_.raise_at(Code::arc_interference, step.place);  // CRC-11
   }
   switch (mode_) {
-    case Mode::off: return emit_to(step, step.piece.to);
+    case Mode::off: return emit_programmed(step);
     case Mode::ending:
       if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
       mode_ = Mode::off;
-      return emit_to(step, step.piece.to);
+      return emit_programmed(step);
     case Mode::armed: return start(step);
     case Mode::on: break;
   }
-  if (step.piece.is_arc && offset_radius(step, step.piece.from, offset_) < -kSmall_mm) {
+  if (step.piece.is_arc && offset_radius(step, step.piece.from, cutter_.offset) < -kSmall_mm) {
     return alarms_.raise_at(Code::interference, step.place,
                             "the arc's radius is smaller than the cutter's");  // CRC-10
   }
-  if (!held_) return hold(step, tip_in_plane(), false);
+  if (!held_) return hold_here(step, false);
   Corner way;
-  if (!corner(step, offset_, way) || !go_through(way)) return false;
+  if (!corner(step, way) || !go_through(way)) return false;
   return hold(step, way.start, false);
 }
 
@@ -102,15 +102,21 @@ bool CutterCompensation::move(const PathStep& step) {
 bool CutterCompensation::start(const PathStep& step) {
   if (step.piece.is_arc) return alarms_.raise_at(Code::arc_at_start_up, step.place);
   mode_ = Mode::on;
-  if (settings_.start_up != 'C' || !moved_since_begin_) return hold(step, tip_in_plane(), true);
-  const Vec2 start = step.piece.from + offset_ * geometry::left_of(direction_at_start(step));
+  if (settings_.start_up != 'C' || !moved_since_begin_) return hold_here(step, true);
+  const Vec2 start = step.piece.from + cutter_.offset * geometry::left_of(direction_at_start(step));
+  shift_ = cutter_.tip;
   return emit_to(inner_part(step), start) && hold(step, start, false);
 }
 
 bool CutterCompensation::hold(const PathStep& step, Vec2 start, bool start_up) {
-  held_ = Held{step, start, offset_, start_up};
+  held_ = Held{step, start, cutter_, start_up};
   idle_blocks_ = 0;
   return true;
+}
+
+// From where the tool stands.
+bool CutterCompensation::hold_here(const PathStep& step, bool start_up) {
+  return hold(step, tip_in_plane() - cutter_.tip, start_up);
 }
 
 bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall) {
@@ -120,7 +126,7 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
     Corner way;
     const Vec2 d1 = direction_at_end(held_->step);
     const Vec2 at = held_->step.piece.to;
-    const double offset = held_->offset;
+    const double offset = held_->cutter.offset;
     way.end = at + offset * geometry::left_of(d1);  // type A: perpendicular (CRC-12)
     const Vec2 d2 = wall ? geometry::unit(*wall) : direction_at_start(next);
     const double turn = geometry::cross(d1, d2);
@@ -131,12 +137,12 @@ bool CutterCompensation::end_with(const PathStep& step, std::optional<Vec2> wall
                               {false, at + offset * geometry::left_of(d2), d2, 0}, kSmall_mm);
       if (points.count > 0) way.end = points.points[0];
     } else if (settings_.start_up == 'B' && outside) {
-      turn_outside(at, d1, d2, offset, way);
+      turn_outside({at, d1, d2, false}, offset, way);
     }
     if (!go_through(way)) return false;
   }
   mode_ = Mode::off;
-  return emit_to(step, step.piece.to);
+  return emit_programmed(step);
 }
 
 bool CutterCompensation::beside(const motion::Motion& motion) {
@@ -146,14 +152,17 @@ bool CutterCompensation::beside(const motion::Motion& motion) {
 
 bool CutterCompensation::idle_block() {
   moved_since_begin_ = true;
+  gave_up_corner_ = false;
   if (!held_ || ++idle_blocks_ <= kMostIdleBlocks) return true;
+  gave_up_corner_ = true;
   return release();
 }
 
 bool CutterCompensation::release() {
   if (!held_) return true;
   Corner way;
-  way.end = held_->step.piece.to + held_->offset * geometry::left_of(direction_at_end(held_->step));
+  way.end = held_->step.piece.to +
+            held_->cutter.offset * geometry::left_of(direction_at_end(held_->step));
   return go_through(way);
 }
 
@@ -184,6 +193,7 @@ bool CutterCompensation::go_through(const Corner& corner) {
 }
 
 bool CutterCompensation::emit_corner(const PathStep& step, const Corner& corner) {
+  if (corner.new_cutter) shift_ = cutter_.tip;
   if (corner.arc) return emit_corner_arc(step, step.piece.to, corner);
   for (std::size_t i = 0; i < corner.via_count; ++i) {
     PathStep bevel = i + 1 < corner.via_count ? inner_part(step) : step;
@@ -194,22 +204,23 @@ bool CutterCompensation::emit_corner(const PathStep& step, const Corner& corner)
 }
 
 // The way round the point where the held move meets the next one.
-bool CutterCompensation::corner(const PathStep& next, double next_offset, Corner& way) {
+bool CutterCompensation::corner(const PathStep& next, Corner& way) {
   if (held_->start_up) return start_up_corner(next, way);
   const Vec2 at = held_->step.piece.to;
   const Vec2 d1 = direction_at_end(held_->step);
   const Vec2 d2 = direction_at_start(next);
-  way.end = at + held_->offset * geometry::left_of(d1);
-  way.start = at + next_offset * geometry::left_of(d2);
-  if (held_->offset != next_offset) {  // CRC-13: both end points, joined
+  way.end = at + held_->cutter.offset * geometry::left_of(d1);
+  way.start = at + cutter_.offset * geometry::left_of(d2);
+  if (held_->cutter != cutter_) {  // CRC-13: both end points, joined
     way.via = {way.start};
     way.via_count = 1;
+    way.new_cutter = true;
     return true;
   }
   const double turn = geometry::cross(d1, d2);
   const double same_way = geometry::dot(d1, d2);
   if (std::fabs(turn) <= kSmallTurn && same_way > 0) return true;
-  const bool inside = turn * next_offset > 0;
+  const bool inside = turn * cutter_.offset > 0;
   if (inside || same_way >= -kSmallTurn) {
     Vec2 point;
     if (meet(next, point)) {  // CRC-7, CRC-8
@@ -218,52 +229,46 @@ bool CutterCompensation::corner(const PathStep& next, double next_offset, Corner
     }
     if (inside) return refuse_held(Code::no_intersection);
   }
-  turn_outside(at, d1, d2, next_offset, way);
+  turn_outside({at, d1, d2, next.piece.is_arc}, cutter_.offset, way);
   return true;
 }
 
 // Points round an outside corner: intersection of the tangents up to 90 degrees (CRC-4, CRC-8), the
-// bevel or arc beyond (CRC-5, CRC-9).
-void CutterCompensation::turn_outside(Vec2 at, Vec2 d1, Vec2 d2, double offset, Corner& way) const {
-  const Vec2 n1 = geometry::left_of(d1);
-  const Vec2 n2 = geometry::left_of(d2);
-  const double reach = std::fabs(offset);
-  const double same_way = geometry::dot(d1, d2);
-  way.start = at + offset * n2;
-  if (same_way >= -kSmallTurn) {
-    const Vec2 tip = at + (offset / (1 + geometry::dot(n1, n2))) * (n1 + n2);
-    const bool curved = held_->step.piece.is_arc;
-    way.end = curved ? at + offset * n1 : tip;
-    way.via = {tip, way.start};
-    way.via_count = curved ? 2 : 0;
-    if (!curved) way.start = tip;
+// bevel or arc beyond (CRC-5, CRC-9). Arcs are left and reached where their circles end (CRC-10).
+void CutterCompensation::turn_outside(const Turn& turn, double offset, Corner& way) const {
+  const Vec2 n1 = geometry::left_of(turn.before);
+  const Vec2 n2 = geometry::left_of(turn.behind);
+  way.end = turn.at + offset * n1;
+  way.start = turn.at + offset * n2;
+  if (geometry::dot(turn.before, turn.behind) >= -kSmallTurn) {
+    way.add(turn.at + (offset / (1 + geometry::dot(n1, n2))) * (n1 + n2));
   } else if (settings_.corner_arc) {
-    way.end = at + offset * n1;
     way.arc = true;
     way.clockwise = offset > 0;
+    return;
   } else {
-    way.end = at + offset * n1 + reach * d1;
-    if (held_->step.piece.is_arc) {
-      way.via = {way.end, at + offset * n2 - reach * d2};
-      way.end = at + offset * n1;
-      way.via_count = 2;
-      way.start = way.via[1];
-    } else {
-      way.via = {at + offset * n2 - reach * d2};
-      way.via_count = 1;
-      way.start = way.via[0];
-    }
+    const double reach = std::fabs(offset);
+    way.add(way.end + reach * turn.before);
+    way.add(way.start - reach * turn.behind);
   }
+  if (turn.into_arc) {
+    way.add(way.start);
+  } else {
+    way.start = way.via[way.via_count - 1];
+  }
+  if (!held_->step.piece.is_arc) way.begin_at_first();
 }
 
 // CRC-2, CRC-3, CRC-4, CRC-5: the end of the start-up move.
-bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) const {
+bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) {
+  held_->cutter = cutter_;
   const Vec2 at = held_->step.piece.to;
   const Vec2 d1 = direction_at_end(held_->step);
   const Vec2 d2 = direction_at_start(next);
-  const bool outside = geometry::cross(d1, d2) * offset_ < 0;
-  way.end = way.start = at + offset_ * geometry::left_of(d2);
-  if (settings_.start_up == 'B' && outside) turn_outside(at, d1, d2, offset_, way);
+  const bool outside = geometry::cross(d1, d2) * cutter_.offset < 0;
+  way.end = way.start = at + cutter_.offset * geometry::left_of(d2);
+  if (settings_.start_up == 'B' && outside)
+    turn_outside({at, d1, d2, next.piece.is_arc}, cutter_.offset, way);
   return true;
 }
 
@@ -271,8 +276,9 @@ bool CutterCompensation::start_up_corner(const PathStep& next, Corner& way) cons
 // corner.
 bool CutterCompensation::meet(const PathStep& next, Vec2& point) const {
   const Vec2 at = held_->step.piece.to;
-  const Curve a = offset_curve(held_->step, at, direction_at_end(held_->step), held_->offset);
-  const Curve b = offset_curve(next, next.piece.from, direction_at_start(next), offset_);
+  const Curve a =
+      offset_curve(held_->step, at, direction_at_end(held_->step), held_->cutter.offset);
+  const Curve b = offset_curve(next, next.piece.from, direction_at_start(next), cutter_.offset);
   const geometry::Intersections found = geometry::intersect(a, b, kSmall_mm);
   if (found.count == 0) return false;
   point = found.points[0];
@@ -309,27 +315,46 @@ bool CutterCompensation::runs_backwards(Vec2 end) const {
 
 bool CutterCompensation::emit_held(Vec2 end) {
   const PathStep& step = held_->step;
+  shift_ = held_->cutter.tip;
   if (runs_backwards(end)) {
     return refuse_held(Code::interference, "the compensated move would run backwards");
   }
   // An arc that ends where it begins is a full circle to whoever reads it: rounding must not make
   // one of an arc that has shrunk to nothing, nor nothing of a circle.
-  if (step.piece.is_arc && near(end, tip_in_plane())) {
+  if (step.piece.is_arc && near(end, centre())) {
     if (compensated_sweep(end) < std::numbers::pi) return true;
-    end = tip_in_plane();
+    end = centre();
   }
   return emit_to(step, end);
+}
+
+// Without compensation: what was programmed.
+bool CutterCompensation::emit_programmed(const PathStep& step) {
+  shift_ = {};
+  return emit_to(step, step.piece.to);
+}
+
+Vec2 CutterCompensation::shifted(Vec2 of_centre) const {
+  if (shift_ == Vec2{}) return of_centre;
+  const Vec2 at = of_centre + shift_;
+  return {base::tidy(at.u), base::tidy(at.v)};
+}
+
+Vec2 CutterCompensation::emitted(Vec2 of_centre) const {
+  const Vec2 at = shifted(of_centre);
+  return {base::tidy(at.u), base::tidy(at.v)};
 }
 
 bool CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
   motion::Motion motion = step.motion;
   const auto place = [&](auto& action) {
-    if constexpr (requires { action.to; }) {
-      plane_.place(action.to, {base::tidy(to.u), base::tidy(to.v)});
+    if constexpr (requires { action.to; }) plane_.place(action.to, emitted(to));
+    if constexpr (requires { action.center; }) {
+      const Vec2 about = shifted({action.center[0], action.center[1]});
+      action.center = {about.u, about.v};
     }
   };
-  if (step.piece.is_arc && geometry::length(tip_in_plane() - step.piece.centre) <= kSmall_mm)
-    return true;  // R' = 0
+  if (step.piece.is_arc && near(centre(), step.piece.centre)) return true;  // R' = 0
   if (!step.piece.is_arc && std::holds_alternative<motion::Arc>(motion.action)) {
     const motion::Arc& arc = std::get<motion::Arc>(step.motion.action);
     motion.action = motion::Line{arc.to, arc.feed};
@@ -338,7 +363,7 @@ bool CutterCompensation::emit_to(const PathStep& step, Vec2 to) {
   return emit(motion, step.place);
 }
 
-bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, const Corner& corner) {
+bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 about, const Corner& corner) {
   motion::Motion motion = step.motion;
   motion::Feed feed;
   base::TipPoint to = *motion::target_of(motion);
@@ -347,7 +372,8 @@ bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
         if constexpr (requires { action.feed; }) feed = action.feed;
       },
       motion.action);
-  plane_.place(to, {base::tidy(corner.start.u), base::tidy(corner.start.v)});
+  plane_.place(to, emitted(corner.start));
+  const Vec2 arc_centre = shifted(about);
   if (auto* const rapid = std::get_if<motion::Rapid>(&motion.action)) {
     rapid->to = to;
   } else {
@@ -356,7 +382,7 @@ bool CutterCompensation::emit_corner_arc(const PathStep& step, Vec2 centre, cons
                                                              : motion::Plane::yz;
     motion.action = motion::Arc{
         to,
-        {centre.u, centre.v},
+        {arc_centre.u, arc_centre.v},
         feed,
         0,
         plane,

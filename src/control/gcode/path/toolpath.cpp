@@ -1,5 +1,7 @@
 #include "control/gcode/path/toolpath.hpp"
 
+#include <utility>
+
 namespace kerf::control {
 
 using base::PathPoint;
@@ -18,14 +20,59 @@ Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Set
 }
 
 bool Toolpath::end_block() {
-  if (!corners_.end_block()) return false;
+  if (!end_block_of_corner()) return false;
   if (!compensation_.active()) return true;
   if (ending_ && !moved_in_plane_) {
     compensation_.end();
     ending_ = false;
     return !alarms_.alarm();
   }
-  return moved_in_plane_ || compensation_.idle_block();
+  if (moved_in_plane_) return true;
+  const bool good = compensation_.idle_block();
+  gave_up_corner_ = compensation_.gave_up_corner();
+  return good;
+}
+
+// Behind a line that waits nothing else does.
+bool Toolpath::end_block_of_corner() {
+  if (!unfinished_) return corners_.end_block();
+  if (++unfinished_->idle_blocks <= CornerRounding::kMostIdleBlocks) return true;
+  const base::Place place = unfinished_->place;
+  unfinished_.reset();
+  return alarms_.raise_at(base::Code::drawing_format, place,
+                          "more than one block without a move behind an angle");
+}
+
+bool Toolpath::await_end(double angle_deg, const motion::Feed& feed) {
+  if (unfinished_) return refuse_unfinished();
+  unfinished_ = {.angle_deg = angle_deg,
+                 .feed = feed,
+                 .block = block_,
+                 .place = alarms_.place(),
+                 .rules = rules_,
+                 .corner = corner_at_end_};
+  moved_in_plane_ = true;
+  return true;
+}
+
+bool Toolpath::finish_line(const PathPoint& from, const PathPoint& to) {
+  UnfinishedLine line = *std::exchange(unfinished_, std::nullopt);
+  std::swap(block_, line.block);
+  std::swap(rules_, line.rules);
+  std::swap(corner_at_end_, line.corner);
+  const bool good = move(from, make(motion::Line{on_path(to), line.feed}), nullptr, &line.place);
+  std::swap(block_, line.block);
+  std::swap(rules_, line.rules);
+  std::swap(corner_at_end_, line.corner);
+  if (!good) return false;
+  for (const motion::Motion& motion : line.beside) act(motion);
+  return true;
+}
+
+// The line behind an angle alone did not come.
+bool Toolpath::refuse_unfinished() {
+  unfinished_.reset();
+  return alarms_.raise(base::Code::angle_alone);
 }
 
 void Toolpath::end_compensation(std::optional<geometry::Vec2> wall) {
@@ -34,16 +81,34 @@ void Toolpath::end_compensation(std::optional<geometry::Vec2> wall) {
 }
 
 bool Toolpath::interrupt_compensation() {
-  return corners_.refuse() && (!compensation_.active() || compensation_.interrupt());
+  if (unfinished_) return refuse_unfinished();
+  return corners_.refuse_other_move() && (!compensation_.active() || compensation_.interrupt());
+}
+
+std::optional<Toolpath::Paused> Toolpath::pause_compensation() {
+  if (!compensation_.active()) return std::nullopt;
+  const Paused paused{compensation_.plane(), compensation_.cutter()};
+  go_back_to(compensation_.tip());
+  return ending_ ? std::nullopt : std::optional(paused);
+}
+
+void Toolpath::go_back_to(const TipPoint& tip) {
+  unfinished_.reset();
+  corners_.reset();
+  compensation_.reset();
+  stand_at(tip);
 }
 
 bool Toolpath::release() {
-  return corners_.refuse() && (!compensation_.active() || compensation_.release());
+  const bool complete = !unfinished_ || refuse_unfinished();
+  // What waits before it is made all the same.
+  return corners_.refuse() && (!compensation_.active() || compensation_.release()) && complete;
 }
 
 void Toolpath::reset() {
   outlet_.reset();
   tip_ = tip();
+  unfinished_.reset();
   corners_.reset();
   compensation_.reset();
   compensation_.set_tip(tip_);
@@ -69,7 +134,9 @@ bool Toolpath::straight(const motion::Motion& motion) {
 }
 
 void Toolpath::act(const motion::Motion& motion) {
-  if (corners_.holding()) {
+  if (unfinished_) {
+    unfinished_->beside.push_back(motion);
+  } else if (corners_.holding()) {
     corners_.beside(motion);
   } else {
     pass(motion);
@@ -82,7 +149,9 @@ bool Toolpath::pass(const motion::Motion& motion) {
 }
 
 // Most moves meet neither a corner nor compensation.
-bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const ArcShape* shape) {
+bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const ArcShape* shape,
+                    const base::Place* place) {
+  if (unfinished_) return refuse_unfinished();
   const bool rounds = corner_at_end_.has_value() || corners_.holding();
   if (!compensation_.active() && !rounds) return emit(motion);
   const motion::PlaneAxes plane = compensation_.active() ? compensation_.plane()
@@ -99,7 +168,7 @@ bool Toolpath::move(const PathPoint& from, const motion::Motion& motion, const A
   }
   if (shape == nullptr && step.piece.from == step.piece.to) return move_beside_plane(motion);
   moved_in_plane_ = true;
-  step.place = alarms_.place();
+  step.place = place != nullptr ? *place : alarms_.place();
   return rounds ? round(step) : compensate(step);
 }
 

@@ -7,6 +7,7 @@
 #include "control/gcode/path/corner_rounding.hpp"
 #include "control/gcode/path/cutter_compensation.hpp"
 #include "control/gcode/path/move_rules.hpp"
+#include "control/gcode/path/unfinished_line.hpp"
 
 namespace kerf::control {
 
@@ -19,15 +20,9 @@ struct ArcShape {
   std::uint16_t turns = 0;
 };
 
-/// A corner that the block's move asks for at its end, and the plane in which it lies.
-struct CornerAtEnd {
-  CornerRounding::Request request;
-  motion::Plane plane = motion::Plane::xy;
-  motion::PlaneAxes axes;
-};
-
-/// The last stations before the motions leave the control: chamfers and corner radii, then cutter
-/// compensation. Knows where the tool stands and leaves out moves that go nowhere.
+/// The last stations before the motions leave the control: lines that wait for their end, chamfers
+/// and corner radii, then cutter compensation. Knows where the tool stands and leaves out moves
+/// that go nowhere.
 class Toolpath {
  public:
   /// The tool stands at `start`.
@@ -39,8 +34,11 @@ class Toolpath {
     block_ = block;
     ending_ = false;
     moved_in_plane_ = false;
+    gave_up_corner_ = false;
     corner_at_end_.reset();
   }
+  /// What is emitted from now on comes from another block, in the middle of this one.
+  void stand_in(const base::BlockId& block) { block_ = block; }
   /// How the moves end that come from now on.
   void obey(const MoveRules& rules) { rules_ = rules; }
   /// The tool length of the moves that come from now on.
@@ -49,6 +47,14 @@ class Toolpath {
   void fix_override() { rules_.fixed_override = true; }
   /// The block's move ends in a corner.
   void round_corner(const CornerAtEnd& corner) { corner_at_end_ = corner; }
+  /// The block's line is known by its angle alone; the corner at its end has been asked for. False:
+  /// an alarm was raised.
+  [[nodiscard]] bool await_end(double angle_deg, const motion::Feed& feed);
+  /// The line that waits for its end.
+  [[nodiscard]] const std::optional<UnfinishedLine>& unfinished() const { return unfinished_; }
+  /// It runs from `from` to `to`, in its own block. False: an alarm was raised. Precondition: there
+  /// is one.
+  [[nodiscard]] bool finish_line(const base::PathPoint& from, const base::PathPoint& to);
   /// The block is over. False: an alarm was raised.
   [[nodiscard]] bool end_block();
 
@@ -81,13 +87,29 @@ class Toolpath {
   void configure(const CutterCompensation::Settings& settings) {
     compensation_.configure(settings);
   }
-  void compensate(const motion::PlaneAxes& plane, double offset) {
-    compensation_.begin(plane, offset);
+  void compensate(const motion::PlaneAxes& plane, const Cutter& cutter) {
+    compensation_.begin(plane, cutter);
   }
   /// G40: with the move of this block, or with the next one when it has none.
   void end_compensation(std::optional<geometry::Vec2> wall);
   [[nodiscard]] bool compensating() const { return compensation_.active(); }
+  /// Whether the next move is compensated for this cutter.
+  [[nodiscard]] bool compensates(const Cutter& cutter) const {
+    return compensation_.active() && compensation_.cutter() == cutter;
+  }
+  /// The block that ended was one too many without a move: the one before it ends perpendicular.
+  [[nodiscard]] bool gave_up_corner() const { return gave_up_corner_; }
   [[nodiscard]] bool interrupt_compensation();
+  /// Compensation that is put aside and taken up again with the next move.
+  struct Paused {
+    motion::PlaneAxes plane;
+    Cutter cutter;
+  };
+  /// Nothing: none is on, or it ends with this block. Precondition: interrupt_compensation().
+  [[nodiscard]] std::optional<Paused> pause_compensation();
+  void resume(const Paused& paused) { compensation_.begin(paused.plane, paused.cutter); }
+  /// The tool is where it was before some moves that nobody made.
+  void go_back_to(const base::TipPoint& tip);
   /// Emits everything that waits for a move to come.
   [[nodiscard]] bool release();
   /// Forgets what is held: the reset button.
@@ -99,8 +121,9 @@ class Toolpath {
     tip_ = tip;
     compensation_.set_tip(tip);
   }
-  [[nodiscard]] bool holds_corner() const { return corners_.holding(); }
-  [[nodiscard]] bool holds_moves() const { return compensation_.active() || corners_.holding(); }
+  /// A move waits for the next one because of a chamfer, a corner or an angle.
+  [[nodiscard]] bool holds_corner() const { return corners_.holding() || unfinished_.has_value(); }
+  [[nodiscard]] bool holds_moves() const { return compensation_.active() || holds_corner(); }
   /// Where the tool stands.
   [[nodiscard]] base::TipPoint tip() const;
 
@@ -117,7 +140,10 @@ class Toolpath {
     mark(motion, rules_);
     return motion;
   }
-  bool move(const base::PathPoint& from, const motion::Motion& motion, const ArcShape* shape);
+  bool move(const base::PathPoint& from, const motion::Motion& motion, const ArcShape* shape,
+            const base::Place* place = nullptr);
+  bool refuse_unfinished();
+  bool end_block_of_corner();
   bool straight(const motion::Motion& motion);
   void act(const motion::Motion& motion);
 
@@ -130,9 +156,11 @@ class Toolpath {
   motion::ToolLength length_;
   base::TipPoint tip_;
   std::optional<CornerAtEnd> corner_at_end_;
+  std::optional<UnfinishedLine> unfinished_;
   bool ending_ = false;  // G40 stands in this block
   std::optional<geometry::Vec2> wall_;
   bool moved_in_plane_ = false;
+  bool gave_up_corner_ = false;
 };
 
 }  // namespace kerf::control

@@ -98,6 +98,13 @@ MachineReader::Outcome MachineReader::read_linkage() {
   return {};
 }
 
+// The file says places as programs do.
+void MachineReader::halve_places(DrivenAxis& axis) {
+  axis.travel_low /= 2;
+  axis.travel_high /= 2;
+  for (double& place : axis.reference) place /= 2;
+}
+
 MachineReader::Outcome MachineReader::read_axes() {
   const toml::array* const axes = file_["axis"].as_array();
   if (axes == nullptr || axes->empty() || axes->size() > base::kMaxAxes) {
@@ -118,6 +125,10 @@ MachineReader::Outcome MachineReader::read_axis(const toml::table& table) {
     if (auto r = read_axis_item(std::string(key.str()), node, axis); !r) return r;
   }
   if (table.get("velocity") == nullptr) return wrong(&table, "an axis needs its velocity");
+  if (axis.diameter) {
+    if (axis.rotary) return wrong(&table, "an angle has no diameter");
+    halve_places(axis);
+  }
   machine_.driven.push_back(std::move(axis));
   return {};
 }
@@ -139,7 +150,8 @@ MachineReader::Outcome MachineReader::read_name(const toml::table& table, Driven
 MachineReader::Outcome MachineReader::read_axis_item(const std::string& key, const toml::node& node,
                                                      DrivenAxis& axis) const {
   if (key == "name") return {};
-  if (key == "rotary") return read_rotary(node, axis);
+  if (key == "rotary") return read_flag(node, key, axis.rotary);
+  if (key == "diameter") return read_flag(node, key, axis.diameter);
   if (key == "travel") return read_travel(node, axis);
   if (key == "reference") return read_numbers(node, key, axis.reference);
   const AxisKey* const known = find_axis_key(key);
@@ -147,9 +159,10 @@ MachineReader::Outcome MachineReader::read_axis_item(const std::string& key, con
   return read_value(*known, node, axis);
 }
 
-MachineReader::Outcome MachineReader::read_rotary(const toml::node& node, DrivenAxis& axis) const {
-  if (!node.is_boolean()) return wrong(&node, "rotary must be true or false");
-  axis.rotary = node.as_boolean()->get();
+MachineReader::Outcome MachineReader::read_flag(const toml::node& node, const std::string& key,
+                                                bool& flag) const {
+  if (!node.is_boolean()) return wrong(&node, key + " must be true or false");
+  flag = node.as_boolean()->get();
   return {};
 }
 

@@ -35,7 +35,8 @@ class MachineReader {
   Outcome read_item(std::string_view table, const std::string& key, const toml::node& node);
   Outcome read_control();
   Outcome read_parameter(const std::string& key, const toml::node& node);
-  Outcome read_rotary(const toml::node& node, DrivenAxis& axis) const;
+  static void halve_places(DrivenAxis& axis);
+  Outcome read_flag(const toml::node& node, const std::string& key, bool& flag) const;
   Outcome read_travel(const toml::node& node, DrivenAxis& axis) const;
   Outcome read_numbers(const toml::node& node, const std::string& key,
                        std::span<double> into) const;

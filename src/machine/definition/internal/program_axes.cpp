@@ -34,6 +34,7 @@ AxisConfig axis_with_rates(char letter, const DrivenAxis& axis) {
   AxisConfig config;
   config.letter = letter;
   config.rotary = axis.rotary;
+  config.diameter = axis.diameter;
   config.rapid_per_min = axis.velocity_per_min;
   config.acceleration = axis.acceleration;
   config.jerk = axis.jerk;

@@ -6,12 +6,12 @@
 #include "control/core/assumed.hpp"
 
 namespace kerf::machine {
-GcodeDialect::GcodeDialect(const Around& around)
+GcodeDialect::GcodeDialect(const Around& around, const control::CodeTable& codes)
     : Dialect(around.sources),
       sources_(around.sources),
       library_(around.sources, around.pages),
       shelf_(around.sources, library_),
-      control_(around.definition.parameters, around.definition.axes, around.memory, library_,
+      control_(codes, around.definition.parameters, around.definition.axes, around.memory, library_,
                shelf_, around.surroundings, around.sink),
       variables_(around.memory, around.signals, library_, control_) {}
 

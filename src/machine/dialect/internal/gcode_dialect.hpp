@@ -11,7 +11,8 @@ namespace kerf::machine {
 /// FANUC G-code with Custom Macro B.
 class GcodeDialect final : public Dialect {
  public:
-  explicit GcodeDialect(const Around& around);
+  /// `codes`: what the codes of its programs mean.
+  GcodeDialect(const Around& around, const control::CodeTable& codes);
 
   void add_library_folder(const std::string& folder) override { shelf_.add_folder(folder); }
   [[nodiscard]] std::string program_name() const override;

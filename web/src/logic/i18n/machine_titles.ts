@@ -12,6 +12,7 @@ export const MACHINE_TITLES_ZH_HANT: Record<string, string> = {
   'vertical machining centre with a rotary table, X Y Z A': '立式加工中心附旋轉台，X Y Z A',
   'vertical machining centre with a tilting rotary table, X Y Z A C':
     '立式加工中心附傾斜旋轉台，X Y Z A C',
+  'lathe, X Z': '車床，X Z',
   'five-axis laser with an A/C head, X Y Z A C': '五軸雷射，A/C 擺頭，X Y Z A C',
 };
 

@@ -102,6 +102,11 @@ export const OWN_ALARMS_ZH_HANT: Record<string, [message: string, cause: string,
       '在 POWER 之前切削：雷射為關閉狀態。',
       '請將 POWER 放在第一次切削之前。',
     ],
+    SPINDLE_TOO_FAST: [
+      '主軸轉速過快，無法切削螺紋',
+      '以此主軸轉速保持導程時，某軸的速度須超過其上限；訊息中列出最高轉速。',
+      '請指令較低的 S，或較小的導程。',
+    ],
     OUT_OF_REACH: [
       '超出可及範圍',
       '機構的任何關節姿勢都無法使刀具到達此點、移動終點或途中一處。該移動完全未執行。',

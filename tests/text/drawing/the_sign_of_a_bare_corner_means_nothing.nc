@@ -1,0 +1,7 @@
+(run with: --machine lathe2)
+O1 (R-2. is R2.)
+G98 G00 X20. Z0.
+G01 Z-15. R-2. F100
+X40.
+M30
+(finally moves: rapid X20 Z0; line X20 Z-13; cw X24 Z-15; line X40 Z-15)

@@ -1,0 +1,8 @@
+(run with: --machine lathe2 --set #2901=0.8 --set #2301=3)
+O1 (turning, nose radius: r tan 15 degrees before its foot)
+G00 X60. Z5. T0101
+G42 G00 X20. Z2.
+G01 Z-10. F.1 (expect moves: line X20 Z-10.5856)
+X[20+40*TAN[30]] Z-30.
+G40 G00 X80. Z10.
+M30

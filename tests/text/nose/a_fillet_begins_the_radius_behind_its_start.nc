@@ -1,0 +1,9 @@
+(run with: --machine lathe2 --set #2901=0.8 --set #2301=3)
+O1 (turning, nose radius: the centre stands where it begins)
+G00 X60. Z5. T0101
+G42 G00 X20. Z2.
+G01 Z-10. F.1 (expect moves: line X20 Z-10.8)
+G02 X26. Z-13. R3.
+G01 X40.
+G40 G00 X80. Z10.
+M30

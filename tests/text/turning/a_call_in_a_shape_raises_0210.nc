@@ -1,0 +1,13 @@
+(run with: --machine lathe2)
+O1 (M98 in a shape)
+G97S500M03
+G00X100.Z2.
+G71U2.R1.
+G71P10Q50F.3
+N10G00X40.
+M98P2 (expect alarm PS0210 at M98)
+N50G01X100.
+M30
+O2
+G01Z-20.
+M99

@@ -1,0 +1,10 @@
+(run with: --machine lathe2)
+O1 (nested cycles)
+G97S500M03
+G00X100.Z2.
+G71U2.R1.
+G71P10Q50F.3
+N10G00X40.
+G71P10Q50F.3 (expect alarm PS0325 at G71)
+N50G01X100.
+M30

@@ -1,0 +1,10 @@
+(run with: --machine lathe2)
+O1 (MRC-2)
+G97S500M03
+G00X100.Z2.
+G71U2.R1.
+G71P10Q99U1.W.5F.3 (expect alarm PS0063 at Q99)
+N10G00X40.
+G01Z-20.
+N50X100.
+M30

@@ -36,8 +36,9 @@ double half_turned(double angle_deg) {
 }
 
 template <typename T>
-constexpr bool is_cut = std::is_same_v<T, motion::Line> || std::is_same_v<T, motion::Arc> ||
-                        std::is_same_v<T, motion::SpaceArc>;
+constexpr bool is_cut =
+    std::is_same_v<T, motion::Line> || std::is_same_v<T, motion::Arc> ||
+    std::is_same_v<T, motion::SpaceArc> || std::is_same_v<T, motion::SurfaceMove>;
 
 }  // namespace
 

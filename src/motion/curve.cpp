@@ -180,11 +180,22 @@ Curve Curve::arc(const ArcShape& shape, const TipPoint& to, double length, std::
   return curve;
 }
 
-double Curve::length_at_first_radius() const {
-  return kind_ == Kind::arc ? radius_ * std::fabs(rate_) * length_ : length_;
+Curve Curve::on_face(const Curve& flat, const FaceMap& map, const TipPoint& to) {
+  Curve curve = flat;
+  curve.on_face_ = true;
+  curve.map_ = map;
+  curve.end_ = to;
+  return curve;
 }
 
-TipPoint Curve::at(double s) const { return s >= length_ ? end_ : point(s); }
+double Curve::length_at_first_radius() const {
+  return is_arc() ? radius_ * std::fabs(rate_) * length_ : length_;
+}
+
+TipPoint Curve::at(double s) const {
+  if (s >= length_) return end_;
+  return on_face_ ? map_.point(point(s)) : point(s);
+}
 
 TipPoint Curve::point(double s) const {
   TipPoint p;
@@ -215,6 +226,7 @@ TipPoint Curve::point(double s) const {
 }
 
 AxisVector Curve::rate(double s) const {
+  if (on_face_) return jet(s).first;
   if (s == 0 && kind_ != Kind::arc) return c_[1];
   AxisVector rate;
   switch (kind_) {
@@ -239,6 +251,12 @@ AxisVector Curve::rate_between() const {
 }
 
 TipJet Curve::jet(double s) const {
+  TipJet jet = on_face_ ? map_.jet(own_jet(s)) : own_jet(s);
+  if (s >= length_) jet.value = end_;
+  return jet;
+}
+
+TipJet Curve::own_jet(double s) const {
   TipJet jet;
   switch (kind_) {
     case Kind::line:
@@ -249,7 +267,6 @@ TipJet Curve::jet(double s) const {
     case Kind::quintic: jet = polynomial_jet<6>(s); break;
     case Kind::arc: jet = arc_jet(s); break;
   }
-  if (s >= length_) jet.value = end_;
   return jet;
 }
 
@@ -291,6 +308,17 @@ TipJet Curve::arc_jet(double s) const {
 }
 
 CurveBounds Curve::bounds(double from, double to) const {
+  return on_face_ ? map_.bounds(own_bounds(from, to), flat_bounds(from, to)) : own_bounds(from, to);
+}
+
+// Of lines and arcs: others do not lie on a face.
+FlatBounds Curve::flat_bounds(double from, double to) const {
+  const auto flat = [this](const AxisVector& v) { return map_.flat(v); };
+  if (kind_ == Kind::line) return bounds_of_line(flat(c_[0]), flat(c_[1]), from, to);
+  return bounds_of_arc(flat(c_[0]), {radius_, radius_slope_, angle_rad_, rate_}, from, to);
+}
+
+CurveBounds Curve::own_bounds(double from, double to) const {
   switch (kind_) {
     case Kind::line: {
       CurveBounds bounds;
@@ -306,7 +334,8 @@ CurveBounds Curve::bounds(double from, double to) const {
 
 double Curve::curvature_bound(double from, double to, const CurveBounds& bounds,
                               const LinearAxes& linear) const {
-  if (kind_ == Kind::line) return 0;
+  if (is_line()) return 0;
+  if (on_face_) return map_.bend(bounds, flat_bounds(from, to));
   if (kind_ == Kind::arc)
     return std::fabs(rate_) * math::hypot(2 * radius_slope_, rate_ * largest_radius(from, to));
   return AxisNorms{linear, axes_}.mm(bounds.second);

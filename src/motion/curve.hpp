@@ -6,15 +6,9 @@
 #include "base/path_jet.hpp"
 #include "base/point.hpp"
 #include "motion/axis_norms.hpp"
+#include "motion/face_map.hpp"
 
 namespace kerf::motion {
-
-/// Largest absolute values of the derivatives by the path parameter, per axis.
-struct CurveBounds {
-  base::AxisVector first;
-  base::AxisVector second;
-  base::AxisVector third;
-};
 
 /// A circle in space that its parameter runs around, with everything else linear in it:
 ///
@@ -51,10 +45,15 @@ class Curve {
   static Curve arc(const ArcShape& shape, const base::TipPoint& to, double length,
                    std::size_t axes);
 
+  /// A line or arc in the plane of a face, on the machine: of `flat` the map's two axes count mm in
+  /// that plane. `to` is its end on the machine.
+  static Curve on_face(const Curve& flat, const FaceMap& map, const base::TipPoint& to);
+
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const base::TipPoint& end() const { return end_; }
-  [[nodiscard]] bool is_line() const { return kind_ == Kind::line; }
-  [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc; }
+  [[nodiscard]] bool is_line() const { return kind_ == Kind::line && !on_face_; }
+  [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc && !on_face_; }
+  [[nodiscard]] bool is_on_face() const { return on_face_; }
   [[nodiscard]] bool is_cubic() const { return kind_ == Kind::cubic; }
   /// Largest of the numbers whose sum a point is, as far as the end does not show it: of an arc its
   /// radius, whose last digits are what a flat one of huge radius shows.
@@ -84,6 +83,9 @@ class Curve {
   Curve(Kind kind, const base::TipPoint& end, double length, std::size_t axes);
 
   [[nodiscard]] base::TipPoint point(double s) const;
+  [[nodiscard]] base::TipJet own_jet(double s) const;
+  [[nodiscard]] FlatBounds flat_bounds(double from, double to) const;
+  [[nodiscard]] CurveBounds own_bounds(double from, double to) const;
   template <std::size_t count>
   [[nodiscard]] std::array<double, count> coefficients(std::size_t axis) const;
   template <std::size_t count>
@@ -96,12 +98,14 @@ class Curve {
 
   Kind kind_ = Kind::line;
   std::uint8_t axes_ = 0;
+  bool on_face_ = false;
   double length_ = 0;
   double radius_ = 0;
   double radius_slope_ = 0;
   double angle_rad_ = 0;
   double rate_ = 0;
   base::TipPoint end_;
+  FaceMap map_;  // on a face: everything else is of the curve in its plane
   // line: point and slope; cubic, quintic: coefficients; arc: origin, slope, e1, e2.
   std::array<base::AxisVector, 6> c_{};
 };

@@ -86,6 +86,35 @@ struct SpaceArc {
   bool full_circle = false;
 };
 
+/// A surface of a turning part that a rotary axis unrolls: a plane in which programs write a line
+/// or an arc, first an axis that counts mm, then the rotary one, which counts mm as well.
+///
+///   face       u = (x - centre) cos(c - zero),  v = (x - centre) sin(c - zero)
+///   cylinder   u = z,                           v = radius · c · π/180
+///
+/// x and z stand for the first axis, c for the rotary one, degrees.
+struct Surface {
+  enum class Kind : std::uint8_t { face, cylinder };
+  Kind kind = Kind::face;
+  base::Axis first{};
+  base::Axis rotary{};
+  double centre_mm = 0;  ///< of a face: where the first axis stands on the axis of rotation
+  double zero_deg = 0;   ///< of a face: where the rotary axis stands while v is 0
+  double side = 1;       ///< of a face: -1 where the tool stays on the negative side of the centre
+  double radius_mm = 0;  ///< of a cylinder, > 0
+};
+
+/// Line or arc at feed in the plane of a surface; all other axes move linearly with its length.
+struct SurfaceMove {
+  base::TipPoint to;  ///< of the machine; the rotary axis has come there without a jump
+  Surface surface;
+  std::array<double, 2> flat_to{};  ///< the same place in the plane, mm
+  std::array<double, 2> about{};    ///< of an arc: its centre in the plane, mm
+  Feed feed{};                      ///< along the surface
+  bool is_arc = false;
+  Direction direction = Direction::counterclockwise;  ///< of an arc, from the first axis to v
+};
+
 struct Dwell {
   double seconds = 0;
 };
@@ -193,8 +222,8 @@ struct ToolLength {
 /// One item of what the machine must do, in the order in which it happens. Plain value: no
 /// pointers, copies bytewise.
 struct Motion {
-  using Action = std::variant<Rapid, Line, Arc, SpaceArc, Dwell, ToolChange, Spindle, Coolant,
-                              Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
+  using Action = std::variant<Rapid, Line, Arc, SpaceArc, SurfaceMove, Dwell, ToolChange, Spindle,
+                              Coolant, Power, Probe, Thread, AuxiliaryCode, Stop, Message, End>;
   base::BlockId block{};  ///< that commands it
   /// Of a move: the axes come to rest at `to`, because the program says so. Otherwise they may go
   /// on into the next one.
@@ -231,7 +260,8 @@ class MotionSink {
 [[nodiscard]] inline bool is_cut_at_feed(const Motion& motion) {
   return std::holds_alternative<Line>(motion.action) ||
          std::holds_alternative<Arc>(motion.action) ||
-         std::holds_alternative<SpaceArc>(motion.action);
+         std::holds_alternative<SpaceArc>(motion.action) ||
+         std::holds_alternative<SurfaceMove>(motion.action);
 }
 
 /// A move at feed that nothing ends early: line, arc, thread.

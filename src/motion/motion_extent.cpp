@@ -6,6 +6,7 @@
 #include "geometry/arc.hpp"
 #include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
+#include "motion/surface_path.hpp"
 
 namespace kerf::motion {
 namespace {
@@ -54,6 +55,25 @@ void reach_farthest(const AxisSetup& axes, const SpaceArcPath& path, MotionExten
   }
 }
 
+// The ends of its curves, and of each the place where it is nearest to the centre or farthest away:
+// it has one at most, where its rate is 0.
+void reach_on_surface(const AxisSetup& axes, const TipPoint& from, const SurfaceMove& move,
+                      MotionExtent& extent) {
+  const SurfacePath path(axes, from, move, [&](const Curve& curve) {
+    extent.reach(curve.end());
+    const auto rate = [&](double s) { return curve.rate(s)[move.surface.first]; };
+    if (!(rate(0) * rate(curve.length()) < 0)) return;
+    double low = 0;
+    double high = curve.length();
+    constexpr int kHalvings = 60;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = (low + high) / 2;
+      (rate(low) * rate(middle) <= 0 ? high : low) = middle;
+    }
+    extent.reach(curve.at(low));
+  });
+}
+
 }  // namespace
 
 void MotionExtent::reach(const TipPoint& point) {
@@ -70,6 +90,8 @@ MotionExtent extent_of(const AxisSetup& axes, const TipPoint& from, const Motion
     reach_quadrants(axes, from, *arc, extent);
   if (const auto* const arc = std::get_if<SpaceArc>(&motion.action))
     reach_farthest(axes, SpaceArcPath(axes, from, *arc), extent);
+  if (const auto* const move = std::get_if<SurfaceMove>(&motion.action))
+    reach_on_surface(axes, from, *move, extent);
   return extent;
 }
 

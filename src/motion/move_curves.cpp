@@ -1,6 +1,7 @@
 #include "motion/move_curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "math/math.hpp"
 #include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
+#include "motion/surface_path.hpp"
 
 namespace kerf::motion {
 
@@ -18,17 +20,19 @@ using geometry::Vec2;
 
 std::span<const Curve> MoveCurves::of(const TipPoint& from, const Motion& motion) {
   at_ = from;
-  count_ = 0;
+  curves_.clear();
   if (const auto* const arc = std::get_if<Arc>(&motion.action)) {
     add_arc(*arc);
   } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
     add_space_arc(*space_arc);
+  } else if (const auto* const surface_move = std::get_if<SurfaceMove>(&motion.action)) {
+    add_surface_move(*surface_move);
   } else if (const TipPoint* const to = target_of(motion)) {
     const auto* const rapid = std::get_if<Rapid>(&motion.action);
     if (rapid != nullptr && !rapid->linear) add_legs(*to);
     add_line(*to);
   }
-  return {curves_.data(), count_};
+  return curves_;
 }
 
 // Every axis goes at its own rate: the way is a leg for each that is done before the others.
@@ -110,8 +114,13 @@ void MoveCurves::add_space_arc(const SpaceArc& arc) {
   }
 }
 
+void MoveCurves::add_surface_move(const SurfaceMove& move) {
+  const TipPoint from = at_;
+  const SurfacePath path(axes_, from, move, [this](const Curve& curve) { add(curve); });
+}
+
 void MoveCurves::add(const Curve& curve) {
-  curves_[count_++] = curve;
+  curves_.push_back(curve);
   at_ = curve.end();
 }
 

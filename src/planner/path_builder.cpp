@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/angle.hpp"
 #include "motion/feed.hpp"
 #include "motion/spindle_speed.hpp"
 #include "motion/thread_speed.hpp"
@@ -21,6 +22,8 @@ constexpr double kChainShare = 0.25;
 constexpr double kSlowest = 1e-9;
 // A corner takes less than half of a curve, so that something is left between two of them.
 constexpr double kMostOfCurve = 0.49;
+// Of what set-points may be away from the way on a surface, at a corner there.
+constexpr double kSurfaceShare = 0.5;
 // What one motion may add: a chain's worth of curves with their roundings.
 constexpr std::size_t kPiecesOfMotion = 600;
 constexpr std::size_t kMarksOfMotion = 600;
@@ -32,6 +35,9 @@ PathBuilder::PathBuilder(const motion::AxisSetup& axes, const CellLimits& limits
     : axes_(axes),
       norms_{motion::linear_axes(axes), axes.count()},
       tolerance_mm_(settings.tolerance_mm),
+      curve_tolerance_mm_(settings.tolerance_mm),
+      surface_tolerance_mm_(
+          std::min(settings.tolerance_mm, kSurfaceShare * settings.chord_tolerance_mm)),
       follower_(linkage),
       corners_(limits, axes.count(), norms_.linear, follower_),
       chain_(kChainShare * settings.tolerance_mm, axes.count(), norms_.linear, follower_),
@@ -84,6 +90,8 @@ void PathBuilder::take(const Motion& motion) {
     add_arc(motion, arc->to, arc->feed);
   } else if (const auto* const space_arc = std::get_if<SpaceArc>(&motion.action)) {
     add_arc(motion, space_arc->to, space_arc->feed);
+  } else if (const auto* const surface_move = std::get_if<SurfaceMove>(&motion.action)) {
+    add_surface_move(motion, *surface_move);
   } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
     add_rapid(motion, *rapid);
   } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
@@ -143,6 +151,47 @@ void PathBuilder::add_arc(const Motion& motion, const TipPoint& to, const motion
   const Pace pace = pace_of(motion, feed, length);
   add_curves(curves, mark_of(motion, motion::MoveKind::cut, speed_at(pace, to)), drive_at(pace));
   at_ = to;
+}
+
+// A corner may leave either axis by so much, degrees counted as mm.
+double PathBuilder::corner_tolerance(const motion::SurfaceMove& move) const {
+  const bool face = move.surface.kind == motion::Surface::Kind::face;
+  const double radius_mm =
+      face ? std::fabs(at_[move.surface.first] - move.surface.centre_mm) : move.surface.radius_mm;
+  return surface_tolerance_mm_ / std::max(1.0, geometry::radians(radius_mm));
+}
+
+// Smooth but for the turns of the rotary axis in the centre of a face, at rest.
+void PathBuilder::add_surface_move(const Motion& motion, const motion::SurfaceMove& move) {
+  const auto curves = curves_.of(at_, motion);
+  if (curves.empty()) return;
+  if (rotary_only_) stop();
+  drain_chain(true);
+  const bool face = move.surface.kind == motion::Surface::Kind::face;
+  const auto turns = [&](const motion::Curve& curve) {
+    return face && curve.is_line() && norms_.mm(curve.rate(0)) == 0 &&
+           curve.length() == norms_.degrees(curve.end() - curve.at(0));
+  };
+  double length = 0;
+  for (const motion::Curve& curve : curves) length += turns(curve) ? 0 : curve.length();
+  const Pace pace = pace_of(motion, move.feed, length);
+  bool joined = false;
+  for (const motion::Curve& curve : curves) {
+    const bool at_rest = turns(curve);
+    if (at_rest) stop();
+    rotary_only_ = at_rest;
+    if (&curve == &curves.back())
+      mark(curve.length(), mark_of(motion, motion::MoveKind::cut, speed_at(pace, move.to)));
+    curve_tolerance_mm_ = corner_tolerance(move);
+    const Drive turning{PathSpeed::constant(kInfinite), motion.fixed_override};
+    add_curve(curve, at_rest ? turning : drive_at(pace), joined);
+    at_ = curve.end();
+    open_.tolerance_mm = corner_tolerance(move);
+    joined = !at_rest;
+    if (at_rest) stop();
+  }
+  rotary_only_ = false;
+  curve_tolerance_mm_ = tolerance_mm_;
 }
 
 // The mark belongs to the last one.
@@ -242,8 +291,9 @@ void PathBuilder::add_curve(const motion::Curve& curve, const Drive& drive, bool
     const double used = std::min(kChainShare * tolerance_mm_, begin_off_mm + near_it);
     // Between the legs of a rapid the axes may go anywhere, if it is they that are driven.
     const bool free = rapid_ && !follower_.linked();
+    const double tolerance_mm = std::min(open_.tolerance_mm, curve_tolerance_mm_) - used;
     const Passage passage{open_.drive.speed.at(open_.curve, open_.curve.length()),
-                          drive.speed.at(curve, 0), most, free ? kInfinite : tolerance_mm_ - used};
+                          drive.speed.at(curve, 0), most, free ? kInfinite : tolerance_mm};
     const Corner corner = corners_.between(open_.curve, curve, passage);
     if (corner.kind == Corner::Kind::rounded) {
       round(corner.rounding, drive_of_corner(curve, drive, passage));
@@ -257,6 +307,7 @@ void PathBuilder::add_curve(const motion::Curve& curve, const Drive& drive, bool
   open_.drive = drive;
   open_.begin_turn = begin_turn;
   open_.end_turn = end_turn;
+  open_.tolerance_mm = curve_tolerance_mm_;
   open_.last_mark = path_.marks.end();
   is_open_ = true;
 }
@@ -300,7 +351,7 @@ void PathBuilder::place_marks(std::uint64_t last, double up_to, double shift) {
 // the lines that it stands for.
 double PathBuilder::length_per_parameter(const motion::Curve& curve, double begin,
                                          double end) const {
-  if (curve.is_line() || curve.is_arc() || rotary_only_) return 1;
+  if (curve.is_line() || curve.is_arc() || curve.is_on_face() || rotary_only_) return 1;
   const double width = end - begin;
   double most = std::max({1.0, way_in_space(curve, begin), way_in_space(curve, begin + width)});
   constexpr double kClearly = 1 - 1e-9;

@@ -61,12 +61,15 @@ class PathBuilder {
     Drive drive;
     double begin_turn = 0;  // from the programmed line to the curve, at its begin and end
     double end_turn = 0;
+    double tolerance_mm = 0;      // of a corner at its end
     std::uint64_t last_mark = 0;  // behind the marks of the curve
   };
 
   void add_line(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
   void add_rapid(const motion::Motion& motion, const motion::Rapid& rapid);
   void add_arc(const motion::Motion& motion, const base::TipPoint& to, const motion::Feed& feed);
+  void add_surface_move(const motion::Motion& motion, const motion::SurfaceMove& move);
+  [[nodiscard]] double corner_tolerance(const motion::SurfaceMove& move) const;
   void add_thread(const motion::Motion& motion, const motion::Thread& thread);
   void begin_thread(const motion::Motion& motion, const motion::Thread& thread);
   void end_thread();
@@ -100,6 +103,8 @@ class PathBuilder {
   const motion::AxisSetup& axes_;
   motion::AxisNorms norms_;
   double tolerance_mm_;
+  double curve_tolerance_mm_;  // of corners at either end of a curve that is added
+  double surface_tolerance_mm_;
   Follower follower_;
   CornerRounder corners_;
   ChainSmoother chain_;

@@ -1,5 +1,6 @@
 #include "observer.hpp"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -19,6 +20,20 @@ const char* plane_name(Plane plane) {
   return plane == Plane::xy ? "XY" : plane == Plane::zx ? "ZX" : "YZ";
 }
 
+std::string plane_name(const Surface& surface, const AxisSetup& axes) {
+  return {axes[surface.first].letter, axes[surface.rotary].letter};
+}
+
+// As people count it.
+std::array<double, 2> centre_of(const Arc& arc, const AxisSetup& axes) {
+  const auto plane = plane_axes(arc.plane, axes);
+  return {arc.center[0] * axes[plane->first].count_per_mm(),
+          arc.center[1] * axes[plane->second].count_per_mm()};
+}
+std::array<double, 2> centre_of(const SurfaceMove& move, const AxisSetup& axes) {
+  return {move.about[0] * axes[move.surface.first].count_per_mm(), move.about[1]};
+}
+
 struct Describe {
   const AxisSetup& axes;
 
@@ -30,9 +45,8 @@ struct Describe {
     return text;
   }
   std::string centre(const Arc& a) const {
-    const auto plane = plane_axes(a.plane, axes);
-    return number(a.center[0] * axes[plane->first].count_per_mm()) + "," +
-           number(a.center[1] * axes[plane->second].count_per_mm());
+    const auto at = centre_of(a, axes);
+    return number(at[0]) + "," + number(at[1]);
   }
   std::string operator()(const Rapid& a) const { return "rapid" + target(a.to); }
   std::string operator()(const Line& a) const {
@@ -41,6 +55,13 @@ struct Describe {
   std::string operator()(const Arc& a) const {
     return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" + centre(a) +
            " " + plane_name(a.plane) + " F" + number(a.feed.value);
+  }
+  std::string operator()(const SurfaceMove& a) const {
+    if (!a.is_arc) return "line" + target(a.to) + " F" + number(a.feed.value);
+    const auto centre = centre_of(a, axes);
+    return (a.direction == Direction::clockwise ? "cw" : "ccw") + target(a.to) + " @" +
+           number(centre[0]) + "," + number(centre[1]) + " " + plane_name(a.surface, axes) + " F" +
+           number(a.feed.value);
   }
   std::string operator()(const SpaceArc& a) const {
     return "space-arc" + target(a.to) + " via" + target(a.via) + " F" + number(a.feed.value);
@@ -82,12 +103,12 @@ double value_of(const std::string& word, std::size_t from) {
 
 std::string check_centre(const std::string& word, const Motion& motion, const AxisSetup& axes) {
   const auto* const arc = std::get_if<Arc>(&motion.action);
+  const auto* const on_surface = std::get_if<SurfaceMove>(&motion.action);
   const std::size_t comma = word.find(',');
-  if (arc == nullptr || comma == std::string::npos) return "it is no arc";
-  const auto plane = plane_axes(arc->plane, axes);
-  const double first = arc->center[0] * axes[plane->first].count_per_mm();
-  const double second = arc->center[1] * axes[plane->second].count_per_mm();
-  if (near(first, value_of(word, 1)) && near(second, value_of(word, comma + 1))) return {};
+  const bool is_arc = arc != nullptr || (on_surface != nullptr && on_surface->is_arc);
+  if (!is_arc || comma == std::string::npos) return "it is no arc";
+  const auto at = arc != nullptr ? centre_of(*arc, axes) : centre_of(*on_surface, axes);
+  if (near(at[0], value_of(word, 1)) && near(at[1], value_of(word, comma + 1))) return {};
   return "its centre differs";
 }
 
@@ -122,7 +143,11 @@ std::string check_word(const std::string& word, const Motion& motion, const Axis
   if (word[0] == '@') return check_centre(word, motion, axes);
   if (word.size() == 2 && std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
     const auto* const arc = std::get_if<Arc>(&motion.action);
-    return arc != nullptr && word == plane_name(arc->plane) ? "" : "its plane differs";
+    const auto* const on_surface = std::get_if<SurfaceMove>(&motion.action);
+    const std::string plane = arc != nullptr          ? plane_name(arc->plane)
+                              : on_surface != nullptr ? plane_name(on_surface->surface, axes)
+                                                      : "";
+    return word == plane ? "" : "its plane differs";
   }
   if (word[0] == 'F') {
     double feed = -1;

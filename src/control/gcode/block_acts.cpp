@@ -26,10 +26,12 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
       moves_(state, targets_),
       drawing_(state, targets_, moves_),
       settings_(state, targets_, moves_),
+      surfaces_(state),
       data_setting_(state, targets_),
       references_(state, targets_, moves_),
       auxiliary_(state),
       cycle_(state, targets_, moves_),
+      holes_(state, targets_, moves_),
       turning_(state, moves_),
       single_(state, targets_, moves_, turning_),
       multiple_(state, targets_, moves_, turning_),
@@ -57,7 +59,7 @@ bool BlockActs::is_plain_move(const ReadBlock& block) const {
   const Words& words = block.words;
   if (block.dimensions.any() || (words.present() & ~(kPlain | targets_.letters())) != 0 ||
       state_.modal.in_cycle() || state_.parameter_entry || nose_may_have_changed() ||
-      SingleCycles::is_one(state_.modal[Group::motion]))
+      state_.path.surface() != nullptr || SingleCycles::is_one(state_.modal[Group::motion]))
     return false;
   return std::all_of(words.g_begin(), words.g_end(), [](const Words::G& g) {
     return g.group() == Group::motion && !SingleCycles::is_one(g.meaning());
@@ -74,17 +76,18 @@ bool BlockActs::execute_in_full(ReadBlock& block) {
   const Words::G* one_shot = nullptr;
   const bool was_in_cycle = state_.modal.in_cycle();
   const bool parameter_entry = state_.parameter_entry;
-  if (!settings_.read_codes(words, one_shot)) return false;
+  if (!surfaces_.check(words) || !settings_.read_codes(words, one_shot)) return false;
   if (one_shot != nullptr) state_.one_shot = one_shot->meaning();
   if (one_shot != nullptr && one_shot->meaning() != Meaning::dwell) single_.forget();
   if (parameter_entry) return enter_parameter(block, one_shot);
   if (!check_block(words, one_shot) || !auxiliary_.read(words) ||
       !auxiliary_.read_codes(words, codes_) || !check_return(words))
     return false;
-  if (!settings_.apply_codes(words) || !end_modal_calls(words) || !tell_idle_words(block))
+  if (!settings_.apply_codes(words) || !surfaces_.apply(words) || !end_modal_calls(words) ||
+      !tell_idle_words(block))
     return false;
   auxiliary_.before_motion(words);
-  if (was_in_cycle && !state_.modal.in_cycle()) cycle_.cancel();
+  if (was_in_cycle && !state_.modal.in_cycle()) cancel_holes();
   state_.path.obey(move_rules(words, state_.modal, state_.feed_control));
   if (!move(block, one_shot)) return false;
   auxiliary_.follow_work_zero();
@@ -187,14 +190,15 @@ bool BlockActs::select_cycle(Words& words, bool& plain) {
   if (motion != nullptr && motion > cycle) {
     const bool both = cycle != nullptr && cycle->meaning() != Meaning::cycle_off;
     state_.modal.set(Meaning::cycle_off);
-    cycle_.cancel();
+    cancel_holes();
     if (both) words.forget('Z');
     return true;
   }
   if (!state_.modal.in_cycle()) return true;
   plain = false;
   const bool starts = !state_.before.in_cycle();
-  return cycle_.begin(words, starts, moved_);
+  return TurningHoles::is_one(state_.modal[Group::cycle]) ? holes_.begin(words, starts, moved_)
+                                                          : cycle_.begin(words, starts, moved_);
 }
 
 bool BlockActs::one_shot(const Words& words, const Words::G& g) {
@@ -205,6 +209,7 @@ bool BlockActs::one_shot(const Words& words, const Words::G& g) {
     case Meaning::local_system: return settings_.local_system(words);
     case Meaning::preset: return settings_.preset(words);
     case Meaning::clear_shifts: return settings_.clear_shifts(words);
+    case Meaning::cylindrical_interpolation: return surfaces_.cylinder(words);
     case Meaning::face_pecks:
     case Meaning::groove_pecks:
     case Meaning::compound_thread: return multiple_.execute(g.meaning(), words, moved_);

@@ -7,11 +7,13 @@
 #include "control/gcode/acts/drawing.hpp"
 #include "control/gcode/acts/references.hpp"
 #include "control/gcode/acts/settings.hpp"
+#include "control/gcode/acts/surfaces.hpp"
 #include "control/gcode/block_reader.hpp"
 #include "control/gcode/cycles/canned_cycle.hpp"
 #include "control/gcode/cycles/multiple_cycles.hpp"
 #include "control/gcode/cycles/shape_cycles.hpp"
 #include "control/gcode/cycles/single_cycles.hpp"
+#include "control/gcode/cycles/turning_holes.hpp"
 #include "control/gcode/path/block_buffer.hpp"
 
 namespace kerf::control {
@@ -34,21 +36,28 @@ class BlockActs {
   void begin() {
     moved_ = false;
     codes_ = {};
+    holes_.forget_clamp();
   }
   /// Steps 1 to 3. False: an alarm was raised.
   [[nodiscard]] bool execute(ReadBlock& block);
   /// Something is left of the block's cycle.
-  [[nodiscard]] bool has_steps() const { return cycle_.running() || turning_.running(); }
-  [[nodiscard]] bool step() { return cycle_.running() ? cycle_.step() : turning_.step(); }
-  void finish(const Words& words) { auxiliary_.after_motion(words); }
+  [[nodiscard]] bool has_steps() const {
+    return cycle_.running() || holes_.running() || turning_.running();
+  }
+  [[nodiscard]] bool step() {
+    if (cycle_.running()) return cycle_.step();
+    return holes_.running() ? holes_.step() : turning_.step();
+  }
+  void finish(const Words& words) { auxiliary_.after_motion(words, holes_.clamp()); }
   /// What is left of the block's cycle is not made.
   void stop() {
     cycle_.stop();
+    holes_.stop();
     turning_.stop();
   }
   /// The data of a cycle are forgotten.
   void cancel_cycle() {
-    cycle_.cancel();
+    cancel_holes();
     single_.forget();
   }
 
@@ -63,6 +72,10 @@ class BlockActs {
   [[nodiscard]] ShapeCycles& shapes() { return shapes_; }
 
  private:
+  void cancel_holes() {
+    cycle_.cancel();
+    holes_.cancel();
+  }
   [[nodiscard]] bool is_plain_move(const ReadBlock& block) const;
   [[nodiscard]] bool nose_may_have_changed() const;
   bool execute_in_full(ReadBlock& block);
@@ -85,10 +98,12 @@ class BlockActs {
   Moves moves_;
   Drawing drawing_;
   Settings settings_;
+  Surfaces surfaces_;
   DataSetting data_setting_;
   References references_;
   Auxiliary auxiliary_;
   CannedCycle cycle_;
+  TurningHoles holes_;
   TurningCycle turning_;
   SingleCycles single_;
   MultipleCycles multiple_;

@@ -84,12 +84,12 @@ void GcodeControl::reset() {
 }
 
 base::MachinePoint GcodeControl::machine_position() const {
-  return state_.coordinates.machine_of(state_.path.tip());
+  return state_.coordinates.machine_of(state_.path.tip_on_machine());
 }
 
 void GcodeControl::stand_at(const base::TipPoint& tip) {
   state_.path.stand_at(tip);
-  state_.coordinates.arrive_at(base::PathPoint(tip.numbers()));
+  state_.coordinates.arrive_at(base::PathPoint(state_.path.tip().numbers()));
 }
 
 Halt GcodeControl::run(std::uint64_t instructions) {

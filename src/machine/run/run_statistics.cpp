@@ -8,6 +8,7 @@
 #include "motion/path_speed.hpp"
 #include "motion/plane_axes.hpp"
 #include "motion/spindle_speed.hpp"
+#include "motion/surface_path.hpp"
 #include "motion/thread_speed.hpp"
 
 namespace kerf::machine {
@@ -104,6 +105,11 @@ void RunStatistics::space_arc(const motion::SpaceArc& arc, std::uint32_t line) {
   cut(path.circle().length(), path.circle().length(), arc.feed, line);
 }
 
+void RunStatistics::surface_move(const motion::SurfaceMove& move, std::uint32_t line) {
+  const motion::SurfacePath path(axes_, at_, move, [](const motion::Curve&) {});
+  cut(path.length(), path.length(), move.feed, line);
+}
+
 // A thread keeps the speed of its begin.
 void RunStatistics::thread(const motion::Thread& thread, std::uint32_t line) {
   if (!in_thread_) thread_rpm_ = motion::rpm_at(spindle_, at_);
@@ -143,6 +149,8 @@ void RunStatistics::take(const motion::Motion& motion) {
       arc(*a, motion.block.line);
     } else if (const auto* const in_space = std::get_if<SpaceArc>(&motion.action)) {
       space_arc(*in_space, motion.block.line);
+    } else if (const auto* const on_surface = std::get_if<SurfaceMove>(&motion.action)) {
+      surface_move(*on_surface, motion.block.line);
     } else if (std::holds_alternative<Rapid>(motion.action)) {
       rapid(*to);
     } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {

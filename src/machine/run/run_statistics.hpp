@@ -48,6 +48,7 @@ class RunStatistics : public motion::MotionSink {
   void cut(double length, double feed_length, const motion::Feed& feed, std::uint32_t line);
   void arc(const motion::Arc& arc, std::uint32_t line);
   void space_arc(const motion::SpaceArc& arc, std::uint32_t line);
+  void surface_move(const motion::SurfaceMove& move, std::uint32_t line);
   void thread(const motion::Thread& thread, std::uint32_t line);
   void find_speed(const motion::Motion& motion);
   [[nodiscard]] double distance(const base::TipPoint& to, bool& rotary_only) const;

@@ -18,7 +18,7 @@ Beam beam_in(const Motion& motion) {
       [](const auto& action) {
         using Action = std::decay_t<decltype(action)>;
         if constexpr (std::is_same_v<Action, Line> || std::is_same_v<Action, Arc> ||
-                      std::is_same_v<Action, SpaceArc>) {
+                      std::is_same_v<Action, SpaceArc> || std::is_same_v<Action, SurfaceMove>) {
           return Beam::on;
         } else if constexpr (std::is_same_v<Action, Rapid> || std::is_same_v<Action, Probe> ||
                              std::is_same_v<Action, Stop> || std::is_same_v<Action, End>) {

@@ -5,6 +5,7 @@
 
 #include "base/decimal.hpp"
 #include "motion/plane_axes.hpp"
+#include "motion/surface_path.hpp"
 #include "output/programs/internal/post_head.hpp"
 #include "output/writing/json_object.hpp"
 
@@ -187,6 +188,15 @@ void Post::act(const Line& line) { moves_.straight(line.to, line.feed); }
 void Post::act(const Arc& arc) { arcs_.write(arc); }
 
 void Post::act(const SpaceArc& arc) { arcs_.write(arc); }
+
+// Its curves are short: their ends.
+void Post::act(const SurfaceMove& move) {
+  std::vector<base::TipPoint> ends;
+  const SurfacePath path(axes_, moves_.at(), move,
+                         [&](const Curve& curve) { ends.push_back(curve.end()); });
+  lose("move on a surface", "IN CHORDS");
+  for (const base::TipPoint& to : ends) moves_.straight(to, move.feed);
+}
 
 void Post::act(const Probe& probe) {
   lose("probing move", "PROBING MOVE");

@@ -57,6 +57,7 @@ class Post : public motion::MotionSink {
   void act(const motion::Line& line);
   void act(const motion::Arc& arc);
   void act(const motion::SpaceArc& arc);
+  void act(const motion::SurfaceMove& move);
   void act(const motion::Dwell& dwell);
   void act(const motion::ToolChange& change);
   void act(const motion::Spindle& spindle);

@@ -13,6 +13,7 @@
 #include "math/math.hpp"
 #include "motion/feed.hpp"
 #include "motion/plane_axes.hpp"
+#include "motion/surface_path.hpp"
 
 namespace kerf::output {
 namespace {
@@ -188,6 +189,14 @@ void TaughtProgram::act(const motion::SpaceArc& arc) {
     }
   }
   at_ = arc.to;
+}
+
+void TaughtProgram::act(const motion::SurfaceMove& move) {
+  const TipPoint from = at_;
+  comment(" a move on a surface, in chords");
+  const motion::SurfacePath path(axes_, from, move, [&](const motion::Curve& curve) {
+    act(motion::Line{curve.end(), move.feed});
+  });
 }
 
 void TaughtProgram::act(const Dwell& dwell) { write(teach::Dwell{dwell.seconds}); }

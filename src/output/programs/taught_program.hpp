@@ -49,6 +49,7 @@ class TaughtProgram : public motion::MotionSink {
   void act(const motion::Line& line);
   void act(const motion::Arc& arc);
   void act(const motion::SpaceArc& arc);
+  void act(const motion::SurfaceMove& move);
   void act(const motion::Dwell& dwell);
   void act(const motion::Power& power);
   void act(const motion::Probe& probe);

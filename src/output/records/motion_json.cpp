@@ -135,6 +135,18 @@ void MotionJson::space_arc(const SpaceArc& arc) {
   feed(arc.feed);
 }
 
+// Its plane is named by the letters of its axes.
+void MotionJson::surface_arc(const SurfaceMove& move) {
+  const AxisConfig& first = axes_[move.surface.first];
+  line_ += ",\"plane\":\"";
+  line_ += first.letter;
+  line_ += axes_[move.surface.rotary].letter;
+  append_member(line_, "\",\"center\":[", move.about[0] * first.count_per_mm());
+  append_member(line_, ",", move.about[1]);
+  line_ += move.direction == Direction::clockwise ? "],\"direction\":\"cw\",\"turns\":0"
+                                                  : "],\"direction\":\"ccw\",\"turns\":0";
+}
+
 void MotionJson::take(const Motion& motion) {
   const auto* const stop = std::get_if<Stop>(&motion.action);
   if (stop != nullptr && stop->passed) return;
@@ -168,6 +180,11 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, SpaceArc>) {
       begin("space-arc", motion);
       space_arc(action);
+    } else if constexpr (std::is_same_v<Action, SurfaceMove>) {
+      begin(action.is_arc ? "arc" : "line", motion);
+      target(action.to);
+      if (action.is_arc) surface_arc(action);
+      feed(action.feed);
     } else if constexpr (std::is_same_v<Action, Dwell>) {
       begin("dwell", motion);
       append_member(line_, ",\"seconds\":", action.seconds);

@@ -26,6 +26,7 @@ class MotionJson : public motion::MotionSink {
   void target(const base::TipPoint& to) { point(",\"to\":{", to); }
   void space_arc(const motion::SpaceArc& arc);
   void centre(const motion::Arc& arc);
+  void surface_arc(const motion::SurfaceMove& move);
   void feed(const motion::Feed& feed);
   void write(const motion::Motion& motion);
 

@@ -9,6 +9,7 @@
 #include "motion/feed.hpp"
 #include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
+#include "motion/surface_path.hpp"
 #include "output/programs/post.hpp"
 
 namespace kerf::output {
@@ -76,6 +77,15 @@ void RowCsv::space_arc(const SpaceArc& arc) {
               [&](const base::TipPoint& to) { move("1", to, {}, feed_); });
 }
 
+// The rows have no column for the rotary axis: the ends of its curves.
+void RowCsv::surface_move(const SurfaceMove& surface_move) {
+  std::vector<base::TipPoint> ends;
+  const SurfacePath path(axes_, at_, surface_move,
+                         [&](const Curve& curve) { ends.push_back(curve.end()); });
+  feed_ = base::tidy(motion::feed_per_minute(surface_move.feed, path.length(), speed_rpm_));
+  for (const base::TipPoint& to : ends) move("1", to, {}, feed_);
+}
+
 void RowCsv::move(std::string_view code, const base::TipPoint& to, const Xyz& centre, double feed) {
   const Xyz begin = xyz_of(at_);
   const Xyz end = xyz_of(to);
@@ -114,6 +124,8 @@ void RowCsv::take(const Motion& motion) {
     arc(*in_plane);
   } else if (const auto* const in_space = std::get_if<SpaceArc>(&motion.action)) {
     space_arc(*in_space);
+  } else if (const auto* const on_surface = std::get_if<SurfaceMove>(&motion.action)) {
+    surface_move(*on_surface);
   } else if (const auto* const probe = std::get_if<Probe>(&motion.action)) {
     straight("31", probe->to, probe->feed);
   } else if (const auto* const thread = std::get_if<Thread>(&motion.action)) {

@@ -43,6 +43,7 @@ class RowCsv : public motion::MotionSink {
   void straight(std::string_view code, const base::TipPoint& to, const motion::Feed& feed);
   void arc(const motion::Arc& arc);
   void space_arc(const motion::SpaceArc& arc);
+  void surface_move(const motion::SurfaceMove& move);
   void move(std::string_view code, const base::TipPoint& to, const Xyz& centre, double feed);
   void write(std::string_view code, const Xyz& to, const Xyz& centre, double feed, double heading);
   [[nodiscard]] Xyz xyz_of(const base::TipPoint& point) const;

@@ -152,10 +152,11 @@ void Auxiliary::before_motion(const Words& words) {
   if (words.has('S') && turning && !told && changes_speed) tell_spindle();
 }
 
-void Auxiliary::after_motion(const Words& words) {
+void Auxiliary::after_motion(const Words& words, std::optional<std::uint32_t> used) {
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
     if (m->row == nullptr) {
-      state_.path.act(motion::AuxiliaryCode{static_cast<std::uint32_t>(code_of(*m->word))});
+      const auto number = static_cast<std::uint32_t>(code_of(*m->word));
+      if (number != used) state_.path.act(motion::AuxiliaryCode{number});
     } else if (m->row->moment == Moment::behind_motion) {
       act(*m->row);
     }

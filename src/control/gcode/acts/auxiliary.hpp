@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "control/gcode/acts/state.hpp"
 #include "control/gcode/acts/turret.hpp"
@@ -36,8 +37,9 @@ class Auxiliary {
 
   /// Actions before the motion: S, T, M03, M04, M06, M07, M08, M19, M29.
   void before_motion(const Words& words);
-  /// Actions behind it: M05, M09 and every code that the control passes through.
-  void after_motion(const Words& words);
+  /// Actions behind it: M05, M09 and every code that the control passes through but the one that
+  /// the motion has made use of.
+  void after_motion(const Words& words, std::optional<std::uint32_t> used = {});
   /// The zero of the work has moved under a constant surface speed: the spindle is told again.
   void follow_work_zero();
 

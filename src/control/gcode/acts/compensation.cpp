@@ -82,7 +82,7 @@ bool Compensation::cancel(const Words& words) {
 
 // CRC-12: I and J of a G40 block.
 bool Compensation::read_wall(const Words& words, std::optional<Vec2>& wall) {
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  const auto plane = state_.plane();
   if (!plane) return true;
   const auto read = [&](char letter, double& mm) {
     return !words.has(letter) || state_.values.length(words[letter], mm);
@@ -95,7 +95,7 @@ bool Compensation::read_wall(const Words& words, std::optional<Vec2>& wall) {
 }
 
 bool Compensation::compensate(bool switched) {
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  const auto plane = state_.plane();
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   const Transform& transform = state_.coordinates.transform();

@@ -39,7 +39,8 @@ bool Drawing::admits(const Words& words, const Dimensions& dimensions) {
         cuts_thread(words, state_.modal) ? Code::corner_second : Code::drawing_format, word.text,
         "it needs a G01 move");
   }
-  if (state_.modal.plane() == motion::Plane::zx) return true;
+  const bool on_surface = state_.path.surface() != nullptr;
+  if (state_.modal.plane() == motion::Plane::zx && !on_surface) return true;
   return state_.alarms.raise(Code::drawing_plane, word.text);
 }
 
@@ -57,7 +58,7 @@ bool Drawing::move_on_mill(const Words& words, const Word& corner, bool& moved) 
   if (state_.modal[Group::motion] != Meaning::line && !state_.modal.circular()) {
     return state_.alarms.raise(Code::corner_second, corner.text, "it needs a G01, G02 or G03 move");
   }
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  const auto plane = state_.plane();
   if (!plane) return state_.alarms.raise(Code::illegal_plane_axis);
   if (!words.has_any(targets_.letters()))
     return state_.alarms.raise(Code::corner_missing_move, corner.text, "this block does not move");

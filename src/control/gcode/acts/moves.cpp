@@ -6,6 +6,7 @@
 
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
+#include "control/gcode/acts/surfaces.hpp"
 #include "geometry/arc.hpp"
 #include "motion/feed.hpp"
 #include "motion/spindle_speed.hpp"
@@ -75,6 +76,7 @@ bool Moves::check_limits(const AxisVector& target) {
       return state_.alarms.raise(Code::position_overflow, std::string(1, state_.axes[axis].letter) +
                                                               base::number_text(target[axis]));
     }
+    if (state_.path.surface() != nullptr) continue;  // what the axes do there is seen on its way
     if (const auto beyond = state_.strokes.refusal(axis, target[axis]))
       return state_.alarms.raise(beyond->code, beyond->sentence);
   }
@@ -134,7 +136,8 @@ bool Moves::execute(const Words& words, bool& moved) {
     return true;
   }
   Target target;
-  if (!targets_.read(words, target) || !check_axes(target)) return false;
+  if (!targets_.read(words, target) || !check_axes(target) || !suits_surface(state_, mode))
+    return false;
   moved = true;
   const bool threads = mode == Meaning::thread || mode == Meaning::thread_of_variable_lead;
   if (circular || threads) {
@@ -195,6 +198,9 @@ bool Moves::read_centre(const Words& words, const motion::PlaneAxes& plane, cons
     centre = *found;
     return true;
   }
+  const motion::Surface* const surface = state_.path.surface();
+  if (surface != nullptr && surface->kind == motion::Surface::Kind::cylinder)
+    return state_.alarms.raise(Code::cylinder_misuse, "an arc on the cylinder has its radius R");
   if (!words.has(plane.first_offset) && !words.has(plane.second_offset)) {
     if (!words.has_any(kCentreLetters)) return state_.alarms.raise(Code::arc_without_centre);
     return state_.alarms.raise(Code::illegal_plane_axis,
@@ -248,7 +254,7 @@ bool Moves::unevenly_scaled_centre(const motion::PlaneAxes& plane, const Target&
 }
 
 bool Moves::arc(const Words& words, bool clockwise, const Target& target) {
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  const auto plane = state_.plane();
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   const Transform& transform = state_.coordinates.transform();

@@ -275,7 +275,7 @@ bool Settings::set_mirror(const Words& words, bool on) {
 }
 
 bool Settings::set_rotation(const Words& words) {
-  const auto plane = motion::plane_axes(state_.modal.plane(), state_.axes);
+  const auto plane = state_.plane();
   if (!plane)
     return state_.alarms.raise(Code::illegal_plane_axis, "the machine lacks an axis of the plane");
   ProgramPoint centre = state_.coordinates.program();

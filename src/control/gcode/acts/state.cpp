@@ -7,6 +7,7 @@ namespace kerf::control {
 
 void State::reset() {
   path.reset();
+  if (path.surface() != nullptr) leave_surface();
   coordinates.set_transform({});
   for (std::size_t i = 0; i < axes.count(); ++i) {
     coordinates.set_local(base::Axis{static_cast<std::uint8_t>(i)}, 0);
@@ -23,6 +24,22 @@ void State::reset() {
   rigid_tapping = false;
   parameter_entry = false;
   block_control = feed_control = 0;
+}
+
+std::optional<motion::PlaneAxes> State::plane() const {
+  const motion::Surface* const surface = path.surface();
+  if (surface == nullptr) return motion::plane_axes(modal.plane(), axes);
+  return motion::PlaneAxes{surface->first, surface->rotary, std::nullopt, 'I', 'J'};
+}
+
+void State::enter_surface(const motion::Surface& surface, double mm_per_degree) {
+  path.enter(surface);
+  coordinates.unroll(surface.rotary, mm_per_degree);
+}
+
+void State::leave_surface() {
+  path.leave_surface();
+  coordinates.roll_up(base::PathPoint(path.tip().numbers()));
 }
 
 ModalView State::modal_view() const {

@@ -59,7 +59,7 @@ struct State {
         outlet(alarms_in, surroundings_in,
                axes_in.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, &strokes,
                sink),
-        path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in.start) {
+        path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in) {
     refresh_format();
   }
 
@@ -111,6 +111,12 @@ struct State {
     spindle.radius_axis = axes.find('X');
     if (spindle.radius_axis) spindle.centre = coordinates.origin()[*spindle.radius_axis];
   }
+  /// The plane of arcs, corners and compensation; nothing: the machine lacks one of its axes.
+  [[nodiscard]] std::optional<motion::PlaneAxes> plane() const;
+  /// The program goes on in the plane of a surface, whose rotary axis has `mm_per_degree`
+  /// (Coordinates::unroll()). Precondition: no move is held.
+  void enter_surface(const motion::Surface& surface, double mm_per_degree);
+  void leave_surface();
   /// The reset button: modes as at power-on. The tool stays where it is, offsets and the shift of
   /// G92 stay.
   void reset();

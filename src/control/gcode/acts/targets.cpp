@@ -23,6 +23,12 @@ char letter_of_ways(char axis) {
   }
 }
 
+// What a bare number counts follows from the axis, not from the letter of ways along it.
+Word as_of_axis(Word word, char letter) {
+  word.letter = letter;
+  return word;
+}
+
 }  // namespace
 
 void Targets::learn_letters() {
@@ -68,10 +74,18 @@ void Targets::tell_increments(const Word& word, bool angle) {
 }
 
 bool Targets::value(const Word& word, Axis axis, double& value) {
-  const bool rotary = state_.axes[axis].rotary;
-  tell_increments(word, rotary);
-  if (rotary) return state_.values.angle(word, value);
-  if (!state_.values.length(word, value)) return false;
+  const motion::Surface* const surface = state_.path.surface();
+  const bool unrolled = surface != nullptr && surface->rotary == axis;
+  const bool on_face = unrolled && surface->kind == motion::Surface::Kind::face;
+  const Word as_written = as_of_axis(word, state_.axes[axis].letter);
+  const bool angle = state_.axes[axis].rotary && !on_face;
+  tell_increments(word, angle);
+  if (angle) {
+    if (!state_.values.angle(as_written, value)) return false;
+    if (unrolled) value *= geometry::radians(surface->radius_mm);
+    return true;
+  }
+  if (!state_.values.length(as_written, value)) return false;
   value /= state_.axes[axis].count_per_mm();
   return true;
 }

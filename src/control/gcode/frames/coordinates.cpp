@@ -39,6 +39,7 @@ void Coordinates::refresh_origin() {
       work_.extended != 0 ? memory_->extended[work_.extended - 1] : memory_->work[work_.index];
   const AxisVector before = origin_;
   origin_ = tidied(axes_->in_mm(memory_->external + offset) + local_ + shift_);
+  if (unrolled_) origin_[unrolled_->axis] *= unrolled_->mm_per_degree;
   if (before != origin_) program_ = program_of(image_of(program_) + before - origin_);
   plain_ = transform_.identity() && origin_ == AxisVector{};
 }
@@ -65,6 +66,19 @@ void Coordinates::clear_shifts(Axis axis) {
   local_[axis] = 0;
   shift_[axis] = 0;
   refresh_origin();
+}
+
+void Coordinates::unroll(Axis axis, double mm_per_degree) {
+  unrolled_ = {axis, mm_per_degree};
+  path_[axis] *= mm_per_degree;
+  refresh_origin();
+  program_ = program_of(path_.numbers() - origin_);
+}
+
+void Coordinates::roll_up(const PathPoint& path) {
+  unrolled_.reset();
+  refresh_origin();
+  arrive_at(path);
 }
 
 void Coordinates::set_transform(const Transform& transform) {

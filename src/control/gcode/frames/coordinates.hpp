@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "control/core/memory.hpp"
 #include "control/gcode/frames/transform.hpp"
@@ -78,6 +79,12 @@ class Coordinates {
   }
   void set_transform(const Transform& transform);
 
+  /// A rotary axis counts mm of a surface from now on, `mm_per_degree` each; 0: mm from where it
+  /// stands.
+  void unroll(base::Axis axis, double mm_per_degree);
+  /// It counts degrees again, and the tool stands at `path`.
+  void roll_up(const base::PathPoint& path);
+
  private:
   void refresh_origin();
   [[nodiscard]] base::AxisVector image_of(const base::ProgramPoint& program) const;
@@ -92,6 +99,11 @@ class Coordinates {
   base::AxisVector local_;
   base::AxisVector shift_;
   base::AxisVector origin_;
+  struct Unrolled {
+    base::Axis axis{};
+    double mm_per_degree = 0;
+  };
+  std::optional<Unrolled> unrolled_;
   WorkSystem work_;
   Transform transform_;
   bool plain_ = true;  // no transform, origin at machine zero: programmed points are machine points

@@ -222,7 +222,7 @@ bool SystemVariables::read_position(std::uint32_t number, double& value) {
   const Coordinates& c = state_.coordinates;
   switch (static_cast<PositionRow>((number - 5001) / kAxesPerRow)) {
     case PositionRow::end_of_block: value = c.program()[axis]; break;
-    case PositionRow::machine: value = state_.path.tip()[axis] + c.length()[axis]; break;
+    case PositionRow::machine: value = state_.path.tip_on_machine()[axis] + c.length()[axis]; break;
     case PositionRow::work:
       value = state_.path.tip()[axis] + c.length()[axis] - c.origin()[axis];
       break;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "control/core/alarms.hpp"
-#include "control/core/outlet.hpp"
 #include "control/gcode/path/cutter.hpp"
 #include "control/gcode/path/path_step.hpp"
+#include "control/gcode/path/surface_outlet.hpp"
 #include "geometry/intersect.hpp"
 #include "motion/motion.hpp"
 #include "motion/plane_axes.hpp"
@@ -46,7 +46,7 @@ class CutterCompensation {
     bool corner_arc = false;  ///< CCC
   };
 
-  CutterCompensation(Alarms& alarms, Outlet& outlet, const Settings& settings)
+  CutterCompensation(Alarms& alarms, SurfaceOutlet& outlet, const Settings& settings)
       : alarms_(alarms), outlet_(outlet), settings_(settings) {}
 
   void configure(const Settings& settings) { settings_ = settings; }
@@ -148,7 +148,7 @@ class CutterCompensation {
   [[nodiscard]] geometry::Vec2 centre() const { return tip_in_plane() - shift_; }
 
   Alarms& alarms_;
-  Outlet& outlet_;
+  SurfaceOutlet& outlet_;
   Settings settings_;
   Mode mode_ = Mode::off;
   motion::PlaneAxes plane_;

@@ -8,14 +8,14 @@ using base::PathPoint;
 using base::TipPoint;
 
 Toolpath::Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
-                   const TipPoint& start)
+                   const motion::AxisSetup& axes)
     : alarms_(alarms),
-      outlet_(outlet),
+      outlet_(axes, outlet),
       corners_(
           alarms, [this](const PathStep& step) { return compensate(step); },
           [this](const motion::Motion& motion) { pass(motion); }),
-      compensation_(alarms, outlet, settings),
-      tip_(start) {
+      compensation_(alarms, outlet_, settings),
+      tip_(axes.start) {
   compensation_.set_tip(tip_);
 }
 
@@ -96,7 +96,22 @@ void Toolpath::go_back_to(const TipPoint& tip) {
   unfinished_.reset();
   corners_.reset();
   compensation_.reset();
-  stand_at(tip);
+  put_tip(tip);
+}
+
+void Toolpath::stand_at(const TipPoint& tip) {
+  if (surface() != nullptr) outlet_.begin(*surface(), tip);
+  put_tip(surface() != nullptr ? outlet_.in_plane(tip) : tip);
+}
+
+void Toolpath::enter(const motion::Surface& surface) {
+  outlet_.begin(surface, tip());
+  put_tip(outlet_.in_plane(tip()));
+}
+
+void Toolpath::leave_surface() {
+  put_tip(outlet_.on_machine());
+  outlet_.end();
 }
 
 bool Toolpath::release() {

@@ -7,6 +7,7 @@
 #include "control/gcode/path/corner_rounding.hpp"
 #include "control/gcode/path/cutter_compensation.hpp"
 #include "control/gcode/path/move_rules.hpp"
+#include "control/gcode/path/surface_outlet.hpp"
 #include "control/gcode/path/unfinished_line.hpp"
 
 namespace kerf::control {
@@ -25,9 +26,9 @@ struct ArcShape {
 /// that go nowhere.
 class Toolpath {
  public:
-  /// The tool stands at `start`.
+  /// The tool stands where the axes start.
   Toolpath(Alarms& alarms, Outlet& outlet, const CutterCompensation::Settings& settings,
-           const base::TipPoint& start);
+           const motion::AxisSetup& axes);
 
   /// A block begins: what is emitted from now on comes from it.
   void begin_block(const base::BlockId& block) {
@@ -115,17 +116,26 @@ class Toolpath {
   /// Forgets what is held: the reset button.
   void reset();
 
+  /// From now on points are in the plane of a surface, and the rotary axis counts mm.
+  /// Precondition: !holds_moves().
+  void enter(const motion::Surface& surface);
+  /// Points are the machine's again. Precondition: surface(), !holds_moves().
+  void leave_surface();
+  /// Null: there is none.
+  [[nodiscard]] const motion::Surface* surface() const { return outlet_.surface(); }
+
   [[nodiscard]] const base::BlockId& block() const { return block_; }
-  /// The tool was brought to `tip` by hand. Precondition: !holds_moves().
-  void stand_at(const base::TipPoint& tip) {
-    tip_ = tip;
-    compensation_.set_tip(tip);
-  }
+  /// The tool was brought to `tip` of the machine by hand. Precondition: !holds_moves().
+  void stand_at(const base::TipPoint& tip);
   /// A move waits for the next one because of a chamfer, a corner or an angle.
   [[nodiscard]] bool holds_corner() const { return corners_.holding() || unfinished_.has_value(); }
   [[nodiscard]] bool holds_moves() const { return compensation_.active() || holds_corner(); }
-  /// Where the tool stands.
+  /// Where the tool stands; on a surface in its plane.
   [[nodiscard]] base::TipPoint tip() const;
+  /// Of the machine, as far as moves have been let out.
+  [[nodiscard]] base::TipPoint tip_on_machine() const {
+    return surface() != nullptr ? outlet_.on_machine() : tip();
+  }
 
  private:
   bool move_beside_plane(const motion::Motion& motion);
@@ -146,9 +156,13 @@ class Toolpath {
   bool end_block_of_corner();
   bool straight(const motion::Motion& motion);
   void act(const motion::Motion& motion);
+  void put_tip(const base::TipPoint& tip) {
+    tip_ = tip;
+    compensation_.set_tip(tip);
+  }
 
   Alarms& alarms_;
-  Outlet& outlet_;
+  SurfaceOutlet outlet_;
   CornerRounding corners_;
   CutterCompensation compensation_;
   base::BlockId block_;

@@ -25,7 +25,8 @@ std::uint32_t idle_words(const Words& words, const ModalState& modal, bool calls
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
     if (g->row != nullptr) rest &= ~Words::mask(g->row->letters);
   }
-  if (modal.circular()) rest &= ~letters_of_arc(modal.plane());
+  const bool on_face = modal[Group::polar_interpolation] == Meaning::polar_interpolation_on;
+  if (modal.circular()) rest &= ~(on_face ? Words::mask("IJR") : letters_of_arc(modal.plane()));
   if (const CodeRow* const motion = modal.row(Group::motion)) rest &= ~Words::mask(motion->letters);
   if (modal.in_cycle()) rest = 0;
   if (calls) rest &= ~kOfACall;

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "geometry/space_arc.hpp"
+#include "motion/surface_path.hpp"
 
 namespace kerf::output::plot {
 namespace {
@@ -30,7 +31,11 @@ std::array<std::size_t, 2> plane_axes(motion::Plane plane) {
 }  // namespace
 
 PathRecorder::PathRecorder(const motion::AxisSetup& axes, double x_scale)
-    : x_scale_(x_scale), space_(axes, x_scale), position_(space_.point_of(axes.start, {})) {
+    : axes_(axes),
+      tip_(axes.start),
+      x_scale_(x_scale),
+      space_(axes, x_scale),
+      position_(space_.point_of(axes.start, {})) {
   travels_.add(position_);
 }
 
@@ -45,6 +50,8 @@ void PathRecorder::take(const motion::Motion& motion) {
           arc(action);
         } else if constexpr (std::is_same_v<Action, motion::SpaceArc>) {
           space_arc(action);
+        } else if constexpr (std::is_same_v<Action, motion::SurfaceMove>) {
+          surface_move(action);
         } else if constexpr (std::is_same_v<Action, motion::ToolChange>) {
           select_tool(action.tool);
         } else if constexpr (std::is_same_v<Action, motion::Power>) {
@@ -54,6 +61,7 @@ void PathRecorder::take(const motion::Motion& motion) {
         }
       },
       motion.action);
+  if (const base::TipPoint* const to = motion::target_of(motion)) tip_ = *to;
 }
 
 void PathRecorder::travel_through(const base::TipPoint& place) { go(place, Trace::travel); }
@@ -99,6 +107,14 @@ void PathRecorder::space_arc(const motion::SpaceArc& arc) {
   }
   const double count = std::ceil(found->sweep_rad() / kChord_rad);
   for (double n = 1; n <= count; ++n) chord(point(found->at(found->sweep_rad() * n / count)));
+}
+
+void PathRecorder::surface_move(const motion::SurfaceMove& move) {
+  constexpr double kChords = 8;  // of each curve, which is short
+  ++moves_;
+  const motion::SurfacePath path(axes_, tip_, move, [this](const motion::Curve& curve) {
+    for (double n = 1; n <= kChords; ++n) chord(point_of(curve.at(curve.length() * n / kChords)));
+  });
 }
 
 // A part of a move at feed that goes sideways.

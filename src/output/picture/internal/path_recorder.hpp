@@ -52,6 +52,7 @@ class PathRecorder {
   void go(const base::TipPoint& to, Trace trace);
   void arc(const motion::Arc& arc);
   void space_arc(const motion::SpaceArc& arc);
+  void surface_move(const motion::SurfaceMove& move);
   void chord(const Point3& to);
   void select_tool(std::uint32_t number);
   Pen pen_for(Trace trace);
@@ -63,6 +64,8 @@ class PathRecorder {
   [[nodiscard]] bool can_bend(const motion::Arc& arc) const;
   [[nodiscard]] Trace at_feed() const { return beam_off_ ? Trace::travel : Trace::cut; }
 
+  const motion::AxisSetup& axes_;
+  base::TipPoint tip_;  // where the last motion ended
   double x_scale_;
   TipInSpace space_;
   Point3 position_{};

@@ -23,7 +23,7 @@ TEST(BuiltinMachines, AreNamedAsTheirFilesAndCanBeMade) {
     EXPECT_EQ(machine->make_kinematics()->size(), machine->driven.size());
     names += machine->name + " ";
   }
-  EXPECT_EQ(names, "arm4 cartesian-step laser-xtz laser3 laser5 lathe2 mill3 mill4 mill5 ");
+  EXPECT_EQ(names, "arm4 cartesian-step laser-xtz laser3 laser5 lathe2 lathe3c mill3 mill4 mill5 ");
 }
 
 TEST(BuiltinMachines, MillsAndTheEngraverHaveNoLimitOfJerkUnlessTheFileSaysSo) {

@@ -13,6 +13,7 @@ export const MACHINE_TITLES_ZH_HANT: Record<string, string> = {
   'vertical machining centre with a tilting rotary table, X Y Z A C':
     '立式加工中心附傾斜旋轉台，X Y Z A C',
   'lathe, X Z': '車床，X Z',
+  'lathe with a C axis, X Z C': '車床附 C 軸，X Z C',
   'five-axis laser with an A/C head, X Y Z A C': '五軸雷射，A/C 擺頭，X Y Z A C',
 };
 

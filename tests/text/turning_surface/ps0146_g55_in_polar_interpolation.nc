@@ -1,0 +1,7 @@
+(run with: --machine lathe3c)
+O1 (PS0146)
+G98
+G00X60.Z2.C0
+G12.1
+G55 (expect alarm PS0146 at G55)
+M30

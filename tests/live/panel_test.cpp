@@ -81,6 +81,26 @@ TEST(Panel, FeedHoldStopsOnTheWayAndCycleStartGoesOn) {
   EXPECT_EQ(bench.x(), 200);
 }
 
+// A point that was made but not reached yet is ahead of the axes.
+TEST(Panel, WhoIsToldThatTheAxesAreHeldCanRelyOnTheirPlace) {
+  constexpr double kPartOfAPeriod = 1e-4;
+  const std::pair<const char*, const char*> runs[] = {{"mill3", kLong}, {"arm4", "F T2 4000\n"}};
+  for (const auto& [name, program] : runs) {
+    Bench bench(name);
+    bench.load(program, program == kLong ? "part.nc" : "w.pat", program == kLong ? "" : "pattern");
+    EXPECT_DONE(bench->perform(CycleStart{}));
+    for (int i = 1; i < 20; ++i) {
+      bench->advance(0.05 + i * kPartOfAPeriod / 2);
+      EXPECT_DONE(bench->perform(FeedHold{}));
+      ASSERT_EQ(bench.settle(kPartOfAPeriod), Status::held) << name;
+      const base::JointPoint held = bench.now().joints;
+      bench->advance(0.1);
+      EXPECT_EQ(bench.now().joints, held) << name << " " << i;
+      EXPECT_DONE(bench->perform(CycleStart{}));
+    }
+  }
+}
+
 // What an operator does who has not seen that the file is empty.
 TEST(Panel, AFileWithoutBlocksHarmsNothingWhateverIsPressed) {
   using Act = std::function<void(Bench&)>;

@@ -68,6 +68,10 @@ class Servo : public motion::MotionSink {
   [[nodiscard]] bool at_rest() const { return is_emptied_ && is_finished_ && !next_; }
   /// The next point is made, and later than was asked for.
   [[nodiscard]] bool has_point() const { return next_.has_value(); }
+  /// The axes stand, in a dwell or between motions; the point that waits does not move them.
+  [[nodiscard]] bool standing() const { return source_->standing() && !moves_on(); }
+  /// The feed is held, and the axes have come to rest.
+  [[nodiscard]] bool held() const { return source_->held() && !moves_on(); }
   enum class Pace : std::uint8_t {
     reached,        ///< the time, or the number of points
     wants_motions,  ///< it goes on with more of them, or with finish()
@@ -109,6 +113,7 @@ class Servo : public motion::MotionSink {
   [[nodiscard]] const motion::Setpoint& last() const { return last_; }
 
  private:
+  [[nodiscard]] bool moves_on() const { return next_ && next_->tip != last_.tip; }
   void take_paced(const motion::Motion& motion);
   [[nodiscard]] bool plans_beside();
   void settle() const;

@@ -155,8 +155,8 @@ bool LiveRun::is_ahead() const {
 
 bool LiveRun::stands() const {
   if (!is_active()) return true;
-  const planner::SetpointSource& source = machine_.servo().source();
-  return source.held() || source.standing() || machine_.servo().at_rest();
+  const Servo& servo = machine_.servo();
+  return servo.held() || servo.standing() || servo.at_rest();
 }
 
 const BlockState* LiveRun::block_made() {

@@ -74,7 +74,7 @@ void show_functions(const Seen& seen, Snapshot& shown) {
   shown.tool = state.tool;
   shown.power_percent = std::min(100.0, state.power.percent * dial / 100);
   // Where the axes rest on their way it would burn a hole.
-  const bool rests = seen.run.source().held() || machine.servo().at_rest();
+  const bool rests = machine.servo().held() || machine.servo().at_rest();
   const bool dwells = mark.kind == motion::MoveKind::dwell && mark.power_follows_speed;
   shown.beam = moving && !rests && !dwells && mark.power_percent > 0;
   shown.feed_programmed_mm_min = moving ? 60.0 * static_cast<double>(mark.speed) : 0;
@@ -130,7 +130,7 @@ Status status_of(const LiveRun& run, const Console& console) {
   const PacedRun& machine = run.machine();
   if (console.alarm() || machine.alarm()) return Status::alarm;
   if (run.is_active()) {
-    if (!machine.servo().source().held()) return Status::running;
+    if (!machine.servo().held()) return Status::running;
     if (run.is_feed_held()) return Status::held;
     if (run.is_held_behind_block()) return run.was_stepping ? Status::step : Status::stopped;
     return Status::running;

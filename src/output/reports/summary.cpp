@@ -38,6 +38,10 @@ std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
   return object.done();
 }
 
+std::string chosen_json(const RunFacts::Chosen& chosen) {
+  return JsonObject().text("dialect", chosen.dialect).text("machine", chosen.machine).done();
+}
+
 std::string axes_json(const RunFacts& run, double RunFacts::Axis::*value) {
   JsonObject object;
   for (const RunFacts::Axis& axis : run.axes)
@@ -95,6 +99,7 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
   object.text("machine", run.machine)
       .text("dialect", run.dialect)
       .text("status", status_name(run.status));
+  if (!run.chosen.dialect.empty()) object.raw("chosen", chosen_json(run.chosen));
   object.raw("alarm", alarm_json(run.alarm));
   object.number("blocks", static_cast<double>(run.blocks))
       .number("motions", static_cast<double>(run.motions));

@@ -76,6 +76,7 @@ std::optional<base::Diagnostic> lathe_hint(const base::SourceFile& program,
                                            const DialectChoice& choice,
                                            const machine::MachineDefinition& definition) {
   if (choice.dialect != definition.dialect) return std::nullopt;  // who names it knows
+  if (definition.axes.find('U') || definition.axes.find('W')) return std::nullopt;
   const machine::ProgramLook look = machine::look_of(program);
   if (!machine::is_lathes(look.kind) || machine::suits(definition, look.kind)) return std::nullopt;
   base::Diagnostic hint = base::make_error(

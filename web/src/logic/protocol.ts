@@ -44,6 +44,8 @@ export interface MachineDefinition {
 
 export interface ModalGroup {
   group: string;
+  /** The variable #4000 + number holds its code. */
+  number?: number | null;
   codes: ModalCode[];
 }
 

@@ -67,7 +67,13 @@ bool threads_in_one_block(const Line& line) {
 }
 
 bool clamps_speed(const Line& line) {
-  return has_one_of(line, {500, 920}) && line.has('S') && !line.has_any("XYZ");
+  return line.has_code(500) && line.has('S') && !line.has_any("XYZ");
+}
+
+// Also of mills that have the option.
+bool tells_kind_of_speed(const Line& line) {
+  const bool clamps = line.has_code(920) && line.has('S') && !line.has_any("XYZ");
+  return clamps || has_one_of(line, {960, 970});
 }
 
 bool cuts_single_thread(const Line& line) {
@@ -166,7 +172,6 @@ constexpr std::array kWeights = {
     Weight{4, clamps_speed, "GS"},
     Weight{4, returns_by_increments, "GUW"},
     Weight{3, cuts_single_thread, "GXZUWF"},
-    Weight{3, [](const Line& line) { return line.has_code(960); }, "GS"},
     Weight{3, moves_by_increments, "UW"},
     Weight{3, uses_polar_plane, "G"},
     Weight{3, drills_at_an_angle, "GCH"},
@@ -175,7 +180,7 @@ constexpr std::array kWeights = {
     Weight{2, cuts_grooves, "GXZPQR"},
     Weight{2, is_single_cycle, "GXZ"},
     Weight{2, unrolls_cylinder, "GC"},
-    Weight{2, [](const Line& line) { return line.has_code(970); }, "GS"},
+    Weight{2, tells_kind_of_speed, "GS"},
     Weight{2, dwells_by_u, "GU"},
     Weight{1, turns_arc, "GXZIK"},
     Weight{1, names_feed_mode, "G"},
@@ -186,7 +191,7 @@ constexpr std::array kWeights = {
     Weight{-1, drills_without_c, ""},
     Weight{-2, tilts, ""},
     Weight{-2, rotates, ""},
-    Weight{-1, [](const Line& line) { return line.has_code(170); }, ""},
+    Weight{-5, [](const Line& line) { return line.has_code(170); }, ""},
 };
 static_assert(kWeights.size() <= LatheSigns::kMostKinds);
 

@@ -27,7 +27,7 @@ TEST(ProgramLook, CodesThatNoMillHasAreALathes) {
   for (const char* const text :
        {"G50 S3000\nG00 X50.\n", "G28 U0 W0\n", "G71 U2. R0.5\nG00 X50.\n",
         "G00 X50.\nG76 P020060 Q100 R0.1\n", "G70 P10 Q20\nG00 Z1.\n", "G32 Z-20. F1.5\n",
-        "G92 S2000\nG00 X50.\n", "G00 X50. Z2.\nG01 W-20. F0.2\n", "T13013\nG00 X50.\n"})
+        "G00 X50. Z2.\nG01 W-20. F0.2\n", "T13013\nG00 X50.\n"})
     EXPECT_EQ(look(text).kind, ProgramKind::lathe) << text;
 }
 
@@ -39,8 +39,9 @@ TEST(ProgramLook, TheHeaviestSignIsTold) {
 
 TEST(ProgramLook, AHabitIsNotEnough) {
   for (const char* const text :
-       {"T101\nG00 X5. Z2.\n", "G97 S500 M03\nG00 X5. Z2.\n", "G98\nG01 X5. Z2. F0.5\n",
-        "G90 X5. Z2. F200.\n", "G04 U1.\nG00 X5.\n", "T0101 M06\nG00 X5. Z2.\n"})
+       {"T101\nG00 X5. Z2.\n", "G97 S500 M03\nG96 S100\nG00 X5. Z2.\n", "G98\nG01 X5. Z2. F0.5\n",
+        "G90 X5. Z2. F200.\n", "G04 U1.\nG00 X5.\n", "G92 S2000\nG00 X5.\n",
+        "T0101 M06\nG00 X5. Z2.\n"})
     EXPECT_NE(look(text).kind, ProgramKind::lathe) << text;
 }
 
@@ -57,6 +58,8 @@ TEST(ProgramLook, WhatHasAYIsNoLathes) {
 TEST(ProgramLook, SignsOfAMillWeighAgainstIt) {
   EXPECT_EQ(look("T0101\nG43 H1 Z50.\nG01 X5. F0.5\n").kind, ProgramKind::mill);
   EXPECT_EQ(look("G97 S500\nT101\nG81 X1. Z-3. R1.\n").kind, ProgramKind::mill);
+  EXPECT_NE(look("G21 G90 G17 G94\nG92 S3000\nG96 S200 M03\nG01 X10. F100\nG97 S800\n").kind,
+            ProgramKind::lathe);
   EXPECT_NE(look("T0101\nG41 D1 X5.\nG01 X5. Z2. F0.5\n").kind, ProgramKind::lathe);
 }
 

@@ -326,12 +326,66 @@ def patterns(box):
 LATHE = "T0101\nG0 X52. Z0.\nG1 X-1. F0.2\nM30\n"
 
 
-@test("a program for a lathe on the mill that nobody named is a warning; on a named machine it is none")
+@test("a program for a lathe on a mill that was named is a warning, and its first alarm names the lathe")
 def lathe(box):
     box.write("turn.nc", LATHE)
-    for line in (box.kerf("run", "turn.nc").err, box.kerf("check", "turn.nc").text):
+    named = ("--machine", "mill3")
+    for line in (box.kerf("run", "turn.nc", *named).err, box.kerf("check", "turn.nc", *named).text):
         contains(line, "turn.nc:1:1: warning: LATHE_PROGRAM", "the hint")
         contains(line, "T0101 looks like a lathe's, and the program runs on mill3", "the hint")
-    check("LATHE" not in box.kerf("run", "turn.nc", "--machine", "mill3").err, "the machine is named")
+        contains(line, "--machine lathe2", "the way out")
+    box.write("wrong.nc", "G50 S3000\nG28 U0\nM30\n")
+    for line in (box.kerf("run", "wrong.nc", *named).err, box.kerf("check", "wrong.nc", *named).text):
+        check(any("PS" in text and "error" in text for text in line.splitlines()), "it is an alarm")
+        contains(line, "a program for a lathe: --machine lathe2", "its hint")
+    check("LATHE" not in box.kerf("run", "turn.nc", *named, "--dialect", "fanuc-lathe").err, "who names it knows")
+
+
+@test("a program that turns C is told so on a lathe without C")
+def lathe_without_c(box):
+    box.write("drill.nc", "G50 S3000\nG98\nG00 X60. Z2. C90.\nM30\n")
+    contains(box.kerf("run", "drill.nc", "--machine", "lathe2").err,
+             "C90. looks like that of a lathe with C, and the program runs on lathe2", "the hint")
+    check("LATHE" not in box.kerf("run", "drill.nc").err, "lathe3c runs it")
+
+
+@test("a program for a lathe finds its lathe, and says why")
+def chosen(box):
+    box.write("turn.nc", LATHE)
+    result = box.kerf("run", "turn.nc", "--summary", "turn.json")
+    contains(result.err, "machine lathe2 and dialect fanuc-lathe because of T0101 in line 1", "why")
+    summary = box.json("turn.json")
+    equal((summary["machine"], summary["dialect"]), ("lathe2", "fanuc-lathe"), "the choice")
+    equal(summary["chosen"], {"dialect": "likely", "machine": "dialect"}, "how")
+    contains(str(summary["assumed"]), "'line': 1, 'what': 'dialect fanuc-lathe (likely): T0101'", "assumed")
+    equal(box.kerf("check", "turn.nc").text, "", "check chooses likewise")
+    box.write("drill.nc", "G50 S3000\nG98\nG00 X60. Z2. C90.\nM30\n")
+    box.kerf("run", "drill.nc", "--summary", "drill.json")
+    summary = box.json("drill.json")
+    equal((summary["machine"], summary["chosen"]), ("lathe3c", {"dialect": "likely", "machine": "axes"}), "with C")
+    box.kerf("run", "drill.nc", "--dialect", "fanuc-lathe", "--summary", "drill.json")
+    summary = box.json("drill.json")
+    equal((summary["machine"], summary["chosen"]), ("lathe3c", {"dialect": "named", "machine": "axes"}), "named")
+
+
+@test("how dialect and machine were chosen stands in the summary")
+def how_chosen(box):
+    box.write("mill.nc", "O1\nT1M06\nG43H1Z10.\nG90G00X0Y0\nG01Z-1.F0.5\nM30\n")
+    box.write("cut.bas", "home\nspeed(10)\npower(5)\nline(1,1)\n")
+
+    def chosen_of(*words):
+        box.kerf("run", *words, "--summary", "s.json")
+        made = box.json("s.json")["chosen"]
+        return made["dialect"], made["machine"]
+
+    equal(chosen_of("mill.nc"), ("default", "default"), "nothing")
+    equal(chosen_of("mill.nc", "--machine", "mill4"), ("named", "named"), "the machine")
+    equal(chosen_of("mill.nc", "--dialect", "fanuc-mill"), ("named", "dialect"), "the dialect")
+    equal(chosen_of("cut.bas"), ("certain", "dialect"), "the ending")
+    equal(chosen_of("cut.bas", "--machine", "laser3"), ("certain", "named"), "ending and machine")
+
+
+@test("a mill's program stays on the mill")
+def stays_on_mill(box):
     box.write("mill.nc", "O1\nT1M06\nG43H1Z10.\nG90G00X0Y0\nG01Z-1.F0.5\nM30\n")
     check("LATHE" not in box.kerf("run", "mill.nc").err, "a mill's program")

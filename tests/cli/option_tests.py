@@ -234,8 +234,8 @@ def summary_keys(box):
     program = ("O1234\n" + HEAD + "G54G00X10.Y20.Z5.\nT3M06\nG01Z-1.F100\nX12.\nG04P500\n"
                "#100=5\n#3006=1(LOOK)\nG00Z5.\nM30\n")
     done = summary(box, program, "--set", "#5221=100")
-    equal(list(done), ["program", "file", "machine", "dialect", "status", "alarm", "blocks",
-                       "motions", "time_s", "time_feed_s", "dwell_s", "rapid_mm", "cut_mm", "extents",
+    equal(list(done), ["program", "file", "machine", "dialect", "chosen", "status", "alarm",
+                       "blocks", "motions", "time_s", "time_feed_s", "dwell_s", "rapid_mm", "cut_mm", "extents",
                        "position", "tools", "messages", "parts", "assumed", "variables"], "keys")
     equal((done["program"], done["file"], done["status"], done["alarm"]),
           ("O1234", "part.nc", "end", None), "head")

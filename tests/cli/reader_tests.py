@@ -78,10 +78,14 @@ def example_inputs(path):
     return kept
 
 
+# Of lathes, where LinuxCNC has other words: diameters are G7, G96 has its clamp in D, G99 is none.
+LATHES = ("18_shaft", "19_bush", "20_pawn", "21_bolt_flange", "22_bushes")
+
+
 def add_examples():
     for path in sorted(ROOT.glob("examples/*/command*")):
         inputs = example_inputs(path)
-        if inputs and not path.name.startswith("command_as_printed"):
+        if inputs and path.parent.name not in LATHES and not path.name.startswith("command_as_printed"):
             name = f"{path.parent.name}{path.name.removeprefix('command')}"
             test(f"rs274 reads the posted program of example {name} as Kerf ran it")(
                 lambda box, words=inputs: compare(box, *words, cwd=ROOT))

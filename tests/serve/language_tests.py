@@ -75,6 +75,13 @@ def _(place):
     codes = {c["code"]: c for g in groups for c in g["codes"]}
     equal(codes["G01"], {"code": "G01", "title": "Line", "sentence": "A straight cut at the feed F.", "quiet": False})
     check(codes["G40"]["quiet"] and codes["G21"]["quiet"] and not codes["G54"]["quiet"], codes)
+    client.do("create", name="turning", definition="lathe2")
+    groups = client.do("watch", machine="turning")["definition"]["modal_groups"]
+    numbers = {g["group"]: g["number"] for g in groups}
+    equal((numbers["plane"], numbers["speed"], numbers["feed"]), (16, 2, 5), "groups of a lathe")
+    check("scaling" not in numbers and "distance" not in numbers, f"system A has no G91: {numbers}")
+    codes = {c["code"]: (g["group"], c["title"]) for g in groups for c in g["codes"]}
+    equal((codes["G98"][0], codes["G99"][0], codes["G90"][0]), ("feed", "feed", "motion"), "codes of system A")
     paths = lambda: [e for e in client.events if e["event"] == "path" and e["machine"] == "laser"]
     client.watch("laser")
     client.wait_for(paths, "a path")

@@ -179,7 +179,8 @@ def _(place):
 def _(place):
     client = place.serve().client()
     for name, text, wanted in [
-        ("turn.nc", "T101\nG00 Z0 X-25.5\nG97 M03 S500\nM30\n", ("lathe", 1, "T101", "")),
+        ("turn.nc", "T101\nG00 Z0 X-25.5\nG97 M03 S500\nM30\n", ("lathe", 1, "T101", "lathe2")),
+        ("polar.nc", "G50 S3000\nG00 X50.\nG12.1\nM30\n", ("lathe-c", 3, "G12.1", "lathe3c")),
         ("mill.nc", "T1 M06\nG00 X0 Y0\nM30\n", ("mill", 1, "M06", "mill3")),
         ("a.bas", "move(1,2)\n", ("laser-basic", 0, "", "laser3")),
         ("plain.nc", "G01 X1. F100\nM30\n", ("any", 0, "", "mill3")),

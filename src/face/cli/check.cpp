@@ -40,7 +40,7 @@ std::vector<Diagnostic> find_all(const ReadyRun& ready, double max_seconds) {
   };
   if (ready.hint) add(output::at_line(*ready.hint, machine.sources()));
   for (const Diagnostic& alarm : machine.alarm_search()->findings()) add(alarm);
-  add(machine.alarm());
+  add(ready.alarm());
   add(machine.notice());
   for (const Diagnostic& warning : machine.control().warnings()) add(warning);
   for (const Diagnostic& warning : machine.warnings())

@@ -1,23 +1,29 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "base/source_file.hpp"
+#include "control/core/assumptions.hpp"
 #include "machine/dialect/registry.hpp"
+#include "output/reports/run_facts.hpp"
 
 namespace kerf::cli {
 
 /// Which language a program is written in, and on which machine it runs.
 struct DialectChoice {
   std::string dialect;
-  std::string machine;  ///< name or file
-  std::string why;      ///< sentence for the summary; empty when both were asked for
+  std::string machine;                ///< name or file
+  std::string why;                    ///< sentence for the summary; empty when both were asked for
+  output::RunFacts::Chosen chosen{};  ///< how, in a word each
+  std::vector<control::Assumption> assumed{};  ///< what the words of the program led to
 };
 
 /// What was asked for, else what the file's ending says (`.bas`, `.tch`), else what its first lines
-/// look like, else the dialect of the machine; the machine is that of the dialect if none was asked
-/// for. `machine` and `dialect` are empty when not asked for. Failure (usage): the dialect is not
+/// look like, else the dialect of the machine. If no machine was asked for: that of the dialect,
+/// which is a lathe's where the words of the program are one's (machine/dialect/program_look.hpp).
+/// `machine` and `dialect` are empty when not asked for. Failure (usage): the dialect is not
 /// available; (input): the machine's is not, or the machine cannot be read.
 [[nodiscard]] base::Outcome<DialectChoice> choose_dialect(const std::string& machine,
                                                           const std::string& dialect,

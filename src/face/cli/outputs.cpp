@@ -209,7 +209,7 @@ output::SummaryOfOutputs Outputs::in_summary() const {
 Outcome<void> Outputs::open_summary() {
   return files_.open(options_.summary, kRecord, [&](OutputFile&) {
     files_.when_over([this](OutputFile& into) {
-      into.write(output::summary_json(job::facts_of(machine_), in_summary()));
+      into.write(output::summary_json(facts_of(ready_), in_summary()));
     });
   });
 }

@@ -10,6 +10,7 @@
 #include "engraver/pattern_plot.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/output_files.hpp"
+#include "face/cli/ready_run.hpp"
 #include "machine/run/batch_run.hpp"
 #include "motion/axis_point.hpp"
 #include "output/picture/path_plot.hpp"
@@ -21,9 +22,9 @@ namespace kerf::cli {
 /// The outputs of a run: their files, and what writes into them while it lasts.
 class Outputs {
  public:
-  /// Both must outlive the outputs, which the machine must not run without.
-  Outputs(const RunOptions& options, machine::BatchRun& machine)
-      : options_(options), machine_(machine) {}
+  /// Both must outlive the outputs, which the machine of the run must not run without.
+  Outputs(const RunOptions& options, const ReadyRun& ready)
+      : options_(options), ready_(ready), machine_(ready.machine()) {}
 
   /// Opens what the options ask for and has the machine write into it. Failure (usage): an option
   /// does not fit its file's ending or the machine; (output): a file cannot be written.
@@ -58,6 +59,7 @@ class Outputs {
   void add(std::unique_ptr<motion::AxisPointSink> sink);
 
   const RunOptions& options_;
+  const ReadyRun& ready_;
   machine::BatchRun& machine_;
   OutputFiles files_;
   std::vector<std::unique_ptr<motion::MotionSink>> motion_sinks_;

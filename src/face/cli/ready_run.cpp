@@ -1,12 +1,14 @@
 #include "face/cli/ready_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/decimal.hpp"
-#include "face/cli/dialect_choice.hpp"
 #include "face/cli/failure.hpp"
 #include "face/cli/setting.hpp"
+#include "job/facts_of_run.hpp"
 #include "machine/definition/offset_file.hpp"
 #include "machine/definition/state_file.hpp"
 #include "machine/dialect/program_look.hpp"
@@ -69,14 +71,20 @@ Outcome<void> apply_settings(const RunOptions& options, machine::MachineDefiniti
   return definition.parameters.set("DPI", options.decimal_point == "calculator" ? "1" : "0");
 }
 
-// Of a program for a lathe that runs on `machine`.
+// Of a program for a lathe that runs on a machine which is none, or lacks the axis C.
 std::optional<base::Diagnostic> lathe_hint(const base::SourceFile& program,
-                                           const std::string& machine) {
+                                           const DialectChoice& choice,
+                                           const machine::MachineDefinition& definition) {
+  if (choice.dialect != definition.dialect) return std::nullopt;  // who names it knows
+  if (definition.axes.find('U') || definition.axes.find('W')) return std::nullopt;
   const machine::ProgramLook look = machine::look_of(program);
-  if (look.kind != machine::ProgramKind::lathe) return std::nullopt;
+  if (!machine::is_lathes(look.kind) || machine::suits(definition, look.kind)) return std::nullopt;
   base::Diagnostic hint = base::make_error(
       base::Code::lathe_program, {.file = kMainFile, .line = look.line, .column = 1},
-      look.word + " looks like a lathe's, and the program runs on " + machine);
+      fmt::format("{} looks like {}, and the program runs on {}", look.word,
+                  look.kind == machine::ProgramKind::lathe ? "a lathe's" : "that of a lathe with C",
+                  definition.name),
+      fmt::format("a program for a lathe: --machine {}", machine::usual_machine(look.kind)));
   hint.severity = base::Severity::warning;
   return hint;
 }
@@ -161,7 +169,7 @@ Outcome<OrderedJob> on_machine(const RunOptions& options, const DialectChoice& c
                             .contacts = std::move(*contacts),
                             .interrupt_at_s = options.interrupt_at,
                             .budget = {options.max_seconds, options.max_motions}},
-                    .why = choice.why};
+                    .choice = choice};
 }
 
 }  // namespace
@@ -171,9 +179,9 @@ Outcome<OrderedJob> job_of(const RunOptions& options, const base::SourceFile& pr
   if (!choice) return tl::unexpected(choice.error());
   auto definition = machine::find_machine(choice->machine);
   if (!definition) return tl::unexpected(definition.error());
+  auto hint = lathe_hint(program, *choice, *definition);
   auto ordered = on_machine(options, *choice, std::move(*definition));
-  if (ordered && options.machine.empty() && options.dialect.empty())
-    ordered->hint = lathe_hint(program, choice->machine);
+  if (ordered) ordered->hint = std::move(hint);
   return ordered;
 }
 
@@ -187,7 +195,7 @@ Outcome<ReadyRun> make_ready(const RunOptions& options, bool behind_alarms) {
   ordered->job.behind_alarms = behind_alarms;
   auto run = job::Run::of(ordered->job, std::move(*program));
   if (!run) return tl::unexpected(run.error());
-  return ReadyRun{std::move(*run), std::move(ordered->why), std::move(ordered->hint)};
+  return ReadyRun{std::move(*run), std::move(ordered->choice), std::move(ordered->hint)};
 }
 
 }  // namespace
@@ -204,6 +212,21 @@ Outcome<ReadyRun> make_ready(const std::string& path, const CheckOptions& option
   of_file.max_seconds = options.max_seconds;
   of_file.max_motions = options.max_motions;
   return make_ready(of_file, true);
+}
+
+std::optional<base::Diagnostic> ReadyRun::alarm() const {
+  std::optional<base::Diagnostic> told = machine().alarm();
+  if (!told || !hint) return told;
+  told->hint += (told->hint.empty() ? "" : "; ") + hint->hint;
+  return told;
+}
+
+output::RunFacts facts_of(const ReadyRun& ready) {
+  output::RunFacts facts = job::facts_of(ready.machine());
+  facts.chosen = ready.choice.chosen;
+  facts.assumed.insert(facts.assumed.begin(), ready.choice.assumed.begin(),
+                       ready.choice.assumed.end());
+  return facts;
 }
 
 ExitStatus exit_status_of(machine::RunStatus status) {

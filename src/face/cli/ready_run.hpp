@@ -8,16 +8,18 @@
 #include "base/result.hpp"
 #include "base/source_file.hpp"
 #include "face/cli/commands.hpp"
+#include "face/cli/dialect_choice.hpp"
 #include "job/job.hpp"
 #include "job/run.hpp"
+#include "output/reports/run_facts.hpp"
 
 namespace kerf::cli {
 
 /// What the words of a command line come to: a job, and how its machine was chosen.
 struct OrderedJob {
   job::Job job;
-  std::string why;  ///< sentence for the summary
-  /// LATHE_PROGRAM, where nobody named a machine or dialect.
+  DialectChoice choice;
+  /// LATHE_PROGRAM, of a program for a lathe on another machine.
   std::optional<base::Diagnostic> hint{};
 };
 
@@ -29,13 +31,17 @@ struct OrderedJob {
 /// A run with the program loaded, and how its machine was chosen.
 struct ReadyRun {
   std::unique_ptr<job::Run> run;
-  std::string why{};
+  DialectChoice choice{};
   std::optional<base::Diagnostic> hint{};
 
   [[nodiscard]] machine::BatchRun& machine() const { return run->machine(); }
+  /// The first alarm of the run, which also says for which machine the program looks to be.
+  [[nodiscard]] std::optional<base::Diagnostic> alarm() const;
 };
 
 [[nodiscard]] base::Outcome<ReadyRun> make_ready(const RunOptions& options);
+/// What the run came to, with how its machine was chosen.
+[[nodiscard]] output::RunFacts facts_of(const ReadyRun& ready);
 /// Of one file of a check, which goes on behind its alarms.
 [[nodiscard]] base::Outcome<ReadyRun> make_ready(const std::string& path,
                                                  const CheckOptions& options);

@@ -1,7 +1,6 @@
 #include <cstdio>
 
 #include "face/cli/commands.hpp"
-#include "face/cli/dialect_choice.hpp"
 #include "face/cli/failure.hpp"
 #include "face/cli/operator_input.hpp"
 #include "face/cli/outputs.hpp"
@@ -9,7 +8,6 @@
 #include "face/cli/progress.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
-#include "job/facts_of_run.hpp"
 #include "machine/definition/state_file.hpp"
 #include "output/reports/summary.hpp"
 #include "output/writing/diagnostic_text.hpp"
@@ -25,8 +23,8 @@ void tell(const std::string& text) { std::fwrite(text.data(), 1, text.size(), st
 void report(const RunOptions& options, const ReadyRun& ready, const Outputs& outputs) {
   report_diagnostics(ready, options.diagnostics);
   if (options.diagnostics == DiagnosticFormat::json) return;
-  tell(output::summary_text(job::facts_of(ready.machine())));
-  if (!ready.why.empty()) tell("  " + ready.why + "\n");
+  tell(output::summary_text(facts_of(ready)));
+  if (!ready.choice.why.empty()) tell("  " + output::printable(ready.choice.why) + "\n");
   tell(outputs.remarks());
   for (const std::string& path : outputs.written())
     tell("  wrote " + output::printable(path) + "\n");
@@ -57,7 +55,7 @@ ExitStatus run(const RunOptions& options) {
   if (!ready) return fail(ready.error());
   BatchRun& machine = ready->machine();
   machine.set_input(operator_input);
-  Outputs outputs(options, machine);
+  Outputs outputs(options, *ready);
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
   const Status status = run_showing_progress(*ready->run);
   if (auto committed = outputs.commit(); !committed) return fail(committed.error());

@@ -19,7 +19,7 @@ void report_diagnostics(const ReadyRun& ready, DiagnosticFormat format) {
   for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
   for (const base::Diagnostic& warning : machine.warnings())
     tell(output::at_line(warning, machine.sources()));
-  if (machine.alarm()) tell(*machine.alarm());
+  if (const auto alarm = ready.alarm()) tell(*alarm);
   if (machine.notice()) tell(*machine.notice());
 }
 

@@ -3,7 +3,6 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
-#include "job/facts_of_run.hpp"
 #include "output/reports/time_report.hpp"
 
 namespace kerf::cli {
@@ -17,7 +16,7 @@ ExitStatus time(const TimeOptions& options) {
   machine.observe_blocks(
       [&times](base::FileId file, std::uint32_t line) { times.line_begins(file, line); });
   const auto status = ready->run->go();
-  const output::RunFacts facts = job::facts_of(machine);
+  const output::RunFacts facts = facts_of(*ready);
   auto file = base::OutputFile::create("-");
   if (!file) return fail(file.error());
   (*file)->write(options.format == "json" ? times.json(facts, machine.sources())

@@ -2,78 +2,28 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <optional>
 #include <string_view>
 
-#include "base/decimal.hpp"
-#include "base/text_window.hpp"
 #include "control/gcode/codes/code_table.hpp"
-#include "lang/gcode/language.hpp"
-#include "lang/gcode/lexer.hpp"
 #include "machine/definition/pattern_machine.hpp"
+#include "machine/dialect/internal/lathe_signs.hpp"
+#include "machine/dialect/internal/line_words.hpp"
 #include "machine/dialect/registry.hpp"
 
 namespace kerf::machine {
 namespace {
 
-using base::TokenKind;
 using control::Function;
 using control::Meaning;
+using Word = LookedAtWord;
 
 // So much of a program is looked at.
 constexpr std::size_t kLook = 65'536;
 
-struct Word {
-  char letter = 0;
-  double value = 0;
-  std::string_view text;
-};
-
-// The words of one line of G-code up to a semicolon, behind which others write comments.
-class Words {
- public:
-  explicit Words(std::string_view line)
-      : line_(base::without_byte_order_mark(line)),
-        tokens_(base::tokens_of(gcode::language(), line_)) {}
-
-  std::optional<Word> next() {
-    while (at_ < tokens_.size()) {
-      const base::Token& token = tokens_[at_++];
-      const std::string_view text = line_.substr(token.begin, token.length);
-      if (text == ";") return std::nullopt;
-      if (is_address(token.kind) && gcode::is_letter(gcode::Cursor::fold(text[0])))
-        return word(text);
-    }
-    return std::nullopt;
-  }
-
- private:
-  static bool is_address(TokenKind kind) {
-    return kind == TokenKind::command || kind == TokenKind::switching ||
-           kind == TokenKind::dimension || kind == TokenKind::technology;
-  }
-
-  static Word word(std::string_view text) {
-    return {gcode::Cursor::fold(text[0]), base::read_number(text.substr(1)).value_or(0), text};
-  }
-
-  std::string_view line_;
-  std::vector<base::Token> tokens_;
-  std::size_t at_ = 0;
-};
-
-// Nothing: it is no number of a code.
-std::optional<std::int64_t> code_number(double value) {
-  constexpr double kMost = 100'000;
-  if (!(value >= 0 && value < kMost && value == std::floor(value))) return std::nullopt;
-  return static_cast<std::int64_t>(value);
-}
-
 // What a G code means on a mill, none where it has no such code.
 Meaning meaning_of(const Word& word) {
-  const auto number = code_number(word.value * 10);
+  const auto number = code_number(word.value, 10);
   if (!number || *number > std::numeric_limits<control::GCode>::max()) return Meaning::none;
   const auto* const row = control::mill_codes().find(static_cast<control::GCode>(*number));
   return row == nullptr ? Meaning::none : row->meaning;
@@ -85,47 +35,27 @@ Function function_of(const Word& word) {
   return row == nullptr ? Function::passed_on : row->function;
 }
 
-// Roughing of a lathe, for which there is no table.
-bool is_turning_cycle(const Word& word) {
-  return word.letter == 'G' && (word.value == 71 || word.value == 72);
+// Roughing of a lathe; null: there is none.
+const Word* turning_cycle_of(const LineWords& line) {
+  const Word* const along_z = line.find_code(710);
+  return along_z != nullptr ? along_z : line.find_code(720);
 }
-
-// Where a sign was seen first.
-struct Sign {
-  std::uint32_t line = 0;
-  std::string word;
-
-  void see(std::uint32_t at, std::string_view text) {
-    if (line == 0) *this = {at, std::string(text)};
-  }
-  [[nodiscard]] bool seen() const { return line > 0; }
-};
 
 // The signs of a program in G-code.
 class Signs {
  public:
-  void read(std::uint32_t number, std::string_view line) {
-    Words words(line);
-    std::string_view power;
-    std::string_view turning_cycle;
-    bool moves = false;
-    bool has_q = false;
-    while (const auto word = words.next()) {
-      has_q |= word->letter == 'Q';
-      if (word->letter == 'S' && word->text.size() > 1) power = word->text;
-      if (is_turning_cycle(*word)) turning_cycle = word->text;
-      moves |= std::string_view("XYZ").find(word->letter) != std::string::npos;
-      see(number, *word);
-    }
-    if (moves && !power.empty()) ++powered_moves_, power_.see(number, power);
-    if (has_q && !turning_cycle.empty()) turning_.see(number, turning_cycle);
+  void read(std::uint32_t number, std::string_view text) {
+    const LineWords line(text);
+    for (const Word& word : line.all()) see(number, word);
+    see_power(number, line);
+    const Word* const cycle = turning_cycle_of(line);
+    if (cycle != nullptr && line.has('Q')) turning_.see(number, cycle->text);
+    lathe_.read(number, line);
   }
 
-  // A lathe has no Y, but a mill may have T101 and G97, and a lathe T01M06; a beam has neither
-  // tools nor cutting depths.
+  // A beam has neither tools nor cutting depths.
   [[nodiscard]] ProgramLook look() const {
-    const bool turns = turning_.seen() && x_ && z_ && !y_;
-    if (turns && !milling_.seen()) return told(ProgramKind::lathe, turning_);
+    if (lathe_.is_lathe()) return look_of_lathe();
     if (milling_.seen()) return told(ProgramKind::mill, milling_);
     if (tool_change_.seen() && y_) return told(ProgramKind::mill, tool_change_);
     const bool beams = beam_.seen() || powered_moves_ >= 2;
@@ -135,18 +65,26 @@ class Signs {
   }
 
  private:
-  static ProgramLook told(ProgramKind kind, const Sign& sign) {
+  static ProgramLook told(ProgramKind kind, const SeenSign& sign) {
     return {kind, sign.line, sign.word};
+  }
+
+  [[nodiscard]] ProgramLook look_of_lathe() const {
+    if (lathe_.c_axis().seen()) return told(ProgramKind::lathe_c, lathe_.c_axis());
+    return told(ProgramKind::lathe, lathe_.strongest());
+  }
+
+  void see_power(std::uint32_t number, const LineWords& line) {
+    const Word* const power = line.find('S');
+    if (power == nullptr || power->text.size() < 2 || !line.has_any("XYZ")) return;
+    ++powered_moves_;
+    power_.see(number, power->text);
   }
 
   void see(std::uint32_t line, const Word& word) {
     switch (word.letter) {
-      case 'X': x_ = true; break;
       case 'Y': y_ = true; break;
-      case 'Z':
-        z_ = true;
-        goes_below_ |= word.value < 0;
-        break;
+      case 'Z': goes_below_ |= word.value < 0; break;
       case 'T':
         tool_ = true;
         if (word.value >= 100 && word.text.size() >= 4) turning_.see(line, word.text);
@@ -178,9 +116,10 @@ class Signs {
     }
   }
 
-  Sign milling_, tool_change_, turning_, beam_, power_;
+  SeenSign milling_, tool_change_, turning_, beam_, power_;
+  LatheSigns lathe_;
   std::size_t powered_moves_ = 0;
-  bool x_ = false, y_ = false, z_ = false, tool_ = false, goes_below_ = false;
+  bool y_ = false, tool_ = false, goes_below_ = false;
 };
 
 ProgramLook look_of_gcode(const base::SourceFile& program) {
@@ -211,11 +150,13 @@ bool has_axes(const MachineDefinition& machine, std::string_view letters) {
                      [&](char letter) { return machine.axes.find(letter).has_value(); });
 }
 
+bool turns(const MachineDefinition& machine) { return machine.dialect == kLatheDialect; }
+
 }  // namespace
 
 std::string_view name_of(ProgramKind kind) {
-  constexpr std::array<std::string_view, 7> kNames = {"any",         "mill",  "lathe",  "laser",
-                                                      "laser-basic", "teach", "pattern"};
+  constexpr std::array<std::string_view, 8> kNames = {"any",   "mill",        "lathe", "lathe-c",
+                                                      "laser", "laser-basic", "teach", "pattern"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -231,12 +172,13 @@ bool suits(const MachineDefinition& machine, ProgramKind kind) {
   const bool beams = machine.drive.laser.fitted();
   switch (kind) {
     case ProgramKind::any: return true;
-    case ProgramKind::mill: return !beams && !is_arm && has_axes(machine, "XYZ");
+    case ProgramKind::mill: return !beams && !is_arm && !turns(machine) && has_axes(machine, "XYZ");
+    case ProgramKind::lathe: return turns(machine);
+    case ProgramKind::lathe_c: return turns(machine) && has_axes(machine, "C");
     case ProgramKind::laser: return beams;
     case ProgramKind::laser_basic: return beams && has_axes(machine, "XY");
     case ProgramKind::teach: return beams && has_axes(machine, "XYZAC");
     case ProgramKind::pattern: return PatternMachine::of(machine).has_value();
-    case ProgramKind::lathe: break;
   }
   return false;
 }
@@ -245,11 +187,12 @@ std::string_view usual_machine(ProgramKind kind) {
   switch (kind) {
     case ProgramKind::any:
     case ProgramKind::mill: return usual_dialect().machine;
+    case ProgramKind::lathe: return find_dialect(kLatheDialect)->machine;
+    case ProgramKind::lathe_c: return "lathe3c";
     case ProgramKind::laser: return "laser3";
     case ProgramKind::laser_basic:
     case ProgramKind::teach:
     case ProgramKind::pattern: return find_dialect(name_of(kind))->machine;
-    case ProgramKind::lathe: break;
   }
   return {};
 }

@@ -48,7 +48,7 @@ bool says_something(const base::FirstWord& first) {
 std::span<const DialectRow> dialects() {
   static const std::array rows = {
       DialectRow{Kind::gcode, "fanuc-mill", &gcode::language(), "mill3", codes_of_mills},
-      DialectRow{Kind::gcode, "fanuc-lathe", &gcode::language(), "lathe2", codes_of_lathes},
+      DialectRow{Kind::gcode, kLatheDialect, &gcode::language(), "lathe2", codes_of_lathes},
       DialectRow{Kind::basic, "laser-basic", &basic::language(), "laser3"},
       DialectRow{Kind::teach, "teach", &teach::language(), "laser5"},
       DialectRow{Kind::pattern, kPatternDialect, &drive::pattern_language(), "arm4"}};

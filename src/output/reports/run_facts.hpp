@@ -28,12 +28,19 @@ struct RunFacts {
     double work = 0;  ///< where it stands, in the active work coordinate system
     double machine = 0;
   };
+  /// How dialect and machine were chosen: `named`, by a `certain` or `likely` mark of the text, by
+  /// the `axes` or the `dialect`, or by `default`. Empty: nobody chose.
+  struct Chosen {
+    std::string dialect;
+    std::string machine;
+  };
 
   std::string program;  ///< "O0001", "O0000" without a number
   std::string title;    ///< what a person calls it
   std::string file;     ///< main one, as it was named
   std::string machine;
   std::string dialect;
+  Chosen chosen;
   Status status = Status::idle;
   std::optional<Alarm> alarm;
   std::uint64_t blocks = 0;

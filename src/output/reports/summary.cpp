@@ -38,6 +38,10 @@ std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
   return object.done();
 }
 
+std::string chosen_json(const RunFacts::Chosen& chosen) {
+  return JsonObject().text("dialect", chosen.dialect).text("machine", chosen.machine).done();
+}
+
 std::string axes_json(const RunFacts& run, double RunFacts::Axis::*value) {
   JsonObject object;
   for (const RunFacts::Axis& axis : run.axes)
@@ -92,9 +96,9 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
   for (const std::string& message : run.messages) messages.push_back(quoted(message));
   JsonObject object;
   object.text("program", run.program).text("file", run.file);
-  object.text("machine", run.machine)
-      .text("dialect", run.dialect)
-      .text("status", status_name(run.status));
+  object.text("machine", run.machine).text("dialect", run.dialect);
+  if (!run.chosen.dialect.empty()) object.raw("chosen", chosen_json(run.chosen));
+  object.text("status", status_name(run.status));
   object.raw("alarm", alarm_json(run.alarm));
   object.number("blocks", static_cast<double>(run.blocks))
       .number("motions", static_cast<double>(run.motions));

@@ -44,6 +44,8 @@ export interface MachineDefinition {
 
 export interface ModalGroup {
   group: string;
+  /** The variable #4000 + number holds its code. */
+  number?: number | null;
   codes: ModalCode[];
 }
 
@@ -87,7 +89,8 @@ export interface MachineEntry {
 }
 
 /** For which kind of machine a program looks to be written. */
-export type ProgramKind = 'any' | 'mill' | 'lathe' | 'laser' | 'laser-basic' | 'teach' | 'pattern';
+export type ProgramKind =
+  'any' | 'mill' | 'lathe' | 'lathe-c' | 'laser' | 'laser-basic' | 'teach' | 'pattern';
 
 /** What a program looks like: `word` in `line` shows it. */
 export interface ProgramLook {

@@ -26,7 +26,9 @@ constexpr std::array kGroupsForPeople = {
     ModalGroup{Group::polar, "polar"},
     ModalGroup{Group::normal_direction, "normal-direction"},
     ModalGroup{Group::in_feed, "in-feed"},
-    ModalGroup{Group::polar_interpolation, "polar-interpolation"}};
+    ModalGroup{Group::polar_interpolation, "polar-interpolation"},
+    ModalGroup{Group::turrets, "turrets"},
+    ModalGroup{Group::spindle_watch, "spindle-watch"}};
 
 }  // namespace
 

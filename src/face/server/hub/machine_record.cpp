@@ -12,8 +12,9 @@ namespace {
 Json suited_kinds(const machine::MachineDefinition& definition) {
   using machine::ProgramKind;
   Json kinds = Json::array();
-  for (const ProgramKind kind : {ProgramKind::mill, ProgramKind::laser, ProgramKind::laser_basic,
-                                 ProgramKind::teach, ProgramKind::pattern}) {
+  for (const ProgramKind kind :
+       {ProgramKind::mill, ProgramKind::lathe, ProgramKind::lathe_c, ProgramKind::laser,
+        ProgramKind::laser_basic, ProgramKind::teach, ProgramKind::pattern}) {
     if (machine::suits(definition, kind)) kinds.push_back(machine::name_of(kind));
   }
   return kinds;

@@ -80,7 +80,7 @@ input signal. `set-input` renews the preview of a program that reads inputs, at 
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 
 `definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced. A definition has
-`modal_groups`: list of `{group, codes}`, `codes`: list of `{code, title, sentence, quiet}`, in the order in which a page shows them;
+`modal_groups`: list of `{group, number, codes}` of the machine's dialect and G-code system, `number`: that behind #40, `codes`: list of `{code, title, sentence, quiet}`, in the order in which a page shows them;
 `quiet` says that nothing special is on.
 
 ## Chunks

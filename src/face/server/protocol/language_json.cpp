@@ -46,6 +46,29 @@ Json code_json(const control::CodeRow& row) {
           {"quiet", control::says_nothing_special(row)}};
 }
 
+// Those of a mill where the dialect has none: its machine runs G-code, too.
+const control::CodeTable& codes_of(std::string_view dialect,
+                                   const control::Parameters& parameters) {
+  const machine::DialectRow* const row = machine::find_dialect(dialect);
+  return row != nullptr && row->codes != nullptr ? row->codes(parameters) : control::mill_codes();
+}
+
+Json codes_json(const control::CodeTable& table, control::Group group) {
+  Json codes = Json::array();
+  for (const control::CodeRow& row : table.codes()) {
+    if (row.group == group) codes.push_back(code_json(row));
+  }
+  return codes;
+}
+
+// Behind #40; null: no variable has it.
+Json number_of(const control::CodeTable& table, control::Group group) {
+  for (std::size_t number = 1; number < control::kGroups; ++number) {
+    if (table.group_of(number) == group) return number;
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 Json dialects_json() {
@@ -71,14 +94,15 @@ Json tokens_json(const base::Language& language, std::string_view lines) {
   return json;
 }
 
-Json modal_groups_json() {
+Json modal_groups_json(std::string_view dialect, const control::Parameters& parameters) {
+  const control::CodeTable& table = codes_of(dialect, parameters);
   Json json = Json::array();
   for (const control::ModalGroup& group : control::modal_groups()) {
-    Json codes = Json::array();
-    for (const control::CodeRow& row : control::mill_codes().codes()) {
-      if (row.group == group.group) codes.push_back(code_json(row));
-    }
-    json.push_back({{"group", group.name}, {"codes", std::move(codes)}});
+    Json codes = codes_json(table, group.group);
+    if (codes.empty()) continue;
+    json.push_back({{"group", group.name},
+                    {"number", number_of(table, group.group)},
+                    {"codes", std::move(codes)}});
   }
   return json;
 }

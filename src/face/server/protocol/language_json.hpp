@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "base/language.hpp"
+#include "control/core/parameters.hpp"
 #include "face/server/protocol/json.hpp"
 
 namespace kerf::server {
@@ -16,7 +17,9 @@ namespace kerf::server {
 /// its tokens in turn. Lengths are UTF-16 units, as pages and editors count.
 [[nodiscard]] Json tokens_json(const base::Language& language, std::string_view lines);
 
-/// The groups of modal G codes with their codes, in the order in which they are shown.
-[[nodiscard]] Json modal_groups_json();
+/// The groups of modal G codes that the dialect has, with their numbers behind #40 and their codes,
+/// in the order in which they are shown. The system of G codes is one of the parameters.
+[[nodiscard]] Json modal_groups_json(std::string_view dialect,
+                                     const control::Parameters& parameters);
 
 }  // namespace kerf::server

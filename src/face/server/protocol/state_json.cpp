@@ -242,7 +242,7 @@ Json definition_json(const MachineDefinition& definition) {
   json["kinematics"] = kinematics_json(definition);
   json["laser"] = definition.drive.laser.fitted();
   json["period_s"] = definition.interpolator.period_s;
-  json["modal_groups"] = modal_groups_json();
+  json["modal_groups"] = modal_groups_json(definition.dialect, definition.parameters);
   return json;
 }
 

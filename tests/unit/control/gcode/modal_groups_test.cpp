@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "control/gcode/codes/lathe_codes.hpp"
+
 namespace kerf::control {
 namespace {
 
@@ -16,6 +18,14 @@ TEST(ModalGroups, HoldEachModalCodeOnce) {
     EXPECT_TRUE(groups.insert(group.group).second) << group.name;
   for (const CodeRow& row : mill_codes().codes())
     EXPECT_EQ(groups.contains(row.group), row.group != Group::one_shot) << name_of(row.number);
+}
+
+TEST(ModalGroups, HoldEachModalCodeOfALatheOnce) {
+  std::set<Group> groups;
+  for (const ModalGroup& group : modal_groups()) groups.insert(group.group);
+  for (const char system : {'A', 'B', 'C'})
+    for (const CodeRow& row : lathe_codes(system).codes())
+      EXPECT_EQ(groups.contains(row.group), row.group != Group::one_shot) << name_of(row.number);
 }
 
 TEST(ModalGroups, CodesThatSayNothingSpecialAreThese) {

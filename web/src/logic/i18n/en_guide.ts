@@ -10,6 +10,7 @@ export const en_guide = {
   'looks.laser': 'a laser program in G-code',
   'looks.laser-basic': 'laser BASIC',
   'looks.lathe': 'a lathe program',
+  'looks.lathe-c': 'a program for a lathe with a C axis',
   'looks.mill': 'a milling program',
   'looks.pattern': 'a pattern of the engraving arm',
   'looks.teach': 'taught points',
@@ -64,8 +65,6 @@ export const en_guide = {
   'stranger.looks': '{name} looks like {what}.',
   'stranger.machine': 'The machine {machine} runs such programs.',
   'stranger.make': 'Make a machine {definition}',
-  'stranger.no-lathe':
-    'There is no lathe here yet. What you see is what this machine would make of it, which is something else.',
   'stranger.none-here': 'No machine of this server runs such programs; {definition} would.',
   'stranger.stay': 'Load it into {machine} all the same',
   'tab.problems': 'Problems',

@@ -185,8 +185,8 @@ export const OWN_ALARMS_ZH_HANT: Record<string, [message: string, cause: string,
     ],
     LATHE_PROGRAM: [
       '車床程式',
-      '程式含有車床的語碼，但沒有指定機台，因此以銑床執行：T0101 成為 101 號刀，X 不是直徑，F 為每分鐘進給。',
-      '請指定程式所屬的機台。',
+      '程式含有車床的語碼，但指定的機台不是車床：在銑床上 T0101 是 101 號刀，X 不是直徑，F 為每分鐘進給。或程式以 C 為軸，而該車床沒有 C 軸。',
+      '請在車床上執行：`--machine lathe2`；使用 C 軸時用 `lathe3c`。',
     ],
     BEAM_OFF_IN_DWELL: [
       '暫停時光束關閉',

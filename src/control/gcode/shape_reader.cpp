@@ -1,17 +1,20 @@
 #include "control/gcode/shape_reader.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "control/core/assumed.hpp"
 #include "control/gcode/acts/compensation.hpp"
+#include "control/gcode/cycles/shape_check.hpp"
 
 namespace kerf::control {
 namespace {
 
 using base::Code;
 
-bool is_of_shape(const Words::G& g) {
+bool is_of_shape(const Words::G& g, bool has_nose) {
   switch (g.group()) {
+    case Group::compensation: return !has_nose;
     case Group::one_shot: return g.meaning() == Meaning::dwell;
     case Group::motion:
       return g.meaning() == Meaning::rapid || g.meaning() == Meaning::line ||
@@ -36,7 +39,7 @@ bool ends(Function function) {
 
 bool admits_in_shape(State& state, const Words& words) {
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
-    if (g->row != nullptr && !is_of_shape(*g))
+    if (g->row != nullptr && !is_of_shape(*g, state.parameters.compensated_cycles))
       return state.alarms.raise(Code::shape_command, g->word->text);
   }
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
@@ -50,8 +53,11 @@ bool ShapeReader::begin(const motion::PlaneAxes& axes) {
   if (!state_.path.interrupt_compensation()) return false;
   axes_ = axes;
   kept_.emplace(Kept{state_.modal, state_.before, state_.words, state_.coordinates,
-                     state_.wanted_offset, state_.path.tip(), state_.path.pause_compensation()});
-  if (state_.modal.compensating()) tell_rough_without_nose(state_);
+                     state_.wanted_offset, state_.path.block(), state_.path.tip(),
+                     state_.path.pause_compensation()});
+  has_nose_ = state_.parameters.compensated_cycles && kept_->compensation;
+  if (state_.modal.compensating() && !state_.parameters.compensated_cycles)
+    tell_rough_without_nose(state_);
   state_.modal.set(Meaning::compensation_off);
   state_.reads_shape = true;
   shape_ = {};
@@ -80,8 +86,45 @@ bool ShapeReader::end_block(const Words& words) {
 
 bool ShapeReader::end() {
   const bool complete = !state_.path.holds_corner();
+  const bool good = !complete || !has_nose_ || compensate();
   restore();
-  return complete || state_.alarms.raise(Code::shape_last_block);
+  return complete ? good : state_.alarms.raise(Code::shape_last_block);
+}
+
+// The contour goes through the compensation from the start on, where the tool has no offset, and
+// ends perpendicular: what comes out takes its place.
+bool ShapeReader::compensate() {
+  const Toolpath::Paused& nose = *kept_->compensation;
+  if (side_of_start(shape_) * nose.cutter.offset < 0)
+    return state_.alarms.raise_at(Code::shape_side, base::place_of(kept_->cycle), kept_->cycle, "");
+  if (shape_.pieces.empty()) return true;
+  const TurningShape contour = shape_;
+  const std::vector<base::BlockId> blocks = std::exchange(blocks_, {});
+  shape_.pieces.clear();
+  state_.path.go_back_to(on_path(kept_->coordinates.path()));
+  state_.path.resume(nose);
+  at_ = contour.start;
+  const ShapePiece approach{.from = at_, .to = first_point(contour), .block = contour.first_block};
+  awaits_first_ = approach.to != approach.from;
+  if (awaits_first_ && !hand_on(approach, blocks)) return false;
+  return std::all_of(contour.pieces.begin(), contour.pieces.end(),
+                     [&](const ShapePiece& piece) { return hand_on(piece, blocks); }) &&
+         state_.path.release();
+}
+
+bool ShapeReader::hand_on(const ShapePiece& piece, const std::vector<base::BlockId>& blocks) {
+  base::PathPoint from = kept_->coordinates.path();
+  base::PathPoint to = from;
+  axes_.place(from, piece.from);
+  axes_.place(to, piece.to);
+  const base::BlockId& block = blocks[piece.block];
+  if (!piece.is_arc) return state_.path.move_of(block, from, motion::Line{on_path(to), {}});
+  const ArcShape shape{.plane = motion::Plane::zx,
+                       .axes = axes_,
+                       .centre = piece.centre,
+                       .direction = piece.clockwise ? motion::Direction::clockwise
+                                                    : motion::Direction::counterclockwise};
+  return state_.path.move_of(block, from, arc_along(on_path(to), shape), &shape);
 }
 
 void ShapeReader::drop() {

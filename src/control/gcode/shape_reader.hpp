@@ -15,7 +15,8 @@ namespace kerf::control {
 
 /// Reads the shape of a roughing cycle: its blocks are executed as ever, but what they command
 /// becomes the shape instead of motion, and behind the last one everything is as before the first.
-/// Nose radius, tools and functions of the blocks mean nothing here; macro statements have run.
+/// Tools and functions of the blocks mean nothing here; macro statements have run. With
+/// `cycle_nose` = 1 the shape is the path of the imaginary tip along what the blocks say.
 class ShapeReader : public motion::MotionSink {
  public:
   ShapeReader(State& state, const Targets& targets, BlockBuffer& buffer)
@@ -45,11 +46,14 @@ class ShapeReader : public motion::MotionSink {
     ModalWords words;
     Coordinates coordinates;
     base::AxisVector wanted_offset;
+    base::BlockId cycle;
     base::TipPoint tip;
     std::optional<Toolpath::Paused> compensation;
   };
 
   void add(const motion::Motion& motion);
+  bool compensate();
+  bool hand_on(const ShapePiece& piece, const std::vector<base::BlockId>& blocks);
   [[nodiscard]] bool begins_straight(const Words& words) const;
   void restore();
 
@@ -61,6 +65,7 @@ class ShapeReader : public motion::MotionSink {
   TurningShape shape_;
   std::vector<base::BlockId> blocks_;
   geometry::Vec2 at_;
+  bool has_nose_ = false;      // the shape is compensated
   bool in_first_ = false;      // the first block executes
   bool awaits_first_ = false;  // its move has not come
 };

@@ -40,6 +40,14 @@ class Follower {
 
 }  // namespace
 
+// The area that the shape and the ways between its ends and the start run round.
+double side_of_start(const TurningShape& shape) {
+  double twice_area = 0;
+  for (const ShapePiece& piece : shape.pieces)
+    twice_area += geometry::cross(piece.from - shape.start, piece.to - shape.start);
+  return twice_area;
+}
+
 std::optional<ShapeFault> check_shape(const TurningShape& shape, Travel travel, Vec2 tolerance) {
   const TurningFrame frame(shape, travel);
   const Vec2 first = frame.local(first_point(shape));

@@ -25,6 +25,10 @@ struct ShapeFault {
   return shape.both_axes && travel == Travel::along_z;
 }
 
+/// On which side of the shape, as it is followed, its start and so what is to be cut lie: above 0
+/// left of it, below 0 right, 0 where nothing lies between. Arcs count as their chords.
+[[nodiscard]] double side_of_start(const TurningShape& shape);
+
 /// The first fault along the shape, none where it can be turned. `tolerance`: by how much it may go
 /// back, u along Z, v along X as a radius, mm >= 0; it counts from the farthest point so far.
 [[nodiscard]] std::optional<ShapeFault> check_shape(const TurningShape& shape, Travel travel,

@@ -136,10 +136,7 @@ TipPoint Toolpath::tip() const {
 
 bool Toolpath::arc(const PathPoint& from, const PathPoint& to, const ArcShape& shape,
                    const motion::Feed& feed) {
-  const motion::Arc arc{on_path(to), {shape.centre.u, shape.centre.v},
-                        feed,        shape.turns,
-                        shape.plane, shape.direction};
-  return move(from, arc, &shape);
+  return move(from, arc_along(on_path(to), shape, feed), &shape);
 }
 
 bool Toolpath::straight(const motion::Motion& motion) {

@@ -21,6 +21,12 @@ struct ArcShape {
   std::uint16_t turns = 0;
 };
 
+/// The arc of the shape.
+[[nodiscard]] inline motion::Arc arc_along(const base::TipPoint& to, const ArcShape& shape,
+                                           const motion::Feed& feed = {}) {
+  return {to, {shape.centre.u, shape.centre.v}, feed, shape.turns, shape.plane, shape.direction};
+}
+
 /// The last stations before the motions leave the control: lines that wait for their end, chamfers
 /// and corner radii, then cutter compensation. Knows where the tool stands and leaves out moves
 /// that go nowhere.
@@ -69,6 +75,14 @@ class Toolpath {
   }
   [[nodiscard]] bool arc(const base::PathPoint& from, const base::PathPoint& to,
                          const ArcShape& shape, const motion::Feed& feed);
+  /// One that another block has commanded, which it belongs to.
+  template <typename Action>
+  [[nodiscard]] bool move_of(const base::BlockId& block, const base::PathPoint& from,
+                             const Action& action, const ArcShape* shape = nullptr) {
+    stand_in(block);
+    const base::Place place = base::place_of(block);
+    return move(from, make(action), shape, &place);
+  }
   /// A move that knows no cutter compensation: reference returns, G53, cycles.
   template <typename Action>
   [[nodiscard]] bool straight(const Action& action) {

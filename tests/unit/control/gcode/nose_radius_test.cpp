@@ -163,18 +163,29 @@ std::vector<Piece> random_contour(SeededRandom& random) {
   return contour;
 }
 
-std::string program_along(const std::vector<Piece>& contour, bool left, double r,
-                          std::size_t direction) {
-  std::string text = "O1\nG99F.2\n#2901=" + decimal(r) + "\n#2301=" + std::to_string(direction) +
-                     "\nG00X200.Z-100.T0101\n" + (left ? "G41" : "G42") +
-                     words(contour.front().from) + "\n";
+constexpr Vec2 kStart{-100, 100};
+
+// Up to G41 or G42, which the next word follows.
+std::string head(bool left, double r, std::size_t direction) {
+  return "O1\nG99F.2\n#2901=" + decimal(r) + "\n#2301=" + std::to_string(direction) + "\nG00" +
+         words(kStart) + "T0101\n" + (left ? "G41" : "G42");
+}
+
+std::string blocks(const std::vector<Piece>& contour) {
+  std::string text;
   for (const Piece& piece : contour) {
     text += piece.turn == 0 ? "G01" : piece.turn > 0 ? "G03" : "G02";
     text += words(piece.to);
     if (piece.turn != 0) text += "R" + decimal(piece.radius);
     text += "\n";
   }
-  return text + "G40G00X200.Z-100.\nM30\n";
+  return text;
+}
+
+std::string program_along(const std::vector<Piece>& contour, bool left, double r,
+                          std::size_t direction) {
+  return head(left, r, direction) + words(contour.front().from) + "\n" + blocks(contour) +
+         "G40G00" + words(kStart) + "\nM30\n";
 }
 
 Move move_of(const motion::Motion& motion) {
@@ -209,8 +220,67 @@ TEST(NoseRadius, TheTipGoesAsAnIndependentOffsetOfTheContourSays) {
         tip_path(CentrePath(contour, left ? r : -r).moves(), r, direction);
     ASSERT_EQ(got.size(), wanted.size() + 2) << program << text_of(got);
     for (std::size_t k = 0; k < wanted.size(); ++k) expect_move(move_of(got[k + 1]), wanted[k]);
-    expect_move(move_of(got.back()), {.to = {-100, 100}});
+    expect_move(move_of(got.back()), {.to = kStart});
     ASSERT_FALSE(HasFailure()) << program << text_of(got);
+  }
+}
+
+constexpr int kRoughed = 200;
+constexpr double kLeastArea = 20;  // mm²: less does not say on which side the start lies
+
+// Of the corners of the contour and the start, counterclockwise positive, by the trapezoids below.
+double area_round(const std::vector<Piece>& contour) {
+  std::vector<Vec2> corners{kStart, contour.front().from};
+  for (const Piece& piece : contour) corners.push_back(piece.to);
+  double area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 a = corners[i];
+    const Vec2 b = corners[(i + 1) % corners.size()];
+    area += (a.u - b.u) * (a.v + b.v) / 2;
+  }
+  return area;
+}
+
+std::string roughing_along(const std::vector<Piece>& contour, const std::string& begin,
+                           const std::string& cycle, Vec2 allowance) {
+  return begin + "\n" + cycle + "P10Q20U" + decimal(2 * allowance.v) + "W" + decimal(allowance.u) +
+         "\nN10G00" + words(contour.front().from) + "\n" + blocks(contour) + "N20\nM30\n";
+}
+
+// The moves that the blocks of the shape are told to have made.
+std::vector<Move> along_shape(const RunResult& result, std::uint32_t cycle_line) {
+  std::vector<Move> moves;
+  for (const motion::Motion& motion : moves_of(result)) {
+    if (motion.block.line > cycle_line) moves.push_back(move_of(motion));
+  }
+  return moves;
+}
+
+TEST(NoseRadius, RoughingWithTheNoseEndsOnAnIndependentOffsetAndItsAllowance) {
+  SeededRandom random(kSeed + 41);
+  for (int i = 0; i < kRoughed; ++i) {
+    const std::vector<Piece> contour = random_contour(random);
+    if (std::fabs(area_round(contour)) < kLeastArea) continue;
+    const bool left = area_round(contour) > 0;
+    const auto direction = static_cast<std::size_t>(i % 10);
+    const double r = thousandths(random.in(0.1, 0.8));
+    const Vec2 allowance = writable({random.in(-0.3, 0.3), random.in(-0.3, 0.3)});
+    const std::string cycle = i % 2 == 0 ? "G71U3.R.5\nG71" : "G73U2.W1.R2\nG73";
+    const std::string program = roughing_along(contour, head(left, r, direction), cycle, allowance);
+    const RunResult result =
+        run_program(program, {.machine = "lathe2", .parameters = {{"cycle_nose", "1"}}});
+    ASSERT_EQ(result.alarm, "") << program;
+    const std::vector<Move> wanted =
+        tip_path(CentrePath(contour, left ? r : -r).moves(), r, direction);
+    const std::vector<Move> got = along_shape(result, 8);
+    ASSERT_GE(got.size(), wanted.size()) << program;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      Move move = got[got.size() - wanted.size() + k];
+      move.to = move.to - allowance;
+      move.centre = move.centre - allowance;
+      expect_move(move, wanted[k]);
+    }
+    ASSERT_FALSE(HasFailure()) << program;
   }
 }
 

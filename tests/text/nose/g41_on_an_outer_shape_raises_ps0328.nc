@@ -1,0 +1,12 @@
+(run with: --machine lathe2 --param cycle_nose=1 --set #2901=0.8 --set #2301=3)
+O1 (turning, nose radius: the tool would be inside of the shape)
+G97 S500 M03
+G00 X64. Z2. T0101
+G41
+G71 U6. R.5
+G71 P10 Q50 U.4 W.1 F.3 (expect alarm PS0328)
+N10 G00 X20.
+G01 Z-12. F.15
+G02 X22. Z-13. R1.
+N50 G01 X64.
+M30

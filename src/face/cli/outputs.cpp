@@ -9,6 +9,7 @@
 #include "output/programs/post.hpp"
 #include "output/programs/taught_program.hpp"
 #include "output/records/laser_pulses.hpp"
+#include "output/records/lathe_row_csv.hpp"
 #include "output/records/motion_json.hpp"
 #include "output/records/row_csv.hpp"
 #include "output/records/set_point_csv.hpp"
@@ -79,7 +80,12 @@ Outcome<void> Outputs::open_pwm() {
 
 Outcome<void> Outputs::open_rows() {
   return files_.open(options_.rows, kRecord, [&](OutputFile& file) {
-    add(std::make_unique<output::RowCsv>(machine_.definition().axes, machine_.memory(), file));
+    const machine::MachineDefinition& definition = machine_.definition();
+    if (definition.axes.turns() && definition.axes.find('Z')) {
+      add(std::make_unique<output::LatheRowCsv>(definition, machine_.memory(), file));
+    } else {
+      add(std::make_unique<output::RowCsv>(definition.axes, machine_.memory(), file));
+    }
   });
 }
 

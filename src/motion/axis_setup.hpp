@@ -36,6 +36,11 @@ struct AxisSetup {
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }
+  /// A lathe: what people say of X is a diameter.
+  [[nodiscard]] bool turns() const {
+    const auto x = find('X');
+    return x && (*this)[*x].diameter;
+  }
   /// A point or way as people count it, and the other way round.
   [[nodiscard]] base::AxisVector counted(base::AxisVector mm) const {
     for (std::size_t i = 0; i < axes.size(); ++i) mm.values[i] *= axes[i].count_per_mm();

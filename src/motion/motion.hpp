@@ -210,10 +210,11 @@ struct Message {
 /// End of the program: M02, M30.
 struct End {};
 
-/// How far the machine's axis stands beyond the tip: the tool length in force (G43, G44).
+/// How far the machine's axis stands beyond the tip: the tool length in force (G43, G44). Of a
+/// lathe that of one axis of several.
 struct ToolLength {
   double mm = 0;
-  std::uint32_t offset = 0;  ///< its number, H
+  std::uint32_t offset = 0;  ///< its number: H, of a lathe the last digits of T, whatever `mm` is
   base::Axis axis{};
 
   bool operator==(const ToolLength&) const = default;

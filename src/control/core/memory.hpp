@@ -36,6 +36,12 @@ struct TurningOffset {
   friend bool operator==(const TurningOffset&, const TurningOffset&) = default;
 };
 
+/// The nose of a turning tool in force: its radius, mm, and the direction of its imaginary tip.
+struct Nose {
+  double radius_mm = 0;
+  int tip = 0;  ///< 0 to 9
+};
+
 /// Common variables: #100 to #199, which a reset empties, then #500 to #999.
 inline constexpr std::size_t kVolatileCommons = 100;
 inline constexpr std::size_t kCommons = kVolatileCommons + 500;
@@ -61,6 +67,10 @@ struct Memory {
   std::uint64_t revision = 0;
 
   explicit Memory(int n_offsets);
+
+  /// The nose of an offset by its number, with the geometry of a number of its own (LGN); a number
+  /// beyond the table has none.
+  [[nodiscard]] Nose nose(std::size_t offset, std::size_t geometry) const;
 
   /// #100 to #199 become vacant.
   void clear_volatile();

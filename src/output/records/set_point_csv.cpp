@@ -9,6 +9,7 @@ SetPointCsv::SetPointCsv(const machine::MachineDefinition& machine, base::Output
       axes_(machine.axes.count()),
       joints_(machine.driven.size()),
       laser_(machine.drive.laser.fitted()) {
+  for (std::size_t i = 0; i < axes_; ++i) counts_[i] = machine.axes.axes[i].count_per_mm();
   header(machine);
 }
 
@@ -46,7 +47,7 @@ void SetPointCsv::take(const motion::AxisPoint& point) {
   row_.clear();
   base::append_number(row_, base::tidy(point.tip.time_s));
   for (std::size_t i = 0; i < axes_; ++i) {
-    tip_cells_[i].set(point.tip.tip.values[i]);
+    tip_cells_[i].set(point.tip.tip.values[i] * counts_[i]);
     append(tip_cells_[i]);
   }
   if (laser_) {

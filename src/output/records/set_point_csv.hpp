@@ -13,7 +13,8 @@ namespace kerf::output {
 /// Writes set-points as CSV, a row each: `t,X,Y,Z,A,C,power,j1,j2,…,line`, with the columns that
 /// the machine has.
 ///
-/// t in s; the tip as motions have it; the laser's power in percent; the driven axes in the order
+/// t in s; the tip as the records of motions have it, X of a lathe as a diameter, while the driven
+/// axis has its own way, the radius; the laser's power in percent; the driven axes in the order
 /// of the machine file; the source line of the motion that is under way or ends there. The start is
 /// no row: the first one is a period behind it. Nothing is allocated per row.
 class SetPointCsv : public motion::AxisPointSink {
@@ -40,6 +41,7 @@ class SetPointCsv : public motion::AxisPointSink {
   std::size_t axes_;
   std::size_t joints_;
   bool laser_;
+  std::array<double, base::kMaxAxes> counts_{};  // per axis: what its column counts for 1 mm
   Cells tip_cells_;
   Cells joint_cells_;
   float power_percent_ = -1;

@@ -126,8 +126,10 @@ struct State {
   void set_length(base::Axis axis, double mm) {
     coordinates.set_length(axis, mm);
     if (axis != length_axis) return;
-    const auto number = mm != 0 ? static_cast<std::uint32_t>(words.length_offset) : 0U;
-    path.set_length({.mm = mm, .offset = number, .axis = axis});
+    const std::int64_t number = codes.habits().tool_brings_offset ? words.turning_offset
+                                : mm != 0                         ? words.length_offset
+                                                                  : 0;
+    path.set_length({.mm = mm, .offset = static_cast<std::uint32_t>(number), .axis = axis});
   }
   /// A rapid as parameter LRP wants it.
   [[nodiscard]] motion::Rapid rapid(const base::TipPoint& to) const {

@@ -41,6 +41,7 @@ bool Turret::read(const gcode::Word& word) {
   const bool by_tool = state_.parameters.geometry_by_tool && wanted_ <= state_.parameters.n_offsets;
   state_.words.geometry_offset = offset == 0 ? 0 : by_tool ? wanted_ : offset;
   choose_offset();
+  state_.set_length(state_.length_axis, state_.coordinates.length()[state_.length_axis]);
   return true;
 }
 

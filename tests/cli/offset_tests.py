@@ -186,3 +186,45 @@ def standard_input(box):
     result = box.kerf("run", "part.nc", "--offsets", "-", "--summary", "-", stdin=TOML)
     status(result, 0)
     contains(result.text, '"#100":10', "the summary")
+
+
+# Geometry X Z radius, wear X Z radius, tip of a lathe's number 5; EXT Z.
+OF_LATHE = ("O1\n#100=#2705\n#101=#2805\n#102=#2905\n#103=#2005\n#104=#2105\n#105=#2205\n#106=#2305\n"
+            "#107=#5202\nM30\n")
+LATHE_TOML = ("[work.EXT]\nZ = 1\n[tool.5]\ngeometry_x = -120.5\ngeometry_z = -80\ngeometry_radius = 0.8\n"
+              "wear_x = -0.02\nwear_z = 0.01\nwear_radius = 0.005\ntip = 3\n")
+LATHE_G10 = "%\nG10P0Z1.\nG10P10005X-120.5Z-80.R.8Q3\nG10P5X-.02Z.01R.005\n%\n"
+LATHE_WANTED = [-120.5, -80, 0.8, -0.02, 0.01, 0.005, 3, 1]
+
+
+@test("--offsets of a lathe reads geometry, wear, nose and tip from TOML and from its G10 punch-out")
+def of_lathe(box):
+    for name, text in (("TOML", LATHE_TOML), ("G10", LATHE_G10)):
+        equal(values(box, "--machine", "lathe2", "--offsets", box.write("o", text), program=OF_LATHE),
+              LATHE_WANTED, f"offsets of a lathe as {name}")
+    tool = "[[tool]]\nnumber = 5\nnose_radius = 0.4\ntip = 2\n"
+    equal(values(box, "--machine", "lathe2", "--tools", box.write("t", tool), program=OF_LATHE),
+          [0, 0, 0.4, 0, 0, 0, 2, 0], "a tool of a lathe")
+
+
+@test("X of a lathe's offset is a diameter: the tool goes so far, and the nose compensates")
+def of_lathe_in_force(box):
+    box.write("part.nc", "O1\nT0505\nG00X50.Z0.\nM30\n")
+    box.write("o.toml", LATHE_TOML)
+    status(box.kerf("run", "part.nc", "--machine", "lathe2", "--offsets", "o.toml", "--summary", "s.json"), 0)
+    near(box.json("s.json")["position"]["machine"]["X"], 50 - 120.52, 1e-6, "X of the machine")
+
+
+WRONG_OF_LATHE = {
+    "half a tip": ("[tool.5]\ntip = 1.5\n", "tip is a whole number from 0 to 9"),
+    "a tip that does not exist": ("[tool.5]\ntip = 10\n", "tip is a whole number from 0 to 9"),
+    "a part that no offset has": ("[tool.5]\ngeometry_q = 1\n", "no key geometry_q"),
+    "a number that the lathe lacks": ("[tool.65]\nwear_x = 1\n", "no tool offset 65"),
+}
+for what, (text, sentence) in WRONG_OF_LATHE.items():
+    @test(f"--offsets of a lathe with {what} is refused")
+    def wrong_of_lathe(box, text=text, sentence=sentence):
+        box.write("part.nc", OF_LATHE)
+        result = box.kerf("run", "part.nc", "--machine", "lathe2", "--offsets", box.write("o.toml", text))
+        refused(result, 3)
+        contains(result.err, sentence, "the message")

@@ -49,6 +49,38 @@ def offsets(box):
           [1, 10, 20, 30, -6, 300, 100, 0.5, 5, -0.01, 2], "offsets and parts")
 
 
+@test("--state keeps the tool offsets of a lathe, and reads a state that was written before there were any")
+def of_lathe(box):
+    lathe = ("--machine", "lathe2")
+    run(box, "O1\nG10P10005X-120.5Z-80.R.8Q3\nG10P5X-.02Z.01R.005\nM30\n", *lathe)
+    read = "O1\n#500=#2705\n#501=#2805\n#502=#2905\n#503=#2005\n#504=#2105\n#505=#2205\n#506=#2305\nM30\n"
+    kept = run(box, read, *lathe)["variables"]
+    equal([kept[f"#{500 + i}"] for i in range(7)], [-120.5, -80, 0.8, -0.02, 0.01, 0.005, 3], "offsets")
+    state = box.json("memory")
+    equal(state["turning"]["5"]["geometry_x"], -120.5, "in the file")
+    del state["turning"]
+    box.write("memory", json.dumps(state))
+    equal(run(box, read, *lathe)["variables"]["#500"], 0, "of an older state")
+
+
+NO_TURNING = {
+    "half a tip": {"5": {"tip": 0.5}},
+    "a number that the lathe lacks": {"65": {"tip": 1}},
+    "a part that no offset has": {"5": {"length_wear": 1}},
+    "a text": {"5": {"wear_x": "1"}},
+    "a list": {"5": [1, 2, 3]},
+}
+for what, rows in NO_TURNING.items():
+    @test(f"--state whose offsets of a lathe hold {what} is refused and stays as it is")
+    def no_turning(box, rows=rows):
+        run(box, "O1\nM30\n", "--machine", "lathe2")
+        state = box.json("memory")
+        state["turning"] = rows
+        box.write("memory", json.dumps(state))
+        refused(box.kerf("run", "part.nc", "--machine", "lathe2", "--state", "memory"), 3)
+        equal(box.json("memory"), state, "state")
+
+
 @test("--state keeps names that SETVN gave")
 def names(box):
     run(box, "O1\nSETVN510[TOOLNO,WORKNO]\n[#WORKNO]=7\nM30\n")

@@ -24,6 +24,7 @@ import http_tests  # noqa: F401
 import input_tests  # noqa: F401
 import language_tests  # noqa: F401
 import journal_tests  # noqa: F401
+import lathe_tests  # noqa: F401
 import library_tests  # noqa: F401
 import link_tests  # noqa: F401
 import machine_tests  # noqa: F401

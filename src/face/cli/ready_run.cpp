@@ -45,6 +45,7 @@ Outcome<void> run_punch_out(const std::string& text, const std::string& path,
   memory.work = read.work;
   memory.extended = read.extended;
   memory.tools = read.tools;
+  memory.turning = read.turning;
   return {};
 }
 

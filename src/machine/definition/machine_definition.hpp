@@ -66,6 +66,9 @@ struct MachineDefinition {
   /// which counts the tool's length.
   [[nodiscard]] std::unique_ptr<const kinematics::Kinematics> make_kinematics() const;
 
+  /// Its tools are those of a lathe: its tool offsets are control::Memory::turning.
+  [[nodiscard]] bool turns() const { return dialect == "fanuc-lathe"; }
+
   [[nodiscard]] planner::AxisLimits joint_limits() const;
   [[nodiscard]] std::vector<drive::StepAxis> step_axes() const;
 };

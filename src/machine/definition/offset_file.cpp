@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "control/core/offset_parts.hpp"
 
 namespace kerf::machine {
 namespace {
 
 using control::Memory;
 using control::ToolOffset;
+using control::TurningOffset;
 
 struct Wrong {
   Wrong(const toml::node* node, std::string text)
@@ -59,27 +61,31 @@ void read_work(const toml::table& table, const motion::AxisSetup& axes, Memory& 
   }
 }
 
-void read_offset(const toml::table& table, ToolOffset& offset) {
+// False: such an offset has no part of this name.
+template <typename Row>
+bool read_part(const toml::key& key, const toml::node& value, Row& row) {
+  const auto* const part = control::part_named<Row>(key.str());
+  if (part == nullptr) return false;
+  if (!part->takes(number(value)))
+    throw Wrong{&value, std::string(key.str()) + " is a whole number from 0 to " +
+                            std::to_string(part->most_whole)};
+  part->of(row) = number(value);
+  return true;
+}
+
+// The names say whether it is an offset of a lathe.
+void read_offset(const toml::table& table, std::size_t number, Memory& memory) {
   for (const auto& [key, value] : table) {
-    if (key.str() == "length_geometry") {
-      offset.length_geometry = number(value);
-    } else if (key.str() == "length_wear") {
-      offset.length_wear = number(value);
-    } else if (key.str() == "radius_geometry") {
-      offset.radius_geometry = number(value);
-    } else if (key.str() == "radius_wear") {
-      offset.radius_wear = number(value);
-    } else {
+    if (!read_part(key, value, memory.tools[number]) &&
+        !read_part(key, value, memory.turning[number]))
       throw Wrong{&value, "a tool offset has no key " + std::string(key.str())};
-    }
   }
 }
 
 void read_offset_tables(const toml::table& table, Memory& memory) {
   for (const auto& [key, node] : table) {
     if (!node.is_table()) throw Wrong{&node, "a table is expected"};
-    read_offset(*node.as_table(),
-                memory.tools[offset_number(node, std::string(key.str()), memory)]);
+    read_offset(*node.as_table(), offset_number(node, std::string(key.str()), memory), memory);
   }
 }
 
@@ -88,7 +94,8 @@ void read_offset_tables(const toml::table& table, Memory& memory) {
 void read_tool(const toml::table& table, const control::Parameters& parameters, Memory& memory) {
   const auto n = table["number"].value<std::int64_t>();
   if (!n) throw Wrong{&table, "a tool needs its number"};
-  ToolOffset& offset = memory.tools[offset_number(table, std::to_string(*n), memory)];
+  const std::size_t row = offset_number(table, std::to_string(*n), memory);
+  ToolOffset& offset = memory.tools[row];
   for (const auto& [key, value] : table) {
     if (key.str() == "number" || key.str() == "name" || key.str() == "corner_radius" ||
         key.str() == "flutes" || key.str() == "type" || key.str() == "comment") {
@@ -100,7 +107,9 @@ void read_tool(const toml::table& table, const control::Parameters& parameters, 
       offset.radius_geometry = number(value) / 2;
       if (parameters.offset_memory != 'C' && table.get("length") == nullptr)
         offset.length_geometry = number(value) / 2;
-    } else {
+    } else if (key.str() == "nose_radius") {
+      memory.turning[row].geometry.radius = number(value);
+    } else if (key.str() != "tip" || !read_part(key, value, memory.turning[row])) {
       throw Wrong{&value, "a tool has no key " + std::string(key.str())};
     }
   }

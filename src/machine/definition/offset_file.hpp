@@ -13,10 +13,12 @@ namespace kerf::machine {
 ///
 ///   [[tool]]          number = 1, diameter = 10, length = 80: sets length and radius geometry
 ///   [work.G54]        X = 100, Y = 50, Z = -300 (also EXT, G55 to G59, "G54.1 P3")
-///   [tool_offset.5]   length_geometry, length_wear, radius_geometry, radius_wear
+///                     (of a lathe nose_radius = 0.8, tip = 3)
+///   [tool_offset.5]   length_geometry, length_wear, radius_geometry, radius_wear; of a lathe
+///                     geometry_x, wear_z, tip … (control::parts_of)
 ///
-/// ([tool.5] is taken as [tool_offset.5].) mm. Failure (input): what is wrong and where; nothing is
-/// taken over then.
+/// ([tool.5] is taken as [tool_offset.5].) mm, X of a lathe as a diameter. Failure (input): what is
+/// wrong and where; nothing is taken over then.
 [[nodiscard]] base::Outcome<void> read_offsets(const std::string& text, const std::string& source,
                                                const motion::AxisSetup& axes,
                                                const control::Parameters& parameters,

@@ -7,6 +7,7 @@
 #include "base/decimal.hpp"
 #include "base/output_file.hpp"
 #include "base/source_file.hpp"
+#include "control/core/offset_parts.hpp"
 #include "lang/vm/value.hpp"
 
 namespace kerf::machine {
@@ -14,6 +15,7 @@ namespace {
 
 using control::Memory;
 using control::ToolOffset;
+using control::TurningOffset;
 using nlohmann::json;
 
 constexpr std::size_t kLargestState = 64 << 20;
@@ -55,6 +57,18 @@ base::AxisVector axes_from(const json& list, const char* where) {
   return values;
 }
 
+// Of lathes: only what is not 0.
+json turning_json(const Memory& memory) {
+  json rows = json::object();
+  for (std::size_t i = 1; i < memory.turning.size(); ++i) {
+    for (const auto& part : control::parts_of(memory.turning[i])) {
+      if (const double value = part.value(memory.turning[i]); value != 0)
+        rows[std::to_string(i)][std::string(part.name)] = value;
+    }
+  }
+  return rows;
+}
+
 json to_json(const Memory& memory) {
   json variables = json::object();
   for (std::size_t i = 0; i < (control::kCommons - control::kVolatileCommons); ++i) {
@@ -82,6 +96,7 @@ json to_json(const Memory& memory) {
           {"work", work},
           {"extended", extended},
           {"tools", tools},
+          {"turning", turning_json(memory)},
           {"parts", memory.parts},
           {"parts_required", memory.parts_required},
           {"running_hours", memory.running_hours},
@@ -95,6 +110,27 @@ void read_tools(const json& tools, Memory& memory) {
     memory.tools[static_cast<std::size_t>(n)] = {
         number(value[0], "tools"), number(value[1], "tools"), number(value[2], "tools"),
         number(value[3], "tools")};
+  }
+}
+
+TurningOffset turning_from(const json& parts) {
+  TurningOffset row;
+  for (const auto& [name, value] : parts.items()) {
+    const auto* const part = control::part_named<TurningOffset>(name);
+    if (part == nullptr || !part->takes(number(value, "turning")))
+      throw Unreadable{"turning holds a wrong " + name};
+    part->of(row) = value.get<double>();
+  }
+  return row;
+}
+
+// Files that were written before there were lathes have none.
+void read_turning(const json& state, Memory& memory) {
+  if (!state.contains("turning")) return;
+  for (const auto& [key, value] : state.at("turning").items()) {
+    const int n = index(key, 1, static_cast<int>(memory.turning.size()) - 1, "turning");
+    if (!value.is_object()) throw Unreadable{"turning holds no table"};
+    memory.turning[static_cast<std::size_t>(n)] = turning_from(value);
   }
 }
 
@@ -117,6 +153,7 @@ void from_json(const json& state, Memory& memory) {
     memory.extended[static_cast<std::size_t>(n - 1)] = axes_from(value, "extended");
   }
   read_tools(state.at("tools"), memory);
+  read_turning(state, memory);
   memory.parts = number(state.at("parts"), "parts");
   memory.parts_required = number(state.at("parts_required"), "parts_required");
   memory.running_hours = number(state.at("running_hours"), "running_hours");

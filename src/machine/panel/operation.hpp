@@ -73,7 +73,7 @@ struct Jog {
 struct JogBy {
   static constexpr double kMostDistance = 36000;
   std::string axis;
-  double distance = 0;       ///< mm or degrees
+  double distance = 0;       ///< mm or degrees; of a diameter as its position counts
   double speed_per_min = 0;  ///< > 0, or 0: that of the settings
 };
 struct JogStop {};
@@ -121,9 +121,18 @@ struct SetVariable {
 struct SetOffset {
   static constexpr double kMost = 999999.999;  ///< either side of 0
   std::string offset;  ///< "G54" … "G59", "EXT", "G54.1 P3" with an axis, or
-                       ///< "tool.5.length_geometry" (length_wear, radius_geometry, radius_wear)
+                       ///< "tool.5.length_geometry"; of lathes "tool.5.geometry_x"
+                       ///< (control::parts_of)
   std::string axis{};
-  double value = 0;  ///< mm or degrees
+  double value = 0;  ///< mm or degrees; of a diameter what programs say
+};
+/// A lathe's tool is measured while nothing moves: its geometry becomes the one with which the axis
+/// reads `reads` where it stands, in the work system in force.
+struct MeasureOffset {
+  static constexpr Range kNumbers{1, 999};
+  std::int64_t number = 0;  ///< of the tool offset
+  std::string axis;         ///< X, Y or Z
+  double reads = 0;         ///< mm, as the position is shown: what was turned, or faced
 };
 /// Takes entries back. Precondition: nothing moves, and it is a memory of this machine. Never
 /// refused.
@@ -136,9 +145,10 @@ struct Raise {
 };
 
 /// A key of the panel, with what belongs to it.
-using Operation = std::variant<Load, SetMode, CycleStart, FeedHold, Reset, TurnSwitch, SetBlockSkip,
-                               Interrupt, SetInput, SetDials, Jog, JogBy, JogStop, Home,
-                               EnterBlocks, EnterLine, TakeStep, StepBack, RunTo, StartAt,
-                               SetBreakpoints, SetVariable, SetOffset, SetMemory, Raise>;
+using Operation =
+    std::variant<Load, SetMode, CycleStart, FeedHold, Reset, TurnSwitch, SetBlockSkip, Interrupt,
+                 SetInput, SetDials, Jog, JogBy, JogStop, Home, EnterBlocks, EnterLine, TakeStep,
+                 StepBack, RunTo, StartAt, SetBreakpoints, SetVariable, SetOffset, MeasureOffset,
+                 SetMemory, Raise>;
 
 }  // namespace kerf::machine

@@ -94,6 +94,10 @@ Read read_offset(const Arguments& a) {
   return SetOffset{a.text("offset"), a.text("axis"), a.number("value")};
 }
 
+Read read_measured(const Arguments& a) {
+  return MeasureOffset{a.integer("number"), a.text("axis"), a.number("reads")};
+}
+
 std::vector<OperationRow> make_table() {
   using namespace argument;
   return {
@@ -166,6 +170,10 @@ Json write(const SetInput& key) {
 }
 Json write(const SetOffset& key) {
   return {{"do", "set-offset"}, {"offset", key.offset}, {"axis", key.axis}, {"value", key.value}};
+}
+Json write(const MeasureOffset& key) {
+  return {
+      {"do", "measure-offset"}, {"number", key.number}, {"axis", key.axis}, {"reads", key.reads}};
 }
 template <typename Key>
 Json write(const Key& /*key*/) {

@@ -54,7 +54,7 @@ struct Snapshot {
   std::uint64_t motion = 0;   ///< the motion under way, from 1 in the order of this run; 0: none
   std::uint64_t motions = 0;  ///< handed out by the control so far
 
-  // In the order of AxisSetup, mm and degrees.
+  // In the order of AxisSetup, mm and degrees; of a diameter the way of the axis, its half.
   base::MachinePoint machine;
   base::AxisVector work;      ///< as the program counts
   base::AxisVector distance;  ///< to the end of the motion under way
@@ -63,7 +63,10 @@ struct Snapshot {
   std::vector<std::string> modal;     ///< each control's own list: "G01", "F200"
   double feed_programmed_mm_min = 0;  ///< degrees/min where only rotary axes turn; 0: none
   double feed_actual_mm_min = 0;      ///< likewise; of the tip
-  double spindle_rpm = 0;             ///< the dial included
+  double feed_mm_rev = 0;             ///< programmed per revolution of the spindle; 0: it is not
+  double spindle_rpm = 0;             ///< as it is where the tip is, the dial included
+  double surface_m_min = 0;           ///< programmed constant surface speed; 0: the speed is fixed
+  double spindle_limit_rpm = 0;       ///< of a surface speed; 0: there is none
   motion::Spindle::Turning spindle = motion::Spindle::Turning::stopped;
   motion::Coolant::State coolant = motion::Coolant::State::off;
   std::uint32_t tool = 0;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "control/core/offset_parts.hpp"
 #include "face/server/hub/handlers.hpp"
 #include "face/server/protocol/state_json.hpp"
 
@@ -77,31 +78,39 @@ void set_offset(Hub& hub, const Request& request) {
       request, {act, {}, [&hub, name = request.machine->name] { hub.previews().renew(name); }});
 }
 
+template <typename Row>
+Json tools_json(const std::vector<Row>& table) {
+  Json rows = Json::array();
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    if (table[i] == Row{}) continue;
+    Json& row = rows.emplace_back(Json{{"number", i}});
+    for (const auto& part : control::parts_of(table[i]))
+      row[std::string(part.name)] = part.value(table[i]);
+  }
+  return {{"tools", std::move(rows)}, {"count", table.empty() ? 0 : table.size() - 1}};
+}
+
 void tools(Hub& hub, const Request& request) {
   hub.orders().give(request, Pace::quick, [](Runner& runner) -> Outcome<Json> {
-    Json rows = Json::array();
-    const auto table = runner.machine().memory().tools;
-    for (std::size_t i = 1; i < table.size(); ++i) {
-      if (table[i] == control::ToolOffset{}) continue;
-      rows.push_back({{"number", i},
-                      {"length_geometry", table[i].length_geometry},
-                      {"length_wear", table[i].length_wear},
-                      {"radius_geometry", table[i].radius_geometry},
-                      {"radius_wear", table[i].radius_wear}});
-    }
-    return Json{{"tools", std::move(rows)}, {"count", table.empty() ? 0 : table.size() - 1}};
+    const control::Memory memory = runner.machine().memory();
+    return runner.machine().definition().turns() ? tools_json(memory.turning)
+                                                 : tools_json(memory.tools);
   });
+}
+
+bool is_tool_part(std::string_view name) {
+  return control::part_named<control::ToolOffset>(name) != nullptr ||
+         control::part_named<control::TurningOffset>(name) != nullptr;
 }
 
 void set_tool(Hub& hub, const Request& request) {
   const auto act = [body = request.body](Runner& runner) -> Outcome<Json> {
     const Arguments arguments(*body);
     const std::string tool = "tool." + std::to_string(arguments.integer("number")) + ".";
-    for (const char* const part :
-         {"length_geometry", "length_wear", "radius_geometry", "radius_wear"}) {
-      if (!arguments.has(part)) continue;
+    for (const auto& [part, value] : body->items()) {
+      if (!is_tool_part(part)) continue;
       auto set = runner.machine().perform(
-          machine::SetOffset{.offset = tool + part, .value = arguments.number(part)});
+          machine::SetOffset{.offset = tool + part, .value = arguments.number(part.c_str())});
       if (!set) return tl::unexpected(set.error());
     }
     return Json::object();
@@ -118,9 +127,13 @@ void settings(Hub& /*hub*/, const Request& request) {
 
 const Handlers& memory_handlers() {
   static const Handlers handlers = {
-      {"variables", variables}, {"set-variable", set_variable},
-      {"offsets", offsets},     {"set-offset", set_offset},
-      {"tools", tools},         {"set-tool", set_tool},
+      {"variables", variables},
+      {"set-variable", set_variable},
+      {"offsets", offsets},
+      {"set-offset", set_offset},
+      {"tools", tools},
+      {"set-tool", set_tool},
+      {"measure-offset", set_offset},
       {"settings", settings},
   };
   return handlers;

@@ -25,7 +25,9 @@ double told(double value) {
   return std::isfinite(rounded) ? rounded + 0.0 : 0;
 }
 
-Json by_axis(const base::AxisVector& values, const motion::AxisSetup& axes) {
+// As people count: of a diameter twice the way.
+Json by_axis(const base::AxisVector& mm, const motion::AxisSetup& axes) {
+  const base::AxisVector values = axes.counted(mm);
   Json json = Json::object();
   for (std::size_t i = 0; i < axes.count(); ++i)
     json[std::string(1, axes.axes[i].letter)] = told(values.values[i]);
@@ -156,10 +158,12 @@ Json kinematics_json(const MachineDefinition& definition) {
 
 Json axis_json(const motion::AxisConfig& axis) {
   const bool bounded = axis.travel_min < axis.travel_max;
+  const double count = axis.count_per_mm();
   return {{"name", std::string(1, axis.letter)},
           {"rotary", axis.rotary},
-          {"min", bounded ? number_or_null(axis.travel_min) : Json(nullptr)},
-          {"max", bounded ? number_or_null(axis.travel_max) : Json(nullptr)},
+          {"diameter", axis.diameter},
+          {"min", bounded ? number_or_null(axis.travel_min * count) : Json(nullptr)},
+          {"max", bounded ? number_or_null(axis.travel_max * count) : Json(nullptr)},
           {"unit", axis.rotary ? "deg" : "mm"},
           {"program", true}};
 }
@@ -195,15 +199,19 @@ Json state_json(const Snapshot& s, const MachineDefinition& definition) {
   json["run"] = s.run;
   json["motion"] = s.motion;
   json["motions"] = s.motions;
-  json["position"] = {{"machine", by_axis(s.machine, definition.axes)},
+  json["position"] = {{"machine", by_axis(s.machine.numbers(), definition.axes)},
                       {"work", by_axis(s.work, definition.axes)},
                       {"distance", by_axis(s.distance, definition.axes)}};
   json["joints"] = by_joint(s.joints, definition);
   json["modal"] = s.modal;
   json["feed"] = {{"programmed_mm_min", told(s.feed_programmed_mm_min)},
-                  {"actual_mm_min", told(s.feed_actual_mm_min)}};
-  json["spindle"] = {
-      {"speed_rpm", told(s.spindle_rpm)}, {"direction", name_of(s.spindle)}, {"load", nullptr}};
+                  {"actual_mm_min", told(s.feed_actual_mm_min)},
+                  {"programmed_mm_rev", told(s.feed_mm_rev)}};
+  json["spindle"] = {{"speed_rpm", told(s.spindle_rpm)},
+                     {"direction", name_of(s.spindle)},
+                     {"surface_m_min", told(s.surface_m_min)},
+                     {"limit_rpm", told(s.spindle_limit_rpm)},
+                     {"load", nullptr}};
   json["tool"] = s.tool;
   json["coolant"] = name_of(s.coolant);
   json["power_percent"] = told(s.power_percent);
@@ -241,6 +249,7 @@ Json definition_json(const MachineDefinition& definition) {
     json["joints"].push_back(joint_json(joint, definition.axes));
   json["kinematics"] = kinematics_json(definition);
   json["laser"] = definition.drive.laser.fitted();
+  json["lathe"] = definition.turns();
   json["period_s"] = definition.interpolator.period_s;
   json["modal_groups"] = modal_groups_json(definition.dialect, definition.parameters);
   return json;

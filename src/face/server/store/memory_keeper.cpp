@@ -21,8 +21,8 @@ bool same_permanent_variables(const control::Memory& a, const control::Memory& b
 bool keeps_the_same(const control::Memory& a, const control::Memory& b) {
   constexpr double kMinute_h = 1.0 / 60;
   return same_permanent_variables(a, b) && a.external == b.external && a.work == b.work &&
-         a.extended == b.extended && a.tools == b.tools && a.parts == b.parts &&
-         a.parts_required == b.parts_required && a.names == b.names &&
+         a.extended == b.extended && a.tools == b.tools && a.turning == b.turning &&
+         a.parts == b.parts && a.parts_required == b.parts_required && a.names == b.names &&
          std::abs(a.running_hours - b.running_hours) < kMinute_h;
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "motion/spindle_speed.hpp"
+#include "motion/thread_speed.hpp"
+
 namespace kerf::machine {
 namespace {
 
@@ -14,9 +17,23 @@ bool same_calls(const std::vector<control::OpenCall>& a, const std::vector<contr
 bool same(const BlockState& a, const BlockState& b) {
   return a.modal == b.modal && a.origin == b.origin && a.tool_length == b.tool_length &&
          a.spindle.turning == b.spindle.turning && a.spindle.speed == b.spindle.speed &&
-         a.spindle.mode == b.spindle.mode && a.coolant == b.coolant && a.tool == b.tool &&
-         a.power == b.power && a.variables == b.variables && a.tables == b.tables &&
-         same_calls(a.calls, b.calls);
+         a.spindle.mode == b.spindle.mode && a.spindle.max_rpm == b.spindle.max_rpm &&
+         a.held_rpm == b.held_rpm && a.feed_mm_rev == b.feed_mm_rev && a.coolant == b.coolant &&
+         a.tool == b.tool && a.power == b.power && a.variables == b.variables &&
+         a.tables == b.tables && same_calls(a.calls, b.calls);
+}
+
+// 0: the feed counts time.
+double feed_per_revolution(const motion::Motion& motion) {
+  return std::visit(
+      [](const auto& action) -> double {
+        if constexpr (requires { action.feed; }) {
+          return action.feed.mode == motion::FeedMode::per_revolution ? action.feed.value : 0;
+        } else {
+          return 0;
+        }
+      },
+      motion.action);
 }
 
 }  // namespace
@@ -47,8 +64,7 @@ void BlockTrail::settle() {
   last_ = now_;
 }
 
-void BlockTrail::take(const motion::Motion& motion) {
-  ++motions_;
+void BlockTrail::refresh_functions(const motion::Motion& motion) {
   if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action))
     now_.spindle = *spindle;
   if (const auto* const coolant = std::get_if<motion::Coolant>(&motion.action))
@@ -56,6 +72,24 @@ void BlockTrail::take(const motion::Motion& motion) {
   if (const auto* const power = std::get_if<motion::Power>(&motion.action)) now_.power = *power;
   if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action))
     now_.tool = change->tool;
+}
+
+// Threads in a row keep the speed that the spindle has where the first one begins.
+void BlockTrail::refresh_feed(const motion::Motion& motion) {
+  if (motion::ends_thread(motion)) now_.held_rpm = 0;
+  if (const auto* const thread = std::get_if<motion::Thread>(&motion.action)) {
+    if (now_.held_rpm == 0) now_.held_rpm = motion::rpm_at(now_.spindle, at_);
+    now_.feed_mm_rev = thread->lead;
+  } else if (motion::is_cut_at_feed(motion)) {
+    now_.feed_mm_rev = feed_per_revolution(motion);
+  }
+  if (const base::TipPoint* const to = motion::target_of(motion)) at_ = *to;
+}
+
+void BlockTrail::take(const motion::Motion& motion) {
+  ++motions_;
+  refresh_functions(motion);
+  refresh_feed(motion);
   refresh();
   refresh_program();
   if (same(entries_.empty() ? last_ : entries_.back().state, now_)) return;

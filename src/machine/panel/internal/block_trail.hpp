@@ -21,6 +21,8 @@ struct BlockState {
   base::AxisVector origin;       ///< of the active work coordinate system
   base::AxisVector tool_length;  ///< in the machine's axes
   motion::Spindle spindle;
+  double held_rpm = 0;     ///< that a thread keeps at constant surface speed; 0: no thread
+  double feed_mm_rev = 0;  ///< programmed; 0: the feed does not count revolutions
   motion::Coolant::State coolant = motion::Coolant::State::off;
   motion::Power power{0, false};
   std::uint32_t tool = 0;  ///< in the spindle
@@ -42,8 +44,8 @@ class BlockTrail : public motion::MotionSink {
   static constexpr std::size_t kMost = planner::Path::kMarks + 1024;
 
   /// They must outlive this.
-  BlockTrail(Dialect& language, const control::Memory& memory)
-      : language_(language), control_(language.control()), memory_(memory) {}
+  BlockTrail(Dialect& language, const control::Memory& memory, const base::TipPoint& start)
+      : language_(language), control_(language.control()), memory_(memory), at_(start) {}
 
   void take(const motion::Motion& motion) override;
   /// Everything is made: what the control has done since the last motion is made, too.
@@ -64,6 +66,8 @@ class BlockTrail : public motion::MotionSink {
   };
   void refresh();
   void refresh_program();
+  void refresh_functions(const motion::Motion& motion);
+  void refresh_feed(const motion::Motion& motion);
 
   Dialect& language_;
   control::Control& control_;
@@ -73,6 +77,7 @@ class BlockTrail : public motion::MotionSink {
   std::deque<Entry> entries_;
   BlockState last_;  // of the entry that was forgotten last
   std::uint64_t motions_ = 0;
+  base::TipPoint at_;  // of the tip behind the last motion
 };
 
 }  // namespace kerf::machine

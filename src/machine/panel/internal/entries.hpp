@@ -22,6 +22,7 @@ class Entries {
   void show(const SetVariable& key, LiveRun& run) const;
   [[nodiscard]] static Outcome enter(const SetInput& key, LiveRun& run);
   [[nodiscard]] static Outcome enter(const SetOffset& key, LiveRun& run);
+  [[nodiscard]] static Outcome enter(const MeasureOffset& key, LiveRun& run);
 
  private:
   std::map<std::string, std::uint64_t> entered_;  // the first motion that knows of the entry

@@ -109,7 +109,8 @@ HandMoves::Outcome HandMoves::go(const Jog& key) {
 }
 
 HandMoves::Outcome HandMoves::go(const JogBy& key) {
-  return go(*find_axis(definition_, key.axis), key.distance,
+  const base::Axis axis = *find_axis(definition_, key.axis);
+  return go(axis, key.distance / definition_.axes[axis].count_per_mm(),
             key.speed_per_min > 0 ? key.speed_per_min : own_speed(key.axis));
 }
 
@@ -121,7 +122,8 @@ HandMoves::Outcome HandMoves::go(base::Axis axis, double distance, double speed_
   if (left < std::fabs(distance)) {
     const double limit = up ? config.travel_max : config.travel_min;
     end = HandEnd{up ? base::Code::overtravel_plus : base::Code::overtravel_minus,
-                  std::string(1, config.letter) + " is at its limit, " + base::number_text(limit)};
+                  std::string(1, config.letter) + " is at its limit, " +
+                      base::number_text(limit * config.count_per_mm())};
     distance = up ? left : -left;
   }
   motion::Motion move;

@@ -286,12 +286,6 @@ LiveCore::Outcome LiveCore::act(const StartAt& key) {
   return {};
 }
 
-LiveCore::Outcome LiveCore::act(const SetOffset& key) {
-  auto set = Entries::enter(key, *run_);
-  if (set) view_.note_change();
-  return set;
-}
-
 void LiveCore::set_memory(control::Memory memory) {
   run_->set_memory(std::move(memory));
   stepper_->forget_values();

@@ -130,7 +130,14 @@ class LiveCore {
   Outcome act(const StartAt& key);
   Outcome act(const SetBreakpoints& key) { return stepper_->set_breakpoints(key.list); }
   Outcome act(const SetVariable& key);
-  Outcome act(const SetOffset& key);
+  Outcome act(const SetOffset& key) { return enter(key); }
+  Outcome act(const MeasureOffset& key) { return enter(key); }
+  template <typename Key>
+  Outcome enter(const Key& key) {
+    auto set = Entries::enter(key, *run_);
+    if (set) view_.note_change();
+    return set;
+  }
   Outcome act(const SetMemory& key) {
     set_memory(key.memory);
     return {};

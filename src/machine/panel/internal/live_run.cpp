@@ -18,7 +18,7 @@ LiveRun::LiveRun(const MachineDefinition& definition, control::Memory memory,
                  const Machine::Settings& settings, Stepper& stepper, MovedBy moved_by,
                  std::uint64_t number)
     : machine_(definition, std::move(memory), settings),
-      trail_(machine_.language(), std::as_const(machine_).memory()),
+      trail_(machine_.language(), std::as_const(machine_).memory(), definition.axes.start),
       read_ahead_(machine_.control(), stepper),
       moved_by_(moved_by),
       number_(number) {

@@ -4,6 +4,7 @@
 
 #include "lang/vm/value.hpp"
 #include "machine/panel/internal/entries.hpp"
+#include "motion/spindle_speed.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -59,25 +60,43 @@ void show_place(const Seen& seen, Snapshot& shown) {
   }
 }
 
+// In a rapid the spindle has the speed of its end.
+double rpm_now(const Seen& seen, const BlockState& state) {
+  if (state.held_rpm > 0) return state.held_rpm;
+  const motion::Setpoint& at = seen.run.last();
+  const bool rapid = seen.run.block_made() != nullptr && at.mark.kind == motion::MoveKind::rapid;
+  return motion::rpm_at(state.spindle, rapid ? seen.run.source().motion_end() : at.tip);
+}
+
+void show_spindle(const Seen& seen, const BlockState& state, Snapshot& shown) {
+  const motion::Spindle& spindle = state.spindle;
+  shown.spindle = spindle.turning;
+  if (spindle.mode == motion::Spindle::Mode::constant_surface_speed) {
+    shown.surface_m_min = spindle.speed;
+    shown.spindle_limit_rpm = spindle.limit_rpm();
+  }
+  if (spindle.turning != motion::Spindle::Turning::stopped)
+    shown.spindle_rpm = rpm_now(seen, state) * seen.panel.dials.spindle / 100;
+}
+
 void show_functions(const Seen& seen, Snapshot& shown) {
   PacedRun& machine = seen.run.machine();
   const motion::Mark& mark = seen.run.last().mark;
   const BlockState* const made = seen.run.block_made();
   const bool moving = made != nullptr;
   const BlockState& state = moving ? *made : seen.run.trail().newest();
-  const int dial = seen.panel.dials.spindle;
+  show_spindle(seen, state, shown);
   shown.modal = machine.control().modal_text(state.modal);
-  shown.spindle = state.spindle.turning;
-  if (state.spindle.turning != motion::Spindle::Turning::stopped)
-    shown.spindle_rpm = state.spindle.speed * dial / 100;
   shown.coolant = state.coolant;
   shown.tool = state.tool;
+  const int dial = seen.panel.dials.spindle;
   shown.power_percent = std::min(100.0, state.power.percent * dial / 100);
   // Where the axes rest on their way it would burn a hole.
   const bool rests = machine.servo().held() || machine.servo().at_rest();
   const bool dwells = mark.kind == motion::MoveKind::dwell && mark.power_follows_speed;
   shown.beam = moving && !rests && !dwells && mark.power_percent > 0;
   shown.feed_programmed_mm_min = moving ? 60.0 * static_cast<double>(mark.speed) : 0;
+  shown.feed_mm_rev = moving && mark.kind == motion::MoveKind::cut ? state.feed_mm_rev : 0;
   shown.feed_actual_mm_min = moving ? 60 * machine.servo().speed() : 0;
 }
 

@@ -1,10 +1,26 @@
 #include "machine/panel/internal/table_image.hpp"
 
 #include <cassert>
+#include <type_traits>
 #include <vector>
+
+#include "control/core/offset_parts.hpp"
 
 namespace kerf::machine {
 namespace {
+
+// Of a memory that is only read the numbers themselves are not handed out.
+template <typename Rows, typename Each>
+void for_each_part(Rows& rows, const Each& each) {
+  for (auto& row : rows)
+    for (const auto& part : control::parts_of(row)) {
+      if constexpr (std::is_const_v<Rows>) {
+        each(part.value(row));
+      } else {
+        each(part.of(row));
+      }
+    }
+}
 
 // Calls `each` with every number of the tables, always in the same order.
 template <typename Memory, typename Each>
@@ -15,12 +31,8 @@ void for_each_number(Memory& memory, const Each& each) {
   axes(memory.external);
   for (auto& system : memory.work) axes(system);
   for (auto& system : memory.extended) axes(system);
-  for (auto& tool : memory.tools) {
-    each(tool.length_geometry);
-    each(tool.length_wear);
-    each(tool.radius_geometry);
-    each(tool.radius_wear);
-  }
+  for_each_part(memory.tools, each);
+  for_each_part(memory.turning, each);
   each(memory.parts);
   each(memory.parts_required);
   each(memory.running_hours);

@@ -101,6 +101,7 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'condition-wrong': '條件錯誤：{why}',
   'breakpoint-condition': '第 {line} 行的中斷點條件：{why}',
   'breakpoint-variable': '變數 {variable} 的中斷點：程式沒有此變數',
+  'offset-whole': '補正的 {part} 須為 0 至 {most} 的整數',
   'offset-range': '補正值最大為 {most}',
   'start-alarm': '到達第 {line} 行之前：{why}',
   'joints-cannot': '無法移動：{why}',

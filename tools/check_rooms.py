@@ -23,6 +23,7 @@ ROOMS = {
     "math": [],
     "base": [],
     "geometry": ["math", "base"],
+    "geometry/contour": ["geometry"],
     "motion": ["geometry"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/contour/contour.hpp"
+
+namespace kerf::contour {
+
+enum class Operand : std::uint8_t { first, second };
+
+/// An edge that an arrangement is made of, in its direction; its number is the caller's to know.
+struct Strand {
+  Edge edge;
+  Operand operand = Operand::first;
+};
+
+/// The edges of what is sound among closed contours, added to `strands`.
+void add_strands(std::vector<Strand>& strands, const std::vector<Contour>& contours,
+                 Operand operand);
+
+}  // namespace kerf::contour

@@ -59,7 +59,13 @@ struct Run {
 };
 
 CutRecorder::Process process_of(const Exercise& exercise) {
+  if (exercise.bar_mm) return CutRecorder::Process::turning;
   return exercise.clearance_z_mm ? CutRecorder::Process::milling : CutRecorder::Process::beam;
+}
+
+CutRecorder::Work work_of(const Exercise& exercise) {
+  const auto& [x, y, z] = exercise.zero_mm;
+  return {process_of(exercise), Vec3{x, y, z}, exercise.bar_mm.value_or(0) / 2};
 }
 
 std::string dialect_of(const Exercise& exercise, const machine::MachineDefinition& machine) {
@@ -98,8 +104,7 @@ Run run_of(const Exercise& exercise, const machine::MachineDefinition& definitio
     return run;
   }
   BatchRun& machine = (*made)->machine();
-  const auto& [x, y, z] = exercise.zero_mm;
-  CutRecorder recorder(definition, process_of(exercise), Vec3{x, y, z}, most_mm,
+  CutRecorder recorder(definition, work_of(exercise), most_mm,
                        [&] { machine.raise(base::make_error(base::Code::budget_spent, {})); });
   machine.add_sink(recorder);
   run.status = (*made)->go();
@@ -140,8 +145,6 @@ double distance(const Cut& cut, Vec3 at) {
   return length(cut.from + share * way - at);
 }
 
-Criterion::Values place_values(Vec3 at) { return {{"x", at.x}, {"y", at.y}, {"z", at.z}}; }
-
 // Holds one run against the other.
 class Comparison {
  public:
@@ -158,7 +161,7 @@ class Comparison {
     Assessment result;
     auto& list = result.criteria;
     list = {ends(), all(), only()};
-    if (exercise_.clearance_z_mm) list.push_back(rapids());
+    if (is_solid()) list.push_back(rapids());
     list.push_back(time());
     if (exercise_.most_lines) list.push_back(lines());
     set_points(list);
@@ -166,8 +169,19 @@ class Comparison {
   }
 
  private:
+  // What is milled or turned, not cut by a beam.
+  [[nodiscard]] bool is_solid() const {
+    return process_of(exercise_) != CutRecorder::Process::beam;
+  }
+
   [[nodiscard]] CutGrid::Takes takes() const {
-    return exercise_.clearance_z_mm ? CutGrid::Takes::all_above : CutGrid::Takes::line;
+    return is_solid() ? CutGrid::Takes::all_above : CutGrid::Takes::line;
+  }
+
+  // In the words of a program.
+  [[nodiscard]] Criterion::Values place_values(Vec3 at) const {
+    if (!exercise_.bar_mm) return {{"x", at.x}, {"y", at.y}, {"z", at.z}};
+    return {{"x", 2 * at.z + *exercise_.bar_mm}, {"z", at.x}};
   }
 
   // What is left over belongs to the cuts.
@@ -300,34 +314,57 @@ class Comparison {
   }
 
   [[nodiscard]] Criterion rapids() const {
-    Criterion criterion = make(Kind::rapids, kPointsOfOthers, Finding::well, 1);
-    const double clearance = *exercise_.clearance_z_mm;
-    for (const Stroke& stroke : run_.strokes) {
-      const double low = std::min(stroke.from.z, stroke.to.z);
-      const double across = math::hypot(stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y);
-      if (across > kLeast_mm && low < clearance - kLeast_mm) {
-        criterion.finding = Finding::low_rapid;
-        criterion.values = {{"z", low}, {"clearance", clearance}};
-      } else if (const auto at = into_the_work(stroke)) {
-        criterion.finding = Finding::plunge;
-        criterion.values = place_values(*at);
-      } else {
-        continue;
-      }
-      criterion.quality = 0;
-      put_at(criterion, stroke.line);
-      return criterion;
-    }
+    const auto wrong = std::find_if(run_.strokes.begin(), run_.strokes.end(),
+                                    [&](const Stroke& s) { return finding_of(s).has_value(); });
+    if (wrong == run_.strokes.end()) return make(Kind::rapids, kPointsOfOthers, Finding::well, 1);
+    const auto [finding, values] = *finding_of(*wrong);
+    Criterion criterion = make(Kind::rapids, kPointsOfOthers, finding, 0);
+    criterion.values = values;
+    put_at(criterion, wrong->line);
     return criterion;
+  }
+
+  using Found = std::optional<std::pair<Finding, Criterion::Values>>;
+
+  // Nothing: nothing is wrong with it.
+  [[nodiscard]] Found finding_of(const Stroke& stroke) const {
+    if (const Found low = exercise_.bar_mm ? std::nullopt : low_rapid(stroke)) return low;
+    const auto at = exercise_.bar_mm ? through_the_bar(stroke) : into_the_work(stroke);
+    if (!at) return std::nullopt;
+    return {{Finding::plunge, place_values(*at)}};
+  }
+
+  [[nodiscard]] Found low_rapid(const Stroke& stroke) const {
+    const double clearance = *exercise_.clearance_z_mm;
+    const double low = std::min(stroke.from.z, stroke.to.z);
+    const double across = math::hypot(stroke.to.x - stroke.from.x, stroke.to.y - stroke.from.y);
+    if (across <= kLeast_mm || low >= clearance - kLeast_mm) return std::nullopt;
+    return {{Finding::low_rapid, {{"z", low}, {"clearance", clearance}}}};
   }
 
   // Where a stroke meets what has not been cut before it. It is upright, or it would be too low:
   // where its lower end is free, all of it is.
   [[nodiscard]] std::optional<Vec3> into_the_work(const Stroke& stroke) const {
     const Vec3 low = stroke.to.z < stroke.from.z ? stroke.to : stroke.from;
-    if (low.z > -exercise_.tolerance_mm) return std::nullopt;
-    const auto was_before = [&](std::size_t number) { return number < stroke.cuts_before; };
-    return made_.takes_away(low, was_before) ? std::nullopt : std::optional(low);
+    return is_free(low, stroke.cuts_before) ? std::nullopt : std::optional(low);
+  }
+
+  // The first place, in steps as short as pieces of cuts, that has not been cut before.
+  [[nodiscard]] std::optional<Vec3> through_the_bar(const Stroke& stroke) const {
+    const Vec3 way = stroke.to - stroke.from;
+    const double steps = std::max(1.0, std::ceil(length(way) / kPiece_mm));
+    for (double i = 1; i <= steps; ++i) {
+      const Vec3 at = stroke.from + (i / steps) * way;
+      const bool is_in_front = at.x > -exercise_.tolerance_mm;
+      if (!is_in_front && !is_free(at, stroke.cuts_before)) return at;
+    }
+    return std::nullopt;
+  }
+
+  // Whether there is no work at a place behind so many cuts.
+  [[nodiscard]] bool is_free(Vec3 at, std::size_t cuts_before) const {
+    if (at.z > -exercise_.tolerance_mm) return true;
+    return made_.takes_away(at, [&](std::size_t number) { return number < cuts_before; });
   }
 
   [[nodiscard]] Criterion time() const {

@@ -25,15 +25,14 @@ constexpr std::array<Text, 16> kFindings = {{
     {"no-end", "The program does not end: {message}."},
     {"too-long", "The program goes on and on: it was broken off behind {mm} mm at feed."},
     {"nothing-cut", "Nothing is cut."},
-    {"missing", "{mm} mm are not cut ({percent} %), first at X{x} Y{y} Z{z}."},
-    {"other-tool", "Tool {got} cuts at X{x} Y{y} Z{z}; it is to be tool {wanted}."},
-    {"other-power", "The power is {got} % at X{x} Y{y} Z{z}; it is to be {wanted} %."},
-    {"spindle-stands", "The tool cuts at X{x} Y{y} Z{z} while the spindle stands."},
-    {"other-slant", "The beam is cutting at another slant at X{x} Y{y} Z{z}."},
-    {"wrong-cut",
-     "{mm} mm are cut that are not asked for, first at X{x} Y{y} Z{z}, {off_mm} mm off."},
+    {"missing", "{mm} mm are not cut ({percent} %), first at {place}."},
+    {"other-tool", "Tool {got} cuts at {place}; it is to be tool {wanted}."},
+    {"other-power", "The power is {got} % at {place}; it is to be {wanted} %."},
+    {"spindle-stands", "The tool cuts at {place} while the spindle stands."},
+    {"other-slant", "The beam is cutting at another slant at {place}."},
+    {"wrong-cut", "{mm} mm are cut that are not asked for, first at {place}, {off_mm} mm off."},
     {"low-rapid", "A rapid moves across the work at Z{z}; Z{clearance} and above are clear."},
-    {"plunge", "A rapid goes down into the work at X{x} Y{y} Z{z}."},
+    {"plunge", "A rapid goes into the work at {place}."},
     {"too-slow", "It takes {got_s} s; {most_s} s are enough."},
     {"not-timed", "The time is not counted, since the program does not end."},
     {"too-many-lines", "It has {got} lines of code; {most} are enough."},
@@ -59,6 +58,18 @@ void fill_in(std::string& text, std::string_view name, const std::string& value)
     text.replace(at, slot.size(), value);
 }
 
+// "X20 Y5 Z-1"; of a turned part "X20 Z-1".
+std::string place_of(const Criterion::Values& values) {
+  std::string text;
+  for (const auto& [name, value] : values) {
+    const bool is_axis = name == "x" || name == "y" || name == "z";
+    if (!is_axis) continue;
+    text += (text.empty() ? "" : " ") + std::string(1, static_cast<char>(name[0] - 'a' + 'A'));
+    text += number_text(value);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string_view name_of(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -72,6 +83,7 @@ std::string sentence_of(const Criterion& criterion) {
                        ? kWell[static_cast<std::size_t>(criterion.kind)]
                        : kFindings[static_cast<std::size_t>(criterion.finding)].sentence);
   for (const auto& [name, value] : criterion.values) fill_in(text, name, number_text(value));
+  fill_in(text, "place", place_of(criterion.values));
   fill_in(text, "code", criterion.code);
   fill_in(text, "message", criterion.message);  // last: it may hold anything
   return text;

@@ -32,7 +32,7 @@ struct Criterion {
     other_slant,     ///< rotary axes stand elsewhere, at x y z
     wrong_cut,       ///< mm: cut and not asked for, off_mm at x y z
     low_rapid,       ///< moves in X or Y at z, below clearance
-    plunge,          ///< rapid into the work at x y z
+    plunge,          ///< rapid into the work at x y z, of a turned part x (a diameter) and z
     too_slow,        ///< got_s, most_s
     not_timed,       ///< since it does not end
     too_many_lines   ///< got, most

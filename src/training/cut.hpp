@@ -16,7 +16,10 @@ struct CutWith {
   std::array<double, 2> rotary_deg{};  ///< where the first two rotary axes stand
 };
 
-/// A short straight piece of a cut path, in work coordinates.
+// Places are work coordinates, mm. Of a turned part: Z, 0, and how far from the axis beyond the
+// bar, so that its bar has its top at 0 as milled work has, and lies where x is below 0.
+
+/// A short straight piece of a cut path.
 struct Cut {
   geometry::Vec3 from;
   geometry::Vec3 to;
@@ -28,7 +31,7 @@ struct Cut {
   [[nodiscard]] geometry::Vec3 middle() const { return 0.5 * (from + to); }
 };
 
-/// A rapid, in work coordinates.
+/// A rapid.
 struct Stroke {
   geometry::Vec3 from;
   geometry::Vec3 to;

@@ -17,10 +17,9 @@ bool is_rapid(const motion::Motion& motion) {
 
 }  // namespace
 
-CutRecorder::CutRecorder(const machine::MachineDefinition& machine, Process process, Vec3 zero,
+CutRecorder::CutRecorder(const machine::MachineDefinition& machine, const Work& work,
                          double most_mm, std::function<void()> full)
-    : process_(process),
-      zero_(zero),
+    : work_(work),
       most_mm_(most_mm),
       full_(std::move(full)),
       curves_(machine.axes),
@@ -33,12 +32,16 @@ CutRecorder::CutRecorder(const machine::MachineDefinition& machine, Process proc
 }
 
 Vec3 CutRecorder::in_work(const base::TipPoint& at) const {
-  return Vec3{at.values[linear_[0]], at.values[linear_[1]], at.values[linear_[2]]} - zero_;
+  const Vec3 place =
+      Vec3{at.values[linear_[0]], at.values[linear_[1]], at.values[linear_[2]]} - work_.zero;
+  if (work_.process != Process::turning) return place;
+  return {place.z, 0, std::fabs(place.x) - work_.bar_radius};
 }
 
 bool CutRecorder::cuts(Vec3 from, Vec3 to) const {
   if (from == to) return false;  // rotary axes alone
-  if (process_ == Process::beam) return with_.power_percent > 0;
+  if (work_.process == Process::beam) return with_.power_percent > 0;
+  if (work_.process == Process::turning && std::min(from.x, to.x) >= -kTouch_mm) return false;
   return std::min(from.z, to.z) < -kTouch_mm;
 }
 

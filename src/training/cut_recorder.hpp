@@ -12,16 +12,22 @@ namespace kerf::training {
 /// Cuts are kept in pieces of at most this length.
 inline constexpr double kPiece_mm = 0.2;
 
-/// Keeps where a run cuts and where it goes at rapid, in work coordinates.
+/// Keeps where a run cuts and where it goes at rapid (cut.hpp).
 class CutRecorder : public motion::MotionSink {
  public:
-  /// What cuts: a beam where it is on; a mill at feed wherever it is in the work, whose top is Z0.
-  enum class Process : std::uint8_t { beam, milling };
+  /// What cuts: a beam where it is on; a mill at feed wherever it is in the work, whose top is Z0;
+  /// a turning tool at feed wherever it is in the bar, whose face is Z0.
+  enum class Process : std::uint8_t { beam, milling, turning };
+  struct Work {
+    Process process{};
+    geometry::Vec3 zero;    ///< on the machine
+    double bar_radius = 0;  ///< mm, of what is turned
+  };
 
-  /// `zero` is where the work's zero lies on the machine. Behind `most_mm` of moves at feed nothing
+  /// Behind `most_mm` of moves at feed nothing
   /// is kept any more, and `full` is called once. The machine must outlive the recorder.
-  CutRecorder(const machine::MachineDefinition& machine, Process process, geometry::Vec3 zero,
-              double most_mm, std::function<void()> full);
+  CutRecorder(const machine::MachineDefinition& machine, const Work& work, double most_mm,
+              std::function<void()> full);
 
   void take(const motion::Motion& motion) override;
 
@@ -40,8 +46,7 @@ class CutRecorder : public motion::MotionSink {
   [[nodiscard]] bool cuts(geometry::Vec3 from, geometry::Vec3 to) const;
   [[nodiscard]] geometry::Vec3 in_work(const base::TipPoint& at) const;
 
-  Process process_;
-  geometry::Vec3 zero_;
+  Work work_;
   double most_mm_;
   std::function<void()> full_;
   motion::MoveCurves curves_;

@@ -7,8 +7,8 @@
 namespace kerf::training {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKeys = {
-    "file",       "machine",     "tolerance_mm", "zero_mm", "clearance_z_mm",
+constexpr std::array<std::string_view, 11> kKeys = {
+    "file",       "machine",     "tolerance_mm", "zero_mm", "clearance_z_mm", "bar_mm",
     "most_lines", "time_factor", "title",        "task",    "program"};
 
 // A line break behind the last word is none of the text's.
@@ -38,8 +38,10 @@ class Reader {
     e.tolerance_mm = at_least("tolerance_mm", 0.001);
     e.time_factor = at_least("time_factor", 1);
     e.clearance_z_mm = if_there<double>("clearance_z_mm");
+    e.bar_mm = if_there<double>("bar_mm");
     e.most_lines = if_there<int>("most_lines");
     read_zero(e.zero_mm);
+    check_bar(e);
     if (!wrong_.empty()) return tl::unexpected(base::Failure{base::Failure::Kind::input, wrong_});
     return e;
   }
@@ -86,6 +88,15 @@ class Reader {
       if (!number) complain(&(*list)[i], "zero_mm must be three numbers");
       zero[i] = number.value_or(0);
     }
+  }
+
+  void check_bar(const Exercise& e) {
+    if (!e.bar_mm) return;
+    if (*e.bar_mm <= 0) complain(file_["bar_mm"].node(), "bar_mm must be above 0");
+    if (e.clearance_z_mm)
+      complain(file_["bar_mm"].node(), "what is turned from a bar has no clearance_z_mm");
+    if (e.zero_mm[0] != 0 || e.zero_mm[1] != 0)
+      complain(file_["zero_mm"].node(), "what is turned has its zero on the axis");
   }
 
   const toml::table& file_;

@@ -31,6 +31,10 @@ struct Exercise {
   /// The work is milled: its top is Z0, a cut takes away all that is above it, and rapids that move
   /// in X or Y stay at this height or higher. Nothing: a beam cuts wherever it is on.
   std::optional<double> clearance_z_mm;
+  /// The work is turned from a bar of this diameter, mm, whose face is Z0 and whose axis is X0: a
+  /// cut takes away all that is farther from the axis at its Z, and no rapid goes where nothing was
+  /// cut before. Never beside clearance_z_mm.
+  std::optional<double> bar_mm;
   std::optional<int> most_lines;  ///< of code
   double time_factor = 0;         ///< times as long as the solution is well, >= 1
 

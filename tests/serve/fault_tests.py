@@ -157,7 +157,7 @@ def _(place):
     (place.data / "machines/laser/machine.toml").write_text("nonsense")
     server = place.serve()
     names = [m["name"] for m in server.client().do("machines")["machines"]]
-    equal(names, ["arm", "five-axis", "laser-xtz", "mill"], "machines")
+    equal(names, ["arm", "five-axis", "laser-xtz", "lathe", "mill"], "machines")
     says(server.errors(), "laser is left out")
     equal((place.data / "machines/laser/machine.toml").read_text(), "nonsense", "the file stays")
 

@@ -23,7 +23,7 @@ M99
 def _(place):
     client = place.serve().client()
     rows = {m["name"]: m for m in client.do("machines")["machines"]}
-    equal(sorted(rows), ["arm", "five-axis", "laser", "laser-xtz", "mill"], "machines")
+    equal(sorted(rows), ["arm", "five-axis", "laser", "laser-xtz", "lathe", "mill"], "machines")
     for name, row in rows.items():
         answer = client.do("watch", machine=name)
         equal(client.wait_for_path()["error"], None, name)
@@ -38,7 +38,7 @@ def _(place):
     says(client.refused("create", name="third", definition="lathe9"), "no built-in machine")
     says(client.refused("create", name="../x", definition="mill4"), "letters")
     client.do("remove", name="second")
-    equal(len(client.do("machines")["machines"]), 5, "machines")
+    equal(len(client.do("machines")["machines"]), 6, "machines")
 
 
 @test("the preview's vertices are the programmed points, at the times of the run")
@@ -194,6 +194,7 @@ def _(place):
     check("laser-basic" in suits["laser"] and "mill" not in suits["laser"], f"laser: {suits}")
     equal(suits["five-axis"], ["laser", "laser-basic", "teach"], "five-axis")
     equal(suits["arm"], ["pattern"], "arm")
+    equal(suits["lathe"], ["lathe"], "lathe")
 
 
 @test("MDI executes, jog moves until it is let go, teaching captures")

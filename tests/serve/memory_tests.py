@@ -361,7 +361,7 @@ def _(place):
 @test("a first start on a full disk ends with a sentence, and the next one makes all machines")
 def _(place):
     refused_start_on_a_full_disk(place)
-    equal(len(place.serve().client().do("machines")["machines"]), 5, "machines")
+    equal(len(place.serve().client().do("machines")["machines"]), 6, "machines")
 
 
 def killed_and_back(place, kills):

@@ -254,6 +254,87 @@ TEST(Assess, ThePowerOfABeamMustBeRight) {
   EXPECT_EQ(sentence_of(all), "The power is 60 % at X0.1 Y0 Z0; it is to be 40 %.");
 }
 
+// A pin of 20 mm diameter and 30 mm length from a bar of 30 mm, square to its shoulder.
+Exercise pin() {
+  Exercise e;
+  e.name = "pin";
+  e.machine = "lathe2";
+  e.file = "pin.nc";
+  e.tolerance_mm = 0.02;
+  e.zero_mm = {0, 0, -300};
+  e.bar_mm = 30;
+  e.time_factor = 4;
+  e.solution =
+      "O1\nT0101\nG97 S1000 M03\nG00 X25. Z2.\nG01 Z-29.9 F0.2\nX32.\nG00 Z2.\nX20.\n"
+      "G01 Z-30.\nX32.\nG00 Z5.\nM30\n";
+  return e;
+}
+
+const std::string kPinHead = "O1\nT0101\nG97 S1000 M03\nG00 X32. Z2.\n";
+const std::string kPinFoot = "G00 Z5.\nM30\n";
+
+TEST(AssessTurning, TheSolutionIsWorthAHundred) {
+  EXPECT_EQ(judged(pin(), pin().solution).score(), 100);
+}
+
+TEST(AssessTurning, OtherPassesAndCyclesAreTheSameWork) {
+  const std::string by_g90 = kPinHead + "G90 X27. Z-29.9 F0.2\nX24.\nX21.\nX20. Z-30.\n" + kPinFoot;
+  EXPECT_EQ(judged(pin(), by_g90).score(), 100);
+  const std::string by_g71 = kPinHead +
+                             "G71 U1.5 R0.5\nG71 P1 Q2 U0.4 W0.1 F0.2\nN1 G00 X20.\n"
+                             "G01 Z-30. F0.1\nN2 X32.\nG70 P1 Q2\n" +
+                             kPinFoot;
+  EXPECT_EQ(judged(pin(), by_g71).score(), 100);
+}
+
+TEST(AssessTurning, ADiameterThatIsOffIsToldAsADiameter) {
+  const std::string thick = kPinHead + "G00 X20.1\nG01 Z-30. F0.2\nX32.\n" + kPinFoot;
+  const Criterion all = criterion(judged(pin(), thick), Kind::all);
+  EXPECT_EQ(all.finding, Finding::missing);
+  EXPECT_NEAR(value(all, "x"), 20, 0.001);
+  EXPECT_NEAR(value(all, "z"), 0, 0.201);
+  EXPECT_NE(sentence_of(all).find("first at X20 Z"), std::string::npos) << sentence_of(all);
+  const std::string thin = kPinHead + "G00 X19.9\nG01 Z-30. F0.2\nX32.\n" + kPinFoot;
+  EXPECT_EQ(criterion(judged(pin(), thin), Kind::only).finding, Finding::wrong_cut);
+}
+
+TEST(AssessTurning, AShoulderInTheWrongPlaceIsFound) {
+  const std::string far = kPinHead + "G00 X20.\nG01 Z-30.1 F0.2\nX32.\n" + kPinFoot;
+  const Assessment assessment = judged(pin(), far);
+  EXPECT_TRUE(criterion(assessment, Kind::all).met());
+  const Criterion& only = criterion(assessment, Kind::only);
+  EXPECT_EQ(only.finding, Finding::wrong_cut);
+  EXPECT_NEAR(value(only, "mm"), 5.1, 0.21);
+}
+
+TEST(AssessTurning, ARapidThroughTheBarIsFoundAndOneOverWhatIsTurnedIsNone) {
+  const std::string through = kPinHead + "G00 X20. Z2.\nZ-20.\nG01 Z-30. F0.2\nX32.\n" + kPinFoot;
+  const Criterion rapids = criterion(judged(pin(), through), Kind::rapids);
+  EXPECT_EQ(rapids.finding, Finding::plunge);
+  EXPECT_EQ(rapids.line, 6U);
+  const std::string back = kPinHead + "G00 X20.\nG01 Z-30. F0.2\nX32.\nG00 Z-20.\nX25.\nZ-35.\n";
+  EXPECT_EQ(criterion(judged(pin(), back + kPinFoot), Kind::rapids).finding, Finding::plunge);
+  const std::string above = kPinHead + "G00 X20.\nG01 Z-30. F0.2\nX32.\nG00 Z-10.\nX22.\nZ2.\n";
+  EXPECT_TRUE(criterion(judged(pin(), above + kPinFoot), Kind::rapids).met());
+}
+
+TEST(AssessTurning, ABarHasNoClearanceAndItsZeroIsOnTheAxis) {
+  const auto parsed = [](const std::string& more) {
+    return Exercise::parse(
+        "file = \"a.nc\"\nmachine = \"lathe2\"\ntolerance_mm = 0.02\n"
+        "time_factor = 2\nbar_mm = 30\n" +
+            more +
+            "[title]\nen = \"a\"\nzh-Hant = \"a\"\n[task]\nen = \"a\"\n"
+            "zh-Hant = \"a\"\n[program]\nstart = \"a\"\nsolution = \"a\"\n",
+        "a");
+  };
+  EXPECT_TRUE(parsed(""));
+  EXPECT_EQ(parsed("clearance_z_mm = 1\n").error().message,
+            "a.toml:5: what is turned from a bar has no clearance_z_mm");
+  EXPECT_EQ(parsed("zero_mm = [5, 0, 0]\n").error().message,
+            "a.toml:6: what is turned has its zero on the axis");
+}
+
 TEST(CodeLines, AreThoseThatDoSomething) {
   EXPECT_EQ(code_lines("%\nO1 (A)\n\n(ONLY A COMMENT)\nG0 X1.\r\nM30\n%\n", "fanuc-mill"), 3);
   EXPECT_EQ(code_lines("' no\nrem no\nremote=1\nx=1 ' yes\n\nend", "laser-basic"), 3);

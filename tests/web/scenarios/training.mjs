@@ -55,7 +55,7 @@ export const training = [
       await result(panel).getByRole('button', { name: 'line 10' }).focus();
       await panel.page.keyboard.press('Enter');
       await panel.page.locator('.cm-activeLine', { hasText: 'G03 Y20. R6.' }).waitFor();
-      const found = result(panel).getByText('A rapid goes down into the work');
+      const found = result(panel).getByText('A rapid goes into the work');
       assert.equal(await found.count(), 1);
     },
   },

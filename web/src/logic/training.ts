@@ -69,6 +69,10 @@ export function words_of(
     const decimals = name.endsWith('_s') ? 1 : 3;
     values[name] = decimals === 1 ? fixed(value, 1) : fixed(value, 3).replace(/\.?0+$/, '');
   }
+  values.place = ['x', 'y', 'z']
+    .filter((axis) => axis in values)
+    .map((axis) => axis.toUpperCase() + values[axis])
+    .join(' ');
   values.code = criterion.code;
   values.message = alarm_words(language, { ...criterion, cause: '', remedy: '' }).message;
   const key = criterion.met ? `fulfilled.${criterion.kind}` : `finding.${criterion.finding}`;

@@ -5,7 +5,8 @@
 
 namespace kerf::server {
 
-/// A program of examples/ that is compiled in.
+/// A program of examples/ that is compiled in. The library has it from the first start on, also
+/// where no machine has it loaded.
 struct Sample {
   std::string_view file;
   std::string_view text;

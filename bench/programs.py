@@ -17,6 +17,8 @@ from typing import Callable, Iterator
 
 from dialects import FANUC, NGC, Dialect, Expect, tool_table
 from mixed_program import write_mixed
+from turning_programs import (write_moves_of_roughing, write_roughing, write_turning,
+                              write_turning_of_mill)
 
 MILLION = 1_000_000
 
@@ -195,6 +197,7 @@ class Benchmark:
     size: int
     write: Callable[[Path, Dialect, int], Expect]
     twins: dict = field(default_factory=dict)  # texts by ending, in languages that are no G-code
+    others: dict = field(default_factory=dict)  # writers by ending, of FANUC programs for the same work
 
 
 BENCHMARKS = (
@@ -204,6 +207,10 @@ BENCHMARKS = (
     Benchmark("c", "loop", "1,000,000 passes of arithmetic", MILLION, write_loop, LOOP_TWINS),
     Benchmark("d", "loop_move", "1,000,000 passes with a G01", MILLION, write_loop_with_move),
     Benchmark("e", "calls", "200,000 G65 calls", MILLION // 5, write_calls),
+    Benchmark("t", "turning", "1,000,000 short G01 of a lathe", MILLION, write_turning,
+              others={".mill.nc": write_turning_of_mill}),
+    Benchmark("u", "roughing", "10,000 passes of G71 along 1,000 blocks", MILLION // 1000, write_roughing,
+              others={".moves.nc": write_moves_of_roughing}),
 )
 TEN_MILLION = Benchmark("a10", "finishing_10m", "10,000,000 short G01", 10 * MILLION,
                         write_finishing)
@@ -217,6 +224,8 @@ def generate(benchmark: Benchmark, folder: Path, scale: float = 1, peers: bool =
         benchmark.write(folder / (benchmark.name + NGC.suffix), NGC, size)
     for suffix, text in benchmark.twins.items() if peers else ():
         (folder / (benchmark.name + suffix)).write_text(text.format(passes=size))
+    for suffix, write in benchmark.others.items() if peers else ():
+        write(folder / (benchmark.name + suffix), size)
     return expect
 
 

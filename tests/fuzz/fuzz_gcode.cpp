@@ -1,6 +1,8 @@
 // Any bytes as a program: reading them must end in a result or an alarm with a place, never in a
 // crash, a hang or unbounded memory. The first byte chooses the length of the pages, the machine
-// and the panel's switches, so that loops and jumps cross pages of one line as well as of many.
+// and the panel's switches, so that loops and jumps cross pages of one line as well as of many. For
+// a lathe the second one chooses which and its parameters.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -24,19 +26,42 @@ void check_alarm(const base::Diagnostic& alarm, std::size_t size) {
   require(alarm.place.line_start <= size);
 }
 
+// With the parameters that change what a block means.
+machine::MachineDefinition lathe(unsigned choice) {
+  machine::MachineDefinition definition =
+      *machine::find_machine((choice & 1U) != 0 ? "lathe3c" : "lathe2");
+  control::Parameters& parameters = definition.parameters;
+  parameters.check_shapes = (choice & 2U) != 0;
+  parameters.compensated_cycles = (choice & 4U) != 0;
+  parameters.bare_corners = (choice & 8U) != 0;
+  parameters.g_system = (choice & 16U) == 0 ? 'A' : (choice & 32U) == 0 ? 'B' : 'C';
+  return definition;
+}
+
+std::array<machine::MachineDefinition, 64> all_lathes() {
+  std::array<machine::MachineDefinition, 64> all;
+  for (unsigned choice = 0; choice < all.size(); ++choice) all[choice] = lathe(choice);
+  return all;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::uint8_t choice = data[0];
-  static const auto definition = *machine::find_machine("laser3");
+  const bool turns = (choice & 128U) != 0 && size > 1;
+  // Made once: reading a machine takes longer than most programs.
+  static const std::array<machine::MachineDefinition, 64> lathes = all_lathes();
+  static const machine::MachineDefinition laser = *machine::find_machine("laser3");
+  const machine::MachineDefinition& definition = turns ? lathes[data[1] % lathes.size()] : laser;
+  const std::size_t begin = turns ? 2 : 1;
   machine::Machine::Settings settings;
   settings.pages.lines_per_page = 1U << (choice & 7U);
   settings.pages.fresh_pages = 2;
   settings.pages.most_pages = 64;
   machine::BatchRun machine(definition, control::Memory(definition.parameters.n_offsets), settings);
-  machine.load(
-      base::SourceFile::from_text("-", {reinterpret_cast<const char*>(data + 1), size - 1}));
+  machine.load(base::SourceFile::from_text(
+      "-", {reinterpret_cast<const char*>(data + begin), size - begin}));
   machine.control().set_block_skip((choice & 8U) != 0 ? 0x3feU : 0);
   machine.control().set_optional_stop((choice & 16U) != 0);
   machine.control().set_single_block((choice & 32U) != 0);

@@ -244,7 +244,7 @@ Verdict GcodeControl::execute_words(const gcode::GcodePage& page, const gcode::S
     if (call.kind != BlockCall::Kind::none) return execute_call(words, call);
   }
   if (!reader_.collect(words, block_)) return Verdict::stop;
-  if (shapes_.active() && !admits_in_shape(state_, block_.words)) return Verdict::stop;
+  if (!shapes_.admits(block_.words)) return Verdict::stop;
   if (!acts_.execute(block_)) return Verdict::stop;
   return continue_block();
 }
@@ -302,21 +302,21 @@ Verdict GcodeControl::go_to_shape() {
 
 // The last block of the shape has no words: this one is executed again behind the cycle.
 Verdict GcodeControl::come_behind_shape() {
-  if (shapes_.reading()) {
-    interpreter_.jump(interpreter_.running());
-    in_block_ = true;
-    if (!shapes_.finish_reading(block_)) return Verdict::stop;
-    const Verdict verdict = continue_block();
-    return verdict == Verdict::go_on ? Verdict::transferred : verdict;
-  }
+  if (shapes_.reading()) return rough_shape();
   return shapes_.finish_making() ? Verdict::transferred : Verdict::stop;
+}
+
+Verdict GcodeControl::rough_shape() {
+  in_block_ = true;
+  if (!shapes_.finish_reading(block_)) return Verdict::stop;
+  const Verdict verdict = continue_block();
+  return verdict == Verdict::go_on ? Verdict::transferred : verdict;
 }
 
 // A block that is read commands nothing; behind the last one the cycle goes on.
 Verdict GcodeControl::finish_shape_block() {
   if (!shapes_.end_block(block_) || !state_.path.end_block()) return Verdict::stop;
-  if (shapes_.is_last(block_))
-    return shapes_.finish_reading(block_) ? continue_block() : Verdict::stop;
+  if (shapes_.is_last(block_)) return rough_shape();
   in_block_ = false;
   return Verdict::go_on;
 }

@@ -127,6 +127,7 @@ class GcodeControl : public ProgramControl {
   vm::Verdict continue_block();
   vm::Verdict go_to_shape();
   vm::Verdict come_behind_shape();
+  vm::Verdict rough_shape();
   vm::Verdict finish_shape_block();
   vm::Verdict finish_block();
   bool come_to_optional_stop();

@@ -65,10 +65,17 @@ bool ShapeBlocks::is_behind(std::uint32_t sequence) const {
          sequence != stretch_->last;
 }
 
+bool ShapeBlocks::admits(const Words& words) const {
+  return !active() || admits_in_shape(state_, acts_.targets(), words);
+}
+
 bool ShapeBlocks::finish_reading(ReadBlock& block) {
+  vm::Address next = interpreter_.running();
+  if (is_last(block)) ++next.instruction;
   const Stretch stretch = std::move(*stretch_);
   stretch_.reset();
   if (!reader_.end()) return false;
+  interpreter_.jump(stretch.end < stretch.behind ? stretch.behind : next);
   words_ = stretch.words;
   state_.line = stretch.line;
   state_.path.begin_block(stretch.block);
@@ -84,7 +91,7 @@ bool ShapeBlocks::finish_reading(ReadBlock& block) {
 bool ShapeBlocks::finish_making() {
   const Stretch stretch = std::move(*stretch_);
   stretch_.reset();
-  if (state_.path.holds_corner()) return state_.alarms.raise(Code::shape_last_block);
+  if (!ends_complete(state_)) return false;
   if (!state_.path.straight(state_.rapid(on_path(stretch.home)))) return false;
   state_.coordinates.arrive_at(stretch.home);
   buffer_.release();

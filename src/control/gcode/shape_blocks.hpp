@@ -31,6 +31,9 @@ class ShapeBlocks {
   /// an alarm was raised.
   [[nodiscard]] bool go(const ReadBlock& cycle, std::span<const gcode::Word> words);
   [[nodiscard]] bool active() const { return stretch_.has_value(); }
+  /// Whether a shape that is read or made may have a block with these words; false: an alarm was
+  /// raised.
+  [[nodiscard]] bool admits(const Words& words) const;
   /// What the blocks command is a shape, and moves nothing.
   [[nodiscard]] bool reading() const { return reader_.reading(); }
   /// Whether the executing block, which has this sequence number, stands behind the shape: its last
@@ -42,8 +45,10 @@ class ShapeBlocks {
   }
   /// A block of a shape that is read is over. False: an alarm was raised.
   [[nodiscard]] bool end_block(const ReadBlock& block) { return reader_.end_block(block.words); }
-  /// The shape is read: `block` is that of the cycle again, which makes its passes now. False: an
-  /// alarm was raised.
+  /// The shape is read: `block` is that of the cycle again, which makes its passes now. The program
+  /// goes on behind the shape, or behind the cycle where that stands behind its shape. False: an
+  /// alarm was raised. Precondition: `block` is the last one, or the executing block stands behind
+  /// that.
   [[nodiscard]] bool finish_reading(ReadBlock& block);
   /// The shape is made: home, and behind the block of G70. False: an alarm was raised.
   [[nodiscard]] bool finish_making();

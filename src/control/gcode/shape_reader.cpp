@@ -12,6 +12,9 @@ namespace {
 
 using base::Code;
 
+// More is a loop that never comes to the last block.
+constexpr std::size_t kMostPieces = 300000;
+
 bool is_of_shape(const Words::G& g, bool has_nose) {
   switch (g.group()) {
     case Group::compensation: return !has_nose;
@@ -26,27 +29,33 @@ bool is_of_shape(const Words::G& g, bool has_nose) {
   }
 }
 
-bool calls(Function function) {
-  return function == Function::call || function == Function::return_ ||
-         function == Function::external_call;
-}
-
 bool ends(Function function) {
   return function == Function::end || function == Function::end_and_rewind;
 }
 
 }  // namespace
 
-bool admits_in_shape(State& state, const Words& words) {
+bool admits_in_shape(State& state, const Targets& targets, const Words& words) {
+  for (std::size_t i = 0; i < state.axes.count(); ++i) {
+    const base::Axis axis{static_cast<std::uint8_t>(i)};
+    const gcode::Word* const word = targets.word_of(words, axis);
+    if (word != nullptr && state.axes[axis].letter != 'X' && state.axes[axis].letter != 'Z')
+      return state.alarms.raise(Code::shape_command, word->text, "a shape lies in X and Z");
+  }
   for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
     if (g->row != nullptr && !is_of_shape(*g, state.parameters.compensated_cycles))
       return state.alarms.raise(Code::shape_command, g->word->text);
   }
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
-    if (calls(m->function())) return state.alarms.raise(Code::call_in_shape, m->word->text);
+    if (is_call(m->function())) return state.alarms.raise(Code::call_in_shape, m->word->text);
     if (ends(m->function())) return state.alarms.raise(Code::shape_command, m->word->text);
   }
   return true;
+}
+
+bool ends_complete(State& state) {
+  if (state.path.unfinished()) return state.alarms.raise(Code::shape_last_angle);
+  return !state.path.holds_corner() || state.alarms.raise(Code::shape_last_block);
 }
 
 bool ShapeReader::begin(const motion::PlaneAxes& axes) {
@@ -74,6 +83,8 @@ bool ShapeReader::begins_straight(const Words& words) const {
 }
 
 bool ShapeReader::end_block(const Words& words) {
+  if (shape_.pieces.size() > kMostPieces)
+    return state_.alarms.raise(Code::shape_not_found, "the shape does not come to its last block");
   if (!in_first_) return true;
   in_first_ = false;
   if (!begins_straight(words)) return state_.alarms.raise(Code::shape_first_block);
@@ -85,10 +96,9 @@ bool ShapeReader::end_block(const Words& words) {
 }
 
 bool ShapeReader::end() {
-  const bool complete = !state_.path.holds_corner();
-  const bool good = !complete || !has_nose_ || compensate();
+  const bool good = ends_complete(state_) && (!has_nose_ || compensate());
   restore();
-  return complete ? good : state_.alarms.raise(Code::shape_last_block);
+  return good;
 }
 
 // The contour goes through the compensation from the start on, where the tool has no offset, and

@@ -71,6 +71,10 @@ class ShapeReader : public motion::MotionSink {
 };
 
 /// Whether a shape may have a block with these words; false: an alarm was raised (PS0325, PS0210).
-[[nodiscard]] bool admits_in_shape(State& state, const Words& words);
+[[nodiscard]] bool admits_in_shape(State& state, const Targets& targets, const Words& words);
+
+/// Whether nothing of the shape waits for a block behind its last one; false: an alarm was raised
+/// (PS0069, PS0326).
+[[nodiscard]] bool ends_complete(State& state);
 
 }  // namespace kerf::control

@@ -85,11 +85,13 @@ bool Surfaces::check_alone(const Words& words, const Words::G& g) {
          state_.alarms.raise(Code::polar_misuse, g.word->text, "it is in force already");
 }
 
-// Corners and compensation do not go on into another plane.
+// Corners and compensation do not go on into another plane. An offset that G40 has left to the next
+// move stays where it is: that move has no plane to lose it in.
 bool Surfaces::may_switch(Code code) {
-  if (state_.modal.compensating() || state_.path.compensating())
-    return state_.alarms.raise(code, "G41 or G42 is in force");
-  return state_.path.release();
+  if (state_.modal.compensating()) return state_.alarms.raise(code, "G41 or G42 is in force");
+  if (!state_.path.release()) return false;
+  if (state_.path.compensating()) state_.path.go_back_to(state_.path.tip());
+  return true;
 }
 
 bool Surfaces::find_axes(char first, Surface& surface) const {

@@ -40,4 +40,10 @@ enum class Function : std::uint8_t {
 #undef ALSO_M
 };
 
+/// Whether an M code calls a program or returns from one.
+[[nodiscard]] constexpr bool is_call(Function function) {
+  return function == Function::call || function == Function::return_ ||
+         function == Function::external_call;
+}
+
 }  // namespace kerf::control

@@ -103,7 +103,9 @@ bool MultipleCycles::set_thread(const Words& words) {
     if (least < 0) return state_.alarms.raise(Code::illegal_minus, words['Q'].text);
     state_.parameters.thread_least_cut = least;
   }
-  return !words.has('R') || state_.values.length(words['R'], state_.parameters.thread_finish);
+  if (!words.has('R')) return true;
+  if (words['R'].value < 0) return state_.alarms.raise(Code::illegal_minus, words['R'].text);
+  return state_.values.length(words['R'], state_.parameters.thread_finish);
 }
 
 // Two digits each: finishing passes, run-out in tenths of the lead, angle of the tip.

@@ -35,14 +35,29 @@ Code code_of(ShapeFault::Reason reason) {
 
 bool ShapeCycles::execute(Meaning cycle, const Words& words, bool& moved) {
   motion::PlaneAxes axes;
-  if (!turning_.plane(axes)) return false;
-  if (words.has_any(Words::mask("XZYC")))
-    return state_.alarms.raise(Code::cycle_words, "X and Z belong to the shape");
+  if (!turning_.plane(axes) || !stands_alone(words)) return false;
+  if (state_.modal[Group::modal_call] != Meaning::modal_call_off)
+    return state_.alarms.raise(Code::cycle_state, "a modal macro call is in force");
   const bool sets = !words.has('P') && !words.has('Q') && cycle != Meaning::finishing;
   if (sets && cycle == Meaning::pattern_repeat) return set_pattern(words);
   if (sets) return set_depth(words, cycle == Meaning::rough_turning ? 'U' : 'W');
   moved = true;
   return ask(cycle, words);
+}
+
+bool ShapeCycles::stands_alone(const Words& words) {
+  if (words.has_any(Words::mask("XZYC")))
+    return state_.alarms.raise(Code::cycle_words, "X and Z belong to the shape");
+  const Words::G* first = nullptr;
+  for (const Words::G* g = words.g_begin(); g != words.g_end(); ++g) {
+    if (g->row == nullptr || g->group() != Group::one_shot) continue;
+    if (first != nullptr) return state_.alarms.raise(Code::cycle_words, g->word->text);
+    first = g;
+  }
+  for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
+    if (is_call(m->function())) return state_.alarms.raise(Code::cycle_words, m->word->text);
+  }
+  return true;
 }
 
 bool ShapeCycles::read_length(const Words& words, char letter, double& mm) {
@@ -55,6 +70,8 @@ bool ShapeCycles::set_depth(const Words& words, char depth) {
   if (!read_length(words, depth, parameters.rough_depth) ||
       !read_length(words, 'R', parameters.rough_retreat))
     return false;
+  if (parameters.rough_retreat < 0)
+    return state_.alarms.raise(Code::illegal_minus, words['R'].text);
   return parameters.rough_depth > 0 || state_.alarms.raise(Code::cycle_depth);
 }
 

@@ -41,6 +41,7 @@ class ShapeCycles {
   [[nodiscard]] bool begin(const TurningShape& shape, std::vector<base::BlockId> blocks);
 
  private:
+  bool stands_alone(const Words& words);
   bool set_depth(const Words& words, char depth);
   bool set_pattern(const Words& words);
   bool ask(Meaning cycle, const Words& words);

@@ -3,6 +3,7 @@ laser left on each millimetre."""
 
 import re
 import xml.etree.ElementTree as xml
+from pathlib import Path
 
 from harness import check, contains, equal, refused, status, test
 from limit_tests import bounded, fill
@@ -149,3 +150,23 @@ def no_beam(box):
     result = box.kerf("run", "part.nc", "--machine", "laser3", "--plot", "a.png", "--plot-energy")
     status(result, 0)
     check("energy" not in result.err, "the summary tells of an energy")
+
+
+@test("the half section of the documents is the one that their command draws")
+def half_section(box):
+    images = Path(__file__).resolve().parents[2] / "docs" / "images" / "lathe"
+    box.write("shaft.nc", (images / "shaft.nc").read_bytes())
+    status(box.kerf("run", "shaft.nc", "--machine", "lathe2", "--plot", "shaft.svg"), 0)
+    equal(box.read("shaft.svg"), (images / "shaft.svg").read_bytes(), "shaft.svg")
+
+
+@test("a lathe is drawn as a half section by its axis X, not by its name, also coloured by speeds")
+def lathes_by_their_axes(box):
+    box.write("part.nc", "O1\nG98\nG00X40.Z5.\nG01Z-20.F100\nM30\n")
+    box.write("own.toml", box.kerf("machines", "lathe2").text.replace('name = "lathe2"', 'name = "own"', 1))
+    for words in (["--machine", "own.toml"], ["--machine", "lathe3c"], ["--machine", "lathe2", "--plot-speed"]):
+        status(box.kerf("run", "part.nc", *words, "--plot", "a.svg"), 0)
+        contains(box.read("a.svg").decode(), "Half section", f"the picture of {words}")
+    box.write("own.toml", box.kerf("machines", "lathe2").text.replace("diameter = true", ""))
+    status(box.kerf("run", "part.nc", "--machine", "own.toml", "--plot", "a.svg"), 0)
+    check("Half section" not in box.read("a.svg").decode(), "X is no diameter there")

@@ -27,6 +27,7 @@ import engraving_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import lathe_point_tests  # noqa: F401
+import lathe_post_tests  # noqa: F401
 import lathe_row_tests  # noqa: F401
 import library_tests  # noqa: F401
 import limit_tests  # noqa: F401

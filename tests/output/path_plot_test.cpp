@@ -185,14 +185,6 @@ TEST(PathPlot, AMachineWithoutYShowsZToTheRightAndXUpward) {
   expect_sound(plot);
 }
 
-TEST(PathPlot, DiametersAreDrawnInTrueShapeAndNamedAsDiameters) {
-  PathPlot plot(axes("XZ"), "lathe", PlotColors::tools, XMeasure::diameter);
-  plot.take(motion(motion::Line{at(40, -40), {}}));  // 20 mm by 40 mm
-  const std::string svg = plot.svg();
-  EXPECT_NE(svg.find(">X \u2300 mm<"), std::string::npos);
-  EXPECT_NE(svg.find(">40<"), std::string::npos);  // the extent of X, as programmed
-}
-
 TEST(PathPlot, RotaryAxesAreNotDrawn) {
   PathPlot plain(axes("XYZ"), ""), turning(axes("XYZA"), "");
   plain.take(line(10, 10, 0));

@@ -12,7 +12,7 @@ namespace {
 using namespace testing;
 
 TEST(PathRecorder, TellsCutsFromTravelling) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(rapid(-50, 0, 10));
   recorder.take(line(10, 20, -5));
   EXPECT_EQ(recorder.cut_extents().low(), (Point3{-50, 0, -5}));
@@ -23,7 +23,7 @@ TEST(PathRecorder, TellsCutsFromTravelling) {
 }
 
 TEST(PathRecorder, CutExtentsIncludeWhereACutBegins) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(rapid(5, 5, 0));
   recorder.take(line(20, 5, 0));
   recorder.take(rapid(-30, 5, 0));
@@ -32,14 +32,14 @@ TEST(PathRecorder, CutExtentsIncludeWhereACutBegins) {
 }
 
 TEST(PathRecorder, CutExtentsIncludeTheBulgeOfAnArc) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(rapid(10, 0, 0));
   recorder.take(arc(-10, 0, 0, 0, 0));
   EXPECT_NEAR(recorder.cut_extents().high()[kY], 10, 1e-12);
 }
 
 TEST(PathRecorder, WithTheBeamOffAFeedMoveIsTravelling) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(power(0));
   recorder.take(line(100, 0));
   EXPECT_TRUE(recorder.cut_extents().empty());
@@ -49,7 +49,7 @@ TEST(PathRecorder, WithTheBeamOffAFeedMoveIsTravelling) {
 }
 
 TEST(PathRecorder, ThreadsAreCutsAndProbingIsTravelling) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(motion(motion::Probe{at(10, 0), {}, true}));
   EXPECT_TRUE(recorder.cut_extents().empty());
   recorder.take(motion(motion::Thread{at(20, 0), 1.5}));
@@ -57,7 +57,7 @@ TEST(PathRecorder, ThreadsAreCutsAndProbingIsTravelling) {
 }
 
 TEST(PathRecorder, StartsWhereTheFirstCutStartsAndEndsWhereTheLastOneEnds) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(rapid(5, 0));
   EXPECT_EQ(recorder.start(), (Point3{0, 0, 0}));
   EXPECT_EQ(recorder.end(), (Point3{5, 0, 0}));
@@ -68,17 +68,17 @@ TEST(PathRecorder, StartsWhereTheFirstCutStartsAndEndsWhereTheLastOneEnds) {
 }
 
 TEST(PathRecorder, FindsAxesByTheirLetters) {
-  PathRecorder recorder(axes("ZAXY"), 1);
+  PathRecorder recorder(axes("ZAXY"));
   recorder.take(motion(motion::Line{{{-3, 90, 1, 2}}, {}}));
   EXPECT_EQ(recorder.end(), (Point3{1, 2, -3}));
 }
 
-TEST(PathRecorder, HalvesDiametersAlsoInArcs) {
-  PathRecorder recorder(axes("XZ"), 0.5);
+TEST(PathRecorder, ArcsOfALatheLieInItsPlane) {
+  PathRecorder recorder(lathe_axes());
   motion::Arc ball;  // a ball end of radius 10
   ball.plane = motion::Plane::zx;
   ball.direction = motion::Direction::counterclockwise;
-  ball.to = at(20, -10);
+  ball.to = at(10, -10);
   ball.center = {-10, 0};
   recorder.take(motion(ball));
   EXPECT_FALSE(recorder.has_y());
@@ -88,7 +88,7 @@ TEST(PathRecorder, HalvesDiametersAlsoInArcs) {
 }
 
 TEST(PathRecorder, AnArcInAPlaneTheMachineLacksIsItsChord) {
-  PathRecorder recorder(axes("XZ"), 1);
+  PathRecorder recorder(axes("XZ"));
   motion::Arc arc;
   arc.to = at(10, 5);
   recorder.take(motion(arc));
@@ -102,7 +102,7 @@ motion::SpaceArc space_arc(const base::TipPoint& via, const base::TipPoint& to) 
 }
 
 TEST(PathRecorder, AnArcInSpaceIsDrawnInChordsOfItsCircle) {
-  PathRecorder recorder(axes("XYZ"), 1);  // about (30, 0, 8.75) with radius 31.25
+  PathRecorder recorder(axes("XYZ"));  // about (30, 0, 8.75) with radius 31.25
   recorder.take(motion(space_arc(at(30, 0, 40), at(60, 0, 0))));
   const Path path = recorder.store().path();
   for (const Path::Vertex& vertex : path.vertices) {
@@ -117,7 +117,7 @@ TEST(PathRecorder, AnArcInSpaceIsDrawnInChordsOfItsCircle) {
 }
 
 TEST(PathRecorder, AFullCircleInSpaceComesBack) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   motion::SpaceArc circle = space_arc(at(30, 0, 40), at(0, 0, 0));
   circle.second_via = at(60, 0, 0);
   circle.full_circle = true;
@@ -128,7 +128,7 @@ TEST(PathRecorder, AFullCircleInSpaceComesBack) {
 }
 
 TEST(PathRecorder, WithTheBeamOffAnArcInSpaceIsTravelling) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   recorder.take(power(0));
   recorder.take(motion(space_arc(at(30, 0, 40), at(60, 0, 0))));
   EXPECT_TRUE(recorder.cut_extents().empty());
@@ -136,14 +136,14 @@ TEST(PathRecorder, WithTheBeamOffAnArcInSpaceIsTravelling) {
 }
 
 TEST(PathRecorder, AnArcInSpaceThatTheMachineLacksAnAxisForIsTwoLines) {
-  PathRecorder recorder(axes("XZ"), 1);  // Y is not drawn: the points lie on one line
+  PathRecorder recorder(axes("XZ"));  // Y is not drawn: the points lie on one line
   recorder.take(motion(space_arc(at(10, 0), at(30, 0))));
   EXPECT_EQ(recorder.store().path().vertices.size(), 3U);
   EXPECT_EQ(recorder.end(), (Point3{30, 0, 0}));
 }
 
 TEST(PathRecorder, RemembersEachToolOnceAndWhereItFirstCuts) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   for (const std::uint32_t number : {4U, 9U, 4U}) {
     recorder.take(tool(number));
     recorder.take(line(number, recorder.end()[kY] + 1));
@@ -156,7 +156,7 @@ TEST(PathRecorder, RemembersEachToolOnceAndWhereItFirstCuts) {
 }
 
 TEST(PathRecorder, TheNumberOfToolsIsBounded) {
-  PathRecorder recorder(axes("XYZ"), 1);
+  PathRecorder recorder(axes("XYZ"));
   for (std::uint32_t i = 1; i <= 10'000; ++i) {
     recorder.take(tool(i));
     recorder.take(line(i, 0));

@@ -20,6 +20,13 @@ inline motion::AxisSetup axes(std::string_view letters) {
   return setup;
 }
 
+/// Of a lathe: X is a diameter; with C its spindle is an axis.
+inline motion::AxisSetup lathe_axes(std::string_view letters = "XZ") {
+  motion::AxisSetup setup = axes(letters);
+  setup.axes.front().diameter = true;
+  return setup;
+}
+
 inline motion::Motion motion(const motion::Motion::Action& action) {
   motion::Motion result;
   result.action = action;

@@ -136,8 +136,8 @@ struct Drawing {
     EXPECT_NEAR(static_cast<double>(slowest_at(x, y)) + 0.5, wanted, 1) << "at " << x << ", " << y;
   }
 
-  PathRecorder motions{axes("XYZ"), 1};
-  CutRecorder speeds{axes("XYZ"), 1, std::make_unique<SpeedOfCut>()};
+  PathRecorder motions{axes("XYZ")};
+  CutRecorder speeds{axes("XYZ"), std::make_unique<SpeedOfCut>()};
 };
 
 TEST(SpeedPlot, ALineShowsTheRampsAtItsEnds) {
@@ -212,13 +212,6 @@ TEST(SpeedPlot, WhatGoesOnElsewhereIsNotJoined) {
   drawing.speeds.start({1.5, at(100, 100), {}});
   machine.line({100, 100, 0}, {0, 100, 0});
   EXPECT_TRUE(drawing.shades_at(100, 50).empty());
-}
-
-TEST(SpeedPlot, DiametersAreSpeedsOfTheRadius) {
-  CutRecorder lathe(axes("XZ"), 0.5, std::make_unique<SpeedOfCut>());
-  lathe.start({});
-  lathe.take({1, at(20, 0), {}}, 0);  // 10 mm in a second
-  EXPECT_NEAR(lathe.measure().scale().top(), 600, 1e-9);
 }
 
 // Twenty minutes of a zigzag: more than a million set-points.
@@ -334,13 +327,13 @@ TEST(SpeedPlot, ATangleOfRampsGivesAPictureOfBoundedSize) {
 }
 
 TEST(SpeedPlot, ALatheIsDrawnInItsPlane) {
-  PathPlot plot(axes("XZ"), "lathe", PlotColors::speeds, XMeasure::diameter);
+  PathPlot plot(lathe_axes(), "lathe", PlotColors::speeds);
   plot.start({});
   Machine machine([&](const motion::Setpoint& point) {
     plot.take(motion::AxisPoint{point, base::JointPoint(point.tip.numbers())});
     plot.take(motion(motion::Line{point.tip, {}}));
   });
-  machine.move(1, [](double time_s) { return at(40 * time_s, -15 * time_s); });  // 25 mm/s
+  machine.move(1, [](double time_s) { return at(20 * time_s, -15 * time_s); });  // 25 mm/s
   const std::string svg = plot.svg();
   EXPECT_NE(svg.find(">X \u2300 mm<"), std::string::npos);
   EXPECT_NE(svg.find(">fastest cut 1500 "), std::string::npos);

@@ -6,6 +6,7 @@
 #include "face/cli/failure.hpp"
 #include "job/facts_of_run.hpp"
 #include "machine/dialect/taught_for.hpp"
+#include "output/programs/lathe_post.hpp"
 #include "output/programs/post.hpp"
 #include "output/programs/taught_program.hpp"
 #include "output/records/laser_pulses.hpp"
@@ -91,14 +92,18 @@ Outcome<void> Outputs::open_rows() {
 
 Outcome<void> Outputs::open_post() {
   return files_.open(options_.post, kDrives, [&](OutputFile& file) {
-    auto post =
-        std::make_unique<output::Post>(machine_.definition(), job::title_of(machine_), file);
-    files_.when_over([this, writer = post.get()](OutputFile&) {
-      writer->finish();
-      remarks_ += writer->remark();
-      post_report_ = writer->json();
-    });
-    add(std::move(post));
+    const machine::MachineDefinition& definition = machine_.definition();
+    const auto write = [&](auto post) {
+      files_.when_over([this, writer = post.get()](OutputFile&) {
+        writer->finish();
+        remarks_ += writer->remark();
+        post_report_ = writer->json();
+      });
+      add(std::move(post));
+    };
+    const std::string title = job::title_of(machine_);
+    definition.axes.turns() ? write(std::make_unique<output::LathePost>(definition, title, file))
+                            : write(std::make_unique<output::Post>(definition, title, file));
   });
 }
 
@@ -184,7 +189,9 @@ std::unique_ptr<output::PathPlot> Outputs::make_plot() const {
   if (options_.plot_energy)
     return std::make_unique<output::PathPlot>(definition.axes, title(), definition.drive.laser);
   const auto colors = options_.plot_speed ? output::PlotColors::speeds : output::PlotColors::tools;
-  return std::make_unique<output::PathPlot>(definition.axes, title(), colors);
+  return std::make_unique<output::PathPlot>(
+      definition.axes, title(), colors,
+      output::ToolTable{&machine_.memory(), definition.parameters.geometry_by_tool});
 }
 
 Outcome<void> Outputs::open_plot() {

@@ -9,22 +9,21 @@
 #include "output/picture/internal/energy_of_cut.hpp"
 #include "output/picture/internal/path_recorder.hpp"
 #include "output/picture/internal/sheet.hpp"
+#include "output/picture/internal/turning_recorder.hpp"
 
 namespace kerf::output {
 namespace {
 
 constexpr double kPixelsPerUnit = 1.5;  // 2400 pixels wide
 
-double x_scale_of(XMeasure x) { return x == XMeasure::diameter ? 0.5 : 1.0; }
-
 }  // namespace
 
-PathPlot::PathPlot(const motion::AxisSetup& axes, std::string title, PlotColors colors, XMeasure x)
-    : recorder_(std::make_unique<plot::PathRecorder>(axes, x_scale_of(x))),
-      title_(std::move(title)) {
+PathPlot::PathPlot(const motion::AxisSetup& axes, std::string title, PlotColors colors,
+                   const ToolTable& tools)
+    : recorder_(std::make_unique<plot::PathRecorder>(axes)), title_(std::move(title)) {
+  if (axes.turns()) turning_ = std::make_unique<plot::TurningRecorder>(axes, tools);
   if (colors == PlotColors::speeds)
-    cuts_ = std::make_unique<plot::CutRecorder>(axes, x_scale_of(x),
-                                                std::make_unique<plot::SpeedOfCut>());
+    cuts_ = std::make_unique<plot::CutRecorder>(axes, std::make_unique<plot::SpeedOfCut>());
 }
 
 PathPlot::PathPlot(const motion::AxisSetup& axes, std::string title,
@@ -32,12 +31,21 @@ PathPlot::PathPlot(const motion::AxisSetup& axes, std::string title,
     : PathPlot(axes, std::move(title)) {
   auto energy = std::make_unique<plot::EnergyOfCut>(laser);
   energy_ = energy.get();
-  cuts_ = std::make_unique<plot::CutRecorder>(axes, 1, std::move(energy));
+  cuts_ = std::make_unique<plot::CutRecorder>(axes, std::move(energy));
 }
 
 PathPlot::~PathPlot() = default;
 
-void PathPlot::take(const motion::Motion& motion) { recorder_->take(motion); }
+void PathPlot::take(const motion::Motion& motion) {
+  const plot::Point3 from = recorder_->position();
+  recorder_->take(motion);
+  if (turning_) turning_->take(motion, *recorder_, from);
+}
+
+plot::DisplayList PathPlot::sheet() const {
+  return plot::draw_sheet(*recorder_, turning_.get(), cuts_.get(), title_);
+}
+
 void PathPlot::travel_through(const base::TipPoint& place) { recorder_->travel_through(place); }
 void PathPlot::start(const motion::AxisPoint& at) { cuts_->start(at.tip); }
 void PathPlot::take(const motion::AxisPoint& point) { cuts_->take(point.tip, point.power_percent); }
@@ -49,12 +57,8 @@ std::string PathPlot::remark() const {
          std::to_string(energy_->line_of_most()) + "\n";
 }
 
-std::string PathPlot::svg() const {
-  return plot::write_svg(plot::draw_sheet(*recorder_, cuts_.get(), title_));
-}
+std::string PathPlot::svg() const { return plot::write_svg(sheet()); }
 
-std::string PathPlot::png() const {
-  return plot::write_png(plot::draw_sheet(*recorder_, cuts_.get(), title_), kPixelsPerUnit);
-}
+std::string PathPlot::png() const { return plot::write_png(sheet(), kPixelsPerUnit); }
 
 }  // namespace kerf::output

@@ -8,6 +8,7 @@
 #include "motion/axis_point.hpp"
 #include "motion/axis_setup.hpp"
 #include "motion/motion.hpp"
+#include "output/picture/tool_table.hpp"
 
 namespace kerf::output {
 
@@ -15,17 +16,19 @@ namespace plot {
 class PathRecorder;
 class CutRecorder;
 class EnergyOfCut;
+class TurningRecorder;
+struct DisplayList;
 }  // namespace plot
-
-/// What the X values of a machine's motions measure; lathes say diameters.
-enum class XMeasure : std::uint8_t { length, diameter };
 
 /// What the colour of a cut means: its tool, or how fast it was really made.
 enum class PlotColors : std::uint8_t { tools, speeds };
 
 /// The picture of a tool path: one sheet with an isometric view, the view from above with ruled
 /// axes, the holes, the extents and a legend of the tools. A machine without a Y axis gets one view
-/// instead, Z to the right and X upward.
+/// instead, Z to the right and X upward, and a lathe, whose X is a diameter, a half section: the
+/// path above the axis of rotation, below it what its cuts have left of the part (TurnedProfile),
+/// inserts in the shape that the tools' ways and noses tell, and, where the spindle was an axis,
+/// the face.
 ///
 /// Coloured by tools it needs the motions alone; coloured by speeds it shows how fast the tool went
 /// as the set-points have it, and those are its way where it cuts. Coloured by energies likewise,
@@ -40,10 +43,10 @@ enum class PlotColors : std::uint8_t { tools, speeds };
 /// The same motions give the same bytes.
 class PathPlot : public motion::MotionSink, public motion::AxisPointSink {
  public:
-  /// `title` is UTF-8; what is not is shown as '?'. With XMeasure::diameter the path is drawn in
-  /// true shape, and numbers of X stay diameters.
+  /// `title` is UTF-8; what is not is shown as '?'. Of a lathe the noses are those that `tools`
+  /// says while they are at work.
   PathPlot(const motion::AxisSetup& axes, std::string title, PlotColors colors = PlotColors::tools,
-           XMeasure x = XMeasure::length);
+           const ToolTable& tools = {});
   /// Coloured by the energies of this laser. Precondition: it is fitted.
   PathPlot(const motion::AxisSetup& axes, std::string title, const machine::LaserSettings& laser);
   ~PathPlot() override;
@@ -66,8 +69,11 @@ class PathPlot : public motion::MotionSink, public motion::AxisPointSink {
   [[nodiscard]] std::string png() const;
 
  private:
+  [[nodiscard]] plot::DisplayList sheet() const;
+
   std::unique_ptr<plot::PathRecorder> recorder_;
-  std::unique_ptr<plot::CutRecorder> cuts_;  // null: coloured by tools
+  std::unique_ptr<plot::TurningRecorder> turning_;  // of a lathe
+  std::unique_ptr<plot::CutRecorder> cuts_;         // null: coloured by tools
   const plot::EnergyOfCut* energy_ = nullptr;
   std::string title_;
 };

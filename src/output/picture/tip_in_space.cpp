@@ -16,19 +16,18 @@ double drawable(double value, double otherwise) {
 
 }  // namespace
 
-TipInSpace::TipInSpace(const motion::AxisSetup& axes, double x_scale) {
+TipInSpace::TipInSpace(const motion::AxisSetup& axes) {
   constexpr std::array<char, 3> kLetters{'X', 'Y', 'Z'};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = axes.find(kLetters[i]);
-    if (axis && !axes[*axis].rotary) from_[i] = {base::index(*axis), i == kX ? x_scale : 1};
+    if (axis && !axes[*axis].rotary) from_[i] = axis;
   }
 }
 
 Point3 TipInSpace::point_of(const base::TipPoint& tip, const Point3& otherwise) const {
   Point3 point;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Coordinate& from = from_[i];
-    point[i] = from.scale == 0 ? 0 : drawable(tip.values[from.axis] * from.scale, otherwise[i]);
+    point[i] = from_[i] ? drawable(tip[*from_[i]], otherwise[i]) : 0;
   }
   return point;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "base/axes.hpp"
 #include "motion/axis_setup.hpp"
@@ -12,20 +13,15 @@ namespace kerf::output::plot {
 /// that the machine lacks or that turns. Value type.
 class TipInSpace {
  public:
-  /// `x_scale`: lengths along X are the X words times this.
-  TipInSpace(const motion::AxisSetup& axes, double x_scale);
+  explicit TipInSpace(const motion::AxisSetup& axes);
 
   /// A coordinate that is not finite is that of `otherwise`; one beyond what can be drawn is there.
   [[nodiscard]] Point3 point_of(const base::TipPoint& tip, const Point3& otherwise) const;
-  /// Of X, Y or Z: its lengths are words times this; 0 when the machine lacks it.
-  [[nodiscard]] double scale(std::size_t coordinate) const { return from_[coordinate].scale; }
+  /// X, Y or Z.
+  [[nodiscard]] bool has(std::size_t coordinate) const { return from_[coordinate].has_value(); }
 
  private:
-  struct Coordinate {
-    std::size_t axis = 0;
-    double scale = 0;
-  };
-  std::array<Coordinate, 3> from_{};
+  std::array<std::optional<base::Axis>, 3> from_{};
 };
 
 }  // namespace kerf::output::plot

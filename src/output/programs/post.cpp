@@ -316,12 +316,7 @@ void Post::finish() {
   body_.copy_to_output(place_at, body_.size());
 }
 
-std::string Post::remark() const {
-  if (lost_.count() == 0) return {};
-  return "  --post: what plain G-code cannot say is in " + std::to_string(lost_.count()) +
-         (lost_.count() == 1 ? " comment" : " comments") + ", the first one of line " +
-         std::to_string(lost_.kinds().front().line) + "\n";
-}
+std::string Post::remark() const { return lost_.remark(); }
 
 std::string Post::json() const { return JsonObject().raw("lost", lost_.json()).done(); }
 

@@ -83,7 +83,7 @@ PathChunks::PathChunks(const machine::MachineDefinition& machine, Source source,
                        Emit emit)
     : axes_(machine.axes),
       norms_{motion::linear_axes(axes_), axes_.count()},
-      space_(axes_, 1),
+      space_(axes_),
       source_(source),
       run_(run),
       emit_(std::move(emit)),

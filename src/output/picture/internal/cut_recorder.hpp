@@ -14,9 +14,8 @@ namespace kerf::output::plot {
 /// period, the way of the tip in space by its time. Bounded memory, as PathStore has it.
 class CutRecorder {
  public:
-  /// `x_scale`: lengths along X are the X words times this.
-  CutRecorder(const motion::AxisSetup& axes, double x_scale, std::unique_ptr<CutMeasure> measure)
-      : space_(axes, x_scale), measure_(std::move(measure)) {}
+  CutRecorder(const motion::AxisSetup& axes, std::unique_ptr<CutMeasure> measure)
+      : space_(axes), measure_(std::move(measure)) {}
 
   /// The tool stands there; what comes begins there.
   void start(const motion::Setpoint& at);

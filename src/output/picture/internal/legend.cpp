@@ -34,27 +34,35 @@ void draw_sample(DisplayList& sheet, Point row, const Ink& ink) {
   sheet.add(std::move(sample), ink);
 }
 
+// Of a lathe tool also what its insert is taken for.
+std::string words_of_tool(std::size_t tool, const Subject& subject, const Turning* turning) {
+  const std::string name = subject.tool_name(tool);
+  return turning == nullptr ? name : name + ": " + turning->inserts[tool].words();
+}
+
 // Columns of five, beginning at `corner`; the last place says how many there is no room for.
 // Returns the width taken.
-double draw_tools(DisplayList& sheet, Point corner, const Subject& subject) {
-  constexpr std::size_t kRows = 5, kColumns = 5;
-  constexpr double kColumn = 114;
+double draw_tools(DisplayList& sheet, Point corner, const Subject& subject,
+                  const Turning* turning) {
+  constexpr std::size_t kRows = 5;
+  const std::size_t most_columns = turning == nullptr ? 5 : 2;
+  const double column_width = turning == nullptr ? 114 : 275;
   draw_heading(sheet, corner, "Tools");
   const std::size_t count = subject.cutters.size();
-  const std::size_t shown = count <= kRows * kColumns ? count : kRows * kColumns - 1;
+  const std::size_t shown = count <= kRows * most_columns ? count : kRows * most_columns - 1;
   const auto place = [&](std::size_t i) {
-    const double x = corner.x + kColumn * static_cast<double>(i / kRows);
+    const double x = corner.x + column_width * static_cast<double>(i / kRows);
     return row_at({x, corner.y}, i % kRows);
   };
   for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t tool = subject.cutters[i];
     draw_sample(sheet, place(i), {subject.tool_color[tool], 4, false, {}});
-    draw_words(sheet, place(i), subject.tool_name(tool));
+    draw_words(sheet, place(i), words_of_tool(tool, subject, turning));
   }
   if (shown < count) draw_words(sheet, place(shown), "+ " + grouped(count - shown) + " more");
   if (count == 0) draw_words(sheet, place(0), "nothing is cut");
-  const std::size_t columns = std::clamp<std::size_t>((count + kRows - 1) / kRows, 1, kColumns);
-  return std::max(1.6, static_cast<double>(columns)) * kColumn;
+  const std::size_t columns = std::clamp<std::size_t>((count + kRows - 1) / kRows, 1, most_columns);
+  return std::max(1.6, static_cast<double>(columns)) * column_width;
 }
 
 // The scale's colours, as boxes that overlap so that no gap shows between them.
@@ -113,7 +121,7 @@ std::string cut_words(const Subject& subject) {
   return speeds ? "cut, coloured by its speed" : "cut, coloured by its energy";
 }
 
-void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
+void draw_signs(DisplayList& sheet, Point corner, const Subject& subject, const Turning* turning) {
   draw_heading(sheet, corner, "Signs");
   const auto middle = [&](std::size_t row) {
     const Point at = row_at(corner, row);
@@ -127,6 +135,11 @@ void draw_signs(DisplayList& sheet, Point corner, const Subject& subject) {
   draw_words(sheet, row_at(corner, 2), subject.has_cuts() ? "first cut" : "start");
   draw_end_mark(sheet, middle(3));
   draw_words(sheet, row_at(corner, 3), subject.has_cuts() ? "end of the last cut" : "end");
+  if (turning != nullptr) {
+    const Point at = row_at(corner, 4);
+    draw_section_sample(sheet, {at.x, at.y - 7, kSwatch, 14});
+    draw_words(sheet, at, "part, as the cuts leave it");
+  }
   if (subject.recorded.hole_finder().holes().empty()) return;
   draw_hole_mark(sheet, middle(4));
   draw_words(sheet, row_at(corner, 4), hole_count(subject.recorded.hole_finder()));
@@ -196,10 +209,11 @@ void draw_extents(DisplayList& sheet, Point corner, const Subject& subject) {
 
 }  // namespace
 
-void draw_legend(DisplayList& sheet, Point corner, double width, const Subject& subject) {
-  const double colors =
-      subject.cut_scale ? draw_values(sheet, corner, subject) : draw_tools(sheet, corner, subject);
-  draw_signs(sheet, {corner.x + colors, corner.y}, subject);
+void draw_legend(DisplayList& sheet, Point corner, double width, const Subject& subject,
+                 const Turning* turning) {
+  const double colors = subject.cut_scale ? draw_values(sheet, corner, subject)
+                                          : draw_tools(sheet, corner, subject, turning);
+  draw_signs(sheet, {corner.x + colors, corner.y}, subject, turning);
   draw_extents(sheet, {corner.x + width - kTableWidth, corner.y}, subject);
 }
 

@@ -1,5 +1,6 @@
 #include "output/picture/internal/path_recorder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -30,11 +31,11 @@ std::array<std::size_t, 2> plane_axes(motion::Plane plane) {
 
 }  // namespace
 
-PathRecorder::PathRecorder(const motion::AxisSetup& axes, double x_scale)
+PathRecorder::PathRecorder(const motion::AxisSetup& axes)
     : axes_(axes),
+      turns_(axes.turns()),
       tip_(axes.start),
-      x_scale_(x_scale),
-      space_(axes, x_scale),
+      space_(axes),
       position_(space_.point_of(axes.start, {})) {
   travels_.add(position_);
 }
@@ -52,6 +53,8 @@ void PathRecorder::take(const motion::Motion& motion) {
           space_arc(action);
         } else if constexpr (std::is_same_v<Action, motion::SurfaceMove>) {
           surface_move(action);
+        } else if constexpr (std::is_same_v<Action, motion::Thread>) {
+          thread(action);
         } else if constexpr (std::is_same_v<Action, motion::ToolChange>) {
           select_tool(action.tool);
         } else if constexpr (std::is_same_v<Action, motion::Power>) {
@@ -83,7 +86,7 @@ void PathRecorder::go(const base::TipPoint& target, Trace trace) {
 void PathRecorder::arc(const motion::Arc& arc) {
   if (!can_bend(arc)) return straight(arc.to, at_feed());
   ++moves_;
-  const ArcPath path(position_, arc, point_of(arc.to), center_of(arc));
+  const ArcPath path(position_, arc, point_of(arc.to), arc.center);
   const Trace trace = at_feed();
   const Pen pen = pen_for(trace);
   if (trace == Trace::cut) holes_.sideways_cut();
@@ -127,10 +130,19 @@ void PathRecorder::chord(const Point3& to) {
   arrive(to, trace);
 }
 
-void PathRecorder::select_tool(std::uint32_t number) {
-  std::size_t i = 0;
-  while (i < tools_.size() && tools_[i].number != number) ++i;
-  if (i == tools_.size() && i < kMaxTools) tools_.push_back({number, false, {}});
+void PathRecorder::thread(const motion::Thread& thread) {
+  const std::uint32_t number = tools_[tool_].number;
+  if (turns()) select_tool(number, true);
+  straight(thread.to, at_feed());
+  if (turns()) select_tool(number);
+}
+
+void PathRecorder::select_tool(std::uint32_t number, bool thread) {
+  const auto is_it = [&](const Tool& tool) {
+    return tool.number == number && tool.thread == thread;
+  };
+  const auto i = static_cast<std::size_t>(std::ranges::find_if(tools_, is_it) - tools_.begin());
+  if (i == tools_.size() && i < kMaxTools) tools_.push_back({number, thread, false, {}});
   tool_ = static_cast<std::uint16_t>(std::min(i, kMaxTools - 1));
 }
 
@@ -165,16 +177,11 @@ Box3 PathRecorder::all_extents() const {
   return all;
 }
 
-std::array<double, 2> PathRecorder::center_of(const motion::Arc& arc) const {
-  const auto axes = plane_axes(arc.plane);
-  return {arc.center[0] * space_.scale(axes[0]), arc.center[1] * space_.scale(axes[1])};
-}
-
 // An arc whose plane the machine lacks, or whose centre is nowhere, is drawn as its chord.
 bool PathRecorder::can_bend(const motion::Arc& arc) const {
   const auto axes = plane_axes(arc.plane);
   for (std::size_t i = 0; i < 2; ++i) {
-    if (space_.scale(axes[i]) == 0 || !(std::abs(arc.center[i]) <= kLargest)) return false;
+    if (!space_.has(axes[i]) || !(std::abs(arc.center[i]) <= kLargest)) return false;
   }
   return true;
 }

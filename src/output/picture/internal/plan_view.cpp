@@ -46,7 +46,7 @@ void draw_horizontal_ruler(DisplayList& sheet, const View& view, double factor) 
   ink.draw(sheet);
 }
 
-void draw_vertical_ruler(DisplayList& sheet, const View& view, double factor) {
+void draw_vertical_ruler(DisplayList& sheet, const View& view, double factor, bool from_axis) {
   const Rect& frame = view.frame();
   RulerInk ink;
   for (const Tick& tick : ruler(view.bottom_mm(), view.top_mm(), 48 / view.scale(), factor)) {
@@ -54,7 +54,8 @@ void draw_vertical_ruler(DisplayList& sheet, const View& view, double factor) {
     ink.ticks.segment({frame.left, y}, {frame.left - (tick.major ? 7 : 4), y});
     if (!tick.major) continue;
     (tick.value == 0 ? ink.zero : ink.grid).segment({frame.left, y}, {frame.right(), y});
-    sheet.add(Text{{frame.left - 11, y + 4.3}, tick.label, kTickText, Anchor::end, kDark});
+    std::string label = from_axis && tick.value < 0 ? tick.label.substr(1) : tick.label;
+    sheet.add(Text{{frame.left - 11, y + 4.3}, std::move(label), kTickText, Anchor::end, kDark});
   }
   ink.draw(sheet);
 }
@@ -67,18 +68,20 @@ void draw_axis_names(DisplayList& sheet, const Rect& frame, const std::string& h
 
 }  // namespace
 
-Look draw_plan(DisplayList& sheet, const View& view, const Subject& subject) {
-  const Rect& frame = view.frame();
-  const bool from_above = subject.recorded.has_y();
-  draw_horizontal_ruler(sheet, view, from_above ? subject.x_factor() : 1);
-  draw_vertical_ruler(sheet, view, from_above ? 1 : subject.x_factor());
+void draw_rulers(DisplayList& sheet, const View& view, const Rulers& rulers) {
+  draw_horizontal_ruler(sheet, view, rulers.horizontal_factor);
+  draw_vertical_ruler(sheet, view, rulers.vertical_factor, rulers.vertical_from_axis);
   Outline border;
-  border.rectangle(frame);
+  border.rectangle(view.frame());
   sheet.add(std::move(border), {kFrame, 1, false, {}});
-  const std::string x_name = subject.x_factor() == 1 ? "X mm" : "X \u2300 mm";
-  draw_axis_names(sheet, frame, from_above ? x_name : "Z mm", from_above ? "Y mm" : x_name);
+  draw_axis_names(sheet, view.frame(), rulers.horizontal, rulers.vertical);
+}
+
+Look draw_plan(DisplayList& sheet, const View& view, const Subject& subject) {
+  const bool from_above = subject.recorded.has_y();
+  draw_rulers(sheet, view, from_above ? Rulers{"X mm", "Y mm"} : Rulers{"Z mm", "X mm"});
   const Look look = draw_path(sheet, view, subject, Shading::Order::in_time);
-  LabelPlacer labels(frame.shrunk(3));
+  LabelPlacer labels(view.frame().shrunk(3));
   draw_ends(sheet, view, subject, labels);
   if (from_above) draw_holes(sheet, view, subject);
   draw_tool_labels(sheet, view, subject, labels);

@@ -1,10 +1,12 @@
 #include "output/picture/internal/sheet.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "output/picture/drawing/palette.hpp"
 #include "output/picture/drawing/text.hpp"
+#include "output/picture/internal/half_section.hpp"
 #include "output/picture/internal/iso_view.hpp"
 #include "output/picture/internal/legend.hpp"
 #include "output/picture/internal/plan_view.hpp"
@@ -26,6 +28,8 @@ struct Padding {
 };
 constexpr Padding kPlanPadding{44, 44, 44, 44};
 constexpr Padding kIsoPadding{92, 92, 40, 52};
+constexpr Padding kLathePadding{60, 90, 84, 36};  // inserts stand behind and above their tip
+constexpr double kFaceWidth = 480;
 
 Rect inside(const Rect& frame, const Padding& padding) {
   return {frame.left + padding.left, frame.top + padding.top,
@@ -91,19 +95,60 @@ double draw_one_view(DisplayList& sheet, const Subject& subject) {
   return frame.bottom();
 }
 
+// The face of the part as driven tools have cut it, in the colours of the other view.
+void draw_face(DisplayList& sheet, const Rect& frame, const Subject& subject,
+               const PathRecorder& recorded) {
+  Subject face(recorded, nullptr);
+  for (std::size_t i = 0; i < face.tool_color.size(); ++i) {
+    const auto same = [&](const Tool& tool) {
+      return tool.number == recorded.tools()[i].number && !tool.thread;
+    };
+    const auto found = std::ranges::find_if(subject.recorded.tools(), same);
+    const auto pen = static_cast<std::size_t>(found - subject.recorded.tools().begin());
+    if (pen < subject.tool_color.size()) face.tool_color[i] = subject.tool_color[pen];
+  }
+  const View along_z(kFromAbove, face.box, frame, inside(frame, kPlanPadding));
+  draw_plan(sheet, along_z, face);
+  draw_caption(sheet, frame, "Face, C at 0", Look::lines);
+}
+
+double draw_lathe_views(DisplayList& sheet, const Subject& subject, const Turning& turning) {
+  const PathRecorder& face = turning.recorded.face();
+  const bool has_face = !face.cut_extents().empty();
+  const double face_width = has_face ? kFaceWidth : 0;
+  const double width = kInner - kRulerLeft - (has_face ? face_width + kRulerLeft : 0);
+  const Box3 box = half_section_box(subject);
+  const double lowest = has_face ? face_width : kLowest;
+  const double height = std::clamp(height_for(kLathe, box, width, kLathePadding), lowest, kHighest);
+  const Rect frame{kMargin + kRulerLeft, kViewsTop, width, height};
+  const View view(kLathe, box, frame, inside(frame, kLathePadding));
+  draw_half_section(sheet, view, subject, turning);
+  draw_caption(sheet, frame,
+               "Half section: the path above the axis, what it leaves of the part below; shapes of "
+               "inserts are "
+               "assumed from how they move",
+               Look::lines);
+  if (has_face)
+    draw_face(sheet, {frame.right() + kRulerLeft, kViewsTop, face_width, height}, subject, face);
+  return frame.bottom();
+}
+
 }  // namespace
 
-DisplayList draw_sheet(const PathRecorder& recorder, const CutRecorder* cuts,
-                       const std::string& title) {
+DisplayList draw_sheet(const PathRecorder& recorder, const TurningRecorder* turned,
+                       const CutRecorder* cuts, const std::string& title) {
   const Subject subject(recorder, cuts);
+  std::optional<Turning> turning;
+  if (turned != nullptr) turning.emplace(subject, *turned);
   DisplayList sheet;
   sheet.width = kWidth;
   sheet.title = printable(title);
   draw_head(sheet, subject);
-  const double bottom =
-      recorder.has_y() ? draw_two_views(sheet, subject) : draw_one_view(sheet, subject);
+  const double bottom = turning            ? draw_lathe_views(sheet, subject, *turning)
+                        : recorder.has_y() ? draw_two_views(sheet, subject)
+                                           : draw_one_view(sheet, subject);
   const double legend_top = bottom + kRulerBelow + 24;
-  draw_legend(sheet, {kMargin, legend_top}, kInner, subject);
+  draw_legend(sheet, {kMargin, legend_top}, kInner, subject, turning ? &*turning : nullptr);
   sheet.height = legend_top + kLegendHeight;
   return sheet;
 }

@@ -52,8 +52,9 @@ Subject::Subject(const PathRecorder& recorder, const CutRecorder* cuts)
 }
 
 std::string Subject::tool_name(std::size_t tool) const {
-  const std::uint32_t number = recorded.tools()[tool].number;
-  return number == 0 ? "no tool" : 'T' + std::to_string(number);
+  const auto& [number, thread, cuts, first_cut] = recorded.tools()[tool];
+  const std::string name = number == 0 ? "no tool" : 'T' + std::to_string(number);
+  return thread ? name + " thread" : name;
 }
 
 }  // namespace kerf::output::plot

@@ -29,7 +29,7 @@ struct Subject {
   [[nodiscard]] bool has_cuts() const { return !cutters.empty(); }
   [[nodiscard]] std::string tool_name(std::size_t tool) const;
   /// X words are lengths times this: 2 for diameters.
-  [[nodiscard]] double x_factor() const { return 1 / recorded.x_scale(); }
+  [[nodiscard]] double x_factor() const { return recorded.turns() ? 2 : 1; }
 };
 
 }  // namespace kerf::output::plot

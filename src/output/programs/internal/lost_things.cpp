@@ -24,6 +24,13 @@ void LostThings::add(const std::string& what, std::uint32_t line) {
   ++of(name)->count;
 }
 
+std::string LostThings::remark() const {
+  if (count_ == 0) return {};
+  return "  --post: what plain G-code cannot say is in " + std::to_string(count_) +
+         (count_ == 1 ? " comment" : " comments") + ", the first one of line " +
+         std::to_string(kinds_.front().line) + "\n";
+}
+
 std::string LostThings::json() const {
   std::string list = "[";
   for (const Kind& kind : kinds_) {

@@ -20,6 +20,8 @@ class LostThings {
   /// In the order in which they were met.
   [[nodiscard]] const std::vector<Kind>& kinds() const { return kinds_; }
   [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// How many, for people: an indented line, or nothing.
+  [[nodiscard]] std::string remark() const;
   /// `[{"what":…,"count":…,"line":…}]`
   [[nodiscard]] std::string json() const;
 

@@ -14,9 +14,10 @@ void write_block(base::ScratchFile& body, std::string_view block) {
 
 bool MoveBlocks::is_at(const base::TipPoint& to) const {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
-    if (post_rounded(at_.values[i]) != post_rounded(to.values[i])) return false;
+    const base::Axis axis{static_cast<std::uint8_t>(i)};
+    if (digits(axis, at_[axis]) != digits(axis, to[axis])) return false;
   }
-  return true;
+  return named_ == base::AxisSet{};
 }
 
 void MoveBlocks::stand_at(const base::TipPoint& at) {
@@ -34,16 +35,42 @@ void MoveBlocks::words(const char* code, const base::TipPoint& to) {
   modal_ = code;
   cuts_ = beam_on_ && modal_ != "G0";
   for (std::size_t i = 0; i < axes_.count(); ++i) {
-    const double value = post_rounded(to.values[i]);
-    if (value != post_rounded(at_.values[i])) block_.number(axes_.axes[i].letter, value);
+    const base::Axis axis{static_cast<std::uint8_t>(i)};
+    const double value = digits(axis, to[axis]);
+    if (value != digits(axis, at_[axis]) || base::contains(named_, axis))
+      block_.number(axes_[axis].letter, value);
   }
+  named_ = {};
   at_ = to;
 }
 
-void MoveBlocks::feed(double per_minute) {
-  if (per_minute == feed_) return;
-  feed_ = per_minute;
-  block_.number('F', per_minute);
+void MoveBlocks::feed(BlockText& block, double value) {
+  if (wanted_ != counts_) {
+    block.code(wanted_ == motion::FeedMode::per_revolution ? "G99" : "G98");
+    counts_ = wanted_;
+    forget_feed();
+  }
+  if (value == feed_) return;
+  feed_ = value;
+  block.number('F', value);
+}
+
+// F is the lead, and what follows says its own again.
+void MoveBlocks::thread(const motion::Thread& thread) {
+  if (is_at(thread.to)) return;
+  modal_.clear();
+  words(thread.lead_change != 0 ? "G34" : "G32", thread.to);
+  block_.number('F', post_rounded(thread.lead));
+  if (thread.lead_change != 0) block_.number('K', post_rounded(thread.lead_change));
+  if (thread.angle_deg != 0) block_.count('Q', std::round(thread.angle_deg * 1000));
+  forget_feed();
+  end_block();
+}
+
+void MoveBlocks::forget_move(const base::TipPoint& at) {
+  at_ = at;
+  modal_.clear();
+  forget_feed();
 }
 
 void MoveBlocks::rapid(const base::TipPoint& to) {
@@ -69,7 +96,11 @@ void MoveBlocks::straight(const base::TipPoint& to, const motion::Feed& rate) {
   line(to, per_minute(rate, std::sqrt(squares)));
 }
 
-double MoveBlocks::per_minute(const motion::Feed& rate, double length_mm) const {
+double MoveBlocks::per_minute(const motion::Feed& rate, double length_mm) {
+  if (axes_.turns() && rate.mode != motion::FeedMode::inverse_time) {
+    wanted_ = rate.mode;
+    return post_rounded(rate.value);
+  }
   return post_rounded(motion::feed_per_minute(rate, length_mm, speed_rpm_));
 }
 
@@ -91,8 +122,8 @@ void MoveBlocks::arc(const motion::PlaneAxes& plane, const motion::Arc& arc, geo
   modal_.clear();
   words(arc.direction == motion::Direction::clockwise ? "G2" : "G3", arc.to);
   if (from == to) {
-    block_.number(axes_[plane.first].letter, to.u);
-    block_.number(axes_[plane.second].letter, to.v);
+    block_.number(axes_[plane.first].letter, digits(plane.first, to.u));
+    block_.number(axes_[plane.second].letter, digits(plane.second, to.v));
   }
   block_.number(plane.first_offset, offset.u);
   block_.number(plane.second_offset, offset.v);

@@ -18,12 +18,16 @@ void write_block(base::ScratchFile& body, std::string_view block);
 
 /// Writes moves of a posted program, with what is modal in it: where it stands, the code of its
 /// last move, plane and feed. A word that says what is so already is left out, and so is a block
-/// without a way. Coordinates are mm and degrees of the machine, feeds mm or degrees per minute.
+/// without a way. Coordinates are mm and degrees of the machine, feeds mm or degrees per minute. Of
+/// a lathe X is a diameter, the plane ZX from the begin, and a feed per revolution stays one (G99).
 class MoveBlocks {
  public:
   /// Both must outlive this.
   MoveBlocks(const motion::AxisSetup& axes, base::ScratchFile& body)
-      : axes_(axes), body_(body), at_(axes.start) {}
+      : axes_(axes),
+        body_(body),
+        at_(axes.start),
+        plane_(axes.turns() ? motion::Plane::zx : motion::Plane::xy) {}
 
   /// Where the posted program stands.
   [[nodiscard]] const base::TipPoint& at() const { return at_; }
@@ -41,11 +45,20 @@ class MoveBlocks {
   /// whole one.
   void arc(const motion::PlaneAxes& plane, const motion::Arc& arc, geometry::Vec2 offset,
            double per_minute);
+  /// G32, or G34 with a lead that changes.
+  void thread(const motion::Thread& thread);
+  /// The next move says this axis, whether it moves or not.
+  void name(base::Axis axis) { named_ |= base::only(axis); }
+  /// A move of others, from G12.1 to G13.1, has ended there.
+  void forget_move(const base::TipPoint& at);
   /// G1 without a way, where no cut has turned the beam on.
   void burn_here();
 
-  /// As `rate` says for a way of this length, at the speed that the spindle has.
-  [[nodiscard]] double per_minute(const motion::Feed& rate, double length_mm) const;
+  /// As `rate` says for a way of this length, at the speed that the spindle has; of a lathe as the
+  /// program counts it, and the next F counts so.
+  [[nodiscard]] double per_minute(const motion::Feed& rate, double length_mm);
+  /// The F of that, and of a lathe how it counts, where either changes.
+  void feed(BlockText& block, double value);
   void set_speed(double rpm) { speed_rpm_ = rpm; }
   /// F means something else from now on.
   void forget_feed() { feed_ = -1; }
@@ -55,15 +68,21 @@ class MoveBlocks {
  private:
   void words(const char* code, const base::TipPoint& to);
   void select_plane(motion::Plane plane);
-  void feed(double per_minute);
+  void feed(double per_minute) { feed(block_, per_minute); }
   void end_block();
+  [[nodiscard]] double digits(base::Axis axis, double mm) const {
+    return post_rounded(mm * axes_[axis].count_per_mm());
+  }
 
   const motion::AxisSetup& axes_;
   base::ScratchFile& body_;
   BlockText block_;
   base::TipPoint at_;
   std::string modal_;
-  motion::Plane plane_ = motion::Plane::xy;
+  base::AxisSet named_{};
+  motion::Plane plane_;
+  motion::FeedMode counts_ = motion::FeedMode::per_minute;  // F, in the file
+  motion::FeedMode wanted_ = motion::FeedMode::per_minute;
   double feed_ = -1;
   double speed_rpm_ = 0;
   bool beam_on_ = false;

@@ -18,9 +18,10 @@ std::string travel_lines(const PostFacts& facts) {
   std::string lines;
   const auto& axes = facts.machine.axes.axes;
   for (std::size_t i = 0; facts.travel && i < axes.size(); ++i) {
+    const double count = axes[i].count_per_mm();
     lines += comment(std::string("TRAVEL: ") + axes[i].letter + " " +
-                     post_number(post_rounded(facts.travel->low.values[i])) + " TO " +
-                     post_number(post_rounded(facts.travel->high.values[i])));
+                     post_number(post_rounded(facts.travel->low.values[i] * count)) + " TO " +
+                     post_number(post_rounded(facts.travel->high.values[i] * count)));
   }
   return lines;
 }
@@ -47,6 +48,33 @@ std::string post_head(const PostFacts& facts) {
   if (laser.fitted())
     text += comment("LASER: FULL POWER IS S" + base::number_text(laser.s_of_full_power));
   return text + travel_lines(facts) + lost_lines(facts.lost) + "G21 G90 G94 G17\nM5\n";
+}
+
+std::string lathe_head(const PostFacts& facts) {
+  std::string text = comment("KERF POST OF " + facts.program) + machine_line(facts.machine);
+  text += comment("FOR LATHES OF G-CODE SYSTEM A: NO MACROS, NO CYCLES");
+  text += comment("UNITS: MM, X IS A DIAMETER, DEGREES, MM/MIN OR MM/REV");
+  text += comment("PATH OF THE TIP IN MACHINE COORDINATES: NO WORK OFFSETS");
+  text += comment("TOOL OFFSETS ARE THOSE OF THE CONTROL, BY T");
+  return text + travel_lines(facts) + lost_lines(facts.lost) + "G21 G18 G40 G97 G98\nM5\n";
+}
+
+std::string lathe_positioning(const motion::AxisSetup& axes, const base::TipPoint& corner) {
+  std::string text;
+  const auto go = [&](base::Axis axis) {
+    text += BlockText()
+                .code("G0")
+                .number(axes[axis].letter, post_rounded(corner[axis] * axes[axis].count_per_mm()))
+                .text() +
+            "\n";
+  };
+  const auto x = axes.find('X');
+  if (x) go(*x);
+  for (std::size_t i = 0; i < axes.count(); ++i) {
+    const base::Axis axis{static_cast<std::uint8_t>(i)};
+    if (axis != x) go(axis);
+  }
+  return text;
 }
 
 std::string positioning(const motion::AxisSetup& axes, const base::TipPoint& first,

@@ -28,4 +28,11 @@ struct PostFacts {
 [[nodiscard]] std::string positioning(const motion::AxisSetup& axes, const base::TipPoint& first,
                                       double level_mm);
 
+/// Of a lathe likewise.
+[[nodiscard]] std::string lathe_head(const PostFacts& facts);
+
+/// Rapids to `corner` from wherever a lathe stands: X alone, outwards, then each of the others.
+[[nodiscard]] std::string lathe_positioning(const motion::AxisSetup& axes,
+                                            const base::TipPoint& corner);
+
 }  // namespace kerf::output

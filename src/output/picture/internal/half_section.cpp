@@ -96,9 +96,12 @@ class Section {
  private:
   using Radius = double TurnedProfile::Column::*;
 
+  // Stock around a bore may be wider than the frame.
   [[nodiscard]] Point at(std::size_t column, Side side, Radius radius) const {
     const double x = profile_.columns()[column].*radius * static_cast<double>(side);
-    return {view_.x_of(profile_.z_of(column)), view_.y_of(x)};
+    const Rect& frame = view_.frame();
+    return {view_.x_of(profile_.z_of(column)),
+            std::clamp(view_.y_of(x), frame.top, frame.bottom())};
   }
 
   [[nodiscard]] bool has_bore(std::size_t first, std::size_t end) const {
@@ -132,7 +135,8 @@ class Section {
       const TurnedProfile::Column& column = profile_.columns()[i];
       const double x = view_.x_of(profile_.z_of(i)), y = c + x - left;
       const double r = (y - axis) / view_.scale();
-      const bool inside = column.has_material() && r > column.inner && r < column.outer;
+      const bool inside = column.has_material() && r > column.inner && r < column.outer &&
+                          y < view_.frame().bottom();
       if (inside && !begin) begin = Point{x, y};
       if (!inside && begin) lines.segment(*begin, last);
       if (!inside) begin.reset();
@@ -243,8 +247,10 @@ void draw_inserts(DisplayList& sheet, const View& view, const Subject& subject,
     Placed at = place_for(view, shape, turning.ways[pen], taken);
     const Color color = subject.tool_color[pen];
     sheet.add(std::move(at.outline), {color, 1.4, false, tinted(color)});
-    const std::string name = "T" + std::to_string(subject.recorded.tools()[pen].number);
+    const std::uint32_t number = subject.recorded.tools()[pen].number;
+    if (number == 0) continue;
     const Point middle = at.room.center();
+    const std::string name = "T" + std::to_string(number);
     sheet.add(Text{{middle.x, middle.y + 4}, name, 12, Anchor::middle, kDark, true});
   }
 }

@@ -80,7 +80,9 @@ TEST(TurnedProfile, ArcsAreThoseOfTheCircle) {
   const TurnedProfile profile = lathe.profile({});
   // Within a column the deepest place counts.
   for (const double z : {0.05, 3.05, 7.05, 9.05})
-    EXPECT_NEAR(outer_at(profile, z), std::sqrt(100 - z * z), 0.05 * z / std::sqrt(100 - z * z) + 0.02) << z;
+    EXPECT_NEAR(outer_at(profile, z), std::sqrt(100 - z * z),
+                0.05 * z / std::sqrt(100 - z * z) + 0.02)
+        << z;
 }
 
 TEST(TurnedProfile, BoresAreTheLargestThatAnEdgeReached) {

@@ -35,7 +35,11 @@ describe('the machine for a program', () => {
     expect(machine_for([MILL, taken, other, usual], 'laser-basic', 'laser3')?.name).toBe('second');
     expect(machine_for([MILL, taken, other], 'laser-basic', 'laser3')?.name).toBe('laser-xtz');
     expect(machine_for([MILL, taken], 'laser-basic', 'laser3')?.name).toBe('laser');
-    expect(machine_for([MILL], 'lathe', '')).toBeUndefined();
+    expect(machine_for([MILL], 'lathe', 'lathe2')).toBeUndefined();
+    const plain = machine('turning', 'lathe2', ['lathe']);
+    const with_c = machine('driven', 'lathe3c', ['lathe', 'lathe-c']);
+    expect(machine_for([with_c, plain], 'lathe', 'lathe2')?.name).toBe('turning');
+    expect(machine_for([with_c, plain], 'lathe-c', 'lathe3c')?.name).toBe('driven');
   });
   it('is any where the program shows nothing', () => {
     expect(is_at_home(ARM, 'any')).toBe(true);

@@ -152,8 +152,8 @@ export const newcomer = [
       await card(panel)
         .getByText('turned.nc looks like a lathe program: T101 in line 1.')
         .waitFor();
-      await card(panel).getByText('There is no lathe here yet.').waitFor();
-      await is_loaded(panel, 'turned.nc');
+      await card(panel).getByText('The machine lathe runs such programs.').waitFor();
+      assert.ok(!(await panel.page.locator('header .program').innerText()).includes('turned.nc'));
       await drop(panel, 'body', 'square.bas', BASIC);
       await card(panel).getByText('square.bas looks like laser BASIC.').waitFor();
       assert.ok(!(await panel.page.locator('header .program').innerText()).includes('square.bas'));
@@ -161,6 +161,10 @@ export const newcomer = [
       await panel.page.locator('header .chosen b', { hasText: /^laser$/ }).waitFor();
       await is_loaded(panel, 'square.bas');
       await card(panel).waitFor({ state: 'detached' });
+      await drop(panel, 'body', 'turned.nc', TURNED);
+      await card(panel).getByRole('button', { name: 'Open it on lathe' }).click();
+      await panel.page.locator('header .chosen b', { hasText: /^lathe$/ }).waitFor();
+      await is_loaded(panel, 'turned.nc');
     },
   },
   {

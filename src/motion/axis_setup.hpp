@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/point.hpp"
+#include "motion/spindle_name.hpp"
 
 namespace kerf::motion {
 
@@ -33,6 +34,10 @@ struct AxisSetup {
   base::TipPoint start;  ///< where they stand at power-on, with no length in force
   bool linked = false;   ///< others move them through a linkage, which not every move suits
   bool beam = false;     ///< for a spindle there is the beam of a laser
+  /// Of each spindle, rpm/s; 0: a change of its speed takes no time.
+  std::array<double, kSpindles> spindle_acceleration{};
+  /// What feeds per revolution count while no spindle has had a speed, rpm; 0: no time is known.
+  double standing_rpm = 0;
 
   [[nodiscard]] std::size_t count() const { return axes.size(); }
   [[nodiscard]] const AxisConfig& operator[](base::Axis axis) const { return axes[index(axis)]; }

@@ -9,6 +9,7 @@
 
 #include "base/block_id.hpp"
 #include "base/point.hpp"
+#include "motion/spindle_name.hpp"
 
 namespace kerf::motion {
 
@@ -139,6 +140,7 @@ struct Spindle {
   /// A cut without a way, where it is the beam of a laser: that goes on where it stands. Only for
   /// AxisSetup::beam.
   bool cuts_standing = false;
+  SpindleName name = SpindleName::main;
 
   [[nodiscard]] static constexpr bool turns(Turning turning) {
     return turning == Turning::clockwise || turning == Turning::counterclockwise;

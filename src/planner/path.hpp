@@ -6,6 +6,7 @@
 #include "motion/curve.hpp"
 #include "motion/mark.hpp"
 #include "motion/path_speed.hpp"
+#include "motion/spindle_speeds.hpp"
 #include "planner/cell_limits.hpp"
 #include "planner/ring.hpp"
 
@@ -21,12 +22,17 @@ struct PathPiece {
   /// turn.
   double mark_rpm = 0;
   double mark_deg = 0;
+  /// A dwell until the spindle has its speed, at most `dwell_s`.
+  bool until_speed = false;
+  motion::SpindleName spindle = motion::SpindleName::main;  ///< of either
   CellLimits::Use use = CellLimits::Use::path;
   bool rapid = false;
   bool fixed_override = false;  ///< the operator cannot change the feed
   bool stop = false;            ///< the axes come to rest at its end
   bool thread = false;          ///< a feed hold waits for its end
   motion::Curve curve;
+
+  [[nodiscard]] bool waits_for_spindle() const { return mark_rpm > 0 || until_speed; }
 };
 
 /// Where on the path a motion ends.
@@ -36,10 +42,10 @@ struct PathMark {
   motion::Mark mark;
 };
 
-/// From where on the spindle has another speed: the axes rest there.
+/// From where on a spindle goes to another speed: the axes rest there.
 struct SpindleChange {
   std::uint64_t piece = 0;  ///< that begins there
-  double rpm = 0;           ///< < 0: it depends on the tip's place
+  motion::SpindleTurn turn;
 };
 
 /// The path ahead of the tool, and the motions that it belongs to.
@@ -49,7 +55,7 @@ struct Path {
 
   Ring<PathPiece> pieces{kPieces};
   Ring<PathMark> marks{kMarks};
-  Ring<SpindleChange> spindle_changes{2 * kPieces};
+  Ring<SpindleChange> spindle_changes{(motion::kSpindles + 1) * kPieces};
 };
 
 }  // namespace kerf::planner

@@ -44,7 +44,8 @@ PathBuilder::PathBuilder(const motion::AxisSetup& axes, const CellLimits& limits
       curves_(axes),
       path_(path),
       at_(axes.start),
-      keeps_spindle_angle_(settings.sampling == Sampling::planned) {}
+      keeps_spindle_angle_(settings.sampling == Sampling::planned),
+      spindles_(axes) {}
 
 bool PathBuilder::room() const {
   return path_.pieces.room() >= kPiecesOfMotion && path_.marks.room() >= kMarksOfMotion;
@@ -53,21 +54,22 @@ bool PathBuilder::room() const {
 // Length of the path per second or turn. A feed that cannot be told is no limit.
 Pace PathBuilder::pace_of(const Motion& motion, const motion::Feed& feed, double length) const {
   const bool turned = feed.mode == motion::FeedMode::per_revolution;
-  if (turned && spindle_.follows_radius() && feed.value > 0)
-    return {std::max(feed.value * spindle_override_, kSlowest), true, motion.fixed_override};
-  const double speed = motion::feed_per_minute(feed, length, spindle_.known_rpm()) *
-                       (turned ? spindle_override_ : 1) / 60;
+  if (turned && spindles_.of_feed().follows_radius() && feed.value > 0)
+    return {std::max(feed.value * spindles_.override_factor(), kSlowest), true,
+            motion.fixed_override};
+  const double speed = motion::feed_per_minute(feed, length, spindles_.of_feed().known_rpm()) *
+                       (turned ? spindles_.override_factor() : 1) / 60;
   return {speed > 0 ? std::max(speed, kSlowest) : kInfinite, false, motion.fixed_override};
 }
 
 PathBuilder::Drive PathBuilder::drive_at(const Pace& pace) const {
-  return {
-      pace.per_turn ? PathSpeed::surface(spindle_, pace.value) : PathSpeed::constant(pace.value),
-      pace.fixed_override};
+  return {pace.per_turn ? PathSpeed::surface(spindles_.of_feed(), pace.value)
+                        : PathSpeed::constant(pace.value),
+          pace.fixed_override};
 }
 
 double PathBuilder::speed_at(const Pace& pace, const TipPoint& tip) const {
-  return pace.per_turn ? pace.value * motion::rpm_at(spindle_, tip) / 60 : pace.value;
+  return pace.per_turn ? pace.value * motion::rpm_at(spindles_.of_feed(), tip) / 60 : pace.value;
 }
 
 motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, double speed) const {
@@ -83,6 +85,8 @@ motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, d
 void PathBuilder::take(const Motion& motion) {
   using namespace motion;
   ++motions_;
+  if (motion::is_cut(motion) || std::holds_alternative<Probe>(motion.action))
+    await_spindles(motion);
   if (in_thread_ && motion::ends_thread(motion)) end_thread();
   if (const auto* const line = std::get_if<Line>(&motion.action)) {
     add_line(motion, line->to, line->feed);
@@ -104,13 +108,15 @@ void PathBuilder::take(const Motion& motion) {
   } else if (const auto* const power = std::get_if<Power>(&motion.action)) {
     power_ = *power;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
-    turn_spindle(*spindle);
+    stop();
+    note(spindles_.command(*spindle, at_));
   } else if (const auto* const change = std::get_if<ToolChange>(&motion.action)) {
     stop();
     tool_ = change->tool;
   } else if (!std::holds_alternative<Message>(motion.action)) {
     stop();
   }
+  if (motion::is_cut_at_feed(motion)) spindles_.cut_to(at_);
   if (motion.exact_stop) stop();
 }
 
@@ -132,6 +138,7 @@ void PathBuilder::add_line(const Motion& motion, const TipPoint& to, const motio
 // Where one leg of it meets the next only the slowing down of an axis that is done shapes the way.
 void PathBuilder::add_rapid(const Motion& motion, const motion::Rapid& rapid) {
   stop();
+  if (const auto turn = spindles_.go_fast_to(rapid.to)) note(*turn);
   rapid_ = true;
   add_curves(curves_.of(at_, motion), mark_of(motion, motion::MoveKind::rapid),
              {PathSpeed::constant(kInfinite)});
@@ -218,16 +225,30 @@ PathPiece& PathBuilder::emit_dwell(const Motion& motion, double seconds) {
   return piece;
 }
 
-void PathBuilder::turn_spindle(const motion::Spindle& spindle) {
-  stop();
-  spindle_ = spindle;
+// One for each spindle and piece: the last one counts.
+void PathBuilder::note(const motion::SpindleTurn& turn) {
   if (!keeps_spindle_angle_) return;
   Ring<SpindleChange>& changes = path_.spindle_changes;
   const std::uint64_t next = path_.pieces.end();
-  if (changes.empty() || changes.back().piece < next) changes.push({next, 0});
-  constexpr double kNotKnown = -1;
-  const double speed = spindle.follows_radius() ? kNotKnown : spindle.known_rpm();
-  changes.back().rpm = spindle.turns() ? speed : 0;
+  for (std::uint64_t n = changes.end(); n > changes.begin(); --n) {
+    SpindleChange& other = changes[n - 1];
+    if (other.piece < next) break;
+    if (other.turn.spindle != turn.spindle) continue;
+    other.turn = turn;
+    return;
+  }
+  changes.push({next, turn});
+}
+
+// A cut begins when its spindles have their speeds, as with a control's signal of arrival.
+void PathBuilder::await_spindles(const Motion& motion) {
+  while (const auto arrival = spindles_.next_arrival()) {
+    if (!keeps_spindle_angle_) continue;
+    stop();
+    PathPiece& piece = emit_dwell(motion, arrival->most_s);
+    piece.until_speed = true;
+    piece.spindle = arrival->spindle;
+  }
 }
 
 // Threads in a row are one: no stop between them, and the speed of the spindle is that of the first
@@ -251,9 +272,11 @@ void PathBuilder::add_thread(const Motion& motion, const motion::Thread& thread)
 void PathBuilder::begin_thread(const Motion& motion, const motion::Thread& thread) {
   stop();
   in_thread_ = true;
-  thread_rpm_ = motion::rpm_at(spindle_, at_) * spindle_override_;
+  const motion::Spindle& spindle = spindles_.of_feed();
+  thread_rpm_ = motion::rpm_at(spindle, at_) * spindles_.override_factor();
   if (!keeps_spindle_angle_ || !(thread_rpm_ > 0)) return;
   PathPiece& piece = emit_dwell(motion, 60 / thread_rpm_);
+  piece.spindle = spindle.name;
   piece.mark_rpm = thread_rpm_;
   piece.mark_deg = thread.angle_deg;
 }
@@ -382,6 +405,7 @@ PathPiece& PathBuilder::emit(const motion::Curve& curve, double begin, double en
   piece.end = end;
   piece.speed = drive.speed.over(length_per_parameter(curve, begin, end));
   piece.dwell_s = piece.mark_rpm = 0;
+  piece.until_speed = false;
   piece.use = CellLimits::Use::path;
   piece.rapid = rapid_;
   piece.fixed_override = drive.fixed_override;

@@ -9,6 +9,7 @@
 #include "motion/mark.hpp"
 #include "motion/motion.hpp"
 #include "motion/move_curves.hpp"
+#include "motion/spindle_speeds.hpp"
 #include "planner/cell_limits.hpp"
 #include "planner/chain.hpp"
 #include "planner/corner.hpp"
@@ -44,7 +45,7 @@ class PathBuilder {
   void clear(const base::TipPoint& at);
   /// What the operator makes of spindle speeds, > 0; feeds per revolution follow from the next
   /// motion on.
-  void set_spindle_override(double factor) { spindle_override_ = factor; }
+  void set_spindle_override(double factor) { spindles_.set_override(factor); }
 
  private:
   /// How a curve is driven.
@@ -73,7 +74,8 @@ class PathBuilder {
   void add_thread(const motion::Motion& motion, const motion::Thread& thread);
   void begin_thread(const motion::Motion& motion, const motion::Thread& thread);
   void end_thread();
-  void turn_spindle(const motion::Spindle& spindle);
+  void note(const motion::SpindleTurn& turn);
+  void await_spindles(const motion::Motion& motion);
   void add_curves(std::span<const motion::Curve> curves, const motion::Mark& mark_of_last,
                   const Drive& drive);
   void add_dwell(const motion::Motion& motion, double seconds);
@@ -116,9 +118,8 @@ class PathBuilder {
   bool rotary_only_ = false;  // the parameter counts degrees
   std::uint64_t placed_ = 0;  // marks before this one know their cell
   base::TipPoint at_;
-  motion::Spindle spindle_;
-  double spindle_override_ = 1;
   bool keeps_spindle_angle_;
+  motion::SpindleSpeeds spindles_;
   double thread_rpm_ = 0;      // of the thread under way
   bool in_thread_ = false;     // the last move was a thread
   bool thread_stops_ = false;  // and the program wants a stop behind it

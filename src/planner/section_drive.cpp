@@ -51,7 +51,7 @@ void SectionDrive::begin_phases(const Section& section) {
   if (!ahead_.path.spindle_changes.empty()) turn_spindle();
   if (section_.dwell_s == 0) {
     standing_ = false;
-  } else if (ahead_.path.pieces.front().mark_rpm > 0) {
+  } else if (ahead_.path.pieces.front().waits_for_spindle()) {
     begin_wait();
   }
 }
@@ -60,14 +60,23 @@ void SectionDrive::begin_phases(const Section& section) {
 void SectionDrive::turn_spindle() {
   Ring<SpindleChange>& changes = ahead_.path.spindle_changes;
   while (!changes.empty() && changes.front().piece <= ahead_.path.pieces.begin()) {
-    spindle_.set_speed(changes.front().rpm, time_s());
+    const motion::SpindleTurn& turn = changes.front().turn;
+    motion::SpindleAngle& spindle = spindles_[index(turn.spindle)];
+    if (turn.acceleration > 0) {
+      spindle.ramp_to(turn.rpm, time_s(), turn.acceleration);
+    } else {
+      spindle.set_speed(turn.rpm, time_s());
+    }
     changes.pop();
   }
 }
 
 void SectionDrive::begin_wait() {
   const PathPiece& piece = ahead_.path.pieces.front();
-  const double wait_s = spindle_.seconds_until(piece.mark_deg, time_s(), piece.mark_rpm);
+  const motion::SpindleAngle& spindle = spindles_[index(piece.spindle)];
+  const double wait_s = piece.until_speed
+                            ? spindle.seconds_to_speed(time_s())
+                            : spindle.seconds_until(piece.mark_deg, time_s(), piece.mark_rpm);
   const double whole = whole_part(wait_s / period_s_);
   waiting_ = true;
   wait_tick_ = tick_ + whole_periods(whole);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "motion/setpoint.hpp"
@@ -89,8 +90,8 @@ class SectionDrive {
   double cell_way_ = 0;           // at the begin of the cell, from that of the section
   double offset_ = 0;
   std::uint64_t cells_left_ = 0;  // that end within the section
-  motion::SpindleAngle spindle_;
-  bool waiting_ = false;         // the section is one of PathPiece::mark_rpm;
+  std::array<motion::SpindleAngle, motion::kSpindles> spindles_;
+  bool waiting_ = false;         // the section is one of PathPiece::mark_rpm or until_speed;
   std::uint64_t wait_tick_ = 0;  // the last period before its end,
   double wait_late_s_ = 0;       // and how long after that it ends
 

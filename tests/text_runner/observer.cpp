@@ -75,13 +75,15 @@ struct Describe {
   std::string operator()(const Dwell& a) const { return "dwell " + number(a.seconds); }
   std::string operator()(const ToolChange& a) const { return "tool " + std::to_string(a.tool); }
   std::string operator()(const Spindle& a) const {
+    const std::string name =
+        a.name == SpindleName::main ? "spindle" : std::string(name_of(a.name)) + " spindle";
     switch (a.turning) {
-      case Spindle::Turning::clockwise: return "spindle cw " + number(a.speed);
-      case Spindle::Turning::counterclockwise: return "spindle ccw " + number(a.speed);
-      case Spindle::Turning::stopped: return "spindle stop";
-      case Spindle::Turning::oriented: return "spindle orient";
+      case Spindle::Turning::clockwise: return name + " cw " + number(a.speed);
+      case Spindle::Turning::counterclockwise: return name + " ccw " + number(a.speed);
+      case Spindle::Turning::stopped: return name + " stop";
+      case Spindle::Turning::oriented: return name + " orient";
     }
-    return "spindle";
+    return name;
   }
   std::string operator()(const Coolant& a) const {
     return a.state == Coolant::State::off    ? "coolant off"

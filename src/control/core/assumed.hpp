@@ -43,6 +43,8 @@ struct Assumed {
   static constexpr std::uint32_t bare_corner = 76;
   static constexpr std::uint32_t no_nose = 77;
   static constexpr std::uint32_t lost_corner = 78;
+  static constexpr std::uint32_t speed_clamped = 79;
+  static constexpr std::uint32_t builder_function = 80;  ///< + BuilderFunction, to 86
   static constexpr std::uint32_t polar_per_revolution = 90;
   static constexpr std::uint32_t g_code = 100;
 };

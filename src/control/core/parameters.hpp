@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "control/core/machine_codes.hpp"
 
 namespace kerf::control {
 
@@ -95,6 +96,8 @@ struct Parameters {
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram
+
+  MachineCodes machine_codes;  ///< not by name: the machine file has tables for them
 
   /// Sets the parameter `key` (a name or a FANUC number) from text. One that belongs to an axis has
   /// its letter behind a point: "overrun.X", "5440.X".

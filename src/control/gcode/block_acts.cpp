@@ -141,7 +141,8 @@ bool BlockActs::end_modal_calls(const Words& words) {
 bool BlockActs::tell_idle_words(const ReadBlock& block) {
   const bool calls = codes_.call || codes_.external_call || codes_.return_ || codes_.interrupt_on ||
                      block.called_m != nullptr;
-  const std::uint32_t idle = idle_words(block.words, state_.modal, calls);
+  std::uint32_t idle = idle_words(block.words, state_.modal, calls);
+  if (auxiliary_.spindles().has_number(block.words)) idle &= ~Words::mask('P');
   if (idle == 0) return true;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if ((idle & Words::mask(letter)) == 0) continue;

@@ -17,6 +17,13 @@ using gcode::WordFlag;
 constexpr std::uint32_t kAlwaysAllowed = Words::mask("DEFGHIJKLMNPQRST");
 constexpr std::uint32_t kBareDimensions = Words::mask("ACRIK");
 
+// What a code of the machine's spindle does to it.
+Function function_of_spindle(const SpindleSettings& spindle, std::int64_t code) {
+  if (code == spindle.clockwise) return Function::spindle_clockwise;
+  if (code == spindle.counterclockwise) return Function::spindle_counterclockwise;
+  return code == spindle.stop ? Function::spindle_stop : Function::spindle_orient;
+}
+
 }  // namespace
 
 std::span<const Word> BlockReader::fetch(const gcode::GcodePage& page,
@@ -83,6 +90,10 @@ bool BlockReader::collect_m(const Word& word, ReadBlock& block) {
 // The number of the external call is a parameter, and 0 there the dialect's own.
 const FunctionRow* BlockReader::function_of(const Word& word) const {
   const std::int64_t code = code_of(word);
+  const MachineCodes& machine = state_.parameters.machine_codes;
+  if (machine.function_of(code)) return nullptr;
+  if (const SpindleSettings* const spindle = machine.spindle_with(code))
+    return state_.codes.with(function_of_spindle(*spindle, code));
   const int external = state_.parameters.external_call_m;
   if (external != 0 && code == external) return state_.codes.external_call();
   const FunctionRow* const row = state_.codes.find_function(code);

@@ -5,6 +5,7 @@
 
 #include "base/source_file.hpp"
 #include "kinematics/make.hpp"
+#include "machine/definition/internal/machine_codes_reader.hpp"
 #include "machine/definition/internal/machine_keys.hpp"
 #include "machine/definition/internal/machine_reader.hpp"
 #include "machine/definition/internal/program_axes.hpp"
@@ -48,9 +49,24 @@ std::string change_axis(MachineDefinition& machine, std::string_view path, std::
   return change(find_axis_key(at.rest), text, *axis);
 }
 
+std::string change_spindle(MachineDefinition& machine, std::string_view path,
+                           std::string_view text) {
+  const Path at = split_path(path);
+  auto& spindles = machine.parameters.machine_codes.spindles;
+  const auto spindle = std::find_if(spindles.begin(), spindles.end(), [&](const auto& each) {
+    return name_of(each.name) == at.head;
+  });
+  if (spindle == spindles.end()) return "the machine has no such spindle";
+  const std::string objection = change(find_spindle_key(at.rest), text, *spindle);
+  if (objection.empty() && at.rest == "max_rpm") limit_main_spindle(machine);
+  return objection;
+}
+
 std::string change_any(MachineDefinition& machine, std::string_view path, std::string_view text) {
   const auto [table, item] = split_path(path);
   if (table == "axis") return change_axis(machine, item, text);
+  if (table == "spindle") return change_spindle(machine, item, text);
+  if (table == "m_codes") return change_m_codes(machine.parameters.machine_codes, item, text);
   const MachineKey* const key = find_machine_key(table, item);
   if (key != nullptr && !key->belongs_to(machine.kinematics.kind))
     return type_in_words(machine) + " has no such key";

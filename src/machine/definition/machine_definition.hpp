@@ -52,9 +52,10 @@ struct MachineDefinition {
   [[nodiscard]] static base::Outcome<MachineDefinition> parse(std::string_view toml,
                                                               const std::string& source);
 
-  /// `--machine-set`: changes axis.NAME.KEY or TABLE.KEY, any number or word of the tables axis,
-  /// tip, kinematics, interpolator, drive, pattern (docs/machine-file.md) but what makes another
-  /// machine of it. Failure (usage): then nothing has changed.
+  /// `--machine-set`: changes axis.NAME.KEY, spindle.NAME.KEY or TABLE.KEY, any number or word of
+  /// the tables axis, spindle, m_codes, tip, kinematics, interpolator, drive, pattern
+  /// (docs/machine-file.md) but what makes another machine of it. Failure (usage): then nothing has
+  /// changed.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
   /// `--param`, `[control]`: changes a parameter of the control (control::Parameters::set()).

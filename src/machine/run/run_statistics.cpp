@@ -24,7 +24,13 @@ constexpr std::size_t kMostMessages = 1000;
 }  // namespace
 
 RunStatistics::RunStatistics(const motion::AxisSetup& axes)
-    : axes_(axes), at_(axes.start), low_(axes.start), high_(axes.start), curves_(axes) {
+    : axes_(axes),
+      at_(axes.start),
+      low_(axes.start),
+      high_(axes.start),
+      curves_(axes),
+      spindles_(axes.standing_rpm),
+      speed_rpm_(axes.standing_rpm) {
   for (std::size_t i = 0; i < axes.count(); ++i) {
     rapid_s_per_unit_[i] = 60 / axes.axes[i].rapid_per_min;
     linear_[i] = !axes.axes[i].rotary;
@@ -112,7 +118,7 @@ void RunStatistics::surface_move(const motion::SurfaceMove& move, std::uint32_t 
 
 // A thread keeps the speed of its begin.
 void RunStatistics::thread(const motion::Thread& thread, std::uint32_t line) {
-  if (!in_thread_) thread_rpm_ = motion::rpm_at(spindle_, at_);
+  if (!in_thread_) thread_rpm_ = motion::rpm_at(spindles_.of_feed(), at_);
   in_thread_ = true;
   const motion::ThreadWay way(thread, at_, axes_);
   cut_mm_ += way.length_mm();
@@ -125,9 +131,10 @@ void RunStatistics::thread(const motion::Thread& thread, std::uint32_t line) {
 }
 
 void RunStatistics::find_speed(const motion::Motion& motion) {
-  if (!spindle_.follows_radius() || motion::target_of(motion) == nullptr) return;
+  const motion::Spindle& spindle = spindles_.of_feed();
+  if (!spindle.follows_radius() || motion::target_of(motion) == nullptr) return;
   const auto curves = curves_.of(at_, motion);
-  if (!curves.empty()) speed_rpm_ = motion::mean_rpm(spindle_, curves);
+  if (!curves.empty()) speed_rpm_ = motion::mean_rpm(spindle, curves);
 }
 
 void RunStatistics::take(const motion::Motion& motion) {
@@ -166,8 +173,8 @@ void RunStatistics::take(const motion::Motion& motion) {
     seconds_ += dwell->seconds;
     dwell_seconds_ += dwell->seconds;
   } else if (const auto* const spindle = std::get_if<Spindle>(&motion.action)) {
-    spindle_ = *spindle;
-    speed_rpm_ = spindle->known_rpm();
+    spindles_.take(*spindle);
+    speed_rpm_ = spindles_.of_feed().known_rpm();
   } else if (const auto* const tool = std::get_if<ToolChange>(&motion.action)) {
     if (std::find(tools_.begin(), tools_.end(), tool->tool) == tools_.end())
       tools_.push_back(tool->tool);

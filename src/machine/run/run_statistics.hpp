@@ -10,6 +10,7 @@
 #include "motion/motion_extent.hpp"
 #include "motion/move_curves.hpp"
 #include "motion/space_arc_path.hpp"
+#include "motion/spindle_set.hpp"
 
 namespace kerf::machine {
 
@@ -60,8 +61,8 @@ class RunStatistics : public motion::MotionSink {
   std::array<double, base::kMaxAxes> rapid_s_per_unit_{};
   std::array<bool, base::kMaxAxes> linear_{};
   motion::MoveCurves curves_;
-  motion::Spindle spindle_;
-  double speed_rpm_ = 0;    // of the move under way, where it changes its mean
+  motion::SpindleSet spindles_;
+  double speed_rpm_;        // of the move under way, where it changes its mean
   double thread_rpm_ = 0;   // of threads in a row: of where the first one begins
   bool in_thread_ = false;  // the last move was a thread
   double seconds_ = 0;

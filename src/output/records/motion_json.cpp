@@ -124,6 +124,17 @@ void MotionJson::feed(const Feed& feed) {
   line_ += '"';
 }
 
+void MotionJson::spindle(const Spindle& spindle) {
+  const bool css = spindle.mode == Spindle::Mode::constant_surface_speed;
+  line_ += std::string(",\"direction\":\"") + turning_name(spindle.turning) + '"';
+  append_member(line_, ",\"speed\":", spindle.speed);
+  line_ += css ? ",\"mode\":\"css\"" : ",\"mode\":\"rpm\"";
+  if (css && spindle.max_rpm > 0) append_member(line_, ",\"max_rpm\":", spindle.max_rpm);
+  if (spindle.follows_radius()) append_member(line_, ",\"centre\":", spindle.centre);
+  if (spindle.name != SpindleName::main)
+    line_ += ",\"spindle\":\"" + std::string(name_of(spindle.name)) + '"';
+}
+
 void MotionJson::space_arc(const SpaceArc& arc) {
   const geometry::SpaceArc circle = SpaceArcPath(axes_, at_, arc).circle();
   target(arc.to);
@@ -194,12 +205,7 @@ void MotionJson::write(const Motion& motion) {
       base::append_integer(line_, action.tool);
     } else if constexpr (std::is_same_v<Action, Spindle>) {
       begin("spindle", motion);
-      const bool css = action.mode == Spindle::Mode::constant_surface_speed;
-      line_ += std::string(",\"direction\":\"") + turning_name(action.turning) + '"';
-      append_member(line_, ",\"speed\":", action.speed);
-      line_ += css ? ",\"mode\":\"css\"" : ",\"mode\":\"rpm\"";
-      if (css && action.max_rpm > 0) append_member(line_, ",\"max_rpm\":", action.max_rpm);
-      if (action.follows_radius()) append_member(line_, ",\"centre\":", action.centre);
+      spindle(action);
     } else if constexpr (std::is_same_v<Action, Coolant>) {
       begin("coolant", motion);
       line_ += std::string(",\"state\":\"") + coolant_name(action.state) + '"';

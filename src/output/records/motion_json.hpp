@@ -24,6 +24,7 @@ class MotionJson : public motion::MotionSink {
   void begin(const char* kind, const motion::Motion& motion);
   void point(const char* name, const base::TipPoint& at);
   void target(const base::TipPoint& to) { point(",\"to\":{", to); }
+  void spindle(const motion::Spindle& spindle);
   void space_arc(const motion::SpaceArc& arc);
   void centre(const motion::Arc& arc);
   void surface_arc(const motion::SurfaceMove& move);

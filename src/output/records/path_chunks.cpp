@@ -89,6 +89,7 @@ PathChunks::PathChunks(const machine::MachineDefinition& machine, Source source,
       emit_(std::move(emit)),
       curves_(axes_),
       commanded_(axes_.start),
+      spindles_(axes_.standing_rpm),
       reached_(axes_.start),
       last_(axes_.start) {
   for (std::size_t m = 0; m < axes_.count() && rotary_axes_.size() < kMostRotary; ++m)
@@ -114,7 +115,7 @@ void PathChunks::take(const motion::Motion& motion) {
   } else if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     tool_ = change->tool;
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    spindle_ = *spindle;
+    spindles_.take(*spindle);
   }
 }
 
@@ -138,7 +139,7 @@ void PathChunks::add_move(const motion::Motion& motion, const TipPoint& to) {
   double length = 0;
   for (const motion::Curve& curve : curves) length += curve.length();
   move.attributes.feed_mm_min =
-      static_cast<float>(programmed_feed(motion, length, motion::rpm_at(spindle_, to)));
+      static_cast<float>(programmed_feed(motion, length, motion::rpm_at(spindles_.of_feed(), to)));
   if (curves.size() == 1 && curves.front().is_line()) return;
   for (const motion::Curve& curve : curves) move.curves.push_back({curve, chords_of(curve)});
 }

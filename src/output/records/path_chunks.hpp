@@ -11,6 +11,7 @@
 #include "motion/axis_point.hpp"
 #include "motion/motion.hpp"
 #include "motion/move_curves.hpp"
+#include "motion/spindle_set.hpp"
 #include "output/picture/drawing/space.hpp"
 #include "output/picture/tip_in_space.hpp"
 
@@ -128,7 +129,7 @@ class PathChunks : public motion::MotionSink, public motion::AxisPointSink {
   // Of the motions.
   base::TipPoint commanded_;
   std::uint64_t motions_ = 0;
-  motion::Spindle spindle_;
+  motion::SpindleSet spindles_;
   double power_percent_ = 0;
   std::uint32_t tool_ = 0;
   std::deque<Move> moves_;

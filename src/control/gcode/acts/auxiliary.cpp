@@ -14,9 +14,44 @@ using gcode::Word;
 using gcode::WordFlag;
 
 constexpr std::int64_t kMostCode = 99999999;
-constexpr std::int64_t kMostSpeed = 99999;
+constexpr std::int64_t kMostLimit_rpm = 99999;
 constexpr double kMostFeed = 240000;  // mm/min
 constexpr int kMostMCodes = 3;        // M3B
+
+// Where the machine file does not say what a code is for, most builders' habits do.
+std::optional<BuilderFunction> likely_function(std::uint32_t number) {
+  if (number >= 100 && number <= 199) return BuilderFunction::wait;
+  if (number >= 200 && number <= 299) return BuilderFunction::sub_spindle;
+  return std::nullopt;
+}
+
+void tell_of_builder(State& state, std::uint32_t number, std::optional<BuilderFunction> function) {
+  const bool known = function.has_value();
+  if (!known) function = likely_function(number);
+  std::uint32_t kind = Assumed::builder_m;
+  std::string what = "is the builder's: it is passed on, what it does is not known";
+  if (function) {
+    const std::string is = known ? "is" : "may be";
+    kind = Assumed::builder_function + static_cast<std::uint32_t>(*function);
+    switch (*function) {
+      case BuilderFunction::wait:
+        what = is + " a wait code of two turrets: it is passed on, nothing waits";
+        break;
+      case BuilderFunction::bar_feeder:
+        what = is + " a code of the bar feeder: it is passed on, no bar moves";
+        break;
+      case BuilderFunction::catcher:
+        what = is + " a code of the parts catcher: it is passed on, no part is caught";
+        break;
+      case BuilderFunction::sub_spindle:
+        what = is + " a code of the sub-spindle: it is passed on, no part changes hands";
+        break;
+      default: return;
+    }
+  }
+  if (state.assumptions.is_new(kind))
+    state.assumptions.add(state.line, "M" + std::to_string(number) + " " + what);
+}
 
 }  // namespace
 
@@ -24,17 +59,12 @@ bool Auxiliary::read(const Words& words) {
   State& s = state_;
   std::int64_t value = 0;
   if (!read_feed(words)) return false;
+  spindles_.choose(words);
   if (words.has('S') && words.has_g(Meaning::preset)) {  // G92 S: the highest speed of G96
-    if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
+    if (!s.values.integer(words['S'], 0, kMostLimit_rpm, value)) return false;
     s.words.max_rpm = static_cast<double>(value);
-  } else if (words.has('S')) {
-    if (!s.values.integer(words['S'], 0, kMostSpeed, value)) return false;
-    const int most = s.parameters.spindle_max_rpm;
-    if (most > 0 && value > most && s.modal[Group::speed] == Meaning::constant_rpm) {
-      return s.alarms.raise(Code::speed_over_max, words['S'].text,
-                            "the spindle turns at most " + std::to_string(most) + " rpm");
-    }
-    s.words.speed = static_cast<double>(value);
+  } else if (words.has('S') && !spindles_.read_speed(words['S'])) {
+    return false;
   }
   if (words.has('T') && !read_tool(words['T'])) return false;
   if (words.has('E') && !s.values.plain(words['E'], s.words.e)) return false;
@@ -120,57 +150,55 @@ bool Auxiliary::Codes::add(Function function) {
   }
 }
 
-void Auxiliary::turn(motion::Spindle::Turning turning) {
-  state_.words.turning = turning;
-  tell_spindle();
-}
-
-void Auxiliary::tell_spindle() {
-  const motion::Spindle spindle = state_.spindle();
-  told_centre_ = spindle.centre;
-  state_.path.act(spindle);
-}
-
-void Auxiliary::follow_work_zero() {
-  const bool turns = motion::Spindle::turns(state_.words.turning);
-  if (!turns || state_.modal[Group::speed] != Meaning::surface_speed) return;
-  if (state_.spindle().centre != told_centre_) tell_spindle();
-}
-
 void Auxiliary::before_motion(const Words& words) {
   bool told = false;
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
     const Function function = m->function();
-    if (m->row != nullptr && m->row->moment == Moment::before_motion) act(*m->row);
+    if (m->row == nullptr) switch_c_axis_on(*m->word);
+    if (m->row != nullptr && m->row->moment == Moment::before_motion) act(*m, words);
     told |=
         function == Function::spindle_clockwise || function == Function::spindle_counterclockwise;
   }
   if (words.has('T') && state_.codes.habits().tool_brings_offset) turret_.turn();
   const bool turning = motion::Spindle::turns(state_.words.turning);
-  const bool changes_speed =
-      !words.has_g(Meaning::preset) || state_.modal[Group::speed] == Meaning::surface_speed;
-  if (words.has('S') && turning && !told && changes_speed) tell_spindle();
+  const bool changes_speed = !words.has_g(Meaning::preset) || state_.has_surface_speed();
+  if (words.has('S') && turning && !told && changes_speed) spindles_.tell();
 }
 
 void Auxiliary::after_motion(const Words& words, std::optional<std::uint32_t> used) {
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
     if (m->row == nullptr) {
       const auto number = static_cast<std::uint32_t>(code_of(*m->word));
-      if (number != used) state_.path.act(motion::AuxiliaryCode{number});
+      if (number != used) pass_on(number);
     } else if (m->row->moment == Moment::behind_motion) {
-      act(*m->row);
+      act(*m, words);
     }
   }
 }
 
-void Auxiliary::act(const FunctionRow& code) {
-  using Turning = motion::Spindle::Turning;
+// The block's own motion may be of the axis.
+void Auxiliary::switch_c_axis_on(const Word& word) {
+  const std::int64_t number = code_of(word);
+  if (state_.parameters.machine_codes.function_of(number) != BuilderFunction::c_axis_on) return;
+  state_.c_axis_is_on = true;
+  state_.path.act(motion::AuxiliaryCode{static_cast<std::uint32_t>(number)});
+}
+
+void Auxiliary::pass_on(std::uint32_t number) {
+  const auto function = state_.parameters.machine_codes.function_of(number);
+  if (function == BuilderFunction::c_axis_on) return;  // passed on before the motion
+  if (function == BuilderFunction::c_axis_off) state_.c_axis_is_on = false;
+  if (state_.codes.habits().tool_brings_offset) tell_of_builder(state_, number, function);
+  state_.path.act(motion::AuxiliaryCode{number});
+}
+
+void Auxiliary::act(const Words::M& code, const Words& words) {
   using Flow = motion::Coolant::State;
-  switch (code.function) {
-    case Function::spindle_clockwise: turn(Turning::clockwise); break;
-    case Function::spindle_counterclockwise: turn(Turning::counterclockwise); break;
-    case Function::spindle_stop: turn(Turning::stopped); break;
-    case Function::spindle_orient: turn(Turning::oriented); break;
+  switch (code.function()) {
+    case Function::spindle_clockwise:
+    case Function::spindle_counterclockwise:
+    case Function::spindle_stop:
+    case Function::spindle_orient: spindles_.act(code, words); break;
     case Function::tool_change:
       state_.path.act(motion::ToolChange{static_cast<std::uint32_t>(state_.words.tool)});
       break;
@@ -180,7 +208,7 @@ void Auxiliary::act(const FunctionRow& code) {
     case Function::rigid_tapping:
       state_.rigid_tapping = true;
       state_.moved_since_m29 = false;
-      state_.path.act(motion::AuxiliaryCode{code.number});
+      state_.path.act(motion::AuxiliaryCode{code.row->number});
       break;
     default: break;  // of the program's flow
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "control/gcode/acts/spindles.hpp"
 #include "control/gcode/acts/state.hpp"
 #include "control/gcode/acts/turret.hpp"
 
@@ -11,7 +12,7 @@ namespace kerf::control {
 /// F, S, T, H, D and the M codes of a block (docs/dialect.md §8, order in a block; §11.5).
 class Auxiliary {
  public:
-  explicit Auxiliary(State& state) : state_(state), turret_(state) {}
+  explicit Auxiliary(State& state) : state_(state), turret_(state), spindles_(state) {}
 
   /// What the M codes of a block ask for besides their own action.
   struct Codes {
@@ -41,18 +42,19 @@ class Auxiliary {
   /// the motion has made use of.
   void after_motion(const Words& words, std::optional<std::uint32_t> used = {});
   /// The zero of the work has moved under a constant surface speed: the spindle is told again.
-  void follow_work_zero();
+  void follow_work_zero() { spindles_.follow_work_zero(); }
+  [[nodiscard]] const Spindles& spindles() const { return spindles_; }
 
  private:
-  void tell_spindle();
   bool read_tool(const gcode::Word& word);
   bool read_offset(const Words& words, char letter, std::int64_t& number);
-  void turn(motion::Spindle::Turning turning);
-  void act(const FunctionRow& code);
+  void switch_c_axis_on(const gcode::Word& word);
+  void pass_on(std::uint32_t number);
+  void act(const Words::M& code, const Words& words);
 
   State& state_;
   Turret turret_;
-  double told_centre_ = 0;  // of the spindle as it was told last
+  Spindles spindles_;
 };
 
 }  // namespace kerf::control

@@ -26,6 +26,29 @@ void State::reset() {
   block_control = feed_control = 0;
 }
 
+double State::most_rpm() const {
+  if (words.spindle == motion::SpindleName::main) return parameters.spindle_max_rpm;
+  const SpindleSettings* const settings = parameters.machine_codes.find(words.spindle);
+  return settings == nullptr ? 0 : settings->most_rpm;
+}
+
+motion::Spindle State::spindle() const {
+  const bool css = has_surface_speed();
+  motion::Spindle spindle{
+      .turning = words.turning,
+      .mode = css ? motion::Spindle::Mode::constant_surface_speed : motion::Spindle::Mode::rpm,
+      .speed = words.speed,
+      .max_rpm = css ? words.max_rpm : 0,
+      .name = words.spindle};
+  if (!codes.habits().tool_brings_offset) return spindle;
+  if (css) {
+    measure_radius(spindle);
+  } else if (const double most = most_rpm(); most > 0) {
+    spindle.speed = std::min(spindle.speed, most);
+  }
+  return spindle;
+}
+
 std::optional<motion::PlaneAxes> State::plane() const {
   const motion::Surface* const surface = path.surface();
   if (surface == nullptr) return motion::plane_axes(modal.plane(), axes);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -22,12 +24,19 @@ namespace kerf::control {
 
 /// Spindle, tool and the other words that stay until they are changed.
 struct ModalWords {
+  struct SpindleWords {
+    double speed = 0;
+    motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
+  };
   double feed = 0;             ///< mm/min, mm/rev or 1/min by the active feed mode; 0: none
   double feed_programmed = 0;  ///< as written, in the program's unit (#4109)
-  double speed = 0;            ///< S
+  double speed = 0;            ///< S of the chosen spindle
   double max_rpm = 0;          ///< G92 S
-  motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
-  std::int64_t tool = 0;             ///< last T (#4120)
+  motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;  ///< of the chosen spindle
+  motion::SpindleName spindle = motion::SpindleName::main;               ///< the chosen one
+  std::array<SpindleWords, motion::kSpindles> others{};  ///< of those that are not chosen
+  double last_speed = 0;                                 ///< S, of whichever spindle
+  std::int64_t tool = 0;                                 ///< last T (#4120)
   std::int64_t station = 0;          ///< of a lathe: the tool that the turret has brought
   std::int64_t turning_offset = 0;   ///< of a lathe: the number of the offset that T has brought
   std::int64_t geometry_offset = 0;  ///< likewise, of its geometry
@@ -37,6 +46,17 @@ struct ModalWords {
   double second_auxiliary = 0;       ///< B (#4102)
   double e = 0;                      ///< #4108
   std::int64_t extended_work = 1;    ///< P of the last G54.1 (#4130)
+
+  /// `speed` and `turning` are those of this spindle from now on.
+  void choose(motion::SpindleName name) {
+    others[index(spindle)] = {speed, turning};
+    spindle = name;
+    speed = others[index(name)].speed;
+    turning = others[index(name)].turning;
+  }
+  [[nodiscard]] motion::Spindle::Turning turning_of(motion::SpindleName name) const {
+    return name == spindle ? turning : others[index(name)].turning;
+  }
 };
 
 /// The state that the parts of the control share. Each part changes what its header says.
@@ -61,6 +81,7 @@ struct State {
                sink),
         path(alarms_in, outlet, {parameters_in.start_up, parameters_in.corner_arc}, axes_in) {
     refresh_format();
+    c_axis_is_on = !parameters_in.machine_codes.switch_c_axis();
   }
 
   const CodeTable& codes;
@@ -87,6 +108,7 @@ struct State {
   double wanted_length = 0;  ///< offset that G43 or G44 asks for; in force from the next move on
   base::AxisVector wanted_offset;  ///< that T of a lathe asks for, mm; likewise, axis by axis
   base::Axis length_axis{};        ///< its axis
+  bool c_axis_is_on = true;        ///< what switches it is the builder's
   bool rigid_tapping = false;      ///< M29
   bool moved_since_m29 = false;
   bool parameter_entry = false;  ///< between G10 L50 and G11
@@ -94,20 +116,23 @@ struct State {
   double block_control = 0;      ///< #3003
   double feed_control = 0;       ///< #3004, bits of FeedControl
 
-  /// What turns now.
-  [[nodiscard]] motion::Spindle spindle() const {
-    const bool css = modal[Group::speed] == Meaning::surface_speed;
-    motion::Spindle spindle{
-        .turning = words.turning,
-        .mode = css ? motion::Spindle::Mode::constant_surface_speed : motion::Spindle::Mode::rpm,
-        .speed = words.speed,
-        .max_rpm = css ? words.max_rpm : 0};
-    if (css && codes.habits().tool_brings_offset) measure_radius(spindle);
-    return spindle;
+  /// What turns now, of the chosen spindle.
+  [[nodiscard]] motion::Spindle spindle() const;
+  /// The most that the chosen spindle can; 0: no limit.
+  [[nodiscard]] double most_rpm() const;
+  /// S of the chosen spindle is a surface speed; a driven tool has none.
+  [[nodiscard]] bool has_surface_speed() const {
+    return modal[Group::speed] == Meaning::surface_speed &&
+           words.spindle != motion::SpindleName::live;
+  }
+  /// Where a tool is driven, that spindle is the chosen one.
+  void choose_driven_tool() {
+    if (motion::Spindle::turns(words.turning_of(motion::SpindleName::live)))
+      words.choose(motion::SpindleName::live);
   }
   /// The work turns: the surface speed is that at the diameter, from the zero of the work system.
   void measure_radius(motion::Spindle& spindle) const {
-    spindle.most_rpm = parameters.spindle_max_rpm;
+    spindle.most_rpm = most_rpm();
     spindle.radius_axis = axes.find('X');
     if (spindle.radius_axis) spindle.centre = coordinates.origin()[*spindle.radius_axis];
   }

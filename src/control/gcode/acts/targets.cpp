@@ -119,7 +119,13 @@ bool Targets::read(const Words& words, Target& target) {
     target.program[axis] = way ? base::tidy(target.program[axis] + number) : number;
     target.named = static_cast<base::AxisSet>(target.named | base::only(axis));
   }
-  return true;
+  return admits(target.named);
+}
+
+bool Targets::admits(base::AxisSet named) {
+  if (state_.c_axis_is_on) return true;
+  const auto c = state_.axes.find('C');
+  return !c || !base::contains(named, *c) || state_.alarms.raise(base::Code::c_axis_is_off);
 }
 
 // G16: the first axis of the plane is a radius, the second an angle. The origin is work zero for an

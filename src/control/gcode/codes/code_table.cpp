@@ -29,10 +29,9 @@ const FunctionRow* CodeTable::find_function(std::int64_t number) const {
   return found == functions_.end() ? nullptr : &*found;
 }
 
-const FunctionRow* CodeTable::external_call() const {
-  const auto found = std::find_if(functions_.begin(), functions_.end(), [](const FunctionRow& row) {
-    return row.function == Function::external_call;
-  });
+const FunctionRow* CodeTable::with(Function function) const {
+  const auto found = std::find_if(functions_.begin(), functions_.end(),
+                                  [=](const FunctionRow& row) { return row.function == function; });
   return found == functions_.end() ? nullptr : &*found;
 }
 

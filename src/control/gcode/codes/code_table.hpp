@@ -104,8 +104,10 @@ class CodeTable {
   }
   /// The first code with this meaning. Precondition: the dialect has one.
   [[nodiscard]] const CodeRow& with(Meaning meaning) const;
+  /// The first M code with this function; null: the dialect has none.
+  [[nodiscard]] const FunctionRow* with(Function function) const;
   /// The row of M198 and its like; null: the dialect has none.
-  [[nodiscard]] const FunctionRow* external_call() const;
+  [[nodiscard]] const FunctionRow* external_call() const { return with(Function::external_call); }
   /// Null: the control has no meaning for it, and passes it on.
   [[nodiscard]] const FunctionRow* find_function(std::int64_t number) const;
 

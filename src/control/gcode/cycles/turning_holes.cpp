@@ -43,6 +43,7 @@ double TurningHoles::return_level() const {
 
 bool TurningHoles::begin(const Words& words, bool starts_mode, bool& moved) {
   cycle_ = state_.modal[Group::cycle];
+  state_.choose_driven_tool();
   if (!find_axis(starts_mode) || !read_data(words)) return false;
   std::int64_t holes = 1;
   if (words.has('K') && !state_.values.integer(words['K'], 0, kMostHoles, holes)) return false;
@@ -124,7 +125,9 @@ bool TurningHoles::check(const Words& words) {
 
 void TurningHoles::find_clamp(const Words& words) {
   for (const Words::M* m = words.m_begin(); m != words.m_end(); ++m) {
-    if (m->row == nullptr) clamp_ = static_cast<std::uint32_t>(code_of(*m->word));
+    const auto function = state_.parameters.machine_codes.function_of(code_of(*m->word));
+    const bool clamps = function.value_or(BuilderFunction::clamp) == BuilderFunction::clamp;
+    if (m->row == nullptr && clamps) clamp_ = static_cast<std::uint32_t>(code_of(*m->word));
   }
 }
 

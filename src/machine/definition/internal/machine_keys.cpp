@@ -17,8 +17,11 @@ using std::string_view;
 
 using Machine = MachineDefinition;
 using Axis = DrivenAxis;
+using Spindle = control::SpindleSettings;
 
 constexpr double kMostNanoseconds = 4294967295;  // 2^32 - 1
+constexpr double kMostRpm = 99999;
+constexpr double kMostCode = 99999999;  // of M
 constexpr double kFastestCrystal_hz = 500'000'000;
 
 // Each list of words beside what its places mean.
@@ -44,6 +47,7 @@ constexpr std::array kWheelHeadings = {PatternSettings::Heading::tangent,
                                        PatternSettings::Heading::program};
 
 std::int64_t whole(double value) { return static_cast<std::int64_t>(value); }
+std::uint32_t code(double value) { return static_cast<std::uint32_t>(value); }
 
 template <typename T, std::size_t N>
 T item(const std::array<T, N>& items, double place) {
@@ -62,6 +66,21 @@ constexpr AxisKey kAxisKeys[] = {
      [](Axis& a, double v) { a.jerk = v > 0 ? v : Axis::kNoLimit; }},
     {"axis", "steps_per_unit", any_but_zero(), [](Axis& a, double v) { a.steps_per_unit = v; }},
     {"axis", "max_rate", not_negative(), [](Axis& a, double v) { a.most_rate_hz = v; }},
+};
+
+constexpr SpindleKey kSpindleKeys[] = {
+    {"spindle", "max_rpm", whole_numbers(0, kMostRpm),
+     [](Spindle& s, double v) { s.most_rpm = v; }},
+    {"spindle", "acceleration", not_negative(),
+     [](Spindle& s, double v) { s.acceleration_rpm_s = v; }},
+    {"spindle", "clockwise", whole_numbers(0, kMostCode),
+     [](Spindle& s, double v) { s.clockwise = code(v); }},
+    {"spindle", "counterclockwise", whole_numbers(0, kMostCode),
+     [](Spindle& s, double v) { s.counterclockwise = code(v); }},
+    {"spindle", "stop", whole_numbers(0, kMostCode),
+     [](Spindle& s, double v) { s.stop = code(v); }},
+    {"spindle", "orient", whole_numbers(0, kMostCode),
+     [](Spindle& s, double v) { s.orient = code(v); }},
 };
 
 constexpr MachineKey kMachineKeys[] = {
@@ -178,6 +197,19 @@ const AxisKey* find_axis_key(string_view name) {
     if (key.name == name) return &key;
   }
   return nullptr;
+}
+
+const SpindleKey* find_spindle_key(string_view name) {
+  for (const SpindleKey& key : kSpindleKeys) {
+    if (key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+void limit_main_spindle(MachineDefinition& machine) {
+  const Spindle* const main = machine.parameters.machine_codes.find(motion::SpindleName::main);
+  if (main != nullptr && main->most_rpm > 0)
+    machine.parameters.spindle_max_rpm = static_cast<int>(main->most_rpm);
 }
 
 std::string drive_objection(const DriveSettings& drive) {

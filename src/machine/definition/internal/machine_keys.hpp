@@ -19,11 +19,16 @@ struct Key {
 };
 using MachineKey = Key<MachineDefinition>;
 using AxisKey = Key<DrivenAxis>;
+using SpindleKey = Key<control::SpindleSettings>;
 
 /// Null when there is no such key. Those of tables that hold more than such keys (the names of
 /// axes, the type of the kinematics) are not among them.
 [[nodiscard]] const MachineKey* find_machine_key(std::string_view table, std::string_view name);
 [[nodiscard]] const AxisKey* find_axis_key(std::string_view name);
+[[nodiscard]] const SpindleKey* find_spindle_key(std::string_view name);
+
+/// The limit of the main spindle becomes that of the control, where the file says one.
+void limit_main_spindle(MachineDefinition& machine);
 
 /// What is wrong with keys that must fit each other, a sentence, or nothing.
 [[nodiscard]] std::string drive_objection(const DriveSettings& drive);

@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 
-#include "base/decimal.hpp"
 #include "kinematics/make.hpp"
+#include "machine/definition/internal/machine_codes_reader.hpp"
 #include "machine/definition/internal/program_axes.hpp"
+#include "machine/definition/internal/toml_value.hpp"
 
 namespace kerf::machine {
 namespace {
 
-constexpr std::array<std::string_view, 10> kTables = {
-    "name",       "description", "dialect", "axis",         "tip",
-    "kinematics", "pattern",     "drive",   "interpolator", "control"};
+constexpr std::array<std::string_view, 12> kTables = {
+    "name",       "description", "dialect", "axis",    "spindle",      "tip",
+    "kinematics", "pattern",     "drive",   "m_codes", "interpolator", "control"};
 constexpr std::array<std::string_view, 5> kTablesOfKeys = {"kinematics", "tip", "interpolator",
                                                            "drive", "pattern"};
 constexpr std::array<std::string_view, 3> kJointNames = {"T1", "T2", "T3"};
@@ -27,40 +28,19 @@ bool is_letter(std::string_view name) {
   return name.size() == 1 && std::string_view("XYZABCUVW").find(name) != std::string_view::npos;
 }
 
-std::string text_of(const toml::node& node) {
-  if (const auto text = node.value<std::string>()) return *text;
-  if (const auto flag = node.as_boolean()) return flag->get() ? "1" : "0";
-  if (const auto number = node.value<double>()) return base::number_text(*number);
-  return {};
-}
-
-std::optional<double> value_of(const Takes& takes, const toml::node& node) {
-  switch (takes.form) {
-    case Takes::Form::word: return value_of(takes, std::string_view(text_of(node)));
-    case Takes::Form::flag:
-      if (!node.is_boolean()) return {};
-      return node.as_boolean()->get() ? 1 : 0;
-    case Takes::Form::number:
-    case Takes::Form::whole_number: break;
-  }
-  const auto number = node.is_number() ? node.value<double>() : std::nullopt;
-  return number && admits(takes, *number) ? number : std::nullopt;
-}
-
 }  // namespace
 
 tl::unexpected<base::Failure> MachineReader::wrong(const toml::node* node,
                                                    const std::string& what) const {
-  std::string where = source_;
-  if (node != nullptr) where += ":" + std::to_string(node->source().begin.line);
-  return tl::unexpected(base::Failure{base::Failure::Kind::input, where + ": " + what});
+  return wrong_at(source_, node, what);
 }
 
 base::Outcome<MachineDefinition> MachineReader::read() {
   using Step = Outcome (MachineReader::*)();
-  constexpr std::array<Step, 6> kSteps = {&MachineReader::read_head, &MachineReader::read_linkage,
-                                          &MachineReader::read_axes, &MachineReader::read_tables,
-                                          &MachineReader::finish,    &MachineReader::read_control};
+  constexpr std::array<Step, 7> kSteps = {&MachineReader::read_head,   &MachineReader::read_linkage,
+                                          &MachineReader::read_axes,   &MachineReader::read_codes,
+                                          &MachineReader::read_tables, &MachineReader::finish,
+                                          &MachineReader::read_control};
   for (const Step step : kSteps) {
     if (auto done = (this->*step)(); !done) return tl::unexpected(done.error());
   }
@@ -194,6 +174,14 @@ MachineReader::Outcome MachineReader::read_value(const Key<Owner>& key, const to
   const auto value = value_of(key.takes, node);
   if (!value) return wrong(&node, std::string(key.name) + " must be " + in_words(key.takes));
   key.assign(owner, *value);
+  return {};
+}
+
+// The limit of the main spindle is a parameter of the control, which may say otherwise.
+MachineReader::Outcome MachineReader::read_codes() {
+  control::MachineCodes& codes = machine_.parameters.machine_codes;
+  if (auto r = MachineCodesReader(file_, source_, codes).read(); !r) return r;
+  limit_main_spindle(machine_);
   return {};
 }
 

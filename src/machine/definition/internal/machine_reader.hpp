@@ -31,6 +31,7 @@ class MachineReader {
   Outcome read_axis(const toml::table& table);
   Outcome read_name(const toml::table& table, DrivenAxis& axis) const;
   Outcome read_axis_item(const std::string& key, const toml::node& node, DrivenAxis& axis) const;
+  Outcome read_codes();
   Outcome read_tables();
   Outcome read_item(std::string_view table, const std::string& key, const toml::node& node);
   Outcome read_control();

@@ -114,6 +114,10 @@ void start(MachineDefinition& machine, const Kinematics& linkage) {
   }
 }
 
+// A lathe's usual feed mode needs one.
+constexpr double kStandingLathe_rpm = 1000;
+constexpr std::string_view kLatheDialect = "fanuc-lathe";
+
 }  // namespace
 
 bool has_own_tip(Kind kind) { return kind == Kind::x_theta_z || kind == Kind::arm; }
@@ -125,6 +129,9 @@ std::string complete(MachineDefinition& machine) {
   machine.axes.axes = program_axes(machine, **linkage);
   machine.axes.linked = machine.kinematics.kind != Kind::cartesian;
   machine.axes.beam = machine.drive.laser.fitted();
+  machine.axes.standing_rpm = machine.dialect == kLatheDialect ? kStandingLathe_rpm : 0;
+  for (const control::SpindleSettings& spindle : machine.parameters.machine_codes.spindles)
+    machine.axes.spindle_acceleration[index(spindle.name)] = spindle.acceleration_rpm_s;
   start(machine, **linkage);
   return {};
 }

@@ -1,0 +1,138 @@
+#include "machine/definition/internal/machine_codes_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "machine/definition/internal/machine_keys.hpp"
+#include "machine/definition/internal/toml_value.hpp"
+
+namespace kerf::machine {
+namespace {
+
+using control::BuilderFunction;
+using control::SpindleSettings;
+using motion::kSpindleNames;
+
+constexpr double kMostMCode = 99999999;
+
+constexpr std::array<std::pair<std::string_view, BuilderFunction>, 7> kFunctions = {{
+    {"c_axis_on", BuilderFunction::c_axis_on},
+    {"c_axis_off", BuilderFunction::c_axis_off},
+    {"clamp", BuilderFunction::clamp},
+    {"wait", BuilderFunction::wait},
+    {"bar_feeder", BuilderFunction::bar_feeder},
+    {"catcher", BuilderFunction::catcher},
+    {"sub_spindle", BuilderFunction::sub_spindle},
+}};
+
+std::optional<BuilderFunction> function_named(std::string_view key) {
+  const auto* const found = std::find_if(kFunctions.begin(), kFunctions.end(),
+                                         [=](const auto& named) { return named.first == key; });
+  return found == kFunctions.end() ? std::nullopt : std::optional(found->second);
+}
+
+// A number, or a list of numbers. False: something else.
+bool read_numbers(const toml::node& node, std::vector<std::uint32_t>& numbers) {
+  if (const toml::array* const list = node.as_array()) {
+    return std::all_of(list->begin(), list->end(),
+                       [&](const toml::node& item) { return read_numbers(item, numbers); });
+  }
+  const auto number = value_of(whole_numbers(0, kMostMCode), node);
+  if (number) numbers.push_back(static_cast<std::uint32_t>(*number));
+  return number.has_value();
+}
+
+}  // namespace
+
+tl::unexpected<base::Failure> MachineCodesReader::wrong(const toml::node& node,
+                                                        const std::string& what) const {
+  return wrong_at(source_, &node, what);
+}
+
+base::Outcome<void> MachineCodesReader::read() {
+  auto done = read_spindles();
+  return done ? read_m_codes() : done;
+}
+
+MachineCodesReader::Outcome MachineCodesReader::read_spindles() {
+  const toml::node* const node = file_.get("spindle");
+  if (node == nullptr) return {};
+  const toml::array* const spindles = node->as_array();
+  if (spindles == nullptr) return wrong(*node, "a machine has [[spindle]] tables");
+  for (const toml::node& spindle : *spindles) {
+    if (!spindle.is_table()) return wrong(spindle, "spindle must be a table");
+    if (auto done = read_spindle(*spindle.as_table()); !done) return done;
+  }
+  return {};
+}
+
+MachineCodesReader::Outcome MachineCodesReader::read_spindle(const toml::table& table) {
+  const auto name = table["name"].value_or(std::string());
+  const auto* const known = std::find(kSpindleNames.begin(), kSpindleNames.end(), name);
+  if (known == kSpindleNames.end())
+    return wrong(table, "a spindle needs a name: main, live or sub");
+  SpindleSettings spindle{.name = static_cast<motion::SpindleName>(known - kSpindleNames.begin())};
+  if (codes_.find(spindle.name) != nullptr)
+    return wrong(table, "spindle " + name + " stands twice");
+  for (const auto& [key, node] : table) {
+    if (auto done = read_item(std::string(key.str()), node, spindle); !done) return done;
+  }
+  codes_.spindles.push_back(std::move(spindle));
+  return {};
+}
+
+MachineCodesReader::Outcome MachineCodesReader::read_item(const std::string& key,
+                                                          const toml::node& node,
+                                                          SpindleSettings& spindle) const {
+  if (key == "name") return {};
+  if (key == "p")
+    return read_numbers(node, spindle.numbers) ? Outcome{} : wrong(node, "p takes whole numbers");
+  const SpindleKey* const known = find_spindle_key(key);
+  if (known == nullptr) return wrong(node, "a spindle has no key " + key);
+  const auto value = value_of(known->takes, node);
+  if (!value) return wrong(node, key + " must be " + in_words(known->takes));
+  known->assign(spindle, *value);
+  return {};
+}
+
+MachineCodesReader::Outcome MachineCodesReader::read_m_codes() {
+  const toml::node* const node = file_.get("m_codes");
+  if (node == nullptr) return {};
+  if (!node->is_table()) return wrong(*node, "m_codes must be a table");
+  for (const auto& [key, numbers] : *node->as_table()) {
+    if (auto done = read_function(key.str(), numbers); !done) return done;
+  }
+  return {};
+}
+
+MachineCodesReader::Outcome MachineCodesReader::read_function(std::string_view key,
+                                                              const toml::node& node) {
+  const auto function = function_named(key);
+  if (!function) return wrong(node, "there is no key m_codes." + std::string(key));
+  std::vector<std::uint32_t> numbers;
+  if (!read_numbers(node, numbers)) return wrong(node, std::string(key) + " takes whole numbers");
+  for (const std::uint32_t number : numbers) codes_.codes.push_back({number, *function});
+  return {};
+}
+
+std::string change_m_codes(control::MachineCodes& codes, std::string_view key,
+                           std::string_view text) {
+  const auto function = function_named(key);
+  if (!function) return "there is no such key";
+  std::vector<control::MachineCodes::Code> changed = codes.codes;
+  std::erase_if(changed, [=](const auto& code) { return code.function == *function; });
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto number = value_of(whole_numbers(0, kMostMCode), text.substr(0, comma));
+    if (!number) return "whole numbers with commas between them are expected";
+    changed.push_back({static_cast<std::uint32_t>(*number), *function});
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  codes.codes = std::move(changed);
+  return {};
+}
+
+}  // namespace kerf::machine

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+#include "control/core/machine_codes.hpp"
+
+namespace kerf::machine {
+
+/// Reads the tables [[spindle]] and [m_codes] of a machine file. Each failure (input) names the
+/// line.
+class MachineCodesReader {
+ public:
+  /// All must outlive the reader.
+  MachineCodesReader(const toml::table& file, const std::string& source,
+                     control::MachineCodes& codes)
+      : file_(file), source_(source), codes_(codes) {}
+
+  [[nodiscard]] base::Outcome<void> read();
+
+ private:
+  using Outcome = base::Outcome<void>;
+
+  Outcome read_spindles();
+  Outcome read_spindle(const toml::table& table);
+  Outcome read_item(const std::string& key, const toml::node& node,
+                    control::SpindleSettings& spindle) const;
+  Outcome read_m_codes();
+  Outcome read_function(std::string_view key, const toml::node& node);
+  [[nodiscard]] tl::unexpected<base::Failure> wrong(const toml::node& node,
+                                                    const std::string& what) const;
+
+  const toml::table& file_;
+  const std::string& source_;
+  control::MachineCodes& codes_;
+};
+
+/// `--machine-set m_codes.KEY=NUMBER,NUMBER…`: the codes of this key are these. Why not, or
+/// nothing.
+[[nodiscard]] std::string change_m_codes(control::MachineCodes& codes, std::string_view key,
+                                         std::string_view text);
+
+}  // namespace kerf::machine

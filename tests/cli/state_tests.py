@@ -154,7 +154,8 @@ def broken_states(box):
     broken = [b"", b"{}", b"[]", b"null", b"hello", good[:-20], good[:len(good) // 2],
               b"\xff\xfe" + good, b"{" * 100000]
     for key in whole:
-        broken.append(json.dumps({k: v for k, v in whole.items() if k != key}).encode())
+        if key != "turning":  # states that were written before there were lathes have none
+            broken.append(json.dumps({k: v for k, v in whole.items() if k != key}).encode())
         broken.append(json.dumps({**whole, key: "no"}).encode())
     for changed in ({"variables": {"100": 1}}, {"variables": {"500": None}},
                     {"variables": {"500x": 1}}, {"variables": {"1000": 1}},

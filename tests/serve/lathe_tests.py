@@ -110,6 +110,7 @@ def _(place):
     equal((row["geometry_x"], row["geometry_z"]), (round(52 - 4 - 38.25 - 0.1, 6), 20), "geometry")
     mdi(client, "T0303\nG00X38.25Z0.\n")
     equal((at(client), at(client, "machine")), ({"X": 38.25, "Z": 0}, {"X": 52, "Z": -80}), "with the offset in force")
+    equal(client.state["tool_offset"], 3, "the offset in force")
     client.do("measure-offset", number=3, axis="X", reads=30)
     equal(tool(client, 3)["geometry_x"], round(52 - 4 - 30 - 0.1, 6), "measured again with the offset in force")
     says(client.refused("measure-offset", number=3, axis="C", reads=1), "no axis")

@@ -135,3 +135,39 @@ export function spiral(cuts) {
   lines.push('G00 Z5.', 'M30', '%', '');
   return lines.join('\n');
 }
+
+/** A shaft: facing, roughing and finishing of its shape under G96, a thread. */
+export const SHAFT = `%
+O0060 (SHAFT)
+G21 G99 G40
+G28 U0 W0
+G50 S2500
+T0101 (ROUGHING, NOSE 0.8)
+G96 S180 M03
+G00 X64. Z0. M08
+G01 X-1.6 F.2
+G00 X62. Z2.
+G71 U2.5 R0.5
+G71 P100 Q200 U0.6 W0.1 F0.25
+N100 G00 X18.
+G01 Z0. F0.12
+X20. Z-1.
+Z-24.
+X26.
+G03 X32. Z-27. R3.
+G01 Z-40.
+G02 X40. Z-44. R4.
+G01 X48.
+X52. Z-58.
+N200 X62.
+G42 G70 P100 Q200
+G40 G00 X100. Z60. T0100
+T0303 (THREAD)
+G97 S900 M03
+G00 X26. Z5.
+G76 P010060 Q100 R0.05
+G76 X17.546 Z-20. P1227 Q400 F2.
+G00 X100. Z60. T0300 M09
+M30
+%
+`;

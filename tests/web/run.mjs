@@ -30,6 +30,7 @@ import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
 import { phone } from './scenarios/phone.mjs';
+import { lathe } from './scenarios/lathe.mjs';
 import { link } from './scenarios/link.mjs';
 import { cells } from './scenarios/cells.mjs';
 import { keys } from './scenarios/keys.mjs';
@@ -45,6 +46,7 @@ const ALL = [
   ...cells,
   ...marks,
   ...drafts,
+  ...lathe,
   ...link,
   ...files,
   ...patterns,

@@ -3,6 +3,7 @@ import { in_order, row_of } from '../src/logic/modal';
 import {
   type WorkOffset,
   by_system,
+  empty_tool,
   further_system,
   with_added,
   with_systems,
@@ -63,7 +64,7 @@ it('a tool that was added has an empty row until the machine tells it', () => {
     radius_geometry: 4,
     radius_wear: 0,
   };
-  const table = with_added([five], [7, 5, 2, 7]);
+  const table = with_added([five], [7, 5, 2, 7], empty_tool);
   expect(table.map((tool) => tool.number)).toEqual([2, 5, 7]);
   expect(table[1]).toBe(five);
   expect(table[2].length_geometry).toBe(0);

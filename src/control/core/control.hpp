@@ -36,6 +36,7 @@ struct ModalView {
   std::uint32_t further_system = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
   std::uint32_t length_offset = 0;
   std::uint32_t radius_offset = 0;
+  std::uint32_t tool_offset = 0;  ///< of a lathe: the one that T has brought
   friend bool operator==(const ModalView&, const ModalView&) = default;
 };
 

@@ -70,8 +70,9 @@ struct Snapshot {
   motion::Spindle::Turning spindle = motion::Spindle::Turning::stopped;
   motion::Coolant::State coolant = motion::Coolant::State::off;
   std::uint32_t tool = 0;
-  double power_percent = 0;  ///< the dial included
-  bool beam = false;         ///< off while the axes rest on their way
+  std::uint32_t tool_offset = 0;  ///< of a lathe: the number in force, 0: none
+  double power_percent = 0;       ///< the dial included
+  bool beam = false;              ///< off while the axes rest on their way
 
   std::optional<AlarmText> alarm;
   std::vector<std::string> messages;     ///< of the program and of the panel, the newest last

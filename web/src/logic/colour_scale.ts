@@ -40,6 +40,11 @@ const RAPID: Record<Scheme, Rgb> = { dark: hex('#7d8b99'), light: hex('#6a7682')
 
 export const rapid_colour = (scheme: Scheme): Rgb => RAPID[scheme];
 
+/** Threads have the lightest or darkest colour, which no tool has. */
+const THREAD: Record<Scheme, Rgb> = { dark: hex('#f3f6f9'), light: hex('#0b0d10') };
+
+export const thread_colour = (scheme: Scheme): Rgb => THREAD[scheme];
+
 export function tool_colour(tool: number, scheme: Scheme): Rgb {
   const colours = TOOLS[scheme];
   return colours[Math.max(0, tool - 1) % colours.length];

@@ -63,7 +63,7 @@ export interface Tool {
   radius_wear: number;
 }
 
-const empty_tool = (number: number): Tool => ({
+export const empty_tool = (number: number): Tool => ({
   number,
   length_geometry: 0,
   length_wear: 0,
@@ -72,7 +72,11 @@ const empty_tool = (number: number): Tool => ({
 });
 
 /** The table with empty rows for `numbers` that it does not have. */
-export function with_added(tools: Tool[], numbers: number[]): Tool[] {
+export function with_added<Row extends { number: number }>(
+  tools: Row[],
+  numbers: number[],
+  empty: (number: number) => Row,
+): Row[] {
   const missing = [...new Set(numbers)].filter((n) => !tools.some((tool) => tool.number === n));
-  return [...tools, ...missing.map(empty_tool)].sort((a, b) => a.number - b.number);
+  return [...tools, ...missing.map(empty)].sort((a, b) => a.number - b.number);
 }

@@ -39,7 +39,9 @@ export interface Facts {
   cuts: Box;
   feed: [number, number];
   speed: [number, number];
+  /** That cut other things than threads, which have a colour of their own. */
   tools: number[];
+  threads: boolean;
 }
 
 export class PathStore {
@@ -177,7 +179,8 @@ export class PathStore {
       grow(facts.cuts, chunk.xyz[a], chunk.xyz[a + 1], chunk.xyz[a + 2]);
       widen(facts.feed, chunk.feed_mm_min[i]);
       widen(facts.speed, chunk.speed_mm_min[i]);
-      tools.add(chunk.tool[i]);
+      if (chunk.kind[i] === Kind.thread) facts.threads = true;
+      else tools.add(chunk.tool[i]);
     }
     for (const block of this.blocks) if (block.chunk === chunk) join(facts.bounds, block.box);
     facts.tools = [...tools].sort((a, b) => a - b);
@@ -196,6 +199,7 @@ function no_facts(): Facts {
     feed: [Infinity, -Infinity],
     speed: [Infinity, -Infinity],
     tools: [],
+    threads: false,
   };
 }
 

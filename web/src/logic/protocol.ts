@@ -13,6 +13,8 @@ export const MODES: readonly Mode[] = ['edit', 'mdi', 'auto', 'jog', 'ref', 'tea
 export interface AxisDefinition {
   name: string;
   rotary: boolean;
+  /** Its positions, offsets and travel are twice the way of the axis. Joints and paths are the way itself. */
+  diameter?: boolean;
   /** Travel in machine coordinates; null: turns without end. */
   min: number | null;
   max: number | null;
@@ -36,6 +38,8 @@ export interface MachineDefinition {
   joints: AxisDefinition[];
   kinematics: Kinematics;
   laser: boolean;
+  /** Its tools have the offsets of a lathe. */
+  lathe: boolean;
   period_s: number;
   rapid_mm_min: Axes;
   /** Of G-code, in the order in which they are shown. */
@@ -121,8 +125,13 @@ export interface StackEntry {
 }
 
 export interface Spindle {
+  /** As it turns now. */
   speed_rpm: number;
   direction: string;
+  /** Constant surface speed; 0: the speed is fixed. */
+  surface_m_min: number;
+  /** Of a surface speed; 0: there is none. */
+  limit_rpm: number;
   load: number | null;
 }
 
@@ -146,9 +155,12 @@ export interface MachineState {
   position: { machine: Axes; work: Axes; distance: Axes };
   joints: Axes;
   modal: string[];
-  feed: { programmed_mm_min: number; actual_mm_min: number };
+  /** `programmed_mm_rev` is 0 where the feed counts minutes. */
+  feed: { programmed_mm_min: number; actual_mm_min: number; programmed_mm_rev: number };
   spindle: Spindle;
   tool: number;
+  /** Of a lathe: the number that T has brought. */
+  tool_offset: number;
   coolant: string;
   power_percent: number | null;
   beam: boolean;
@@ -274,6 +286,7 @@ export const DATED_COMMANDS: ReadonlySet<string> = new Set([
   'mode',
   'override',
   'set-input',
+  'measure-offset',
   'set-offset',
   'set-tool',
   'set-variable',
@@ -298,9 +311,10 @@ export const EMPTY_STATE: MachineState = {
   position: { machine: {}, work: {}, distance: {} },
   joints: {},
   modal: [],
-  feed: { programmed_mm_min: 0, actual_mm_min: 0 },
-  spindle: { speed_rpm: 0, direction: 'stop', load: null },
+  feed: { programmed_mm_min: 0, actual_mm_min: 0, programmed_mm_rev: 0 },
+  spindle: { speed_rpm: 0, direction: 'stop', surface_m_min: 0, limit_rpm: 0, load: null },
   tool: 0,
+  tool_offset: 0,
   coolant: 'off',
   power_percent: null,
   beam: false,

@@ -2,26 +2,48 @@
 import { Matrix4, OrthographicCamera, Quaternion, Vector3 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Box } from '../logic/box';
-import { VIEWS, type ViewName } from './views';
+import { ON_THE_TABLE, type Standing, type ViewName } from './views';
 
 const FAR_MM = 1000;
 const MARGIN = 1.14;
 
 export class Eye {
   readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
-  private readonly controls: OrbitControls;
+  private controls: OrbitControls;
+  private standing = ON_THE_TABLE;
   private half_height_mm = 100;
   private width = 1;
   private height = 1;
 
   /** `changed`: what is seen is another view; `by_hand`: somebody has begun to turn it. */
-  constructor(canvas: HTMLCanvasElement, changed: () => void, by_hand: () => void) {
-    this.camera.up.set(0, 0, 1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = false;
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', changed);
-    this.controls.addEventListener('start', by_hand);
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly changed: () => void,
+    private readonly by_hand: () => void,
+  ) {
+    this.controls = this.new_controls();
+  }
+
+  /** OrbitControls turns about what was up when it was made. */
+  private new_controls(): OrbitControls {
+    this.camera.up.set(...this.standing.up);
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.enableDamping = false;
+    controls.zoomToCursor = true;
+    controls.addEventListener('change', this.changed);
+    controls.addEventListener('start', this.by_hand);
+    return controls;
+  }
+
+  /** As a machine stands, from its first view; as it was where it stands so already. */
+  stand(standing: Standing): void {
+    if (standing === this.standing) return;
+    this.standing = standing;
+    const target = this.controls.target.clone();
+    this.controls.dispose();
+    this.controls = this.new_controls();
+    this.controls.target.copy(target);
+    this.look(standing.first);
   }
 
   dispose(): void {
@@ -36,14 +58,14 @@ export class Eye {
   }
 
   look(view: ViewName): void {
-    const { from, up } = VIEWS[view];
+    const { from, up } = this.standing.views[view];
     const way = new Vector3(...from).normalize().multiplyScalar(FAR_MM);
     this.camera.up.set(...up);
     this.camera.position.copy(this.controls.target).add(way);
     this.camera.lookAt(this.controls.target);
-    // OrbitControls turns about what was up when it was made: always Z, but for the view from above.
-    this.camera.up.set(0, 0, 1);
-    if (view === 'top') this.camera.position.y -= 0.01;
+    this.camera.up.set(...this.standing.up);
+    // From above what is up in the picture is not what is up.
+    if (view === 'top') this.camera.position.sub(new Vector3(...up).multiplyScalar(0.01));
     this.controls.update();
   }
 

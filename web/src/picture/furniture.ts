@@ -82,7 +82,7 @@ export function ground_grid(box: Box, palette: Palette): Group {
   return group;
 }
 
-const round_step = (wanted: number): number =>
+export const round_step = (wanted: number): number =>
   [1, 2, 5, 10, 20, 50, 100, 200, 500].find((step) => step >= wanted) ?? 1000;
 
 function grid_lines(box: Box, step: number, colour: string): LineSegments {

@@ -13,6 +13,7 @@ import {
 import { arm_pose, head_pose, turning_pose } from '../logic/kinematics';
 import type { Kinematics, MachineDefinition } from '../logic/protocol';
 import { type Palette, lines } from './furniture';
+import { InsertModel } from './insert';
 import { NozzleModel } from './nozzle';
 import { OpticsModel } from './optics';
 import { Beam, type Model, type Pose, link, part, pillar, translated } from './parts';
@@ -24,6 +25,7 @@ export function model_of(definition: MachineDefinition, palette: Palette, reach_
   if (kinematics.kind === 'arm') return new ArmModel(kinematics, palette);
   if (kinematics.kind === 'head-ac') return new HeadModel(kinematics, palette);
   if (kinematics.kind === 'x-theta-z') return new TurningModel(kinematics, palette, reach_mm);
+  if (definition.lathe) return new InsertModel(palette);
   return definition.laser ? new OpticsModel(definition, palette) : new SpindleModel(palette);
 }
 

@@ -11,6 +11,7 @@ import {
 } from 'three';
 import type { Point } from '../logic/kinematics';
 import type { Axes } from '../logic/protocol';
+import type { Nose } from '../logic/turning_offsets';
 import type { Palette } from './furniture';
 
 export interface Pose {
@@ -20,6 +21,8 @@ export interface Pose {
   beam: boolean;
   /** 0 to 1. */
   power: number;
+  /** Of a lathe's tool. */
+  nose?: Nose;
 }
 
 export interface Model {

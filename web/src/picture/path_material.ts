@@ -8,6 +8,7 @@ import {
   type Colouring,
   type Scheme,
   rapid_colour,
+  thread_colour,
   scale_stops,
   tool_colour,
 } from '../logic/colour_scale';
@@ -27,7 +28,8 @@ uniform int colouring;
 uniform vec2 range;
 uniform vec3 tools[${TOOL_COLOURS}];
 uniform vec3 stops[5];
-uniform vec3 rapid, ground;
+uniform vec3 rapid, thread, ground;
+uniform float mirrored;      // 1: the other half of a turned part, faint and without rapids
 uniform float done;          // vertices of the path that are behind the tool; negative: all count as done
 uniform float stop;          // vertices up to where the control stops; negative: it does not
 uniform float chunk_start;
@@ -49,6 +51,7 @@ vec4 texel(int index) {
 
 vec3 cut_colour(vec2 rates, int looks) {
   int tool = (looks >> 3) & 255;
+  if (colouring == 0 && (looks & 7) == 3) return thread;
   if (colouring == 0) return tools[max(tool - 1, 0) % ${TOOL_COLOURS}];
   float power = float(looks >> 11);
   float value = colouring == 1 ? rates.x : colouring == 2 ? rates.y : power;
@@ -65,7 +68,7 @@ void main() {
   int looks = int(rates.z);
   int kind = looks & 7;
   bool is_rapid = kind == 0;
-  bool hidden = kind == 2 || (is_rapid && show_rapids < 0.5) || segment % part.y != part.x;
+  bool hidden = kind == 2 || (is_rapid && (show_rapids < 0.5 || mirrored > 0.5)) || segment % part.y != part.x;
   vec4 a = projectionMatrix * modelViewMatrix * vec4(from.xyz, 1.0);
   vec4 b = projectionMatrix * modelViewMatrix * vec4(to.xyz, 1.0);
   vec2 pa = a.xy / a.w * viewport * 0.5;
@@ -87,6 +90,7 @@ void main() {
   vec3 full = is_rapid ? rapid : cut_colour(rates.xy, looks);
   float faint = is_rapid ? 0.5 : 0.42;
   colour = behind ? full : mix(beyond ? rapid : full, ground, faint);
+  colour = mix(colour, ground, 0.62 * mirrored);
   dash = vec2(end_of * length_px, beyond ? 2.0 : is_rapid ? 1.0 : 0.0);
 }`;
 
@@ -117,6 +121,8 @@ export class PathMaterial extends RawShaderMaterial {
         tools: { value: [] as Vector3[] },
         stops: { value: [] as Vector3[] },
         rapid: { value: new Vector3() },
+        thread: { value: new Vector3() },
+        mirrored: { value: 0 },
         ground: { value: new Vector3() },
         done: { value: -1 },
         stop: { value: -1 },
@@ -136,6 +142,7 @@ export class PathMaterial extends RawShaderMaterial {
     this.uniforms.tools.value = tools;
     this.uniforms.stops.value = scale_stops(scheme).map(vector);
     this.uniforms.rapid.value = vector(rapid_colour(scheme));
+    this.uniforms.thread.value = vector(thread_colour(scheme));
     const colour = new Color().setStyle(ground, '');
     this.uniforms.ground.value = new Vector3(colour.r, colour.g, colour.b);
   }
@@ -143,6 +150,10 @@ export class PathMaterial extends RawShaderMaterial {
   /** Of every `one_of` segments the one behind `part` others is drawn. */
   set_part(part: number, one_of: number): void {
     this.uniforms.part.value.set(part, one_of);
+  }
+
+  set_mirrored(mirrored: boolean): void {
+    this.uniforms.mirrored.value = mirrored ? 1 : 0;
   }
 
   set_colouring(colouring: Colouring, low: number, high: number): void {

@@ -36,7 +36,8 @@ import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
 import { travel_of, with_linkage } from './subject';
-import type { ViewName } from './views';
+import { type WorkZero, turning_sheet, with_mirrored } from './turning_sheet';
+import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 
 const CORNER_PX = 92;
 const PICK_REACH_PX = 7;
@@ -77,6 +78,7 @@ export class Picture {
   private closed = false;
   private readonly view = new ViewKeeper();
   private tip: Point | null = null;
+  private zero: WorkZero = { x: 0, z: 0 };
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -127,6 +129,7 @@ export class Picture {
     this.view.forget();
     this.tip = null;
     this.glide.forget();
+    this.eye.stand(definition.lathe ? IN_THE_CHUCK : ON_THE_TABLE);
     this.build_model();
     this.build_furniture();
     this.fit();
@@ -174,6 +177,14 @@ export class Picture {
     this.tip = pose.tip;
     this.glide.aim(pose, at_once || this.calm(), performance.now());
     this.request();
+  }
+
+  /** Of a lathe: where the zero of the work system lies, whose X is the centre of the part. */
+  set_work_zero(zero: WorkZero): void {
+    if (zero.x === this.zero.x && zero.z === this.zero.z) return;
+    this.zero = zero;
+    this.build_furniture();
+    if (this.view.goes_with_path) this.fit();
   }
 
   set_highlight(ranges: Range[]): void {
@@ -301,7 +312,19 @@ export class Picture {
   private draw_path(part: number, one_of: number): void {
     this.material.set_part(part, one_of);
     this.renderer.setViewport(0, 0, this.width, this.height);
+    if (this.definition?.lathe && this.shown.stock) this.draw_other_half();
     this.renderer.render(this.path_scene, this.eye.camera);
+  }
+
+  /** A turned part is as well where the tool is not: its cuts beyond the centre line, faint. */
+  private draw_other_half(): void {
+    this.material.set_mirrored(true);
+    this.path_scene.scale.x = -1;
+    this.path_scene.position.x = 2 * this.zero.x;
+    this.renderer.render(this.path_scene, this.eye.camera);
+    this.path_scene.scale.x = 1;
+    this.path_scene.position.x = 0;
+    this.material.set_mirrored(false);
   }
 
   private pose_model(now: number): boolean {
@@ -339,7 +362,8 @@ export class Picture {
     // An arm reaches from its base to the tool wherever that is.
     if (this.definition?.kinematics.kind === 'arm') least_cuts = 0;
     const { rapids } = this.shown;
-    const box = fit_box(cuts, bounds, { rapids, tip: this.tip, least_cuts });
+    const work = this.definition?.lathe ? with_mirrored(cuts, this.zero) : cuts;
+    const box = fit_box(work, bounds, { rapids, tip: this.tip, least_cuts });
     return with_linkage(box, this.definition, this.store);
   }
 
@@ -358,14 +382,20 @@ export class Picture {
     dispose(this.furniture);
     this.furniture = new Group();
     if (!is_empty(this.travel)) {
-      this.furniture.add(ground_grid(this.grid_box(), this.palette));
+      this.furniture.add(this.ground(this.palette));
       if (this.shown.travel) this.furniture.add(box_edges(this.travel, this.palette.travel, true));
     }
     const cuts = this.store?.facts.cuts;
-    if (this.shown.stock && cuts && !is_empty(cuts))
+    if (this.shown.stock && cuts && !is_empty(cuts) && !this.definition?.lathe)
       this.furniture.add(stock_box(cuts, this.palette));
     this.scene.add(this.furniture);
     this.request();
+  }
+
+  private ground(palette: Palette): Group {
+    const cuts = this.store?.facts.cuts ?? empty_box();
+    if (this.definition?.lathe) return turning_sheet(cuts, this.travel, this.zero, palette);
+    return ground_grid(this.grid_box(), palette);
   }
 
   /** The grid lies on the floor of the travel, or below the work where the travel is far under it. */

@@ -2,6 +2,7 @@
 import { type Box, empty_box, grow, join } from '../logic/box';
 import { Kind } from '../logic/chunk';
 import { head_pose, joints_of } from '../logic/kinematics';
+import { way_of } from '../logic/diameters';
 import type { PathPlace, PathStore } from '../logic/path_store';
 import type { MachineDefinition } from '../logic/protocol';
 
@@ -16,9 +17,9 @@ export function travel_of(definition: MachineDefinition): Box {
     const axis =
       definition.axes.find((a) => a.name === name) ??
       definition.joints.find((a) => a.name === name);
-    const far = reach || radius_of(definition);
-    box.min[i] = axis?.min ?? -far;
-    box.max[i] = axis?.max ?? far;
+    const far = definition.lathe ? 0 : reach || radius_of(definition);
+    box.min[i] = way_of(axis, axis?.min ?? -far);
+    box.max[i] = way_of(axis, axis?.max ?? far);
   });
   return box;
 }

@@ -4,9 +4,17 @@ import {
   type Tool,
   type WorkOffset,
   by_system,
+  empty_tool,
   with_added,
   with_systems,
 } from '../logic/offsets';
+import {
+  type Nose,
+  type TurningOffset,
+  type TurningPart,
+  empty_offset,
+  nose_of,
+} from '../logic/turning_offsets';
 import { panel } from './panel.svelte';
 
 export type ToolValue = Exclude<keyof Tool, 'number'>;
@@ -17,6 +25,8 @@ class Offsets {
   /** What the machine tells, and the rows that stand already: one that becomes all 0, or is to be filled in, stays. */
   work = $state.raw<WorkOffset[]>([]);
   tools = $state.raw<Tool[]>([]);
+  /** Of lathes. */
+  turning = $state.raw<TurningOffset[]>([]);
   /** Whose tables these are. */
   private machine = $state('');
   private timer: ReturnType<typeof setTimeout> | null = null;
@@ -38,8 +48,37 @@ class Offsets {
     return this.change(`${offset} ${axis}`, { offset, axis }, value, before);
   }
 
-  set_tool(number: number, key: ToolValue, value: number, before: number): Promise<void> {
+  set_tool(
+    number: number,
+    key: ToolValue | TurningPart,
+    value: number,
+    before: number,
+  ): Promise<void> {
     return this.change(`T${number} ${key}`, { offset: `tool.${number}.${key}` }, value, before);
+  }
+
+  /** The geometry becomes the one with which the axis reads `reads` where it stands. */
+  measure(number: number, axis: string, reads: number): Promise<void> {
+    const part = `geometry_${axis.toLowerCase()}` as TurningPart;
+    const set = (value: number) =>
+      this.write('set-offset', { offset: `tool.${number}.${part}`, value });
+    const before = this.row(number)[part];
+    // Done again it is the same value, wherever the tool stands then.
+    let measured: number | null = null;
+    const redo = async () => {
+      if (measured !== null) return set(measured);
+      await this.write('measure-offset', { number, axis, reads });
+      measured = this.row(number)[part];
+    };
+    return this.perform(`T${number} ${axis}`, redo, () => set(before));
+  }
+
+  nose(number: number): Nose {
+    return nose_of(this.row(number));
+  }
+
+  private row(number: number): TurningOffset {
+    return this.turning.find((row) => row.number === number) ?? empty_offset(number);
   }
 
   /** A row for a system of which nothing is known yet. */
@@ -49,23 +88,35 @@ class Offsets {
 
   /** A row for a tool of which nothing is known yet. */
   add_tool(number: number): void {
-    this.tools = with_added(this.tools, [number]);
+    if (panel.definition?.lathe) this.turning = with_added(this.turning, [number], empty_offset);
+    else this.tools = with_added(this.tools, [number], empty_tool);
   }
 
-  private async change(
+  private change(
     what: string,
     place: Record<string, unknown>,
     value: number,
     before: number,
   ): Promise<void> {
-    const write = async (to: number) => {
-      const answer = await panel.act('set-offset', { ...place, value: to });
-      if (!answer) throw new Error('refused');
-      await this.ask();
-    };
-    await panel.edits
-      .perform({ what, undo: () => write(before), redo: () => write(value) })
-      .catch(() => null);
+    const write = (to: number) => this.write('set-offset', { ...place, value: to });
+    return this.perform(
+      what,
+      () => write(value),
+      () => write(before),
+    );
+  }
+
+  private async perform(
+    what: string,
+    redo: () => Promise<void>,
+    undo: () => Promise<void>,
+  ): Promise<void> {
+    await panel.edits.perform({ what, undo, redo }).catch(() => null);
+  }
+
+  private async write(command: string, words: Record<string, unknown>): Promise<void> {
+    if (!(await panel.act(command, words))) throw new Error('refused');
+    await this.ask();
   }
 
   private async ask(): Promise<void> {
@@ -73,12 +124,19 @@ class Offsets {
     const work = await panel.ask('offsets').catch(() => null);
     const tools = await panel.ask('tools').catch(() => null);
     if (!work || !tools || machine !== panel.machine) return;
-    if (!this.are_of_this_machine) [this.work, this.tools] = [[], []];
+    if (!this.are_of_this_machine) [this.work, this.tools, this.turning] = [[], [], []];
     const systems = this.work.map(({ name }) => name);
-    const numbers = this.tools.map(({ number }) => number);
     this.work = with_systems(by_system(work.offsets as OffsetRow[]), systems);
-    this.tools = with_added(tools.tools as Tool[], numbers);
+    this.take_tools(tools.tools);
     this.machine = machine;
+  }
+
+  /** Rows that stand already stay. */
+  private take_tools(told: unknown): void {
+    const numbers = (rows: { number: number }[]) => rows.map(({ number }) => number);
+    if (panel.definition?.lathe)
+      this.turning = with_added(told as TurningOffset[], numbers(this.turning), empty_offset);
+    else this.tools = with_added(told as Tool[], numbers(this.tools), empty_tool);
   }
 }
 

@@ -75,6 +75,7 @@ ModalView State::modal_view() const {
   view.further_system = coordinates.work().extended;
   view.length_offset = static_cast<std::uint32_t>(words.length_offset);
   view.radius_offset = static_cast<std::uint32_t>(words.radius_offset);
+  view.tool_offset = static_cast<std::uint32_t>(words.turning_offset);
   return view;
 }
 

@@ -60,7 +60,7 @@ each character of a line is in exactly one token.
 `{"event":"state","machine","status":"idle|running|held|stopped|step|end|alarm","mode","program","file","line","text","time_s",
 "total_s","run","motion","motions","position":{"machine":{},"work":{},"distance":{}},"joints":{},"modal":["G01",…],
 "feed":{"programmed_mm_min","actual_mm_min","programmed_mm_rev"},"spindle":{"speed_rpm","direction","surface_m_min","limit_rpm","load"},
-"tool","coolant","power_percent","beam",
+"tool","tool_offset","coolant","power_percent","beam",
 "override":{"feed","rapid","spindle"},"switches":{},"skip":[],"alarm":null|{"code","message","program","file","line","column",
 "length","cause","remedy"},"messages":[],"stack":[{"program","file","line","level"}],"variables_revision","printed",
 "waits_for_input","inputs":[bits,word,word,word],"breakpoint":null|{…},"preview_run","operator":null|"client-1",
@@ -69,7 +69,7 @@ each character of a line is in exactly one token.
 "unsaved":null|"sentence"}`. `unsaved`: why the memory cannot be written to the disk; the server goes on trying.
 Positions are as people count: of an axis with `diameter` in the definition twice the way, as are its travel there, offsets and
 what a jog by a distance says; `joints`, rates and paths are the ways themselves. `programmed_mm_rev` is 0 where the feed counts minutes,
-`surface_m_min` where the speed of the spindle is fixed; `speed_rpm` is what it turns now.
+`surface_m_min` where the speed of the spindle is fixed; `tool_offset` is the number that T of a lathe has brought; `speed_rpm` is what it turns now.
 `inputs` are the signals #1000 to #1015 as bits of one number, and #1033 to #1035 as words of 32 bits.
 `total_s` is how long the program takes, as soon as its preview has come to the end. `file` is MDI while an entry executes.
 

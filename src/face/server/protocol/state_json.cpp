@@ -213,6 +213,7 @@ Json state_json(const Snapshot& s, const MachineDefinition& definition) {
                      {"limit_rpm", told(s.spindle_limit_rpm)},
                      {"load", nullptr}};
   json["tool"] = s.tool;
+  json["tool_offset"] = s.tool_offset;
   json["coolant"] = name_of(s.coolant);
   json["power_percent"] = told(s.power_percent);
   json["beam"] = s.beam;

@@ -89,6 +89,7 @@ void show_functions(const Seen& seen, Snapshot& shown) {
   shown.modal = machine.control().modal_text(state.modal);
   shown.coolant = state.coolant;
   shown.tool = state.tool;
+  shown.tool_offset = state.modal.tool_offset;
   const int dial = seen.panel.dials.spindle;
   shown.power_percent = std::min(100.0, state.power.percent * dial / 100);
   // Where the axes rest on their way it would burn a hole.

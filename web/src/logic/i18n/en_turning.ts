@@ -1,0 +1,28 @@
+/** What the page says of lathes. */
+export const en_turning = {
+  'jog.diameter': 'The step of X is one of its diameter',
+  'legend.thread': 'thread',
+  'position.diameter': 'diameter',
+  'technology.limit': 'at most {rpm}',
+  'technology.surface': 'Constant surface speed: {speed} m/min',
+  'technology.turret': 'Tool in the turret',
+  'turning.add': 'Add offset',
+  'turning.geometry': 'Geometry',
+  'turning.in-force': 'in force',
+  'turning.measure': 'Touch off',
+  'turning.measure-axis': 'Measured {axis}',
+  'turning.measure-set': 'Set {axis}',
+  'turning.measure-why':
+    'Leave the tool where it has cut, and enter what was measured there: its geometry becomes the one with which {axis} reads this.',
+  'turning.none': 'All offsets are 0. Add the number that T calls: T0305 calls 5.',
+  'turning.number': 'Offset',
+  'turning.radius': 'Nose R',
+  'turning.tip': 'Tip',
+  'turning.tip-is': 'Direction {tip} of the tip',
+  'turning.tips': 'Direction of the tip of offset {number}',
+  'turning.wear': 'Wear',
+  'view.face': 'On the face of the part',
+  'view.short-face': 'Face',
+  'view.short-zx': 'ZX',
+  'view.zx': 'ZX: Z to the right, X up',
+};

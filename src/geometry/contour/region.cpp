@@ -9,14 +9,23 @@
 namespace kerf::contour {
 namespace {
 
-// The middle of the longest edge: no other loop comes near it, as loops have no edge in common.
-Vec2 probe_of(const Contour& loop) {
+Edge longest_edge(const Contour& loop) {
   Edge longest = edge_of(loop, 0);
   for (std::size_t i = 1; i < edge_count(loop); ++i) {
     const Edge edge = edge_of(loop, i);
     if (length(edge) > length(longest)) longest = edge;
   }
-  return point_at(longest, 0.5);
+  return longest;
+}
+
+// Whether a loop goes round an edge of another one. They may touch in points, also here: of several
+// points one is none of those.
+bool goes_round(const Contour& loop, const Edge& edge) {
+  for (const double share : {0.5, 0.382, 0.7236, 0.146, 0.91}) {
+    const Vec2 point = point_at(edge, share);
+    if (distance(loop, point) > 2 * kSame_mm) return winding(loop, point) != 0;
+  }
+  return false;
 }
 
 class Nesting {
@@ -30,16 +39,16 @@ class Nesting {
     tree_.emplace(boxes);
   }
 
-  // Of the loops that hold the middle of an edge of this one, the smallest.
+  // Of the loops round an edge of this one the smallest.
   std::optional<std::size_t> parent_of(std::size_t index) const {
-    const Vec2 point = probe_of(region_.loops[index]);
+    const Edge edge = longest_edge(region_.loops[index]);
     Box box;
-    box.take(point);
+    box.take(point_at(edge, 0.5));
     std::optional<std::size_t> parent;
     tree_->search(box, [&](std::uint32_t other) {
       if (areas_[other] <= areas_[index] || other == index) return;
       if (parent && areas_[*parent] <= areas_[other]) return;
-      if (winding(region_.loops[other], point) != 0) parent = other;
+      if (goes_round(region_.loops[other], edge)) parent = other;
     });
     return parent;
   }

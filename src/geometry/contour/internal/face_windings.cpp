@@ -1,6 +1,7 @@
 #include "geometry/contour/internal/face_windings.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "geometry/contour/box_tree.hpp"
@@ -29,6 +30,10 @@ class Numbering {
     for (Face face = 0; face < map_.face_count(); ++face) {
       if (!is_known_[face]) spread_from(face);
     }
+    std::sort(components_.begin(), components_.end(), [&](const Component& a, const Component& b) {
+      return is_left_of(a.leftmost, b.leftmost);
+    });
+    measure();
     for (const Component& component : components_) place(component);
     return std::move(result_);
   }
@@ -76,7 +81,7 @@ class Numbering {
   void place(const Component& component) {
     const Face around = map_.face(map_.ring(component.leftmost).back());
     const Winding outside =
-        components_.size() > 1 ? winding_at(map_.point(component.leftmost)) : Winding{};
+        components_.size() > 1 ? winding_left_of(map_.point(component.leftmost)) : Winding{};
     const Winding shift = outside - result_.of_face[around];
     if (shift == Winding{}) return;
     for (std::uint32_t i = component.first; i < component.first + component.count; ++i) {
@@ -84,23 +89,62 @@ class Numbering {
     }
   }
 
-  // Counts what is passed from the point to the left. Pieces rise or fall throughout and share the
-  // heights of their ends exactly, so none is counted twice and none forgotten.
-  Winding winding_at(Vec2 point) {
+  // What is next on the left of the point has the same face on its right. Windings there are known:
+  // it belongs to a component that begins farther to the left.
+  Winding winding_left_of(Vec2 point) {
+    for (double reach = first_reach_;; reach *= 4) {
+      const double end = std::max(point.u - reach, extents_.low.u - 1);
+      const Next next = next_on_left(point, end);
+      if (next.is_doubtful) return passed_on_left(point);
+      if (next.piece != kNone) return result_.of_face[map_.face(rightward_of(next.piece))];
+      if (end < extents_.low.u) return {};
+    }
+  }
+
+  struct Next {
+    std::uint32_t piece = kNone;
+    double at = 0;
+    bool is_doubtful = false;  ///< two are so near to each other that rounding could change places
+  };
+
+  Next next_on_left(Vec2 point, double end) {
+    Box ray;
+    ray.take(Vec2{end, point.v});
+    ray.take(point);
+    Next next{kNone, end, false};
+    tree().search(ray, [&](std::uint32_t i) {
+      if (!passes_left_of(map_.pieces()[i], point)) return;
+      const double at = map_.pieces()[i].u_at(point.v);
+      if (at < next.at - kDoubt_mm) return;
+      next.is_doubtful = next.piece != kNone && at < next.at + kDoubt_mm;
+      next.piece = at > next.at || next.piece == kNone ? i : next.piece;
+      next.at = std::max(at, next.at);
+    });
+    return next;
+  }
+
+  HalfEdge rightward_of(std::uint32_t piece) const {
+    const bool rises = map_.pieces()[piece].from.v < map_.pieces()[piece].to.v;
+    return 2 * piece + (rises ? 1 : 0);
+  }
+
+  // The sum of all that is passed from the point to the left. Pieces rise or fall throughout and
+  // share the heights of their ends exactly, so none is counted twice and none forgotten.
+  Winding passed_on_left(Vec2 point) {
     Box ray;
     ray.take(Vec2{-std::numeric_limits<double>::infinity(), point.v});
     ray.take(point);
     Winding sum;
     tree().search(ray, [&](std::uint32_t i) {
       const Piece& piece = map_.pieces()[i];
-      if ((piece.from.v <= point.v) == (piece.to.v <= point.v)) return;
-      if (!is_left(piece, point)) return;
+      if (!passes_left_of(piece, point)) return;
       sum = piece.from.v <= point.v ? sum - piece.passes : sum + piece.passes;
     });
     return sum;
   }
 
-  static bool is_left(const Piece& piece, Vec2 point) {
+  static bool passes_left_of(const Piece& piece, Vec2 point) {
+    if ((piece.from.v <= point.v) == (piece.to.v <= point.v)) return false;
     if (point.u <= std::min(piece.from.u, piece.to.u)) return false;
     if (point.u >= std::max(piece.from.u, piece.to.u)) return true;
     const double side = piece.side_of(piece.in_frame(point));
@@ -117,12 +161,23 @@ class Numbering {
     return *tree_;
   }
 
+  void measure() {
+    for (const Piece& piece : map_.pieces()) extents_.take(piece.box());
+    const double count = static_cast<double>(map_.pieces().size() + 1);
+    first_reach_ = (extents_.high.u - extents_.low.u) / std::sqrt(count) + kDoubt_mm;
+  }
+
+  static constexpr std::uint32_t kNone = ~0U;
+  static constexpr double kDoubt_mm = 1e-6;
+
   const PlanarMap& map_;
   FaceWindings result_;
   std::vector<bool> is_known_;
   std::vector<Face> found_;
   std::vector<Component> components_;
   std::optional<BoxTree> tree_;
+  Box extents_;
+  double first_reach_ = 0;
 };
 
 }  // namespace

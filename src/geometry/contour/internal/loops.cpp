@@ -104,24 +104,24 @@ bool join_parts(const Edge& first, const Edge& second, double& bulge) {
   return is_short_of_full(std::copysign(1.0, first.bulge) * bulge);
 }
 
+// Far below the tolerance: what is joined comes again.
 constexpr double kStraight_mm = 1e-11;
 
-// The curvature goes on where the tangents do and the radii are the same.
-bool goes_on(const Edge& first, const Edge& second) {
+bool is_along(const Edge& edge, Vec2 point) { return distance(edge, point) <= kStraight_mm; }
+
+// Whether both are parts of one edge from the beginning of the first to the end of the second.
+bool go_on(const Edge& first, const Edge& second, double bulge) {
   const Vec2 end = tangent_at_end(first);
   const Vec2 start = tangent_at_start(second);
-  const double shorter = std::min(geometry::length(end), geometry::length(start));
   const double product = geometry::length(end) * geometry::length(start);
-  if (!(dot(end, start) > 0) || std::fabs(cross(end, start)) * shorter > kStraight_mm * product) {
-    return false;
-  }
-  if (first.bulge == 0) return true;
-  const double bend = std::fabs(1 - radius(first) / radius(second));
-  return bend * std::fabs(first.bulge) * shorter <= kStraight_mm;
+  if (!(dot(end, start) > 0) || std::fabs(cross(end, start)) > 1e-2 * product) return false;
+  const Edge both{first.from, second.to, bulge, first.owner};
+  return is_along(both, first.to) && is_along(both, point_at(first, 0.5)) &&
+         is_along(both, point_at(second, 0.5));
 }
 
 bool join_owned(const Edge& first, const Edge& second, double& bulge) {
-  return join_parts(first, second, bulge) && goes_on(first, second);
+  return join_parts(first, second, bulge) && go_on(first, second, bulge);
 }
 
 // Joins edges in a row as long as `joins` says so, beginning where it does not.
@@ -168,6 +168,11 @@ void restore(Contour& loop, std::span<const Strand> strands) {
   }
 }
 
+bool has_buried(const Contour& loop, std::span<const Strand> strands) {
+  return std::any_of(loop.vertices.begin(), loop.vertices.end(),
+                     [&](const Vertex& vertex) { return strands[vertex.owner].is_buried; });
+}
+
 }  // namespace
 
 std::vector<Contour> joined_loops(const PlanarMap& map, const std::vector<bool>& is_taken,
@@ -175,7 +180,7 @@ std::vector<Contour> joined_loops(const PlanarMap& map, const std::vector<bool>&
   std::vector<Contour> loops;
   Tracer(map, is_taken).run([&](std::span<const HalfEdge> path) {
     Contour loop = contour_of(map, path);
-    if (std::fabs(area(loop)) < kNoArea_mm2) return;
+    if (std::fabs(area(loop)) < kNoArea_mm2 || has_buried(loop, strands)) return;
     join(loop, join_parts);
     restore(loop, strands);
     loops.push_back(std::move(loop));

@@ -119,6 +119,23 @@ Box Piece::box() const {
   return box;
 }
 
+double Piece::u_at(double v) const {
+  const double low = std::min(from.u, to.u);
+  const double high = std::max(from.u, to.u);
+  if (bulge == 0) {
+    return std::clamp(from.u + (v - from.v) / (to.v - from.v) * (to.u - from.u), low, high);
+  }
+  const Form form = form_about(*this, {(low + high) / 2, v});
+  // flexure·u² - slope·u - level = 0, of which one root lies within the ends.
+  const double root =
+      std::sqrt(std::max(0.0, form.slope.u * form.slope.u + 4 * form.flexure * form.level));
+  const double sum = form.slope.u + std::copysign(root, form.slope.u);
+  const double near = sum == 0 ? 0 : -2 * form.level / sum;
+  const double far = sum / (2 * form.flexure);
+  const double u = std::fabs(far) < std::fabs(near) ? far : near;
+  return std::clamp((low + high) / 2 + u, low, high);
+}
+
 Piece piece_between(Vec2 from, Vec2 to, double bulge) {
   const Vec2 way = to - from;
   const double chord = size_of(way);

@@ -49,6 +49,8 @@ struct Piece {
   /// Where the middle of the arc lies in the frame: 0 of lines, < 0 of counterclockwise arcs.
   [[nodiscard]] double apex() const { return -bulge * chord / 2; }
   [[nodiscard]] Box box() const;
+  /// Where it has the height `v`, which is between those of its ends.
+  [[nodiscard]] double u_at(double v) const;
 };
 
 /// `bulge` is at most that of a quarter of a circle.

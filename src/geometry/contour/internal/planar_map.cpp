@@ -23,6 +23,18 @@ bool is_near(const Ray& a, const Ray& b) {
   return dot(a.tangent, b.tangent) > 0 && std::fabs(cross(a.tangent, b.tangent)) < 0.05;
 }
 
+// Puts the first ray that has none near before it to the front, so that rays of about one direction
+// stand in a row, also those on both sides of -x.
+void begin_behind_gap(std::vector<Ray>& rays) {
+  constexpr double kGap = 0.06;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double before = i == 0 ? rays.back().angle - 4 : rays[i - 1].angle;
+    if (rays[i].angle - before < kGap) continue;
+    std::rotate(rays.begin(), rays.begin() + static_cast<std::ptrdiff_t>(i), rays.end());
+    return;
+  }
+}
+
 // Where a half-edge has gone when it is `reach` from its beginning, as a direction from there.
 Vec2 heading(Vec2 tangent, double flexure, double reach) {
   const double sine = flexure * reach;
@@ -85,16 +97,13 @@ void PlanarMap::sort_ring(PointId id) {
   std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) {
     return a.angle != b.angle ? a.angle < b.angle : a.half_edge < b.half_edge;
   });
+  begin_behind_gap(rays);
   for (std::size_t i = 1; i < rays.size(); ++i) {
     for (std::size_t k = i; k > 0 && is_near(rays[k - 1], rays[k]) &&
                             is_clockwise_of(rays[k].half_edge, rays[k - 1].half_edge);
          --k) {
       std::swap(rays[k - 1], rays[k]);
     }
-  }
-  if (rays.size() > 2 && is_near(rays.back(), rays.front()) &&
-      is_clockwise_of(rays.front().half_edge, rays.back().half_edge)) {
-    std::swap(rays.front(), rays.back());
   }
   for (std::uint32_t i = begin; i < end; ++i) rings_[i] = rays[i - begin].half_edge;
 }

@@ -38,7 +38,8 @@ class PlanarMap {
   [[nodiscard]] Winding step(HalfEdge h) const {
     return (h & 1U) == 0 ? pieces_[h / 2].passes : -pieces_[h / 2].passes;
   }
-  /// Half-edges that leave a point, counterclockwise, from the direction -x on.
+  /// Half-edges that leave a point, counterclockwise, from the direction -x on; those of about that
+  /// direction may all stand at one end.
   [[nodiscard]] std::span<const HalfEdge> ring(PointId id) const {
     return std::span(rings_).subspan(ring_begins_[id], ring_begins_[id + 1] - ring_begins_[id]);
   }

@@ -22,10 +22,15 @@ struct Strip {
   Vec2 normal_to;
   Vec2 begin;
   Vec2 end;
+  bool is_cut_from = false;  // along the bisector of the corner before
+  bool is_cut_to = false;
+  bool is_buried = false;  // both ends are one point well within the distance
 };
 
 Strip strip_of(const Link& link, double distance) {
-  Strip strip{link.edge, link.corner_owner, {}, {}, {}, {}, {}, {}};
+  Strip strip;
+  strip.edge = link.edge;
+  strip.corner_owner = link.corner_owner;
   strip.tangent_from = geometry::unit(tangent_at_start(link.edge));
   strip.tangent_to = geometry::unit(tangent_at_end(link.edge));
   strip.normal_from = link.edge.from + distance * right_of(strip.tangent_from);
@@ -39,6 +44,93 @@ Strip strip_of(const Link& link, double distance) {
   return strip;
 }
 
+bool is_line(const Strip& strip) { return strip.edge.bulge == 0; }
+
+// The nearest point of a grid at most as wide as `room`.
+Vec2 on_grid(Vec2 point, double room) {
+  const double width = std::ldexp(1.0, std::ilogb(room));
+  return {width * std::nearbyint(point.u / width), width * std::nearbyint(point.v / width)};
+}
+
+// Cuts the strip of a line between two others. Where lines close to this side, what is beyond the
+// bisector of the corner is nearer to the other line, and need not be in this strip; so neighbours
+// meet in one point instead of crossing, and a line that is too short for its strip ends in the
+// point where its bisectors meet. This holds as far as the other line reaches: what is beyond the
+// bisector and nearer to the other line is convex (a half plane, then a parabola about its end), so
+// it is enough that the corners of what is cut off are nearer.
+class StripCutter {
+ public:
+  StripCutter(const Strip& before, Strip& strip, const Strip& after, double distance)
+      : before_(before.edge),
+        strip_(strip),
+        after_(after.edge),
+        distance_(distance),
+        depth_(std::fabs(distance)),
+        length_(geometry::length(strip.edge.to - strip.edge.from)),
+        slope_from_(closing(before, strip)),
+        slope_to_(closing(strip, after)) {}
+
+  void cut() {
+    if (depth_ * (slope_from_ + slope_to_) <= length_) {
+      cut_sides();
+    } else if (slope_from_ > 0 && slope_to_ > 0) {
+      cut_to_point(length_ * slope_from_ / (slope_from_ + slope_to_), true, true);
+    } else {
+      cut_to_point(slope_from_ > 0 ? length_ : 0, slope_from_ > 0, slope_to_ > 0);
+    }
+  }
+
+ private:
+  // How far the bisector goes along the lines for each mm away from them; 0 if the corner does not
+  // close to this side, or is none of lines.
+  double closing(const Strip& first, const Strip& second) const {
+    if (!is_line(first) || !is_line(second) || first.normal_to == second.normal_from) return 0;
+    const double turn =
+        -std::copysign(1.0, distance_) * cross(first.tangent_to, second.tangent_from);
+    const double ahead = dot(first.tangent_to, second.tangent_from);
+    return turn > 0 && ahead > -0.9 ? turn / (1 + ahead) : 0;
+  }
+
+  Vec2 at(double along, double away) const {
+    return strip_.edge.from + along * strip_.tangent_from +
+           std::copysign(away, distance_) * right_of(strip_.tangent_from);
+  }
+
+  void cut_sides() {
+    const double from = depth_ * slope_from_;
+    const double to = depth_ * slope_to_;
+    if (from > 0 && from <= length(before_)) {
+      strip_.begin = at(from, depth_);
+      strip_.is_cut_from = true;
+    }
+    if (to > 0 && to <= length(after_)) {
+      strip_.end = at(length_ - to, depth_);
+      strip_.is_cut_to = true;
+    }
+  }
+
+  void cut_to_point(double along, bool from, bool to) {
+    const Vec2 above = at(along, depth_);
+    if (from && (along > length(before_) || distance(before_, above) > depth_)) return;
+    if (to && (length_ - along > length(after_) || distance(after_, above) > depth_)) return;
+    const double away = from ? along / slope_from_ : (length_ - along) / slope_to_;
+    const double room = std::min(away, depth_ - away) / 16;
+    strip_.is_buried = room > kSame_mm;
+    strip_.begin = strip_.end = strip_.is_buried ? on_grid(at(along, away), room) : at(along, away);
+    strip_.is_cut_from = from;
+    strip_.is_cut_to = to;
+  }
+
+  const Edge& before_;
+  Strip& strip_;
+  const Edge& after_;
+  double distance_;
+  double depth_;
+  double length_;
+  double slope_from_;
+  double slope_to_;
+};
+
 class RawOffset {
  public:
   RawOffset(std::vector<Strand>& strands, double distance)
@@ -47,6 +139,10 @@ class RawOffset {
   void run(std::span<const Link> chain) {
     for (const Link& link : chain) strips_.push_back(strip_of(link, distance_));
     for (std::size_t i = 0; i < strips_.size(); ++i) smooth(strips_[i], after(i));
+    for (std::size_t i = 0; i < strips_.size(); ++i) {
+      Strip& before = strips_[i == 0 ? strips_.size() - 1 : i - 1];
+      if (is_line(strips_[i])) StripCutter(before, strips_[i], after(i), distance_).cut();
+    }
     for (std::size_t i = 0; i < strips_.size(); ++i) {
       add_far_side(strips_[i]);
       add_corner(strips_[i], after(i));
@@ -63,8 +159,9 @@ class RawOffset {
     second.normal_from = first.normal_to;
   }
 
-  void add(Vec2 from, Vec2 to, double bulge, std::uint32_t owner) {
-    if (!(from == to)) strands_.push_back({{from, to, bulge, owner}, Operand::first});
+  void add(Vec2 from, Vec2 to, double bulge, std::uint32_t owner, bool is_buried = false) {
+    if (from == to) return;
+    strands_.push_back({{from, to, bulge, owner}, Operand::first, is_buried});
   }
 
   void add_far_side(const Strip& strip) {
@@ -73,7 +170,9 @@ class RawOffset {
 
   void add_corner(const Strip& first, const Strip& second) {
     const std::uint32_t owner = first.corner_owner;
-    if (first.normal_to == second.normal_from) {
+    if (first.is_cut_to && second.is_cut_from) {
+      add(first.end, second.begin, 0, owner, first.is_buried && second.is_buried);
+    } else if (first.normal_to == second.normal_from) {
       add(first.end, second.begin, 0, owner);
     } else if (const double bulge = opening(first, second); bulge != 0) {
       add(first.end, first.normal_to, 0, owner);
@@ -85,14 +184,17 @@ class RawOffset {
     }
   }
 
-  // The bulge of the sector between the strips, 0 where the corner closes to this side.
+  // The bulge of the sector between the strips, 0 where the corner closes to this side. A sector
+  // does no harm where none is needed: so the tip of a spike, of which rounding leaves no more than
+  // that it turns back, always has one.
   double opening(const Strip& first, const Strip& second) const {
-    const double turn = cross(first.tangent_to, second.tangent_from);
+    const double sign = std::copysign(1.0, distance_);
+    const double turn = sign * cross(first.tangent_to, second.tangent_from);
     const double ahead = dot(first.tangent_to, second.tangent_from);
-    if (ahead < 0 && std::fabs(turn) < 1e-9) return std::copysign(1.0, distance_);
-    if (turn * distance_ <= 0) return 0;
-    const double half = turn / (1 + ahead);
-    return half / (1 + std::sqrt(1 + half * half));
+    if (turn <= 0 && ahead > -0.99) return 0;
+    const double cotangent = ahead < 0 ? turn / (1 - ahead) : (1 + ahead) / turn;
+    const double root = std::sqrt(1 + cotangent * cotangent);
+    return sign * (cotangent > 0 ? 1 / (root + cotangent) : root - cotangent);
   }
 
   std::vector<Strand>& strands_;

@@ -13,6 +13,8 @@ enum class Operand : std::uint8_t { first, second };
 struct Strand {
   Edge edge;
   Operand operand = Operand::first;
+  /// Cannot be part of any border: a loop that has part of it is rounding's and is left out.
+  bool is_buried = false;
 };
 
 /// The edges of what is sound among closed contours, added to `strands`.

@@ -19,7 +19,7 @@ inline Contour rectangle(double x0, double y0, double x1, double y1, std::uint32
 }
 inline Contour circle(Vec2 centre, double radius) { return disc(centre, radius).loops.front(); }
 
-constexpr double kQuarter = 0.41421356237309503;  // tan(90°/4)
+inline constexpr double kQuarter = 0.41421356237309503;  // tan(90°/4)
 
 inline Contour rect40x30() { return rectangle(0, 0, 40, 30); }
 inline Contour shape_l() {

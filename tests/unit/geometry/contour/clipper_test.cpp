@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <polyclipping/clipper.hpp>
+
+#include "geometry/contour/boolean.hpp"
+#include "geometry/contour/offset.hpp"
+#include "random_shapes.hpp"
+
+namespace kerf::contour {
+namespace {
+
+using namespace test;  // NOLINT: shapes by their names
+using kerf::test::kSeed;
+
+// Clipper counts in whole numbers; its arcs are chords that leave them by kChord.
+constexpr double kPerMm = 1e7;
+constexpr double kChord_mm = 1e-4;
+
+void flatten(const Edge& edge, ClipperLib::Path& path) {
+  int parts = 1;
+  if (edge.bulge != 0) {
+    const double step = 2 * std::acos(1 - std::min(1.0, kChord_mm / radius(edge)));
+    parts = std::max(1, static_cast<int>(std::ceil(std::fabs(sweep_rad(edge)) / step)));
+  }
+  for (int i = 0; i < parts; ++i) {
+    const Vec2 point = point_at(edge, static_cast<double>(i) / parts);
+    path.emplace_back(std::llround(point.u * kPerMm), std::llround(point.v * kPerMm));
+  }
+}
+
+ClipperLib::Paths flat(const Region& region) {
+  ClipperLib::Paths paths;
+  for (const Contour& loop : region.loops) {
+    paths.emplace_back();
+    for (std::size_t i = 0; i < edge_count(loop); ++i) flatten(edge_of(loop, i), paths.back());
+  }
+  return paths;
+}
+
+double clipped(const Region& a, const Region& b, ClipperLib::ClipType type) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(flat(a), ClipperLib::ptSubject, true);
+  clipper.AddPaths(flat(b), ClipperLib::ptClip, true);
+  ClipperLib::Paths result;
+  clipper.Execute(type, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  double sum = 0;
+  for (const ClipperLib::Path& path : result) sum += ClipperLib::Area(path);
+  return sum / (kPerMm * kPerMm);
+}
+
+double moved(const Region& region, double distance) {
+  ClipperLib::ClipperOffset offsetter(2, kChord_mm * kPerMm);
+  offsetter.AddPaths(flat(region), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  ClipperLib::Paths result;
+  offsetter.Execute(result, distance * kPerMm);
+  double sum = 0;
+  for (const ClipperLib::Path& path : result) sum += ClipperLib::Area(path);
+  return sum / (kPerMm * kPerMm);
+}
+
+Region any_shape(SeededRandom& random) {
+  if (random.coin()) return region_of(random_tangle(random, random.count(3, 12)));
+  const Vec2 middle{random.in(-10, 10), random.in(-10, 10)};
+  return region_of(random_star(random, middle, 20, random.count(3, 20)));
+}
+
+// No border is off by more than two chords' sagittae.
+double tolerance_of(const Region& a, const Region& b = {}) {
+  return 2 * kChord_mm * (length(a) + length(b)) + 1e-6;
+}
+
+TEST(Boolean, AgreesWithPolygonsOfManyCorners) {
+  for (unsigned seed = kSeed; seed < kSeed + 150; ++seed) {
+    SeededRandom random(seed);
+    const Region a = any_shape(random);
+    const Region b = any_shape(random);
+    const double tolerance = tolerance_of(a, b);
+    EXPECT_NEAR(area(unite(a, b)), clipped(a, b, ClipperLib::ctUnion), tolerance) << seed;
+    EXPECT_NEAR(area(intersect(a, b)), clipped(a, b, ClipperLib::ctIntersection), tolerance)
+        << seed;
+    EXPECT_NEAR(area(subtract(a, b)), clipped(a, b, ClipperLib::ctDifference), tolerance) << seed;
+    EXPECT_NEAR(area(symmetric_difference(a, b)), clipped(a, b, ClipperLib::ctXor), tolerance)
+        << seed;
+  }
+}
+
+TEST(Offset, AgreesWithPolygonsOfManyCorners) {
+  for (unsigned seed = kSeed; seed < kSeed + 150; ++seed) {
+    SeededRandom random(seed);
+    const Region shape = any_shape(random);
+    const double by = random.in(-6, 6);
+    const Region result = offset(shape, by);
+    EXPECT_NEAR(area(result), moved(shape, by), tolerance_of(shape, result))
+        << seed << " by " << by;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::contour

@@ -35,7 +35,7 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
       turning_(state, moves_),
       single_(state, targets_, moves_, turning_),
       multiple_(state, targets_, moves_, turning_),
-      shapes_(state, targets_, moves_, turning_) {
+      shapes_(state, moves_, turning_) {
   targets_.learn_letters();
 }
 

@@ -7,7 +7,6 @@
 
 #include "control/gcode/acts/moves.hpp"
 #include "control/gcode/acts/state.hpp"
-#include "control/gcode/acts/targets.hpp"
 #include "control/gcode/cycles/turning_cycle.hpp"
 #include "control/gcode/cycles/turning_shape.hpp"
 
@@ -28,8 +27,8 @@ class ShapeCycles {
     [[nodiscard]] bool finishes() const { return cycle == Meaning::finishing; }
   };
 
-  ShapeCycles(State& state, Targets& targets, Moves& moves, TurningCycle& turning)
-      : state_(state), targets_(targets), moves_(moves), turning_(turning) {}
+  ShapeCycles(State& state, Moves& moves, TurningCycle& turning)
+      : state_(state), moves_(moves), turning_(turning) {}
 
   /// A block with one of them. False: an alarm was raised.
   [[nodiscard]] bool execute(Meaning cycle, const Words& words, bool& moved);
@@ -53,7 +52,6 @@ class ShapeCycles {
   bool rough(const TurningShape& shape, TurningCycle::Manner manner, const motion::PlaneAxes& axes);
 
   State& state_;
-  Targets& targets_;
   Moves& moves_;
   TurningCycle& turning_;
   std::optional<Request> request_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -38,7 +39,9 @@ double time_with(double rpm_per_s, const Actions& actions, const TipPoint& start
   motion::AxisSetup axes = test::axes_named("XZ", 20'000);
   axes.start = start;
   axes.spindle_acceleration.fill(rpm_per_s);
-  Interpolator interpolator(axes, test::equal_limits(350, 3500), {.period_s = kPeriod_s});
+  Interpolator interpolator(axes,
+                            test::equal_limits(350, 3500, std::numeric_limits<double>::infinity()),
+                            {.period_s = kPeriod_s});
   test::pass_over(interpolator, test::motions_of(actions));
   return interpolator.time_s();
 }

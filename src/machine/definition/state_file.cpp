@@ -90,17 +90,19 @@ json to_json(const Memory& memory) {
     tools[std::to_string(i)] = {tool.length_geometry, tool.length_wear, tool.radius_geometry,
                                 tool.radius_wear};
   }
-  return {{"kerf_state", 1},
-          {"variables", variables},
-          {"external", axes_json(memory.external)},
-          {"work", work},
-          {"extended", extended},
-          {"tools", tools},
-          {"turning", turning_json(memory)},
-          {"parts", memory.parts},
-          {"parts_required", memory.parts_required},
-          {"running_hours", memory.running_hours},
-          {"names", memory.names}};
+  json kept = {{"kerf_state", 1},
+               {"variables", variables},
+               {"external", axes_json(memory.external)},
+               {"work", work},
+               {"extended", extended},
+               {"tools", tools},
+               {"parts", memory.parts},
+               {"parts_required", memory.parts_required},
+               {"running_hours", memory.running_hours},
+               {"names", memory.names}};
+  // Not in the files of mills.
+  if (json turning = turning_json(memory); !turning.empty()) kept["turning"] = std::move(turning);
+  return kept;
 }
 
 void read_tools(const json& tools, Memory& memory) {

@@ -247,7 +247,7 @@ TEST(MachineSet, AValueOutOfRangeIsRefusedAndChangesNothing) {
 TEST(MachineSet, AnUnknownKeyIsRefused) {
   MachineDefinition machine = machine_of("arm");
   for (const std::string key :
-       {"", "axis", "spindle.speed", "kinematics", "kinematics.", "kinematics.type", "drive.colour",
+       {"", "axis", "beam.speed", "kinematics", "kinematics.", "kinematics.type", "drive.colour",
         "axis.T1.", "axis.T1.colour", "axis.T1.travel", "interpolator.period", "name", ".x1"}) {
     const std::string said = refusal_of_set(machine, key, "1");
     const std::string wanted = "--machine-set " + key + "=1: ";
@@ -257,6 +257,8 @@ TEST(MachineSet, AnUnknownKeyIsRefused) {
   EXPECT_EQ(refusal_of_set(machine, "axis.X.velocity", "1"),
             "--machine-set axis.X.velocity=1: the machine has no such axis")
       << "X is an axis of the tip";
+  EXPECT_EQ(refusal_of_set(machine, "spindle.speed", "1"),
+            "--machine-set spindle.speed=1: the machine has no such spindle");
 }
 
 TEST(MachineSet, AKeyOfAnotherLinkageIsRefused) {

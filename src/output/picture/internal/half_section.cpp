@@ -215,13 +215,29 @@ struct Placed {
   Rect room;
 };
 
+// What of a convex shape lies below a line of the sheet: an insert is longer than the frame is
+// high.
+std::vector<Point> below(double top, const std::vector<Point>& shape) {
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const Point& a = shape[i];
+    const Point& b = shape[(i + 1) % shape.size()];
+    if (a.y >= top) kept.push_back(a);
+    if ((a.y < top) == (b.y < top)) continue;
+    kept.push_back({a.x + (b.x - a.x) * (top - a.y) / (b.y - a.y), top});
+  }
+  return kept;
+}
+
 Placed placed(const View& view, const std::vector<geometry::Vec2>& shape, const Point3& tip) {
+  std::vector<Point> points;
+  for (const geometry::Vec2& corner : shape)
+    points.push_back({view.x_of(tip[kZ] + corner.u), view.y_of(tip[kX] + corner.v)});
   Placed at;
   Box3 box;
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    const Point point{view.x_of(tip[kZ] + shape[i].u), view.y_of(tip[kX] + shape[i].v)};
+  for (const Point& point : below(view.frame().top, points)) {
+    box.empty() ? at.outline.move_to(point) : at.outline.line_to(point);
     box.add({point.x, point.y, 0});
-    i == 0 ? at.outline.move_to(point) : at.outline.line_to(point);
   }
   at.outline.close();
   at.room = {box.low()[0], box.low()[1], box.size()[0], box.size()[1]};

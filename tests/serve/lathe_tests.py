@@ -11,8 +11,8 @@ PROGRAM = ("O1\nG50S2000\nG96S200M03\nT0101\nG00X60.Z2.\nG01Z-30.F.2\nX20.Z-32.\
 
 def lathe(place):
     client = place.serve().client()
-    client.do("create", name="lathe", definition="lathe2")
-    return client.watch("lathe")
+    client.do("create", name="turner", definition="lathe2")
+    return client.watch("turner")
 
 
 def start(client):
@@ -47,7 +47,7 @@ def _(place):
     equal(at(client), {"X": 60, "Z": -5}, "work")
     equal(at(client, "machine"), {"X": 60, "Z": -5}, "machine")
     equal(client.state["joints"], {"X": 30, "Z": -5}, "joints")
-    definition = client.do("watch", machine="lathe")["definition"]
+    definition = client.do("watch", machine="turner")["definition"]
     equal([(a["name"], a["diameter"], a["min"], a["max"]) for a in definition["axes"]], [("X", True, -20, 400), ("Z", False, -600, 300)],
           "axes")
     equal((definition["lathe"], definition["joints"][0]["max"]), (True, 200), "definition")
@@ -121,7 +121,7 @@ def _(place):
 def _(place):
     client = lathe(place)
     client.do("set-offset", offset="tool.7.geometry_x", value=-33.5)
-    memory = json.loads((place.data / "machines" / "lathe" / "memory.json").read_text())
+    memory = json.loads((place.data / "machines" / "turner" / "memory.json").read_text())
     equal(memory["turning"], {"7": {"geometry_x": -33.5}}, "on the disk")
     client.load("O1\nG10P10007X-40.\nG10P7Z.25Q2\nG04X.5\nM30\n")
     client.do("mode", mode="auto")

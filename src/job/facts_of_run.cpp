@@ -61,6 +61,22 @@ std::vector<control::Assumption> assumed_by(const BatchRun& machine) {
   return list;
 }
 
+RunFacts::Turning turning_of(const BatchRun& machine) {
+  const machine::TurningStatistics& run = machine.turning_statistics();
+  RunFacts::Turning turning;
+  for (std::size_t i = 0; i < motion::kSpindles; ++i) {
+    const auto name = static_cast<motion::SpindleName>(i);
+    const auto& use = run.use_of(name);
+    if (name == motion::SpindleName::main || use.turned)
+      turning.spindles.push_back(
+          {std::string(name_of(name)), use.most_rpm, use.css, use.is_clamped});
+  }
+  for (const auto& thread : run.threads())
+    turning.threads.push_back({thread.lead, thread.passes, thread.depth});
+  turning.cycles = machine.control().cycles();
+  return turning;
+}
+
 }  // namespace
 
 RunFacts facts_of(BatchRun& machine) {
@@ -84,6 +100,7 @@ RunFacts facts_of(BatchRun& machine) {
   facts.tools = run.tools();
   facts.messages = run.messages();
   facts.parts = machine.memory().parts;
+  if (machine.dialect() == machine::kLatheDialect) facts.turning = turning_of(machine);
   facts.assumed = assumed_by(machine);
   for (const machine::Variable& variable : machine.variables())
     facts.variables.emplace_back(variable.name, variable.value);

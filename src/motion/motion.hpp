@@ -141,6 +141,7 @@ struct Spindle {
   /// AxisSetup::beam.
   bool cuts_standing = false;
   SpindleName name = SpindleName::main;
+  bool is_clamped = false;  ///< the program asks for more rpm than it can
 
   [[nodiscard]] static constexpr bool turns(Turning turning) {
     return turning == Turning::clockwise || turning == Turning::counterclockwise;
@@ -191,6 +192,7 @@ struct Thread {
   double lead = 0;         ///< mm per revolution along the longer axis, at its begin
   double lead_change = 0;  ///< and so much more with every revolution, mm
   double angle_deg = 0;    ///< of the spindle behind its mark where the first one begins
+  double depth_mm = 0;     ///< whole height of the thread, where a cycle says it; 0: not known
 };
 
 /// M code without a meaning of its own for the control.

@@ -51,6 +51,7 @@ import state_tests  # noqa: F401
 import teach_conversion_tests  # noqa: F401
 import teach_tests  # noqa: F401
 import time_tests  # noqa: F401
+import turning_tests  # noqa: F401
 import usage_tests  # noqa: F401
 
 

@@ -45,6 +45,9 @@ struct Assumed {
   static constexpr std::uint32_t lost_corner = 78;
   static constexpr std::uint32_t speed_clamped = 79;
   static constexpr std::uint32_t builder_function = 80;  ///< + BuilderFunction, to 86
+  static constexpr std::uint32_t work_zero_off_axis = 87;
+  static constexpr std::uint32_t diameter_switch = 88;
+  static constexpr std::uint32_t endless = 89;
   static constexpr std::uint32_t polar_per_revolution = 90;
   static constexpr std::uint32_t g_code = 100;
 };

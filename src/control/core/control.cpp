@@ -4,6 +4,11 @@
 
 namespace kerf::control {
 
+const std::vector<CycleCount>& Control::cycles() const {
+  static const std::vector<CycleCount> kNone;
+  return kNone;
+}
+
 void Control::warn(base::Code code, const base::Place& place, const std::string& detail,
                    const std::string& program) {
   if (warnings_.size() >= kMostWarnings) return;

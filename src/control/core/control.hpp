@@ -12,6 +12,7 @@
 #include "base/place.hpp"
 #include "base/point.hpp"
 #include "control/core/assumptions.hpp"
+#include "control/core/cycle_counts.hpp"
 
 namespace kerf::control {
 
@@ -83,6 +84,8 @@ class Control : public base::Interface {
   static constexpr std::size_t kMostWarnings = 100;
   /// What was accepted and may surprise.
   [[nodiscard]] virtual const Assumptions& assumptions() const = 0;
+  /// Cycles that turned; of other languages and machines none.
+  [[nodiscard]] virtual const std::vector<CycleCount>& cycles() const;
   /// Blocks that were executed: of a language without blocks, statements that did something.
   [[nodiscard]] virtual std::uint64_t blocks() const = 0;
 

@@ -88,7 +88,7 @@ constexpr Row kRows[] = {
      "M code that calls an external subprogram"},
     {"overrun", "5440", &Parameters::overrun, -1000, 1000, "",
      "of an axis: the last part of the way of G60, in the direction of its sign, mm or degrees"},
-    {"gsystem", "", &Parameters::g_system, 0, 0, "ABC", "lathe: system of G codes"},
+    {"gsystem", "3401#6", &Parameters::g_system, 0, 0, "ABC", "lathe: system of G codes"},
     {"T_digits", "5028", &Parameters::tool_offset_digits, 1, 4, "",
      "lathe: last digits of T that are the offset's number"},
     {"LGN", "5002#1", &Parameters::geometry_by_tool, 0, 1, "",
@@ -126,6 +126,18 @@ constexpr Row kRows[] = {
      "lathe: last passes of G76"},
     {"thread_angle", "5143", &Parameters::thread_angle, 0, 80, "",
      "lathe: angle of the tool's tip in G76: 0, 29, 30, 55, 60, 80"},
+    {"G96_axis", "3770", &Parameters::css_axis, 1, 8, "",
+     "lathe: number of the axis whose place is the diameter of G96"},
+    {"measure_feed", "6241", &Parameters::measure_feed, 1, 15000, "",
+     "lathe: feed of G36 and G37 to the signal, mm/min"},
+    {"measure_begin_x", "6251", &Parameters::measure_begin_x, 0, 1000, "",
+     "lathe: G36 begins to measure so far before the place, mm of radius"},
+    {"measure_begin_z", "6252", &Parameters::measure_begin_z, 0, 1000, "",
+     "lathe: likewise G37, mm"},
+    {"measure_window_x", "6254", &Parameters::measure_window_x, 0, 1000, "",
+     "lathe: the signal of G36 may come so far from the place, mm of radius"},
+    {"measure_window_z", "6255", &Parameters::measure_window_z, 0, 1000, "",
+     "lathe: likewise of G37, mm"},
     {"RTR", "5101#2", &Parameters::peck_to_r, 0, 1, "",
      "lathe: G83 and G87 clear each peck: 1 to level R, 0 by d_peck"},
     {"d_peck", "", &Parameters::d_g73, 0, 1000, "",
@@ -203,6 +215,18 @@ bool set_start_up_bit(Parameters& parameters, std::string_view key, std::string_
   return true;
 }
 
+// 3401#6 and 3401#7 (GSB, GSC) together are the letter of the system of G codes: A, or B, or C.
+bool set_system_bit(Parameters& parameters, std::string_view key, std::string_view value) {
+  if ((key != "3401#6" && key != "3401#7") || (value != "0" && value != "1")) return false;
+  const char letter = key == "3401#6" ? 'B' : 'C';
+  if (value == "1") {
+    parameters.g_system = letter;
+  } else if (parameters.g_system == letter) {
+    parameters.g_system = 'A';
+  }
+  return true;
+}
+
 // Why a parameter cannot take a number; empty: it can.
 std::string objection_to(const Row& row, const tl::expected<double, base::NumberFault>& number) {
   if (!number || *number < row.low || *number > row.high) {
@@ -241,7 +265,7 @@ std::string set_row(Parameters& parameters, const Row& row, char axis, std::stri
 }  // namespace
 
 base::Outcome<void> Parameters::set(std::string_view key, std::string_view value) {
-  if (set_start_up_bit(*this, key, value)) return {};
+  if (set_start_up_bit(*this, key, value) || set_system_bit(*this, key, value)) return {};
   double scale = 1;
   if (int* const slot = code_slot(*this, key, scale)) {
     const auto number = base::read_number(value);
@@ -261,7 +285,8 @@ base::Outcome<void> Parameters::set(std::string_view key, std::string_view value
 bool Parameters::is_key(std::string_view key) {
   Parameters scratch;
   double scale = 1;
-  return find(key) != nullptr || key == "5003#1" || code_slot(scratch, key, scale) != nullptr;
+  const bool is_bit = key == "5003#1" || key == "3401#7";
+  return find(key) != nullptr || is_bit || code_slot(scratch, key, scale) != nullptr;
 }
 
 bool Parameters::belongs_to_axis(std::string_view key) {

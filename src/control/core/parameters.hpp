@@ -92,7 +92,13 @@ struct Parameters {
   double thread_finish = 0;         ///< 5141: finishing allowance of G76, mm of radius
   int thread_finish_passes = 1;     ///< 5142
   int thread_angle = 60;            ///< 5143: of the tool's tip in G76, degrees
-  bool peck_to_r = true;            ///< RTR: G83 and G87 of lathes clear each peck to level R
+  int css_axis = 1;             ///< G96_axis, 3770: number of the axis that G96 without P measures
+  double measure_feed = 100;    ///< 6241: of G36 and G37, mm/min
+  double measure_begin_x = 10;  ///< 6251: γ of G36, mm of radius
+  double measure_begin_z = 10;  ///< 6252: γ of G37, mm
+  double measure_window_x = 5;  ///< 6254: ε of G36, mm of radius
+  double measure_window_z = 5;  ///< 6255: ε of G37, mm
+  bool peck_to_r = true;        ///< RTR: G83 and G87 of lathes clear each peck to level R
   std::array<int, 10> g_macro{};  ///< 6050 to 6059: G code × 10 that calls O9010 to O9019; 0: none
   std::array<int, 10> m_macro{};  ///< 6080 to 6089: M code that calls O9020 to O9029 as a macro
   std::array<int, 9> m_sub{};  ///< 6071 to 6079: M code that calls O9001 to O9009 as a subprogram

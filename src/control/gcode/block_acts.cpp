@@ -29,6 +29,7 @@ BlockActs::BlockActs(State& state, ProgramCalls& calls, BlockBuffer& buffer,
       surfaces_(state),
       data_setting_(state, targets_),
       references_(state, targets_, moves_),
+      measurement_(state, targets_, moves_),
       auxiliary_(state),
       cycle_(state, targets_, moves_),
       holes_(state, targets_, moves_),
@@ -209,6 +210,9 @@ bool BlockActs::one_shot(const Words& words, const Words::G& g) {
     case Meaning::data_setting_end: return true;
     case Meaning::local_system: return settings_.local_system(words);
     case Meaning::preset: return settings_.preset(words);
+    case Meaning::diameter_switch: return settings_.switch_diameter(words);
+    case Meaning::measure_x: return measurement_.execute('X', words, moved_);
+    case Meaning::measure_z: return measurement_.execute('Z', words, moved_);
     case Meaning::clear_shifts: return settings_.clear_shifts(words);
     case Meaning::cylindrical_interpolation: return surfaces_.cylinder(words);
     case Meaning::face_pecks:

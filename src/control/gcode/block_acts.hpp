@@ -8,6 +8,7 @@
 #include "control/gcode/acts/references.hpp"
 #include "control/gcode/acts/settings.hpp"
 #include "control/gcode/acts/surfaces.hpp"
+#include "control/gcode/acts/tool_measurement.hpp"
 #include "control/gcode/block_reader.hpp"
 #include "control/gcode/cycles/canned_cycle.hpp"
 #include "control/gcode/cycles/multiple_cycles.hpp"
@@ -101,6 +102,7 @@ class BlockActs {
   Surfaces surfaces_;
   DataSetting data_setting_;
   References references_;
+  ToolMeasurement measurement_;
   Auxiliary auxiliary_;
   CannedCycle cycle_;
   TurningHoles holes_;

@@ -59,7 +59,15 @@ bool BlockCalls::return_from_program(const Words& words) {
     if (!state_.values.integer(words['P'], 0, 99999999, p)) return false;
     label = static_cast<std::uint32_t>(p);
   }
+  if (!label && programs_.in_main()) tell_endless();
   return programs_.return_from_program(label);
+}
+
+// Of a lathe: a bar job. Only a budget ends it.
+void BlockCalls::tell_endless() {
+  if (state_.codes.habits().tool_brings_offset && state_.assumptions.is_new(Assumed::endless))
+    state_.path.act(motion::Message{motion::ShortText(
+        "M99 begins the program again, as a bar job wants: nothing else ends it")});
 }
 
 // Frames are stacked, so what must run first is entered last: the modal macro of the motion before

@@ -28,6 +28,7 @@ class BlockCalls {
   [[nodiscard]] bool return_from_program(const Words& words);
 
  private:
+  void tell_endless();
   bool call_with(const CallWords& arguments, const BlockCall& call, const std::string& name);
   bool call_by_code(const ReadBlock& block);
   bool call_by_m(const ReadBlock& block);

@@ -75,6 +75,9 @@ class GcodeControl : public ProgramControl {
   [[nodiscard]] std::vector<std::string> modal_text(const ModalView& modal) const override {
     return modal_list(modal);
   }
+  [[nodiscard]] const std::vector<CycleCount>& cycles() const override {
+    return state_.cycles.list();
+  }
   void set_optional_stop(bool on) override { optional_stop_ = on; }
   void set_block_skip(std::uint32_t levels) override { interpreter_.set_switches(levels); }
   void interrupt() override { interrupt_.signal(); }

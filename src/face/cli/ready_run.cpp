@@ -126,7 +126,7 @@ Outcome<std::vector<machine::SkipContact>> contacts_of(const RunOptions& options
     const auto axis = setting->key.size() == 1 ? axes.find(setting->key[0]) : std::nullopt;
     if (!axis || !value)
       return usage("--skip-at " + text + ": AXIS=VALUE with an axis of the machine is expected");
-    contacts.push_back({*axis, *value});
+    contacts.push_back({*axis, *value / axes[*axis].count_per_mm()});
   }
   return contacts;
 }

@@ -77,6 +77,10 @@ void StatementParser::expect_end(Cursor& cursor, std::string_view hint) {
 void StatementParser::assignment(Cursor& cursor) {
   Expression expression(cursor, emitter_, names_);
   if (cursor.peek() == '[' && !expression.at_named_variable()) {
+    const std::string_view rest(cursor.at(), static_cast<std::size_t>(cursor.end() - cursor.at()));
+    if (is_letter(cursor.peek_next()) && rest.find(']') == std::string_view::npos)
+      fail(cursor, Code::improper_address, "no bracket begins a block",
+           "[BILLET, [TOOLDEF and the like are for the simulators of Denford");
     fail(cursor, Code::expression_format, "a bracket cannot begin a block");
   }
   const Variable target =

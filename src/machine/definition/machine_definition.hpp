@@ -23,6 +23,9 @@ namespace kerf::machine {
 inline constexpr std::array<std::string_view, 5> kDialects = {"fanuc-mill", "fanuc-lathe",
                                                               "laser-basic", "teach", "pattern"};
 
+/// The one of lathes.
+inline constexpr std::string_view kLatheDialect = kDialects[1];
+
 /// A machine as its TOML file describes it (docs/machine-file.md).
 ///
 /// The file names the driven axes, the joints of the linkage. The program's axes are the same ones

@@ -10,6 +10,7 @@ Machine::Machine(const MachineDefinition& definition, control::Memory memory,
       memory_(std::move(memory)),
       signals_(settings.signals),
       statistics_(definition_.axes),
+      turning_statistics_(definition_.axes),
       spindle_beam_(definition_.drive.laser),
       dotted_cut_(definition_.drive.laser),
       dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect),
@@ -90,6 +91,7 @@ void Machine::make(const motion::Motion& motion) {
   if (motion::target_of(motion) != nullptr) input_wait_.moved();
   if (const auto* const power = std::get_if<motion::Power>(&motion.action)) made_beam_ = *power;
   statistics_.take(motion);
+  turning_statistics_.take(motion);
   dotted_cut_.take(motion);
   servo_.take(alter_ ? alter_(motion) : motion);
   for (motion::MotionSink* const sink : sinks_) sink->take(motion);

@@ -22,6 +22,7 @@
 #include "machine/run/servo.hpp"
 #include "machine/run/skip_contacts.hpp"
 #include "machine/run/spindle_beam.hpp"
+#include "machine/run/turning_statistics.hpp"
 
 namespace kerf::machine {
 
@@ -93,6 +94,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   [[nodiscard]] std::vector<base::Diagnostic> warnings() const;
   [[nodiscard]] const MachineDefinition& definition() const { return definition_; }
   [[nodiscard]] const RunStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const TurningStatistics& turning_statistics() const { return turning_statistics_; }
   /// The program has read an input signal: what it does may depend on it.
   [[nodiscard]] bool has_read_inputs() const { return input_wait_.any(); }
   /// Time that the axes took so far, dwells included.
@@ -178,6 +180,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   base::SourceSet sources_;
   Signals signals_;
   RunStatistics statistics_;
+  TurningStatistics turning_statistics_;
   SpindleBeam spindle_beam_;
   motion::Power beam_;       // as the program has it
   motion::Power made_beam_;  // as the machine has it

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/core/assumptions.hpp"
+#include "control/core/cycle_counts.hpp"
 
 namespace kerf::output {
 
@@ -35,6 +36,24 @@ struct RunFacts {
     std::string machine;
   };
 
+  /// What only lathes have.
+  struct Turning {
+    struct Spindle {
+      std::string name;  ///< "main", "live", "sub"
+      double most_rpm = 0;
+      bool css = false;      ///< had constant surface speed
+      bool clamped = false;  ///< was asked for more than it may or can
+    };
+    struct Thread {
+      double lead = 0;
+      std::uint64_t passes = 0;
+      double depth = 0;  ///< mm of radius
+    };
+    std::vector<Spindle> spindles;  ///< the main one first, of the others those that have turned
+    std::vector<Thread> threads;
+    std::vector<control::CycleCount> cycles;
+  };
+
   std::string program;  ///< "O0001", "O0000" without a number
   std::string title;    ///< what a person calls it
   std::string file;     ///< main one, as it was named
@@ -54,6 +73,7 @@ struct RunFacts {
   std::vector<std::uint32_t> tools;  ///< in the order of their first use
   std::vector<std::string> messages;
   double parts = 0;
+  std::optional<Turning> turning;  ///< of a lathe
   std::vector<control::Assumption> assumed;
   std::vector<std::pair<std::string, double>> variables;  ///< that are not vacant
 };

@@ -74,6 +74,46 @@ std::string assumed_json(const RunFacts& run) {
   return join(items);
 }
 
+std::string spindle_json(const RunFacts::Turning::Spindle& spindle) {
+  return JsonObject()
+      .number("max_rpm_used", base::tidy(spindle.most_rpm))
+      .raw("css", spindle.css ? "true" : "false")
+      .raw("clamped", spindle.clamped ? "true" : "false")
+      .done();
+}
+
+// The main one is the object itself.
+std::string spindles_json(const RunFacts::Turning& turning) {
+  std::string text = spindle_json(turning.spindles.front());
+  for (std::size_t i = 1; i < turning.spindles.size(); ++i) {
+    text.pop_back();
+    text += "," + quoted(turning.spindles[i].name) + ":" + spindle_json(turning.spindles[i]) + "}";
+  }
+  return text;
+}
+
+std::string threads_json(const RunFacts::Turning& turning) {
+  std::vector<std::string> items;
+  for (const auto& thread : turning.threads)
+    items.push_back(JsonObject()
+                        .number("lead", thread.lead)
+                        .number("passes", static_cast<double>(thread.passes))
+                        .number("depth", thread.depth)
+                        .done());
+  return join(items);
+}
+
+std::string cycles_json(const RunFacts::Turning& turning) {
+  std::vector<std::string> items;
+  for (const control::CycleCount& cycle : turning.cycles)
+    items.push_back(JsonObject()
+                        .text("code", cycle.code)
+                        .number("line", cycle.line)
+                        .number("passes", static_cast<double>(cycle.passes))
+                        .done());
+  return join(items);
+}
+
 std::string variables_json(const RunFacts& run) {
   JsonObject object;
   for (const auto& [name, value] : run.variables) object.number(name, value);
@@ -108,6 +148,10 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
   object.number("rapid_mm", base::tidy(run.rapid_mm)).number("cut_mm", base::tidy(run.cut_mm));
   object.raw("extents", extents_json(run)).raw("position", position_json(run));
   object.raw("tools", join(tools)).raw("messages", join(messages)).number("parts", run.parts);
+  if (run.turning) {
+    object.raw("spindle", spindles_json(*run.turning));
+    object.raw("threads", threads_json(*run.turning)).raw("cycles", cycles_json(*run.turning));
+  }
   if (!outputs.pattern.empty()) object.raw("pattern", outputs.pattern);
   if (!outputs.post.empty()) object.raw("post", outputs.post);
   object.raw("assumed", assumed_json(run)).raw("variables", variables_json(run));

@@ -25,6 +25,7 @@ using geometry::Vec2;
 // For messages: to 0.0001 mm.
 std::string millimetres(double value) { return base::number_text(std::round(value * 1e4) / 1e4); }
 
+constexpr double kForTwoPercent = 2.912023005428146;  // -1 - ln 0.02
 constexpr double kMostCoordinate = 999999.999;
 constexpr int kMostHelixAxes = 2;
 constexpr std::uint32_t kCentreLetters = Words::mask('I') | Words::mask('J') | Words::mask('K');
@@ -49,6 +50,11 @@ std::optional<PathPoint> begin_of_last_part(const State& state, const PathPoint&
 bool Moves::has_feed(const Words& words) {
   if (state_.modal.feed_mode() == motion::FeedMode::inverse_time && !words.has('F'))
     return state_.alarms.raise(Code::no_feed_inverse_time);
+  if (state_.codes.habits().tool_brings_offset && !state_.turns() &&
+      state_.modal.feed_mode() == motion::FeedMode::per_revolution)
+    state_.assume(Assumed::no_spindle_turns,
+                  "feed per revolution while no spindle turns: its time is that of the last S, or "
+                  "of 1000 rpm");
   return state_.words.feed > 0 ||
          state_.alarms.raise(Code::feed_zero,
                              words.has('F') ? "F is 0" : "no F has been commanded");
@@ -310,6 +316,9 @@ bool Moves::read_lead(const Words& words, double& lead) {
     state_.words.feed = lead;
   }
   lead = base::tidy(lead);
+  if (state_.codes.habits().tool_brings_offset && state_.has_surface_speed())
+    state_.assume(Assumed::thread_under_css,
+                  "a thread under G96 keeps the speed that the spindle has where it begins");
   return true;
 }
 
@@ -341,10 +350,28 @@ bool Moves::can_follow_spindle(const motion::Thread& thread) {
   const double most = motion::highest_rpm(thread, from, state_.axes);
   const double rpm = motion::rpm_at(state_.spindle(), from);
   constexpr double kSame = 1 + 1e-9;
-  if (rpm <= most * kSame) return true;
+  if (rpm <= most * kSame) {
+    if (state_.codes.habits().tool_brings_offset) tell_run_in(thread, from, rpm);
+    return true;
+  }
   return state_.alarms.raise(Code::spindle_too_fast,
                              "S" + base::rounded_text(rpm, 0) + ", at most S" +
                                  base::rounded_text(std::floor(most * kSame), 0));
+}
+
+// Where the part begins is not known: at the zero of the work system, if the thread begins before.
+// The axes need δ1 until they follow within a = 2 %: the lag of a servo with 0.033 s.
+void Moves::tell_run_in(const motion::Thread& thread, const base::TipPoint& from, double rpm) {
+  const auto z = state_.axes.find('Z');
+  if (!z) return;
+  const double begin = from[*z] - state_.coordinates.origin()[*z];
+  const double end = thread.to[*z] - state_.coordinates.origin()[*z];
+  if (begin * end >= 0) return;
+  const double needed_mm = thread.lead * rpm / 1800 * kForTwoPercent;
+  if (std::fabs(begin) >= needed_mm || !state_.assumptions.is_new(Assumed::short_run_in)) return;
+  state_.assumptions.add(state_.line, "the thread begins " + millimetres(std::fabs(begin)) +
+                                          " mm before Z0; for a lead within 2 % it needs " +
+                                          base::rounded_text(needed_mm, 3) + " mm");
 }
 
 }  // namespace kerf::control

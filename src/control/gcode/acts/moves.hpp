@@ -55,6 +55,7 @@ class Moves {
   bool read_start(const Words& words, motion::Thread& cut);
   bool read_centre(const Words& words, const motion::PlaneAxes& plane, const Target& target,
                    bool clockwise, geometry::Vec2& centre, bool& nothing);
+  void tell_run_in(const motion::Thread& thread, const base::TipPoint& from, double rpm);
   bool centre_offset(const Words& words, char letter, double& mm);
   bool finish(const Target& target, const base::PathPoint& path);
 

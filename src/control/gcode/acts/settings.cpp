@@ -61,7 +61,10 @@ bool Settings::read_codes(const Words& words, const Words::G*& one_shot) {
 bool Settings::check_css_axis(const Word& word) {
   std::int64_t axis = 0;
   if (!state_.values.integer(word, 0, 99999999, axis)) return false;
-  if (axis <= static_cast<std::int64_t>(state_.axes.count())) return true;
+  if (axis <= static_cast<std::int64_t>(state_.axes.count())) {
+    state_.words.css_axis = axis;
+    return true;
+  }
   return state_.alarms.raise(Code::css_axis, word.text,
                              "the machine has " + std::to_string(state_.axes.count()) + " axes");
 }
@@ -140,6 +143,8 @@ bool Settings::apply_codes(const Words& words) {
       case Meaning::scaling_on: good = set_scaling(words); break;
       case Meaning::mirror_off:
       case Meaning::mirror_on: good = set_mirror(words, g->meaning() == Meaning::mirror_on); break;
+      case Meaning::double_turret_on:
+      case Meaning::double_turret_off: set_turret(g->meaning() == Meaning::double_turret_on); break;
       case Meaning::rotation_on: good = set_rotation(words); break;
       case Meaning::polar_on: targets_.begin_polar(); break;
       default:
@@ -274,6 +279,16 @@ bool Settings::set_mirror(const Words& words, bool on) {
   return true;
 }
 
+// Of a lathe: X of the second turret counts from the other side of the work's zero.
+void Settings::set_turret(bool second) {
+  const auto x = state_.axes.find('X');
+  if (!x) return;
+  Transform transform = state_.coordinates.transform();
+  transform.cancel_mirror(*x);
+  if (second) transform.mirror(*x, 0);
+  state_.coordinates.set_transform(transform);
+}
+
 bool Settings::set_rotation(const Words& words) {
   const auto plane = state_.plane();
   if (!plane)
@@ -310,6 +325,25 @@ bool Settings::preset(const Words& words) {
   AxisSet named = 0;
   if (!targets_.values(words, program, named)) return false;
   state_.coordinates.preset(program);
+  return true;
+}
+
+// G10.9: 0 is a radius, 1 a diameter.
+bool Settings::switch_diameter(const Words& words) {
+  for (std::size_t i = 0; i < state_.axes.count(); ++i) {
+    const Axis axis{static_cast<std::uint8_t>(i)};
+    const gcode::Word* const word = words.find(state_.axes[axis].letter);
+    if (word == nullptr || !state_.axes[axis].diameter) continue;
+    if (word->value != 0 && word->value != 1)
+      return state_.alarms.raise(Code::improper_address_word, word->text,
+                                 "0 is a radius, 1 a diameter");
+    const auto others = static_cast<AxisSet>(state_.radius_words & ~base::only(axis));
+    state_.radius_words =
+        word->value == 0 ? static_cast<AxisSet>(others | base::only(axis)) : others;
+  }
+  state_.assume(Assumed::diameter_switch,
+                "G10.9 makes words of X radii or diameters; offsets, variables and what cycles set "
+                "stay diameters");
   return true;
 }
 

@@ -20,9 +20,10 @@ class Settings {
   /// Carries out what the modal codes of the block switch, before its motion.
   [[nodiscard]] bool apply_codes(const Words& words);
 
-  [[nodiscard]] bool local_system(const Words& words);  ///< G52
-  [[nodiscard]] bool preset(const Words& words);        ///< G92
-  [[nodiscard]] bool clear_shifts(const Words& words);  ///< G92.1
+  [[nodiscard]] bool local_system(const Words& words);     ///< G52
+  [[nodiscard]] bool preset(const Words& words);           ///< G92
+  [[nodiscard]] bool clear_shifts(const Words& words);     ///< G92.1
+  [[nodiscard]] bool switch_diameter(const Words& words);  ///< G10.9
 
   /// True when the words X, Y, … of the block are data of its codes, not a move.
   [[nodiscard]] bool takes_axis_words(const Words& words) const;
@@ -40,6 +41,7 @@ class Settings {
   bool set_scaling(const Words& words);
   bool scale_factor(const Words& words, char letter, double& factor);
   bool set_mirror(const Words& words, bool on);
+  void set_turret(bool second);
   bool set_rotation(const Words& words);
 
   State& state_;

@@ -144,6 +144,12 @@ void Spindles::tell() {
   const motion::Spindle spindle = state_.spindle();
   told_centre_ = spindle.centre;
   state_.path.act(spindle);
+  if (spindle.turns() && spindle.follows_radius() && spindle.centre != 0 &&
+      state_.assumptions.is_new(Assumed::work_zero_off_axis))
+    state_.assumptions.add(
+        state_.line,
+        "G96 takes the zero of the work system for the axis of the spindle: it lies at X" +
+            base::number_text(base::tidy(2 * spindle.centre)) + " of the machine");
 }
 
 void Spindles::follow_work_zero() {

@@ -21,6 +21,7 @@ void State::reset() {
   before = modal;
   refresh_format();
   words = {};
+  radius_words = 0;
   rigid_tapping = false;
   parameter_entry = false;
   block_control = feed_control = 0;
@@ -44,6 +45,7 @@ motion::Spindle State::spindle() const {
   if (css) {
     measure_radius(spindle);
   } else if (const double most = most_rpm(); most > 0) {
+    spindle.is_clamped = spindle.speed > most;
     spindle.speed = std::min(spindle.speed, most);
   }
   return spindle;

@@ -11,6 +11,7 @@
 #include "control/core/alarms.hpp"
 #include "control/core/assumptions.hpp"
 #include "control/core/control.hpp"
+#include "control/core/cycle_counts.hpp"
 #include "control/core/memory.hpp"
 #include "control/core/parameters.hpp"
 #include "control/core/surroundings.hpp"
@@ -32,6 +33,7 @@ struct ModalWords {
   double feed_programmed = 0;  ///< as written, in the program's unit (#4109)
   double speed = 0;            ///< S of the chosen spindle
   double max_rpm = 0;          ///< G92 S
+  std::int64_t css_axis = 0;   ///< P of G96: number of an axis; 0: that of the parameter
   motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;  ///< of the chosen spindle
   motion::SpindleName spindle = motion::SpindleName::main;               ///< the chosen one
   std::array<SpindleWords, motion::kSpindles> others{};  ///< of those that are not chosen
@@ -108,6 +110,8 @@ struct State {
   double wanted_length = 0;  ///< offset that G43 or G44 asks for; in force from the next move on
   base::AxisVector wanted_offset;  ///< that T of a lathe asks for, mm; likewise, axis by axis
   base::Axis length_axis{};        ///< its axis
+  CycleCounts cycles;
+  base::AxisSet radius_words = 0;  ///< G10.9: axes with a diameter whose words are radii
   bool c_axis_is_on = true;        ///< what switches it is the builder's
   bool rigid_tapping = false;      ///< M29
   bool moved_since_m29 = false;
@@ -125,6 +129,14 @@ struct State {
     return modal[Group::speed] == Meaning::surface_speed &&
            words.spindle != motion::SpindleName::live;
   }
+  /// A spindle turns.
+  [[nodiscard]] bool turns() const {
+    for (std::size_t i = 0; i < motion::kSpindles; ++i) {
+      if (motion::Spindle::turns(words.turning_of(static_cast<motion::SpindleName>(i))))
+        return true;
+    }
+    return false;
+  }
   /// Where a tool is driven, that spindle is the chosen one.
   void choose_driven_tool() {
     if (motion::Spindle::turns(words.turning_of(motion::SpindleName::live)))
@@ -133,7 +145,10 @@ struct State {
   /// The work turns: the surface speed is that at the diameter, from the zero of the work system.
   void measure_radius(motion::Spindle& spindle) const {
     spindle.most_rpm = most_rpm();
-    spindle.radius_axis = axes.find('X');
+    const auto number = words.css_axis != 0 ? static_cast<std::size_t>(words.css_axis)
+                                            : static_cast<std::size_t>(parameters.css_axis);
+    if (number <= axes.count())
+      spindle.radius_axis = base::Axis{static_cast<std::uint8_t>(number - 1)};
     if (spindle.radius_axis) spindle.centre = coordinates.origin()[*spindle.radius_axis];
   }
   /// The plane of arcs, corners and compensation; nothing: the machine lacks one of its axes.
@@ -162,6 +177,15 @@ struct State {
   }
   /// After a change of the unit or of the parameters.
   void refresh_format() { values.set_format({modal.inch(), parameters.calculator_point}); }
+  /// -1 where X is mirrored, for the second turret.
+  [[nodiscard]] double side_of_x() const {
+    const auto x = axes.find('X');
+    return x && base::contains(coordinates.transform().mirrored(), *x) ? -1 : 1;
+  }
+  /// A cycle begins: passes count for it from now on.
+  void count_cycle(Meaning cycle) {
+    cycles.begin(name_of(codes.with(cycle).number), path.block().line);
+  }
   /// Says once per `key` that something was accepted without effect or read in a surprising way.
   void assume(std::uint32_t key, const char* what) {
     if (assumptions.is_new(key)) assumptions.add(line, what);

@@ -86,7 +86,7 @@ bool Targets::value(const Word& word, Axis axis, double& value) {
     return true;
   }
   if (!state_.values.length(as_written, value)) return false;
-  value /= state_.axes[axis].count_per_mm();
+  if (!base::contains(state_.radius_words, axis)) value /= state_.axes[axis].count_per_mm();
   return true;
 }
 

@@ -91,7 +91,8 @@ bool MultipleCycles::pecks(const Words& words, bool along_z) {
   if (!turning_.plane(axes) || !read_end(words, axes, plan.end)) return false;
   plan.home = TurningCycle::place(state_.coordinates, axes);
   if (!read_pecks(words, plan) || !moves_.has_feed(words)) return false;
-  turning_.begin(std::make_unique<PeckPasses>(plan), axes, {.feed = moves_.feed()});
+  turning_.begin(along_z ? Meaning::face_pecks : Meaning::groove_pecks,
+                 std::make_unique<PeckPasses>(plan), axes, {.feed = moves_.feed()});
   return true;
 }
 
@@ -137,9 +138,12 @@ bool MultipleCycles::thread(const Words& words) {
   plan.finish = parameters.thread_finish;
   plan.finish_passes = parameters.thread_finish_passes;
   plan.tip_angle_deg = parameters.thread_angle;
+  plan.taper *= state_.side_of_x();
   plan.run_out = run_out_of(parameters, manner.lead);
   if (plan.least_depth > plan.height) return state_.alarms.raise(Code::thread_least_cut);
-  turning_.begin(std::make_unique<ThreadPasses>(plan), axes, std::move(manner));
+  manner.height = plan.height;
+  turning_.begin(Meaning::compound_thread, std::make_unique<ThreadPasses>(plan), axes,
+                 std::move(manner));
   return true;
 }
 

@@ -43,6 +43,7 @@ bool PeckPasses::advance() {
 }
 
 void PeckPasses::to_row() {
+  count_pass();
   depth_ = 0;
   across_ = row_;
   stage_ = Stage::peck;

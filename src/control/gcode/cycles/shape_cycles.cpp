@@ -100,6 +100,10 @@ bool ShapeCycles::ask(Meaning cycle, const Words& words) {
   request.first_text = words['P'].text;
   request.last_text = words['Q'].text;
   request_ = request;
+  if (request.finishes()) {
+    state_.count_cycle(cycle);
+    state_.cycles.add(1);
+  }
   return true;
 }
 
@@ -118,7 +122,8 @@ bool ShapeCycles::read_allowance(const Words& words) {
   if (!read_length(words, 'W', allowance_.u) || !read_length(words, 'U', allowance_.v))
     return false;
   const auto x = state_.axes.find('X');
-  if (x) allowance_.v = base::tidy(allowance_.v / state_.axes[*x].count_per_mm());
+  if (x)
+    allowance_.v = base::tidy(state_.side_of_x() * allowance_.v / state_.axes[*x].count_per_mm());
   return true;
 }
 
@@ -153,11 +158,13 @@ bool ShapeCycles::begin(const TurningShape& shape, std::vector<base::BlockId> bl
   TurningCycle::Manner manner{.feed = moves_.feed(), .blocks = std::move(blocks)};
   if (cycle != Meaning::pattern_repeat) return rough(shape, std::move(manner), axes);
   const Parameters& parameters = state_.parameters;
-  turning_.begin(std::make_unique<PatternPasses>(
-                     shape, PatternSettings{{parameters.pattern_z, parameters.pattern_x},
-                                            static_cast<std::uint32_t>(parameters.pattern_count),
-                                            allowance_}),
-                 axes, std::move(manner));
+  turning_.begin(
+      cycle,
+      std::make_unique<PatternPasses>(
+          shape, PatternSettings{{parameters.pattern_z, parameters.pattern_x * state_.side_of_x()},
+                                 static_cast<std::uint32_t>(parameters.pattern_count),
+                                 allowance_}),
+      axes, std::move(manner));
   return true;
 }
 
@@ -183,7 +190,8 @@ bool ShapeCycles::rough(const TurningShape& shape, TurningCycle::Manner manner,
     state_.assume(Assumed::pocket_allowance,
                   "the allowance W of a shape with X and Z in its first block (type II) is lost at "
                   "one wall of each pocket");
-  turning_.begin(rough_passes(shape, {.travel = travel,
+  turning_.begin(request_->cycle,
+                 rough_passes(shape, {.travel = travel,
                                       .depth_mm = parameters.rough_depth,
                                       .retreat_mm = parameters.rough_retreat,
                                       .allowance = allowance_}),

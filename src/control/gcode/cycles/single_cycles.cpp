@@ -1,5 +1,7 @@
 #include "control/gcode/cycles/single_cycles.hpp"
 
+#include <utility>
+
 #include "base/decimal.hpp"
 #include "control/core/assumed.hpp"
 #include "control/gcode/cycles/thread_cut.hpp"
@@ -31,6 +33,7 @@ std::vector<TurningMove> facing_moves(Vec2 home, Vec2 end, double taper) {
 bool SingleCycles::begin(const Words& words, bool& moved) {
   motion::PlaneAxes axes;
   if (!turning_.plane(axes)) return false;
+  if (state_.before[Group::motion] != state_.modal[Group::motion]) has_run_ = false;
   if (!is_one(state_.before[Group::motion])) forget();
   if (!words.has_any(targets_.letters() | Words::mask('R'))) {
     if (words.g_begin() != words.g_end())
@@ -80,18 +83,21 @@ bool SingleCycles::make(const Words& words, const motion::PlaneAxes& axes) {
   const Vec2 end = corner(axes);
   TurningCycle::Manner manner;
   std::vector<TurningMove> moves;
+  const bool faces = state_.modal[Group::motion] == Meaning::facing_cycle;
+  const double taper = faces ? data_.taper : data_.taper * state_.side_of_x();
   if (state_.modal[Group::motion] == Meaning::thread_cycle) {
     if (!moves_.read_lead(words, manner.lead)) return false;
-    moves = thread_cut(home, {home.u, base::tidy(end.v + data_.taper)}, end,
+    moves = thread_cut(home, {home.u, base::tidy(end.v + taper)}, end,
                        run_out_of(state_.parameters, manner.lead));
   } else {
     if (!moves_.has_feed(words)) return false;
-    const bool faces = state_.modal[Group::motion] == Meaning::facing_cycle;
     if (!state_.path.interrupt_compensation()) return false;
-    moves = faces ? facing_moves(home, end, data_.taper) : turning_moves(home, end, data_.taper);
+    moves = faces ? facing_moves(home, end, taper) : turning_moves(home, end, taper);
   }
   manner.feed = moves_.feed();
-  turning_.begin(std::make_unique<ListedMoves>(moves), axes, std::move(manner));
+  manner.repeats = std::exchange(has_run_, true);
+  turning_.begin(state_.modal[Group::motion], std::make_unique<ListedMoves>(moves), axes,
+                 std::move(manner));
   return true;
 }
 

@@ -25,7 +25,10 @@ class SingleCycles {
   /// A block while one is in force; its moves are the turning cycle's. False: an alarm was raised.
   [[nodiscard]] bool begin(const Words& words, bool& moved);
   /// A code that ends the cycles: X, Z and R are forgotten.
-  void forget() { data_ = {}; }
+  void forget() {
+    data_ = {};
+    has_run_ = false;
+  }
 
  private:
   // As written: a point, or a way from where the tool stands.
@@ -49,6 +52,7 @@ class SingleCycles {
   Moves& moves_;
   TurningCycle& turning_;
   Data data_;
+  bool has_run_ = false;  // since it was called
 };
 
 }  // namespace kerf::control

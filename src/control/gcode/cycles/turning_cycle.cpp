@@ -1,5 +1,6 @@
 #include "control/gcode/cycles/turning_cycle.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace kerf::control {
@@ -20,8 +21,9 @@ bool TurningCycle::plane(motion::PlaneAxes& axes) {
   return true;
 }
 
-void TurningCycle::begin(std::unique_ptr<TurningPasses> passes, const motion::PlaneAxes& axes,
-                         Manner manner) {
+void TurningCycle::begin(Meaning cycle, std::unique_ptr<TurningPasses> passes,
+                         const motion::PlaneAxes& axes, Manner manner) {
+  if (!manner.repeats) state_.count_cycle(cycle);
   passes_ = std::move(passes);
   axes_ = axes;
   manner_ = std::move(manner);
@@ -31,6 +33,7 @@ void TurningCycle::begin(std::unique_ptr<TurningPasses> passes, const motion::Pl
 bool TurningCycle::step() {
   TurningMove move;
   if (passes_->next(move)) return make(move);
+  state_.cycles.add(std::max<std::uint64_t>(passes_->passes(), 1));
   passes_ = nullptr;
   return true;
 }
@@ -61,7 +64,7 @@ bool TurningCycle::emit(const TurningMove& move, const PathPoint& to) {
   const base::TipPoint tip = on_path(to);
   if (move.kind == Kind::rapid) return state_.path.straight(state_.rapid(tip));
   if (move.kind == Kind::thread) {
-    const motion::Thread cut{.to = tip, .lead = manner_.lead};
+    const motion::Thread cut{.to = tip, .lead = manner_.lead, .depth_mm = manner_.height};
     return moves_.can_follow_spindle(cut) && state_.path.straight(cut);
   }
   if (!move.is_arc) return state_.path.straight(motion::Line{tip, manner_.feed});

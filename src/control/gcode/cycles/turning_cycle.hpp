@@ -20,7 +20,9 @@ class TurningCycle : public Stepped {
   struct Manner {
     motion::Feed feed;
     double lead = 0;                      ///< of the threads, mm
+    double height = 0;                    ///< of the thread, mm of radius; 0: not known
     std::vector<base::BlockId> blocks{};  ///< of the shape, by TurningMove::block
+    bool repeats = false;                 ///< a modal cycle that has run in a block before
   };
   /// The axes of the plane. False: the machine lacks one, an alarm was raised.
   [[nodiscard]] bool plane(motion::PlaneAxes& axes);
@@ -29,7 +31,8 @@ class TurningCycle : public Stepped {
                                             const motion::PlaneAxes& axes) {
     return axes.project(coordinates.path());
   }
-  void begin(std::unique_ptr<TurningPasses> passes, const motion::PlaneAxes& axes, Manner manner);
+  void begin(Meaning cycle, std::unique_ptr<TurningPasses> passes, const motion::PlaneAxes& axes,
+             Manner manner);
 
   [[nodiscard]] bool running() const override { return passes_ != nullptr; }
   [[nodiscard]] bool step() override;

@@ -1,6 +1,7 @@
 #include "control/gcode/cycles/turning_holes.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "base/decimal.hpp"
 
@@ -62,6 +63,7 @@ bool TurningHoles::begin(const Words& words, bool starts_mode, bool& moved) {
     const Axis axis{static_cast<std::uint8_t>(i)};
     if (!base::contains(ways, axis) && !state_.modal.incremental()) increment_[axis] = 0;
   }
+  if (std::exchange(counted_, cycle_) != cycle_) state_.count_cycle(cycle_);
   hole_ = target.program;
   holes_left_ = holes;
   stage_ = Stage::position;
@@ -156,6 +158,7 @@ bool TurningHoles::finish_hole() {
   if (clamp_) state_.path.act(motion::AuxiliaryCode{*clamp_ + 1});
   for (std::size_t i = 0; i < base::kMaxAxes; ++i)
     hole_.values[i] = base::tidy(hole_.values[i] + increment_.values[i]);
+  state_.cycles.add(1);
   --holes_left_;
   stage_ = Stage::position;
   return true;

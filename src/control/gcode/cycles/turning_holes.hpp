@@ -31,7 +31,10 @@ class TurningHoles : public Stepped {
   [[nodiscard]] bool step() override;
   void stop() override { holes_left_ = 0; }
   /// G80 or a code of group 01: the data are forgotten.
-  void cancel() { data_ = {}; }
+  void cancel() {
+    data_ = {};
+    counted_ = Meaning::cycle_off;
+  }
   /// The M code of the block that the holes have made use of; nothing: none.
   [[nodiscard]] std::optional<std::uint32_t> clamp() const { return clamp_; }
   /// A block begins.
@@ -70,6 +73,7 @@ class TurningHoles : public Stepped {
   Moves& moves_;
 
   Data data_;
+  Meaning counted_ = Meaning::cycle_off;  // the cycle that holes are counted for
   base::Axis drill_{};
   double initial_ = 0;
 

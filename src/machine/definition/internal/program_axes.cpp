@@ -116,7 +116,6 @@ void start(MachineDefinition& machine, const Kinematics& linkage) {
 
 // A lathe's usual feed mode needs one.
 constexpr double kStandingLathe_rpm = 1000;
-constexpr std::string_view kLatheDialect = "fanuc-lathe";
 
 }  // namespace
 

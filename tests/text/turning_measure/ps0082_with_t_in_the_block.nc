@@ -1,0 +1,5 @@
+(run with: --machine lathe2)
+O1 (Measuring tools)
+G00X100.Z5.T0101
+G36X50.T0202 (expect alarm PS0082 at T0202)
+M30

@@ -1,0 +1,1 @@
+[BILLET X50 Z100 (expect alarm PS0009)

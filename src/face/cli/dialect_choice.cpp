@@ -114,7 +114,7 @@ DialectChoice by_words(const base::SourceFile& program) {
             {}};
   const std::string chosen(machine::usual_machine(look.kind));
   const bool turns_c = look.kind == machine::ProgramKind::lathe_c;
-  return {machine::kLatheDialect,
+  return {std::string(machine::kLatheDialect),
           chosen,
           fmt::format("machine {} and dialect {} because of {} in line {}", chosen,
                       machine::kLatheDialect, look.word, look.line),

@@ -10,13 +10,12 @@
 #include "base/source_file.hpp"
 #include "control/core/parameters.hpp"
 #include "control/gcode/codes/code_table.hpp"
+#include "machine/definition/machine_definition.hpp"
 
 namespace kerf::machine {
 
 /// The dialect of patterns, whose programs are pulses and no motions that a servo plans.
 inline constexpr const char* kPatternDialect = "pattern";
-/// The dialect of lathes.
-inline constexpr const char* kLatheDialect = "fanuc-lathe";
 
 /// A dialect that Kerf runs: a language, and what executes it.
 struct DialectRow {

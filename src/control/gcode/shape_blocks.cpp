@@ -28,7 +28,10 @@ std::optional<vm::Address> ShapeBlocks::find_last(const ShapeCycles::Request& re
   return std::nullopt;
 }
 
-bool ShapeBlocks::go(const ReadBlock& cycle, std::span<const gcode::Word> words) {
+// The search may drop the page on which the words of the cycle stand.
+bool ShapeBlocks::go(ReadBlock& cycle, std::span<const gcode::Word> words) {
+  words_.assign(words.begin(), words.end());
+  if (!blocks_.collect(words_, cycle)) return false;
   const ShapeCycles::Request request = *acts_.shapes().request();
   const auto end = find_last(request);
   if (!end) return false;
@@ -43,7 +46,7 @@ bool ShapeBlocks::go(const ReadBlock& cycle, std::span<const gcode::Word> words)
                   .block = state_.path.block(),
                   .number = cycle.number,
                   .line = state_.line,
-                  .words = {words.begin(), words.end()},
+                  .words = words_,
                   .codes = acts_.codes()};
   if (request.finishes()) {
     acts_.shapes().drop_request();

@@ -29,7 +29,7 @@ class ShapeBlocks {
 
   /// The executing block's cycle has asked for a shape: the program goes to its first block. False:
   /// an alarm was raised.
-  [[nodiscard]] bool go(const ReadBlock& cycle, std::span<const gcode::Word> words);
+  [[nodiscard]] bool go(ReadBlock& cycle, std::span<const gcode::Word> words);
   [[nodiscard]] bool active() const { return stretch_.has_value(); }
   /// Whether a shape that is read or made may have a block with these words; false: an alarm was
   /// raised.

@@ -25,6 +25,8 @@ ROOMS = {
     "geometry": ["math", "base"],
     "geometry/contour": ["geometry"],
     "motion": ["geometry"],
+    "stock/tool": ["geometry"],
+    "stock/sweep": ["stock/tool"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

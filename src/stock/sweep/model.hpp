@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/interface.hpp"
+#include "stock/sweep/body.hpp"
+#include "stock/sweep/outcome.hpp"
+#include "stock/sweep/sweep.hpp"
+
+namespace kerf::stock {
+
+/// Material that tools cut, in the frame of the stock: mm, X Y Z, right-handed.
+///
+/// The same sweeps in the same order leave the same bits and the same outcomes, however they are
+/// cut into calls and however many threads share the work.
+class Model : public base::Interface {
+ public:
+  /// Makes a tool known; the number for Sweep::body. Bodies stay.
+  [[nodiscard]] virtual BodyId add_body(const Body& body) = 0;
+  /// Whether it can cut this sweep: a height field cannot cut with a tilted tool, or an undercut.
+  [[nodiscard]] virtual bool can_cut(const Sweep& sweep) const = 0;
+  /// Cuts them in their order; adds what sweep i did to outcomes[i]. Precondition: can_cut() each;
+  /// both spans have the same size.
+  virtual void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) = 0;
+
+  /// mm³ of what is left, and of what there was before the first cut.
+  [[nodiscard]] virtual double left_mm3() const = 0;
+  [[nodiscard]] virtual double stock_mm3() const = 0;
+  /// Bound of the error of their difference (stock.md §3, Volumes).
+  [[nodiscard]] virtual double error_mm3() const = 0;
+  /// Of what is left; low > high: nothing is.
+  [[nodiscard]] virtual Bounds extents() const = 0;
+  /// What it holds now.
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace kerf::stock

@@ -1,0 +1,39 @@
+#include "stock/sweep/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace kerf::stock {
+namespace {
+
+constexpr double kPart = 4294967296.0;  // of a unit
+constexpr double kMost = 2147483647.0;  // units
+
+/// Which of two contacts of equal depth keeps its place.
+bool comes_first(Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+}  // namespace
+
+Exact::Exact(double value)
+    : parts_(static_cast<std::int64_t>(std::nearbyint(std::clamp(value, -kMost, kMost) * kPart))) {}
+
+double Exact::value() const { return static_cast<double>(parts_) / kPart; }
+
+void Contact::add(const Contact& other) {
+  volume += other.volume;
+  if (other.depth_mm < depth_mm) return;
+  if (other.depth_mm == depth_mm && !(other.is_one() && comes_first(other.at, at))) return;
+  depth_mm = other.depth_mm;
+  at = other.at;
+}
+
+void Outcome::add(const Outcome& other) {
+  removed += other.removed;
+  for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].add(other.contacts[i]);
+  core += other.core;
+  for (std::size_t i = 0; i < across.size(); ++i) across[i] += other.across[i];
+  visited += other.visited;
+}
+
+}  // namespace kerf::stock

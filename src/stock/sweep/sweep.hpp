@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "stock/sweep/way.hpp"
+
+namespace kerf::stock {
+
+/// A tool that one or several moves have as theirs: its number in the model that they go to.
+using BodyId = std::uint32_t;
+
+/// What a move may do to material.
+enum class SweepKind : std::uint8_t {
+  cut,    ///< its edges cut, nothing else may meet material
+  rapid,  ///< nothing may meet material
+};
+
+/// A tool moves over the stock. Plain value; one motion of the program is one sweep or several in
+/// a row.
+struct Sweep {
+  Way way;
+  Vec3 axis{0, 0, 1};  ///< unit: from the tip up along the tool; of a TurningWay at its beginning
+  BodyId body = 0;
+  SweepKind kind = SweepKind::cut;
+  /// Number of the motion in the run, from 1: what a cut face remembers.
+  std::uint32_t motion = 0;
+};
+
+}  // namespace kerf::stock

@@ -55,6 +55,10 @@ class Curve {
   [[nodiscard]] bool is_arc() const { return kind_ == Kind::arc && !on_face_; }
   [[nodiscard]] bool is_on_face() const { return on_face_; }
   [[nodiscard]] bool is_cubic() const { return kind_ == Kind::cubic; }
+  /// Precondition: is_arc().
+  [[nodiscard]] ArcShape arc_shape() const {
+    return {c_[0], c_[1], c_[2], c_[3], radius_, radius_slope_, angle_rad_, rate_};
+  }
   /// Largest of the numbers whose sum a point is, as far as the end does not show it: of an arc its
   /// radius, whose last digits are what a flat one of huge radius shows.
   [[nodiscard]] double magnitude() const { return length_ + radius_; }

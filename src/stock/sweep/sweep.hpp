@@ -18,7 +18,7 @@ enum class SweepKind : std::uint8_t {
 /// A tool moves over the stock. Plain value; one motion of the program is one sweep or several in
 /// a row.
 struct Sweep {
-  Way way;
+  Way way{};
   Vec3 axis{0, 0, 1};  ///< unit: from the tip up along the tool; of a TurningWay at its beginning
   BodyId body = 0;
   SweepKind kind = SweepKind::cut;

@@ -1,0 +1,244 @@
+#include "stock/cutting/cutter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "math/math.hpp"
+
+namespace kerf::stock {
+namespace {
+
+using base::Code;
+using base::TipPoint;
+
+constexpr std::array<std::string_view, kToolParts> kPartNames = {"cutting edges", "flutes' end",
+                                                                 "shank", "holder"};
+// What is removed below this is dust of rounding, mm³.
+constexpr double kDust_mm3 = 1e-6;
+
+/// A way is across the tool's axis where it leaves the direction of it by more than this.
+constexpr double kAcross_mm = 1e-6;
+
+bool goes_across(const Sweep& sweep) {
+  if (const auto* const straight = std::get_if<StraightWay>(&sweep.way)) {
+    const Vec3 way = straight->to - straight->from;
+    return geometry::length(geometry::cross(way, sweep.axis)) > kAcross_mm;
+  }
+  return true;
+}
+
+/// Farthest point of the body from its tip.
+double reach_of(const Body& body) {
+  const double height = body.profile.height() < Profile::kEndless_mm ? body.profile.height()
+                                                                     : body.profile.edge_height();
+  return math::hypot(std::min(height, 1000.0), body.profile.widest());
+}
+
+}  // namespace
+
+Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
+               const Settings& settings)
+    : axes_(axes),
+      frame_(frame),
+      model_(model),
+      rack_(rack),
+      settings_(settings),
+      curves_(axes),
+      maker_(frame, settings.tolerance_mm),
+      at_(axes.start),
+      checks_(!settings.starts_anywhere) {
+  if (settings.has_tool) tool_ = &rack_.tool(0);
+}
+
+void Cutter::take(const motion::Motion& motion) {
+  ++motions_;
+  if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
+    change_tool(change->tool);
+  } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
+    using Turning = motion::Spindle::Turning;
+    if (spindle->name == motion::SpindleName::sub) return;
+    const bool turns = spindle->turns() && spindle->known_rpm() > 0;
+    spindle_ = !turns                                   ? Spindle::stopped
+               : spindle->turning == Turning::clockwise ? Spindle::right
+                                                        : Spindle::left;
+  } else if (const TipPoint* const to = motion::target_of(motion)) {
+    move(motion, *to);
+  }
+}
+
+void Cutter::change_tool(std::uint32_t number) {
+  changed_tool_ = true;
+  tool_ = &rack_.tool(number);
+}
+
+// What the machine's axes have not moved yet may stand anywhere.
+void Cutter::note_start(const TipPoint& to, bool rapid) {
+  if (checks_) return;
+  for (const char letter : {'X', 'Y', 'Z'}) {
+    const auto axis = axes_.find(letter);
+    if (!axis || to[*axis] != at_[*axis])
+      moved_ = static_cast<base::AxisSet>(moved_ | 1U << (letter - 'X'));
+  }
+  checks_ = !rapid;
+}
+
+void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
+  const bool rapid = std::holds_alternative<motion::Rapid>(motion.action);
+  note_start(to, rapid);
+  fed_ = fed_ || !rapid;
+  if (tool_ == nullptr) {
+    fed_without_tool_ = fed_without_tool_ || !rapid;
+  } else if (checks_ || !rapid) {
+    add_sweeps(motion, rapid ? SweepKind::rapid : SweepKind::cut);
+  }
+  at_ = to;
+  if (moved_ == 7) checks_ = true;
+}
+
+void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {
+  const bool probes = std::holds_alternative<motion::Probe>(motion.action);
+  if (stuck_ || (probes && tool_->use == CuttingTool::Use::probe)) return;
+  Waiting of{.block = motion.block,
+             .motion = motions_,
+             .first = sweeps_.size(),
+             .tool = tool_->number,
+             .kind = kind,
+             .spindle = spindle_};
+  const Sweep like{
+      .body = body_of(*tool_), .kind = kind, .motion = static_cast<std::uint32_t>(motions_)};
+  TipPoint from = at_;
+  for (const motion::Curve& curve : curves_.of(at_, motion)) {
+    maker_.add(from, curve, like, reach_of(tool_->body), sweeps_);
+    from = curve.end();
+  }
+  of.end = sweeps_.size();
+  for (std::size_t i = of.first; i < of.end && !stuck_; ++i) {
+    of.length_mm += length(sweeps_[i].way);
+    if (!model_.can_cut(sweeps_[i])) stuck_ = motion.block;
+  }
+  if (stuck_) {
+    sweeps_.resize(of.first);
+    return;
+  }
+  if (of.end > of.first) waiting_.push_back(of);
+  if (sweeps_.size() >= kBatch) cut_batch();
+}
+
+BodyId Cutter::body_of(const CuttingTool& tool) {
+  const auto known = bodies_.find(tool.number);
+  if (known != bodies_.end()) return known->second;
+  return bodies_.emplace(tool.number, model_.add_body(tool.body)).first->second;
+}
+
+void Cutter::finish() { cut_batch(); }
+
+void Cutter::cut_batch() {
+  outcomes_.assign(sweeps_.size(), Outcome{});
+  model_.cut(sweeps_, outcomes_);
+  for (const Waiting& of : waiting_) {
+    Outcome sum;
+    for (std::size_t i = of.first; i < of.end; ++i) sum.add(outcomes_[i]);
+    judge(of, sum);
+    record(of, sum);
+  }
+  waiting_.clear();
+  sweeps_.clear();
+}
+
+void Cutter::judge(const Waiting& of, const Outcome& outcome) {
+  removed_ += outcome.removed;
+  visited_ += outcome.visited;
+  if (of.kind == SweepKind::rapid) {
+    judge_rapid(of, outcome);
+  } else {
+    judge_cut(of, outcome);
+  }
+}
+
+void Cutter::judge_rapid(const Waiting& of, const Outcome& outcome) {
+  Contact worst;
+  std::size_t part = 0;
+  for (std::size_t i = 0; i < kToolParts; ++i) {
+    if (outcome.contacts[i].depth_mm > worst.depth_mm) part = i;
+    worst.add(outcome.contacts[i]);
+  }
+  if (worst.is_one()) {
+    find(Code::rapid_in_stock, of, worst,
+         fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], of.tool, worst.depth_mm));
+  }
+}
+
+void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
+  const CuttingTool& tool = rack_.tool(of.tool);
+  const auto& contacts = outcome.contacts;
+  const auto told = [&](ToolPart part, Code code) {
+    const Contact& contact = contacts[index(part)];
+    if (contact.is_one())
+      find(code, of, contact, fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
+  };
+  if (tool.use == CuttingTool::Use::probe) {
+    told(ToolPart::edge, Code::probe_in_stock);
+    return;
+  }
+  told(ToolPart::flank, Code::flute_length);
+  told(ToolPart::shank, Code::shank_collision);
+  told(ToolPart::holder, Code::holder_collision);
+  if (outcome.removed.value() < kDust_mm3) return;
+  if (of.spindle == Spindle::stopped) {
+    find(Code::spindle_stopped, of, fmt::format("T{} cuts", of.tool));
+  } else if (tool.hand &&
+             (*tool.hand == CuttingTool::Hand::left) != (of.spindle == Spindle::left)) {
+    find(Code::spindle_direction, of,
+         fmt::format("T{} cuts with {}", of.tool, of.spindle == Spindle::left ? "M04" : "M03"));
+  }
+  if (outcome.core.value() > kDust_mm3) {
+    find(Code::not_centre_cutting, of,
+         fmt::format("T{} removes {:.3f} mm³ within its core", of.tool, outcome.core.value()));
+  }
+  const auto across = [&](std::size_t i) { return goes_across(sweeps_[i]); };
+  if (tool.use != CuttingTool::Use::axial_only) return;
+  for (std::size_t i = of.first; i < of.end; ++i) {
+    if (!across(i) || outcomes_[i].removed.value() < kDust_mm3) continue;
+    find(Code::axial_tool_sideways, of, fmt::format("T{} is a {}", of.tool, tool.type));
+    return;
+  }
+}
+
+void Cutter::find(Code code, const Waiting& of, const Contact& contact, std::string detail) {
+  findings_.add({.code = code,
+                 .detail = std::move(detail),
+                 .block = of.block,
+                 .tool = of.tool,
+                 .motion = of.motion,
+                 .at = contact.at,
+                 .depth_mm = contact.depth_mm,
+                 .volume_mm3 = contact.volume.value()});
+}
+
+// Of what has no depth the place is where the tip goes.
+void Cutter::find(Code code, const Waiting& of, const std::string& detail) {
+  Contact contact;
+  contact.at = point_at(sweeps_[of.end - 1].way, 1);
+  find(code, of, contact, detail);
+}
+
+void Cutter::record(const Waiting& of, const Outcome& outcome) {
+  const auto same = [&](const ToolRecord& record) { return record.tool == of.tool; };
+  auto place = std::find_if(tools_.begin(), tools_.end(), same);
+  if (place == tools_.end()) place = tools_.insert(place, ToolRecord{.tool = of.tool});
+  const bool removes = outcome.removed.value() > kDust_mm3;
+  place->removed_mm3 += outcome.removed.value();
+  if (of.kind == SweepKind::rapid) return;
+  (removes ? place->cut_mm : place->air_mm) += of.length_mm;
+  has_cut_ = has_cut_ || removes;
+  for (std::size_t i = of.first; removes && i < of.end; ++i) {
+    if (outcomes_[i].removed.value() > kDust_mm3)
+      place->lowest = std::min(place->lowest, bounds(sweeps_[i].way).low.z);
+  }
+}
+
+}  // namespace kerf::stock

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "motion/axis_setup.hpp"
+#include "motion/motion.hpp"
+#include "motion/move_curves.hpp"
+#include "stock/cutting/cutting_tool.hpp"
+#include "stock/cutting/findings.hpp"
+#include "stock/cutting/sweep_maker.hpp"
+#include "stock/cutting/tool_record.hpp"
+#include "stock/sweep/model.hpp"
+
+namespace kerf::stock {
+
+/// Has a model cut what the motions of a run cut, and checks it (stock.md §2.5, §5). Motions wait
+/// in a batch, so that threads have something to share; finish() cuts what waits.
+class Cutter final : public motion::MotionSink {
+ public:
+  struct Settings {
+    double tolerance_mm = 0.001;  ///< of turning sweeps
+    /// A run begins somewhere in the machine: until X, Y and Z have each moved, or the first move
+    /// at feed, rapids cut and check nothing. False: the start is one that is checked.
+    bool starts_anywhere = true;
+    /// Before the first tool change there is no tool. True: there is none in the whole program, and
+    /// the tool is T0.
+    bool has_tool = false;
+  };
+
+  /// All must outlive the cutter.
+  Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
+         const Settings& settings);
+
+  void take(const motion::Motion& motion) override;
+  /// Cuts what waits. Before any question.
+  void finish();
+
+  [[nodiscard]] const Findings& findings() const { return findings_; }
+  /// By their first use.
+  [[nodiscard]] const std::vector<ToolRecord>& tools() const { return tools_; }
+  /// The first move that the model cannot cut; nothing behind it was cut.
+  [[nodiscard]] const std::optional<base::BlockId>& stuck() const { return stuck_; }
+  /// A move at feed met a tool change ahead of it or none: what Settings::has_tool is about.
+  [[nodiscard]] bool fed_without_tool() const { return fed_without_tool_; }
+  [[nodiscard]] bool changed_tool() const { return changed_tool_; }
+  [[nodiscard]] std::uint64_t motions() const { return motions_; }
+  [[nodiscard]] double removed_mm3() const { return removed_.value(); }
+  [[nodiscard]] std::uint64_t visited() const { return visited_; }
+  /// Moves at feed that there were, and those that removed material.
+  [[nodiscard]] bool fed() const { return fed_; }
+  [[nodiscard]] bool has_cut() const { return has_cut_; }
+
+ private:
+  enum class Spindle : std::uint8_t { stopped, right, left };
+  /// What is known of a motion until the model has cut it.
+  struct Waiting {
+    base::BlockId block;
+    std::uint64_t motion = 0;
+    std::size_t first = 0;  // of its sweeps
+    std::size_t end = 0;
+    std::uint32_t tool = 0;
+    SweepKind kind = SweepKind::cut;
+    Spindle spindle = Spindle::stopped;
+    double length_mm = 0;
+  };
+
+  void change_tool(std::uint32_t number);
+  void note_start(const base::TipPoint& to, bool rapid);
+  void move(const motion::Motion& motion, const base::TipPoint& to);
+  void add_sweeps(const motion::Motion& motion, SweepKind kind);
+  [[nodiscard]] bool may_check(bool rapid) const { return checks_ || !rapid; }
+  [[nodiscard]] BodyId body_of(const CuttingTool& tool);
+  void cut_batch();
+  void judge(const Waiting& of, const Outcome& outcome);
+  void judge_rapid(const Waiting& of, const Outcome& outcome);
+  void judge_cut(const Waiting& of, const Outcome& outcome);
+  void find(base::Code code, const Waiting& of, const Contact& contact, std::string detail);
+  void find(base::Code code, const Waiting& of, const std::string& detail);
+  void record(const Waiting& of, const Outcome& outcome);
+
+  static constexpr std::size_t kBatch = 8192;
+
+  const motion::AxisSetup& axes_;
+  const WorkFrame& frame_;
+  Model& model_;
+  ToolRack& rack_;
+  Settings settings_;
+  motion::MoveCurves curves_;
+  SweepMaker maker_;
+  Findings findings_;
+  std::vector<ToolRecord> tools_;
+  std::map<std::uint32_t, BodyId> bodies_;
+  const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
+  Spindle spindle_ = Spindle::stopped;
+  base::TipPoint at_;
+  base::AxisSet moved_ = 0;
+  bool checks_ = false;
+  std::uint64_t motions_ = 0;
+  std::vector<Waiting> waiting_;
+  std::vector<Sweep> sweeps_;
+  std::vector<Outcome> outcomes_;
+  std::optional<base::BlockId> stuck_;
+  Exact removed_;
+  std::uint64_t visited_ = 0;
+  bool fed_without_tool_ = false;
+  bool changed_tool_ = false;
+  bool fed_ = false;
+  bool has_cut_ = false;
+};
+
+}  // namespace kerf::stock

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "stock/cutting/finding.hpp"
+
+namespace kerf::stock {
+
+/// What all checks of a run have found: one finding for each block and code, however often the
+/// block ran; the deepest stays (stock.md §5).
+class Findings {
+ public:
+  /// Of more blocks than this only the count is kept.
+  static constexpr std::size_t kMost = 100'000;
+
+  /// A finding of one motion.
+  void add(const Finding& finding);
+
+  /// In the order of the motions, then of the codes.
+  [[nodiscard]] std::vector<Finding> in_order() const;
+  [[nodiscard]] bool is_empty() const { return findings_.empty(); }
+  /// That were not kept.
+  [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
+
+ private:
+  struct Key {
+    base::FileId file;
+    std::uint64_t from;
+    base::Code code;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const;
+  };
+
+  std::vector<Finding> findings_;
+  std::unordered_map<Key, std::size_t, Hash> places_;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace kerf::stock

@@ -47,7 +47,7 @@ ROOMS = {
     "kinematics": ["base", "geometry"],
     "drive": ["base", "geometry"],
     "drive/pattern": ["drive"],
-    "machine/definition": ["control/core", "planner", "kinematics", "drive/pattern"],
+    "machine/definition": ["control/core", "planner", "kinematics", "drive/pattern", "stock/cutting"],
     "machine/dialect": ["control/gcode", "control/laser", "control/teach", "machine/definition"],
     "machine/run": ["machine/dialect"],
     "machine/panel": ["machine/run"],

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,13 @@ struct ArmLinks {
   bool elbow_minus = false;
 };
 
+/// Where the rotary axes that turn the work lie: a point on each, machine coordinates, mm, all
+/// rotary axes at 0. The primary one carries the other.
+struct TablePoints {
+  std::array<double, 3> primary{};
+  std::array<double, 3> secondary{};
+};
+
 /// Everything that makes a linkage. Only the part of its kind is read.
 struct Settings {
   Kind kind = Kind::cartesian;
@@ -39,6 +47,7 @@ struct Settings {
   XThetaZOffsets x_theta_z{};
   HeadRadii head{};
   ArmLinks arm{};
+  TablePoints tables{};  ///< of a Cartesian machine
 };
 
 }  // namespace kerf::kinematics

@@ -13,6 +13,7 @@
 #include "base/point.hpp"
 #include "control/core/assumptions.hpp"
 #include "control/core/cycle_counts.hpp"
+#include "control/core/work_system.hpp"
 
 namespace kerf::control {
 
@@ -93,6 +94,11 @@ class Control : public base::Interface {
   [[nodiscard]] virtual base::MachinePoint machine_position() const = 0;
   /// What of them is the tool's length.
   [[nodiscard]] virtual base::AxisVector tool_length() const = 0;
+  /// The axes that the program has told to move since power-on: where the others stand, only the
+  /// machine knows. Of a language that names no axes all.
+  [[nodiscard]] virtual base::AxisSet commanded() const { return static_cast<base::AxisSet>(-1); }
+  /// Of a language without work coordinate systems the first one.
+  [[nodiscard]] virtual WorkSystem work_system() const { return {}; }
   /// Where the zero of the active work coordinate system lies.
   [[nodiscard]] virtual base::AxisVector work_origin() const = 0;
 

@@ -65,6 +65,8 @@ class GcodeControl : public ProgramControl {
   [[nodiscard]] base::AxisVector tool_length() const override {
     return state_.coordinates.length();
   }
+  [[nodiscard]] base::AxisSet commanded() const override { return state_.commanded; }
+  [[nodiscard]] WorkSystem work_system() const override { return state_.coordinates.work(); }
   [[nodiscard]] base::AxisVector work_origin() const override {
     return state_.coordinates.origin();
   }

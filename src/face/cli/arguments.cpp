@@ -192,6 +192,51 @@ void add_time(CLI::App& app, TimeOptions& o) {
   time->footer("Example: kerf time part.nc --machine-set axis.X.acceleration=1500");
 }
 
+void add_stock(CLI::App& app, StockOptions& o) {
+  CLI::App* stock =
+      app.add_subcommand("stock", "cuts the virtual part, checks it and writes what is left");
+  stock->group("Commands");
+  stock->add_option("program", o.run.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  stock->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*stock, o.run, Patterns::not_run);
+  stock->option_defaults()->group("Stock");
+  stock->add_option("--stock", o.stock,
+                    "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
+                    "extents[:M], a box around what is cut; default extents:5")
+      ->type_name("SHAPE");
+  stock->add_option("--stock-zero", o.zero,
+                    "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
+                    "one in force at the first cut; default auto")
+      ->type_name("SYSTEM");
+  stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"auto", "zmap", "tridexel"}));
+  stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")
+      ->type_name("MM")
+      ->check(kNotNegative);
+  stock->add_option("--memory", o.memory, "of the part, MiB; default 1024")
+      ->type_name("MIB")
+      ->check(kWholeNumber);
+  stock->add_option("--jobs", o.jobs, "threads that cut; default one a processor")
+      ->type_name("N")
+      ->check(CLI::Range(1U, 256U));
+  stock->option_defaults()->group("Checks");
+  repeated(stock->add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
+      ->type_name("CODE");
+  stock->add_option("--fail-on", o.fail_on,
+                    "findings that make the exit status 1: error, warning or never; default warning")
+      ->type_name("SEVERITY")
+      ->check(CLI::IsMember({"error", "warning", "never"}));
+  stock->option_defaults()->group("Limits");
+  add_budget(*stock, o.run.max_seconds, o.run.max_motions);
+  stock->option_defaults()->group("Outputs (- is standard output)");
+  stock->add_option("--report", o.report, "the report as JSON")->type_name("FILE");
+  add_diagnostics(*stock, o.run.diagnostics);
+  stock->footer("Example: kerf stock part.nc --stock box:0,0,-20,100,60,0 --tools tools.toml");
+}
+
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* check =
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
@@ -345,6 +390,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   app.set_version_flag("--version", "kerf 0.1.0");
   RunOptions run_options;
   TimeOptions time_options;
+  StockOptions stock_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
   PatternOptions pattern_options;
@@ -353,6 +399,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   ReplayOptions replay_options;
   add_run(app, run_options);
   add_time(app, time_options);
+  add_stock(app, stock_options);
   add_check(app, check_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
@@ -368,8 +415,8 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
     return tl::unexpected(base::Failure{base::Failure::Kind::usage,
-                                        "a command is needed: run, time, check, pattern, serve, "
-                                        "replay, machines or notices; `kerf --help` lists them"});
+                                        "a command is needed: run, time, stock, check, pattern, "
+                                        "serve, replay, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -385,6 +432,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   }
   if (app.got_subcommand("run")) return run_options;
   if (app.got_subcommand("time")) return time_options;
+  if (app.got_subcommand("stock")) return stock_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;

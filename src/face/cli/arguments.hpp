@@ -18,7 +18,7 @@ struct Answer {
 };
 
 /// What a command line asks for.
-using Request = std::variant<RunOptions, TimeOptions, CheckOptions, PatternOptions, ReplayOptions,
+using Request = std::variant<RunOptions, TimeOptions, StockOptions, CheckOptions, PatternOptions, ReplayOptions,
                              MachinesOptions, ServeOptions, Answer>;
 
 /// Reads the words behind `kerf`. Failure (usage): one sentence.

@@ -59,6 +59,20 @@ struct TimeOptions {
   std::string format = "text";
 };
 
+/// A run that cuts the virtual part.
+struct StockOptions {
+  RunOptions run;  ///< without outputs
+  std::string stock = "extents";
+  std::string zero = "auto";
+  std::string model = "auto";
+  std::string cell;          ///< mm; empty: by the tools
+  std::string memory;        ///< MiB; empty: 1024
+  unsigned jobs = 0;         ///< threads; 0: one a processor
+  std::string report;        ///< JSON
+  std::string fail_on = "warning";
+  std::vector<std::string> no_checks;  ///< codes
+};
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string machine;
@@ -105,6 +119,7 @@ struct ServeOptions {
 
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
+[[nodiscard]] ExitStatus stock(const StockOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);

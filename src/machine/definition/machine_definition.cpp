@@ -62,11 +62,22 @@ std::string change_spindle(MachineDefinition& machine, std::string_view path,
   return objection;
 }
 
+std::string change_point(MachineDefinition& machine, const PointKey& key, std::string_view text) {
+  if (machine.kinematics.kind != kinematics::Kind::cartesian)
+    return type_in_words(machine) + " has no such key";
+  const auto point = point_of(text);
+  if (!point) return "three numbers are expected: X,Y,Z";
+  machine.kinematics.tables.*key.point = *point;
+  return {};
+}
+
 std::string change_any(MachineDefinition& machine, std::string_view path, std::string_view text) {
   const auto [table, item] = split_path(path);
   if (table == "axis") return change_axis(machine, item, text);
   if (table == "spindle") return change_spindle(machine, item, text);
   if (table == "m_codes") return change_m_codes(machine.parameters.machine_codes, item, text);
+  if (const PointKey* const key = find_point_key(table, item))
+    return change_point(machine, *key, text);
   const MachineKey* const key = find_machine_key(table, item);
   if (key != nullptr && !key->belongs_to(machine.kinematics.kind))
     return type_in_words(machine) + " has no such key";

@@ -129,17 +129,22 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
-  std::vector<std::string> tools;
-  for (const std::uint32_t tool : run.tools) tools.push_back(std::to_string(tool));
-  std::vector<std::string> messages;
-  for (const std::string& message : run.messages) messages.push_back(quoted(message));
+JsonObject head_of_report(const RunFacts& run) {
   JsonObject object;
   object.text("program", run.program).text("file", run.file);
   object.text("machine", run.machine).text("dialect", run.dialect);
   if (!run.chosen.dialect.empty()) object.raw("chosen", chosen_json(run.chosen));
   object.text("status", status_name(run.status));
   object.raw("alarm", alarm_json(run.alarm));
+  return object;
+}
+
+std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
+  std::vector<std::string> tools;
+  for (const std::uint32_t tool : run.tools) tools.push_back(std::to_string(tool));
+  std::vector<std::string> messages;
+  for (const std::string& message : run.messages) messages.push_back(quoted(message));
+  JsonObject object = head_of_report(run);
   object.number("blocks", static_cast<double>(run.blocks))
       .number("motions", static_cast<double>(run.motions));
   object.number("time_s", base::tidy(run.time_s))

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "output/reports/run_facts.hpp"
+#include "output/writing/json_object.hpp"
 
 namespace kerf::output {
 
@@ -11,6 +12,9 @@ struct SummaryOfOutputs {
   std::string pattern;
   std::string post;
 };
+
+/// How every report of a run begins: program, file, machine, dialect, status, alarm.
+[[nodiscard]] JsonObject head_of_report(const RunFacts& run);
 
 /// The summary of a run as one JSON object on one line (docs/command-line.md).
 [[nodiscard]] std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs = {});

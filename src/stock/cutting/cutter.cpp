@@ -42,15 +42,14 @@ double reach_of(const Body& body) {
 
 Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
                const Settings& settings)
-    : axes_(axes),
-      frame_(frame),
+    : frame_(frame),
       model_(model),
       rack_(rack),
       settings_(settings),
       curves_(axes),
       maker_(frame, settings.tolerance_mm),
       at_(axes.start),
-      checks_(!settings.starts_anywhere) {
+      checks_(!settings.is_placed) {
   if (settings.has_tool) tool_ = &rack_.tool(0);
 }
 
@@ -75,28 +74,17 @@ void Cutter::change_tool(std::uint32_t number) {
   tool_ = &rack_.tool(number);
 }
 
-// What the machine's axes have not moved yet may stand anywhere.
-void Cutter::note_start(const TipPoint& to, bool rapid) {
-  if (checks_) return;
-  for (const char letter : {'X', 'Y', 'Z'}) {
-    const auto axis = axes_.find(letter);
-    if (!axis || to[*axis] != at_[*axis])
-      moved_ = static_cast<base::AxisSet>(moved_ | 1U << (letter - 'X'));
-  }
-  checks_ = !rapid;
-}
-
 void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   const bool rapid = std::holds_alternative<motion::Rapid>(motion.action);
-  note_start(to, rapid);
+  checks_ = checks_ || !rapid;
   fed_ = fed_ || !rapid;
   if (tool_ == nullptr) {
     fed_without_tool_ = fed_without_tool_ || !rapid;
-  } else if (checks_ || !rapid) {
+  } else if (checks_) {
     add_sweeps(motion, rapid ? SweepKind::rapid : SweepKind::cut);
   }
   at_ = to;
-  if (moved_ == 7) checks_ = true;
+  checks_ = checks_ || settings_.is_placed();
 }
 
 void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {

@@ -22,9 +22,10 @@ class Cutter final : public motion::MotionSink {
  public:
   struct Settings {
     double tolerance_mm = 0.001;  ///< of turning sweeps
-    /// A run begins somewhere in the machine: until X, Y and Z have each moved, or the first move
-    /// at feed, rapids cut and check nothing. False: the start is one that is checked.
-    bool starts_anywhere = true;
+    /// A run begins somewhere in the machine: rapids are checked from where all of X, Y and Z
+    /// have been commanded, which this tells, or from the first move at feed. Empty: from the
+    /// start.
+    std::function<bool()> is_placed{};
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
@@ -68,10 +69,8 @@ class Cutter final : public motion::MotionSink {
   };
 
   void change_tool(std::uint32_t number);
-  void note_start(const base::TipPoint& to, bool rapid);
   void move(const motion::Motion& motion, const base::TipPoint& to);
   void add_sweeps(const motion::Motion& motion, SweepKind kind);
-  [[nodiscard]] bool may_check(bool rapid) const { return checks_ || !rapid; }
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
   void judge(const Waiting& of, const Outcome& outcome);
@@ -83,7 +82,6 @@ class Cutter final : public motion::MotionSink {
 
   static constexpr std::size_t kBatch = 8192;
 
-  const motion::AxisSetup& axes_;
   const WorkFrame& frame_;
   Model& model_;
   ToolRack& rack_;
@@ -96,7 +94,6 @@ class Cutter final : public motion::MotionSink {
   const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
   Spindle spindle_ = Spindle::stopped;
   base::TipPoint at_;
-  base::AxisSet moved_ = 0;
   bool checks_ = false;
   std::uint64_t motions_ = 0;
   std::vector<Waiting> waiting_;

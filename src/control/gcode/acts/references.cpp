@@ -154,7 +154,7 @@ bool References::machine_position(const Words& words, bool& moved) {
   if (state_.modal.incremental()) return true;
   MachinePoint machine;
   AxisSet named = 0;
-  return targets_.values(words, machine, named) && targets_.admits(named) &&
+  return targets_.values(words, machine, named) && targets_.command(named) &&
          rapid_to_machine(machine, static_cast<AxisSet>(named & ~targets_.ways(words)));
 }
 

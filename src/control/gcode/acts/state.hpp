@@ -100,7 +100,8 @@ struct State {
   Meaning one_shot = Meaning::none;  ///< of the executing block
   Coordinates coordinates;
   StrokeLimits strokes;
-  Outlet outlet;  ///< of `path`
+  base::AxisSet commanded = 0;  ///< that have been told to move since power-on
+  Outlet outlet;                ///< of `path`
   Toolpath path;
   std::uint32_t line = 0;                          ///< of the executing block
   base::MachinePoint skip_position;                ///< #5061

@@ -119,10 +119,11 @@ bool Targets::read(const Words& words, Target& target) {
     target.program[axis] = way ? base::tidy(target.program[axis] + number) : number;
     target.named = static_cast<base::AxisSet>(target.named | base::only(axis));
   }
-  return admits(target.named);
+  return command(target.named);
 }
 
-bool Targets::admits(base::AxisSet named) {
+bool Targets::command(base::AxisSet named) {
+  state_.commanded = static_cast<base::AxisSet>(state_.commanded | named);
   if (state_.c_axis_is_on) return true;
   const auto c = state_.axes.find('C');
   return !c || !base::contains(named, *c) || state_.alarms.raise(base::Code::c_axis_is_off);
@@ -159,7 +160,7 @@ bool Targets::read_polar(const Words& words, Target& target) {
     target.program[axis] = incremental ? base::tidy(target.program[axis] + number) : number;
     target.named = static_cast<base::AxisSet>(target.named | base::only(axis));
   }
-  return true;
+  return command(target.named);
 }
 
 }  // namespace kerf::control

@@ -18,8 +18,8 @@ class Targets {
 
   /// The target of a move from the programmed point. False: an alarm was raised.
   [[nodiscard]] bool read(const Words& words, Target& target);
-  /// Whether these axes can be moved: the spindle may be none now. Alarm PS0197.
-  [[nodiscard]] bool admits(base::AxisSet named);
+  /// These axes are to move. False: one of them cannot, the spindle may be none now (PS0197).
+  [[nodiscard]] bool command(base::AxisSet named);
   /// The values of all axis words of a block as written; `values` keeps what no word names, and is
   /// what a word counts from that is incremental by its letter.
   [[nodiscard]] bool values(const Words& words, base::AxisVector& values, base::AxisSet& named);

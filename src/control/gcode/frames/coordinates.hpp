@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "control/core/memory.hpp"
+#include "control/core/work_system.hpp"
 #include "control/gcode/frames/transform.hpp"
 #include "motion/axis_setup.hpp"
 
@@ -13,12 +14,6 @@ namespace kerf::control {
 [[nodiscard]] inline base::TipPoint on_path(const base::PathPoint& path) {
   return base::TipPoint(path.numbers());
 }
-
-/// Which work coordinate system is active.
-struct WorkSystem {
-  std::uint32_t index = 0;     ///< 0 to 5: G54 to G59
-  std::uint32_t extended = 0;  ///< 1 to 300: G54.1 P; 0: one of the six
-};
 
 /// Where the programmed point is, in every coordinate system at once (docs/dialect.md §8.3):
 ///

@@ -1,5 +1,6 @@
 #include "machine/definition/internal/machine_keys.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "base/decimal.hpp"
@@ -66,6 +67,11 @@ constexpr AxisKey kAxisKeys[] = {
      [](Axis& a, double v) { a.jerk = v > 0 ? v : Axis::kNoLimit; }},
     {"axis", "steps_per_unit", any_but_zero(), [](Axis& a, double v) { a.steps_per_unit = v; }},
     {"axis", "max_rate", not_negative(), [](Axis& a, double v) { a.most_rate_hz = v; }},
+};
+
+constexpr PointKey kPointKeys[] = {
+    {"kinematics", "primary_point", &kinematics::TablePoints::primary},
+    {"kinematics", "secondary_point", &kinematics::TablePoints::secondary},
 };
 
 constexpr SpindleKey kSpindleKeys[] = {
@@ -190,6 +196,27 @@ const MachineKey* find_machine_key(string_view table, string_view name) {
     if (key.table == table && key.name == name) return &key;
   }
   return nullptr;
+}
+
+const PointKey* find_point_key(string_view table, string_view name) {
+  for (const PointKey& key : kPointKeys) {
+    if (key.table == table && key.name == name) return &key;
+  }
+  return nullptr;
+}
+
+std::optional<std::array<double, 3>> point_of(string_view text) {
+  std::array<double, 3> point{};
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    const bool is_last = i + 1 == point.size();
+    if (is_last != (end == text.size())) return std::nullopt;
+    const auto value = base::read_number(text.substr(0, end));
+    if (!value) return std::nullopt;
+    point[i] = *value;
+    if (!is_last) text.remove_prefix(end + 1);
+  }
+  return point;
 }
 
 const AxisKey* find_axis_key(string_view name) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,9 +23,19 @@ using MachineKey = Key<MachineDefinition>;
 using AxisKey = Key<DrivenAxis>;
 using SpindleKey = Key<control::SpindleSettings>;
 
+/// A key that takes the three coordinates of a point, and where they go.
+struct PointKey {
+  std::string_view table;
+  std::string_view name;
+  std::array<double, 3> kinematics::TablePoints::*point;
+};
+
 /// Null when there is no such key. Those of tables that hold more than such keys (the names of
 /// axes, the type of the kinematics) are not among them.
 [[nodiscard]] const MachineKey* find_machine_key(std::string_view table, std::string_view name);
+[[nodiscard]] const PointKey* find_point_key(std::string_view table, std::string_view name);
+/// "0,25,-380"; nothing where it is not three numbers.
+[[nodiscard]] std::optional<std::array<double, 3>> point_of(std::string_view text);
 [[nodiscard]] const AxisKey* find_axis_key(std::string_view name);
 [[nodiscard]] const SpindleKey* find_spindle_key(std::string_view name);
 

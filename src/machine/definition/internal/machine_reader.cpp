@@ -200,12 +200,28 @@ MachineReader::Outcome MachineReader::read_tables() {
 MachineReader::Outcome MachineReader::read_item(std::string_view table, const std::string& key,
                                                 const toml::node& node) {
   if (table == "kinematics" && key == "type") return {};
-  const MachineKey* const known = find_machine_key(table, key);
   const std::string name = std::string(table) + "." + key;
+  if (const PointKey* const point = find_point_key(table, key))
+    return read_point(*point, name, node);
+  const MachineKey* const known = find_machine_key(table, key);
   if (known == nullptr) return wrong(&node, "there is no key " + name);
   if (!known->belongs_to(machine_.kinematics.kind))
     return wrong(&node, type_in_words(machine_) + " has no key " + name);
   return read_value(*known, node, machine_);
+}
+
+MachineReader::Outcome MachineReader::read_point(const PointKey& key, const std::string& name,
+                                                 const toml::node& node) {
+  if (machine_.kinematics.kind != kinematics::Kind::cartesian)
+    return wrong(&node, type_in_words(machine_) + " has no key " + name);
+  std::string text;
+  if (const toml::array* const numbers = node.as_array()) {
+    for (const toml::node& number : *numbers) text += (text.empty() ? "" : ",") + text_of(number);
+  }
+  const auto point = point_of(text);
+  if (!point) return wrong(&node, name + " must be three numbers: [X, Y, Z]");
+  machine_.kinematics.tables.*key.point = *point;
+  return {};
 }
 
 MachineReader::Outcome MachineReader::finish() {

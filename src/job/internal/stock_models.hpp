@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "job/internal/stock_pass.hpp"
+#include "job/internal/stock_shape.hpp"
+
+namespace kerf::job {
+
+/// Says which model holds the part and why, by what is known before it is cut.
+void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& plan);
+
+struct MadeModel {
+  std::unique_ptr<stock::Model> model;
+  double turning_tolerance_mm = 0.001;
+  /// The cell does not fit into the memory: what was asked for and what it is now.
+  std::optional<std::string> cell_enlarged;
+};
+
+[[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
+
+}  // namespace kerf::job

@@ -1,0 +1,51 @@
+#include "job/internal/stock_pass.hpp"
+
+#include "machine/run/batch_run.hpp"
+
+namespace kerf::job {
+namespace {
+
+using Kind = machine::StockZero::Kind;
+
+machine::StockZero zero_of(const control::WorkSystem& system) {
+  return {.kind = Kind::system, .index = system.index, .extended = system.extended};
+}
+
+}  // namespace
+
+ZeroWatch::ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted)
+    : run_(run), zero_(wanted) {
+  const bool is_open = wanted.kind == Kind::automatic;
+  at_start_ = origin_of(is_open ? zero_of(run.control().work_system()) : wanted);
+}
+
+stock::Vec3 ZeroWatch::origin_of(const machine::StockZero& zero) const {
+  if (zero.kind != Kind::system) return {};
+  const control::Memory& memory = run_.memory();
+  const motion::AxisSetup& axes = run_.definition().axes;
+  const base::AxisVector& offset =
+      zero.extended > 0 ? memory.extended[zero.extended - 1] : memory.work[zero.index];
+  const base::AxisVector origin = axes.in_mm(memory.external + offset);
+  const auto of = [&](char letter) {
+    const auto axis = axes.find(letter);
+    return axis ? origin[*axis] : 0.0;
+  };
+  return {of('X'), of('Y'), of('Z')};
+}
+
+bool ZeroWatch::in_force() const {
+  return zero_.kind == Kind::machine || zero_ == zero_of(run_.control().work_system());
+}
+
+void ZeroWatch::look(const base::BlockId& block) {
+  if (!origin_) {
+    if (zero_.kind == Kind::automatic) zero_ = zero_of(run_.control().work_system());
+    if (in_force()) origin_ = origin_of(zero_);
+    revision_ = run_.memory().revision;
+  } else if (!moved_ && run_.memory().revision != revision_) {
+    revision_ = run_.memory().revision;
+    if (in_force() && origin_of(zero_) != *origin_) moved_ = block;
+  }
+}
+
+}  // namespace kerf::job

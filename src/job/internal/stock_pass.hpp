@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "job/run.hpp"
+#include "job/stock_job.hpp"
+#include "stock/cutting/cutter.hpp"
+#include "stock/cutting/survey.hpp"
+
+namespace kerf::job {
+
+/// What a pass over the program is begun with: partly known, partly supposed.
+struct StockPlan {
+  stock::Vec3 origin;            ///< of the stock's zero, machine coordinates
+  bool without_changes = false;  ///< the program changes no tool: all of it is T0's
+  stock::Shape shape = stock::BoxShape{};
+  StockModel kind = StockModel::zmap;
+  std::string reason;
+  double cell_mm = 0;
+};
+
+/// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.
+class ZeroWatch {
+ public:
+  /// The run must outlive the watch.
+  ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted);
+
+  /// A move cuts.
+  void look(const base::BlockId& block);
+  /// What stands before anything ran.
+  [[nodiscard]] stock::Vec3 at_start() const { return at_start_; }
+
+  /// Found: where it was at the first move that cut in it.
+  [[nodiscard]] const std::optional<stock::Vec3>& origin() const { return origin_; }
+  [[nodiscard]] const machine::StockZero& zero() const { return zero_; }
+  /// The first block that cut with the zero elsewhere.
+  [[nodiscard]] const std::optional<base::BlockId>& moved() const { return moved_; }
+
+ private:
+  [[nodiscard]] stock::Vec3 origin_of(const machine::StockZero& zero) const;
+  [[nodiscard]] bool in_force() const;
+
+  const machine::BatchRun& run_;
+  machine::StockZero zero_;
+  stock::Vec3 at_start_;
+  std::optional<stock::Vec3> origin_;
+  std::optional<base::BlockId> moved_;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace kerf::job

@@ -1,0 +1,229 @@
+#include "job/stock_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "job/internal/motion_times.hpp"
+#include "job/internal/stock_models.hpp"
+#include "job/internal/stock_pass.hpp"
+#include "job/internal/stock_shape.hpp"
+#include "machine/definition/work_turns.hpp"
+
+namespace kerf::job {
+namespace {
+
+using base::Outcome;
+using stock::Vec3;
+
+/// One pass over the program with a plan, and what it has shown of the plan.
+class Pass final : public motion::MotionSink {
+ public:
+  Pass(const StockJob& job, const StockPlan& plan, std::unique_ptr<Run> run)
+      : plan_(plan),
+        run_(std::move(run)),
+        zero_(run_->machine(), job.zero),
+        frame_(axes(), machine::work_turns(run_->machine().definition())),
+        rack_(job.make_rack(run_->machine().memory())) {
+    frame_.set_zero(plan.origin);
+  }
+
+  /// Where the zero would be if the program did not move it.
+  [[nodiscard]] Vec3 zero_at_start() const { return zero_.at_start(); }
+
+  void go(const StockJob& job) {
+    auto made = make_model(plan_, job);
+    model_ = std::move(made.model);
+    cell_enlarged_ = made.cell_enlarged;
+    cutter_.emplace(axes(), frame_, *model_, *rack_,
+                    stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
+                                            .is_placed = placed_when(job),
+                                            .has_tool = plan_.without_changes});
+    run_->machine().add_sink(*this);
+    status_ = run_->go();
+    cutter_->finish();
+  }
+
+  void take(const motion::Motion& motion) override {
+    if (motion::is_cut(motion)) zero_.look(motion.block);
+    cutter_->take(motion);
+  }
+
+  /// The plan for the next pass, where this one was wrong.
+  [[nodiscard]] std::optional<StockPlan> better_plan() const {
+    StockPlan better = plan_;
+    bool differs = false;
+    if (zero_.origin() && *zero_.origin() != plan_.origin) {
+      better.origin = *zero_.origin();
+      differs = true;
+    }
+    if (cutter_->fed_without_tool() && !cutter_->changed_tool()) {
+      better.without_changes = differs = true;
+    }
+    if (plan_.without_changes && cutter_->changed_tool()) {
+      better.without_changes = false;
+      differs = true;
+    }
+    if (cutter_->stuck()) {
+      better.kind = StockModel::tridexel;
+      better.reason = "a move that a height field cannot hold, line " +
+                      std::to_string(cutter_->stuck()->line);
+      differs = true;
+    }
+    return differs ? std::optional(better) : std::nullopt;
+  }
+
+  [[nodiscard]] StockResult result() {
+    StockResult result;
+    result.status = status_;
+    result.zero = zero_.zero();
+    result.origin = plan_.origin;
+    result.shape = plan_.shape;
+    result.kind = plan_.kind;
+    result.reason = plan_.reason;
+    result.findings = cutter_->findings().in_order();
+    result.findings_dropped = cutter_->findings().dropped();
+    result.tools = cutter_->tools();
+    result.removed_mm3 = cutter_->removed_mm3();
+    result.visited = cutter_->visited();
+    tell_of_run(result);
+    result.model = std::move(model_);
+    result.rack = std::move(rack_);
+    result.run = std::move(run_);
+    return result;
+  }
+
+ private:
+  /// stock.md §2.5.
+  [[nodiscard]] std::function<bool()> placed_when(const StockJob& job) const {
+    if (job.checks_start) return {};
+    base::AxisSet all = 0;
+    for (const char letter : {'X', 'Y', 'Z'}) {
+      if (const auto axis = axes().find(letter))
+        all = static_cast<base::AxisSet>(all | base::only(*axis));
+    }
+    return [this, all] { return (run_->machine().control().commanded() & all) == all; };
+  }
+  [[nodiscard]] const motion::AxisSetup& axes() const {
+    return run_->machine().definition().axes;
+  }
+
+  void tell_of_run(StockResult& result) const {
+    if (zero_.moved()) {
+      result.findings.push_back({.code = base::Code::stock_zero_moved,
+                                 .detail = name_of(zero_.zero()) + " was changed: the stock stays",
+                                 .block = *zero_.moved()});
+    }
+    if (cutter_->fed() && !cutter_->has_cut())
+      result.findings.push_back({.code = base::Code::stock_missed});
+    if (cell_enlarged_) {
+      result.findings.push_back({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
+    }
+  }
+
+  StockPlan plan_;
+  std::unique_ptr<Run> run_;
+  ZeroWatch zero_;
+  stock::WorkFrame frame_;
+  std::unique_ptr<stock::ToolRack> rack_;
+  std::unique_ptr<stock::Model> model_;
+  std::optional<stock::Cutter> cutter_;
+  std::optional<std::string> cell_enlarged_;
+  machine::RunStatus status_{};
+};
+
+/// Looks over the program without cutting anything.
+class SurveyPass final : public motion::MotionSink {
+ public:
+  SurveyPass(const StockJob& job, Run& run)
+      : frame_(run.machine().definition().axes, machine::work_turns(run.machine().definition())),
+        survey_(run.machine().definition().axes, frame_),
+        zero_(run.machine(), job.zero) {
+    run.machine().add_sink(*this);
+  }
+
+  void take(const motion::Motion& motion) override {
+    if (motion::is_cut(motion)) zero_.look(motion.block);
+    survey_.take(motion);
+  }
+
+  [[nodiscard]] const stock::Survey& survey() const { return survey_; }
+  [[nodiscard]] Vec3 origin() const { return zero_.origin().value_or(zero_.at_start()); }
+
+ private:
+  stock::WorkFrame frame_;
+  stock::Survey survey_;
+  ZeroWatch zero_;
+};
+
+bool needs_survey(const StockJob& job) {
+  return std::holds_alternative<machine::StockAround>(job.shape) || !job.cell_mm;
+}
+
+Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
+  auto run = Run::of(job.job);
+  if (!run) return tl::unexpected(run.error());
+  SurveyPass pass(job, **run);
+  const auto rack = job.make_rack((*run)->machine().memory());
+  (*run)->go();
+  StockPlan plan;
+  plan.origin = pass.origin();
+  plan.without_changes = !pass.survey().changes_tool();
+  const SurveyedTools tools(pass.survey(), *rack, plan.origin);
+  auto shape = shape_of(job.shape, tools, assumed);
+  if (!shape) return tl::unexpected(shape.error());
+  plan.shape = *shape;
+  choose_model(job, tools, plan);
+  plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  return plan;
+}
+
+Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
+  StockPlan plan;
+  plan.origin = ZeroWatch(run.machine(), job.zero).at_start();
+  std::vector<control::Assumption> none;
+  auto shape = shape_of(job.shape, SurveyedTools{}, none);
+  if (!shape) return tl::unexpected(shape.error());
+  plan.shape = *shape;
+  choose_model(job, SurveyedTools{}, plan);
+  plan.cell_mm = *job.cell_mm;
+  return plan;
+}
+
+// Each pass mends at least one thing that the one before supposed, and there are four.
+constexpr int kMostPasses = 5;
+
+}  // namespace
+
+Outcome<StockResult> cut_stock(const StockJob& job) {
+  std::vector<control::Assumption> assumed;
+  std::optional<StockPlan> plan;
+  if (needs_survey(job)) {
+    auto surveyed = plan_by_survey(job, assumed);
+    if (!surveyed) return tl::unexpected(surveyed.error());
+    plan = *surveyed;
+  }
+  for (int passes = 1;; ++passes) {
+    auto run = Run::of(job.job);
+    if (!run) return tl::unexpected(run.error());
+    if (!plan) {
+      auto guess = plan_by_guess(job, **run);
+      if (!guess) return tl::unexpected(guess.error());
+      plan = *guess;
+    }
+    Pass pass(job, *plan, std::move(*run));
+    pass.go(job);
+    const auto better = pass.better_plan();
+    if (better && passes < kMostPasses) {
+      plan = better;
+      continue;
+    }
+    StockResult result = pass.result();
+    result.assumed = std::move(assumed);
+    result.times_s = times_of(job.job, result.findings);
+    return result;
+  }
+}
+
+}  // namespace kerf::job

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "job/run.hpp"
+#include "job/stock_job.hpp"
+#include "stock/cutting/cutter.hpp"
+
+namespace kerf::job {
+
+/// What a run that cut the part has left.
+struct StockResult {
+  std::unique_ptr<Run> run;  ///< over: its sources, what it came to
+  machine::RunStatus status{};
+  machine::StockZero zero;  ///< that it stood at; never automatic
+  stock::Vec3 origin;       ///< of that, machine coordinates
+  stock::Shape shape = stock::BoxShape{};
+  StockModel kind = StockModel::zmap;
+  std::string reason;  ///< why this kind
+  std::unique_ptr<stock::Model> model;
+  std::unique_ptr<stock::ToolRack> rack;
+  std::vector<stock::Finding> findings;
+  std::vector<double> times_s;  ///< of each finding, when its motion ended
+  std::uint64_t findings_dropped = 0;
+  std::vector<stock::ToolRecord> tools;
+  double removed_mm3 = 0;
+  std::uint64_t visited = 0;  ///< columns or dexels compared
+  std::vector<control::Assumption> assumed;
+};
+
+/// Runs the job and cuts its stock: as often as it takes to know what stands on the table and which
+/// model can hold it, mostly once. Failures as Run::of() has them, and (usage) for a stock that the
+/// machine cannot have.
+[[nodiscard]] base::Outcome<StockResult> cut_stock(const StockJob& job);
+
+}  // namespace kerf::job

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "output/reports/run_facts.hpp"
+#include "stock/cutting/finding.hpp"
+#include "stock/cutting/tool_record.hpp"
+
+namespace kerf::output {
+
+/// What a run that cut the stock came to, as reports tell it. mm, frame of the stock. Plain value.
+struct StockFacts {
+  struct Tool {
+    stock::ToolRecord did;
+    std::string type;
+    double diameter = 0;
+    std::string source;
+  };
+  struct Told {
+    base::Diagnostic diagnostic;
+    stock::Finding finding;
+    double time_s = 0;
+  };
+  struct Model {
+    std::string kind;  ///< "zmap", "tridexel"
+    std::vector<double> cell_mm;
+    std::vector<std::uint64_t> cells;
+    std::uint64_t bytes = 0;
+    double error_mm3 = 0;
+    double visited = 0;  ///< columns or dexels compared, a motion
+    std::vector<double> grids_mm3;
+    std::string reason;
+  };
+
+  /// Of what is left: what hangs together.
+  struct Piece {
+    double volume_mm3 = 0;
+    stock::Bounds extents;
+    bool held = true;
+  };
+
+  RunFacts run;
+  std::string shape;
+  std::string zero;
+  stock::Vec3 origin;
+  stock::Bounds stock_extents;
+  double stock_mm3 = 0;
+  Model model;
+  double removed_mm3 = 0;
+  double left_mm3 = 0;
+  stock::Bounds extents;  ///< of what is left; low > high: nothing is
+  std::vector<Piece> pieces;  ///< the largest first
+  std::vector<Tool> tools;
+  std::vector<Told> findings;
+  std::vector<std::string> not_checked;
+  std::vector<control::Assumption> assumed;
+};
+
+}  // namespace kerf::output

@@ -1,0 +1,192 @@
+#include "output/reports/stock_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "output/reports/summary.hpp"
+#include "output/writing/diagnostic_text.hpp"
+#include "output/writing/json_object.hpp"
+
+namespace kerf::output {
+namespace {
+
+using base::number_text;
+using base::tidy;
+using stock::Vec3;
+
+std::string join(const std::vector<std::string>& items) {
+  std::string list = "[";
+  for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
+  return list + "]";
+}
+
+std::string point_json(Vec3 at) {
+  return JsonObject()
+      .number("X", tidy(at.x))
+      .number("Y", tidy(at.y))
+      .number("Z", tidy(at.z))
+      .done();
+}
+
+std::string bounds_json(const stock::Bounds& box) {
+  if (box.low.x > box.high.x) return "{}";
+  const auto range = [](double low, double high) {
+    return "[" + number_text(tidy(low)) + "," + number_text(tidy(high)) + "]";
+  };
+  return JsonObject()
+      .raw("X", range(box.low.x, box.high.x))
+      .raw("Y", range(box.low.y, box.high.y))
+      .raw("Z", range(box.low.z, box.high.z))
+      .done();
+}
+
+std::string numbers_json(const std::vector<double>& values) {
+  std::vector<std::string> items;
+  for (const double value : values) items.push_back(number_text(tidy(value)));
+  return join(items);
+}
+
+std::string stock_json(const StockFacts& facts) {
+  return JsonObject()
+      .text("shape", facts.shape)
+      .text("zero", facts.zero)
+      .raw("origin", point_json(facts.origin))
+      .raw("extents", bounds_json(facts.stock_extents))
+      .number("volume_mm3", tidy(facts.stock_mm3))
+      .done();
+}
+
+std::string model_json(const StockFacts::Model& model) {
+  std::vector<double> cells(model.cells.begin(), model.cells.end());
+  JsonObject object;
+  object.text("kind", model.kind).raw("cell_mm", numbers_json(model.cell_mm));
+  object.raw("cells", numbers_json(cells)).number("bytes", static_cast<double>(model.bytes));
+  object.number("error_mm3", tidy(model.error_mm3)).number("visited", tidy(model.visited));
+  if (!model.grids_mm3.empty()) object.raw("grids_mm3", numbers_json(model.grids_mm3));
+  return object.text("reason", model.reason).done();
+}
+
+std::string tool_json(const StockFacts::Tool& tool) {
+  JsonObject object;
+  object.number("tool", tool.did.tool).text("type", tool.type).number("diameter", tool.diameter);
+  object.text("source", tool.source).number("cut_mm", tidy(tool.did.cut_mm));
+  object.number("air_mm", tidy(tool.did.air_mm)).number("removed_mm3", tidy(tool.did.removed_mm3));
+  if (tool.did.removed_mm3 > 0) object.number("lowest", tidy(tool.did.lowest));
+  return object.done();
+}
+
+std::string finding_json(const StockFacts::Told& told, const base::SourceSet& sources) {
+  const stock::Finding& finding = told.finding;
+  JsonObject object;
+  object.text("severity", severity_name(told.diagnostic.severity))
+      .text("code", told.diagnostic.number)
+      .text("message", told.diagnostic.message)
+      .text("file", file_name(told.diagnostic, sources))
+      .number("line", told.diagnostic.place.line)
+      .number("column", told.diagnostic.place.column)
+      .text("program", told.diagnostic.program);
+  object.number("tool", finding.tool).number("motion", static_cast<double>(finding.motion));
+  object.number("time_s", tidy(told.time_s)).raw("at", point_json(finding.at));
+  object.number("depth_mm", tidy(finding.depth_mm)).number("volume_mm3", tidy(finding.volume_mm3));
+  return object.number("count", static_cast<double>(finding.count)).done();
+}
+
+std::string counts_json(const StockFacts& facts) {
+  std::map<std::string, std::uint64_t> counts;
+  for (const StockFacts::Told& told : facts.findings) ++counts[told.diagnostic.number];
+  JsonObject object;
+  for (const auto& [code, count] : counts) object.number(code, static_cast<double>(count));
+  return object.done();
+}
+
+std::string assumed_json(const StockFacts& facts) {
+  std::vector<std::string> items;
+  for (const control::Assumption& assumption : facts.assumed) {
+    items.push_back(
+        JsonObject().number("line", assumption.line).text("what", assumption.what).done());
+  }
+  return join(items);
+}
+
+std::string pieces_json(const StockFacts& facts) {
+  std::vector<std::string> items;
+  for (const StockFacts::Piece& piece : facts.pieces) {
+    items.push_back(JsonObject()
+                        .number("volume_mm3", tidy(piece.volume_mm3))
+                        .raw("extents", bounds_json(piece.extents))
+                        .raw("held", piece.held ? "true" : "false")
+                        .done());
+  }
+  return join(items);
+}
+
+}  // namespace
+
+std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
+  std::vector<std::string> tools;
+  for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
+  std::vector<std::string> findings;
+  for (const StockFacts::Told& told : facts.findings)
+    findings.push_back(finding_json(told, sources));
+  std::vector<std::string> not_checked;
+  for (const std::string& what : facts.not_checked) not_checked.push_back(quoted(what));
+  JsonObject object = head_of_report(facts.run);
+  object.number("time_s", tidy(facts.run.time_s));
+  object.raw("stock", stock_json(facts)).raw("model", model_json(facts.model));
+  object.number("removed_mm3", tidy(facts.removed_mm3)).number("left_mm3", tidy(facts.left_mm3));
+  object.raw("extents", bounds_json(facts.extents)).raw("pieces", pieces_json(facts));
+  object.raw("tools", join(tools)).raw("findings", join(findings));
+  object.raw("counts", counts_json(facts)).raw("not_checked", join(not_checked));
+  object.raw("assumed", assumed_json(facts));
+  return object.done() + "\n";
+}
+
+namespace {
+
+constexpr std::size_t kToldPerCode = 5;
+
+std::string tool_line(const StockFacts::Tool& tool) {
+  const bool assumed = tool.source == "assumed" || tool.source == "offset";
+  return fmt::format("  T{} {} D{}{}: cuts {:.1f} mm, in air {:.1f} mm, removes {:.1f} mm³\n",
+                     tool.did.tool, tool.type, number_text(tidy(tool.diameter)),
+                     assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm, tool.did.air_mm,
+                     tool.did.removed_mm3);
+}
+
+std::string finding_lines(const StockFacts& facts, const base::SourceSet& sources) {
+  std::map<std::string, std::vector<const StockFacts::Told*>> by_code;
+  for (const StockFacts::Told& told : facts.findings)
+    by_code[told.diagnostic.number].push_back(&told);
+  std::string text;
+  for (const auto& [code, all] : by_code) {
+    text += fmt::format("  {}: {} {}\n", code, all.size(), all.size() == 1 ? "block" : "blocks");
+    for (std::size_t i = 0; i < std::min(kToldPerCode, all.size()); ++i) {
+      const base::Diagnostic& one = all[i]->diagnostic;
+      text += fmt::format("    {}:{} at {:.3f} s: {}\n", printable(file_name(one, sources)),
+                          one.place.line, all[i]->time_s, printable(one.message));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string stock_report_text(const StockFacts& facts, const base::SourceSet& sources) {
+  std::string text = summary_text(facts.run);
+  text += fmt::format("  stock {} at {}, {:.1f} mm³; {} of {} mm ({})\n", printable(facts.shape),
+                      facts.zero, facts.stock_mm3, facts.model.kind,
+                      facts.model.cell_mm.empty() ? "" : number_text(facts.model.cell_mm.front()),
+                      facts.model.reason);
+  text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);
+  for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
+  text += finding_lines(facts, sources);
+  for (const std::string& what : facts.not_checked) text += "  not checked: " + what + "\n";
+  for (const control::Assumption& assumption : facts.assumed)
+    text += "  assumed: " + assumption.what + "\n";
+  if (facts.findings.empty()) text += "  no findings\n";
+  return text;
+}
+
+}  // namespace kerf::output

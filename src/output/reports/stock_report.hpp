@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "base/source_file.hpp"
+#include "output/reports/stock_facts.hpp"
+
+namespace kerf::output {
+
+/// The report of `kerf stock`, one JSON object and a line end (docs/stock.md).
+[[nodiscard]] std::string stock_report_json(const StockFacts& facts,
+                                            const base::SourceSet& sources);
+
+/// The same for people.
+[[nodiscard]] std::string stock_report_text(const StockFacts& facts,
+                                            const base::SourceSet& sources);
+
+}  // namespace kerf::output

@@ -25,7 +25,7 @@ ROOMS = {
     "geometry": ["math", "base"],
     "geometry/contour": ["geometry"],
     "motion": ["geometry"],
-    "stock/tool": ["geometry"],
+    "stock/tool": ["geometry/contour"],
     "stock/sweep": ["stock/tool"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],

@@ -25,7 +25,7 @@ ROOMS = {
     "geometry": ["math", "base"],
     "geometry/contour": ["geometry"],
     "motion": ["geometry"],
-    "stock/tool": ["geometry"],
+    "stock/tool": ["geometry/contour"],
     "stock/sweep": ["stock/tool"],
     "stock/cutting": ["stock/sweep", "motion"],
     "lang/vm": ["base"],

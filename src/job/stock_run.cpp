@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <thread>
+#include <optional>
 
 #include "job/internal/motion_times.hpp"
 #include "job/internal/stock_models.hpp"
@@ -67,8 +66,8 @@ class Pass final : public motion::MotionSink {
     }
     if (cutter_->stuck()) {
       better.kind = StockModel::tridexel;
-      better.reason = "a move that a height field cannot hold, line " +
-                      std::to_string(cutter_->stuck()->line);
+      better.reason =
+          "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
       differs = true;
     }
     return differs ? std::optional(better) : std::nullopt;
@@ -80,13 +79,15 @@ class Pass final : public motion::MotionSink {
     result.zero = zero_.zero();
     result.origin = plan_.origin;
     result.shape = plan_.shape;
-    result.kind = plan_.kind;
-    result.reason = plan_.reason;
+    result.model_facts = facts_of(plan_, *model_);
+    result.model_facts.visited =
+        cutter_->motions() > 0
+            ? static_cast<double>(cutter_->visited()) / static_cast<double>(cutter_->motions())
+            : 0;
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
     result.tools = cutter_->tools();
     result.removed_mm3 = cutter_->removed_mm3();
-    result.visited = cutter_->visited();
     tell_of_run(result);
     result.model = std::move(model_);
     result.rack = std::move(rack_);
@@ -105,9 +106,7 @@ class Pass final : public motion::MotionSink {
     }
     return [this, all] { return (run_->machine().control().commanded() & all) == all; };
   }
-  [[nodiscard]] const motion::AxisSetup& axes() const {
-    return run_->machine().definition().axes;
-  }
+  [[nodiscard]] const motion::AxisSetup& axes() const { return run_->machine().definition().axes; }
 
   void tell_of_run(StockResult& result) const {
     if (zero_.moved()) {

@@ -6,6 +6,7 @@
 
 #include "job/run.hpp"
 #include "job/stock_job.hpp"
+#include "output/reports/stock_facts.hpp"
 #include "stock/cutting/cutter.hpp"
 
 namespace kerf::job {
@@ -17,8 +18,7 @@ struct StockResult {
   machine::StockZero zero;  ///< that it stood at; never automatic
   stock::Vec3 origin;       ///< of that, machine coordinates
   stock::Shape shape = stock::BoxShape{};
-  StockModel kind = StockModel::zmap;
-  std::string reason;  ///< why this kind
+  output::StockFacts::Model model_facts;
   std::unique_ptr<stock::Model> model;
   std::unique_ptr<stock::ToolRack> rack;
   std::vector<stock::Finding> findings;
@@ -26,7 +26,6 @@ struct StockResult {
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
   double removed_mm3 = 0;
-  std::uint64_t visited = 0;  ///< columns or dexels compared
   std::vector<control::Assumption> assumed;
 };
 

@@ -202,13 +202,15 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->option_defaults()->group("Machine, memory, panel");
   add_preparation(*stock, o.run, Patterns::not_run);
   stock->option_defaults()->group("Stock");
-  stock->add_option("--stock", o.stock,
-                    "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
-                    "extents[:M], a box around what is cut; default extents:5")
+  stock
+      ->add_option("--stock", o.stock,
+                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
+                   "extents[:M], a box around what is cut; default extents:5")
       ->type_name("SHAPE");
-  stock->add_option("--stock-zero", o.zero,
-                    "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
-                    "one in force at the first cut; default auto")
+  stock
+      ->add_option("--stock-zero", o.zero,
+                   "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
+                   "one in force at the first cut; default auto")
       ->type_name("SYSTEM");
   stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
       ->type_name("KIND")
@@ -225,8 +227,9 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->option_defaults()->group("Checks");
   repeated(stock->add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
       ->type_name("CODE");
-  stock->add_option("--fail-on", o.fail_on,
-                    "findings that make the exit status 1: error, warning or never; default warning")
+  stock
+      ->add_option("--fail-on", o.fail_on,
+                   "findings that make the exit status 1: error, warning or never; default warning")
       ->type_name("SEVERITY")
       ->check(CLI::IsMember({"error", "warning", "never"}));
   stock->option_defaults()->group("Limits");
@@ -414,9 +417,10 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
-    return tl::unexpected(base::Failure{base::Failure::Kind::usage,
-                                        "a command is needed: run, time, stock, check, pattern, "
-                                        "serve, replay, machines or notices; `kerf --help` lists them"});
+    return tl::unexpected(
+        base::Failure{base::Failure::Kind::usage,
+                      "a command is needed: run, time, stock, check, pattern, "
+                      "serve, replay, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));

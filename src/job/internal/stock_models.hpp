@@ -6,6 +6,7 @@
 
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
+#include "output/reports/stock_facts.hpp"
 
 namespace kerf::job {
 
@@ -20,5 +21,8 @@ struct MadeModel {
 };
 
 [[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
+
+/// What reports say of a model that was made so.
+[[nodiscard]] output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& model);
 
 }  // namespace kerf::job

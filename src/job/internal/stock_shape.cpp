@@ -29,9 +29,10 @@ using Shape = base::Outcome<stock::Shape>;
 Shape around(const machine::StockAround& word, const SurveyedTools& tools,
              std::vector<control::Assumption>& assumed) {
   if (!tools.extents()) {
-    return tl::unexpected(base::Failure{
-        base::Failure::Kind::usage, "--stock extents: the program has no move that cuts, so the "
-                                    "stock needs its measures: --stock box:…"});
+    return tl::unexpected(
+        base::Failure{base::Failure::Kind::usage,
+                      "--stock extents: the program has no move that cuts, so the "
+                      "stock needs its measures: --stock box:…"});
   }
   const Bounds& cut = *tools.extents();
   const double m = word.margin_mm;
@@ -52,16 +53,16 @@ SurveyedTools::SurveyedTools(const stock::Survey& survey, stock::ToolRack& rack,
   for (const auto& [number, cut] : survey.tools()) {
     if (number == 0 && survey.changes_tool()) continue;  // before the first tool change
     const stock::CuttingTool& tool = rack.tool(number);
-    const double r = tool.diameter_mm / 2;
+    const double r = tool.diameter_mm() / 2;
     const Bounds widened{cut.low - origin - Vec3{r, r, 0}, cut.high - origin + Vec3{r, r, 0}};
     if (extents_) {
       take_in(*extents_, widened);
     } else {
       extents_ = widened;
     }
-    if (cut.across) across_ = std::max(across_.value_or(*cut.across - origin.z), *cut.across - origin.z);
-    if (tool.diameter_mm > 0)
-      smallest_mm_ = std::min(smallest_mm_.value_or(tool.diameter_mm), tool.diameter_mm);
+    if (cut.across)
+      across_ = std::max(across_.value_or(*cut.across - origin.z), *cut.across - origin.z);
+    if (r > 0) smallest_mm_ = std::min(smallest_mm_.value_or(2 * r), 2 * r);
     turned_ = turned_ || cut.turned;
     undercut_ = undercut_ || tool.body.profile.has_undercut();
   }

@@ -9,8 +9,8 @@
 
 namespace kerf::job {
 
-/// What a survey and the tools of the run say together, frame of the stock. Without a survey nothing
-/// is known.
+/// What a survey and the tools of the run say together, frame of the stock. Without a survey
+/// nothing is known.
 class SurveyedTools {
  public:
   SurveyedTools() = default;

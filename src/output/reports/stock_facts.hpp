@@ -52,7 +52,7 @@ struct StockFacts {
   Model model;
   double removed_mm3 = 0;
   double left_mm3 = 0;
-  stock::Bounds extents;  ///< of what is left; low > high: nothing is
+  stock::Bounds extents;      ///< of what is left; low > high: nothing is
   std::vector<Piece> pieces;  ///< the largest first
   std::vector<Tool> tools;
   std::vector<Told> findings;

@@ -16,12 +16,6 @@ using base::number_text;
 using base::tidy;
 using stock::Vec3;
 
-std::string join(const std::vector<std::string>& items) {
-  std::string list = "[";
-  for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
-  return list + "]";
-}
-
 std::string point_json(Vec3 at) {
   return JsonObject()
       .number("X", tidy(at.x))
@@ -45,7 +39,7 @@ std::string bounds_json(const stock::Bounds& box) {
 std::string numbers_json(const std::vector<double>& values) {
   std::vector<std::string> items;
   for (const double value : values) items.push_back(number_text(tidy(value)));
-  return join(items);
+  return json_array(items);
 }
 
 std::string stock_json(const StockFacts& facts) {
@@ -107,7 +101,7 @@ std::string assumed_json(const StockFacts& facts) {
     items.push_back(
         JsonObject().number("line", assumption.line).text("what", assumption.what).done());
   }
-  return join(items);
+  return json_array(items);
 }
 
 std::string pieces_json(const StockFacts& facts) {
@@ -119,7 +113,7 @@ std::string pieces_json(const StockFacts& facts) {
                         .raw("held", piece.held ? "true" : "false")
                         .done());
   }
-  return join(items);
+  return json_array(items);
 }
 
 }  // namespace
@@ -137,8 +131,8 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
   object.raw("stock", stock_json(facts)).raw("model", model_json(facts.model));
   object.number("removed_mm3", tidy(facts.removed_mm3)).number("left_mm3", tidy(facts.left_mm3));
   object.raw("extents", bounds_json(facts.extents)).raw("pieces", pieces_json(facts));
-  object.raw("tools", join(tools)).raw("findings", join(findings));
-  object.raw("counts", counts_json(facts)).raw("not_checked", join(not_checked));
+  object.raw("tools", json_array(tools)).raw("findings", json_array(findings));
+  object.raw("counts", counts_json(facts)).raw("not_checked", json_array(not_checked));
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
 }

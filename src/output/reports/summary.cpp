@@ -22,12 +22,6 @@ const char* status_name(Status status) {
   return "";
 }
 
-std::string join(const std::vector<std::string>& items) {
-  std::string list = "[";
-  for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
-  return list + "]";
-}
-
 std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
   if (!alarm) return "null";
   JsonObject object;
@@ -71,7 +65,7 @@ std::string assumed_json(const RunFacts& run) {
     items.push_back(
         JsonObject().number("line", assumption.line).text("what", assumption.what).done());
   }
-  return join(items);
+  return json_array(items);
 }
 
 std::string spindle_json(const RunFacts::Turning::Spindle& spindle) {
@@ -100,7 +94,7 @@ std::string threads_json(const RunFacts::Turning& turning) {
                         .number("passes", static_cast<double>(thread.passes))
                         .number("depth", thread.depth)
                         .done());
-  return join(items);
+  return json_array(items);
 }
 
 std::string cycles_json(const RunFacts::Turning& turning) {
@@ -111,7 +105,7 @@ std::string cycles_json(const RunFacts::Turning& turning) {
                         .number("line", cycle.line)
                         .number("passes", static_cast<double>(cycle.passes))
                         .done());
-  return join(items);
+  return json_array(items);
 }
 
 std::string variables_json(const RunFacts& run) {
@@ -152,7 +146,9 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
       .number("dwell_s", base::tidy(run.dwell_s));
   object.number("rapid_mm", base::tidy(run.rapid_mm)).number("cut_mm", base::tidy(run.cut_mm));
   object.raw("extents", extents_json(run)).raw("position", position_json(run));
-  object.raw("tools", join(tools)).raw("messages", join(messages)).number("parts", run.parts);
+  object.raw("tools", json_array(tools))
+      .raw("messages", json_array(messages))
+      .number("parts", run.parts);
   if (run.turning) {
     object.raw("spindle", spindles_json(*run.turning));
     object.raw("threads", threads_json(*run.turning)).raw("cycles", cycles_json(*run.turning));

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/decimal.hpp"
 #include "output/writing/diagnostic_text.hpp"
@@ -11,6 +12,13 @@ namespace kerf::output {
 /// Text as a JSON string.
 inline std::string quoted(const std::string& text) {
   return nlohmann::json(printable(text)).dump();
+}
+
+/// Values, each as JSON, as an array of them.
+inline std::string json_array(const std::vector<std::string>& items) {
+  std::string list = "[";
+  for (const std::string& item : items) list += (list.size() > 1 ? "," : "") + item;
+  return list + "]";
 }
 
 /// Builds a JSON object with our own number format: the fewest digits that read back.

@@ -89,11 +89,11 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
 
 void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {
   const bool probes = std::holds_alternative<motion::Probe>(motion.action);
-  if (stuck_ || (probes && tool_->use == CuttingTool::Use::probe)) return;
+  if (stuck_ || (probes && tool_->is_probe())) return;
   Waiting of{.block = motion.block,
              .motion = motions_,
              .first = sweeps_.size(),
-             .tool = tool_->number,
+             .tool = tool_->number(),
              .kind = kind,
              .spindle = spindle_};
   const Sweep like{
@@ -117,9 +117,9 @@ void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {
 }
 
 BodyId Cutter::body_of(const CuttingTool& tool) {
-  const auto known = bodies_.find(tool.number);
+  const auto known = bodies_.find(tool.number());
   if (known != bodies_.end()) return known->second;
-  return bodies_.emplace(tool.number, model_.add_body(tool.body)).first->second;
+  return bodies_.emplace(tool.number(), model_.add_body(tool.body)).first->second;
 }
 
 void Cutter::finish() { cut_batch(); }
@@ -168,7 +168,7 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
     if (contact.is_one())
       find(code, of, contact, fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
   };
-  if (tool.use == CuttingTool::Use::probe) {
+  if (tool.is_probe()) {
     told(ToolPart::edge, Code::probe_in_stock);
     return;
   }
@@ -178,8 +178,7 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
   if (outcome.removed.value() < kDust_mm3) return;
   if (of.spindle == Spindle::stopped) {
     find(Code::spindle_stopped, of, fmt::format("T{} cuts", of.tool));
-  } else if (tool.hand &&
-             (*tool.hand == CuttingTool::Hand::left) != (of.spindle == Spindle::left)) {
+  } else if (tool.knows_hand() && (tool.tool.hand == Hand::left) != (of.spindle == Spindle::left)) {
     find(Code::spindle_direction, of,
          fmt::format("T{} cuts with {}", of.tool, of.spindle == Spindle::left ? "M04" : "M03"));
   }
@@ -188,10 +187,10 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
          fmt::format("T{} removes {:.3f} mm³ within its core", of.tool, outcome.core.value()));
   }
   const auto across = [&](std::size_t i) { return goes_across(sweeps_[i]); };
-  if (tool.use != CuttingTool::Use::axial_only) return;
+  if (!tool.is_axial()) return;
   for (std::size_t i = of.first; i < of.end; ++i) {
     if (!across(i) || outcomes_[i].removed.value() < kDust_mm3) continue;
-    find(Code::axial_tool_sideways, of, fmt::format("T{} is a {}", of.tool, tool.type));
+    find(Code::axial_tool_sideways, of, fmt::format("T{} is a {}", of.tool, tool.tool.type_name()));
     return;
   }
 }

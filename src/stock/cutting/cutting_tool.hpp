@@ -1,33 +1,29 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
 
 #include "stock/sweep/body.hpp"
+#include "stock/tool/tool.hpp"
 
 namespace kerf::stock {
 
-/// A tool as a run cuts with it: its body, and what checks want to know of it.
+/// A tool as a run cuts with it.
 struct CuttingTool {
-  enum class Use : std::uint8_t {
-    any_way,     ///< cuts along its axis and across
-    axial_only,  ///< drill, tap, reamer
-    probe        ///< cuts nothing
-  };
-  enum class Hand : std::uint8_t { right, left };
+  Tool tool;
+  Body body;  ///< made of it once
 
-  std::uint32_t number = 0;
-  std::string type;    ///< as tool files name it
-  std::string source;  ///< file, machine, comment, offset, assumed
-  Body body;
-  double diameter_mm = 0;
-  Use use = Use::any_way;
-  std::optional<Hand> hand{};         ///< none: not known
-  std::optional<double> length_mm{};  ///< gauge length
-  bool knows_flutes = false;          ///< the end of its edges is not assumed
-  bool knows_holder = false;
+  [[nodiscard]] std::uint32_t number() const { return static_cast<std::uint32_t>(tool.number); }
+  [[nodiscard]] bool is_probe() const { return tool.kind == ToolKind::probe; }
+  [[nodiscard]] bool is_axial() const { return row_of(tool.kind).is_axial; }
+  /// Somebody has said which way it must turn.
+  [[nodiscard]] bool knows_hand() const {
+    return tool.source == ToolSource::file || tool.source == ToolSource::machine;
+  }
+  [[nodiscard]] double diameter_mm() const { return 2 * body.profile.widest(ToolPart::edge); }
 };
+
+/// Precondition: objection(tool) is empty, and it is no insert.
+[[nodiscard]] CuttingTool cutting_tool(const Tool& tool, double touch_mm);
 
 /// The tools of a run.
 class ToolRack {

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "base/decimal.hpp"
+#include "base/output_file.hpp"
+#include "face/cli/commands.hpp"
+#include "face/cli/failure.hpp"
+#include "face/cli/ready_run.hpp"
+#include "face/cli/run_report.hpp"
+#include "job/facts_of_stock.hpp"
+#include "job/stock_run.hpp"
+#include "output/reports/stock_report.hpp"
+#include "output/writing/diagnostic_text.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Outcome;
+
+job::StockModel model_named(const std::string& name) {
+  if (name == "zmap") return job::StockModel::zmap;
+  return name == "tridexel" ? job::StockModel::tridexel : job::StockModel::automatic;
+}
+
+/// Standard input is read once and kept: the program may be run several times.
+Outcome<base::ProgramText> kept(const std::string& path) {
+  if (path != "-") return base::ProgramText::at_path(path);
+  constexpr std::size_t kLargest = 1UL << 30;
+  auto text = base::read_whole(path, kLargest, "a program");
+  if (!text) return tl::unexpected(text.error());
+  return base::ProgramText::of(path, std::move(*text));
+}
+
+Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
+                                 base::ProgramText program) {
+  job::StockJob job;
+  job.job = std::move(ordered.job);
+  job.job.program = std::move(program);
+  auto shape = machine::stock_word(options.stock, "--stock");
+  if (!shape) return tl::unexpected(shape.error());
+  job.shape = std::move(*shape);
+  auto zero = machine::stock_zero(options.zero);
+  if (!zero) return tl::unexpected(zero.error());
+  job.zero = *zero;
+  job.model = model_named(options.model);
+  if (!options.cell.empty()) {
+    job.cell_mm = base::read_number(options.cell);
+    if (!(*job.cell_mm > 0)) return base::usage("--cell " + options.cell + ": a cell has a size");
+  }
+  if (!options.memory.empty())
+    job.memory_bytes = static_cast<std::size_t>(*base::read_number(options.memory)) << 20;
+  job.jobs = options.jobs;
+  return job;
+}
+
+bool is_left_out(const StockOptions& options, const output::StockFacts::Told& told) {
+  const auto& codes = options.no_checks;
+  return std::find(codes.begin(), codes.end(), told.diagnostic.number) != codes.end();
+}
+
+void tell_findings(const StockOptions& options, const output::StockFacts& facts,
+                   const base::SourceSet& sources) {
+  if (options.run.diagnostics != DiagnosticFormat::json) {
+    const std::string text = output::stock_report_text(facts, sources);
+    std::fwrite(text.data(), 1, text.size(), stderr);
+    return;
+  }
+  for (const output::StockFacts::Told& told : facts.findings) {
+    const std::string text = output::diagnostic_json(told.diagnostic, sources);
+    std::fwrite(text.data(), 1, text.size(), stderr);
+  }
+}
+
+bool fails(const StockOptions& options, const output::StockFacts& facts) {
+  if (options.fail_on == "never") return false;
+  const bool errors_only = options.fail_on == "error";
+  return std::any_of(facts.findings.begin(), facts.findings.end(), [&](const auto& told) {
+    return !errors_only || told.diagnostic.severity == base::Severity::error;
+  });
+}
+
+}  // namespace
+
+ExitStatus stock(const StockOptions& options) {
+  auto program = kept(options.run.program);
+  if (!program) return fail(program.error());
+  auto source = program->open();
+  if (!source) return fail(source.error());
+  auto ordered = job_of(options.run, **source);
+  if (!ordered) return fail(ordered.error());
+  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
+  auto job = stock_job(options, std::move(*ordered), std::move(*program));
+  if (!job) return fail(job.error());
+  auto cut = job::cut_stock(*job);
+  if (!cut) return fail(cut.error());
+  output::StockFacts facts = job::facts_of(*cut);
+  facts.shape = options.stock;
+  facts.run.chosen = ready.choice.chosen;
+  std::erase_if(facts.findings, [&](const auto& told) { return is_left_out(options, told); });
+  ready.run = std::move(cut->run);
+  const base::SourceSet& sources = ready.machine().sources();
+  if (!options.report.empty()) {
+    auto file = base::OutputFile::create(options.report);
+    if (!file) return fail(file.error());
+    (*file)->write(output::stock_report_json(facts, sources));
+    if (auto committed = (*file)->commit(); !committed) return fail(committed.error());
+  }
+  report_diagnostics(ready, options.run.diagnostics);
+  tell_findings(options, facts, sources);
+  const ExitStatus ended = exit_status_of(cut->status);
+  return ended == ExitStatus::well && fails(options, facts) ? ExitStatus::findings : ended;
+}
+
+}  // namespace kerf::cli

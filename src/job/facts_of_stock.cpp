@@ -1,0 +1,53 @@
+#include "job/facts_of_stock.hpp"
+
+#include "base/block_id.hpp"
+#include "base/program_name.hpp"
+#include "job/facts_of_run.hpp"
+
+namespace kerf::job {
+namespace {
+
+bool is_warning(base::Code code) {
+  using base::Code;
+  return code == Code::stock_missed || code == Code::stock_zero_moved ||
+         code == Code::cell_enlarged;
+}
+
+output::StockFacts::Told told(const stock::Finding& finding, double time_s, Run& run) {
+  base::Diagnostic diagnostic =
+      base::make_error(finding.code, base::place_of(finding.block), finding.detail);
+  if (is_warning(finding.code)) diagnostic.severity = base::Severity::warning;
+  if (finding.block.line > 0) {
+    diagnostic.program = base::program_name(static_cast<std::uint32_t>(finding.block.program));
+    diagnostic.block = finding.block;
+  } else {
+    diagnostic.place = {.file = base::FileId{0}};
+  }
+  return {std::move(diagnostic), finding, time_s};
+}
+
+}  // namespace
+
+output::StockFacts facts_of(StockResult& result) {
+  output::StockFacts facts;
+  facts.run = facts_of(result.run->machine());
+  facts.zero = name_of(result.zero);
+  facts.origin = result.origin;
+  facts.stock_extents = stock::bounds(result.shape);
+  facts.stock_mm3 = stock::volume(result.shape);
+  facts.removed_mm3 = result.removed_mm3;
+  facts.left_mm3 = result.model->left_mm3();
+  facts.extents = result.model->extents();
+  facts.model = result.model_facts;
+  facts.assumed = result.assumed;
+  for (const stock::ToolRecord& did : result.tools) {
+    const stock::CuttingTool& tool = result.rack->tool(did.tool);
+    facts.tools.push_back({did, std::string(tool.tool.type_name()), tool.diameter_mm(),
+                           std::string(word_of(tool.tool.source))});
+  }
+  for (std::size_t i = 0; i < result.findings.size(); ++i)
+    facts.findings.push_back(told(result.findings[i], result.times_s[i], *result.run));
+  return facts;
+}
+
+}  // namespace kerf::job

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "job/stock_run.hpp"
+#include "output/reports/stock_facts.hpp"
+
+namespace kerf::job {
+
+/// What the cut stock came to, for reports; `shape` is the caller's words. Precondition: the
+/// result still has its run.
+[[nodiscard]] output::StockFacts facts_of(StockResult& result);
+
+}  // namespace kerf::job

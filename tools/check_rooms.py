@@ -28,6 +28,7 @@ ROOMS = {
     "stock/tool": ["geometry/contour"],
     "stock/sweep": ["stock/tool"],
     "stock/cutting": ["stock/sweep", "motion"],
+    "stock/field": ["stock/sweep"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/interface.hpp"
@@ -23,6 +24,11 @@ class Model : public base::Interface {
   /// Cuts them in their order; adds what sweep i did to outcomes[i]. Precondition: can_cut() each;
   /// both spans have the same size.
   virtual void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) = 0;
+
+  /// Where a probe stops (stock.md §5, G31): the first t in [0, 1] at which any part of the body,
+  /// not made smaller, comes into material; nullopt: nowhere. Cuts nothing. Precondition:
+  /// can_cut(), and the way is straight.
+  [[nodiscard]] virtual std::optional<double> first_contact(const Sweep& sweep) const = 0;
 
   /// mm³ of what is left, and of what there was before the first cut.
   [[nodiscard]] virtual double left_mm3() const = 0;

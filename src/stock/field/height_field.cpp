@@ -1,0 +1,60 @@
+#include "stock/field/height_field.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "stock/field/first_touch.hpp"
+
+namespace kerf::stock::field {
+namespace {
+
+/// So many sweeps are made ready at a time; more do not make threads meet less often.
+constexpr std::size_t kSweepsAtOnce = 4096;
+
+/// Half of the error of a sweep is for dividing ways, a quarter for dividing profiles.
+double for_ways(const Grid& grid) { return sweep_error_mm(grid) / 2; }
+double for_profiles(const Grid& grid) { return sweep_error_mm(grid) / 4; }
+
+}  // namespace
+
+HeightField::HeightField(const Grid& grid, unsigned jobs)
+    : columns_(grid), stock_mm3_(columns_.volume_mm3()), work_(columns_, jobs) {}
+
+HeightField::HeightField(const Grid& grid, const ColumnAt& column_at, unsigned jobs)
+    : columns_(grid, column_at), stock_mm3_(columns_.volume_mm3()), work_(columns_, jobs) {}
+
+std::size_t HeightField::bytes_of(const Grid& grid, bool is_box) {
+  const std::size_t column = sizeof(float) + sizeof(std::uint32_t) + (is_box ? 0 : sizeof(float));
+  return grid.tiles() * kTileCells * column +
+         grid.tiles() * (kTileCells / kBlockCells) * sizeof(float);
+}
+
+BodyId HeightField::add_body(const Body& body) {
+  tools_.emplace_back(body, for_profiles(columns_.grid()));
+  return static_cast<BodyId>(tools_.size() - 1);
+}
+
+bool HeightField::can_cut(const Sweep& sweep) const {
+  return sweep.axis == Vec3{0, 0, 1} && sweep.body < tools_.size() &&
+         !tools_[sweep.body].has_undercut && can_be_legs(sweep.way, for_ways(columns_.grid()));
+}
+
+void HeightField::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
+  assert(sweeps.size() == outcomes.size());
+  while (!sweeps.empty()) {
+    const std::size_t n = std::min(sweeps.size(), kSweepsAtOnce);
+    ready_.clear();
+    for (const Sweep& sweep : sweeps.first(n)) {
+      ready_.emplace_back(sweep, tools_[sweep.body], for_ways(columns_.grid()));
+    }
+    work_.run(ready_, outcomes.first(n));
+    sweeps = sweeps.subspan(n);
+    outcomes = outcomes.subspan(n);
+  }
+}
+
+std::optional<double> HeightField::first_contact(const Sweep& sweep) const {
+  return first_touch(columns_, tools_[sweep.body], std::get<StraightWay>(sweep.way));
+}
+
+}  // namespace kerf::stock::field

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "stock/field/columns.hpp"
+#include "stock/field/field_tool.hpp"
+#include "stock/field/ready_sweep.hpp"
+#include "stock/field/tile_work.hpp"
+#include "stock/sweep/model.hpp"
+
+namespace kerf::stock::field {
+
+/// Stock as heights over a grid (stock.md §3, zmap): tools along +Z cut it from above, and whatever
+/// is above the lowest surface of a cutting sweep is gone. Sweeps are exact (StraightLeg, RingLeg),
+/// divided ones to sweep_error_mm(). Heights are floats over the bottom of the box.
+///
+/// Not for several threads at once; cut() uses up to `jobs` of its own.
+class HeightField final : public Model {
+ public:
+  HeightField(const Grid& grid, unsigned jobs);  ///< a box
+  /// Other stock whose columns have one piece of material each.
+  HeightField(const Grid& grid, const ColumnAt& column_at, unsigned jobs);
+
+  /// What a field of this grid will hold, `box` or other stock.
+  [[nodiscard]] static std::size_t bytes_of(const Grid& grid, bool is_box);
+
+  [[nodiscard]] BodyId add_body(const Body& body) override;
+  /// Axis +Z, straight or an arc, edges without an undercut.
+  [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
+  void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+
+  [[nodiscard]] double left_mm3() const override { return columns_.volume_mm3(); }
+  [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }
+  [[nodiscard]] double error_mm3() const override { return columns_.error_mm3(); }
+  [[nodiscard]] Bounds extents() const override { return columns_.extents(); }
+  [[nodiscard]] std::size_t bytes() const override { return columns_.bytes(); }
+
+  [[nodiscard]] const Columns& columns() const { return columns_; }
+  /// As Columns::restore().
+  void restore(std::size_t tile, const TileState& state) { columns_.restore(tile, state); }
+
+ private:
+  Columns columns_;
+  double stock_mm3_;
+  std::deque<FieldTool> tools_;
+  TileWork work_;
+  std::vector<ReadySweep> ready_;
+};
+
+}  // namespace kerf::stock::field

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stock/field/field_tool.hpp"
+#include "stock/field/legs.hpp"
+#include "stock/sweep/sweep.hpp"
+
+namespace kerf::stock::field {
+
+/// A sweep made ready for the tiles that it comes to.
+struct ReadySweep {
+  ReadySweep(const Sweep& sweep, const FieldTool& body, double error_mm)
+      : legs(legs_of(sweep.way, error_mm)),
+        tool(&body),
+        tip(bounds(sweep.way)),
+        motion(sweep.motion),
+        cuts(sweep.kind == SweepKind::cut && body.cuts) {}
+
+  /// Whether a part of the tool may not meet material.
+  [[nodiscard]] bool guards(ToolPart part) const { return !cuts || part != ToolPart::edge; }
+
+  Legs legs;
+  const FieldTool* tool;
+  Bounds tip;  ///< of the tip's way
+  std::uint32_t motion;
+  bool cuts;  ///< its edges may meet material
+};
+
+}  // namespace kerf::stock::field

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "stock/field/block_points.hpp"
+#include "stock/field/lower_envelope.hpp"
+#include "stock/sweep/way.hpp"
+
+namespace kerf::stock::field {
+
+/// A tool along +Z goes straight, with its tip from one point to another: level, sloped or
+/// vertical. What it leaves over a column (stock.md §4.1).
+///
+/// The way is looked at from its lower end: `along` and `across` are a column's place in it seen
+/// from above, z rises by slope_ >= 0 along it. The tool stands at along - x for
+/// x in [along - length, along], its axis √(across² + x²) from the column, and its surface there is
+///
+///   z + slope (along - x) + f(√(across² + x²)),
+///
+/// convex in x for each piece of f, whose lowest place is found in closed form, on the slope of a
+/// torus by halving.
+class StraightLeg {
+ public:
+  explicit StraightLeg(const StraightWay& way);
+
+  /// low[i] becomes the lowest surface over column i where that is lower.
+  void lower(const LowerEnvelope& tool, const BlockPoints& points, BlockValues& low) const;
+  /// Not above the lowest surface over any column of the blocks; kNowhere: they are not reached.
+  void bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const;
+  /// How high the tip gets while the axis is within `reach` from the column; -kNowhere: never.
+  [[nodiscard]] double highest_tip(double reach, double x, double y) const;
+  /// Signed distance of a column from the axis' way along the feed, left positive.
+  [[nodiscard]] double offset(double x, double y) const;
+  /// Whether there is a left and a right.
+  [[nodiscard]] bool has_sides() const { return length_ > 0; }
+
+  /// How much a disc of this radius at the tip takes from a column of this height before what is
+  /// around it in the same plane passes there: all that it finds where it begins over the column,
+  /// and by how much it comes down while it is.
+  [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;
+
+  [[nodiscard]] const Bounds& box() const { return box_; }
+
+ private:
+  struct Place {
+    double along;
+    double across;
+  };
+  [[nodiscard]] Place place(double x, double y) const;
+
+  double x_ = 0, y_ = 0, z_ = 0;  // the lower end
+  double dx_ = 1, dy_ = 0;        // unit, seen from above, upwards
+  double length_ = 0;             // seen from above
+  double slope_ = 0;
+  double height_ = 0;       // of a vertical one
+  bool downwards_ = false;  // the move goes against dx, dy
+  Bounds box_;              // of the tip
+};
+
+}  // namespace kerf::stock::field

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "stock/field/field_tool.hpp"
+#include "stock/sweep/outcome.hpp"
+
+namespace kerf::stock::field {
+
+/// What one sweep did in one tile, before it is added to its outcome. Heights and lengths in mm;
+/// add_to() makes them volumes. Always of the whole tile, in the order of its blocks, so that the
+/// sums are the same whoever works on it.
+class Tally {
+ public:
+  explicit Tally(const FieldTool& tool);
+
+  void remove(double height) { removed_ += height; }
+  void remove_at(double offset, double height);
+  void take_by_core(double height) { core_ += height; }
+  void meet(ToolPart part, Vec3 at, double depth);
+  void visit(std::uint64_t columns) { visited_ += columns; }
+  [[nodiscard]] bool is_empty() const { return visited_ == 0; }
+  /// A column was lowered.
+  [[nodiscard]] bool has_removed() const { return removed_ > 0; }
+
+  void add_to(Outcome& outcome, double cell_mm2) const;
+
+ private:
+  struct Met {
+    Contact deepest;
+    double depths = 0;
+  };
+
+  double bins_per_mm_;
+  double reach_;
+  double removed_ = 0;
+  double core_ = 0;
+  std::uint64_t visited_ = 0;
+  int first_bin_ = Outcome::kBins;
+  int last_bin_ = -1;
+  std::array<double, Outcome::kBins> across_;  // from first_bin_ to last_bin_
+  std::array<Met, kToolParts> met_{};
+};
+
+}  // namespace kerf::stock::field

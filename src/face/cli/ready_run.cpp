@@ -134,6 +134,9 @@ Outcome<std::vector<machine::SkipContact>> contacts_of(const RunOptions& options
 Outcome<control::Memory> memory_of(const RunOptions& options,
                                    const machine::MachineDefinition& definition) {
   control::Memory memory(definition.parameters.n_offsets);
+  // The machine's tools are where its table of offsets begins; one beyond it has no offset.
+  for (const stock::Tool& tool : definition.tools)
+    static_cast<void>(machine::set_offsets(tool, definition.parameters, memory));
   if (!options.state.empty()) {
     if (auto read = machine::read_state(options.state, memory); !read)
       return tl::unexpected(read.error());

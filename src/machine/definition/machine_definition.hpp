@@ -16,6 +16,7 @@
 #include "machine/definition/tip_rates.hpp"
 #include "motion/axis_setup.hpp"
 #include "planner/settings.hpp"
+#include "stock/tool/tool.hpp"
 
 namespace kerf::machine {
 
@@ -50,6 +51,7 @@ struct MachineDefinition {
   motion::AxisSetup axes;  ///< the program's; they follow from the others
   base::JointPoint start;  ///< of the driven axes at power-on, where `axes` have theirs
   control::Parameters parameters;
+  std::vector<stock::Tool> tools;  ///< of its [[tool]] tables, in the order of the file
 
   /// Reads a definition. Failure (input): what is wrong, with the line; every unknown key is wrong.
   [[nodiscard]] static base::Outcome<MachineDefinition> parse(std::string_view toml,

@@ -6,13 +6,12 @@
 
 #include "base/decimal.hpp"
 #include "control/core/offset_parts.hpp"
+#include "machine/definition/tools/tool_tables.hpp"
 
 namespace kerf::machine {
 namespace {
 
 using control::Memory;
-using control::ToolOffset;
-using control::TurningOffset;
 
 struct Wrong {
   Wrong(const toml::node* node, std::string text)
@@ -89,40 +88,13 @@ void read_offset_tables(const toml::table& table, Memory& memory) {
   }
 }
 
-// A tool sets the offsets of its own number. With memory A the one value is the radius when only a
-// diameter is given, else the length.
-void read_tool(const toml::table& table, const control::Parameters& parameters, Memory& memory) {
-  const auto n = table["number"].value<std::int64_t>();
-  if (!n) throw Wrong{&table, "a tool needs its number"};
-  const std::size_t row = offset_number(table, std::to_string(*n), memory);
-  ToolOffset& offset = memory.tools[row];
-  for (const auto& [key, value] : table) {
-    if (key.str() == "number" || key.str() == "name" || key.str() == "corner_radius" ||
-        key.str() == "flutes" || key.str() == "type" || key.str() == "comment") {
-      continue;
-    }
-    if (key.str() == "length") {
-      offset.length_geometry = number(value);
-    } else if (key.str() == "diameter") {
-      offset.radius_geometry = number(value) / 2;
-      if (parameters.offset_memory != 'C' && table.get("length") == nullptr)
-        offset.length_geometry = number(value) / 2;
-    } else if (key.str() == "nose_radius") {
-      memory.turning[row].geometry.radius = number(value);
-    } else if (key.str() != "tip" || !read_part(key, value, memory.turning[row])) {
-      throw Wrong{&value, "a tool has no key " + std::string(key.str())};
-    }
-  }
-}
-
-void read_all(const toml::table& table, const motion::AxisSetup& axes,
-              const control::Parameters& parameters, Memory& memory) {
+// The tools of the file are read by themselves.
+void read_all(const toml::table& table, const motion::AxisSetup& axes, Memory& memory) {
   for (const auto& [key, node] : table) {
+    const bool is_list = node.is_array_of_tables();
+    if (is_list && (key.str() == "tool" || key.str() == "holder")) continue;
     if (key.str() == "work" && node.is_table()) {
       read_work(*node.as_table(), axes, memory);
-    } else if (key.str() == "tool" && node.is_array_of_tables()) {
-      for (const toml::node& tool : *node.as_array())
-        read_tool(*tool.as_table(), parameters, memory);
     } else if ((key.str() == "tool" || key.str() == "tool_offset") && node.is_table()) {
       read_offset_tables(*node.as_table(), memory);
     } else {
@@ -140,6 +112,22 @@ bool looks_like_toml(const std::string& text) {
          text.find('[') != std::string::npos;
 }
 
+bool set_offsets(const stock::Tool& tool, const control::Parameters& parameters, Memory& memory) {
+  using stock::Measure;
+  const auto row = static_cast<std::size_t>(tool.number);
+  if (tool.number < 1 || row >= memory.tools.size()) return false;
+  const auto diameter = tool.measures.get(Measure::diameter);
+  const auto length = tool.measures.get(Measure::length);
+  if (diameter) memory.tools[row].radius_geometry = *diameter / 2;
+  if (diameter && parameters.offset_memory != 'C')
+    memory.tools[row].length_geometry = *diameter / 2;
+  if (length) memory.tools[row].length_geometry = *length;
+  if (const auto nose = tool.said(Measure::nose_radius))
+    memory.turning[row].geometry.radius = *nose;
+  if (const auto tip = tool.said(Measure::tip)) memory.turning[row].tip = *tip;
+  return true;
+}
+
 base::Outcome<void> read_offsets(const std::string& text, const std::string& source,
                                  const motion::AxisSetup& axes,
                                  const control::Parameters& parameters, Memory& memory) {
@@ -150,7 +138,13 @@ base::Outcome<void> read_offsets(const std::string& text, const std::string& sou
   Memory read = memory;
   try {
     const toml::table table = toml::parse(text);
-    read_all(table, axes, parameters, read);
+    const auto tools = read_tool_tables(table, source, stock::ToolSource::file);
+    if (!tools) return tl::unexpected(tools.error());
+    for (const ToolEntry& entry : *tools) {
+      if (!set_offsets(entry.tool, parameters, read))
+        return failure(entry.line, "there is no tool offset " + std::to_string(entry.tool.number));
+    }
+    read_all(table, axes, read);
   } catch (const toml::parse_error& error) {
     return failure(error.source().begin.line, std::string(error.description()));
   } catch (const Wrong& wrong) {

@@ -8,13 +8,14 @@
 #include "machine/definition/internal/machine_codes_reader.hpp"
 #include "machine/definition/internal/program_axes.hpp"
 #include "machine/definition/internal/toml_value.hpp"
+#include "machine/definition/tools/tool_tables.hpp"
 
 namespace kerf::machine {
 namespace {
 
-constexpr std::array<std::string_view, 12> kTables = {
-    "name",       "description", "dialect", "axis",    "spindle",      "tip",
-    "kinematics", "pattern",     "drive",   "m_codes", "interpolator", "control"};
+constexpr std::array<std::string_view, 14> kTables = {
+    "name",    "description", "dialect", "axis",         "spindle", "tip",  "kinematics",
+    "pattern", "drive",       "m_codes", "interpolator", "control", "tool", "holder"};
 constexpr std::array<std::string_view, 5> kTablesOfKeys = {"kinematics", "tip", "interpolator",
                                                            "drive", "pattern"};
 constexpr std::array<std::string_view, 3> kJointNames = {"T1", "T2", "T3"};
@@ -37,10 +38,10 @@ tl::unexpected<base::Failure> MachineReader::wrong(const toml::node* node,
 
 base::Outcome<MachineDefinition> MachineReader::read() {
   using Step = Outcome (MachineReader::*)();
-  constexpr std::array<Step, 7> kSteps = {&MachineReader::read_head,   &MachineReader::read_linkage,
-                                          &MachineReader::read_axes,   &MachineReader::read_codes,
-                                          &MachineReader::read_tables, &MachineReader::finish,
-                                          &MachineReader::read_control};
+  constexpr std::array<Step, 8> kSteps = {
+      &MachineReader::read_head,    &MachineReader::read_linkage, &MachineReader::read_axes,
+      &MachineReader::read_codes,   &MachineReader::read_tables,  &MachineReader::finish,
+      &MachineReader::read_control, &MachineReader::read_tools};
   for (const Step step : kSteps) {
     if (auto done = (this->*step)(); !done) return tl::unexpected(done.error());
   }
@@ -243,6 +244,18 @@ MachineReader::Outcome MachineReader::read_control() {
   for (const auto& [key, value] : *node->as_table()) {
     if (auto r = read_parameter(std::string(key.str()), value); !r) return r;
   }
+  return {};
+}
+
+MachineReader::Outcome MachineReader::read_tools() {
+  for (const char* name : {"tool", "holder"}) {
+    const toml::node* const node = file_.get(name);
+    if (node != nullptr && !node->is_array_of_tables())
+      return wrong(node, std::string("[[") + name + "]] tables are expected");
+  }
+  auto read = read_tool_tables(file_, source_, stock::ToolSource::machine);
+  if (!read) return tl::unexpected(read.error());
+  for (ToolEntry& entry : *read) machine_.tools.push_back(std::move(entry.tool));
   return {};
 }
 

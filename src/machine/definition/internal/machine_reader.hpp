@@ -35,6 +35,7 @@ class MachineReader {
   Outcome read_tables();
   Outcome read_item(std::string_view table, const std::string& key, const toml::node& node);
   Outcome read_control();
+  Outcome read_tools();
   Outcome read_parameter(const std::string& key, const toml::node& node);
   static void halve_places(DrivenAxis& axis);
   Outcome read_flag(const toml::node& node, const std::string& key, bool& flag) const;

@@ -13,7 +13,7 @@ bool is_warning(base::Code code) {
          code == Code::cell_enlarged;
 }
 
-output::StockFacts::Told told(const stock::Finding& finding, double time_s, Run& run) {
+output::StockFacts::Told told(const stock::Finding& finding, double time_s) {
   base::Diagnostic diagnostic =
       base::make_error(finding.code, base::place_of(finding.block), finding.detail);
   if (is_warning(finding.code)) diagnostic.severity = base::Severity::warning;
@@ -46,7 +46,7 @@ output::StockFacts facts_of(StockResult& result) {
                            std::string(word_of(tool.tool.source))});
   }
   for (std::size_t i = 0; i < result.findings.size(); ++i)
-    facts.findings.push_back(told(result.findings[i], result.times_s[i], *result.run));
+    facts.findings.push_back(told(result.findings[i], result.times_s[i]));
   return facts;
 }
 

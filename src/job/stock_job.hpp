@@ -18,7 +18,7 @@ enum class StockModel : std::uint8_t { automatic, zmap, tridexel };
 /// A run that cuts the virtual part, as a value.
 struct StockJob {
   Job job;
-  machine::StockWord shape = machine::StockAround{};
+  machine::StockWord shape{};
   machine::StockZero zero{};
   StockModel model = StockModel::automatic;
   std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool
@@ -26,7 +26,7 @@ struct StockJob {
   unsigned jobs = 0;                        ///< threads; 0: one a processor
   bool checks_start = false;                ///< the axes begin where the machine says
   /// Makes the tools of one pass over the program, whose memory it may look at.
-  std::function<std::unique_ptr<stock::ToolRack>(const control::Memory&)> make_rack;
+  std::function<std::unique_ptr<stock::ToolRack>(const control::Memory&)> make_rack{};
 };
 
 }  // namespace kerf::job

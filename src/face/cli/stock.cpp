@@ -9,6 +9,9 @@
 #include "face/cli/run_report.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
+#include "job/tool_rack.hpp"
+#include "machine/definition/offset_file.hpp"
+#include "machine/definition/tools/tool_tables.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -31,10 +34,23 @@ Outcome<base::ProgramText> kept(const std::string& path) {
   return base::ProgramText::of(path, std::move(*text));
 }
 
+/// The tools of a file, in its order; none of a file of offsets.
+Outcome<std::vector<stock::Tool>> tools_of(const std::string& path) {
+  std::vector<stock::Tool> tools;
+  if (path.empty()) return tools;
+  constexpr std::size_t kLargest = 16 << 20;
+  auto text = base::read_whole(path, kLargest, "a file of tools");
+  if (!text) return tl::unexpected(text.error());
+  if (!machine::looks_like_toml(*text)) return tools;
+  auto entries = machine::read_tool_tables(toml::parse(*text), path, stock::ToolSource::file);
+  if (!entries) return tl::unexpected(entries.error());
+  for (const machine::ToolEntry& entry : *entries) tools.push_back(entry.tool);
+  return tools;
+}
+
 Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
                                  base::ProgramText program) {
-  job::StockJob job;
-  job.job = std::move(ordered.job);
+  job::StockJob job{.job = std::move(ordered.job)};
   job.job.program = std::move(program);
   auto shape = machine::stock_word(options.stock, "--stock");
   if (!shape) return tl::unexpected(shape.error());
@@ -44,12 +60,19 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
   job.zero = *zero;
   job.model = model_named(options.model);
   if (!options.cell.empty()) {
-    job.cell_mm = base::read_number(options.cell);
+    job.cell_mm = base::read_number(options.cell).value_or(0);
     if (!(*job.cell_mm > 0)) return base::usage("--cell " + options.cell + ": a cell has a size");
   }
   if (!options.memory.empty())
-    job.memory_bytes = static_cast<std::size_t>(*base::read_number(options.memory)) << 20;
+    job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
+                       << 20;
   job.jobs = options.jobs;
+  auto tools = tools_of(options.run.tools);
+  if (!tools) return tl::unexpected(tools.error());
+  for (const stock::Tool& tool : job.job.definition.tools) tools->push_back(tool);
+  job.make_rack = [tools = std::move(*tools)](const control::Memory& memory) {
+    return job::make_rack(tools, memory);
+  };
   return job;
 }
 

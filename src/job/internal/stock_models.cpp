@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "base/decimal.hpp"
+#include <algorithm>
+#include <thread>
+
+#include "math/math.hpp"
+#include "stock/field/height_field.hpp"
 
 namespace kerf::job {
 namespace {
@@ -19,6 +23,27 @@ std::string objection_to_zmap(const SurveyedTools& tools, const stock::Shape& sh
   return {};
 }
 
+// The largest number of columns along an axis that a grid may have.
+constexpr double kMostColumns = 67'108'864;
+
+/// `cell_mm`, or as much more as the memory asks for.
+double fitting_cell(const stock::Bounds& box, bool is_box, double cell_mm, std::size_t bytes) {
+  const double longest = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  double cell = std::max(cell_mm, longest / kMostColumns);
+  while (stock::field::HeightField::bytes_of(stock::field::grid_of(box, cell), is_box) > bytes &&
+         cell < longest)
+    cell *= 1.1;
+  return cell;
+}
+
+stock::field::ColumnAt column_of(const stock::CylinderShape& round) {
+  return [round](double x, double y) -> stock::field::Column {
+    const double d = 2 * math::hypot(x - round.u, y - round.v);
+    if (d > round.diameter || d < round.inner_diameter) return {};
+    return {round.from, round.to};
+  };
+}
+
 }  // namespace
 
 void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& plan) {
@@ -32,6 +57,37 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
   plan.reason = job.model == StockModel::zmap
                     ? "asked for"
                     : "every tool stands along Z, and none has an undercut";
+}
+
+MadeModel make_model(const StockPlan& plan, const StockJob& job) {
+  const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const stock::Bounds box = stock::bounds(plan.shape);
+  const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
+  MadeModel made;
+  const double cell = fitting_cell(box, is_box, plan.cell_mm, job.memory_bytes);
+  if (cell > plan.cell_mm) {
+    made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
+                                     plan.cell_mm, job.memory_bytes >> 20, cell);
+  }
+  const auto grid = stock::field::grid_of(box, cell);
+  made.model = is_box ? std::make_unique<stock::field::HeightField>(grid, jobs)
+                      : std::make_unique<stock::field::HeightField>(
+                            grid, column_of(std::get<stock::CylinderShape>(plan.shape)), jobs);
+  return made;
+}
+
+output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& model) {
+  output::StockFacts::Model facts;
+  facts.reason = plan.reason;
+  facts.bytes = model.bytes();
+  facts.error_mm3 = model.error_mm3();
+  if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(&model)) {
+    const stock::field::Grid& grid = field->columns().grid();
+    facts.kind = "zmap";
+    facts.cell_mm = {grid.cell_x(), grid.cell_y()};
+    facts.cells = {static_cast<std::uint64_t>(grid.nx), static_cast<std::uint64_t>(grid.ny)};
+  }
+  return facts;
 }
 
 }  // namespace kerf::job

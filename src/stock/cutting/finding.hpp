@@ -12,11 +12,11 @@ namespace kerf::stock {
 /// What a check has against a block. mm, frame of the stock.
 struct Finding {
   base::Code code{};
-  std::string detail;     ///< behind the code's own words: which part, by how much
+  std::string detail{};   ///< behind the code's own words: which part, by how much
   base::BlockId block{};  ///< none: the whole run
   std::uint32_t tool = 0;
   std::uint64_t motion = 0;  ///< that went deepest
-  Vec3 at;                   ///< the deepest place
+  Vec3 at{};                 ///< the deepest place
   double depth_mm = 0;       ///< there
   double volume_mm3 = 0;     ///< of all
   std::uint64_t count = 1;   ///< motions that had it

@@ -135,7 +135,7 @@ WRONG_TOML = {
     "an unknown key of an offset": ("[tool_offset.5]\nlenght_wear = 1\n", 2),
     "an unknown key of a tool": ("[[tool]]\nnumber = 5\ncolour = 1\n", 3),
     "a tool without number": ("[[tool]]\ndiameter = 5\n", 1),
-    "a tool of negative number": ("[[tool]]\nnumber = -5\ndiameter = 5\n", 1),
+    "a tool of negative number": ("[[tool]]\nnumber = -5\ndiameter = 5\n", 2),
     "an unknown table": ("[toools.5]\nlength_wear = 1\n", 1),
     "a key outside of all tables": ("X = 1\n[work.G54]\n", 1),
 }

@@ -65,10 +65,10 @@ struct StockOptions {
   std::string stock = "extents";
   std::string zero = "auto";
   std::string model = "auto";
-  std::string cell;          ///< mm; empty: by the tools
-  std::string memory;        ///< MiB; empty: 1024
-  unsigned jobs = 0;         ///< threads; 0: one a processor
-  std::string report;        ///< JSON
+  std::string cell;    ///< mm; empty: by the tools
+  std::string memory;  ///< MiB; empty: 1024
+  unsigned jobs = 0;   ///< threads; 0: one a processor
+  std::string report;  ///< JSON
   std::string fail_on = "warning";
   std::vector<std::string> no_checks;  ///< codes
 };

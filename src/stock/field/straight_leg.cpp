@@ -13,8 +13,22 @@ constexpr double kVertical_mm = 1e-7;
 
 }  // namespace
 
-StraightLeg::StraightLeg(const StraightWay& way)
-    : downwards_(way.to.z < way.from.z), box_(bounds(Way(way))) {
+/// Columns of a block as seen from the lower end.
+struct StraightLeg::Offsets {
+  Offsets(const StraightLeg& leg, const BlockPoints& points)
+      : dx(static_cast<float>(leg.dx_)), dy(static_cast<float>(leg.dy_)) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      x[i] = static_cast<float>(points.x[i] - leg.x_);
+      y[i] = static_cast<float>(points.y[i] - leg.y_);
+    }
+  }
+  float x[kBlockSide];
+  float y[kBlockSide];
+  float dx, dy;
+};
+
+StraightLeg::StraightLeg(const StraightWay& way, Begins begins)
+    : begins_(begins), downwards_(way.to.z < way.from.z), box_(bounds(Way(way))) {
   const Vec3& low = downwards_ ? way.to : way.from;
   const Vec3& high = downwards_ ? way.from : way.to;
   x_ = low.x;
@@ -37,36 +51,65 @@ StraightLeg::Place StraightLeg::place(double x, double y) const {
   return {(x - x_) * dx_ + (y - y_) * dy_, (y - y_) * dx_ - (x - x_) * dy_};
 }
 
-void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points,
+void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
                         BlockValues& low) const {
+  const Offsets at(*this, points);
   BlockValues along;
   BlockValues across2;
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const double x = points.x[i] - x_;
-    const double y = points.y[i] - y_;
-    const double u = y * dx_ - x * dy_;
-    along[i] = x * dx_ + y * dy_;
-    across2[i] = u * u;
+  for (std::size_t j = 0; j < kBlockSide; ++j) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      const float u = at.y[j] * at.dx - at.x[i] * at.dy;
+      along[j * kBlockSide + i] = at.x[i] * at.dx + at.y[j] * at.dy;
+      across2[j * kBlockSide + i] = u * u;
+    }
   }
-  const StraightSlope way{z_, slope_, length_};
+  const StraightSlope way{static_cast<float>(z_ - base), static_cast<float>(slope_),
+                          static_cast<float>(length_)};
   for (const EnvelopePiece& piece : tool.pieces()) lower_by_piece(way, piece, along, across2, low);
 }
 
-void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const {
-  const double reach = tool.reach() + row.radius;
+void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
+                        RowValues& bounds) const {
+  const double safety = bound_safety(length_ + tool.reach());
+  const auto radius = static_cast<float>(row.radius + safety);
+  const auto reach = static_cast<float>(tool.reach() + row.radius + safety);
+  const auto z = static_cast<float>(z_ - base - safety);
+  const auto slope = static_cast<float>(slope_);
+  const auto length = static_cast<float>(length_);
+  const auto dx = static_cast<float>(dx_);
+  const auto dy = static_cast<float>(dy_);
+  const auto y = static_cast<float>(row.y - y_);
+  const auto [first, last] = fresh(tool, radius);
   RowValues tip;       // not above the tip while it reaches the block
   RowValues distance;  // of the axis, at least
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    const double x = row.x[i] - x_;
-    const double y = row.y - y_;
-    const double along = x * dx_ + y * dy_;
-    const double u = y * dx_ - x * dy_;
-    const double past = along < 0 ? -along : (along > length_ ? along - length_ : 0.0);
-    const double first = along > reach ? along - reach : 0.0;
-    tip[i] = z_ - kBoundSafety_mm + slope_ * first;
-    distance[i] = std::sqrt(u * u + past * past) - row.radius - kBoundSafety_mm;
+    const auto x = static_cast<float>(row.x[i] - x_);
+    const float along = x * dx + y * dy;
+    const float u = y * dx - x * dy;
+    const float past = larger(0.0F, larger(-along, along - length));
+    const float behind = (along < first ? kNowhere : 0.0F) + (along > last ? kNowhere : 0.0F);
+    tip[i] = z + slope * larger(0.0F, along - reach) + behind;
+    distance[i] = std::sqrt(u * u + past * past) - radius;
   }
   lowest_at(tool, distance, tip, bounds);
+}
+
+/// Where blocks lie along the way for which not all of it is behind a leg that begins behind
+/// itself: up a slope the lowest place of a column is never behind the axis, down one at most as
+/// far ahead as where a round tool has the slope of the way.
+StraightLeg::Stretch StraightLeg::fresh(const LowerEnvelope& tool, float radius) const {
+  Stretch all{-kNowhere, kNowhere};
+  if (begins_ == Begins::afresh || length_ == 0) return all;
+  if (!downwards_) {
+    all.first = -radius;
+    return all;
+  }
+  double ahead = tool.reach();
+  if (const LowerEnvelope::Round* round = tool.round()) {
+    ahead = std::max(0.0, round->core) + round->radius * slope_ / std::sqrt(1 + slope_ * slope_);
+  }
+  all.last = static_cast<float>(length_ + ahead) + radius;
+  return all;
 }
 
 double StraightLeg::highest_tip(double reach, double x, double y) const {
@@ -78,9 +121,14 @@ double StraightLeg::highest_tip(double reach, double x, double y) const {
   return first <= last ? z_ + slope_ * last + height_ : -kNowhere;
 }
 
-double StraightLeg::offset(double x, double y) const {
-  const double across = place(x, y).across;
-  return downwards_ ? -across : across;
+void StraightLeg::offsets(const BlockPoints& points, BlockValues& offsets) const {
+  const Offsets at(*this, points);
+  const float left = downwards_ ? -1 : 1;
+  for (std::size_t j = 0; j < kBlockSide; ++j) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      offsets[j * kBlockSide + i] = left * (at.y[j] * at.dx - at.x[i] * at.dy);
+    }
+  }
 }
 
 double StraightLeg::taken_by_core(double core, double x, double y, double height) const {

@@ -26,11 +26,13 @@ struct BlockPoints {
   [[nodiscard]] double y_of(std::size_t i) const { return y[i / kBlockSide]; }
 };
 
-/// A row of blocks of a tile: the middles of their columns, and how far columns are from them.
+/// A row of blocks of a tile: the middles of their columns, and how far columns are from them
+/// along X and Y.
 struct BlockRow {
   const double* x;  // kTileBlocks of them
   double y = 0;
-  double radius = 0;
+  double half_x = 0;
+  double half_y = 0;
 };
 
 }  // namespace kerf::stock::field

@@ -76,11 +76,12 @@ void RingLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double
 void RingLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
                     RowValues& bounds) const {
   const double safety = bound_safety(radius_ + tool.reach());
+  const double radius = far_from(row.half_x, row.half_y);
   RowValues from;
   RowValues tip;
   tip.fill(static_cast<float>(z_ - base - safety));
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    from[i] = static_cast<float>(distance(row.x[i], row.y) - row.radius - safety);
+    from[i] = static_cast<float>(distance(row.x[i], row.y) - radius - safety);
   }
   lowest_at(tool, from, tip, bounds);
 }

@@ -68,48 +68,59 @@ void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, do
   for (const EnvelopePiece& piece : tool.pieces()) lower_by_piece(way, piece, along, across2, low);
 }
 
+/// Every block as a rectangle along and across the way that holds its columns.
 void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
                         RowValues& bounds) const {
   const double safety = bound_safety(length_ + tool.reach());
-  const auto radius = static_cast<float>(row.radius + safety);
-  const auto reach = static_cast<float>(tool.reach() + row.radius + safety);
+  const auto dx = static_cast<float>(dx_);
+  const auto dy = static_cast<float>(dy_);
+  const double abs_dx = std::abs(dx_);
+  const double abs_dy = std::abs(dy_);
+  const auto half_along = static_cast<float>(row.half_x * abs_dx + row.half_y * abs_dy + safety);
+  const auto half_across = static_cast<float>(row.half_x * abs_dy + row.half_y * abs_dx + safety);
+  const float reach = static_cast<float>(tool.reach()) + half_along;
   const auto z = static_cast<float>(z_ - base - safety);
   const auto slope = static_cast<float>(slope_);
   const auto length = static_cast<float>(length_);
-  const auto dx = static_cast<float>(dx_);
-  const auto dy = static_cast<float>(dy_);
   const auto y = static_cast<float>(row.y - y_);
-  const auto [first, last] = fresh(tool, radius);
+  const Behind behind = behind_of(tool);
   RowValues tip;       // not above the tip while it reaches the block
   RowValues distance;  // of the axis, at least
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
     const auto x = static_cast<float>(row.x[i] - x_);
     const float along = x * dx + y * dy;
-    const float u = y * dx - x * dy;
-    const float past = larger(0.0F, larger(-along, along - length));
-    const float behind = (along < first ? kNowhere : 0.0F) + (along > last ? kNowhere : 0.0F);
-    tip[i] = z + slope * larger(0.0F, along - reach) + behind;
-    distance[i] = std::sqrt(u * u + past * past) - radius;
+    const float u = larger(0.0F, std::abs(y * dx - x * dy) - half_across);
+    const float past = larger(0.0F, larger(-along, along - length) - half_along);
+    const float out = larger(0.0F, u - behind.core);
+    const float ahead =
+        behind.after + std::sqrt(larger(0.0F, behind.lean2 - behind.lean * out * out));
+    const float none = (along + half_along < behind.before ? kNowhere : 0.0F) +
+                       (along - half_along > ahead ? kNowhere : 0.0F);
+    tip[i] = z + slope * larger(0.0F, along - reach) + none;
+    distance[i] = std::sqrt(u * u + past * past);
   }
   lowest_at(tool, distance, tip, bounds);
 }
 
-/// Where blocks lie along the way for which not all of it is behind a leg that begins behind
-/// itself: up a slope the lowest place of a column is never behind the axis, down one at most as
-/// far ahead as where a round tool has the slope of the way.
-StraightLeg::Stretch StraightLeg::fresh(const LowerEnvelope& tool, float radius) const {
-  Stretch all{-kNowhere, kNowhere};
-  if (begins_ == Begins::afresh || length_ == 0) return all;
+/// Up a slope the lowest place for a column is never behind it. Down one it is ahead by no more
+/// than the reach of the tool, and for a round one by no more than its core and the w m / √(1 + m²)
+/// of its ball (straight_pieces.cpp).
+StraightLeg::Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
+  Behind none{-kNowhere, kNowhere, 0, 0, 0};
+  if (begins_ == Begins::afresh || length_ == 0) return none;
   if (!downwards_) {
-    all.first = -radius;
-    return all;
+    none.before = 0;
+    return none;
   }
-  double ahead = tool.reach();
-  if (const LowerEnvelope::Round* round = tool.round()) {
-    ahead = std::max(0.0, round->core) + round->radius * slope_ / std::sqrt(1 + slope_ * slope_);
+  const LowerEnvelope::Round* round = tool.round();
+  if (round == nullptr) {
+    none.after = static_cast<float>(length_ + tool.reach());
+    return none;
   }
-  all.last = static_cast<float>(length_ + ahead) + radius;
-  return all;
+  const double core = std::max(0.0, round->core);
+  const double lean = slope_ * slope_ / (1 + slope_ * slope_);
+  return {-kNowhere, static_cast<float>(length_ + core), static_cast<float>(core),
+          static_cast<float>(lean), static_cast<float>(lean * round->radius * round->radius)};
 }
 
 double StraightLeg::highest_tip(double reach, double x, double y) const {

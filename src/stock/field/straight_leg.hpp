@@ -51,12 +51,17 @@ class StraightLeg {
     double across;
   };
   struct Offsets;
-  struct Stretch {
-    float first;
-    float last;
+  /// Columns whose `along` is less than `before`, or more than `after` + √(lean2 - lean out²),
+  /// where `out` is how far they are beside the core, are behind a leg that begins behind itself.
+  struct Behind {
+    float before;
+    float after;
+    float core;
+    float lean;
+    float lean2;
   };
   [[nodiscard]] Place place(double x, double y) const;
-  [[nodiscard]] Stretch fresh(const LowerEnvelope& tool, float radius) const;
+  [[nodiscard]] Behind behind_of(const LowerEnvelope& tool) const;
 
   double x_ = 0, y_ = 0, z_ = 0;  // the lower end
   double dx_ = 1, dy_ = 0;        // unit, seen from above, upwards

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stock/field/lanes.hpp"
+
 namespace kerf::stock::field {
 namespace {
 
-float root(float squared) { return std::sqrt(larger(0.0F, squared)); }
+constexpr double kSame_mm = 1e-9;
+
 float narrow(double value) { return static_cast<float>(value); }
 
 /// The steps of a way at which a piece of an outer radius is over the columns of a block. `none` is
@@ -59,19 +62,47 @@ void lower_by_cone(const StraightSlope& way, const EnvelopePiece& piece, const B
   }
 }
 
-/// A ball: x = w m / √(1 + m²), where w is half the chord that the column's plane across the axis
-/// cuts from it.
+/// A ball up to its equator. w is half the chord that the column's plane across the way cuts from
+/// it; the lowest place is at x = w m / √(1 + m²), w / √(1 + m²) below the axis, unless an end of
+/// the way comes before it. Which it is shows in squares, so that one root is enough.
 void lower_by_ball(const StraightSlope& way, const EnvelopePiece& piece, const BlockValues& along,
                    const BlockValues& across2, BlockValues& low) {
+  const float steep2 = 1 + way.slope * way.slope;
+  const float lean2 = way.slope * way.slope / steep2;
+  const float upright2 = 1 / steep2;
+  const float radius2 = narrow(piece.radius * piece.radius);
+  const float base = way.z + narrow(piece.z);
+  const Lanes none{};
+  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
+    const Lanes begin = load(&along[i]);
+    const Lanes end = begin - way.length;
+    const Lanes w2 = radius2 - load(&across2[i]);
+    const Lanes best2 = w2 * lean2;
+    const auto at_begin = (begin <= none) | (begin * begin <= best2);
+    const auto at_end = (end > none) & (end * end > best2);
+    const Lanes at = at_begin ? begin : end;
+    const Lanes depth2 = (at_begin | at_end) ? w2 - at * at : w2 * upright2;
+    const Lanes depth = root(depth2);
+    const Lanes x = (at_begin | at_end) ? at : depth * way.slope;
+    const Lanes z = base + way.slope * (begin - x) - depth;
+    const Lanes before = load(&low[i]);
+    store((depth2 >= none) & (z < before) ? z : before, &low[i]);
+  }
+}
+
+/// A part of a ball.
+void lower_by_cap(const StraightSlope& way, const EnvelopePiece& piece, const BlockValues& along,
+                  const BlockValues& across2, BlockValues& low) {
   const float lean = way.slope / std::sqrt(1 + way.slope * way.slope);
   const Steps steps(way, narrow(piece.s1 * piece.s1), along, across2);
   const float radius2 = narrow(piece.radius * piece.radius);
   const float base = way.z + narrow(piece.z);
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const float w2 = radius2 - across2[i];
-    const float x = larger(steps.first[i], smaller(root(w2) * lean, steps.last[i]));
-    const float z = base + way.slope * (along[i] - x) - root(w2 - x * x);
-    low[i] = smaller(low[i], z + steps.none[i]);
+  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
+    const Lanes w2 = radius2 - load(&across2[i]);
+    const Lanes best = root(w2) * lean;
+    const Lanes x = larger(load(&steps.first[i]), smaller(best, load(&steps.last[i])));
+    const Lanes z = base + way.slope * (load(&along[i]) - x) - root(w2 - x * x);
+    store(smaller(load(&low[i]), z + load(&steps.none[i])), &low[i]);
   }
 }
 
@@ -158,7 +189,10 @@ void lower_by_piece(const StraightSlope& way, const EnvelopePiece& piece, const 
   using Kind = EnvelopePiece::Kind;
   if (piece.kind == Kind::face) return lower_by_face(way, piece, along, across2, low);
   if (piece.kind == Kind::cone) return lower_by_cone(way, piece, along, across2, low);
-  if (piece.core == 0 && piece.s0 == 0) return lower_by_ball(way, piece, along, across2, low);
+  if (piece.core == 0 && piece.s0 == 0) {
+    const bool whole = std::abs(piece.s1 - piece.radius) <= kSame_mm;
+    return (whole ? lower_by_ball : lower_by_cap)(way, piece, along, across2, low);
+  }
   if (way.slope == 0) return lower_by_level_torus(way, piece, along, across2, low);
   lower_by_torus(way, piece, along, across2, low);
 }

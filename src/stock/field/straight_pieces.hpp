@@ -1,13 +1,10 @@
 #pragma once
 
 #include "stock/field/block_points.hpp"
+#include "stock/field/lanes.hpp"
 #include "stock/field/lower_envelope.hpp"
 
 namespace kerf::stock::field {
-
-// Of equal arguments either: the same as the instructions of processors, so loops take them.
-constexpr float smaller(float a, float b) { return a < b ? a : b; }
-constexpr float larger(float a, float b) { return a > b ? a : b; }
 
 /// By how much floats may move the surface, mm, over a leg and a tool of this size together.
 constexpr double bound_safety(double size_mm) { return 1e-4 + 1e-6 * size_mm; }

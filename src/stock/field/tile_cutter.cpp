@@ -17,7 +17,8 @@ TileCutter::TileCutter(Columns& columns, std::size_t tile)
       index_(tile),
       tile_(columns.tile(tile)),
       base_(columns.grid().box.low.z),
-      radius_(kHalfBlock * math::hypot(columns.grid().cell_x(), columns.grid().cell_y())) {
+      half_x_(kHalfBlock * columns.grid().cell_x()),
+      half_y_(kHalfBlock * columns.grid().cell_y()) {
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
     const std::size_t first = i * kBlockSide;
     const std::size_t last = first + kBlockSide - 1;
@@ -71,8 +72,8 @@ void TileCutter::for_blocks(const auto& leg, const LowerEnvelope& tool, const Do
   if (across.first > across.last) return;
   for (int by = rows.first; by <= rows.last; ++by) {
     RowValues lowest;
-    leg.bound(tool, {block_x_.data(), block_y_[static_cast<std::size_t>(by)], radius_}, base_,
-              lowest);
+    leg.bound(tool, {block_x_.data(), block_y_[static_cast<std::size_t>(by)], half_x_, half_y_},
+              base_, lowest);
     for (int bx = across.first; bx <= across.last; ++bx) {
       const int block = by * kTileBlocks + bx;
       if (std::max(0.0F, lowest[static_cast<std::size_t>(bx)]) < tile_.block_tops[block])

@@ -57,8 +57,8 @@ class TileCutter {
   Columns& columns_;
   std::size_t index_;
   Columns::Tile tile_;
-  double base_;    // heights are over this
-  double radius_;  // of a block, between its columns
+  double base_;             // heights are over this
+  double half_x_, half_y_;  // of a block, between its columns
   std::array<double, kTileBlocks> block_x_;
   std::array<double, kTileBlocks> block_y_;
   std::uint64_t changes_ = 0;

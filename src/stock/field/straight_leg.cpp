@@ -63,9 +63,36 @@ void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, do
       across2[j * kBlockSide + i] = u * u;
     }
   }
+  if (length_ == 0) {  // no direction is better than another
+    along.fill(0);
+    for (std::size_t i = 0; i < kBlockCells; ++i) {
+      const float x = at.x[i % kBlockSide];
+      const float y = at.y[i / kBlockSide];
+      across2[i] = x * x + y * y;
+    }
+  }
+  if (begins_ == Begins::behind_itself) leave_out_behind(tool, along, across2);
   const StraightSlope way{static_cast<float>(z_ - base), static_cast<float>(slope_),
                           static_cast<float>(length_)};
   for (const EnvelopePiece& piece : tool.pieces()) lower_by_piece(way, piece, along, across2, low);
+}
+
+/// Columns behind have been cut, and rounding is not to cut them once more: otherwise what a block
+/// that is looked at for another column holds would depend on where blocks are.
+void StraightLeg::leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
+                                   BlockValues& across2) const {
+  const Behind behind = behind_of(tool);
+  const Lanes far = all(kNowhere);
+  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
+    const Lanes a = load(&along[i]);
+    const Lanes u2 = load(&across2[i]);
+    Lanes after = all(behind.after);
+    if (behind.lean > 0) {
+      const Lanes out = larger(root(u2) - behind.core, Lanes{});
+      after = after + root(behind.lean2 - behind.lean * out * out);
+    }
+    store((a < all(behind.before)) | (a > after) ? far : u2, &across2[i]);
+  }
 }
 
 /// Every block as a rectangle along and across the way that holds its columns.

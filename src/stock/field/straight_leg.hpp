@@ -20,7 +20,7 @@ namespace kerf::stock::field {
 class StraightLeg {
  public:
   /// Begins::afresh; Begins::behind_itself: the same tool has cut straight to where this begins.
-  /// What lies behind that is never lower for this leg, and need not be looked at.
+  /// What lies behind that is never lower for this leg, and is left out.
   enum class Begins { afresh, behind_itself };
   /// Precondition: not longer than kLongestLeg_mm, seen from above.
   explicit StraightLeg(const StraightWay& way, Begins begins = Begins::afresh);
@@ -61,6 +61,8 @@ class StraightLeg {
     float lean2;
   };
   [[nodiscard]] Place place(double x, double y) const;
+  void leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
+                        BlockValues& across2) const;
   [[nodiscard]] Behind behind_of(const LowerEnvelope& tool) const;
 
   double x_ = 0, y_ = 0, z_ = 0;  // the lower end

@@ -105,7 +105,7 @@ class Table {
 /// Over a column no point of the tool may be left below what the field holds, and for what is gone
 /// there must be one.
 void expect_swept(const HeightField& field, const Table& tool, const Way& way) {
-  constexpr int kPlaces = 3000;
+  constexpr int kPlaces = 1500;
   std::vector<Vec3> places;
   for (int k = 0; k <= kPlaces; ++k) places.push_back(point_at(way, 1.0 * k / kPlaces));
   const double step = length(way) / kPlaces;
@@ -135,7 +135,7 @@ TEST(Sweeps, LeaveWhatPointsOfTheToolLeave) {
   for (std::size_t tool = 0; tool < tools.size(); ++tool) {
     const Body& body = tools[tool];
     const Table table(body.profile);
-    for (int n = 0; n < 12; ++n) {
+    for (int n = 0; n < 10; ++n) {
       HeightField field(grid_of(kBox, kCell), 1);
       Sweep sweep{.way = random_way(random), .body = field.add_body(body), .motion = 1};
       Outcome outcome;
@@ -155,15 +155,32 @@ void cut(HeightField& field, const Sweep& sweep) {
   field.cut({&sweep, 1}, {&outcome, 1});
 }
 
-double farthest(const HeightField& a, const HeightField& b) {
-  double most = 0;
+/// Steepest step from a column to its neighbours, mm per mm.
+double steepness(const HeightField& field, int i, int j) {
+  const Columns& columns = field.columns();
+  double steepest = 0;
+  for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+    const int i2 = std::clamp(i + di, 0, columns.grid().nx - 1);
+    const int j2 = std::clamp(j + dj, 0, columns.grid().ny - 1);
+    const double step = std::abs(static_cast<double>(columns.height(i, j)) -
+                                 static_cast<double>(columns.height(i2, j2)));
+    steepest = std::max(steepest, step / columns.grid().cell_x());
+  }
+  return steepest;
+}
+
+/// How many columns are this far apart, down or across.
+int columns_apart(const HeightField& a, const HeightField& b, double within) {
+  int apart = 0;
   const Grid& grid = a.columns().grid();
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
-      most = std::max(most, std::abs(1.0 * a.columns().height(i, j) - b.columns().height(i, j)));
+      const auto here = static_cast<double>(a.columns().height(i, j));
+      const auto there = static_cast<double>(b.columns().height(i, j));
+      apart += std::abs(here - there) > within * (1 + 2 * steepness(a, i, j)) ? 1 : 0;
     }
   }
-  return most;
+  return apart;
 }
 
 Way part_of(const Way& way, double from, double to) {
@@ -183,12 +200,9 @@ TEST(Sweeps, WholeAreTheSameAsInTwoParts) {
       const BodyId tool = parts.add_body(body);
       cut(parts, {.way = part_of(way, 0, at), .body = tool});
       cut(parts, {.way = part_of(way, at, 1), .body = tool});
-      // Beside a wall that moves by the error a column may be in or out.
-      const double volumes = std::abs(whole.left_mm3() - parts.left_mm3());
-      if (farthest(whole, parts) > 2 * sweep_error_mm(whole.columns().grid())) {
-        EXPECT_LT(volumes, 4 * kCell * kCell * 12);
-        EXPECT_NE(body.profile.edges()[0].to.z, 1e9);
-      }
+      // Beside a wall that moves by the error a column may be in or out: at most a few are.
+      const double within = 2 * sweep_error_mm(whole.columns().grid());
+      EXPECT_LE(columns_apart(whole, parts, within), 2) << way.index();
     }
   }
 }
@@ -264,7 +278,7 @@ TEST(Sweeps, ThatAreDisjointMayBeMadeInAnyOrder) {
   for (const Sweep& sweep : sweeps) cut(one, sweep);
   std::reverse(sweeps.begin(), sweeps.end());
   for (const Sweep& sweep : sweeps) cut(other, sweep);
-  EXPECT_EQ(farthest(one, other), 0);
+  EXPECT_EQ(columns_apart(one, other, 0), 0);
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ ROOMS = {
     "motion": ["geometry"],
     "stock/tool": ["geometry"],
     "stock/sweep": ["stock/tool"],
+    "stock/dexel": ["stock/sweep"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

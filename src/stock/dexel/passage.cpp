@@ -1,0 +1,208 @@
+#include "stock/dexel/passage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf::stock {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kStill = 1e-18;     // mm²: it does not move
+constexpr double kParallel = 1e-12;  // of squares of sines
+constexpr double kLevel = 1e-9;      // of sines: dexels along the planes of a solid
+constexpr double kLinear = 1e-14;    // a coefficient of a square that is rounding
+constexpr double kNear = 1e-9;       // mm, between a rim and its plane
+
+Vec3 unit_of(int axis) {
+  return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+}
+
+void include(Meeting& m, const Reach& reach) {
+  if (reach.along < m.low.along) m.low = reach;
+  if (reach.along > m.high.along) m.high = reach;
+}
+
+double flat_dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y; }
+
+}  // namespace
+
+Passage::Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int axis)
+    : solid_(solid),
+      frame_(frame),
+      origin_(-1.0 * frame.inside(tip)),
+      next_(frame.inside(unit_of((axis + 1) % 3))),
+      after_(frame.inside(unit_of((axis + 2) % 3))),
+      along_(frame.inside(unit_of(axis))),
+      way_(frame.inside(way)),
+      ss_(form(along_, along_)),
+      st_(-form(along_, way_)),
+      tt_(form(way_, way_)),
+      moves_(flat_dot(way_, way_) + way_.z * way_.z > kStill),
+      is_level_(std::fabs(along_.z) < kLevel),
+      is_whole_(solid.is_whole_ball()),
+      opens_upwards_(solid.second * along_.z > 0),
+      low_square_(solid.radius_at(solid.low) * solid.radius_at(solid.low)),
+      high_square_(solid.radius_at(solid.high) * solid.radius_at(solid.high)) {
+  if (!is_level_) {
+    slide_along_ = way_.z / along_.z;
+    slide_ = slide_along_ * along_ - way_;
+    slide_square_ = flat_dot(slide_, slide_);
+  }
+  if (!moves_ || tt_ <= kParallel * dot(way_, way_)) return;
+  left_ = ss_ - st_ * st_ / tt_;
+  has_extremes_ = true;
+}
+
+double Passage::form(Vec3 a, Vec3 b) const { return flat_dot(a, b) - solid_.bend * (a.z * b.z); }
+
+Vec3 Passage::at(double b, double c) const { return origin_ + (b * next_ + c * after_); }
+
+Passage::Line Passage::line(Vec3 x) const {
+  return {x, form(x, along_) - solid_.slope * along_.z, solid_.slope * way_.z - form(x, way_),
+          form(x, x) - 2 * solid_.slope * x.z - solid_.square};
+}
+
+/// Along level dexels the height changes with t alone.
+bool Passage::times_between_planes(double z, Span& t, bool& low_clipped, bool& high_clipped) const {
+  const double w = way_.z;
+  if (std::fabs(w) < kParallel) return solid_.low <= z && z <= solid_.high;
+  const double a = (z - solid_.low) / w;
+  const double b = (z - solid_.high) / w;
+  low_clipped = std::min(a, b) > t.low;
+  high_clipped = std::max(a, b) < t.high;
+  t = {std::max(t.low, std::min(a, b)), std::min(t.high, std::max(a, b))};
+  return t.low <= t.high;
+}
+
+void Passage::extreme(const Line& line, double s, Span t, Reach& reach, bool& found) const {
+  const double when = -(line.t + st_ * s) / tt_;
+  if (!(when >= t.low && when <= t.high)) return;
+  const double z = line.at.z + s * along_.z - when * way_.z;
+  if (!is_whole_ && !(z >= solid_.low && z <= solid_.high)) return;
+  reach = {s, when, Feature::side};
+  found = true;
+}
+
+/// Where the form is 0 and does not change with t. False: the dexel passes by the whole straight
+/// line that the solid goes along.
+bool Passage::extremes(const Line& line, Span t, Meeting& m, bool& complete) const {
+  const double b = line.s - st_ * line.t / tt_;
+  const double c = line.rest - line.t * line.t / tt_;
+  const double under = b * b - left_ * c;
+  if (std::fabs(left_) <= kParallel) return std::fabs(b) > kParallel || c <= 0;
+  if (under < 0) return left_ < 0;
+  const double root = std::sqrt(under);
+  bool low = false;
+  bool high = false;
+  extreme(line, (-b - root) / left_, t, m.low, low);
+  extreme(line, (-b + root) / left_, t, m.high, high);
+  complete = low && high;
+  if (low && !high) m.high = m.low;
+  if (high && !low) m.low = m.high;
+  return true;
+}
+
+/// Where ss s² + 2 b s + c <= 0, on the side of a cone's tip that the solid is on.
+bool Passage::inside(double b, double c, Span& s) const {
+  s = {-kFar, kFar};
+  if (std::fabs(ss_) < kLinear) {
+    if (std::fabs(b) < kLinear) return c <= 0;
+    (b > 0 ? s.high : s.low) = -c / (2 * b);
+    return true;
+  }
+  const double under = b * b - ss_ * c;
+  if (under < 0) return ss_ < 0;
+  const double root = std::sqrt(under);
+  const double first = (-b - root) / ss_;
+  const double second = (-b + root) / ss_;
+  if (ss_ > 0) {
+    s = {first, second};
+  } else {
+    (opens_upwards_ ? s.low : s.high) = opens_upwards_ ? first : second;
+  }
+  return true;
+}
+
+/// The solid where it stands at t.
+void Passage::at_time(const Line& line, double t, Feature side, Meeting& m) const {
+  Span s{};
+  if (!inside(line.s + st_ * t, line.rest + t * (2 * line.t + tt_ * t), s)) return;
+  Reach low{s.low, t, side};
+  Reach high{s.high, t, side};
+  if (!is_level_ && !is_whole_) {
+    const double z = line.at.z - t * way_.z;
+    const bool rises = along_.z > 0;
+    const double first = ((rises ? solid_.low : solid_.high) - z) / along_.z;
+    const double last = ((rises ? solid_.high : solid_.low) - z) / along_.z;
+    if (first > s.low) low = {first, t, rises ? Feature::low_face : Feature::high_face};
+    if (last < s.high) high = {last, t, rises ? Feature::high_face : Feature::low_face};
+  }
+  if (!(low.along <= high.along)) return;
+  include(m, low);
+  include(m, high);
+}
+
+/// What slides along a plane of the solid while it moves.
+void Passage::on_plane(const Line& line, double z, double square, bool is_low, Meeting& m) const {
+  const double s = (z - line.at.z) / along_.z;
+  const Vec3 y = line.at + s * along_;
+  const double c = flat_dot(y, y) - square;
+  const double b = flat_dot(y, slide_);
+  const double under = b * b - slide_square_ * c;
+  if (under < 0 || (slide_square_ < kStill && c > 0)) return;
+  const double root = slide_square_ < kStill ? kFar : std::sqrt(under) / slide_square_;
+  const double middle = slide_square_ < kStill ? 0 : -b / slide_square_;
+  const double from = std::max(0.0, middle - root);
+  const double to = std::min(1.0, middle + root);
+  if (!(from <= to)) return;
+  const Feature face = is_low ? Feature::low_face : Feature::high_face;
+  const Feature rim = is_low ? Feature::low_rim : Feature::high_rim;
+  include(m, {s + slide_along_ * from, from, from > 0 ? rim : face});
+  include(m, {s + slide_along_ * to, to, to < 1 ? rim : face});
+}
+
+/// The rim that level dexels meet at the time when a plane comes to them.
+Feature Passage::rim_at(double z, double t) const {
+  const double height = z - t * way_.z;
+  return std::fabs(height - solid_.low) <= std::fabs(height - solid_.high) ? Feature::low_rim
+                                                                           : Feature::high_rim;
+}
+
+bool Passage::meet(double b, double c, Meeting& m) const {
+  const Vec3 x = at(b, c);
+  Span t{0, 1};
+  bool from_rim = false;
+  bool to_rim = false;
+  if (is_level_ && !is_whole_ && !times_between_planes(x.z, t, from_rim, to_rim)) return false;
+  const Line line = this->line(x);
+  m.low.along = kFar;
+  m.high.along = -kFar;
+  bool complete = false;
+  if (has_extremes_ && !extremes(line, t, m, complete)) return false;
+  if (complete) return true;
+  at_time(line, t.low, from_rim ? rim_at(x.z, t.low) : Feature::side, m);
+  if (moves_) at_time(line, t.high, to_rim ? rim_at(x.z, t.high) : Feature::side, m);
+  if (moves_ && !is_level_ && !is_whole_) {
+    on_plane(line, solid_.low, low_square_, true, m);
+    on_plane(line, solid_.high, high_square_, false, m);
+  }
+  return m.low.along <= m.high.along;
+}
+
+Vec3 Passage::normal(const Reach& reach, double b, double c) const {
+  const Vec3 x = at(b, c) + (reach.along * along_ - reach.t * way_);
+  const Vec3 down{0, 0, -1};
+  const Vec3 side{x.x, x.y, -(solid_.bend * x.z + solid_.slope)};
+  const Vec3 rim{std::fabs(way_.z) * x.x, std::fabs(way_.z) * x.y,
+                 way_.z > 0 ? -flat_dot(way_, x) : flat_dot(way_, x)};
+  const bool is_rim = reach.feature == Feature::low_rim || reach.feature == Feature::high_rim;
+  const bool is_low = reach.feature == Feature::low_face || reach.feature == Feature::low_rim;
+  Vec3 n = is_low ? down : -1.0 * down;
+  if (reach.feature == Feature::side) n = side;
+  if (is_rim && std::fabs(way_.z) > kNear && dot(rim, rim) > 0) n = rim;
+  if (dot(n, n) == 0) n = down;
+  return frame_.outside(n);
+}
+
+}  // namespace kerf::stock

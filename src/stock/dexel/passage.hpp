@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/vec3.hpp"
+#include "stock/dexel/frame.hpp"
+#include "stock/dexel/solid.hpp"
+
+namespace kerf::stock {
+
+using geometry::Vec3;
+
+/// What of the moving solid bounds an end of a meeting.
+enum class Feature : std::uint8_t { side, low_face, high_face, low_rim, high_rim };
+
+/// An end of a meeting: place along the dexel, and how far the solid has gone then, in [0, 1].
+struct Reach {
+  double along = 0;
+  double t = 0;
+  Feature feature = Feature::side;
+};
+
+/// The piece of a dexel that a solid passes over.
+struct Meeting {
+  Reach low;
+  Reach high;
+};
+
+/// A solid that goes straight without turning, as the dexels of one direction see it. The points
+/// (s, t) for which the point at s along the dexel is in the solid at t are convex: a conic, cut by
+/// the two planes of the solid and by t = 0 and t = 1. Their extent in s is what the solid meets of
+/// the dexel, exactly; it ends at an extreme of the conic or on one of the four lines.
+class Passage {
+ public:
+  /// `tip`, `way`: from where, and by how much, in the frame of the dexels. `axis`: of the dexels.
+  Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int axis);
+
+  /// Of the dexel through (b, c) on the next axis and the one after that. False: it passes by.
+  [[nodiscard]] bool meet(double b, double c, Meeting& meeting) const;
+  /// Away from the solid, at an end of a meeting of the dexel through (b, c). Any length.
+  [[nodiscard]] Vec3 normal(const Reach& reach, double b, double c) const;
+
+ private:
+  struct Span {
+    double low;
+    double high;
+  };
+  /// Of the dexel: the form is ss s² + 2 st s t + tt t² + 2 s s + 2 t t + rest <= 0.
+  struct Line {
+    Vec3 at;
+    double s;
+    double t;
+    double rest;
+  };
+
+  [[nodiscard]] double form(Vec3 a, Vec3 b) const;
+  [[nodiscard]] Vec3 at(double b, double c) const;
+  [[nodiscard]] Line line(Vec3 x) const;
+  [[nodiscard]] bool times_between_planes(double z, Span& t, bool& low_clipped,
+                                          bool& high_clipped) const;
+  [[nodiscard]] bool extremes(const Line& line, Span t, Meeting& m, bool& complete) const;
+  void extreme(const Line& line, double s, Span t, Reach& reach, bool& found) const;
+  [[nodiscard]] bool inside(double b, double c, Span& s) const;
+  void at_time(const Line& line, double t, Feature side, Meeting& m) const;
+  void on_plane(const Line& line, double z, double square, bool is_low, Meeting& m) const;
+  [[nodiscard]] Feature rim_at(double z, double t) const;
+
+  Solid solid_;
+  Frame frame_;
+  Vec3 origin_;
+  Vec3 next_;
+  Vec3 after_;
+  Vec3 along_;
+  Vec3 way_;
+  double ss_, st_, tt_;
+  double left_ = 0;  ///< of ss, when t is the one that makes the form least
+  bool moves_ = false;
+  bool has_extremes_ = false;
+  bool is_level_ = false;  ///< dexels run along the planes
+  bool is_whole_ = false;
+  bool opens_upwards_ = false;  ///< r grows along the dexel
+  double low_square_, high_square_;
+  Vec3 slide_;  ///< in a plane of the solid, of the point where the dexel meets it
+  double slide_along_ = 0;
+  double slide_square_ = 0;
+};
+
+}  // namespace kerf::stock

@@ -44,13 +44,18 @@ Passage::Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int
       opens_upwards_(solid.second * along_.z > 0),
       low_square_(solid.radius_at(solid.low) * solid.radius_at(solid.low)),
       high_square_(solid.radius_at(solid.high) * solid.radius_at(solid.high)) {
+  if (ss_ > kLinear) per_ss_ = 1 / ss_;
+  if (std::fabs(way_.z) >= kParallel) per_rise_ = 1 / way_.z;
   if (!is_level_) {
+    per_up_ = 1 / along_.z;
     slide_along_ = way_.z / along_.z;
     slide_ = slide_along_ * along_ - way_;
     slide_square_ = flat_dot(slide_, slide_);
   }
   if (!moves_ || tt_ <= kParallel * dot(way_, way_)) return;
+  per_tt_ = 1 / tt_;
   left_ = ss_ - st_ * st_ / tt_;
+  if (std::fabs(left_) > kParallel) per_left_ = 1 / left_;
   has_extremes_ = true;
 }
 
@@ -58,17 +63,17 @@ double Passage::form(Vec3 a, Vec3 b) const { return flat_dot(a, b) - solid_.bend
 
 Vec3 Passage::at(double b, double c) const { return origin_ + (b * next_ + c * after_); }
 
-Passage::Line Passage::line(Vec3 x) const {
+Passage::Line Passage::line(double b, double c) const {
+  const Vec3 x = at(b, c);
   return {x, form(x, along_) - solid_.slope * along_.z, solid_.slope * way_.z - form(x, way_),
           form(x, x) - 2 * solid_.slope * x.z - solid_.square};
 }
 
 /// Along level dexels the height changes with t alone.
 bool Passage::times_between_planes(double z, Span& t, bool& low_clipped, bool& high_clipped) const {
-  const double w = way_.z;
-  if (std::fabs(w) < kParallel) return solid_.low <= z && z <= solid_.high;
-  const double a = (z - solid_.low) / w;
-  const double b = (z - solid_.high) / w;
+  if (per_rise_ == 0) return solid_.low <= z && z <= solid_.high;
+  const double a = (z - solid_.low) * per_rise_;
+  const double b = (z - solid_.high) * per_rise_;
   low_clipped = std::min(a, b) > t.low;
   high_clipped = std::max(a, b) < t.high;
   t = {std::max(t.low, std::min(a, b)), std::min(t.high, std::max(a, b))};
@@ -76,7 +81,7 @@ bool Passage::times_between_planes(double z, Span& t, bool& low_clipped, bool& h
 }
 
 void Passage::extreme(const Line& line, double s, Span t, Reach& reach, bool& found) const {
-  const double when = -(line.t + st_ * s) / tt_;
+  const double when = -(line.t + st_ * s) * per_tt_;
   if (!(when >= t.low && when <= t.high)) return;
   const double z = line.at.z + s * along_.z - when * way_.z;
   if (!is_whole_ && !(z >= solid_.low && z <= solid_.high)) return;
@@ -87,16 +92,16 @@ void Passage::extreme(const Line& line, double s, Span t, Reach& reach, bool& fo
 /// Where the form is 0 and does not change with t. False: the dexel passes by the whole straight
 /// line that the solid goes along.
 bool Passage::extremes(const Line& line, Span t, Meeting& m, bool& complete) const {
-  const double b = line.s - st_ * line.t / tt_;
-  const double c = line.rest - line.t * line.t / tt_;
+  const double b = line.s - st_ * line.t * per_tt_;
+  const double c = line.rest - line.t * line.t * per_tt_;
   const double under = b * b - left_ * c;
   if (std::fabs(left_) <= kParallel) return std::fabs(b) > kParallel || c <= 0;
   if (under < 0) return left_ < 0;
   const double root = std::sqrt(under);
   bool low = false;
   bool high = false;
-  extreme(line, (-b - root) / left_, t, m.low, low);
-  extreme(line, (-b + root) / left_, t, m.high, high);
+  extreme(line, (-b - root) * per_left_, t, m.low, low);
+  extreme(line, (-b + root) * per_left_, t, m.high, high);
   complete = low && high;
   if (low && !high) m.high = m.low;
   if (high && !low) m.low = m.high;
@@ -114,12 +119,10 @@ bool Passage::inside(double b, double c, Span& s) const {
   const double under = b * b - ss_ * c;
   if (under < 0) return ss_ < 0;
   const double root = std::sqrt(under);
-  const double first = (-b - root) / ss_;
-  const double second = (-b + root) / ss_;
   if (ss_ > 0) {
-    s = {first, second};
+    s = {(-b - root) * per_ss_, (-b + root) * per_ss_};
   } else {
-    (opens_upwards_ ? s.low : s.high) = opens_upwards_ ? first : second;
+    (opens_upwards_ ? s.low : s.high) = (opens_upwards_ ? -b - root : -b + root) / ss_;
   }
   return true;
 }
@@ -133,8 +136,8 @@ void Passage::at_time(const Line& line, double t, Feature side, Meeting& m) cons
   if (!is_level_ && !is_whole_) {
     const double z = line.at.z - t * way_.z;
     const bool rises = along_.z > 0;
-    const double first = ((rises ? solid_.low : solid_.high) - z) / along_.z;
-    const double last = ((rises ? solid_.high : solid_.low) - z) / along_.z;
+    const double first = ((rises ? solid_.low : solid_.high) - z) * per_up_;
+    const double last = ((rises ? solid_.high : solid_.low) - z) * per_up_;
     if (first > s.low) low = {first, t, rises ? Feature::low_face : Feature::high_face};
     if (last < s.high) high = {last, t, rises ? Feature::high_face : Feature::low_face};
   }
@@ -145,7 +148,7 @@ void Passage::at_time(const Line& line, double t, Feature side, Meeting& m) cons
 
 /// What slides along a plane of the solid while it moves.
 void Passage::on_plane(const Line& line, double z, double square, bool is_low, Meeting& m) const {
-  const double s = (z - line.at.z) / along_.z;
+  const double s = (z - line.at.z) * per_up_;
   const Vec3 y = line.at + s * along_;
   const double c = flat_dot(y, y) - square;
   const double b = flat_dot(y, slide_);
@@ -169,13 +172,58 @@ Feature Passage::rim_at(double z, double t) const {
                                                                            : Feature::high_rim;
 }
 
-bool Passage::meet(double b, double c, Meeting& m) const {
-  const Vec3 x = at(b, c);
+double Passage::value(const Line& line, double s, double t) const {
+  return s * (ss_ * s + 2 * (st_ * t + line.s)) + (t * (tt_ * t + 2 * line.t) + line.rest);
+}
+
+double Passage::least_at_s(const Line& line, double s, Span t) const {
+  return value(line, s, std::clamp(-(line.t + st_ * s) * per_tt_, t.low, t.high));
+}
+
+double Passage::least_at_t(const Line& line, double t, Span s) const {
+  return value(line, std::clamp(-(line.s + st_ * t) * per_ss_, s.low, s.high), t);
+}
+
+/// Of a form that is convex, over a rectangle: 0 or less inside of it, or on an edge that looks to
+/// where it is least of all.
+double Passage::least(const Line& line, Span s, Span t) const {
+  if (per_left_ == 0) {
+    return std::min({least_at_s(line, s.low, t), least_at_s(line, s.high, t),
+                     least_at_t(line, t.low, s), least_at_t(line, t.high, s)});
+  }
+  const double s0 = -(line.s - st_ * line.t * per_tt_) * per_left_;
+  const double t0 = -(line.t + st_ * s0) * per_tt_;
+  return std::min(least_at_s(line, std::clamp(s0, s.low, s.high), t),
+                  least_at_t(line, std::clamp(t0, t.low, t.high), s));
+}
+
+/// Where its planes ever are.
+void Passage::cut_by_planes(double z, Span& s) const {
+  const double a = (solid_.low - z) * per_up_;
+  const double b = (solid_.high - z) * per_up_;
+  s.low = std::max(s.low, std::min(a, b) + std::min(0.0, slide_along_));
+  s.high = std::min(s.high, std::max(a, b) + std::max(0.0, slide_along_));
+}
+
+bool Passage::may_meet(const Line& line, double low, double high) const {
+  Span s{low, high};
+  Span t{0, moves_ ? 1.0 : 0.0};
+  bool clipped = false;
+  if (is_level_ && !is_whole_ && !times_between_planes(line.at.z, t, clipped, clipped))
+    return false;
+  if (!is_level_ && !is_whole_) cut_by_planes(line.at.z, s);
+  if (s.low > s.high) return false;
+  if (!moves_) return ss_ <= kLinear || least_at_t(line, 0, s) <= 0;
+  if (!has_extremes_ || left_ < -kParallel) return true;
+  return least(line, s, t) <= 0;
+}
+
+bool Passage::meet(const Line& line, Meeting& m) const {
+  const Vec3& x = line.at;
   Span t{0, 1};
   bool from_rim = false;
   bool to_rim = false;
   if (is_level_ && !is_whole_ && !times_between_planes(x.z, t, from_rim, to_rim)) return false;
-  const Line line = this->line(x);
   m.low.along = kFar;
   m.high.along = -kFar;
   bool complete = false;

@@ -35,8 +35,23 @@ class Passage {
   /// `tip`, `way`: from where, and by how much, in the frame of the dexels. `axis`: of the dexels.
   Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int axis);
 
-  /// Of the dexel through (b, c) on the next axis and the one after that. False: it passes by.
-  [[nodiscard]] bool meet(double b, double c, Meeting& meeting) const;
+  /// A dexel as the solid sees it: ss s² + 2 st s t + tt t² + 2 s s + 2 t t + rest <= 0 where the
+  /// side of the solid holds the point at s when it has gone as far as t.
+  struct Line {
+    Vec3 at;
+    double s;
+    double t;
+    double rest;
+  };
+  /// The dexel through (b, c) on the next axis and the one after that.
+  [[nodiscard]] Line line(double b, double c) const;
+  /// False: it passes by.
+  [[nodiscard]] bool meet(const Line& line, Meeting& meeting) const;
+  [[nodiscard]] bool meet(double b, double c, Meeting& meeting) const {
+    return meet(line(b, c), meeting);
+  }
+  /// False: surely nothing between two places of the dexel is met. Costs a fifth of meet().
+  [[nodiscard]] bool may_meet(const Line& line, double low, double high) const;
   /// Away from the solid, at an end of a meeting of the dexel through (b, c). Any length.
   [[nodiscard]] Vec3 normal(const Reach& reach, double b, double c) const;
 
@@ -45,17 +60,13 @@ class Passage {
     double low;
     double high;
   };
-  /// Of the dexel: the form is ss s² + 2 st s t + tt t² + 2 s s + 2 t t + rest <= 0.
-  struct Line {
-    Vec3 at;
-    double s;
-    double t;
-    double rest;
-  };
-
   [[nodiscard]] double form(Vec3 a, Vec3 b) const;
   [[nodiscard]] Vec3 at(double b, double c) const;
-  [[nodiscard]] Line line(Vec3 x) const;
+  [[nodiscard]] double value(const Line& line, double s, double t) const;
+  [[nodiscard]] double least_at_s(const Line& line, double s, Span t) const;
+  [[nodiscard]] double least_at_t(const Line& line, double t, Span s) const;
+  [[nodiscard]] double least(const Line& line, Span s, Span t) const;
+  void cut_by_planes(double z, Span& s) const;
   [[nodiscard]] bool times_between_planes(double z, Span& t, bool& low_clipped,
                                           bool& high_clipped) const;
   [[nodiscard]] bool extremes(const Line& line, Span t, Meeting& m, bool& complete) const;
@@ -73,6 +84,7 @@ class Passage {
   Vec3 along_;
   Vec3 way_;
   double ss_, st_, tt_;
+  double per_tt_ = 0, per_ss_ = 0, per_left_ = 0, per_rise_ = 0, per_up_ = 0;
   double left_ = 0;  ///< of ss, when t is the one that makes the form least
   bool moves_ = false;
   bool has_extremes_ = false;

@@ -49,6 +49,17 @@ class Tile {
 
   /// mm of material between two places.
   [[nodiscard]] double overlap(std::size_t dexel, float low, float high) const;
+  /// Whether is_one(low, high) holds for any interval that reaches into a stretch.
+  template <class IsOne>
+  [[nodiscard]] bool has_piece(std::size_t dexel, float low, float high, IsOne&& is_one) const {
+    const DexelEnd* end = ends_.data() + dexels_[dexel].begin;
+    const DexelEnd* const after = end + dexels_[dexel].count;
+    while (end != after && end[1].at < low) end += 2;
+    for (; end != after && end->at <= high; end += 2) {
+      if (is_one(double{end[0].at}, double{end[1].at})) return true;
+    }
+    return false;
+  }
   struct Stretch {
     float low;
     float high;

@@ -54,7 +54,8 @@ TileWork::Window TileWork::window(const Bounds& box) const {
       within(lattice_.columns_in(on_axis(box.low, b), on_axis(box.high, b)), first_column_,
              tile_.columns()),
       within(lattice_.rows_in(on_axis(box.low, c), on_axis(box.high, c)), first_row_, tile_.rows()),
-      tile_.parts(on_axis(box.low, lattice_.axis), on_axis(box.high, lattice_.axis))};
+      tile_.parts(on_axis(box.low, lattice_.axis), on_axis(box.high, lattice_.axis)),
+      as_float(on_axis(box.low, lattice_.axis)), as_float(on_axis(box.high, lattice_.axis))};
 }
 
 /// act(place) says whether the dexel has changed.
@@ -105,7 +106,12 @@ void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& 
     return !around.meet(b, c, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
   };
   visit_blocks(window, skip, [&](const Place& place) {
-    return passage.meet(place.b, place.c, m) && act(place, m, passage);
+    const Passage::Line line = passage.line(place.b, place.c);
+    const auto may_meet = [&](double low, double high) {
+      return passage.may_meet(line, low, high);
+    };
+    return tile_.has_piece(place.dexel, window.low, window.high, may_meet) &&
+           passage.meet(line, m) && act(place, m, passage);
   });
 }
 

@@ -57,6 +57,8 @@ class TileWork {
     CellRange columns;
     CellRange rows;
     std::uint64_t parts = 0;
+    float low = 0;  ///< along the dexels
+    float high = 0;
   };
   struct Place {
     std::size_t dexel;

@@ -23,8 +23,6 @@ void include(Meeting& m, const Reach& reach) {
   if (reach.along > m.high.along) m.high = reach;
 }
 
-double flat_dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y; }
-
 }  // namespace
 
 Passage::Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int axis)
@@ -57,16 +55,6 @@ Passage::Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int
   left_ = ss_ - st_ * st_ / tt_;
   if (std::fabs(left_) > kParallel) per_left_ = 1 / left_;
   has_extremes_ = true;
-}
-
-double Passage::form(Vec3 a, Vec3 b) const { return flat_dot(a, b) - solid_.bend * (a.z * b.z); }
-
-Vec3 Passage::at(double b, double c) const { return origin_ + (b * next_ + c * after_); }
-
-Passage::Line Passage::line(double b, double c) const {
-  const Vec3 x = at(b, c);
-  return {x, form(x, along_) - solid_.slope * along_.z, solid_.slope * way_.z - form(x, way_),
-          form(x, x) - 2 * solid_.slope * x.z - solid_.square};
 }
 
 /// Along level dexels the height changes with t alone.
@@ -172,18 +160,6 @@ Feature Passage::rim_at(double z, double t) const {
                                                                            : Feature::high_rim;
 }
 
-double Passage::value(const Line& line, double s, double t) const {
-  return s * (ss_ * s + 2 * (st_ * t + line.s)) + (t * (tt_ * t + 2 * line.t) + line.rest);
-}
-
-double Passage::least_at_s(const Line& line, double s, Span t) const {
-  return value(line, s, std::clamp(-(line.t + st_ * s) * per_tt_, t.low, t.high));
-}
-
-double Passage::least_at_t(const Line& line, double t, Span s) const {
-  return value(line, std::clamp(-(line.s + st_ * t) * per_ss_, s.low, s.high), t);
-}
-
 /// Of a form that is convex, over a rectangle: 0 or less inside of it, or on an edge that looks to
 /// where it is least of all.
 double Passage::least(const Line& line, Span s, Span t) const {
@@ -205,6 +181,37 @@ void Passage::cut_by_planes(double z, Span& s) const {
   s.high = std::min(s.high, std::max(a, b) + std::max(0.0, slide_along_));
 }
 
+void Passage::follow(double margin_mm) {
+  const bool is_cylinder = !solid_.is_ball && solid_.second == 0;
+  follows_ = moves_ && (is_whole_ || is_cylinder);
+  margin_ = margin_mm;
+  const Vec3 ahead = is_whole_ ? way_ : Vec3{way_.x, way_.y, 0};
+  behind_ = margin_mm * std::sqrt(dot(ahead, ahead)) - (is_whole_ ? solid_.second * way_.z : 0);
+  ahead_ = ahead;
+  ahead_along_ = dot(ahead, along_);
+  per_ahead_ = std::fabs(ahead_along_) > kNear ? 1 / ahead_along_ : 0;
+}
+
+/// What is behind the middle of a ball, or behind the axis of a cylinder and beside it, was in it
+/// when it began.
+void Passage::cut_behind(Vec3 x, Span& s) const {
+  const double front = dot(x, ahead_) + behind_;
+  const bool is_beside = is_whole_ || (x.z >= solid_.low + 2 * margin_ &&
+                                       x.z <= solid_.high - 2 * margin_ + std::min(0.0, way_.z));
+  if (is_level_ && !is_beside) return;
+  if (per_ahead_ != 0 && (is_level_ || is_whole_)) {
+    const double edge = -front * per_ahead_;
+    ahead_along_ > 0 ? s.low = std::max(s.low, edge) : s.high = std::min(s.high, edge);
+  } else if (per_ahead_ == 0 && front < -kNear) {
+    if (is_level_ || is_whole_) {
+      s.high = s.low - 1;
+    } else {
+      const double face = (solid_.low + 2 * margin_ - x.z) * per_up_;
+      per_up_ > 0 ? s.high = std::min(s.high, face) : s.low = std::max(s.low, face);
+    }
+  }
+}
+
 bool Passage::may_meet(const Line& line, double low, double high) const {
   Span s{low, high};
   Span t{0, moves_ ? 1.0 : 0.0};
@@ -212,6 +219,7 @@ bool Passage::may_meet(const Line& line, double low, double high) const {
   if (is_level_ && !is_whole_ && !times_between_planes(line.at.z, t, clipped, clipped))
     return false;
   if (!is_level_ && !is_whole_) cut_by_planes(line.at.z, s);
+  if (follows_) cut_behind(line.at, s);
   if (s.low > s.high) return false;
   if (!moves_) return ss_ <= kLinear || least_at_t(line, 0, s) <= 0;
   if (!has_extremes_ || left_ < -kParallel) return true;

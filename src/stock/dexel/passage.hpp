@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "geometry/vec3.hpp"
@@ -44,7 +45,11 @@ class Passage {
     double rest;
   };
   /// The dexel through (b, c) on the next axis and the one after that.
-  [[nodiscard]] Line line(double b, double c) const;
+  [[nodiscard]] Line line(double b, double c) const {
+    const Vec3 x = at(b, c);
+    return {x, form(x, along_) - solid_.slope * along_.z, solid_.slope * way_.z - form(x, way_),
+            form(x, x) - 2 * solid_.slope * x.z - solid_.square};
+  }
   /// False: it passes by.
   [[nodiscard]] bool meet(const Line& line, Meeting& meeting) const;
   [[nodiscard]] bool meet(double b, double c, Meeting& meeting) const {
@@ -52,6 +57,11 @@ class Passage {
   }
   /// False: surely nothing between two places of the dexel is met. Costs a fifth of meet().
   [[nodiscard]] bool may_meet(const Line& line, double low, double high) const;
+  /// Whether may_meet() is all that can be said cheaply; else meet() says more.
+  [[nodiscard]] bool is_decisive() const { return is_whole_ || is_level_; }
+  /// From now on may_meet() leaves out what was surely in the solid where its way begins: the sweep
+  /// before this one ended there. `margin_mm`: for lines that stand for others so far away.
+  void follow(double margin_mm);
   /// Away from the solid, at an end of a meeting of the dexel through (b, c). Any length.
   [[nodiscard]] Vec3 normal(const Reach& reach, double b, double c) const;
 
@@ -60,13 +70,23 @@ class Passage {
     double low;
     double high;
   };
-  [[nodiscard]] double form(Vec3 a, Vec3 b) const;
-  [[nodiscard]] Vec3 at(double b, double c) const;
-  [[nodiscard]] double value(const Line& line, double s, double t) const;
-  [[nodiscard]] double least_at_s(const Line& line, double s, Span t) const;
-  [[nodiscard]] double least_at_t(const Line& line, double t, Span s) const;
+  [[nodiscard]] static double flat_dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y; }
+  [[nodiscard]] double form(Vec3 a, Vec3 b) const {
+    return flat_dot(a, b) - solid_.bend * (a.z * b.z);
+  }
+  [[nodiscard]] Vec3 at(double b, double c) const { return origin_ + (b * next_ + c * after_); }
+  [[nodiscard]] double value(const Line& line, double s, double t) const {
+    return s * (ss_ * s + 2 * (st_ * t + line.s)) + (t * (tt_ * t + 2 * line.t) + line.rest);
+  }
+  [[nodiscard]] double least_at_s(const Line& line, double s, Span t) const {
+    return value(line, s, std::clamp(-(line.t + st_ * s) * per_tt_, t.low, t.high));
+  }
+  [[nodiscard]] double least_at_t(const Line& line, double t, Span s) const {
+    return value(line, std::clamp(-(line.s + st_ * t) * per_ss_, s.low, s.high), t);
+  }
   [[nodiscard]] double least(const Line& line, Span s, Span t) const;
   void cut_by_planes(double z, Span& s) const;
+  void cut_behind(Vec3 x, Span& s) const;
   [[nodiscard]] bool times_between_planes(double z, Span& t, bool& low_clipped,
                                           bool& high_clipped) const;
   [[nodiscard]] bool extremes(const Line& line, Span t, Meeting& m, bool& complete) const;
@@ -95,6 +115,12 @@ class Passage {
   Vec3 slide_;  ///< in a plane of the solid, of the point where the dexel meets it
   double slide_along_ = 0;
   double slide_square_ = 0;
+  bool follows_ = false;
+  double margin_ = 0;
+  Vec3 ahead_;
+  double behind_ = 0;
+  double ahead_along_ = 0;
+  double per_ahead_ = 0;
 };
 
 }  // namespace kerf::stock

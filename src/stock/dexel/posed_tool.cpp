@@ -9,7 +9,7 @@ namespace kerf::stock {
 namespace {
 
 PosedSolid posed(const Solid& solid, const Frame& frame, double block_mm) {
-  return {solid, grown(solid, block_mm), reach_of(solid, frame)};
+  return {solid, grown(solid, block_mm), reach_of(solid, frame), block_mm};
 }
 
 std::vector<PosedSolid> posed(const std::vector<Solid>& solids, const Frame& frame,

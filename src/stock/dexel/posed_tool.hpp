@@ -25,8 +25,9 @@ struct Tool {
 /// A solid in a direction.
 struct PosedSolid {
   Solid solid;
-  Solid around;  ///< holds a block's dexels when its middle one is in
-  Bounds reach;  ///< of the solid, from the tip
+  Solid around;       ///< holds a block's dexels when its middle one is in
+  Bounds reach;       ///< of the solid, from the tip
+  double margin = 0;  ///< by which `around` is larger
 };
 
 /// A tool in a direction.

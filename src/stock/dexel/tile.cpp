@@ -13,6 +13,7 @@ Tile::Tile(int columns, int rows, double half_mm)
       scale_(32 / half_mm),
       dexels_(static_cast<std::size_t>(columns * rows)),
       blocks_(static_cast<std::size_t>(blocks_across_ * ((rows + kBlock - 1) / kBlock))) {
+  cuts_.resize(blocks_.size());
   free_.fill(kNone);
 }
 
@@ -91,6 +92,12 @@ std::uint64_t Tile::parts(double low, double high) const {
   const int from = static_cast<int>(std::clamp((low + half_) * scale_, 0.0, 63.0));
   const int to = static_cast<int>(std::clamp((high + half_) * scale_, 0.0, 63.0));
   return to < from ? 0 : (~std::uint64_t{0} >> (63 - to)) & (~std::uint64_t{0} << from);
+}
+
+Tile::Stretch Tile::stretch(std::uint64_t parts) const {
+  const double low = static_cast<double>(std::countr_zero(parts)) / scale_ - half_;
+  const double high = static_cast<double>(64 - std::countl_zero(parts)) / scale_ - half_;
+  return {static_cast<float>(low), static_cast<float>(high)};
 }
 
 void Tile::refresh_block(int column, int row) {

@@ -24,12 +24,19 @@ static_assert(sizeof(DexelEnd) == 12);
 
 /// A square of dexels: sorted lists of ends, two an interval, in one pool. Lists grow by doubling
 /// and give their old place to others, so that cutting needs no memory in the long run. Blocks of
-/// 8 x 8 dexels know in which 64ths of their length there is material at all.
+/// 4 x 4 dexels know in which 64ths of their length there is material at all.
 class Tile {
  public:
   static constexpr double kLeast_mm = 1e-5;  ///< of material; what is shorter is dropped
-  static constexpr int kBlock = 8;
+  static constexpr int kBlock = 4;
+  static constexpr std::uint8_t kCutsUnseen = 4;
   static constexpr std::size_t kMostEnds = 1U << 14;  ///< of a dexel
+
+  /// Of a dexel.
+  struct Stretch {
+    float low;
+    float high;
+  };
 
   Tile() = default;
   /// Empty dexels; `half_mm` of their length.
@@ -60,10 +67,6 @@ class Tile {
     }
     return false;
   }
-  struct Stretch {
-    float low;
-    float high;
-  };
   /// First and last place of material between two places; low > high: there is none.
   [[nodiscard]] Stretch touched_span(std::size_t dexel, float low, float high) const;
   /// Takes away what is between low and high, unless that is less than kLeast_mm; the length.
@@ -74,11 +77,18 @@ class Tile {
 
   /// 64ths of the length that a piece of it touches.
   [[nodiscard]] std::uint64_t parts(double low, double high) const;
+  /// From the first to the last of these parts, at least one.
+  [[nodiscard]] Stretch stretch(std::uint64_t parts) const;
   [[nodiscard]] std::uint64_t block_parts(int column, int row) const {
     return blocks_[block_of(column, row)];
   }
   /// Blocks know anew what they have. After fill(), and after cuts; it may wait.
   void refresh_block(int column, int row);
+  /// A dexel of a block was cut: every few times the block looks what it has left.
+  void note_cut(int column, int row) {
+    ++changes_;
+    if (++cuts_[block_of(column, row)] % kCutsUnseen == 0) refresh_block(column, row);
+  }
   void refresh();
 
   [[nodiscard]] std::uint32_t changes() const { return changes_; }
@@ -116,6 +126,7 @@ class Tile {
   std::vector<Dexel> dexels_;
   std::vector<DexelEnd> ends_;
   std::vector<std::uint64_t> blocks_;
+  std::vector<std::uint8_t> cuts_;  // of blocks
   std::array<std::uint32_t, 16> free_{};
 };
 

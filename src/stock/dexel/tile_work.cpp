@@ -71,9 +71,7 @@ void TileWork::visit_block(const Window& window, int column, int row, Act&& act)
       ++visited_;
     }
   }
-  if (!changed) return;
-  tile_.refresh_block(column, row);
-  tile_.mark_changed();
+  if (changed) tile_.note_cut(column, row);
 }
 
 /// skip(b, c, parts): nothing of a block around (b, c), with material in these parts, is met.
@@ -96,14 +94,23 @@ void TileWork::visit_blocks(const Window& window, Skip&& skip, Act&& act) {
 
 /// act(place, meeting, passage).
 template <class Act>
-void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke, Act&& act) {
+void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke,
+                     bool follows, Act&& act) {
   const Window window = this->window(swept(solid.reach, stroke.from, stroke.way));
   if (window.columns.first > window.columns.last || window.rows.first > window.rows.last) return;
-  const Passage passage(solid.solid, frame, stroke.from, stroke.way, lattice_.axis);
-  const Passage around(solid.around, frame, stroke.from, stroke.way, lattice_.axis);
+  Passage passage(solid.solid, frame, stroke.from, stroke.way, lattice_.axis);
+  Passage around(solid.around, frame, stroke.from, stroke.way, lattice_.axis);
+  if (follows) {
+    passage.follow(0);
+    around.follow(solid.margin);
+  }
   Meeting m;
   const auto skip = [&](double b, double c, std::uint64_t parts) {
-    return !around.meet(b, c, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
+    const Passage::Line line = around.line(b, c);
+    const Tile::Stretch stretch = tile_.stretch(parts & window.parts);
+    if (!around.may_meet(line, double{stretch.low}, double{stretch.high})) return true;
+    if (around.is_decisive()) return false;
+    return !around.meet(line, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
   };
   visit_blocks(window, skip, [&](const Place& place) {
     const Passage::Line line = passage.line(place.b, place.c);
@@ -145,15 +152,18 @@ void TileWork::cut(const Task& task, Tally& tally) {
 }
 
 void TileWork::cut_edges(const Task& task, const Across& across, Outcome& outcome) {
+  bool follows = task.follows;
   for (const Stroke& stroke : task.strokes) {
     for (const PosedSolid& solid : task.posed->solids) {
-      if (solid.solid.part == ToolPart::edge) cut_solid(task, solid, stroke, across, outcome);
+      if (solid.solid.part != ToolPart::edge) continue;
+      cut_solid(task, solid, stroke, follows, across, outcome);
     }
+    follows = true;
   }
 }
 
 void TileWork::cut_solid(const Task& task, const PosedSolid& solid, const Stroke& stroke,
-                         const Across& across, Outcome& outcome) {
+                         bool follows, const Across& across, Outcome& outcome) {
   if (turning(task) != nullptr) {
     const auto meets = [&](const Place& place, const Meeting& m) {
       return tile_.overlap(place.dexel, as_float(m.low.along), as_float(m.high.along)) >=
@@ -170,9 +180,10 @@ void TileWork::cut_solid(const Task& task, const PosedSolid& solid, const Stroke
   if (counts && dot(stroke.way, posed.frame.up) < -kDown_mm) {
     core.emplace(posed.core->solid, posed.frame, stroke.from, stroke.way, lattice_.axis);
   }
-  visit(solid, posed.frame, stroke, [&](const Place& p, const Meeting& m, const Passage& by) {
-    return take(task, p, m, by, core ? &*core : nullptr, across, outcome);
-  });
+  visit(solid, posed.frame, stroke, follows,
+        [&](const Place& p, const Meeting& m, const Passage& by) {
+          return take(task, p, m, by, core ? &*core : nullptr, across, outcome);
+        });
 }
 
 bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting,
@@ -248,7 +259,7 @@ void TileWork::find_contacts(const Task& task, ToolPart part) {
                  return false;
                };
                if (turning(task) == nullptr) {
-                 visit(solid, task.posed->frame, stroke, act);
+                 visit(solid, task.posed->frame, stroke, false, act);
                  return;
                }
                const auto meets = [&](const Place& place, const Meeting& m) {
@@ -292,7 +303,7 @@ void TileWork::remove_contacts(const Task& task, ToolPart part, Outcome& outcome
   each_solid(task, task.posed->solids, part,
              [&](const PosedSolid& solid, const Stroke& stroke, std::uint32_t) {
                if (turning(task) == nullptr) {
-                 visit(solid, task.posed->frame, stroke, act);
+                 visit(solid, task.posed->frame, stroke, false, act);
                  return;
                }
                const auto meets = [&](const Place& place, const Meeting&) {
@@ -340,11 +351,12 @@ void TileWork::tell_contacts(const Task& task, ToolPart part, Tally& tally) {
 bool TileWork::meets(const PosedTool& posed, const Stroke& stroke) {
   bool met = false;
   for (const PosedSolid& solid : posed.solids) {
-    visit(solid, posed.frame, stroke, [&](const Place& place, const Meeting& m, const Passage&) {
-      met |= tile_.overlap(place.dexel, as_float(m.low.along), as_float(m.high.along)) >=
-             Tile::kLeast_mm;
-      return false;
-    });
+    visit(solid, posed.frame, stroke, false,
+          [&](const Place& place, const Meeting& m, const Passage&) {
+            met |= tile_.overlap(place.dexel, as_float(m.low.along), as_float(m.high.along)) >=
+                   Tile::kLeast_mm;
+            return false;
+          });
     if (met) return true;
   }
   return false;

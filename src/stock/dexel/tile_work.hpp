@@ -22,6 +22,9 @@ struct Task {
   std::size_t number = 0;  ///< of its outcome
   int main_axis = 2;       ///< of the dexels that look along the tool best: they count volumes
   double turn_tolerance_mm = 0;
+  /// The sweep before this one cut with the same body in the same direction and ended where this
+  /// one begins.
+  bool follows = false;
 };
 
 /// A contact that dexels across the tool saw.
@@ -79,12 +82,13 @@ class TileWork {
   template <class Skip, class Act>
   void visit_blocks(const Window& window, Skip&& skip, Act&& act);
   template <class Act>
-  void visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke, Act&& act);
+  void visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke, bool follows,
+             Act&& act);
   template <class Meets, class Act>
   void visit_turn(const Task& task, const Solid& solid, Meets&& meets, Act&& act);
 
   void cut_edges(const Task& task, const Across& across, Outcome& outcome);
-  void cut_solid(const Task& task, const PosedSolid& solid, const Stroke& stroke,
+  void cut_solid(const Task& task, const PosedSolid& solid, const Stroke& stroke, bool follows,
                  const Across& across, Outcome& outcome);
   bool take(const Task& task, const Place& place, const Meeting& meeting, const Passage& passage,
             const Passage* core, const Across& across, Outcome& outcome);

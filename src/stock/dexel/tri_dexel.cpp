@@ -77,6 +77,18 @@ bool is_sound(std::span<const DexelEnd> ends, double half) {
 
 }  // namespace
 
+bool TriDexel::Trail::goes_on(const Sweep& sweep) const {
+  const bool is_fixed = !std::holds_alternative<TurningWay>(sweep.way);
+  return is_cut && is_fixed && sweep.body == body && sweep.axis == axis &&
+         point_at(sweep.way, 0) == tip;
+}
+
+TriDexel::Trail TriDexel::Trail::after(const Sweep& sweep, bool cuts) {
+  const bool is_fixed = !std::holds_alternative<TurningWay>(sweep.way);
+  return {cuts && is_fixed && sweep.kind == SweepKind::cut, sweep.body, sweep.axis,
+          point_at(sweep.way, 1)};
+}
+
 struct TriDexel::Threads {
   explicit Threads(unsigned jobs)
       : arena(jobs == 0 ? tbb::task_arena::automatic : static_cast<int>(std::min(jobs, 256U))) {}
@@ -309,6 +321,8 @@ void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcom
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     const std::span<const Stroke> strokes(call.strokes.data() + begin[i], begin[i + 1] - begin[i]);
     call.tasks.push_back(prepare.task(sweeps[i], i, strokes, call.posed));
+    call.tasks.back().follows = trail_.goes_on(sweeps[i]);
+    trail_ = Trail::after(sweeps[i], tools_[sweeps[i].body].body.cuts);
     const Bounds box = prepare.box(call.tasks.back());
     for (std::size_t g = 0; g < 3; ++g) {
       grids_[g]->each_in(
@@ -478,6 +492,7 @@ bool TriDexel::restore(int grid, std::size_t number, const TileState& state) {
     to.fill(i, std::span(state.ends).subspan(begin, state.counts[i]));
     begin += state.counts[i];
   }
+  trail_ = {};
   to.refresh();
   to.mark_changed();
   return true;

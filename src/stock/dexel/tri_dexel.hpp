@@ -75,6 +75,17 @@ class TriDexel final : public Model {
   struct Call;
   struct Threads;
 
+  /// Where the last sweep ended: what is in the tool there is gone.
+  struct Trail {
+    bool is_cut = false;
+    BodyId body = 0;
+    Vec3 axis;
+    Vec3 tip;
+
+    [[nodiscard]] bool goes_on(const Sweep& sweep) const;
+    [[nodiscard]] static Trail after(const Sweep& sweep, bool cuts);
+  };
+
   void make_grid(int axis, const Shape& shape, double cell_mm);
   void fill(Grid& grid, const Shape& shape);
   void cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes);
@@ -91,6 +102,7 @@ class TriDexel final : public Model {
   double block_ = 0;  ///< from the middle of a block to its corner, mm
   std::unique_ptr<Threads> threads_;
   std::deque<struct Tool> tools_;
+  Trail trail_;
 };
 
 }  // namespace kerf::stock

@@ -12,6 +12,7 @@ constexpr double kStill = 1e-18;     // mm²: it does not move
 constexpr double kParallel = 1e-12;  // of squares of sines
 constexpr double kLevel = 1e-9;      // of sines: dexels along the planes of a solid
 constexpr double kLinear = 1e-14;    // a coefficient of a square that is rounding
+constexpr double kGraze = 1e-10;     // mm²: touched from aside, up to rounding
 constexpr double kNear = 1e-9;       // mm, between a rim and its plane
 
 Vec3 unit_of(int axis) {
@@ -84,7 +85,7 @@ bool Passage::extremes(const Line& line, Span t, Meeting& m, bool& complete) con
   const double c = line.rest - line.t * line.t * per_tt_;
   const double under = b * b - left_ * c;
   if (std::fabs(left_) <= kParallel) return std::fabs(b) > kParallel || c <= 0;
-  if (under < 0) return left_ < 0;
+  if (under <= kGraze * std::max(0.0, left_)) return left_ < 0;
   const double root = std::sqrt(under);
   bool low = false;
   bool high = false;
@@ -105,7 +106,7 @@ bool Passage::inside(double b, double c, Span& s) const {
     return true;
   }
   const double under = b * b - ss_ * c;
-  if (under < 0) return ss_ < 0;
+  if (under <= kGraze * std::max(0.0, ss_)) return ss_ < 0;
   const double root = std::sqrt(under);
   if (ss_ > 0) {
     s = {(-b - root) * per_ss_, (-b + root) * per_ss_};

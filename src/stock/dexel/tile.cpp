@@ -67,8 +67,7 @@ void Tile::fill(std::size_t dexel, std::span<const DexelEnd> ends) {
 
 Tile::Piece Tile::touched(const Dexel& dexel, float low, float high) const {
   const DexelEnd* ends = ends_.data() + dexel.begin;
-  std::size_t first = 0;
-  while (first < dexel.count && ends[first + 1].at <= low) first += 2;
+  const std::size_t first = first_above(dexel, low);
   Piece piece{first, first, 0};
   for (; piece.after < dexel.count && ends[piece.after].at < high; piece.after += 2) {
     piece.removed += double{std::min(ends[piece.after + 1].at, high)} -

@@ -61,7 +61,7 @@ class Tile {
   [[nodiscard]] bool has_piece(std::size_t dexel, float low, float high, IsOne&& is_one) const {
     const DexelEnd* end = ends_.data() + dexels_[dexel].begin;
     const DexelEnd* const after = end + dexels_[dexel].count;
-    while (end != after && end[1].at < low) end += 2;
+    end += first_above(dexels_[dexel], low);
     for (; end != after && end->at <= high; end += 2) {
       if (is_one(double{end[0].at}, double{end[1].at})) return true;
     }
@@ -106,10 +106,23 @@ class Tile {
     std::size_t after;
     double removed;
   };
+  static constexpr std::size_t kFew = 16;  // ends that are quicker passed than searched
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   [[nodiscard]] std::size_t block_of(int column, int row) const {
     return static_cast<std::size_t>((row / kBlock) * blocks_across_ + column / kBlock);
+  }
+  /// Number of the first end of the first interval that reaches above a place.
+  [[nodiscard]] std::size_t first_above(const Dexel& dexel, float low) const {
+    const DexelEnd* ends = ends_.data() + dexel.begin;
+    std::size_t first = 0;
+    if (dexel.count > kFew) {
+      const DexelEnd* above = std::upper_bound(
+          ends, ends + dexel.count, low, [](float at, const DexelEnd& end) { return at < end.at; });
+      first = static_cast<std::size_t>(above - ends) & ~std::size_t{1};
+    }
+    while (first < dexel.count && ends[first + 1].at <= low) first += 2;
+    return first;
   }
   [[nodiscard]] Piece touched(const Dexel& dexel, float low, float high) const;
   /// Makes room for `size` ends; those that are there stay.

@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -91,7 +92,9 @@ TriDexel::Trail TriDexel::Trail::after(const Sweep& sweep, bool cuts) {
 
 struct TriDexel::Threads {
   explicit Threads(unsigned jobs)
-      : arena(jobs == 0 ? tbb::task_arena::automatic : static_cast<int>(std::min(jobs, 256U))) {}
+      : arena(jobs == 0 ? tbb::info::default_concurrency()
+                        : std::min(static_cast<int>(std::min(jobs, 4096U)),
+                                   tbb::info::default_concurrency())) {}
 
   /// work(i) for i below count, each once, in any order.
   template <class Work>

@@ -27,7 +27,8 @@ namespace kerf::stock {
 /// grid that stock.md §3 chooses, so the sum of what was removed may differ by error_mm3().
 class TriDexel final : public Model {
  public:
-  /// `cell_mm`: the largest cell; cells fill the box. `jobs`: threads, 0: all there are.
+  /// `cell_mm`: the largest cell; cells fill the box. `jobs`: threads, at most one a
+  /// processor; 0: that many.
   /// Precondition: low < high on every axis, cell_mm > 0, bytes_for() can be had.
   TriDexel(const Shape& shape, double cell_mm, unsigned jobs);
   ~TriDexel() override;

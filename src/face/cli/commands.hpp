@@ -40,6 +40,7 @@ struct RunOptions : CommonOptions {
   std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
   std::vector<double> interrupt_at;  ///< s of the run, each >= 0
   std::string tools;
+  std::string tools_unit = "mm";  ///< of a table that says none: "mm" or "inch"
   std::string offsets;
   std::string state;
   std::string block_skip;

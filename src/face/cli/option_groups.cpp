@@ -94,7 +94,11 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
                "the interrupt signal of M96 comes at this time of the run; may be repeated"))
       ->type_name("SECONDS")
       ->check(not_negative());
-  run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
+  run.add_option("--tools", o.tools, "tools: TOML, G10 blocks, tool.tbl, a library of a CAM system")
+      ->type_name("FILE");
+  run.add_option("--tools-unit", o.tools_unit, "unit of a tool table that says none: mm or inch")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
   run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
   run.add_option("--state", o.state,
                  "permanent memory of the control, read before and written after the run")

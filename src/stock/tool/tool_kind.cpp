@@ -139,7 +139,9 @@ const KindKey* KindRow::key(Measure measure) const {
 }
 
 bool is_common(Measure measure) {
-  constexpr std::array<M, 4> kCommon = {M::length, M::flute_length, M::stickout, M::flutes};
+  // Nose and tip are those of its offset, too, whatever it is.
+  constexpr std::array<M, 6> kCommon = {M::length, M::flute_length, M::stickout,
+                                        M::flutes, M::nose_radius,  M::tip};
   return std::find(kCommon.begin(), kCommon.end(), measure) != kCommon.end();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/decimal.hpp"
+#include "machine/definition/tools/internal/library_builder.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -16,10 +17,7 @@ constexpr double kUsualDiameter_mm = 6;
 constexpr double kUsualNose_mm = 0.4;
 constexpr int kUsualTip = 3;
 
-void set_kind(Tool& tool, ToolKind kind) {
-  tool.kind = kind;
-  tool.type = stock::row_of(kind).names.front();
-}
+void set_kind(Tool& tool, ToolKind kind) { set_type(tool, stock::row_of(kind).names.front()); }
 
 bool has_offset(const ToolUse& use) {
   return use.turns ? use.offset_nose_mm > 0 || use.offset_tip > 0 : use.offset_radius_mm > 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/decimal.hpp"
+#include "machine/definition/tools/internal/library_builder.hpp"
 #include "machine/definition/tools/internal/program_lines.hpp"
 #include "machine/definition/tools/tool_tables.hpp"
 #include "machine/definition/tools/tool_words.hpp"
@@ -17,15 +18,8 @@ using stock::Measure;
 using stock::Tool;
 using stock::ToolKind;
 
-constexpr double kMmPerInch = 25.4;
 constexpr std::size_t kMostTools = 1000;
 constexpr std::string_view kMill = "TOOL/MILL,";
-
-void set_kind(Tool& tool, std::string_view type) {
-  const stock::NamedKind named = stock::kind_named(type);
-  tool.kind = named.row->kind;
-  tool.type = named.name;
-}
 
 // As CAM systems write it: the tip of a drill as a whole, the side of a chamfer to the axis.
 void set_taper(Tool& tool, double degrees) {
@@ -43,7 +37,7 @@ void set_corner(Tool& tool, double radius) {
 
 // A bull mill whose corner nobody has said is a flat one.
 void settle(Tool& tool) {
-  if (tool.kind == ToolKind::bull && !tool.said(Measure::corner_radius)) set_kind(tool, "flat");
+  if (tool.kind == ToolKind::bull && !tool.said(Measure::corner_radius)) set_type(tool, "flat");
 }
 
 std::optional<Tool> shaped(Tool tool) {
@@ -72,7 +66,7 @@ std::optional<Tool> described(std::string_view comment, int number, double mm_pe
   const double own = names_itself ? *named : number;
   if (!(own >= 0 && own <= kLargestToolNumber)) return {};
   Tool tool = tool_of(static_cast<int>(own), comment);
-  if (kind.row != nullptr) set_kind(tool, kind.name);
+  if (kind.row != nullptr) set_type(tool, kind.name);
   tool.measures.set(Measure::diameter, *diameter * mm_per_unit);
   if (const auto corner = number_behind("CR", comment)) set_corner(tool, *corner * mm_per_unit);
   if (const auto taper = number_behind("TAPER=", comment)) set_taper(tool, *taper);
@@ -94,7 +88,7 @@ std::optional<Tool> listed(std::string_view comment, int number, double mm_per_u
   Tool tool = tool_of(number, comment);
   const auto [diameter, corner, height, side] = values;
   static_cast<void>(height);
-  set_kind(tool, side > 0                 ? "taper"
+  set_type(tool, side > 0                 ? "taper"
                  : 2 * corner >= diameter ? "ball"
                  : corner > 0             ? "bull"
                                           : "flat");

@@ -65,7 +65,8 @@ ProgramLine::ProgramLine(std::string_view line, bool has_offset_in_t) {
     }
     const std::size_t begin = ++i;
     while (i < line.size() && is_digit(line[i])) ++i;
-    if (i > begin) take_word(folded(line[begin - 1]), line.substr(begin, i - begin), has_offset_in_t);
+    if (i > begin)
+      take_word(folded(line[begin - 1]), line.substr(begin, i - begin), has_offset_in_t);
   }
 }
 

@@ -61,7 +61,7 @@ ROOMS = {
     "output/records": ["output/picture", "output/programs"],
     "output/reports": ["output/writing"],
     "engraver": ["machine/run", "output/picture", "output/reports"],
-    "job": ["machine/run", "output/records", "output/reports", "stock/field"],
+    "job": ["machine/run", "output/records", "output/reports", "stock/field", "stock/dexel"],
     "training": ["job"],
     "face/server/protocol": ["machine/panel", "output/writing"],
     "face/server/store": ["face/server/protocol"],

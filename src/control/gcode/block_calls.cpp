@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "control/core/assumed.hpp"
+
 namespace kerf::control {
 namespace {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -147,13 +147,15 @@ TEST(Offset, PassesOverNotchesOfTenNanometres) {
 
 // --- 100,000 vertices ----------------------------------------------------------------------------
 
-// A second of ordinary work; a quadratic step takes minutes.
-constexpr double kLongest_s = 15;
+// How much longer than the ordinary work of as many vertices: a quadratic step takes thousands of
+// times.
+constexpr double kMostTimes = 100;
 
+/// Of the processor: what else the computer does is none of it.
 double seconds_of(const std::function<void()>& work) {
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 constexpr int kMany = 100'000;
@@ -166,6 +168,13 @@ Contour large_star(double inner, double outer) {
     contour.vertices.push_back({{reach * std::cos(angle), reach * std::sin(angle)}});
   }
   return contour;
+}
+
+/// A disc of as many vertices as all others have, made and grown.
+double ordinary_seconds() {
+  static const double seconds =
+      seconds_of([] { EXPECT_FALSE(offset(region_of(large_star(100, 100)), 1).is_empty()); });
+  return seconds;
 }
 
 Contour comb(double angle_rad) {
@@ -202,7 +211,7 @@ TEST(Large, CombsSpiralsAndStarsAreNotQuadratic) {
     EXPECT_EQ(offset(region_of(spiral()), 0.05).loops.size(), 1U);
     EXPECT_EQ(vertex_count(region_of(large_star(5, 100))), std::size_t{kMany});
   });
-  EXPECT_LT(seconds, kLongest_s);
+  EXPECT_LT(seconds, kMostTimes * ordinary_seconds());
 }
 
 TEST(Large, CirclesOfLinesShrinkToNothingWithoutAKnot) {
@@ -213,7 +222,7 @@ TEST(Large, CirclesOfLinesShrinkToNothingWithoutAKnot) {
     EXPECT_TRUE(offset(round, -100.1).is_empty());
     EXPECT_TRUE(offset(round, -200).is_empty());
   });
-  EXPECT_LT(seconds, kLongest_s);
+  EXPECT_LT(seconds, kMostTimes * ordinary_seconds());
 }
 
 TEST(Large, ManyEqualEdgesAreOne) {
@@ -232,7 +241,7 @@ TEST(Large, ManyEqualEdgesAreOne) {
     EXPECT_EQ(vertex_count(unite(pile)), 4U);
     EXPECT_EQ(vertex_count(unite(row)), 4U);
   });
-  EXPECT_LT(seconds, kLongest_s);
+  EXPECT_LT(seconds, kMostTimes * ordinary_seconds());
 }
 
 TEST(Large, LoopsInLoopsKeepTheirPlaces) {
@@ -247,7 +256,7 @@ TEST(Large, LoopsInLoopsKeepTheirPlaces) {
     EXPECT_EQ(same.loops.size(), 5000U);
     EXPECT_NEAR(area(same), area(rings), 1e-6);
   });
-  EXPECT_LT(seconds, kLongest_s);
+  EXPECT_LT(seconds, kMostTimes * ordinary_seconds());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "job/job.hpp"
 #include "machine/definition/stock_words.hpp"
@@ -17,6 +19,11 @@ struct StockJob {
   Job job;
   machine::StockWord shape{};
   machine::StockZero zero{};
+  struct NamedShape {
+    std::string name;
+    stock::Workpiece shape;
+  };
+  std::vector<NamedShape> fixtures{};
   StockModel model = StockModel::automatic;
   std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool
   std::size_t memory_bytes = 1024UL << 20;  ///< of the model

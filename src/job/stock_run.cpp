@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "job/internal/fixture.hpp"
 #include "job/internal/motion_times.hpp"
 #include "job/internal/run_rack.hpp"
 #include "job/internal/stock_models.hpp"
@@ -40,6 +41,7 @@ class Pass final : public motion::MotionSink {
     cutter_.emplace(axes(), frame_, *model_, *rack_,
                     stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
                                             .is_placed = placed_when(job),
+                                            .obstacles = obstacles_of(job),
                                             .has_tool = plan_.without_changes});
     run_->machine().add_sink(*this);
     status_ = run_->go();
@@ -106,6 +108,14 @@ class Pass final : public motion::MotionSink {
   }
 
  private:
+  [[nodiscard]] std::vector<stock::Obstacle*> obstacles_of(const StockJob& job) {
+    std::vector<stock::Obstacle*> obstacles;
+    for (const StockJob::NamedShape& one : job.fixtures) {
+      fixtures_.push_back(std::make_unique<Fixture>(one.name, one.shape, plan_.cell_mm));
+      obstacles.push_back(fixtures_.back().get());
+    }
+    return obstacles;
+  }
   /// stock.md §2.5.
   [[nodiscard]] std::function<bool()> placed_when(const StockJob& job) const {
     if (job.checks_start) return {};
@@ -137,6 +147,7 @@ class Pass final : public motion::MotionSink {
   stock::WorkFrame frame_;
   std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
+  std::vector<std::unique_ptr<Fixture>> fixtures_;
   std::optional<stock::Cutter> cutter_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};

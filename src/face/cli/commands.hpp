@@ -65,6 +65,7 @@ struct StockOptions {
   RunOptions run;  ///< without outputs
   std::string stock = "extents";
   std::string zero = "auto";
+  std::vector<std::string> fixtures;
   std::string model = "auto";
   std::string cell;    ///< mm; empty: by the tools
   std::string memory;  ///< MiB; empty: 1024

@@ -55,6 +55,14 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
   auto zero = machine::stock_zero(options.zero);
   if (!zero) return tl::unexpected(zero.error());
   job.zero = *zero;
+  for (const std::string& words : options.fixtures) {
+    auto fixture = machine::stock_word(words, "--fixture");
+    if (!fixture) return tl::unexpected(fixture.error());
+    const auto* const piece = std::get_if<stock::Workpiece>(&*fixture);
+    if (piece == nullptr)
+      return base::usage("--fixture " + words + ": a box, a cylinder or a tube is expected");
+    job.fixtures.push_back({words, *piece});
+  }
   job.model = model_named(options.model);
   if (!options.cell.empty()) {
     job.cell_mm = base::read_number(options.cell).value_or(0);

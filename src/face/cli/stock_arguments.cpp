@@ -24,6 +24,9 @@ void add_stock(CLI::App& app, StockOptions& o) {
                    "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
                    "one in force at the first cut; default auto")
       ->type_name("SYSTEM");
+  repeated(stock->add_option("--fixture", o.fixtures,
+                             "what must not be touched, in the same words; may be repeated"))
+      ->type_name("SHAPE");
   stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
       ->type_name("KIND")
       ->check(CLI::IsMember({"auto", "zmap", "tridexel"}));

@@ -53,8 +53,6 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
                     : "every tool stands along Z, and none has an undercut";
 }
 
-namespace {
-
 stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
   const auto* const round = std::get_if<stock::CylinderShape>(&piece);
   if (round == nullptr) return stock::dexel::box_shape(stock::bounds(piece));
@@ -68,6 +66,8 @@ stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
                                     .radius_mm = round->diameter / 2,
                                     .inner_mm = round->inner_diameter / 2});
 }
+
+namespace {
 
 /// What a model of this kind takes before the first cut.
 double bytes_for(const StockPlan& plan, double cell_mm) {

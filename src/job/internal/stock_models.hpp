@@ -7,11 +7,15 @@
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
 #include "output/reports/stock_facts.hpp"
+#include "stock/dexel/shape.hpp"
 
 namespace kerf::job {
 
 /// Says which model holds the part and why, by what is known before it is cut.
 void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& plan);
+
+/// A shape as dexels have it.
+[[nodiscard]] stock::dexel::Shape dexels_of(const stock::Workpiece& piece);
 
 struct MadeModel {
   std::unique_ptr<stock::Model> model;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "math/math.hpp"
 
@@ -29,6 +30,17 @@ bool goes_across(const Sweep& sweep) {
     return geometry::length(geometry::cross(way, sweep.axis)) > kAcross_mm;
   }
   return true;
+}
+
+/// All contacts as one, and the part of the deepest.
+std::pair<Contact, std::size_t> deepest(const std::array<Contact, kToolParts>& contacts) {
+  Contact all;
+  std::size_t part = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i].depth_mm > all.depth_mm) part = i;
+    all.add(contacts[i]);
+  }
+  return {all, part};
 }
 
 /// Farthest point of the body from its tip.
@@ -140,6 +152,7 @@ void Cutter::cut_batch() {
 void Cutter::judge(const Waiting& of, const Outcome& outcome) {
   removed_ += outcome.removed;
   visited_ += outcome.visited;
+  judge_obstacles(of);
   if (of.kind == SweepKind::rapid) {
     judge_rapid(of, outcome);
   } else {
@@ -147,13 +160,20 @@ void Cutter::judge(const Waiting& of, const Outcome& outcome) {
   }
 }
 
-void Cutter::judge_rapid(const Waiting& of, const Outcome& outcome) {
-  Contact worst;
-  std::size_t part = 0;
-  for (std::size_t i = 0; i < kToolParts; ++i) {
-    if (outcome.contacts[i].depth_mm > worst.depth_mm) part = i;
-    worst.add(outcome.contacts[i]);
+void Cutter::judge_obstacles(const Waiting& of) {
+  const std::span<const Sweep> sweeps(sweeps_.data() + of.first, of.end - of.first);
+  for (Obstacle* const obstacle : settings_.obstacles) {
+    const Obstacle::Contacts contacts = obstacle->meet(sweeps, rack_.tool(of.tool).body);
+    const auto [worst, part] = deepest(contacts);
+    if (!worst.is_one()) continue;
+    find(Code::fixture_collision, of, worst,
+         fmt::format("the {} of T{} {:.3f} mm deep in {}", kPartNames[part], of.tool,
+                     worst.depth_mm, obstacle->name()));
   }
+}
+
+void Cutter::judge_rapid(const Waiting& of, const Outcome& outcome) {
+  const auto [worst, part] = deepest(outcome.contacts);
   if (worst.is_one()) {
     find(Code::rapid_in_stock, of, worst,
          fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], of.tool, worst.depth_mm));

@@ -10,6 +10,7 @@
 #include "motion/move_curves.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/findings.hpp"
+#include "stock/cutting/obstacle.hpp"
 #include "stock/cutting/sweep_maker.hpp"
 #include "stock/cutting/tool_record.hpp"
 #include "stock/sweep/model.hpp"
@@ -26,6 +27,7 @@ class Cutter final : public motion::MotionSink {
     /// have been commanded, which this tells, or from the first move at feed. Empty: from the
     /// start.
     std::function<bool()> is_placed{};
+    std::vector<Obstacle*> obstacles{};  ///< that no tool may touch; they outlive the cutter
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
@@ -78,6 +80,7 @@ class Cutter final : public motion::MotionSink {
   void judge(const Waiting& of, const Outcome& outcome);
   void judge_rapid(const Waiting& of, const Outcome& outcome);
   void judge_cut(const Waiting& of, const Outcome& outcome);
+  void judge_obstacles(const Waiting& of);
   void find(base::Code code, const Waiting& of, const Contact& contact, std::string detail);
   void find(base::Code code, const Waiting& of, const std::string& detail);
   void record(const Waiting& of, const Outcome& outcome);

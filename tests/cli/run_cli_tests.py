@@ -48,6 +48,7 @@ import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
+import stock_tests  # noqa: F401
 import teach_conversion_tests  # noqa: F401
 import teach_tests  # noqa: F401
 import time_tests  # noqa: F401

@@ -89,7 +89,7 @@ void Cutter::change_tool(std::uint32_t number) {
 void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   const bool rapid = std::holds_alternative<motion::Rapid>(motion.action);
   checks_ = checks_ || !rapid;
-  fed_ = fed_ || !rapid;
+  fed_ = fed_ || (!rapid && (tool_ == nullptr || !tool_->is_probe()));
   if (tool_ == nullptr) {
     fed_without_tool_ = fed_without_tool_ || !rapid;
   } else if (checks_) {

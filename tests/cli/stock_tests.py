@@ -154,7 +154,7 @@ def zero(box):
 @test("stock: a zero that moves behind the first cut is told")
 def zero_moves(box):
     report = cut(box, SLOT + "\nG10L2P1X1.\nG01X50.", wanted=1)
-    equal(found(report), [("STOCK_ZERO_MOVED", 9)], "findings")
+    equal(found(report), [("STOCK_ZERO_MOVED", 8)], "findings")
 
 
 @test("stock: before the first tool change there is no tool, and a program without one has T0")

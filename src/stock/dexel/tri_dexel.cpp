@@ -202,7 +202,9 @@ BodyId TriDexel::add_body(const Body& body) {
 }
 
 bool TriDexel::can_cut(const Sweep& sweep) const {
-  return sweep.body < tools_.size() && !tools_[sweep.body].solids.empty();
+  const double size = length(sweep.axis) + length(sweep.way) + length(point_at(sweep.way, 0)) +
+                      length(point_at(sweep.way, 1));
+  return std::isfinite(size) && sweep.body < tools_.size() && !tools_[sweep.body].solids.empty();
 }
 
 void TriDexel::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {

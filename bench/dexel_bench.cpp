@@ -12,7 +12,7 @@ namespace {
 using namespace kerf::stock;
 using namespace kerf::stock::dexel;
 
-constexpr std::size_t kMoves = 50000;
+constexpr std::size_t kMoves = 1'000'000;
 constexpr std::size_t kAtOnce = 10'000;
 
 Vec3 surface_point(std::size_t number) {

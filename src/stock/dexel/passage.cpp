@@ -170,8 +170,13 @@ double Passage::least(const Line& line, Span s, Span t) const {
   }
   const double s0 = -(line.s - st_ * line.t * per_tt_) * per_left_;
   const double t0 = -(line.t + st_ * s0) * per_tt_;
-  return std::min(least_at_s(line, std::clamp(s0, s.low, s.high), t),
-                  least_at_t(line, std::clamp(t0, t.low, t.high), s));
+  const bool is_beside = s0 < s.low || s0 > s.high;
+  const bool is_before = t0 < t.low || t0 > t.high;
+  if (!is_beside && !is_before) return value(line, s0, t0);
+  double smallest = std::numeric_limits<double>::infinity();
+  if (is_beside) smallest = least_at_s(line, s0 < s.low ? s.low : s.high, t);
+  if (!is_before || smallest <= 0) return smallest;
+  return std::min(smallest, least_at_t(line, t0 < t.low ? t.low : t.high, s));
 }
 
 /// Where its planes ever are.

@@ -114,7 +114,7 @@ class Stack {
       add_cones(edge, circle);
     }
   }
-  /// Corners alternate with chords about the arc: those inside of it stand off by the tolerance.
+  /// Corners lie outside of the circle by the tolerance, middles of chords inside of it.
   void add_cones(const ProfileEdge& edge, const Circle& circle) {
     const double turn = 4 * math::atan(edge.bulge);
     const double step = 4 * std::sqrt(tolerance_ / circle.radius);
@@ -123,7 +123,7 @@ class Stack {
     ProfilePoint last = edge.from;
     for (double i = 1; i <= count; ++i) {
       const auto [sine, cosine] = math::sine_cosine(from + turn * i / count);
-      const double radius = circle.radius + std::copysign(tolerance_, edge.bulge);
+      const double radius = circle.radius + tolerance_;
       const ProfilePoint next = i == count ? edge.to
                                            : ProfilePoint{std::max(0.0, circle.r + radius * cosine),
                                                           circle.z + radius * sine};

@@ -11,39 +11,16 @@
 #include <cmath>
 
 #include "math/math.hpp"
+#include "stock/dexel/preparation.hpp"
 #include "stock/dexel/tile_work.hpp"
 
 namespace kerf::stock::dexel {
 namespace {
 
 constexpr std::size_t kSweepsAtOnce = 4096;
-constexpr double kFixed_mm = 0.001;  // stock.md §4
-constexpr double kFixedOfCell = 0.01;
-constexpr double kTurningOfCell = 0.02;
 constexpr double kContact_mm = 1e-6;
 
 double cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
-
-int main_axis(Vec3 up) {
-  const double x = std::fabs(up.x);
-  const double y = std::fabs(up.y);
-  const double z = std::fabs(up.z);
-  if (z >= x && z >= y) return 2;
-  return x >= y ? 0 : 1;
-}
-
-/// Largest distance of a corner of the box around the middle from a place.
-double farthest(Vec3 half, Vec3 place) {
-  return math::hypot(std::fabs(place.x) + half.x, std::fabs(place.y) + half.y,
-                     std::fabs(place.z) + half.z);
-}
-
-/// What is above the stock needs no turning.
-void cut_off(std::vector<PosedSolid>& solids, double height) {
-  const auto is_above = [&](const PosedSolid& each) { return each.solid.low >= height; };
-  solids.erase(std::remove_if(solids.begin(), solids.end(), is_above), solids.end());
-  for (PosedSolid& each : solids) each.solid.high = std::min(each.solid.high, height);
-}
 
 DexelEnd stock_end(double at, double middle, Vec3 normal) {
   return {static_cast<float>(at - middle), octahedral(normal), 0, 0};
@@ -76,19 +53,21 @@ bool is_sound(std::span<const DexelEnd> ends, double half) {
   return last <= half * (1 + 1e-6);
 }
 
+/// Of the contacts of one sweep and part those that stand: of the first rank that has any.
+void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
+  for (const int rank : {1, 2}) {
+    std::vector<AsideContact> open;
+    for (const AsideContact& each : aside) {
+      if (!outcomes[each.number].contacts[each.part].is_one()) open.push_back(each);
+    }
+    for (const AsideContact& each : open) {
+      if (each.rank == rank) outcomes[each.number].contacts[each.part].add(each.contact);
+    }
+    aside = std::move(open);
+  }
+}
+
 }  // namespace
-
-bool TriDexel::Trail::goes_on(const Sweep& sweep) const {
-  const bool is_fixed = !std::holds_alternative<TurningWay>(sweep.way);
-  return is_cut && is_fixed && sweep.body == body && sweep.axis == axis &&
-         point_at(sweep.way, 0) == tip;
-}
-
-TriDexel::Trail TriDexel::Trail::after(const Sweep& sweep, bool cuts) {
-  const bool is_fixed = !std::holds_alternative<TurningWay>(sweep.way);
-  return {cuts && is_fixed && sweep.kind == SweepKind::cut, sweep.body, sweep.axis,
-          point_at(sweep.way, 1)};
-}
 
 struct TriDexel::Threads {
   explicit Threads(unsigned jobs)
@@ -122,6 +101,9 @@ struct TriDexel::Grid {
   [[nodiscard]] int first_row(std::size_t tile) const {
     return static_cast<int>(tile) / lattice.tiles_b() * Lattice::kTile;
   }
+  [[nodiscard]] TileWork work(std::size_t tile, Vec3 middle) {
+    return {lattice, tiles[tile], first_column(tile), first_row(tile), middle};
+  }
   /// act(tile) for each that has dexels in the box, which is from the middle of the stock.
   template <class Act>
   void each_in(const Bounds& box, Act&& act) const {
@@ -141,35 +123,19 @@ struct TriDexel::Grid {
   }
 };
 
-/// Sweeps made ready, and which tiles each of them may touch.
-struct TriDexel::Call {
-  struct Touched {
-    std::size_t grid;
-    std::size_t tile;
-    std::vector<std::uint32_t> tasks;
-  };
-
-  std::vector<Stroke> strokes;
-  std::deque<PosedTool> posed;
-  std::vector<Task> tasks;
-  std::array<std::vector<std::uint32_t>, 3> place;  ///< of a tile in touched, + 1
-  std::vector<Touched> touched;
-
-  void touch(std::size_t grid, std::size_t tile, std::uint32_t task) {
-    std::uint32_t& at = place[grid][tile];
-    if (at == 0) {
-      touched.push_back({grid, tile, {}});
-      at = static_cast<std::uint32_t>(touched.size());
-    }
-    touched[at - 1].tasks.push_back(task);
-  }
+/// Which tasks touch which tile, in order.
+struct TriDexel::Touched {
+  std::size_t grid;
+  std::size_t tile;
+  std::vector<std::uint32_t> tasks;
 };
 
 TriDexel::TriDexel(const Shape& shape, double cell_mm, unsigned jobs)
     : box_(shape.box),
       middle_(0.5 * (shape.box.low + shape.box.high)),
       volume_(shape.volume_mm3),
-      threads_(std::make_unique<Threads>(jobs)) {
+      threads_(std::make_unique<Threads>(jobs)),
+      trail_(std::make_unique<Trail>()) {
   for (int axis = 0; axis < 3; ++axis) make_grid(axis, shape, cell_mm);
   whole_ = grids_mm3();
   if (volume_ == 0) volume_ = whole_[2];
@@ -231,13 +197,14 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
 }
 
 BodyId TriDexel::add_body(const Body& body) {
-  const double tolerance = std::min(kFixed_mm, kFixedOfCell * cell_) / 2;
-  tools_.push_back(Tool::of(body, tolerance));
+  tools_.push_back(Tool::of(body, fixed_tolerance_mm(cell_) / 2));
   return static_cast<BodyId>(tools_.size() - 1);
 }
 
 bool TriDexel::can_cut(const Sweep& sweep) const {
-  return sweep.body < tools_.size() && !tools_[sweep.body].solids.empty();
+  const double size = length(sweep.axis) + length(sweep.way) + length(point_at(sweep.way, 0)) +
+                      length(point_at(sweep.way, 1));
+  return std::isfinite(size) && sweep.body < tools_.size() && !tools_[sweep.body].solids.empty();
 }
 
 void TriDexel::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
@@ -248,100 +215,17 @@ void TriDexel::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
   }
 }
 
-namespace {
-
-/// Makes tasks of sweeps.
-class Preparation {
- public:
-  Preparation(const std::deque<Tool>& tools, Vec3 middle, Vec3 half, double cell, double block)
-      : tools_(tools), middle_(middle), half_(half), cell_(cell), block_(block) {}
-
-  void strokes(const Sweep& sweep, std::vector<Stroke>& out) const {
-    append_strokes(sweep.way, middle_, std::min(kFixed_mm, kFixedOfCell * cell_) / 2, out);
-  }
-  [[nodiscard]] Task task(const Sweep& sweep, std::size_t number, std::span<const Stroke> strokes,
-                          std::deque<PosedTool>& posed) {
-    const Tool& tool = tools_[sweep.body];
-    const auto* turning = std::get_if<TurningWay>(&sweep.way);
-    const bool is_same = turning == nullptr && !posed.empty() && !last_turned_ &&
-                         posed.back().tool == &tool && posed.back().frame.up == sweep.axis;
-    if (!is_same) posed.push_back(PosedTool::of(tool, sweep.axis, block_));
-    last_turned_ = turning != nullptr;
-    if (turning != nullptr) limit(posed.back(), *turning);
-    return {&sweep, &posed.back(),         strokes,
-            number, main_axis(sweep.axis), std::max(kFixed_mm, kTurningOfCell * cell_)};
-  }
-  /// From the middle of the stock.
-  [[nodiscard]] Bounds box(const Task& task) const {
-    const Bounds tips = bounds(task.sweep->way);
-    const Bounds& reach = task.posed->reach;
-    return {tips.low - middle_ + reach.low, tips.high - middle_ + reach.high};
-  }
-
- private:
-  void limit(PosedTool& posed, const TurningWay& way) const {
-    const double height =
-        std::max(farthest(half_, way.from - middle_), farthest(half_, way.to - middle_));
-    cut_off(posed.solids, height);
-    cut_off(posed.touching, height);
-    const double all = math::hypot(std::min(height, posed.tool->height), posed.tool->widest);
-    posed.reach = {{-all, -all, -all}, {all, all, all}};
-  }
-
-  const std::deque<Tool>& tools_;
-  Vec3 middle_;
-  Vec3 half_;
-  double cell_;
-  double block_;
-  bool last_turned_ = false;
-};
-
-/// Of the contacts of one sweep and part those that stand: of the first rank that has any.
-void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
-  for (const int rank : {1, 2}) {
-    std::vector<AsideContact> open;
-    for (const AsideContact& each : aside) {
-      if (!outcomes[each.number].contacts[each.part].is_one()) open.push_back(each);
-    }
-    for (const AsideContact& each : open) {
-      if (each.rank == rank) outcomes[each.number].contacts[each.part].add(each.contact);
-    }
-    aside = std::move(open);
-  }
-}
-
-}  // namespace
-
 void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
-  Call call;
-  Preparation prepare(tools_, middle_, half(), cell_, block_);
-  std::vector<std::size_t> begin{0};
-  for (const Sweep& sweep : sweeps) {
-    prepare.strokes(sweep, call.strokes);
-    begin.push_back(call.strokes.size());
-  }
-  for (std::size_t g = 0; g < 3; ++g) call.place[g].assign(grids_[g]->tiles.size(), 0);
-  for (std::size_t i = 0; i < sweeps.size(); ++i) {
-    const std::span<const Stroke> strokes(call.strokes.data() + begin[i], begin[i + 1] - begin[i]);
-    call.tasks.push_back(prepare.task(sweeps[i], i, strokes, call.posed));
-    call.tasks.back().follows = trail_.goes_on(sweeps[i]);
-    trail_ = Trail::after(sweeps[i], tools_[sweeps[i].body].body.cuts);
-    const Bounds box = prepare.box(call.tasks.back());
-    for (std::size_t g = 0; g < 3; ++g) {
-      grids_[g]->each_in(
-          box, [&](std::size_t tile) { call.touch(g, tile, static_cast<std::uint32_t>(i)); });
-    }
-  }
+  const Preparation ready(sweeps, tools_, {middle_, half(), cell_, block_}, *trail_);
+  const std::vector<Touched> touched = this->touched(ready);
   tbb::enumerable_thread_specific<Tally> tallies([&] {
     return Tally{std::vector<Outcome>(sweeps.size()), {}};
   });
-  threads_->each(call.touched.size(), [&](std::size_t t) {
-    const Call::Touched& touched = call.touched[t];
-    Grid& grid = *grids_[touched.grid];
-    TileWork work(grid.lattice, grid.tiles[touched.tile], grid.first_column(touched.tile),
-                  grid.first_row(touched.tile), middle_);
+  threads_->each(touched.size(), [&](std::size_t i) {
+    Grid& grid = *grids_[touched[i].grid];
+    TileWork work = grid.work(touched[i].tile, middle_);
     Tally& tally = tallies.local();
-    for (const std::uint32_t task : touched.tasks) work.cut(call.tasks[task], tally);
+    for (const std::uint32_t task : touched[i].tasks) work.cut(ready.tasks()[task], tally);
   });
   std::vector<Outcome> sums(sweeps.size());
   std::vector<AsideContact> aside;
@@ -351,6 +235,23 @@ void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcom
   }
   settle(aside, sums);
   for (std::size_t i = 0; i < sweeps.size(); ++i) outcomes[i].add(sums[i]);
+}
+
+std::vector<TriDexel::Touched> TriDexel::touched(const Preparation& ready) const {
+  std::vector<Touched> all;
+  for (std::size_t g = 0; g < 3; ++g) {
+    std::vector<std::size_t> place(grids_[g]->tiles.size(), 0);  // in all, + 1
+    for (const Task& task : ready.tasks()) {
+      grids_[g]->each_in(ready.box(task), [&](std::size_t tile) {
+        if (place[tile] == 0) {
+          all.push_back({g, tile, {}});
+          place[tile] = all.size();
+        }
+        all[place[tile] - 1].tasks.push_back(static_cast<std::uint32_t>(task.number));
+      });
+    }
+  }
+  return all;
 }
 
 std::array<double, 3> TriDexel::grids_mm3() const {
@@ -426,33 +327,32 @@ std::size_t TriDexel::bytes() const {
   return sum;
 }
 
+bool TriDexel::meets(const PosedTool& posed, const Stroke& stroke) const {
+  const Bounds box = swept(posed.reach, stroke.from, stroke.way);
+  bool met = false;
+  for (const auto& grid : grids_) {
+    grid->each_in(box, [&](std::size_t tile) {
+      met = met || grid->work(tile, middle_).meets(posed, stroke);
+    });
+  }
+  return met;
+}
+
 std::optional<double> TriDexel::first_contact(const Sweep& sweep) const {
   const auto* way = std::get_if<StraightWay>(&sweep.way);
   assert(way != nullptr);
   const PosedTool posed = PosedTool::of(tools_[sweep.body], sweep.axis, block_);
-  const Stroke whole{way->from - middle_, way->to - way->from};
-  const auto meets = [&](double t) {
-    const Stroke stroke{whole.from, t * whole.way};
-    const Bounds box = swept(posed.reach, stroke.from, stroke.way);
-    bool met = false;
-    for (const auto& grid : grids_) {
-      grid->each_in(box, [&](std::size_t t_number) {
-        if (met) return;
-        TileWork work(grid->lattice, grid->tiles[t_number], grid->first_column(t_number),
-                      grid->first_row(t_number), middle_);
-        met = work.meets(posed, stroke);
-      });
-    }
-    return met;
+  const auto meets_until = [&](double t) {
+    return meets(posed, {way->from - middle_, t * (way->to - way->from)});
   };
-  if (!meets(1)) return std::nullopt;
-  if (meets(0)) return 0.0;
+  if (!meets_until(1)) return std::nullopt;
+  if (meets_until(0)) return 0.0;
   double clear = 0;
   double met = 1;
-  const double enough = kContact_mm / std::max(kContact_mm, length(*way));
+  const double enough = kContact_mm / std::max(kContact_mm, length(sweep.way));
   while (met - clear > enough) {
     const double middle = (clear + met) / 2;
-    (meets(middle) ? met : clear) = middle;
+    (meets_until(middle) ? met : clear) = middle;
   }
   return clear;
 }
@@ -495,7 +395,7 @@ bool TriDexel::restore(int grid, std::size_t number, const TileState& state) {
     to.fill(i, std::span(state.ends).subspan(begin, state.counts[i]));
     begin += state.counts[i];
   }
-  trail_ = {};
+  *trail_ = {};
   to.refresh();
   to.mark_changed();
   return true;

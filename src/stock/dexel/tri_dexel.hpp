@@ -15,6 +15,12 @@
 
 namespace kerf::stock::dexel {
 
+class Preparation;
+struct PosedTool;
+struct Stroke;
+struct Tool;
+struct Trail;
+
 /// Stock as dexels along X, Y and Z: cuts with any tool in any direction (stock.md §3, §4).
 ///
 /// No point of a sweep stays uncut, and nothing outside of it is cut, by more than min(1 µm, h/100)
@@ -73,23 +79,14 @@ class TriDexel final : public Model {
 
  private:
   struct Grid;
-  struct Call;
+  struct Touched;
   struct Threads;
-
-  /// Where the last sweep ended: what is in the tool there is gone.
-  struct Trail {
-    bool is_cut = false;
-    BodyId body = 0;
-    Vec3 axis;
-    Vec3 tip;
-
-    [[nodiscard]] bool goes_on(const Sweep& sweep) const;
-    [[nodiscard]] static Trail after(const Sweep& sweep, bool cuts);
-  };
 
   void make_grid(int axis, const Shape& shape, double cell_mm);
   void fill(Grid& grid, const Shape& shape);
   void cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes);
+  [[nodiscard]] std::vector<Touched> touched(const Preparation& ready) const;
+  [[nodiscard]] bool meets(const PosedTool& posed, const Stroke& stroke) const;
   [[nodiscard]] Vec3 half() const;
   [[nodiscard]] std::array<double, 3> alongside() const;
   [[nodiscard]] std::size_t best_grid() const;
@@ -102,8 +99,8 @@ class TriDexel final : public Model {
   double cell_ = 0;   ///< largest, mm
   double block_ = 0;  ///< from the middle of a block to its corner, mm
   std::unique_ptr<Threads> threads_;
-  std::deque<struct Tool> tools_;
-  Trail trail_;
+  std::deque<Tool> tools_;
+  std::unique_ptr<Trail> trail_;
 };
 
 }  // namespace kerf::stock::dexel

@@ -1,5 +1,6 @@
 // Volumes in closed form: the table of stock.md §9 that is a mill's.
 #include "mill.hpp"
+#include "stock/sweep/turning_steps.hpp"
 
 namespace kerf::stock::test {
 namespace {
@@ -165,10 +166,12 @@ TEST(OracleOfTurning, Swing) {
   mill.tool(ball(8, 40)).at({0, 0, 40}).line({0, 0, -4});
   double last = 0;
   for (const double to : {30.0, -30.0, 0.0}) {
-    const double steps = std::ceil(std::fabs(to - last) / 1.0);
-    for (double i = 1; i <= steps; ++i) {
-      const Pose pose = on_table({0, 0, -4}, last + (to - last) * i / steps, 0);
-      mill.turn(pose.tip, pose.axis);
+    const auto pose = [&](double t) {
+      const Pose at = on_table({0, 0, -4}, last + (to - last) * t, 0);
+      return ToolPose{at.tip, at.axis};
+    };
+    for (const TurningStep& step : turning_steps(pose, 20, 0.005)) {
+      mill.turn(step.way.to, step.way.to_axis);
     }
     last = to;
   }

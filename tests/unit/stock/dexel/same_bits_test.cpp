@@ -262,6 +262,16 @@ TEST(Cutting, InAMirrorOrTurnedIsTheSameJob) {
   }
 }
 
+TEST(Cutting, IsRefusedWithoutABodyOrAPlace) {
+  TriDexel model(box_shape(kBox), 0.5, 1);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const BodyId body = model.add_body(flat(4));
+  EXPECT_TRUE(model.can_cut({StraightWay{{0, 0, 0}, {1, 2, 3}}, {0.6, 0, 0.8}, body}));
+  EXPECT_FALSE(model.can_cut({StraightWay{{0, 0, 0}, {1, 2, none}}, {0, 0, 1}, body}));
+  EXPECT_FALSE(model.can_cut({StraightWay{{0, 0, 0}, {1, 2, 3}}, {0, 0, 1}, body + 1}));
+  EXPECT_FALSE(model.can_cut({StraightWay{}, {0, 0, 1}, model.add_body(Body{})}));
+}
+
 TEST(Cutting, NeedsNoMoreMemoryInTheLongRun) {
   TriDexel model(box_shape(kBox), 0.2, 1);
   const std::vector<Sweep> sweeps = random_sweeps(model, 31, 200, false);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "stock/field/grid.hpp"
 
@@ -28,11 +29,15 @@ struct BlockPoints {
 
 /// A row of blocks of a tile: the middles of their columns, and how far columns are from them
 /// along X and Y.
+/// Those from `first` to before `last` are asked for, both multiples of 4.
 struct BlockRow {
-  const double* x;  // kTileBlocks of them
+  const float* x;  // kTileBlocks of them, from origin_x
+  double origin_x = 0;
   double y = 0;
   double half_x = 0;
   double half_y = 0;
+  std::size_t first = 0;
+  std::size_t last = kTileBlocks;
 };
 
 }  // namespace kerf::stock::field

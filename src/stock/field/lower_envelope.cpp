@@ -10,6 +10,8 @@ namespace {
 
 using Kind = EnvelopePiece::Kind;
 
+constexpr double kSame_mm = 1e-9;
+
 struct Circle {
   ProfilePoint centre;
   double radius;
@@ -18,7 +20,6 @@ struct Circle {
 /// The circle of an edge with a bulge. One that begins at its lowest place has its centre exactly
 /// above that.
 Circle circle_of(const ProfileEdge& edge) {
-  constexpr double kSame_mm = 1e-9;
   const double dr = edge.to.r - edge.from.r;
   const double dz = edge.to.z - edge.from.z;
   const double reach = (1 - edge.bulge * edge.bulge) / (4 * edge.bulge);
@@ -50,11 +51,11 @@ LowerEnvelope::LowerEnvelope(const Profile& profile, ToolPart part, double withi
 
 void LowerEnvelope::add(const ProfileEdge& edge, double within) {
   const double before = std::max(0.0, reach());
-  if (edge.from.r > before || (pieces_.empty() && edge.from.r > 0)) {
+  if (edge.from.r > before + kSame_mm) {
     pieces_.push_back({.s0 = before, .s1 = edge.from.r, .z = edge.from.z});
   }
   if (edge.bulge != 0) return add_arc(edge, within);
-  if (edge.to.r <= std::max(0.0, reach())) return;
+  if (edge.to.r <= std::max(0.0, reach()) + kSame_mm) return;
   if (edge.to.z == edge.from.z) {
     pieces_.push_back({.s0 = std::max(0.0, reach()), .s1 = edge.to.r, .z = edge.to.z});
   } else {
@@ -64,7 +65,7 @@ void LowerEnvelope::add(const ProfileEdge& edge, double within) {
 
 void LowerEnvelope::add_cone(ProfilePoint from, ProfilePoint to) {
   const double s0 = std::max({from.r, reach(), 0.0});
-  if (to.r <= s0) return;
+  if (to.r <= s0 + kSame_mm) return;
   const double slope = (to.z - from.z) / (to.r - from.r);
   pieces_.push_back({.kind = Kind::cone,
                      .s0 = s0,
@@ -77,8 +78,8 @@ void LowerEnvelope::add_arc(const ProfileEdge& edge, double within) {
   const auto [centre, radius] = circle_of(edge);
   const double s0 = std::max({edge.from.r, reach(), 0.0});
   if (edge.bulge > 0) {  // its lower quarter alone is seen from below
-    const double s1 = edge.to.z > centre.z ? centre.r + radius : edge.to.r;
-    if (edge.from.z >= centre.z || s1 <= s0) return;
+    const double s1 = edge.to.z > centre.z + kSame_mm ? centre.r + radius : edge.to.r;
+    if (edge.from.z >= centre.z - kSame_mm || s1 <= s0 + kSame_mm) return;
     pieces_.push_back(
         {.kind = Kind::arc, .s0 = s0, .s1 = s1, .z = centre.z, .core = centre.r, .radius = radius});
     return;

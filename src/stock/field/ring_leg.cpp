@@ -80,10 +80,11 @@ void RingLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
   RowValues from;
   RowValues tip;
   tip.fill(static_cast<float>(z_ - base - safety));
-  for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    from[i] = static_cast<float>(distance(row.x[i], row.y) - radius - safety);
+  for (std::size_t i = row.first; i < row.last; ++i) {
+    const double x = row.origin_x + static_cast<double>(row.x[i]);
+    from[i] = static_cast<float>(distance(x, row.y) - radius - safety);
   }
-  lowest_at(tool, from, tip, bounds);
+  lowest_at(tool, row, from, tip, bounds);
 }
 
 double RingLeg::highest_tip(double reach, double x, double y) const {

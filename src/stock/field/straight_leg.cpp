@@ -106,27 +106,32 @@ void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double b
   const auto half_along = static_cast<float>(row.half_x * abs_dx + row.half_y * abs_dy + safety);
   const auto half_across = static_cast<float>(row.half_x * abs_dy + row.half_y * abs_dx + safety);
   const float reach = static_cast<float>(tool.reach()) + half_along;
-  const auto z = static_cast<float>(z_ - base - safety);
+  const auto base_z = static_cast<float>(z_ - base - safety);
+  const auto from_x = static_cast<float>(x_ - row.origin_x);
+  const Lanes none{};
   const auto slope = static_cast<float>(slope_);
   const auto length = static_cast<float>(length_);
-  const auto y = static_cast<float>(row.y - y_);
+  const Lanes y = all(static_cast<float>(row.y - y_));
   const Behind behind = behind_of(tool);
   RowValues tip;       // not above the tip while it reaches the block
   RowValues distance;  // of the axis, at least
-  for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    const auto x = static_cast<float>(row.x[i] - x_);
-    const float along = x * dx + y * dy;
-    const float u = larger(0.0F, std::abs(y * dx - x * dy) - half_across);
-    const float past = larger(0.0F, larger(-along, along - length) - half_along);
-    const float out = larger(0.0F, u - behind.core);
-    const float ahead =
-        behind.after + std::sqrt(larger(0.0F, behind.lean2 - behind.lean * out * out));
-    const float none = (along + half_along < behind.before ? kNowhere : 0.0F) +
-                       (along - half_along > ahead ? kNowhere : 0.0F);
-    tip[i] = z + slope * larger(0.0F, along - reach) + none;
-    distance[i] = std::sqrt(u * u + past * past);
+  for (std::size_t i = row.first; i < row.last; i += kLanes) {
+    const Lanes x = load(&row.x[i]) - from_x;
+    const Lanes along = x * dx + y * dy;
+    const Lanes beside = y * dx - x * dy;
+    const Lanes u = larger(larger(beside, -beside) - half_across, none);
+    const Lanes past = larger(larger(-along, along - length) - half_along, none);
+    Lanes after = all(behind.after);
+    if (behind.lean > 0) {
+      const Lanes out = larger(u - behind.core, none);
+      after = after + root(behind.lean2 - behind.lean * out * out);
+    }
+    const Lanes z = base_z + slope * larger(along - reach, none);
+    const auto is_behind = (along + half_along < all(behind.before)) | (along - half_along > after);
+    store(is_behind ? all(kNowhere) : z, &tip[i]);
+    store(root(u * u + past * past), &distance[i]);
   }
-  lowest_at(tool, distance, tip, bounds);
+  lowest_at(tool, row, distance, tip, bounds);
 }
 
 /// Up a slope the lowest place for a column is never behind it. Down one it is ahead by no more

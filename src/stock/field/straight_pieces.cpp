@@ -8,7 +8,7 @@
 namespace kerf::stock::field {
 namespace {
 
-constexpr double kSame_mm = 1e-9;
+constexpr double kWholeBall_mm = 1e-9;
 
 float narrow(double value) { return static_cast<float>(value); }
 
@@ -190,18 +190,18 @@ void lower_by_piece(const StraightSlope& way, const EnvelopePiece& piece, const 
   if (piece.kind == Kind::face) return lower_by_face(way, piece, along, across2, low);
   if (piece.kind == Kind::cone) return lower_by_cone(way, piece, along, across2, low);
   if (piece.core == 0 && piece.s0 == 0) {
-    const bool whole = std::abs(piece.s1 - piece.radius) <= kSame_mm;
+    const bool whole = std::abs(piece.s1 - piece.radius) <= kWholeBall_mm;
     return (whole ? lower_by_ball : lower_by_cap)(way, piece, along, across2, low);
   }
   if (way.slope == 0) return lower_by_level_torus(way, piece, along, across2, low);
   lower_by_torus(way, piece, along, across2, low);
 }
 
-void lowest_at(const LowerEnvelope& tool, const RowValues& distance, const RowValues& tip,
-               RowValues& lowest) {
+void lowest_at(const LowerEnvelope& tool, const BlockRow& row, const RowValues& distance,
+               const RowValues& tip, RowValues& lowest) {
   const LowerEnvelope::Round* round = tool.round();
   if (round == nullptr) {
-    for (std::size_t i = 0; i < kTileBlocks; ++i) {
+    for (std::size_t i = row.first; i < row.last; ++i) {
       lowest[i] = tip[i] + narrow(tool.at(static_cast<double>(distance[i])));
     }
     return;
@@ -211,10 +211,11 @@ void lowest_at(const LowerEnvelope& tool, const RowValues& distance, const RowVa
   const float z = narrow(round->z);
   const float radius2 = narrow(round->radius * round->radius);
   const float base = narrow(round->core) - core;  // of a shrunk ball's centre beyond the axis
-  for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    const float out = larger(0.0F, distance[i] - core) - base;
-    const float none = distance[i] <= reach ? 0.0F : kNowhere;
-    lowest[i] = tip[i] + z - root(radius2 - out * out) + none;
+  for (std::size_t i = row.first; i < row.last; i += kLanes) {
+    const Lanes from = load(&distance[i]);
+    const Lanes out = larger(from - core, Lanes{}) - base;
+    const Lanes over = load(&tip[i]) + z - root(radius2 - out * out);
+    store(from <= all(reach) ? over : all(kNowhere), &lowest[i]);
   }
 }
 

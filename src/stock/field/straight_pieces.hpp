@@ -22,9 +22,9 @@ struct StraightSlope {
 void lower_by_piece(const StraightSlope& way, const EnvelopePiece& piece, const BlockValues& along,
                     const BlockValues& across2, BlockValues& low);
 
-/// tip[i] + f(distance[i]); kNowhere beyond its reach.
-void lowest_at(const LowerEnvelope& tool, const RowValues& distance, const RowValues& tip,
-               RowValues& lowest);
+/// tip[i] + f(distance[i]) for the blocks of the row; kNowhere beyond its reach.
+void lowest_at(const LowerEnvelope& tool, const BlockRow& row, const RowValues& distance,
+               const RowValues& tip, RowValues& lowest);
 /// low[i] becomes z + f(distance[i]) where that is lower.
 void lower_level(const LowerEnvelope& tool, float z, const BlockValues& distance, BlockValues& low);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stock/field/lanes.hpp"
 #include "stock/field/settling.hpp"
 
 namespace kerf::stock::field {
@@ -22,7 +23,7 @@ TileCutter::TileCutter(Columns& columns, std::size_t tile)
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
     const std::size_t first = i * kBlockSide;
     const std::size_t last = first + kBlockSide - 1;
-    block_x_[i] = (tile_.x[first] + tile_.x[last]) / 2;
+    block_x_[i] = static_cast<float>((tile_.x[first] + tile_.x[last]) / 2 - tile_.x[0]);
     block_y_[i] = (tile_.y[first] + tile_.y[last]) / 2;
   }
 }
@@ -70,14 +71,18 @@ void TileCutter::for_blocks(const auto& leg, const LowerEnvelope& tool, const Do
   const Range rows =
       range(box.low.y - reach, box.high.y + reach, tile_.y[0], kBlockSide * grid.cell_y());
   if (across.first > across.last) return;
+  BlockRow row{block_x_.data(), tile_.x[0], 0, half_x_, half_y_};
+  row.first = static_cast<std::size_t>(across.first) / kLanes * kLanes;
+  row.last = (static_cast<std::size_t>(across.last) / kLanes + 1) * kLanes;
+  RowValues lowest;
   for (int by = rows.first; by <= rows.last; ++by) {
-    RowValues lowest;
-    leg.bound(tool, {block_x_.data(), block_y_[static_cast<std::size_t>(by)], half_x_, half_y_},
-              base_, lowest);
+    row.y = block_y_[static_cast<std::size_t>(by)];
+    leg.bound(tool, row, base_, lowest);
+    const float* tops = tile_.block_tops + by * kTileBlocks;
     for (int bx = across.first; bx <= across.last; ++bx) {
-      const int block = by * kTileBlocks + bx;
-      if (std::max(0.0F, lowest[static_cast<std::size_t>(bx)]) < tile_.block_tops[block])
-        act(block);
+      if (larger(0.0F, lowest[static_cast<std::size_t>(bx)]) < tops[bx]) {
+        act(by * kTileBlocks + bx);
+      }
     }
   }
 }

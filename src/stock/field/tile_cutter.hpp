@@ -57,9 +57,9 @@ class TileCutter {
   Columns& columns_;
   std::size_t index_;
   Columns::Tile tile_;
-  double base_;             // heights are over this
-  double half_x_, half_y_;  // of a block, between its columns
-  std::array<double, kTileBlocks> block_x_;
+  double base_;                             // heights are over this
+  double half_x_, half_y_;                  // of a block, between its columns
+  std::array<float, kTileBlocks> block_x_;  // from the first column
   std::array<double, kTileBlocks> block_y_;
   std::uint64_t changes_ = 0;
 };

@@ -62,7 +62,9 @@ void TileWork::list(std::uint32_t number) {
       list_at(static_cast<std::size_t>(j * grid.tiles_x() + i), number);
     }
   }
-  columns_met_ += 4 * reach * reach / (grid.cell_x() * grid.cell_y());
+  columns_met_ += (sweep.tip.high.x - sweep.tip.low.x + 2 * reach) *
+                  (sweep.tip.high.y - sweep.tip.low.y + 2 * reach) /
+                  (grid.cell_x() * grid.cell_y());
 }
 
 void TileWork::list_at(std::size_t tile, std::uint32_t number) {

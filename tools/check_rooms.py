@@ -29,6 +29,7 @@ ROOMS = {
     "stock/sweep": ["stock/tool"],
     "stock/cutting": ["stock/sweep", "motion"],
     "stock/field": ["stock/sweep"],
+    "stock/turned": ["stock/sweep"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

@@ -7,6 +7,7 @@
 
 #include "math/math.hpp"
 #include "stock/field/height_field.hpp"
+#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -21,6 +22,24 @@ std::string objection_to_zmap(const SurveyedTools& tools, const stock::Shape& sh
   if (tools.turned()) return "the work is tilted against the tool";
   if (tools.undercut()) return "a tool has an undercut";
   return {};
+}
+
+bool is_about_spindle(const stock::Shape& shape) {
+  const auto* const round = std::get_if<stock::CylinderShape>(&shape);
+  return round != nullptr && round->along == 2 && round->u == 0 && round->v == 0;
+}
+
+/// What the spindle of a lathe turns about its axis (stock.md §3).
+bool becomes_profile(const StockJob& job, const stock::Shape& shape) {
+  const bool is_wanted = job.model == StockModel::automatic || job.model == StockModel::profile;
+  return is_wanted && job.job.definition.turns() && is_about_spindle(shape);
+}
+
+MadeModel make_profile(const stock::CylinderShape& bar) {
+  MadeModel made;
+  made.model = std::make_unique<stock::turned::TurnedPart>(
+      stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter));
+  return made;
 }
 
 // The largest number of columns along an axis that a grid may have.
@@ -47,6 +66,11 @@ stock::field::ColumnAt column_of(const stock::CylinderShape& round) {
 }  // namespace
 
 void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& plan) {
+  if (becomes_profile(job, plan.shape)) {
+    plan.kind = StockModel::profile;
+    plan.reason = "the work turns, and no tool does";
+    return;
+  }
   const std::string objection = objection_to_zmap(tools, plan.shape);
   if (job.model == StockModel::tridexel || !objection.empty()) {
     plan.kind = StockModel::tridexel;
@@ -60,6 +84,8 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
 }
 
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
+  if (plan.kind == StockModel::profile)
+    return make_profile(std::get<stock::CylinderShape>(plan.shape));
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
   const stock::Bounds box = stock::bounds(plan.shape);
   const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
@@ -81,6 +107,7 @@ output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& mo
   facts.reason = plan.reason;
   facts.bytes = model.bytes();
   facts.error_mm3 = model.error_mm3();
+  if (dynamic_cast<const stock::turned::TurnedPart*>(&model) != nullptr) facts.kind = "profile";
   if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(&model)) {
     const stock::field::Grid& grid = field->columns().grid();
     facts.kind = "zmap";

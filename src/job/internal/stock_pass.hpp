@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <map>
 #include <optional>
 
 #include "job/run.hpp"
@@ -18,6 +18,8 @@ struct StockPlan {
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;
+  bool is_surveyed = false;
+  std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
 };
 
 /// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.
@@ -47,6 +49,23 @@ class ZeroWatch {
   std::optional<stock::Vec3> origin_;
   std::optional<base::BlockId> moved_;
   std::uint64_t revision_ = 0;
+};
+
+/// Whether a machine that turns its work cuts with tools that turn, or with the work standing: then
+/// the part is no body of revolution.
+class DrivenWatch {
+ public:
+  explicit DrivenWatch(const motion::AxisSetup& axes) : axes_(axes), at_(axes.start) {}
+
+  void look(const motion::Motion& motion);
+  /// The first block that did.
+  [[nodiscard]] const std::optional<base::BlockId>& driven() const { return driven_; }
+
+ private:
+  const motion::AxisSetup& axes_;
+  base::TipPoint at_;
+  bool is_live_ = false;
+  std::optional<base::BlockId> driven_;
 };
 
 }  // namespace kerf::job

@@ -34,8 +34,9 @@ class SurveyedTools {
   bool undercut_ = false;
 };
 
-/// The shape that lies on the table. Failure (usage): the machine cannot have it.
-[[nodiscard]] base::Outcome<stock::Shape> shape_of(const machine::StockWord& word,
+/// The shape that lies on the table, or that the chuck of a machine that turns holds. Failure
+/// (usage): the machine cannot have it.
+[[nodiscard]] base::Outcome<stock::Shape> shape_of(const machine::StockWord& word, bool turns,
                                                    const SurveyedTools& tools,
                                                    std::vector<control::Assumption>& assumed);
 

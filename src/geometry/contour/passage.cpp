@@ -31,32 +31,40 @@ Contour loop_of(std::span<const Edge> edges, bool is_forwards) {
   return is_forwards ? loop : reversed(loop);
 }
 
+/// Parts of a curve that cross `way` in one sense each, in order.
+std::vector<Edge> parts_across(const Edge& curve, Vec2 way) {
+  if (curve.bulge == 0) return {curve};
+  const Vec2 start = tangent_at_start(curve);
+  const double sweep = sweep_rad(curve);
+  const double sign = sweep > 0 ? 1 : -1;
+  double turn = sign * math::atan2(cross(start, way), dot(start, way));
+  while (turn <= kSameAngle) turn += kPi;
+  std::vector<Edge> parts;
+  double share = 0;
+  for (; turn < std::fabs(sweep) - kSameAngle; turn += kPi) {
+    const double next = turn / std::fabs(sweep);
+    parts.push_back(part(curve, share, next));
+    share = next;
+  }
+  parts.push_back(share == 0 ? curve : part(curve, share, 1));
+  return parts;
+}
+
+Vec2 tangent_in(const Edge& curve) {
+  return curve.bulge == 0 ? curve.to - curve.from : tangent_at_start(part(curve, 0.5, 1));
+}
+
 // A part of a curve that crosses `way` in one sense.
 void add_strip(const Edge& curve, Vec2 way, std::vector<Contour>& loops) {
   const Edge ahead = moved(curve, way);
   const std::array<Edge, 4> edges{Edge{curve.from, curve.to, curve.bulge, curve.owner},
                                   Edge{curve.to, ahead.to, 0, curve.owner}, reversed(ahead),
                                   Edge{ahead.from, curve.from, 0, curve.owner}};
-  const Vec2 tangent =
-      curve.bulge == 0 ? curve.to - curve.from : tangent_at_start(part(curve, 0.5, 1));
-  loops.push_back(loop_of(edges, cross(tangent, way) > 0));
+  loops.push_back(loop_of(edges, cross(tangent_in(curve), way) > 0));
 }
 
-// The curve is divided where it runs along `way`.
 void add_strips(const Edge& curve, Vec2 way, std::vector<Contour>& loops) {
-  if (curve.bulge == 0) return add_strip(curve, way, loops);
-  const Vec2 start = tangent_at_start(curve);
-  const double sweep = sweep_rad(curve);
-  const double sign = sweep > 0 ? 1 : -1;
-  double turn = sign * math::atan2(cross(start, way), dot(start, way));
-  while (turn <= kSameAngle) turn += kPi;
-  double share = 0;
-  for (; turn < std::fabs(sweep) - kSameAngle; turn += kPi) {
-    const double next = turn / std::fabs(sweep);
-    add_strip(part(curve, share, next), way, loops);
-    share = next;
-  }
-  add_strip(part(curve, share, 1), way, loops);
+  for (const Edge& one : parts_across(curve, way)) add_strip(one, way, loops);
 }
 
 /// An arc as an angle that grows.
@@ -182,6 +190,39 @@ std::vector<Contour> passage(const Region& region, const Edge& way) {
     loops.push_back(std::move(loop));
   }
   return loops;
+}
+
+bool is_convex(const Contour& loop) {
+  const std::size_t count = edge_count(loop);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Edge edge = edge_of(loop, i);
+    const Vec2 out = tangent_at_start(edge_of(loop, (i + 1) % count));
+    const Vec2 in = tangent_at_end(edge);
+    const double bend = cross(in, out);
+    const double product = geometry::length(in) * geometry::length(out);
+    if (edge.bulge < 0 || bend < -1e-9 * product) return false;
+    if (bend < 1e-9 * product && dot(in, out) < 0) return false;
+  }
+  return loop.is_closed && count > 1 && area(loop) > 0;
+}
+
+// The side that looks ahead is where the way ends, the other one where it begins.
+Contour convex_passage(const Contour& loop, const Edge& way) {
+  const Vec2 along = way.to - way.from;
+  Contour all;
+  for (std::size_t i = 0; i < edge_count(loop); ++i) {
+    for (const Edge& one : parts_across(edge_of(loop, i), along)) {
+      const bool looks_ahead = cross(tangent_in(one), along) < 0;
+      const Vec2 by = looks_ahead ? way.to : way.from;
+      const Vec2 from = one.from + by;
+      if (!all.vertices.empty() && all.vertices.back().point == from) all.vertices.pop_back();
+      all.vertices.push_back({from, one.bulge, one.owner});
+      all.vertices.push_back({one.to + by, 0, one.owner});
+    }
+  }
+  if (all.vertices.size() > 1 && all.vertices.back().point == all.vertices.front().point)
+    all.vertices.pop_back();
+  return all;
 }
 
 Division divide(const Region& region, const std::vector<Contour>& by) {

@@ -21,6 +21,12 @@ namespace kerf::contour {
 /// The same with all edges of the region and its loops at the beginning.
 [[nodiscard]] std::vector<Contour> passage(const Region& region, const Edge& way);
 
+/// Whether a loop goes round counterclockwise and never bends to the right.
+[[nodiscard]] bool is_convex(const Contour& loop);
+/// What a convex loop sweeps along a line, as one loop: passage() and the loop, but for what is
+/// inside. Precondition: is_convex(), and the way is straight.
+[[nodiscard]] Contour convex_passage(const Contour& loop, const Edge& way);
+
 /// A region by what closed contours that wind >= 0 everywhere go round, and what they do not.
 struct Division {
   Region inside;

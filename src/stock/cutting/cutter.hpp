@@ -115,6 +115,7 @@ class Cutter final : public motion::MotionSink {
   bool changed_tool_ = false;
   bool fed_ = false;
   bool has_cut_ = false;
+  std::map<std::uint32_t, base::BlockId> threads_;
   std::map<std::uint32_t, bool> axial_tools_;
 };
 

@@ -5,9 +5,10 @@
 namespace kerf::stock {
 
 CuttingTool cutting_tool(const Tool& tool, double touch_mm) {
-  Body body{.core_mm = tool.core_mm().value_or(0),
-            .touch_mm = touch_mm,
-            .cuts = tool.kind != ToolKind::probe};
+  Body body;
+  body.core_mm = tool.core_mm().value_or(0);
+  body.touch_mm = touch_mm;
+  body.cuts = tool.kind != ToolKind::probe;
   if (tool.is_insert()) {
     body.insert = insert_of(tool);
   } else {

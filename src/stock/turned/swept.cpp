@@ -34,23 +34,30 @@ void sign(std::vector<Contour>& loops, std::uint32_t motion) {
   }
 }
 
-template <typename Shape>
-std::vector<Contour> all_of(const Shape& shape, const Pass& pass) {
-  std::vector<Contour> loops;
-  for (const Edge& way : pass.path) append(loops, contour::passage(shape, way));
+std::vector<Contour> finished(std::vector<Contour>&& loops, const Pass& pass) {
   fold(loops);
   sign(loops, pass.motion);
-  return loops;
+  return std::move(loops);
 }
 
 }  // namespace
 
-std::vector<Contour> swept(const contour::Region& region, const Pass& pass) {
-  return all_of(region, pass);
+std::vector<Contour> swept(const contour::Region& region, bool is_convex, const Pass& pass) {
+  std::vector<Contour> loops;
+  for (const Edge& way : pass.path) {
+    if (is_convex && way.bulge == 0) {
+      loops.push_back(contour::convex_passage(region.loops.front(), way));
+    } else {
+      append(loops, contour::passage(region, way));
+    }
+  }
+  return finished(std::move(loops), pass);
 }
 
 std::vector<Contour> swept(const std::vector<Edge>& edges, const Pass& pass) {
-  return all_of(edges, pass);
+  std::vector<Contour> loops;
+  for (const Edge& way : pass.path) append(loops, contour::passage(edges, way));
+  return finished(std::move(loops), pass);
 }
 
 contour::Box swept_box(const contour::Box& box, const Pass& pass) {

@@ -16,8 +16,9 @@ struct Pass {
 // What a tool goes over on the way of its tip: contours that wind >= 0 everywhere. What lies at
 // v < 0 counts at |ρ|, so that is there above the axis, too (stock.md §4.6).
 
-/// By a region whose origin the tip leads.
-[[nodiscard]] std::vector<contour::Contour> swept(const contour::Region& region, const Pass& pass);
+/// By a region whose origin the tip leads; one that is convex takes less work.
+[[nodiscard]] std::vector<contour::Contour> swept(const contour::Region& region, bool is_convex,
+                                                  const Pass& pass);
 /// By edges alone; a way without length sweeps nothing with them.
 [[nodiscard]] std::vector<contour::Contour> swept(const std::vector<contour::Edge>& edges,
                                                   const Pass& pass);

@@ -92,7 +92,8 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
   const Box box = swept_box(tool.cutter().box, pass);
   if (!material_.may_meet(box)) return;
   outcome.visited += contour::vertex_count(region());
-  Division division = material_.divide(swept(tool.cutter().whole, pass), box);
+  Division division =
+      material_.divide(swept(tool.cutter().whole, tool.cutter().is_convex, pass), box);
   if (division.inside.is_empty()) return;
   const Region met = without_threads(division.inside, body);
   check_back(tool, pass, met, outcome);
@@ -103,10 +104,15 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
 
 void TurnedPart::check_back(const TurnedTool& tool, const Pass& pass, const Region& met,
                             Outcome& outcome) const {
-  if (tool.edges().empty()) return;
+  if (tool.edges().empty() || met.is_empty()) return;
+  const Box box = contour::extents(met);
+  const std::vector<Contour> behind = swept(tool.back(), pass);
+  const auto may_meet = [&](const Contour& loop) { return contour::extents(loop).meets(box); };
+  if (std::none_of(behind.begin(), behind.end(), may_meet)) return;
   const Region rest = contour::divide(met, swept(tool.edges(), pass)).outside;
   if (!counts(rest, tool.touch_mm())) return;
-  const Region touched = contour::divide(rest, swept(tool.cutter().shrunk, pass)).inside;
+  const Region touched =
+      contour::divide(rest, swept(tool.cutter().shrunk, tool.cutter().is_convex, pass)).inside;
   if (counts(touched, tool.touch_mm()))
     outcome.contacts[index(ToolPart::flank)].add(contact_of(rest));
 }
@@ -116,9 +122,10 @@ void TurnedPart::meet(const TurnedTool::Part& part, double touch_mm, const Pass&
   const Box box = swept_box(part.box, pass);
   if (part.shrunk.is_empty() || !material_.may_meet(box)) return;
   outcome.visited += contour::vertex_count(region());
-  const Region touched = material_.divide(swept(part.shrunk, pass), box).inside;
+  const Region touched = material_.divide(swept(part.shrunk, part.is_convex, pass), box).inside;
   if (!counts(without_threads(touched, body), touch_mm)) return;
-  const Region met = without_threads(material_.divide(swept(part.whole, pass), box).inside, body);
+  const Region met =
+      without_threads(material_.divide(swept(part.whole, part.is_convex, pass), box).inside, body);
   outcome.contacts[index(part.part)].add(contact_of(met));
   outcome.removed += Exact(turned::volume(met));
   material_.become(contour::subtract(region(), met));
@@ -134,14 +141,16 @@ void TurnedPart::cut_thread(const TurnedTool& tool, const Pass& pass, const Swee
                             Outcome& outcome) {
   const Box box = swept_box(tool.cutter().box, pass);
   if (!material_.may_meet(box)) return;
-  ThreadPass thread{.body = sweep.body,
-                    .motion = sweep.motion,
-                    .from = pass.path.front().from,
-                    .to = pass.path.back().to,
-                    .lead = sweep.lead_mm,
-                    .start_deg = sweep.start_deg,
-                    .is_inside = !tool.is_outside(),
-                    .met = material_.divide(swept(tool.cutter().whole, pass), box).inside};
+  ThreadPass thread{
+      .body = sweep.body,
+      .motion = sweep.motion,
+      .from = pass.path.front().from,
+      .to = pass.path.back().to,
+      .lead = sweep.lead_mm,
+      .start_deg = sweep.start_deg,
+      .is_inside = !tool.is_outside(),
+      .met =
+          material_.divide(swept(tool.cutter().whole, tool.cutter().is_convex, pass), box).inside};
   if (thread.met.is_empty()) return;
   check_back(tool, pass, thread.met, outcome);
   thread.groove_mm3 = groove_mm3(tool, thread);
@@ -163,7 +172,7 @@ bool TurnedPart::meets(const TurnedTool& tool, const Pass& pass) const {
   const auto part_meets = [&](const TurnedTool::Part& part) {
     const Box box = swept_box(part.box, pass);
     return material_.may_meet(box) &&
-           !material_.divide(swept(part.whole, pass), box).inside.is_empty();
+           !material_.divide(swept(part.whole, part.is_convex, pass), box).inside.is_empty();
   };
   return part_meets(tool.cutter()) ||
          std::any_of(tool.others().begin(), tool.others().end(), part_meets);

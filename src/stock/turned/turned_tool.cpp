@@ -5,6 +5,7 @@
 
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
+#include "geometry/contour/passage.hpp"
 
 namespace kerf::stock::turned {
 namespace {
@@ -45,6 +46,10 @@ Region section(std::span<const ProfileEdge> edges) {
   return contour::region_of(loop);
 }
 
+bool is_convex(const Region& region) {
+  return region.loops.size() == 1 && contour::is_convex(region.loops.front());
+}
+
 /// Edges in a row that are one part.
 std::vector<std::span<const ProfileEdge>> rows_of(std::span<const ProfileEdge> edges) {
   std::vector<std::span<const ProfileEdge>> rows;
@@ -73,7 +78,7 @@ TurnedTool::TurnedTool(const Body& body)
 void TurnedTool::take_insert(const Insert& insert) {
   for (std::size_t i = 0; i < contour::edge_count(insert.outline); ++i) {
     const Edge edge = contour::edge_of(insert.outline, i);
-    if (edge.owner == owner(InsertPart::edge)) edges_.push_back(edge);
+    (edge.owner == owner(InsertPart::edge) ? edges_ : back_).push_back(edge);
   }
   cutter_ = part_of(ToolPart::edge, contour::region_of(insert.outline));
   if (insert.holder) add_other(ToolPart::holder, contour::region_of(*insert.holder));
@@ -93,9 +98,10 @@ void TurnedTool::take_profile(const Profile& profile) {
 }
 
 TurnedTool::Part TurnedTool::part_of(ToolPart part, Region region) const {
-  Part out{part, std::move(region), {}, {}};
+  Part out{part, std::move(region), {}, {}, false};
   out.shrunk = contour::offset(out.whole, -touch_mm_);
   out.box = contour::extents(out.whole);
+  out.is_convex = is_convex(out.whole) && is_convex(out.shrunk);
   return out;
 }
 

@@ -16,15 +16,17 @@ class TurnedTool {
     ToolPart part = ToolPart::edge;
     contour::Region whole;
     contour::Region shrunk;
-    contour::Box box;  ///< of the whole
+    contour::Box box;        ///< of the whole
+    bool is_convex = false;  ///< both, one loop each
   };
 
   explicit TurnedTool(const Body& body);
 
   /// What removes material: the insert, or all that the edges of a tool on the axis go round.
   [[nodiscard]] const Part& cutter() const { return cutter_; }
-  /// The edges of an insert that cut; none: all of them do.
+  /// The edges of an insert that cut; none: all of them do. The others are its back.
   [[nodiscard]] const std::vector<contour::Edge>& edges() const { return edges_; }
+  [[nodiscard]] const std::vector<contour::Edge>& back() const { return back_; }
   /// What never cuts; of an insert its holder.
   [[nodiscard]] const std::vector<Part>& others() const { return others_; }
 
@@ -42,6 +44,7 @@ class TurnedTool {
 
   Part cutter_;
   std::vector<contour::Edge> edges_;
+  std::vector<contour::Edge> back_;
   std::vector<Part> others_;
   bool is_insert_ = false;
   bool cuts_ = true;

@@ -38,6 +38,9 @@ output::StockFacts facts_of(StockResult& result) {
   facts.left_mm3 = result.model->left_mm3();
   facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
   facts.extents = result.model->extents();
+  facts.pieces = result.model->pieces();
+  facts.threads = result.threads;
+  facts.turns = result.run->machine().definition().turns();
   facts.model = result.model_facts;
   facts.assumed = result.assumed;
   for (const stock::ToolRecord& did : result.tools) {

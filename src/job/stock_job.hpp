@@ -12,7 +12,7 @@
 namespace kerf::job {
 
 /// Which kind of stock holds the part (stock.md §3).
-enum class StockModel : std::uint8_t { automatic, zmap, tridexel };
+enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile };
 
 /// A run that cuts the virtual part, as a value.
 struct StockJob {

@@ -11,12 +11,20 @@
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
 #include "machine/definition/work_turns.hpp"
+#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 namespace {
 
 using base::Outcome;
 using stock::Vec3;
+
+/// A body of revolution is the same however the work has turned.
+std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
+                                      const machine::MachineDefinition& definition) {
+  if (plan.kind == StockModel::profile) return {};
+  return machine::work_turns(definition);
+}
 
 /// One pass over the program with a plan, and what it has shown of the plan.
 class Pass final : public motion::MotionSink {
@@ -25,7 +33,8 @@ class Pass final : public motion::MotionSink {
       : plan_(plan),
         run_(std::move(run)),
         zero_(run_->machine(), job.zero),
-        frame_(axes(), machine::work_turns(run_->machine().definition())),
+        frame_(axes(), turns_of(plan, run_->machine().definition())),
+        driven_(axes()),
         rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
                                         run_->machine().definition().turns(), plan.axial)) {
     frame_.set_zero(plan.origin);
@@ -42,7 +51,8 @@ class Pass final : public motion::MotionSink {
                     stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
                                             .is_placed = placed_when(job),
                                             .obstacles = obstacles_of(job),
-                                            .has_tool = plan_.without_changes});
+                                            .has_tool = plan_.without_changes,
+                                            .turns_work = is_profile()});
     run_->machine().add_sink(*this);
     status_ = run_->go();
     cutter_->finish();
@@ -50,6 +60,7 @@ class Pass final : public motion::MotionSink {
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
+    if (is_profile()) driven_.look(motion);
     cutter_->take(motion);
   }
 
@@ -72,6 +83,11 @@ class Pass final : public motion::MotionSink {
       better.kind = StockModel::tridexel;
       better.reason =
           "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
+      differs = true;
+    }
+    if (driven_.driven()) {
+      better.kind = StockModel::tridexel;
+      better.reason = "a driven tool cuts, line " + std::to_string(driven_.driven()->line);
       differs = true;
     }
     // Whether a tool that nobody describes is a drill, only a survey says.
@@ -99,6 +115,7 @@ class Pass final : public motion::MotionSink {
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
     result.tools = cutter_->tools();
+    result.threads = threads();
     result.assumed = rack_->assumed();
     tell_of_run(result);
     result.model = std::move(model_);
@@ -128,6 +145,27 @@ class Pass final : public motion::MotionSink {
   }
   [[nodiscard]] const motion::AxisSetup& axes() const { return run_->machine().definition().axes; }
 
+  [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
+
+  [[nodiscard]] std::vector<output::StockFacts::Thread> threads() const {
+    std::vector<output::StockFacts::Thread> out;
+    const auto* const part = dynamic_cast<const stock::turned::TurnedPart*>(model_.get());
+    if (part == nullptr) return out;
+    for (const stock::turned::TurnedThread& thread : part->threads()) {
+      const auto block = cutter_->threads().find(thread.motion);
+      out.push_back({.line = block == cutter_->threads().end() ? 0 : block->second.line,
+                     .axis = thread.axis,
+                     .from = thread.from,
+                     .to = thread.to,
+                     .major = thread.major,
+                     .minor = thread.minor,
+                     .pitch = thread.pitch,
+                     .starts = thread.starts,
+                     .volume_mm3 = thread.volume_mm3});
+    }
+    return out;
+  }
+
   void tell_of_run(StockResult& result) const {
     if (zero_.moved()) {
       result.findings.push_back({.code = base::Code::stock_zero_moved,
@@ -145,6 +183,7 @@ class Pass final : public motion::MotionSink {
   std::unique_ptr<Run> run_;
   ZeroWatch zero_;
   stock::WorkFrame frame_;
+  DrivenWatch driven_;
   std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
   std::vector<std::unique_ptr<Fixture>> fixtures_;
@@ -178,7 +217,8 @@ class SurveyPass final : public motion::MotionSink {
 };
 
 bool needs_survey(const StockJob& job) {
-  return std::holds_alternative<machine::StockAround>(job.shape) || !job.cell_mm;
+  const bool needs_cell = !job.cell_mm && !job.job.definition.turns();
+  return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
 Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
@@ -194,7 +234,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   plan.origin = pass.origin();
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
-  auto shape = shape_of(job.shape, tools, assumed);
+  auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   choose_model(job, tools, plan);
@@ -206,11 +246,11 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   StockPlan plan;
   plan.origin = ZeroWatch(run.machine(), job.zero).at_start();
   std::vector<control::Assumption> none;
-  auto shape = shape_of(job.shape, SurveyedTools{}, none);
+  auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   choose_model(job, SurveyedTools{}, plan);
-  plan.cell_mm = *job.cell_mm;
+  plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
   return plan;
 }
 
@@ -220,6 +260,8 @@ constexpr int kMostPasses = 5;
 }  // namespace
 
 Outcome<StockResult> cut_stock(const StockJob& job) {
+  if (job.model == StockModel::profile && !job.job.definition.turns())
+    return base::usage("--model profile: only stock that a lathe turns has a profile");
   std::vector<control::Assumption> assumed;
   std::optional<StockPlan> plan;
   if (needs_survey(job)) {

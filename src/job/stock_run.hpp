@@ -25,6 +25,7 @@ struct StockResult {
   std::vector<double> times_s;  ///< of each finding, when its motion ended
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
+  std::vector<output::StockFacts::Thread> threads;
   std::vector<control::Assumption> assumed;
 };
 

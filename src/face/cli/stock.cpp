@@ -22,6 +22,7 @@ using base::Outcome;
 
 job::StockModel model_named(const std::string& name) {
   if (name == "zmap") return job::StockModel::zmap;
+  if (name == "profile") return job::StockModel::profile;
   return name == "tridexel" ? job::StockModel::tridexel : job::StockModel::automatic;
 }
 

@@ -16,7 +16,8 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->option_defaults()->group("Stock");
   stock
       ->add_option("--stock", o.stock,
-                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
+                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
+                   "bar:D,Z0,Z1[,DI] on a lathe, or "
                    "extents[:M], a box around what is cut; default extents:5")
       ->type_name("SHAPE");
   stock
@@ -27,9 +28,10 @@ void add_stock(CLI::App& app, StockOptions& o) {
   repeated(stock->add_option("--fixture", o.fixtures,
                              "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
-  stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
+  stock
+      ->add_option("--model", o.model, "auto, zmap, tridexel or, on a lathe, profile; default auto")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "zmap", "tridexel"}));
+      ->check(CLI::IsMember({"auto", "zmap", "tridexel", "profile"}));
   stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")
       ->type_name("MM")
       ->check(not_negative());

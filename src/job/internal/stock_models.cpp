@@ -8,6 +8,7 @@
 #include "math/math.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
+#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -26,6 +27,24 @@ std::string objection_to_zmap(const SurveyedTools& tools, const stock::Workpiece
   return {};
 }
 
+bool is_about_spindle(const stock::Workpiece& shape) {
+  const auto* const round = std::get_if<stock::CylinderShape>(&shape);
+  return round != nullptr && round->along == 2 && round->u == 0 && round->v == 0;
+}
+
+/// What the spindle of a lathe turns about its axis (stock.md §3).
+bool becomes_profile(const StockJob& job, const stock::Workpiece& shape) {
+  const bool is_wanted = job.model == StockModel::automatic || job.model == StockModel::profile;
+  return is_wanted && job.job.definition.turns() && is_about_spindle(shape);
+}
+
+MadeModel make_profile(const stock::CylinderShape& bar) {
+  MadeModel made;
+  made.model = std::make_unique<stock::turned::TurnedPart>(
+      stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter));
+  return made;
+}
+
 // The largest number of columns along an axis that a grid may have.
 constexpr double kMostColumns = 67'108'864;
 constexpr double kLeastTurning_mm = 0.001;
@@ -41,6 +60,11 @@ stock::field::ColumnAt column_of(const stock::CylinderShape& round) {
 }  // namespace
 
 void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& plan) {
+  if (becomes_profile(job, plan.shape)) {
+    plan.kind = StockModel::profile;
+    plan.reason = "the work turns, and no tool does";
+    return;
+  }
   const std::string objection = objection_to_zmap(tools, plan.shape);
   if (job.model == StockModel::tridexel || !objection.empty()) {
     plan.kind = StockModel::tridexel;
@@ -99,6 +123,8 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 }  // namespace
 
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
+  if (plan.kind == StockModel::profile)
+    return make_profile(std::get<stock::CylinderShape>(plan.shape));
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
   const double cell = fitting_cell(plan, job.memory_bytes);
   MadeModel made;
@@ -116,6 +142,7 @@ output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& mo
   facts.reason = plan.reason;
   facts.bytes = model.bytes();
   facts.error_mm3 = model.error_mm3();
+  if (dynamic_cast<const stock::turned::TurnedPart*>(&model) != nullptr) facts.kind = "profile";
   if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(&model)) {
     const stock::field::Grid& grid = field->columns().grid();
     facts.kind = "zmap";

@@ -51,4 +51,21 @@ class ZeroWatch {
   std::uint64_t revision_ = 0;
 };
 
+/// Whether a machine that turns its work cuts with tools that turn, or with the work standing: then
+/// the part is no body of revolution.
+class DrivenWatch {
+ public:
+  explicit DrivenWatch(const motion::AxisSetup& axes) : axes_(axes), at_(axes.start) {}
+
+  void look(const motion::Motion& motion);
+  /// The first block that did.
+  [[nodiscard]] const std::optional<base::BlockId>& driven() const { return driven_; }
+
+ private:
+  const motion::AxisSetup& axes_;
+  base::TipPoint at_;
+  bool is_live_ = false;
+  std::optional<base::BlockId> driven_;
+};
+
 }  // namespace kerf::job

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace kerf::job {
 namespace {
@@ -14,6 +15,8 @@ using stock::Vec3;
 constexpr double kLeastCell_mm = 0.02;
 constexpr double kCellsAcrossTool = 40;
 constexpr double kUsualDiameter_mm = 6;
+constexpr double kAround_mm = 0.5;
+constexpr double kInFront_mm = 1;
 
 void take_in(Bounds& all, const Bounds& one) {
   all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y),
@@ -24,16 +27,32 @@ void take_in(Bounds& all, const Bounds& one) {
 
 using Shape = base::Outcome<stock::Workpiece>;
 
+base::Failure without_cuts(std::string_view example) {
+  return {base::Failure::Kind::usage,
+          fmt::format("--stock extents: the program has no move that cuts, so the stock needs its "
+                      "measures: --stock {}",
+                      example)};
+}
+
+// stock.md §2.1: half a millimetre round the largest diameter, one in front, the margin behind.
+Shape bar_around(const machine::StockAround& word, const SurveyedTools& tools,
+                 std::vector<control::Assumption>& assumed) {
+  if (!tools.extents()) return tl::unexpected(without_cuts("bar:D,Z0,Z1"));
+  const Bounds& cut = *tools.extents();
+  const double rho = std::max(std::fabs(cut.low.x), std::fabs(cut.high.x));
+  const stock::CylinderShape bar{.from = cut.low.z - word.margin_mm,
+                                 .to = cut.high.z + kInFront_mm,
+                                 .diameter = 2 * (rho + kAround_mm)};
+  assumed.push_back({0, fmt::format("the stock is a bar of diameter {:.3f}, Z {:.3f} to {:.3f}",
+                                    bar.diameter, bar.from, bar.to)});
+  return stock::Workpiece(bar);
+}
+
 // stock.md §2.1: the bottom is a margin below the lowest tip, the top the zero of the stock where a
 // move cuts below it.
 Shape around(const machine::StockAround& word, const SurveyedTools& tools,
              std::vector<control::Assumption>& assumed) {
-  if (!tools.extents()) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::usage,
-                      "--stock extents: the program has no move that cuts, so the "
-                      "stock needs its measures: --stock box:…"});
-  }
+  if (!tools.extents()) return tl::unexpected(without_cuts("box:…"));
   const Bounds& cut = *tools.extents();
   const double m = word.margin_mm;
   const double bottom = cut.low.z - m;
@@ -78,11 +97,17 @@ double SurveyedTools::usual_cell() const {
   }
 }
 
-Shape shape_of(const machine::StockWord& word, const SurveyedTools& tools,
+Shape shape_of(const machine::StockWord& word, bool turns, const SurveyedTools& tools,
                std::vector<control::Assumption>& assumed) {
   if (const auto* const shape = std::get_if<stock::Workpiece>(&word)) return *shape;
   if (const auto* const margin = std::get_if<machine::StockAround>(&word))
-    return around(*margin, tools, assumed);
+    return turns ? bar_around(*margin, tools, assumed) : around(*margin, tools, assumed);
+  if (const auto* const bar = std::get_if<machine::StockBar>(&word); turns && bar != nullptr) {
+    return stock::Workpiece(stock::CylinderShape{.from = bar->z0,
+                                             .to = bar->z1,
+                                             .diameter = bar->diameter,
+                                             .inner_diameter = bar->inner_diameter});
+  }
   return base::usage("--stock: this machine cannot have a stock of this kind");
 }
 

@@ -34,9 +34,10 @@ class SurveyedTools {
   bool undercut_ = false;
 };
 
-/// The shape that lies on the table. Failure (usage): the machine cannot have it.
-[[nodiscard]] base::Outcome<stock::Workpiece> shape_of(const machine::StockWord& word,
-                                                       const SurveyedTools& tools,
-                                                       std::vector<control::Assumption>& assumed);
+/// The shape that lies on the table, or that the chuck of a machine that turns holds. Failure
+/// (usage): the machine cannot have it.
+[[nodiscard]] base::Outcome<stock::Workpiece> shape_of(const machine::StockWord& word, bool turns,
+                                                   const SurveyedTools& tools,
+                                                   std::vector<control::Assumption>& assumed);
 
 }  // namespace kerf::job

@@ -9,6 +9,7 @@
 #include "output/reports/run_facts.hpp"
 #include "stock/cutting/finding.hpp"
 #include "stock/cutting/tool_record.hpp"
+#include "stock/sweep/piece.hpp"
 
 namespace kerf::output {
 
@@ -26,7 +27,7 @@ struct StockFacts {
     double time_s = 0;
   };
   struct Model {
-    std::string kind;  ///< "zmap", "tridexel"
+    std::string kind;  ///< "zmap", "tridexel", "profile"
     std::vector<double> cell_mm;
     std::vector<std::uint64_t> cells;
     std::uint64_t bytes = 0;
@@ -36,11 +37,17 @@ struct StockFacts {
     std::string reason;
   };
 
-  /// Of what is left: what hangs together.
-  struct Piece {
+  /// On a turned part; major and minor are diameters.
+  struct Thread {
+    std::uint32_t line = 0;
+    char axis = 'Z';
+    double from = 0;
+    double to = 0;
+    double major = 0;
+    double minor = 0;
+    double pitch = 0;
+    int starts = 1;
     double volume_mm3 = 0;
-    stock::Bounds extents;
-    bool held = true;
   };
 
   RunFacts run;
@@ -52,8 +59,10 @@ struct StockFacts {
   Model model;
   double removed_mm3 = 0;
   double left_mm3 = 0;
-  stock::Bounds extents;      ///< of what is left; low > high: nothing is
-  std::vector<Piece> pieces;  ///< the largest first
+  stock::Bounds extents;             ///< of what is left; low > high: nothing is
+  std::vector<stock::Piece> pieces;  ///< the largest first
+  std::vector<Thread> threads;       ///< their material is not part of removed_mm3
+  bool turns = false;                ///< X is told as a diameter, and there is no Y
   std::vector<Tool> tools;
   std::vector<Told> findings;
   std::vector<std::string> not_checked;

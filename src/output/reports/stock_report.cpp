@@ -16,24 +16,23 @@ using base::number_text;
 using base::tidy;
 using stock::Vec3;
 
-std::string point_json(Vec3 at) {
-  return JsonObject()
-      .number("X", tidy(at.x))
-      .number("Y", tidy(at.y))
-      .number("Z", tidy(at.z))
-      .done();
+// A turned part has no Y, and its X is a diameter.
+std::string point_json(Vec3 at, bool turns) {
+  JsonObject object;
+  object.number("X", tidy(turns ? 2 * at.x : at.x));
+  if (!turns) object.number("Y", tidy(at.y));
+  return object.number("Z", tidy(at.z)).done();
 }
 
-std::string bounds_json(const stock::Bounds& box) {
+std::string bounds_json(const stock::Bounds& box, bool turns) {
   if (box.low.x > box.high.x) return "{}";
   const auto range = [](double low, double high) {
     return "[" + number_text(tidy(low)) + "," + number_text(tidy(high)) + "]";
   };
-  return JsonObject()
-      .raw("X", range(box.low.x, box.high.x))
-      .raw("Y", range(box.low.y, box.high.y))
-      .raw("Z", range(box.low.z, box.high.z))
-      .done();
+  JsonObject object;
+  object.raw("X", turns ? range(0, 2 * box.high.x) : range(box.low.x, box.high.x));
+  if (!turns) object.raw("Y", range(box.low.y, box.high.y));
+  return object.raw("Z", range(box.low.z, box.high.z)).done();
 }
 
 std::string numbers_json(const std::vector<double>& values) {
@@ -46,8 +45,8 @@ std::string stock_json(const StockFacts& facts) {
   return JsonObject()
       .text("shape", facts.shape)
       .text("zero", facts.zero)
-      .raw("origin", point_json(facts.origin))
-      .raw("extents", bounds_json(facts.stock_extents))
+      .raw("origin", point_json(facts.origin, facts.turns))
+      .raw("extents", bounds_json(facts.stock_extents, facts.turns))
       .number("volume_mm3", tidy(facts.stock_mm3))
       .done();
 }
@@ -71,7 +70,7 @@ std::string tool_json(const StockFacts::Tool& tool) {
   return object.done();
 }
 
-std::string finding_json(const StockFacts::Told& told, const base::SourceSet& sources) {
+std::string finding_json(const StockFacts::Told& told, bool turns, const base::SourceSet& sources) {
   const stock::Finding& finding = told.finding;
   JsonObject object;
   object.text("severity", severity_name(told.diagnostic.severity))
@@ -82,7 +81,7 @@ std::string finding_json(const StockFacts::Told& told, const base::SourceSet& so
       .number("column", told.diagnostic.place.column)
       .text("program", told.diagnostic.program);
   object.number("tool", finding.tool).number("motion", static_cast<double>(finding.motion));
-  object.number("time_s", tidy(told.time_s)).raw("at", point_json(finding.at));
+  object.number("time_s", tidy(told.time_s)).raw("at", point_json(finding.at, turns));
   object.number("depth_mm", tidy(finding.depth_mm)).number("volume_mm3", tidy(finding.volume_mm3));
   return object.number("count", static_cast<double>(finding.count)).done();
 }
@@ -106,12 +105,25 @@ std::string assumed_json(const StockFacts& facts) {
 
 std::string pieces_json(const StockFacts& facts) {
   std::vector<std::string> items;
-  for (const StockFacts::Piece& piece : facts.pieces) {
+  for (const stock::Piece& piece : facts.pieces) {
     items.push_back(JsonObject()
                         .number("volume_mm3", tidy(piece.volume_mm3))
-                        .raw("extents", bounds_json(piece.extents))
+                        .raw("extents", bounds_json(piece.extents, facts.turns))
                         .raw("held", piece.held ? "true" : "false")
                         .done());
+  }
+  return json_array(items);
+}
+
+std::string threads_json(const StockFacts& facts) {
+  std::vector<std::string> items;
+  for (const StockFacts::Thread& thread : facts.threads) {
+    JsonObject object;
+    object.number("line", thread.line).text("axis", std::string(1, thread.axis));
+    object.number("from", tidy(thread.from)).number("to", tidy(thread.to));
+    object.number("major", tidy(thread.major)).number("minor", tidy(thread.minor));
+    object.number("pitch", tidy(thread.pitch)).number("starts", thread.starts);
+    items.push_back(object.number("volume_mm3", tidy(thread.volume_mm3)).done());
   }
   return json_array(items);
 }
@@ -123,14 +135,15 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
   for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
   std::vector<std::string> findings;
   for (const StockFacts::Told& told : facts.findings)
-    findings.push_back(finding_json(told, sources));
+    findings.push_back(finding_json(told, facts.turns, sources));
   std::vector<std::string> not_checked;
   for (const std::string& what : facts.not_checked) not_checked.push_back(quoted(what));
   JsonObject object = head_of_report(facts.run);
   object.number("time_s", tidy(facts.run.time_s));
   object.raw("stock", stock_json(facts)).raw("model", model_json(facts.model));
   object.number("removed_mm3", tidy(facts.removed_mm3)).number("left_mm3", tidy(facts.left_mm3));
-  object.raw("extents", bounds_json(facts.extents)).raw("pieces", pieces_json(facts));
+  object.raw("extents", bounds_json(facts.extents, facts.turns)).raw("pieces", pieces_json(facts));
+  if (!facts.threads.empty()) object.raw("threads", threads_json(facts));
   object.raw("tools", json_array(tools)).raw("findings", json_array(findings));
   object.raw("counts", counts_json(facts)).raw("not_checked", json_array(not_checked));
   object.raw("assumed", assumed_json(facts));
@@ -169,10 +182,10 @@ std::string finding_lines(const StockFacts& facts, const base::SourceSet& source
 
 std::string stock_report_text(const StockFacts& facts, const base::SourceSet& sources) {
   std::string text = summary_text(facts.run);
-  text += fmt::format("  stock {} at {}, {:.1f} mm³; {} of {} mm ({})\n", printable(facts.shape),
-                      facts.zero, facts.stock_mm3, facts.model.kind,
-                      facts.model.cell_mm.empty() ? "" : number_text(facts.model.cell_mm.front()),
-                      facts.model.reason);
+  const std::string cell =
+      facts.model.cell_mm.empty() ? "" : " of " + number_text(facts.model.cell_mm.front()) + " mm";
+  text += fmt::format("  stock {} at {}, {:.1f} mm³; {}{} ({})\n", printable(facts.shape),
+                      facts.zero, facts.stock_mm3, facts.model.kind, cell, facts.model.reason);
   text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);
   for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
   text += finding_lines(facts, sources);

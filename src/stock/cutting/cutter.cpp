@@ -70,15 +70,21 @@ void Cutter::take(const motion::Motion& motion) {
   if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     change_tool(change->tool);
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    using Turning = motion::Spindle::Turning;
-    if (spindle->name == motion::SpindleName::sub) return;
-    const bool turns = spindle->turns() && spindle->known_rpm() > 0;
-    spindle_ = !turns                                   ? Spindle::stopped
-               : spindle->turning == Turning::clockwise ? Spindle::right
-                                                        : Spindle::left;
+    turn(*spindle);
   } else if (const TipPoint* const to = motion::target_of(motion)) {
     move(motion, *to);
   }
+}
+
+void Cutter::turn(const motion::Spindle& spindle) {
+  using motion::Spindle;
+  if (spindle.name == motion::SpindleName::sub) return;
+  if (settings_.turns_work && spindle.name == motion::SpindleName::live) return;
+  // Of a surface speed without a limit only the tool's place tells the rpm.
+  const double speed = spindle.follows_radius() ? spindle.speed : spindle.known_rpm();
+  spindle_ = !spindle.turns() || !(speed > 0)                 ? Turning::stopped
+             : spindle.turning == Spindle::Turning::clockwise ? Turning::right
+                                                              : Turning::left;
 }
 
 void Cutter::change_tool(std::uint32_t number) {
@@ -108,8 +114,12 @@ void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {
              .tool = tool_->number(),
              .kind = kind,
              .spindle = spindle_};
-  const Sweep like{
-      .body = body_of(*tool_), .kind = kind, .motion = static_cast<std::uint32_t>(motions_)};
+  Sweep like{.body = body_of(*tool_), .kind = kind, .motion = static_cast<std::uint32_t>(motions_)};
+  if (const auto* const thread = std::get_if<motion::Thread>(&motion.action)) {
+    like.lead_mm = std::fabs(thread->lead);
+    like.start_deg = thread->angle_deg;
+    threads_.emplace(like.motion, motion.block);
+  }
   TipPoint from = at_;
   for (const motion::Curve& curve : curves_.of(at_, motion)) {
     maker_.add(from, curve, like, reach_of(tool_->body), sweeps_);
@@ -192,16 +202,15 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
     told(ToolPart::edge, Code::probe_in_stock);
     return;
   }
-  told(ToolPart::flank, Code::flute_length);
-  told(ToolPart::shank, Code::shank_collision);
-  told(ToolPart::holder, Code::holder_collision);
-  if (outcome.removed.value() < kDust_mm3) return;
-  if (of.spindle == Spindle::stopped) {
-    find(Code::spindle_stopped, of, fmt::format("T{} cuts", of.tool));
-  } else if (tool.knows_hand() && (tool.tool.hand == Hand::left) != (of.spindle == Spindle::left)) {
-    find(Code::spindle_direction, of,
-         fmt::format("T{} cuts with {}", of.tool, of.spindle == Spindle::left ? "M04" : "M03"));
+  if (tool.tool.is_insert()) {
+    judge_back(of, outcome);
+  } else {
+    told(ToolPart::flank, Code::flute_length);
+    told(ToolPart::shank, Code::shank_collision);
+    told(ToolPart::holder, Code::holder_collision);
   }
+  if (outcome.removed.value() < kDust_mm3 && outcome.threaded.value() < kDust_mm3) return;
+  judge_spindle(of, tool);
   if (outcome.core.value() > kDust_mm3) {
     find(Code::not_centre_cutting, of,
          fmt::format("T{} removes {:.3f} mm³ within its core", of.tool, outcome.core.value()));
@@ -212,6 +221,28 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
     if (!across(i) || outcomes_[i].removed.value() < kDust_mm3) continue;
     find(Code::axial_tool_sideways, of, fmt::format("T{} is a {}", of.tool, tool.tool.type_name()));
     return;
+  }
+}
+
+// Of an insert nothing cuts but its edges, and the bar is behind them, too.
+void Cutter::judge_back(const Waiting& of, const Outcome& outcome) {
+  Contact contact;
+  for (const ToolPart part : {ToolPart::flank, ToolPart::shank, ToolPart::holder})
+    contact.add(outcome.contacts[index(part)]);
+  if (!contact.is_one()) return;
+  find(Code::insert_collision, of, contact,
+       fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
+}
+
+void Cutter::judge_spindle(const Waiting& of, const CuttingTool& tool) {
+  const bool is_left = of.spindle == Turning::left;
+  if (of.spindle == Turning::stopped) {
+    find(Code::spindle_stopped, of, fmt::format("T{} cuts", of.tool));
+  } else if (!tool.tool.is_insert() && tool.knows_hand() &&
+             (tool.tool.hand == Hand::left) != is_left) {
+    // Which way an insert wants the work to turn depends on how it is clamped.
+    find(Code::spindle_direction, of,
+         fmt::format("T{} cuts with {}", of.tool, is_left ? "M04" : "M03"));
   }
 }
 
@@ -237,7 +268,7 @@ void Cutter::record(const Waiting& of, const Outcome& outcome) {
   const auto same = [&](const ToolRecord& record) { return record.tool == of.tool; };
   auto place = std::find_if(tools_.begin(), tools_.end(), same);
   if (place == tools_.end()) place = tools_.insert(place, ToolRecord{.tool = of.tool});
-  const bool removes = outcome.removed.value() > kDust_mm3;
+  const bool removes = outcome.removed.value() > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
   place->removed_mm3 += outcome.removed.value();
   if (of.kind == SweepKind::rapid) return;
   (removes ? place->cut_mm : place->air_mm) += of.length_mm;
@@ -245,7 +276,7 @@ void Cutter::record(const Waiting& of, const Outcome& outcome) {
   for (std::size_t i = of.first; axial && i < of.end; ++i) axial = !goes_across(sweeps_[i]);
   has_cut_ = has_cut_ || removes;
   for (std::size_t i = of.first; removes && i < of.end; ++i) {
-    if (outcomes_[i].removed.value() > kDust_mm3)
+    if (outcomes_[i].removed.value() + outcomes_[i].threaded.value() > kDust_mm3)
       place->lowest = std::min(place->lowest, bounds(sweeps_[i].way).low.z);
   }
 }

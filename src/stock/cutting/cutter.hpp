@@ -31,6 +31,8 @@ class Cutter final : public motion::MotionSink {
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
+    /// The spindle of the work makes the cut: what driven tools do is not looked at.
+    bool turns_work = false;
   };
 
   /// All must outlive the cutter.
@@ -55,11 +57,13 @@ class Cutter final : public motion::MotionSink {
   /// Moves at feed that there were, and those that removed material.
   [[nodiscard]] bool fed() const { return fed_; }
   [[nodiscard]] bool has_cut() const { return has_cut_; }
+  /// The blocks of threads by their motions, as far as sweeps can name them.
+  [[nodiscard]] const std::map<std::uint32_t, base::BlockId>& threads() const { return threads_; }
   /// Of each tool that was fed whether it only ever went along its axis.
   [[nodiscard]] const std::map<std::uint32_t, bool>& axial_tools() const { return axial_tools_; }
 
  private:
-  enum class Spindle : std::uint8_t { stopped, right, left };
+  enum class Turning : std::uint8_t { stopped, right, left };
   /// What is known of a motion until the model has cut it.
   struct Waiting {
     base::BlockId block;
@@ -68,11 +72,12 @@ class Cutter final : public motion::MotionSink {
     std::size_t end = 0;
     std::uint32_t tool = 0;
     SweepKind kind = SweepKind::cut;
-    Spindle spindle = Spindle::stopped;
+    Turning spindle = Turning::stopped;
     double length_mm = 0;
   };
 
   void change_tool(std::uint32_t number);
+  void turn(const motion::Spindle& spindle);
   void move(const motion::Motion& motion, const base::TipPoint& to);
   void add_sweeps(const motion::Motion& motion, SweepKind kind);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
@@ -81,6 +86,8 @@ class Cutter final : public motion::MotionSink {
   void judge_rapid(const Waiting& of, const Outcome& outcome);
   void judge_cut(const Waiting& of, const Outcome& outcome);
   void judge_obstacles(const Waiting& of);
+  void judge_back(const Waiting& of, const Outcome& outcome);
+  void judge_spindle(const Waiting& of, const CuttingTool& tool);
   void find(base::Code code, const Waiting& of, const Contact& contact, std::string detail);
   void find(base::Code code, const Waiting& of, const std::string& detail);
   void record(const Waiting& of, const Outcome& outcome);
@@ -97,7 +104,7 @@ class Cutter final : public motion::MotionSink {
   std::vector<ToolRecord> tools_;
   std::map<std::uint32_t, BodyId> bodies_;
   const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
-  Spindle spindle_ = Spindle::stopped;
+  Turning spindle_ = Turning::stopped;
   base::TipPoint at_;
   bool checks_ = false;
   std::uint64_t motions_ = 0;
@@ -111,6 +118,7 @@ class Cutter final : public motion::MotionSink {
   bool changed_tool_ = false;
   bool fed_ = false;
   bool has_cut_ = false;
+  std::map<std::uint32_t, base::BlockId> threads_;
   std::map<std::uint32_t, bool> axial_tools_;
 };
 

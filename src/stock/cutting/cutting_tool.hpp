@@ -22,8 +22,8 @@ struct CuttingTool {
   [[nodiscard]] double diameter_mm() const { return 2 * body.profile.widest(ToolPart::edge); }
 };
 
-/// Of an insert the body is empty: it cuts nothing where the spindle turns the tool. Precondition:
-/// objection(tool) is empty.
+/// Of an insert the body has no profile: it cuts nothing where the spindle turns the tool.
+/// Precondition: objection(tool) is empty.
 [[nodiscard]] CuttingTool cutting_tool(const Tool& tool, double touch_mm);
 
 /// The tools of a run.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "stock/tool/insert.hpp"
 #include "stock/tool/profile.hpp"
 
 namespace kerf::stock {
@@ -12,6 +15,8 @@ struct Body {
   /// of it at rapids, all but the edges in cuts.
   double touch_mm = 0.01;
   bool cuts = true;  ///< else even its edges may meet nothing: a probe
+  /// Of a lathe, in place of the profile.
+  std::optional<Insert> insert{};
 };
 
 }  // namespace kerf::stock

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "base/interface.hpp"
 #include "stock/sweep/body.hpp"
 #include "stock/sweep/outcome.hpp"
+#include "stock/sweep/piece.hpp"
 #include "stock/sweep/sweep.hpp"
 
 namespace kerf::stock {
@@ -37,6 +39,8 @@ class Model : public base::Interface {
   [[nodiscard]] virtual double error_mm3() const = 0;
   /// Of what is left; low > high: nothing is.
   [[nodiscard]] virtual Bounds extents() const = 0;
+  /// What of it hangs together, the largest first. A model that cannot tell has it all for one.
+  [[nodiscard]] virtual std::vector<Piece> pieces() const;
   /// What it holds now.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };

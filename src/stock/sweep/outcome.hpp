@@ -53,6 +53,9 @@ struct Outcome {
   /// Removed by signed distance s of the column from the way of the axis, seen along the feed, left
   /// positive, s from -R to R in equal bins; R is the widest edge. Straight and arc ways only.
   std::array<Exact, kBins> across{};
+  /// Of threads (stock.md §4.5): what the insert met for the first time where its thread is, mm³ of
+  /// the ring, and left there.
+  Exact threaded;
   std::uint64_t visited = 0;  ///< columns or dexels that were compared
 
   void add(const Outcome& other);

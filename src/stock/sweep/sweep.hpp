@@ -24,6 +24,10 @@ struct Sweep {
   SweepKind kind = SweepKind::cut;
   /// Number of the motion in the run, from 1: what a cut face remembers.
   std::uint32_t motion = 0;
+  /// Of a cut that is synchronised with the work's spindle: mm a turn, and the spindle's angle at
+  /// its mark. 0: it is none. Only stock of a lathe keeps threads.
+  double lead_mm = 0;
+  double start_deg = 0;
 };
 
 }  // namespace kerf::stock

@@ -1,0 +1,10 @@
+#include "stock/sweep/model.hpp"
+
+namespace kerf::stock {
+
+std::vector<Piece> Model::pieces() const {
+  if (!(left_mm3() > 0)) return {};
+  return {{left_mm3(), extents(), true}};
+}
+
+}  // namespace kerf::stock

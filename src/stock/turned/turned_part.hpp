@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "stock/sweep/model.hpp"
+#include "stock/turned/material.hpp"
+#include "stock/turned/swept.hpp"
+#include "stock/turned/thread_book.hpp"
+#include "stock/turned/turned_tool.hpp"
+
+namespace kerf::stock::turned {
+
+/// Stock of a lathe (stock.md §3, profile): all that turns about the axis of the spindle, Z, as a
+/// region of lines and arcs in (u = Z, v = ρ >= 0). Tools move in the plane of Z and X, ways of
+/// lines and arcs; what they cut is exact but for rounding, and each edge has the motion that cut
+/// it for its owner, 0 where nothing has. Sweeps of threads leave the region as it is.
+class TurnedPart final : public Model {
+ public:
+  /// What is at v < 0 of the region is left out.
+  explicit TurnedPart(const contour::Region& region);
+
+  [[nodiscard]] BodyId add_body(const Body& body) override;
+  /// The tip stays in the plane; a tool on the axis stands along +Z.
+  [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
+  /// Contacts of an insert's back are ToolPart::flank, of its bar ToolPart::holder.
+  void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+
+  [[nodiscard]] double left_mm3() const override;
+  [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }
+  [[nodiscard]] double error_mm3() const override { return 0; }
+  [[nodiscard]] Bounds extents() const override;
+  [[nodiscard]] std::vector<Piece> pieces() const override;
+  [[nodiscard]] std::size_t bytes() const override;
+
+  [[nodiscard]] const contour::Region& region() const { return material_.region(); }
+  [[nodiscard]] std::vector<TurnedThread> threads() const { return threads_.threads(); }
+
+ private:
+  void cut_one(const Sweep& sweep, Outcome& outcome);
+  void cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId body, Outcome& outcome);
+  void cut_thread(const TurnedTool& tool, const Pass& pass, const Sweep& sweep, Outcome& outcome);
+  void check_back(const TurnedTool& tool, const Pass& pass, const contour::Region& met,
+                  Outcome& outcome) const;
+  void meet(const TurnedTool::Part& part, double touch_mm, const Pass& pass, BodyId body,
+            Outcome& outcome);
+  [[nodiscard]] double groove_mm3(const TurnedTool& tool, const ThreadPass& pass) const;
+  [[nodiscard]] contour::Region without_threads(contour::Region met, BodyId body) const;
+  [[nodiscard]] bool meets(const TurnedTool& tool, const Pass& pass) const;
+
+  Material material_;
+  double stock_mm3_;
+  std::vector<TurnedTool> tools_;
+  ThreadBook threads_;
+};
+
+/// A bar or a tube about the axis: diameters, from < to. Precondition: diameter > inner >= 0.
+[[nodiscard]] contour::Region bar(double diameter, double from, double to,
+                                  double inner_diameter = 0);
+
+}  // namespace kerf::stock::turned

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <system_error>
 #include <thread>
 
 #include "stock/field/tile_cutter.hpp"
@@ -77,10 +78,15 @@ void TileWork::share() {
   const auto work = [&] {
     for (std::size_t i = next++; i < busy_.size(); i = next++) work_on(busy_[i]);
   };
-  const bool alone = columns_met_ < kWorthThreads;
-  const std::size_t others = alone ? 0 : std::min<std::size_t>(jobs_, busy_.size()) - 1;
+  const std::size_t useful =
+      columns_met_ < kWorthThreads ? 1 : std::min<std::size_t>(jobs_, busy_.size());
   std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < others; ++i) threads.emplace_back(work);
+  threads.reserve(useful);
+  try {
+    while (threads.size() + 1 < useful) threads.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The computer gives no more threads; those that there are do the work.
+  }
   work();
   for (std::thread& thread : threads) thread.join();
 }

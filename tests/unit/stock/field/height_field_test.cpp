@@ -241,6 +241,17 @@ TEST(HeightField, TakesWaysOfAnyLength) {
   EXPECT_GT(outcomes[4].removed.value(), 10);
 }
 
+TEST(HeightField, HasNoWorkForThreadsWhereNothingIsMet) {
+  HeightField field(grid_of(kBox, 0.1), 7);
+  const BodyId mill = field.add_body(flat(6));
+  const std::vector<Sweep> sweeps = {
+      {.way = StraightWay{{-500, -400, -1}, {600, -300, -1}}, .body = mill},
+      {.way = StraightWay{{-500, -400, 1}, {600, 300, 1}}, .body = mill}};
+  std::vector<Outcome> outcomes(sweeps.size());
+  field.cut(sweeps, outcomes);
+  EXPECT_EQ(field.left_mm3(), field.stock_mm3());
+}
+
 TEST(Probe, StopsWhereItsBallTouchesAFace) {
   HeightField field(grid_of(kBox, 0.1), 1);
   const BodyId stylus = field.add_body(ball(4));

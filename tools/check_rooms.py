@@ -29,6 +29,7 @@ ROOMS = {
     "stock/sweep": ["stock/tool"],
     "stock/cutting": ["stock/sweep", "motion"],
     "stock/field": ["stock/sweep"],
+    "stock/dexel": ["stock/sweep"],
     "stock/sheet": ["stock/cutting", "geometry/contour"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],

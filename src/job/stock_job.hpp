@@ -1,14 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
 
 #include "job/job.hpp"
 #include "machine/definition/stock_words.hpp"
-#include "stock/cutting/cutting_tool.hpp"
+#include "machine/definition/tools/tool_choice.hpp"
 
 namespace kerf::job {
 
@@ -25,8 +22,7 @@ struct StockJob {
   std::size_t memory_bytes = 1024UL << 20;  ///< of the model
   unsigned jobs = 0;                        ///< threads; 0: one a processor
   bool checks_start = false;                ///< the axes begin where the machine says
-  /// Makes the tools of one pass over the program, whose memory it may look at.
-  std::function<std::unique_ptr<stock::ToolRack>(const control::Memory&)> make_rack{};
+  machine::ToolChoice tools{};              ///< that somebody describes
 };
 
 }  // namespace kerf::job

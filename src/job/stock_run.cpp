@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "job/internal/motion_times.hpp"
+#include "job/internal/run_rack.hpp"
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
@@ -24,7 +25,8 @@ class Pass final : public motion::MotionSink {
         run_(std::move(run)),
         zero_(run_->machine(), job.zero),
         frame_(axes(), machine::work_turns(run_->machine().definition())),
-        rack_(job.make_rack(run_->machine().memory())) {
+        rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
+                                        run_->machine().definition().turns(), plan.axial)) {
     frame_.set_zero(plan.origin);
   }
 
@@ -70,6 +72,14 @@ class Pass final : public motion::MotionSink {
           "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
       differs = true;
     }
+    // Whether a tool that nobody describes is a drill, only a survey says.
+    if (rack_->has_guessed() && !plan_.is_surveyed) {
+      better.is_surveyed = true;
+      for (const auto& [number, axial] : cutter_->axial_tools()) {
+        better.axial[number] = axial;
+        differs = differs || axial;
+      }
+    }
     return differs ? std::optional(better) : std::nullopt;
   }
 
@@ -88,6 +98,7 @@ class Pass final : public motion::MotionSink {
     result.findings_dropped = cutter_->findings().dropped();
     result.tools = cutter_->tools();
     result.removed_mm3 = cutter_->removed_mm3();
+    result.assumed = rack_->assumed();
     tell_of_run(result);
     result.model = std::move(model_);
     result.rack = std::move(rack_);
@@ -125,7 +136,7 @@ class Pass final : public motion::MotionSink {
   std::unique_ptr<Run> run_;
   ZeroWatch zero_;
   stock::WorkFrame frame_;
-  std::unique_ptr<stock::ToolRack> rack_;
+  std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
   std::optional<stock::Cutter> cutter_;
   std::optional<std::string> cell_enlarged_;
@@ -164,12 +175,15 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
-  const auto rack = job.make_rack((*run)->machine().memory());
   (*run)->go();
   StockPlan plan;
+  plan.is_surveyed = true;
+  for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
+  RunRack rack(job.tools, (*run)->machine().memory(), (*run)->machine().definition().turns(),
+               plan.axial);
   plan.origin = pass.origin();
   plan.without_changes = !pass.survey().changes_tool();
-  const SurveyedTools tools(pass.survey(), *rack, plan.origin);
+  const SurveyedTools tools(pass.survey(), rack, plan.origin);
   auto shape = shape_of(job.shape, tools, assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
@@ -219,7 +233,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
       continue;
     }
     StockResult result = pass.result();
-    result.assumed = std::move(assumed);
+    result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
     result.times_s = times_of(job.job, result.findings);
     return result;
   }

@@ -20,7 +20,7 @@ struct StockResult {
   stock::Shape shape = stock::BoxShape{};
   output::StockFacts::Model model_facts;
   std::unique_ptr<stock::Model> model;
-  std::unique_ptr<stock::ToolRack> rack;
+  std::unique_ptr<stock::ToolRack> rack;  ///< the run's
   std::vector<stock::Finding> findings;
   std::vector<double> times_s;  ///< of each finding, when its motion ended
   std::uint64_t findings_dropped = 0;

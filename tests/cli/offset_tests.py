@@ -89,6 +89,30 @@ def tools(box):
     near(box.json("s.json")["variables"]["#108"], 1.5, 1e-12, "radius of tool 7")
 
 
+@test("--tools takes tool tables and libraries of other programs for their lengths and diameters")
+def of_other_programs(box):
+    table = box.write("tool.tbl", "T5 P5 D12.0 Z+100 ;end mill\nT999999 P6 D1 Z1\n")
+    equal(values(box, "--tools", table), [0, 0, 0, 0, 100, 0, 6, 0], "a table of LinuxCNC")
+    inches = values(box, "--tools", table, "--tools-unit", "inch")
+    near(inches[4], 2540, 1e-9, "length in inches")
+    library = box.write("lib.json", '{"data": [{"type": "drill", "unit": "millimeters", "geometry": '
+                        '{"DC": 12, "assemblyGaugeLength": 100}, "post-process": {"number": 5}}]}')
+    equal(values(box, "--tools", library), [0, 0, 0, 0, 100, 0, 6, 0], "a library of Fusion")
+    box.write("bad.json", '{"data": [')
+    refused(box.kerf("run", "part.nc", "--tools", "bad.json"), 3, "bad.json: this is no library of tools")
+
+
+@test("tools of a machine file are where the table of offsets begins")
+def of_the_machine(box):
+    machine = box.kerf("machines", "mill3").out.decode() + "\n[[tool]]\nnumber = 5\ndiameter = 12\nlength = 100\n"
+    box.write("mine.toml", machine)
+    equal(values(box, "--machine", "mine.toml"), [0, 0, 0, 0, 100, 0, 6, 0], "offsets")
+    box.write("t.toml", "[[tool]]\nnumber = 5\nlength = 90\n")
+    equal(values(box, "--machine", "mine.toml", "--tools", "t.toml"), [0, 0, 0, 0, 90, 0, 6, 0], "the option")
+    box.write("wrong.toml", machine + "type = \"hammer\"\n")
+    refused(box.kerf("run", "part.nc", "--machine", "wrong.toml"), 3, "there is no type hammer of tools")
+
+
 @test("--tools and --offsets are read one after the other")
 def both(box):
     box.write("t.toml", "[[tool]]\nnumber = 5\ndiameter = 12\nlength = 100\n")
@@ -135,7 +159,7 @@ WRONG_TOML = {
     "an unknown key of an offset": ("[tool_offset.5]\nlenght_wear = 1\n", 2),
     "an unknown key of a tool": ("[[tool]]\nnumber = 5\ncolour = 1\n", 3),
     "a tool without number": ("[[tool]]\ndiameter = 5\n", 1),
-    "a tool of negative number": ("[[tool]]\nnumber = -5\ndiameter = 5\n", 1),
+    "a tool of negative number": ("[[tool]]\nnumber = -5\ndiameter = 5\n", 2),
     "an unknown table": ("[toools.5]\nlength_wear = 1\n", 1),
     "a key outside of all tables": ("X = 1\n[work.G54]\n", 1),
 }

@@ -32,15 +32,27 @@ enum class BuilderFunction : std::uint8_t {
   sub_spindle,  ///< its slide, its chuck
 };
 
-/// Of the machine file's tables [[spindle]] and [m_codes].
+/// Of the machine file's tables [[spindle]], [m_codes] and [g_codes].
 struct MachineCodes {
+  /// A G code of the builder that is another name of the control's own. In tenths: G12.1 is 121.
+  struct OtherName {
+    std::uint16_t code = 0;
+    std::uint16_t meant = 0;
+  };
   struct Code {
     std::uint32_t number = 0;
     BuilderFunction function{};
   };
   std::vector<SpindleSettings> spindles;
   std::vector<Code> codes;
+  std::vector<OtherName> other_names;
 
+  /// The control's own G code of one that is written, in tenths.
+  [[nodiscard]] std::uint16_t meant_by(std::uint16_t g_code) const {
+    const auto at = std::find_if(other_names.begin(), other_names.end(),
+                                 [=](const OtherName& name) { return name.code == g_code; });
+    return at == other_names.end() ? g_code : at->meant;
+  }
   [[nodiscard]] const SpindleSettings* find(motion::SpindleName name) const {
     const auto at = std::find_if(spindles.begin(), spindles.end(),
                                  [=](const SpindleSettings& s) { return s.name == name; });

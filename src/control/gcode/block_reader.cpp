@@ -71,7 +71,7 @@ bool BlockReader::collect_g(const Word& word, ReadBlock& block) {
     return state_.alarms.raise(Code::improper_g_code, word.text,
                                "G" + base::number_text(word.value) + " does not exist");
   }
-  const auto code = static_cast<GCode>(rounded);
+  const GCode code = state_.parameters.machine_codes.meant_by(static_cast<GCode>(rounded));
   return block.words.put_g(code, state_.codes.find(code), word) ||
          state_.alarms.raise(Code::improper_g_code, word.text, "more than 16 G codes in one block");
 }

@@ -1,134 +1,15 @@
 #include "face/cli/arguments.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
-#include "base/decimal.hpp"
 #include "base/notices.hpp"
-#include "face/cli/dialect_choice.hpp"
-#include "machine/definition/machine_definition.hpp"
+#include "face/cli/option_groups.hpp"
+#include "face/cli/stock_arguments.hpp"
 
 namespace kerf::cli {
 namespace {
-
-// CLI11's own sentences about numbers print the largest double in full.
-const CLI::Validator kNotNegative(
-    [](const std::string& text) -> std::string {
-      const auto value = base::read_number(text);
-      return value && *value >= 0 ? "" : "a number that is not negative is expected";
-    },
-    "");
-const CLI::Validator kWholeNumber(
-    [](const std::string& text) -> std::string {
-      const auto value = base::read_number(text);
-      constexpr double kMost = 1e18;
-      const bool whole = value && *value >= 0 && *value <= kMost && *value == std::floor(*value);
-      return whole ? "" : "a whole number that is not negative is expected";
-    },
-    "");
-
-// CLI11 itself reads a long double, which is a double on some processors and more on others.
-double number_of(const std::string& text) { return base::read_number(text).value_or(0); }
-
-// One value a time: `--set A B` is no way to write two.
-CLI::Option* repeated(CLI::Option* option) { return option->allow_extra_args(false); }
-
-std::string built_in_machines() {
-  std::string text;
-  for (const machine::BuiltinMachine& machine : machine::builtin_machines()) {
-    if (!text.empty()) text += ", ";
-    text += machine.name;
-  }
-  return text;
-}
-
-enum class Patterns : std::uint8_t { run, not_run };
-
-void add_machine(CLI::App& app, std::string& machine, std::string& dialect, Patterns patterns) {
-  const std::string pattern = std::string(", ") + kPatternDialect;
-  const std::string_view counts = machine::find_dialect(kPatternDialect)->machine;
-  const bool run = patterns == Patterns::run;
-  app.add_option("--machine", machine,
-                 "machine file or built-in machine: " + built_in_machines() + "; default " +
-                     usual_machines() +
-                     (run ? fmt::format(", {} for {}", counts, kPatternDialect) : ""))
-      ->type_name("NAME|FILE.toml");
-  app.add_option("--dialect", dialect,
-                 "language: " + dialect_list() + (run ? pattern : "") +
-                     "; default what the file's ending or its first lines tell, else that of the "
-                     "machine")
-      ->type_name("NAME");
-}
-
-void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
-  add_machine(run, o.machine, o.dialect, patterns);
-  repeated(run.add_option("--library", o.libraries, "folder of further programs; may be repeated"))
-      ->type_name("FOLDER");
-  repeated(run.add_option("--set", o.variables,
-                          "sets a variable before the start: '#100=5', in laser BASIC x=5; may be "
-                          "repeated"))
-      ->type_name("NAME=VALUE");
-  repeated(run.add_option("--param", o.parameters,
-                          "changes a parameter of the control: DPI=1; may be repeated"))
-      ->type_name("KEY=VALUE");
-  repeated(run.add_option("--machine-set", o.machine_keys,
-                          "changes a key of the machine: axis.X.velocity=12000; may be repeated"))
-      ->type_name("KEY=VALUE");
-  run.add_option("--decimal-point", o.decimal_point,
-                 "X20 without a point is 0.020 mm (increment) or 20 mm (calculator); default that "
-                 "of the machine")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"increment", "calculator"}));
-  repeated(run.add_option("--skip-at", o.skip_at,
-                          "the skip signal of G31 comes on there: X=7.2; may be repeated"))
-      ->type_name("AXIS=VALUE");
-  repeated(run.add_option_function<std::vector<std::string>>(
-               "--interrupt-at",
-               [&times = o.interrupt_at](const std::vector<std::string>& texts) {
-                 std::transform(texts.begin(), texts.end(), std::back_inserter(times), number_of);
-               },
-               "the interrupt signal of M96 comes at this time of the run; may be repeated"))
-      ->type_name("SECONDS")
-      ->check(kNotNegative);
-  run.add_option("--tools", o.tools, "tools as TOML or G10 blocks")->type_name("FILE");
-  run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
-  run.add_option("--state", o.state,
-                 "permanent memory of the control, read before and written after the run")
-      ->type_name("FILE");
-  run.add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all")
-      ->type_name("LIST");
-  run.add_flag("--optional-stop", o.optional_stop, "M01 ends the run");
-}
-
-void add_max_seconds(CLI::App& app, double& seconds) {
-  app.add_option_function<std::string>(
-         "--max-seconds", [&seconds](const std::string& text) { seconds = number_of(text); },
-         "computing time allowed; default 60, 0: any")
-      ->type_name("N")
-      ->check(kNotNegative);
-}
-
-void add_budget(CLI::App& app, double& seconds, std::uint64_t& motions) {
-  add_max_seconds(app, seconds);
-  app.add_option("--max-motions", motions, "motions allowed; default 50000000, 0: any number")
-      ->type_name("N")
-      ->check(kWholeNumber);
-}
-
-void add_diagnostics(CLI::App& app, DiagnosticFormat& diagnostics) {
-  app.add_option_function<std::string>(
-         "--diagnostics",
-         [&diagnostics](const std::string& form) {
-           diagnostics = form == "json" ? DiagnosticFormat::json : DiagnosticFormat::text;
-         },
-         "alarms and warnings as text or as one JSON object a line; default text")
-      ->type_name("FORM")
-      ->check(CLI::IsMember({"text", "json"}));
-}
 
 void add_outputs(CLI::App& run, RunOptions& o) {
   const auto file = [&](const char* name, std::string& path, const char* what) {
@@ -190,54 +71,6 @@ void add_time(CLI::App& app, TimeOptions& o) {
       ->type_name("FORM")
       ->check(CLI::IsMember({"text", "json"}));
   time->footer("Example: kerf time part.nc --machine-set axis.X.acceleration=1500");
-}
-
-void add_stock(CLI::App& app, StockOptions& o) {
-  CLI::App* stock =
-      app.add_subcommand("stock", "cuts the virtual part, checks it and writes what is left");
-  stock->group("Commands");
-  stock->add_option("program", o.run.program, "program file; - is standard input")
-      ->type_name("PROGRAM")
-      ->required();
-  stock->option_defaults()->group("Machine, memory, panel");
-  add_preparation(*stock, o.run, Patterns::not_run);
-  stock->option_defaults()->group("Stock");
-  stock
-      ->add_option("--stock", o.stock,
-                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
-                   "extents[:M], a box around what is cut; default extents:5")
-      ->type_name("SHAPE");
-  stock
-      ->add_option("--stock-zero", o.zero,
-                   "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
-                   "one in force at the first cut; default auto")
-      ->type_name("SYSTEM");
-  stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "zmap", "tridexel"}));
-  stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")
-      ->type_name("MM")
-      ->check(kNotNegative);
-  stock->add_option("--memory", o.memory, "of the part, MiB; default 1024")
-      ->type_name("MIB")
-      ->check(kWholeNumber);
-  stock->add_option("--jobs", o.jobs, "threads that cut; default one a processor")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 256U));
-  stock->option_defaults()->group("Checks");
-  repeated(stock->add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
-      ->type_name("CODE");
-  stock
-      ->add_option("--fail-on", o.fail_on,
-                   "findings that make the exit status 1: error, warning or never; default warning")
-      ->type_name("SEVERITY")
-      ->check(CLI::IsMember({"error", "warning", "never"}));
-  stock->option_defaults()->group("Limits");
-  add_budget(*stock, o.run.max_seconds, o.run.max_motions);
-  stock->option_defaults()->group("Outputs (- is standard output)");
-  stock->add_option("--report", o.report, "the report as JSON")->type_name("FILE");
-  add_diagnostics(*stock, o.run.diagnostics);
-  stock->footer("Example: kerf stock part.nc --stock box:0,0,-20,100,60,0 --tools tools.toml");
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {

@@ -40,6 +40,7 @@ struct RunOptions : CommonOptions {
   std::vector<std::string> skip_at;  ///< "AXIS=VALUE"
   std::vector<double> interrupt_at;  ///< s of the run, each >= 0
   std::string tools;
+  std::string tools_unit = "mm";  ///< of a table that says none: "mm" or "inch"
   std::string offsets;
   std::string state;
   std::string block_skip;
@@ -65,10 +66,10 @@ struct StockOptions {
   std::string stock = "extents";
   std::string zero = "auto";
   std::string model = "auto";
-  std::string cell;          ///< mm; empty: by the tools
-  std::string memory;        ///< MiB; empty: 1024
-  unsigned jobs = 0;         ///< threads; 0: one a processor
-  std::string report;        ///< JSON
+  std::string cell;    ///< mm; empty: by the tools
+  std::string memory;  ///< MiB; empty: 1024
+  unsigned jobs = 0;   ///< threads; 0: one a processor
+  std::string report;  ///< JSON
   std::string fail_on = "warning";
   std::vector<std::string> no_checks;  ///< codes
 };

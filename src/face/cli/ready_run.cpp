@@ -11,6 +11,7 @@
 #include "job/facts_of_run.hpp"
 #include "machine/definition/offset_file.hpp"
 #include "machine/definition/state_file.hpp"
+#include "machine/definition/tools/tool_import.hpp"
 #include "machine/dialect/program_look.hpp"
 #include "machine/run/batch_run.hpp"
 #include "output/writing/diagnostic_text.hpp"
@@ -49,12 +50,29 @@ Outcome<void> run_punch_out(const std::string& text, const std::string& path,
   return {};
 }
 
-Outcome<void> read_offset_file(const std::string& path,
+// Tools of another program: what they say of the offsets. One that the table lacks has none.
+Outcome<void> take_library(const std::string& text, const std::string& path, bool in_inches,
+                           const machine::MachineDefinition& definition, control::Memory& memory) {
+  const auto unit = in_inches ? machine::ToolsUnit::inch : machine::ToolsUnit::mm;
+  const auto library = machine::read_tools(text, path, unit);
+  if (!library) return tl::unexpected(library.error());
+  for (const stock::Tool& tool : library->tools)
+    static_cast<void>(machine::set_offsets(tool, definition.parameters, memory));
+  return {};
+}
+
+bool is_library(const std::string& text) {
+  const machine::ToolFormat format = machine::tool_format_of(text);
+  return format != machine::ToolFormat::toml && format != machine::ToolFormat::other;
+}
+
+Outcome<void> read_offset_file(const std::string& path, bool in_inches,
                                const machine::MachineDefinition& definition,
                                control::Memory& memory) {
   if (path.empty()) return {};
   auto text = base::read_whole(path, kLargestOffsetFile, "a file of offsets");
   if (!text) return tl::unexpected(text.error());
+  if (is_library(*text)) return take_library(*text, path, in_inches, definition, memory);
   if (machine::looks_like_toml(*text)) {
     return machine::read_offsets(*text, path, definition.axes, definition.parameters, memory);
   }
@@ -142,7 +160,7 @@ Outcome<control::Memory> memory_of(const RunOptions& options,
       return tl::unexpected(read.error());
   }
   for (const std::string& path : {options.tools, options.offsets}) {
-    if (auto read = read_offset_file(path, definition, memory); !read)
+    if (auto read = read_offset_file(path, options.tools_unit == "inch", definition, memory); !read)
       return tl::unexpected(read.error());
   }
   return memory;

@@ -9,9 +9,10 @@
 #include "face/cli/run_report.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
-#include "job/tool_rack.hpp"
 #include "machine/definition/offset_file.hpp"
+#include "machine/definition/tools/tool_comment.hpp"
 #include "machine/definition/tools/tool_tables.hpp"
+#include "motion/feed.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -49,7 +50,7 @@ Outcome<std::vector<stock::Tool>> tools_of(const std::string& path) {
 }
 
 Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
-                                 base::ProgramText program) {
+                                 base::ProgramText program, const base::SourceFile& source) {
   job::StockJob job{.job = std::move(ordered.job)};
   job.job.program = std::move(program);
   auto shape = machine::stock_word(options.stock, "--stock");
@@ -69,10 +70,12 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
   job.jobs = options.jobs;
   auto tools = tools_of(options.run.tools);
   if (!tools) return tl::unexpected(tools.error());
-  for (const stock::Tool& tool : job.job.definition.tools) tools->push_back(tool);
-  job.make_rack = [tools = std::move(*tools)](const control::Memory& memory) {
-    return job::make_rack(tools, memory);
-  };
+  const machine::MachineDefinition& definition = job.job.definition;
+  tools->insert(tools->end(), definition.tools.begin(), definition.tools.end());
+  const machine::CommentStyle style{
+      definition.parameters.power_on_inch ? motion::kMillimetresPerInch : 1, definition.turns()};
+  for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools->push_back(tool);
+  job.tools = machine::ToolChoice(std::move(*tools));
   return job;
 }
 
@@ -112,7 +115,7 @@ ExitStatus stock(const StockOptions& options) {
   auto ordered = job_of(options.run, **source);
   if (!ordered) return fail(ordered.error());
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options, std::move(*ordered), std::move(*program));
+  auto job = stock_job(options, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
   auto cut = job::cut_stock(*job);
   if (!cut) return fail(cut.error());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <map>
 #include <optional>
 
 #include "job/run.hpp"
@@ -18,6 +18,8 @@ struct StockPlan {
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;
+  bool is_surveyed = false;
+  std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
 };
 
 /// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.

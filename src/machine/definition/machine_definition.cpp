@@ -75,6 +75,7 @@ std::string change_any(MachineDefinition& machine, std::string_view path, std::s
   const auto [table, item] = split_path(path);
   if (table == "axis") return change_axis(machine, item, text);
   if (table == "spindle") return change_spindle(machine, item, text);
+  if (table == "g_codes") return change_g_code(machine.parameters.machine_codes, item, text);
   if (table == "m_codes") return change_m_codes(machine.parameters.machine_codes, item, text);
   if (const PointKey* const key = find_point_key(table, item))
     return change_point(machine, *key, text);

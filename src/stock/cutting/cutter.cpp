@@ -221,6 +221,8 @@ void Cutter::record(const Waiting& of, const Outcome& outcome) {
   place->removed_mm3 += outcome.removed.value();
   if (of.kind == SweepKind::rapid) return;
   (removes ? place->cut_mm : place->air_mm) += of.length_mm;
+  bool& axial = axial_tools_.try_emplace(of.tool, true).first->second;
+  for (std::size_t i = of.first; axial && i < of.end; ++i) axial = !goes_across(sweeps_[i]);
   has_cut_ = has_cut_ || removes;
   for (std::size_t i = of.first; removes && i < of.end; ++i) {
     if (outcomes_[i].removed.value() > kDust_mm3)

@@ -53,6 +53,8 @@ class Cutter final : public motion::MotionSink {
   /// Moves at feed that there were, and those that removed material.
   [[nodiscard]] bool fed() const { return fed_; }
   [[nodiscard]] bool has_cut() const { return has_cut_; }
+  /// Of each tool that was fed whether it only ever went along its axis.
+  [[nodiscard]] const std::map<std::uint32_t, bool>& axial_tools() const { return axial_tools_; }
 
  private:
   enum class Spindle : std::uint8_t { stopped, right, left };
@@ -106,6 +108,7 @@ class Cutter final : public motion::MotionSink {
   bool changed_tool_ = false;
   bool fed_ = false;
   bool has_cut_ = false;
+  std::map<std::uint32_t, bool> axial_tools_;
 };
 
 }  // namespace kerf::stock

@@ -4,7 +4,7 @@ namespace kerf::stock {
 
 CuttingTool cutting_tool(const Tool& tool, double touch_mm) {
   return {.tool = tool,
-          .body = {.profile = profile_of(tool),
+          .body = {.profile = tool.is_insert() ? Profile{} : profile_of(tool),
                    .core_mm = tool.core_mm().value_or(0),
                    .touch_mm = touch_mm,
                    .cuts = tool.kind != ToolKind::probe}};

@@ -22,7 +22,8 @@ struct CuttingTool {
   [[nodiscard]] double diameter_mm() const { return 2 * body.profile.widest(ToolPart::edge); }
 };
 
-/// Precondition: objection(tool) is empty, and it is no insert.
+/// Of an insert the body is empty: it cuts nothing where the spindle turns the tool. Precondition:
+/// objection(tool) is empty.
 [[nodiscard]] CuttingTool cutting_tool(const Tool& tool, double touch_mm);
 
 /// The tools of a run.

@@ -71,14 +71,8 @@ Columns::Tile Columns::tile(std::size_t index) {
 
 BlockPoints Columns::points(std::size_t tile, int block) const {
   const auto across = static_cast<std::size_t>(grid_.tiles_x());
-  const double* x = x_.data() + tile % across * kTileSide + block % kTileBlocks * kBlockSide;
-  const double* y = y_.data() + tile / across * kTileSide + block / kTileBlocks * kBlockSide;
-  BlockPoints points;
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    points.x[i] = x[i % kBlockSide];
-    points.y[i] = y[i / kBlockSide];
-  }
-  return points;
+  return {x_.data() + tile % across * kTileSide + block % kTileBlocks * kBlockSide,
+          y_.data() + tile / across * kTileSide + block / kTileBlocks * kBlockSide};
 }
 
 BlockValues Columns::tops(std::size_t tile, int block) const {
@@ -87,7 +81,7 @@ BlockValues Columns::tops(std::size_t tile, int block) const {
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     const float bottom = bottoms_.empty() ? 0 : bottoms_[first + i];
     const float height = heights_[first + i];
-    tops[i] = height > bottom ? grid_.box.low.z + static_cast<double>(height) : -kNowhere;
+    tops[i] = height > bottom ? height : -1.0F;
   }
   return tops;
 }

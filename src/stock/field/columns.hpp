@@ -44,9 +44,9 @@ class Columns {
   [[nodiscard]] Tile tile(std::size_t index);
   /// Highest column of a tile, mm over the box.
   [[nodiscard]] double top_of(std::size_t tile) const { return tops_[tile]; }
-  /// Of a block of a tile: where its columns stand; their tops in the frame of the stock, -kNowhere
-  /// of empty ones; the highest of them over the box.
+  /// Of a block of a tile: where its columns stand; their tops; the highest of them over the box.
   [[nodiscard]] BlockPoints points(std::size_t tile, int block) const;
+  /// Over the box; below it where a column is empty.
   [[nodiscard]] BlockValues tops(std::size_t tile, int block) const;
   [[nodiscard]] double block_top(std::size_t tile, int block) const;
   /// After work on a tile: its block_tops have been kept; it has been changed `times` more.

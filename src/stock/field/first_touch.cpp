@@ -10,11 +10,11 @@ namespace {
 constexpr int kHalvings = 52;
 
 /// Whether any part of a tool comes below the columns of a block anywhere along a leg.
-bool meets(const FieldTool& tool, const StraightLeg& leg, const BlockPoints& points,
+bool meets(const FieldTool& tool, const StraightLeg& leg, const BlockPoints& points, double base,
            const BlockValues& heights) {
   BlockValues low;
   low.fill(kNowhere);
-  for (const FieldTool::Part& part : tool.parts) leg.lower(part.whole, points, low);
+  for (const FieldTool::Part& part : tool.parts) leg.lower(part.whole, points, base, low);
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     if (low[i] < heights[i]) return true;
   }
@@ -42,14 +42,15 @@ class Touch {
   void look_at(std::size_t tile, int block) {
     const BlockPoints points = columns_.points(tile, block);
     if (!may_meet(columns_.block_top(tile, block)) || !is_near(points)) return;
+    const double base = columns_.grid().box.low.z;
     const BlockValues heights = columns_.tops(tile, block);
-    if (!meets(tool_, leg_, points, heights)) return;
+    if (!meets(tool_, leg_, points, base, heights)) return;
     double before = 0;
     double after = first_.value_or(1);
-    if (meets(tool_, StraightLeg(part(way_, 0, 0)), points, heights)) after = 0;
+    if (meets(tool_, StraightLeg(part(way_, 0, 0)), points, base, heights)) after = 0;
     for (int i = 0; i < kHalvings && after > 0; ++i) {
       const double middle = (before + after) / 2;
-      const bool met = meets(tool_, StraightLeg(part(way_, 0, middle)), points, heights);
+      const bool met = meets(tool_, StraightLeg(part(way_, 0, middle)), points, base, heights);
       (met ? after : before) = middle;
     }
     first_ = after;
@@ -58,10 +59,10 @@ class Touch {
 
   [[nodiscard]] bool is_near(const BlockPoints& points) const {
     const Bounds& box = leg_.box();
-    return box.low.x - tool_.reach <= points.x.back() &&
-           points.x.front() <= box.high.x + tool_.reach &&
-           box.low.y - tool_.reach <= points.y.back() &&
-           points.y.front() <= box.high.y + tool_.reach;
+    return box.low.x - tool_.reach <= points.x[kBlockSide - 1] &&
+           points.x[0] <= box.high.x + tool_.reach &&
+           box.low.y - tool_.reach <= points.y[kBlockSide - 1] &&
+           points.y[0] <= box.high.y + tool_.reach;
   }
 
   const Columns& columns_;

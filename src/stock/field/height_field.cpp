@@ -39,13 +39,22 @@ bool HeightField::can_cut(const Sweep& sweep) const {
          !tools_[sweep.body].has_undercut && can_be_legs(sweep.way, for_ways(columns_.grid()));
 }
 
+StraightLeg::Begins HeightField::begins(const Sweep& sweep) const {
+  using Begins = StraightLeg::Begins;
+  if (!last_ || last_->body != sweep.body || last_->kind != SweepKind::cut) return Begins::afresh;
+  const auto* before = std::get_if<StraightWay>(&last_->way);
+  const bool goes_on = before != nullptr && before->to == point_at(sweep.way, 0);
+  return goes_on && tools_[sweep.body].cuts ? Begins::behind_itself : Begins::afresh;
+}
+
 void HeightField::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
   assert(sweeps.size() == outcomes.size());
   while (!sweeps.empty()) {
     const std::size_t n = std::min(sweeps.size(), kSweepsAtOnce);
     ready_.clear();
     for (const Sweep& sweep : sweeps.first(n)) {
-      ready_.emplace_back(sweep, tools_[sweep.body], for_ways(columns_.grid()));
+      ready_.emplace_back(sweep, tools_[sweep.body], for_ways(columns_.grid()), begins(sweep));
+      last_ = sweep;
     }
     work_.run(ready_, outcomes.first(n));
     sweeps = sweeps.subspan(n);

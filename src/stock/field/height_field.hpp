@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "stock/field/columns.hpp"
@@ -38,11 +39,20 @@ class HeightField final : public Model {
   [[nodiscard]] std::size_t bytes() const override { return columns_.bytes(); }
 
   [[nodiscard]] const Columns& columns() const { return columns_; }
-  /// As Columns::restore().
-  void restore(std::size_t tile, const TileState& state) { columns_.restore(tile, state); }
+  /// The sweep before the next one. Where that goes on with the same tool, what lies behind is cut
+  /// and need not be looked at; so it belongs to what is kept and restored, to the last bit.
+  [[nodiscard]] const std::optional<Sweep>& last() const { return last_; }
+  void restore_last(const std::optional<Sweep>& last) { last_ = last; }
+  /// As Columns::restore(). Without restore_last() the next sweep begins afresh.
+  void restore(std::size_t tile, const TileState& state) {
+    last_.reset(), columns_.restore(tile, state);
+  }
 
  private:
+  [[nodiscard]] StraightLeg::Begins begins(const Sweep& sweep) const;
+
   Columns columns_;
+  std::optional<Sweep> last_;
   double stock_mm3_;
   std::deque<FieldTool> tools_;
   TileWork work_;

@@ -14,41 +14,54 @@ double chords_of(const ArcWay& way, double error_mm) {
   return std::max(1.0, std::ceil(std::sqrt(bend / (8 * error_mm))));
 }
 
-std::vector<StraightLeg> chords(const ArcWay& way, double error_mm) {
-  const int n = static_cast<int>(chords_of(way, error_mm));
+/// Behind itself from the second on: the one before ends where it begins.
+std::vector<StraightLeg> chords(const auto& way, double n, StraightLeg::Begins begins) {
   std::vector<StraightLeg> legs;
   legs.reserve(static_cast<std::size_t>(n));
   Vec3 from = point_at(way, 0);
-  for (int k = 1; k <= n; ++k) {
-    const Vec3 to = point_at(way, static_cast<double>(k) / n);
-    legs.emplace_back(StraightWay{from, to});
+  for (double k = 1; k <= n; ++k) {
+    const Vec3 to = point_at(way, k / n);
+    legs.emplace_back(StraightWay{from, to}, begins);
+    begins = StraightLeg::Begins::behind_itself;
     from = to;
   }
   return legs;
 }
 
-bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+double legs_in(const StraightWay& way) {
+  return std::max(1.0, std::ceil(length(Way(way)) / kLongestLeg_mm));
+}
+double legs_in(const ArcWay& way, double error_mm) {
+  return std::max(chords_of(way, error_mm), std::ceil(length(Way(way)) / kLongestLeg_mm));
+}
+
+bool is_near(double v) { return std::abs(v) <= kFarthest_mm; }
+bool is_near(Vec3 v) { return is_near(v.x) && is_near(v.y) && is_near(v.z); }
+bool is_near(const StraightWay& way) { return is_near(way.from) && is_near(way.to); }
+bool is_near(const ArcWay& way) {
+  return is_near(way.centre) && is_near(way.rise) && is_near(way.e1) && is_near(way.e2) &&
+         is_near(way.radius) && is_near(way.radius_change) && is_near(way.angle_rad) &&
+         is_near(way.turn_rad);
+}
 
 }  // namespace
 
 bool can_be_legs(const Way& way, double error_mm) {
-  if (const auto* straight = std::get_if<StraightWay>(&way)) {
-    return is_finite(straight->from) && is_finite(straight->to);
-  }
+  if (const auto* straight = std::get_if<StraightWay>(&way)) return is_near(*straight);
   const auto* arc = std::get_if<ArcWay>(&way);
-  if (arc == nullptr || !is_finite(arc->centre) || !is_finite(arc->rise) || !is_finite(arc->e1) ||
-      !is_finite(arc->e2) || !std::isfinite(arc->angle_rad)) {
-    return false;
-  }
-  return RingLeg::can_be(*arc) ? std::isfinite(arc->radius) && std::isfinite(arc->turn_rad)
-                               : chords_of(*arc, error_mm) <= kMostChords;
+  return arc != nullptr && is_near(*arc) &&
+         (RingLeg::can_be(*arc) || legs_in(*arc, error_mm) <= kMostChords);
 }
 
-Legs legs_of(const Way& way, double error_mm) {
-  if (const auto* straight = std::get_if<StraightWay>(&way)) return StraightLeg(*straight);
+Legs legs_of(const Way& way, double error_mm, StraightLeg::Begins begins) {
+  if (const auto* straight = std::get_if<StraightWay>(&way)) {
+    const double n = legs_in(*straight);
+    if (n > 1) return chords(*straight, n, begins);
+    return StraightLeg(*straight, begins);
+  }
   const ArcWay& arc = std::get<ArcWay>(way);
   if (RingLeg::can_be(arc)) return RingLeg(arc);
-  return chords(arc, error_mm);
+  return chords(arc, legs_in(arc, error_mm), begins);
 }
 
 }  // namespace kerf::stock::field

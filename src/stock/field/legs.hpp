@@ -13,14 +13,16 @@ namespace kerf::stock::field {
 /// by no more than an error bound.
 using Legs = std::variant<StraightLeg, RingLeg, std::vector<StraightLeg>>;
 
+/// Farther than any machine goes.
+inline constexpr double kFarthest_mm = 1e7;
 /// More chords than this are refused.
 inline constexpr double kMostChords = 262144;
 
-/// Whether a way can become legs: all its numbers are finite, it is straight or an arc, and has not
-/// more than kMostChords chords.
+/// Whether a way can become legs: its numbers are within kFarthest_mm, it is straight or an arc,
+/// and has not more than kMostChords chords, none of them too long for a leg.
 [[nodiscard]] bool can_be_legs(const Way& way, double error_mm);
 /// Precondition: can_be_legs().
-[[nodiscard]] Legs legs_of(const Way& way, double error_mm);
+[[nodiscard]] Legs legs_of(const Way& way, double error_mm, StraightLeg::Begins begins);
 
 /// Calls with each leg.
 template <class Do>

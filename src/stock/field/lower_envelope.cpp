@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/math.hpp"
+
 namespace kerf::stock::field {
 namespace {
 

@@ -8,7 +8,7 @@
 namespace kerf::stock::field {
 
 /// Higher than any stock: no material is met. Within the range of a float.
-inline constexpr double kNowhere = 1e30;
+inline constexpr float kNowhere = 1e30F;
 
 /// A piece of a lower envelope over s in [s0, s1], mm: rising and convex, so that what it leaves
 /// behind along a straight way has one lowest place. Below s0 it counts as level: its value there

@@ -8,8 +8,8 @@ namespace kerf::stock::field {
 
 /// A sweep made ready for the tiles that it comes to.
 struct ReadySweep {
-  ReadySweep(const Sweep& sweep, const FieldTool& body, double error_mm)
-      : legs(legs_of(sweep.way, error_mm)),
+  ReadySweep(const Sweep& sweep, const FieldTool& body, double error_mm, StraightLeg::Begins begins)
+      : legs(legs_of(sweep.way, error_mm, begins)),
         tool(&body),
         tip(bounds(sweep.way)),
         motion(sweep.motion),

@@ -19,7 +19,8 @@ double far_from(double x, double y) { return std::sqrt(x * x + y * y); }
 bool RingLeg::can_be(const ArcWay& way) {
   const auto none = [](double v) { return std::abs(v) <= kLevel_mm; };
   return none(way.rise.x) && none(way.rise.y) && none(way.rise.z) && none(way.radius_change) &&
-         none(way.radius * way.e1.z) && none(way.radius * way.e2.z) && way.radius >= 0;
+         none(way.radius * way.e1.z) && none(way.radius * way.e2.z) && way.radius >= 0 &&
+         way.radius <= kLongestLeg_mm;
 }
 
 RingLeg::RingLeg(const ArcWay& way)
@@ -63,18 +64,24 @@ double RingLeg::distance(double x, double y) const {
   return std::min(far_from(x - begin_.x, y - begin_.y), far_from(x - end_.x, y - end_.y));
 }
 
-void RingLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, BlockValues& low) const {
+void RingLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
+                    BlockValues& low) const {
   BlockValues from;
-  for (std::size_t i = 0; i < kBlockCells; ++i) from[i] = distance(points.x[i], points.y[i]);
-  lower_level(tool, z_, from, low);
+  for (std::size_t i = 0; i < kBlockCells; ++i) {
+    from[i] = static_cast<float>(distance(points.x_of(i), points.y_of(i)));
+  }
+  lower_level(tool, static_cast<float>(z_ - base), from, low);
 }
 
-void RingLeg::bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const {
+void RingLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
+                    RowValues& bounds) const {
+  const double safety = bound_safety(radius_ + tool.reach());
+  const double radius = far_from(row.half_x, row.half_y);
   RowValues from;
   RowValues tip;
+  tip.fill(static_cast<float>(z_ - base - safety));
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    from[i] = distance(row.x[i], row.y) - row.radius - kBoundSafety_mm;
-    tip[i] = z_ - kBoundSafety_mm;
+    from[i] = static_cast<float>(distance(row.x[i], row.y) - radius - safety);
   }
   lowest_at(tool, from, tip, bounds);
 }
@@ -83,8 +90,11 @@ double RingLeg::highest_tip(double reach, double x, double y) const {
   return distance(x, y) <= reach ? z_ : -kNowhere;
 }
 
-double RingLeg::offset(double x, double y) const {
-  return left_ * (radius_ - far_from(x - centre_.x, y - centre_.y));
+void RingLeg::offsets(const BlockPoints& points, BlockValues& offsets) const {
+  for (std::size_t i = 0; i < kBlockCells; ++i) {
+    const double from = far_from(points.x_of(i) - centre_.x, points.y_of(i) - centre_.y);
+    offsets[i] = static_cast<float>(left_ * (radius_ - from));
+  }
 }
 
 double RingLeg::taken_by_core(double core, double x, double y, double height) const {

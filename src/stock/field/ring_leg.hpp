@@ -10,15 +10,17 @@ namespace kerf::stock::field {
 /// z + f(distance from the arc). The same questions as of StraightLeg.
 class RingLeg {
  public:
-  /// Whether an arc lies in a level plane and keeps its radius, to 1e-9 mm.
+  /// Whether an arc lies in a level plane and keeps its radius, to 1e-9 mm,
+  /// of no more than kLongestLeg_mm.
   [[nodiscard]] static bool can_be(const ArcWay& way);
   /// Precondition: can_be(way).
   explicit RingLeg(const ArcWay& way);
 
-  void lower(const LowerEnvelope& tool, const BlockPoints& points, BlockValues& low) const;
-  void bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const;
+  void lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
+             BlockValues& low) const;
+  void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
-  [[nodiscard]] double offset(double x, double y) const;
+  void offsets(const BlockPoints& points, BlockValues& offsets) const;
   [[nodiscard]] bool has_sides() const { return radius_ > 0; }
   [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;
   [[nodiscard]] const Bounds& box() const { return box_; }

@@ -4,8 +4,8 @@
 
 namespace kerf::stock::field {
 
-Settling::Settling(const ReadySweep& sweep, const BlockPoints& points)
-    : sweep_(sweep), points_(points) {
+Settling::Settling(const ReadySweep& sweep, const BlockPoints& points, double base)
+    : sweep_(sweep), points_(points), base_(base) {
   const FieldTool& tool = *sweep.tool;
   for (Part& part : parts_) part.shrunk.fill(kNowhere);
   for_each_leg(sweep.legs, [&](const auto& leg) {
@@ -16,26 +16,27 @@ Settling::Settling(const ReadySweep& sweep, const BlockPoints& points)
       const FieldTool::Part& part = tool.parts[i];
       if (!sweep.guards(static_cast<ToolPart>(i)) || part.whole.is_empty()) continue;
       add(leg, part.whole, part.top, parts_[i].whole);
-      leg.lower(part.shrunk, points_, parts_[i].shrunk);
+      leg.lower(part.shrunk, points_, base_, parts_[i].shrunk);
     }
   });
 }
 
 bool Settling::reaches(const auto& leg, double reach) const {
   const Bounds& box = leg.box();
-  return box.low.x - reach <= points_.x.back() && points_.x.front() <= box.high.x + reach &&
-         box.low.y - reach <= points_.y.back() && points_.y.front() <= box.high.y + reach;
+  return box.low.x - reach <= points_.x[kBlockSide - 1] && points_.x[0] <= box.high.x + reach &&
+         box.low.y - reach <= points_.y[kBlockSide - 1] && points_.y[0] <= box.high.y + reach;
 }
 
 void Settling::add(const auto& leg, const LowerEnvelope& body, double top, Spans& spans) const {
   BlockValues low;
   low.fill(kNowhere);
-  leg.lower(body, points_, low);
+  leg.lower(body, points_, base_, low);
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     if (low[i] >= kNowhere) continue;
-    const double tip = leg.highest_tip(body.reach(), points_.x[i], points_.y[i]);
-    spans[i].low = std::min(spans[i].low, low[i]);
-    spans[i].high = std::max(spans[i].high, std::max(tip + top, low[i]));
+    const double tip = leg.highest_tip(body.reach(), points_.x_of(i), points_.y_of(i));
+    const auto lowest = static_cast<double>(low[i]);
+    spans[i].low = std::min(spans[i].low, lowest);
+    spans[i].high = std::max({spans[i].high, tip + top - base_, lowest});
   }
 }
 
@@ -43,15 +44,18 @@ void Settling::add_edges(const auto& leg, const FieldTool::Part& edges) {
   const Spans before = edges_;
   add(leg, edges.whole, edges.top, edges_);
   if (!leg.has_sides()) return;
+  BlockValues here;
+  leg.offsets(points_, here);
   for (std::size_t i = 0; i < kBlockCells; ++i) {
-    if (edges_[i].low < before[i].low) offsets_[i] = leg.offset(points_.x[i], points_.y[i]);
+    if (edges_[i].low < before[i].low) offsets_[i] = here[i];
   }
 }
 
 Meeting Settling::meets(ToolPart part, std::size_t i, Span material) const {
   if (!sweep_.guards(part)) return {};
   const Part& spans = parts_[index(part)];
-  return meet(material, edges_[i], {spans.whole[i], spans.shrunk[i]}, sweep_.tool->touch_mm);
+  return meet(material, edges_[i], {spans.whole[i], static_cast<double>(spans.shrunk[i])},
+              sweep_.tool->touch_mm);
 }
 
 }  // namespace kerf::stock::field

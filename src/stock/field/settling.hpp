@@ -10,17 +10,18 @@ namespace kerf::stock::field {
 /// All that a sweep does over a block: where its edges and its parts go, whatever their order.
 class Settling {
  public:
-  Settling(const ReadySweep& sweep, const BlockPoints& points);
+  /// Heights are over `base`.
+  Settling(const ReadySweep& sweep, const BlockPoints& points, double base);
 
-  /// What a part meets of a column. Heights in the frame of the stock.
+  /// What a part meets of a column.
   [[nodiscard]] Meeting meets(ToolPart part, std::size_t i, Span material) const;
   /// Lowest surface of the edges if they cut, else kNowhere.
   [[nodiscard]] double edges_low(std::size_t i) const { return edges_[i].low; }
   [[nodiscard]] double part_low(ToolPart part, std::size_t i) const {
     return parts_[index(part)].whole[i].low;
   }
-  /// Signed distance of a column from the leg that cuts deepest there; 0 where there is none.
-  [[nodiscard]] double offset(std::size_t i) const { return offsets_[i]; }
+  /// Signed distances of columns from the leg that cuts deepest there; 0 where there is none.
+  [[nodiscard]] const BlockValues& offsets() const { return offsets_; }
 
  private:
   using Spans = std::array<Span, kBlockCells>;
@@ -33,7 +34,8 @@ class Settling {
   void add_edges(const auto& leg, const FieldTool::Part& edges);
 
   const ReadySweep& sweep_;
-  const BlockPoints& points_;
+  BlockPoints points_;
+  double base_;
   Spans edges_;
   std::array<Part, kToolParts> parts_;
   BlockValues offsets_{};

@@ -13,8 +13,22 @@ constexpr double kVertical_mm = 1e-7;
 
 }  // namespace
 
-StraightLeg::StraightLeg(const StraightWay& way)
-    : downwards_(way.to.z < way.from.z), box_(bounds(Way(way))) {
+/// Columns of a block as seen from the lower end.
+struct StraightLeg::Offsets {
+  Offsets(const StraightLeg& leg, const BlockPoints& points)
+      : dx(static_cast<float>(leg.dx_)), dy(static_cast<float>(leg.dy_)) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      x[i] = static_cast<float>(points.x[i] - leg.x_);
+      y[i] = static_cast<float>(points.y[i] - leg.y_);
+    }
+  }
+  float x[kBlockSide];
+  float y[kBlockSide];
+  float dx, dy;
+};
+
+StraightLeg::StraightLeg(const StraightWay& way, Begins begins)
+    : begins_(begins), downwards_(way.to.z < way.from.z), box_(bounds(Way(way))) {
   const Vec3& low = downwards_ ? way.to : way.from;
   const Vec3& high = downwards_ ? way.from : way.to;
   x_ = low.x;
@@ -37,36 +51,103 @@ StraightLeg::Place StraightLeg::place(double x, double y) const {
   return {(x - x_) * dx_ + (y - y_) * dy_, (y - y_) * dx_ - (x - x_) * dy_};
 }
 
-void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points,
+void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
                         BlockValues& low) const {
+  const Offsets at(*this, points);
   BlockValues along;
   BlockValues across2;
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const double x = points.x[i] - x_;
-    const double y = points.y[i] - y_;
-    const double u = y * dx_ - x * dy_;
-    along[i] = x * dx_ + y * dy_;
-    across2[i] = u * u;
+  for (std::size_t j = 0; j < kBlockSide; ++j) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      const float u = at.y[j] * at.dx - at.x[i] * at.dy;
+      along[j * kBlockSide + i] = at.x[i] * at.dx + at.y[j] * at.dy;
+      across2[j * kBlockSide + i] = u * u;
+    }
   }
-  const StraightSlope way{z_, slope_, length_};
+  if (length_ == 0) {  // no direction is better than another
+    along.fill(0);
+    for (std::size_t i = 0; i < kBlockCells; ++i) {
+      const float x = at.x[i % kBlockSide];
+      const float y = at.y[i / kBlockSide];
+      across2[i] = x * x + y * y;
+    }
+  }
+  if (begins_ == Begins::behind_itself) leave_out_behind(tool, along, across2);
+  const StraightSlope way{static_cast<float>(z_ - base), static_cast<float>(slope_),
+                          static_cast<float>(length_)};
   for (const EnvelopePiece& piece : tool.pieces()) lower_by_piece(way, piece, along, across2, low);
 }
 
-void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const {
-  const double reach = tool.reach() + row.radius;
+/// Columns behind have been cut, and rounding is not to cut them once more: otherwise what a block
+/// that is looked at for another column holds would depend on where blocks are.
+void StraightLeg::leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
+                                   BlockValues& across2) const {
+  const Behind behind = behind_of(tool);
+  const Lanes far = all(kNowhere);
+  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
+    const Lanes a = load(&along[i]);
+    const Lanes u2 = load(&across2[i]);
+    Lanes after = all(behind.after);
+    if (behind.lean > 0) {
+      const Lanes out = larger(root(u2) - behind.core, Lanes{});
+      after = after + root(behind.lean2 - behind.lean * out * out);
+    }
+    store((a < all(behind.before)) | (a > after) ? far : u2, &across2[i]);
+  }
+}
+
+/// Every block as a rectangle along and across the way that holds its columns.
+void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
+                        RowValues& bounds) const {
+  const double safety = bound_safety(length_ + tool.reach());
+  const auto dx = static_cast<float>(dx_);
+  const auto dy = static_cast<float>(dy_);
+  const double abs_dx = std::abs(dx_);
+  const double abs_dy = std::abs(dy_);
+  const auto half_along = static_cast<float>(row.half_x * abs_dx + row.half_y * abs_dy + safety);
+  const auto half_across = static_cast<float>(row.half_x * abs_dy + row.half_y * abs_dx + safety);
+  const float reach = static_cast<float>(tool.reach()) + half_along;
+  const auto z = static_cast<float>(z_ - base - safety);
+  const auto slope = static_cast<float>(slope_);
+  const auto length = static_cast<float>(length_);
+  const auto y = static_cast<float>(row.y - y_);
+  const Behind behind = behind_of(tool);
   RowValues tip;       // not above the tip while it reaches the block
   RowValues distance;  // of the axis, at least
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
-    const double x = row.x[i] - x_;
-    const double y = row.y - y_;
-    const double along = x * dx_ + y * dy_;
-    const double u = y * dx_ - x * dy_;
-    const double past = along < 0 ? -along : (along > length_ ? along - length_ : 0.0);
-    const double first = along > reach ? along - reach : 0.0;
-    tip[i] = z_ - kBoundSafety_mm + slope_ * first;
-    distance[i] = std::sqrt(u * u + past * past) - row.radius - kBoundSafety_mm;
+    const auto x = static_cast<float>(row.x[i] - x_);
+    const float along = x * dx + y * dy;
+    const float u = larger(0.0F, std::abs(y * dx - x * dy) - half_across);
+    const float past = larger(0.0F, larger(-along, along - length) - half_along);
+    const float out = larger(0.0F, u - behind.core);
+    const float ahead =
+        behind.after + std::sqrt(larger(0.0F, behind.lean2 - behind.lean * out * out));
+    const float none = (along + half_along < behind.before ? kNowhere : 0.0F) +
+                       (along - half_along > ahead ? kNowhere : 0.0F);
+    tip[i] = z + slope * larger(0.0F, along - reach) + none;
+    distance[i] = std::sqrt(u * u + past * past);
   }
   lowest_at(tool, distance, tip, bounds);
+}
+
+/// Up a slope the lowest place for a column is never behind it. Down one it is ahead by no more
+/// than the reach of the tool, and for a round one by no more than its core and the w m / √(1 + m²)
+/// of its ball (straight_pieces.cpp).
+StraightLeg::Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
+  Behind none{-kNowhere, kNowhere, 0, 0, 0};
+  if (begins_ == Begins::afresh || length_ == 0) return none;
+  if (!downwards_) {
+    none.before = 0;
+    return none;
+  }
+  const LowerEnvelope::Round* round = tool.round();
+  if (round == nullptr) {
+    none.after = static_cast<float>(length_ + tool.reach());
+    return none;
+  }
+  const double core = std::max(0.0, round->core);
+  const double lean = slope_ * slope_ / (1 + slope_ * slope_);
+  return {-kNowhere, static_cast<float>(length_ + core), static_cast<float>(core),
+          static_cast<float>(lean), static_cast<float>(lean * round->radius * round->radius)};
 }
 
 double StraightLeg::highest_tip(double reach, double x, double y) const {
@@ -78,9 +159,14 @@ double StraightLeg::highest_tip(double reach, double x, double y) const {
   return first <= last ? z_ + slope_ * last + height_ : -kNowhere;
 }
 
-double StraightLeg::offset(double x, double y) const {
-  const double across = place(x, y).across;
-  return downwards_ ? -across : across;
+void StraightLeg::offsets(const BlockPoints& points, BlockValues& offsets) const {
+  const Offsets at(*this, points);
+  const float left = downwards_ ? -1 : 1;
+  for (std::size_t j = 0; j < kBlockSide; ++j) {
+    for (std::size_t i = 0; i < kBlockSide; ++i) {
+      offsets[j * kBlockSide + i] = left * (at.y[j] * at.dx - at.x[i] * at.dy);
+    }
+  }
 }
 
 double StraightLeg::taken_by_core(double core, double x, double y, double height) const {

@@ -19,16 +19,22 @@ namespace kerf::stock::field {
 /// torus by halving.
 class StraightLeg {
  public:
-  explicit StraightLeg(const StraightWay& way);
+  /// Begins::afresh; Begins::behind_itself: the same tool has cut straight to where this begins.
+  /// What lies behind that is never lower for this leg, and is left out.
+  enum class Begins { afresh, behind_itself };
+  /// Precondition: not longer than kLongestLeg_mm, seen from above.
+  explicit StraightLeg(const StraightWay& way, Begins begins = Begins::afresh);
 
-  /// low[i] becomes the lowest surface over column i where that is lower.
-  void lower(const LowerEnvelope& tool, const BlockPoints& points, BlockValues& low) const;
-  /// Not above the lowest surface over any column of the blocks; kNowhere: they are not reached.
-  void bound(const LowerEnvelope& tool, const BlockRow& row, RowValues& bounds) const;
+  /// low[i] becomes the lowest surface over column i, mm over `base`, where that is lower.
+  void lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
+             BlockValues& low) const;
+  /// Not above the lowest surface over any column of the blocks, mm over `base`; kNowhere: they are
+  /// not reached.
+  void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
   /// How high the tip gets while the axis is within `reach` from the column; -kNowhere: never.
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
-  /// Signed distance of a column from the axis' way along the feed, left positive.
-  [[nodiscard]] double offset(double x, double y) const;
+  /// Signed distances of columns from the axis' way along the feed, left positive.
+  void offsets(const BlockPoints& points, BlockValues& offsets) const;
   /// Whether there is a left and a right.
   [[nodiscard]] bool has_sides() const { return length_ > 0; }
 
@@ -44,13 +50,27 @@ class StraightLeg {
     double along;
     double across;
   };
+  struct Offsets;
+  /// Columns whose `along` is less than `before`, or more than `after` + √(lean2 - lean out²),
+  /// where `out` is how far they are beside the core, are behind a leg that begins behind itself.
+  struct Behind {
+    float before;
+    float after;
+    float core;
+    float lean;
+    float lean2;
+  };
   [[nodiscard]] Place place(double x, double y) const;
+  void leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
+                        BlockValues& across2) const;
+  [[nodiscard]] Behind behind_of(const LowerEnvelope& tool) const;
 
   double x_ = 0, y_ = 0, z_ = 0;  // the lower end
   double dx_ = 1, dy_ = 0;        // unit, seen from above, upwards
   double length_ = 0;             // seen from above
   double slope_ = 0;
-  double height_ = 0;       // of a vertical one
+  double height_ = 0;  // of a vertical one
+  Begins begins_;
   bool downwards_ = false;  // the move goes against dx, dy
   Bounds box_;              // of the tip
 };

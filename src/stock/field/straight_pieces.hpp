@@ -1,19 +1,20 @@
 #pragma once
 
 #include "stock/field/block_points.hpp"
+#include "stock/field/lanes.hpp"
 #include "stock/field/lower_envelope.hpp"
 
 namespace kerf::stock::field {
 
-/// What rounding may do to a lower bound of a surface.
-inline constexpr double kBoundSafety_mm = 1e-9;
+/// By how much floats may move the surface, mm, over a leg and a tool of this size together.
+constexpr double bound_safety(double size_mm) { return 1e-4 + 1e-6 * size_mm; }
 
 /// A straight way seen from the side: the tip begins at z and rises by `slope` >= 0 per mm over
 /// `length` mm.
 struct StraightSlope {
-  double z = 0;
-  double slope = 0;
-  double length = 0;
+  float z = 0;
+  float slope = 0;
+  float length = 0;
 };
 
 /// low[i] becomes the lowest surface that a piece of a tool leaves over a column at `along`,
@@ -25,7 +26,6 @@ void lower_by_piece(const StraightSlope& way, const EnvelopePiece& piece, const 
 void lowest_at(const LowerEnvelope& tool, const RowValues& distance, const RowValues& tip,
                RowValues& lowest);
 /// low[i] becomes z + f(distance[i]) where that is lower.
-void lower_level(const LowerEnvelope& tool, double z, const BlockValues& distance,
-                 BlockValues& low);
+void lower_level(const LowerEnvelope& tool, float z, const BlockValues& distance, BlockValues& low);
 
 }  // namespace kerf::stock::field

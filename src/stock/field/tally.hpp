@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "stock/field/field_tool.hpp"
@@ -14,8 +15,13 @@ class Tally {
  public:
   explicit Tally(const FieldTool& tool);
 
-  void remove(double height) { removed_ += height; }
-  void remove_at(double offset, double height);
+  /// A column at this signed distance from the way, kNowhere if it has no sides.
+  void remove(float offset, float height) {
+    removed_ += static_cast<double>(height);
+    if (offset >= kNowhere) return;
+    const float bin = std::clamp((offset + reach_) * bins_per_mm_, 0.0F, Outcome::kBins - 1.0F);
+    across_[static_cast<std::size_t>(bin)] += static_cast<double>(height);
+  }
   void take_by_core(double height) { core_ += height; }
   void meet(ToolPart part, Vec3 at, double depth);
   void visit(std::uint64_t columns) { visited_ += columns; }
@@ -31,14 +37,12 @@ class Tally {
     double depths = 0;
   };
 
-  double bins_per_mm_;
-  double reach_;
+  float bins_per_mm_;
+  float reach_;
   double removed_ = 0;
   double core_ = 0;
   std::uint64_t visited_ = 0;
-  int first_bin_ = Outcome::kBins;
-  int last_bin_ = -1;
-  std::array<double, Outcome::kBins> across_;  // from first_bin_ to last_bin_
+  std::array<double, Outcome::kBins> across_{};
   std::array<Met, kToolParts> met_{};
 };
 

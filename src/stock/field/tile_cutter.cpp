@@ -17,54 +17,67 @@ TileCutter::TileCutter(Columns& columns, std::size_t tile)
       index_(tile),
       tile_(columns.tile(tile)),
       base_(columns.grid().box.low.z),
-      block_x_(kBlockSide * columns.grid().cell_x()),
-      block_y_(kBlockSide * columns.grid().cell_y()),
-      radius_(kHalfBlock * math::hypot(columns.grid().cell_x(), columns.grid().cell_y())) {}
+      half_x_(kHalfBlock * columns.grid().cell_x()),
+      half_y_(kHalfBlock * columns.grid().cell_y()) {
+  for (std::size_t i = 0; i < kTileBlocks; ++i) {
+    const std::size_t first = i * kBlockSide;
+    const std::size_t last = first + kBlockSide - 1;
+    block_x_[i] = (tile_.x[first] + tile_.x[last]) / 2;
+    block_y_[i] = (tile_.y[first] + tile_.y[last]) / 2;
+  }
+}
 
 TileCutter::~TileCutter() { columns_.changed(index_, changes_); }
 
 void TileCutter::cut(const ReadySweep& sweep, Tally& tally) {
   Blocks met{};
+  bool any_met = false;
   for (std::size_t i = 0; i < kToolParts; ++i) {
-    guard(sweep, static_cast<ToolPart>(i), met);
+    any_met |= guard(sweep, static_cast<ToolPart>(i), met);
   }
   if (sweep.cuts) {
     for_each_leg(sweep.legs, [&](const auto& leg) { cut_by(leg, sweep, met, tally); });
   }
-  for (int block = 0; block < kTileBlocks * kTileBlocks; ++block) {
-    const unsigned row = met[static_cast<std::size_t>(block / kTileBlocks)];
-    if ((row >> (block % kTileBlocks) & 1U) != 0) settle(sweep, block, tally);
+  for (int block = 0; any_met && block < kTileBlocks * kTileBlocks; ++block) {
+    if (is_in(met, block)) settle(sweep, block, tally);
   }
   if (tally.has_removed()) ++changes_;
 }
 
-void TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
+bool TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
   const LowerEnvelope& body = sweep.tool->part(part).shrunk;
-  if (!sweep.guards(part) || body.is_empty()) return;
-  if (sweep.tip.low.z + body.lowest() - base_ >= columns_.top_of(index_)) return;
+  if (!sweep.guards(part) || body.is_empty()) return false;
+  if (sweep.tip.low.z + body.lowest() - base_ >= columns_.top_of(index_)) return false;
+  bool any = false;
   for_each_leg(sweep.legs, [&](const auto& leg) {
     for_blocks(leg, body, [&](int block) {
       met[static_cast<std::size_t>(block / kTileBlocks)] |=
           static_cast<std::uint16_t>(1U << (block % kTileBlocks));
+      any = true;
     });
   });
+  return any;
 }
 
 /// Calls with each block that the leg may lower, or meet.
 template <class Do>
 void TileCutter::for_blocks(const auto& leg, const LowerEnvelope& tool, const Do& act) {
+  const Grid& grid = columns_.grid();
   const double reach = tool.reach();
   const Bounds& box = leg.box();
-  const Range across = range(box.low.x - reach, box.high.x + reach, tile_.x[0], block_x_);
-  const Range rows = range(box.low.y - reach, box.high.y + reach, tile_.y[0], block_y_);
+  const Range across =
+      range(box.low.x - reach, box.high.x + reach, tile_.x[0], kBlockSide * grid.cell_x());
+  const Range rows =
+      range(box.low.y - reach, box.high.y + reach, tile_.y[0], kBlockSide * grid.cell_y());
   if (across.first > across.last) return;
   for (int by = rows.first; by <= rows.last; ++by) {
     RowValues lowest;
-    leg.bound(tool, row(by), lowest);
+    leg.bound(tool, {block_x_.data(), block_y_[static_cast<std::size_t>(by)], half_x_, half_y_},
+              base_, lowest);
     for (int bx = across.first; bx <= across.last; ++bx) {
       const int block = by * kTileBlocks + bx;
-      const auto top = static_cast<double>(tile_.block_tops[block]);
-      if (std::max(0.0, lowest[static_cast<std::size_t>(bx)] - base_) < top) act(block);
+      if (std::max(0.0F, lowest[static_cast<std::size_t>(bx)]) < tile_.block_tops[block])
+        act(block);
     }
   }
 }
@@ -77,29 +90,20 @@ TileCutter::Range TileCutter::range(double low, double high, double first, doubl
   return {std::max(0, block(low)), std::min(kTileBlocks - 1, block(high))};
 }
 
-BlockRow TileCutter::row(int by) const {
-  BlockRow row;
-  const double half_x = (tile_.x[kBlockSide - 1] - tile_.x[0]) / 2;
-  for (std::size_t bx = 0; bx < kTileBlocks; ++bx) row.x[bx] = tile_.x[bx * kBlockSide] + half_x;
-  row.y = (tile_.y[by * kBlockSide] + tile_.y[by * kBlockSide + kBlockSide - 1]) / 2;
-  row.radius = radius_;
-  return row;
-}
-
 void TileCutter::cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& met, Tally& tally) {
-  const LowerEnvelope& edges = sweep.tool->edges();
-  for_blocks(leg, edges, [&](int block) {
-    if ((met[static_cast<std::size_t>(block / kTileBlocks)] >> (block % kTileBlocks) & 1U) != 0) {
-      return;
-    }
+  for_blocks(leg, sweep.tool->edges(), [&](int block) {
+    if (is_in(met, block)) return;
     const BlockPoints at = columns_.points(index_, block);
     BlockValues low;
     low.fill(kNowhere);
-    leg.lower(edges, at, low);
+    leg.lower(sweep.tool->edges(), at, base_, low);
     tally.visit(kBlockCells);
     if (sweep.tool->core_mm > 0) take_by_core(leg, *sweep.tool, at, material(block), tally);
-    lower(block, low, sweep.motion, tally,
-          [&](std::size_t i) { return leg.has_sides() ? leg.offset(at.x[i], at.y[i]) : kNowhere; });
+    if (!lowers(block, low)) return;
+    BlockValues offsets;
+    offsets.fill(kNowhere);
+    if (leg.has_sides()) leg.offsets(at, offsets);
+    lower(block, low, sweep.motion, offsets, tally);
   });
 }
 
@@ -107,30 +111,32 @@ TileCutter::Material TileCutter::material(int block) const {
   Material all;
   const std::size_t first = static_cast<std::size_t>(block) * kBlockCells;
   for (std::size_t i = 0; i < kBlockCells; ++i) {
-    all[i] = {base_ + bottom(first + i), base_ + static_cast<double>(tile_.heights[first + i])};
+    all[i] = {static_cast<double>(bottom(first + i)),
+              static_cast<double>(tile_.heights[first + i])};
   }
   return all;
 }
 
 void TileCutter::take_by_core(const auto& leg, const FieldTool& tool, const BlockPoints& at,
-                              const Material& material, Tally& tally) {
+                              const Material& material, Tally& tally) const {
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     const auto [bottom, top] = material[i];
-    const double taken = leg.taken_by_core(tool.core_mm, at.x[i], at.y[i], top);
+    const double taken = leg.taken_by_core(tool.core_mm, at.x_of(i), at.y_of(i), base_ + top);
     tally.take_by_core(std::min(taken, top - bottom));
   }
 }
 
 /// As the core takes it, with what the legs before have left.
 void TileCutter::settle_core(const ReadySweep& sweep, const BlockPoints& at, Material material,
-                             Tally& tally) {
+                             Tally& tally) const {
   for_each_leg(sweep.legs, [&](const auto& leg) {
     take_by_core(leg, *sweep.tool, at, material, tally);
     BlockValues low;
     low.fill(kNowhere);
-    leg.lower(sweep.tool->edges(), at, low);
+    leg.lower(sweep.tool->edges(), at, base_, low);
     for (std::size_t i = 0; i < kBlockCells; ++i) {
-      material[i].high = std::max(material[i].low, std::min(material[i].high, low[i]));
+      material[i].high =
+          std::max(material[i].low, std::min(material[i].high, static_cast<double>(low[i])));
     }
   });
 }
@@ -138,46 +144,46 @@ void TileCutter::settle_core(const ReadySweep& sweep, const BlockPoints& at, Mat
 void TileCutter::settle(const ReadySweep& sweep, int block, Tally& tally) {
   const BlockPoints at = columns_.points(index_, block);
   const Material all = material(block);
-  const Settling settling(sweep, at);
+  const Settling settling(sweep, at, base_);
   tally.visit(kBlockCells);
   if (sweep.cuts && sweep.tool->core_mm > 0) settle_core(sweep, at, all, tally);
   BlockValues low;
   for (std::size_t i = 0; i < kBlockCells; ++i) {
-    low[i] = settling.edges_low(i);
+    double lowest = settling.edges_low(i);
     for (std::size_t p = 0; p < kToolParts; ++p) {
       const auto part = static_cast<ToolPart>(p);
       const Meeting met = settling.meets(part, i, all[i]);
       if (met.depth_mm <= 0) continue;
-      tally.meet(part, {at.x[i], at.y[i], met.z}, met.depth_mm);
-      low[i] = std::min(low[i], settling.part_low(part, i));
+      tally.meet(part, {at.x_of(i), at.y_of(i), base_ + met.z}, met.depth_mm);
+      lowest = std::min(lowest, settling.part_low(part, i));
     }
+    low[i] = static_cast<float>(lowest);
   }
-  lower(block, low, sweep.motion, tally, [&](std::size_t i) { return settling.offset(i); });
+  if (lowers(block, low)) lower(block, low, sweep.motion, settling.offsets(), tally);
 }
 
-void TileCutter::lower(int block, const BlockValues& low, std::uint32_t motion, Tally& tally,
-                       const auto& offset_of) {
+bool TileCutter::lowers(int block, const BlockValues& low) const {
+  const std::size_t first = static_cast<std::size_t>(block) * kBlockCells;
+  const float* heights = tile_.heights + first;
+  int lowered = 0;
+  for (std::size_t i = 0; i < kBlockCells; ++i) lowered |= low[i] < heights[i] ? 1 : 0;
+  return lowered != 0;
+}
+
+void TileCutter::lower(int block, const BlockValues& low, std::uint32_t motion,
+                       const BlockValues& offsets, Tally& tally) {
   const std::size_t first = static_cast<std::size_t>(block) * kBlockCells;
   float* heights = tile_.heights + first;
-  std::array<float, kBlockCells> fresh;
-  bool any = false;
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const double over = std::min(std::max(low[i] - base_, bottom(first + i)), kNowhere);
-    const auto height = static_cast<float>(over);
-    any |= height < heights[i];
-    fresh[i] = height < heights[i] ? height : heights[i];
-  }
-  if (!any) return;
   float top = 0;
   for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const double removed = static_cast<double>(heights[i]) - static_cast<double>(fresh[i]);
-    if (removed > 0) {
-      const double offset = offset_of(i);
-      offset < kNowhere ? tally.remove_at(offset, removed) : tally.remove(removed);
-      heights[i] = fresh[i];
+    const float bottom = this->bottom(first + i);
+    const float height = std::max(low[i], bottom);
+    if (height < heights[i]) {
+      tally.remove(offsets[i], heights[i] - height);
+      heights[i] = height;
       tile_.owners[first + i] = motion;
     }
-    if (static_cast<double>(fresh[i]) > bottom(first + i)) top = std::max(top, fresh[i]);
+    if (heights[i] > bottom) top = std::max(top, heights[i]);
   }
   tile_.block_tops[block] = top;
 }

@@ -28,33 +28,39 @@ class TileCutter {
     int first;
     int last;
   };
-  using Material = std::array<Span, kBlockCells>;  ///< of a block, frame of the stock
+  using Material = std::array<Span, kBlockCells>;  ///< of a block, over the box
 
+  [[nodiscard]] static bool is_in(const Blocks& blocks, int block) {
+    const unsigned row = blocks[static_cast<std::size_t>(block / kTileBlocks)];
+    return (row >> (block % kTileBlocks) & 1U) != 0;
+  }
   template <class Do>
   void for_blocks(const auto& leg, const LowerEnvelope& tool, const Do& act);
-  void guard(const ReadySweep& sweep, ToolPart part, Blocks& met);
+  bool guard(const ReadySweep& sweep, ToolPart part, Blocks& met);
   void cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& met, Tally& tally);
-  static void take_by_core(const auto& leg, const FieldTool& tool, const BlockPoints& at,
-                           const Material& material, Tally& tally);
-  static void settle_core(const ReadySweep& sweep, const BlockPoints& at, Material material,
-                          Tally& tally);
+  void take_by_core(const auto& leg, const FieldTool& tool, const BlockPoints& at,
+                    const Material& material, Tally& tally) const;
+  void settle_core(const ReadySweep& sweep, const BlockPoints& at, Material material,
+                   Tally& tally) const;
   void settle(const ReadySweep& sweep, int block, Tally& tally);
-  void lower(int block, const BlockValues& low, std::uint32_t motion, Tally& tally,
-             const auto& offset_of);
+  [[nodiscard]] bool lowers(int block, const BlockValues& low) const;
+  /// Offsets that are kNowhere: there are no sides.
+  void lower(int block, const BlockValues& low, std::uint32_t motion, const BlockValues& offsets,
+             Tally& tally);
 
   [[nodiscard]] Range range(double low, double high, double first, double size) const;
-  [[nodiscard]] BlockRow row(int by) const;
   [[nodiscard]] Material material(int block) const;
-  [[nodiscard]] double bottom(std::size_t cell) const {
-    return tile_.bottoms != nullptr ? static_cast<double>(tile_.bottoms[cell]) : 0.0;
+  [[nodiscard]] float bottom(std::size_t cell) const {
+    return tile_.bottoms != nullptr ? tile_.bottoms[cell] : 0.0F;
   }
 
   Columns& columns_;
   std::size_t index_;
   Columns::Tile tile_;
-  double base_;  // heights are over this
-  double block_x_, block_y_;
-  double radius_;  // of a block
+  double base_;             // heights are over this
+  double half_x_, half_y_;  // of a block, between its columns
+  std::array<double, kTileBlocks> block_x_;
+  std::array<double, kTileBlocks> block_y_;
   std::uint64_t changes_ = 0;
 };
 

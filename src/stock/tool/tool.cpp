@@ -1,5 +1,7 @@
 #include "stock/tool/tool.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "base/decimal.hpp"
@@ -37,6 +39,24 @@ std::string objection_to_keys(const Tool& tool) {
   return {};
 }
 
+/// ISO 261, coarse series: from this nominal diameter on.
+struct CoarsePitch {
+  double diameter;
+  double pitch;
+};
+constexpr std::array<CoarsePitch, 21> kCoarse = {
+    {{64, 6},   {56, 5.5}, {48, 5},     {42, 4.5}, {36, 4},     {30, 3.5},   {24, 3},
+     {18, 2.5}, {14, 2},   {12, 1.75},  {10, 1.5}, {8, 1.25},   {6, 1},      {5, 0.8},
+     {4, 0.7},  {3, 0.5},  {2.5, 0.45}, {2, 0.4},  {1.6, 0.35}, {1.2, 0.25}, {0, 0.2}}};
+
+// Rounding and units leave a nominal diameter a little smaller than it is.
+double coarse_pitch(double diameter) {
+  const auto* const row =
+      std::find_if(kCoarse.begin(), kCoarse.end(),
+                   [&](const CoarsePitch& each) { return diameter >= each.diameter - 0.01; });
+  return row == kCoarse.end() ? kCoarse.back().pitch : row->pitch;
+}
+
 std::optional<double> ring_core_mm(const Tool& tool) {
   const auto d = tool.value(M::diameter);
   switch (tool.kind) {
@@ -70,6 +90,8 @@ std::optional<double> Tool::said(Measure measure) const {
 
 std::optional<double> Tool::value(Measure measure) const {
   if (const auto value = said(measure)) return value;
+  if (measure == M::pitch && kind == ToolKind::tap)
+    return coarse_pitch(said(M::diameter).value_or(0));
   const KindKey* const key = row_of(kind).key(measure);
   return key != nullptr && key->has_default() ? std::optional(key->otherwise) : std::nullopt;
 }

@@ -80,6 +80,7 @@ struct Tool {
   /// What somebody has said, in numbers or by the designation of the insert.
   [[nodiscard]] std::optional<double> said(Measure measure) const;
   /// That, or else what is usual for the kind. Nothing: neither is known.
+  /// The pitch of a tap is that of the coarse series (ISO 261) then.
   [[nodiscard]] std::optional<double> value(Measure measure) const;
   /// For measures that the kind needs or has a default for. Precondition: objection() is empty.
   [[nodiscard]] double operator[](Measure measure) const;

@@ -77,7 +77,7 @@ std::vector<KindRow> rotating_kinds() {
       drilling(Kind::centre_drill, kCentreDrill, centre_drill_shape,
                {needs(M::pilot_diameter), needs(M::pilot_length), has(M::angle, 60)}),
       drilling(Kind::reamer, kReamer, reamer_shape, {has(M::lead, 0.5)}),
-      drilling(Kind::tap, kTap, tap_shape, {needs(M::pitch)}),
+      drilling(Kind::tap, kTap, tap_shape, {may_have(M::pitch)}),
       mill(Kind::face, kFace, Centre::no, face_shape,
            {has(M::entering_angle, 90), has(M::ap_max, 5), may_have(M::body_diameter)}),
       mill(Kind::t_slot, kTSlot, Centre::no, disc_shape,
@@ -139,7 +139,9 @@ const KindKey* KindRow::key(Measure measure) const {
 }
 
 bool is_common(Measure measure) {
-  constexpr std::array<M, 4> kCommon = {M::length, M::flute_length, M::stickout, M::flutes};
+  // Nose and tip are those of its offset, too, whatever it is.
+  constexpr std::array<M, 6> kCommon = {M::length, M::flute_length, M::stickout,
+                                        M::flutes, M::nose_radius,  M::tip};
   return std::find(kCommon.begin(), kCommon.end(), measure) != kCommon.end();
 }
 

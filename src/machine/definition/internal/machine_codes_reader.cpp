@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/decimal.hpp"
 #include "machine/definition/internal/machine_keys.hpp"
 #include "machine/definition/internal/toml_value.hpp"
 
@@ -34,6 +36,15 @@ std::optional<BuilderFunction> function_named(std::string_view key) {
   return found == kFunctions.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// "G12.1" in tenths; nothing where it is no G code.
+std::optional<std::uint16_t> g_code(std::string_view text) {
+  if (text.empty() || text[0] != 'G') return std::nullopt;
+  const auto number = base::read_number(text.substr(1));
+  const double tenths = number ? std::round(*number * 10) : -1;
+  if (tenths < 0 || tenths > 9999 || std::fabs(*number * 10 - tenths) > 1e-6) return std::nullopt;
+  return static_cast<std::uint16_t>(tenths);
+}
+
 // A number, or a list of numbers. False: something else.
 bool read_numbers(const toml::node& node, std::vector<std::uint32_t>& numbers) {
   if (const toml::array* const list = node.as_array()) {
@@ -54,7 +65,8 @@ tl::unexpected<base::Failure> MachineCodesReader::wrong(const toml::node& node,
 
 base::Outcome<void> MachineCodesReader::read() {
   auto done = read_spindles();
-  return done ? read_m_codes() : done;
+  if (done) done = read_m_codes();
+  return done ? read_g_codes() : done;
 }
 
 MachineCodesReader::Outcome MachineCodesReader::read_spindles() {
@@ -115,6 +127,28 @@ MachineCodesReader::Outcome MachineCodesReader::read_function(std::string_view k
   std::vector<std::uint32_t> numbers;
   if (!read_numbers(node, numbers)) return wrong(node, std::string(key) + " takes whole numbers");
   for (const std::uint32_t number : numbers) codes_.codes.push_back({number, *function});
+  return {};
+}
+
+// G121 = "G12.1"
+MachineCodesReader::Outcome MachineCodesReader::read_g_codes() {
+  const toml::node* const node = file_.get("g_codes");
+  if (node == nullptr) return {};
+  if (!node->is_table()) return wrong(*node, "g_codes must be a table");
+  for (const auto& [key, meant] : *node->as_table()) {
+    const std::string why = change_g_code(codes_, key.str(), meant.value_or(std::string()));
+    if (!why.empty()) return wrong(meant, "g_codes." + std::string(key.str()) + ": " + why);
+  }
+  return {};
+}
+
+std::string change_g_code(control::MachineCodes& codes, std::string_view code,
+                          std::string_view meant) {
+  const auto from = g_code(code);
+  const auto to = g_code(meant);
+  if (!from || !to) return "G codes are expected: G121 = \"G12.1\"";
+  std::erase_if(codes.other_names, [&](const auto& name) { return name.code == *from; });
+  codes.other_names.push_back({*from, *to});
   return {};
 }
 

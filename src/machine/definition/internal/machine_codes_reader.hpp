@@ -10,7 +10,7 @@
 
 namespace kerf::machine {
 
-/// Reads the tables [[spindle]] and [m_codes] of a machine file. Each failure (input) names the
+/// Reads the tables [[spindle]], [m_codes] and [g_codes] of a machine file. Each failure (input) names the
 /// line.
 class MachineCodesReader {
  public:
@@ -30,6 +30,7 @@ class MachineCodesReader {
                     control::SpindleSettings& spindle) const;
   Outcome read_m_codes();
   Outcome read_function(std::string_view key, const toml::node& node);
+  Outcome read_g_codes();
   [[nodiscard]] tl::unexpected<base::Failure> wrong(const toml::node& node,
                                                     const std::string& what) const;
 
@@ -37,6 +38,10 @@ class MachineCodesReader {
   const std::string& source_;
   control::MachineCodes& codes_;
 };
+
+/// `--machine-set g_codes.G121=G12.1`: the code has this meaning. Why not, or nothing.
+[[nodiscard]] std::string change_g_code(control::MachineCodes& codes, std::string_view code,
+                                        std::string_view meant);
 
 /// `--machine-set m_codes.KEY=NUMBER,NUMBER…`: the codes of this key are these. Why not, or
 /// nothing.

@@ -129,20 +129,21 @@ class Section {
 
   void hatch_line(Outline& lines, double c) const {
     const double left = view_.frame().left, axis = view_.y_of(0);
-    std::optional<Point> begin;
+    Point begin;
     Point last;
+    bool is_inside = false;
     for (std::size_t i = 0; i < profile_.columns().size(); ++i) {
       const TurnedProfile::Column& column = profile_.columns()[i];
       const double x = view_.x_of(profile_.z_of(i)), y = c + x - left;
       const double r = (y - axis) / view_.scale();
       const bool inside = column.has_material() && r > column.inner && r < column.outer &&
                           y < view_.frame().bottom();
-      if (inside && !begin) begin = Point{x, y};
-      if (!inside && begin) lines.segment(*begin, last);
-      if (!inside) begin.reset();
+      if (inside && !is_inside) begin = {x, y};
+      if (!inside && is_inside) lines.segment(begin, last);
+      is_inside = inside;
       last = {x, y};
     }
-    if (begin) lines.segment(*begin, last);
+    if (is_inside) lines.segment(begin, last);
   }
 
   const View& view_;

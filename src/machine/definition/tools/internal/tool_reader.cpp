@@ -84,19 +84,12 @@ void take_number(const toml::node& node, Tool& tool) {
   tool.number = static_cast<int>(*value);
 }
 
-std::string all_types() {
-  std::string list;
-  for (const stock::KindRow& row : stock::kind_rows())
-    for (const std::string_view name : row.names)
-      list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
-}
-
 void take_type(const toml::node& node, Tool& tool) {
   const std::string word = text_of(node);
   const stock::NamedKind named = stock::kind_named(word);
   if (named.row == nullptr)
-    throw WrongTool{node, "there is no type " + word + " of tools; there are " + all_types()};
+    throw WrongTool{
+        node, "there is no type " + word.substr(0, 40) + " of tools; docs/tools.md has them all"};
   tool.kind = named.row->kind;
   tool.type = named.name;
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "control/core/assumptions.hpp"
+#include "control/core/memory.hpp"
+#include "machine/definition/tools/tool_choice.hpp"
+#include "stock/cutting/cutting_tool.hpp"
+
+namespace kerf::job {
+
+/// The tools of a run as it asks for them (stock.md §1.5).
+class RunRack final : public stock::ToolRack {
+ public:
+  /// Tools of which all moves at feed go along Z, by a survey; empty: there was none.
+  using AxialTools = std::map<std::uint32_t, bool>;
+
+  /// All must outlive the rack.
+  RunRack(const machine::ToolChoice& tools, const control::Memory& memory, bool turns,
+          AxialTools axial)
+      : tools_(tools), memory_(memory), turns_(turns), axial_(std::move(axial)) {}
+
+  [[nodiscard]] const stock::CuttingTool& tool(std::uint32_t number) override;
+
+  /// What nobody has said of the tools that were asked for.
+  [[nodiscard]] const std::vector<control::Assumption>& assumed() const { return assumed_; }
+  /// One of them is assumed altogether.
+  [[nodiscard]] bool has_guessed() const { return has_guessed_; }
+
+ private:
+  [[nodiscard]] machine::ToolUse use_of(std::uint32_t number) const;
+
+  const machine::ToolChoice& tools_;
+  const control::Memory& memory_;
+  bool turns_;
+  AxialTools axial_;
+  std::map<std::uint32_t, stock::CuttingTool> ready_;
+  std::vector<control::Assumption> assumed_;
+  bool has_guessed_ = false;
+};
+
+}  // namespace kerf::job

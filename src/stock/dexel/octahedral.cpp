@@ -1,0 +1,36 @@
+#include "stock/dexel/octahedral.hpp"
+
+#include <cmath>
+
+namespace kerf::stock {
+namespace {
+
+constexpr double kSteps = 127;
+
+std::int8_t packed(double value) {
+  return static_cast<std::int8_t>(std::nearbyint(value * kSteps));
+}
+
+/// The lower half of the octahedron lies outside of the diamond that the upper one fills.
+double folded(double value, double other) { return std::copysign(1 - std::fabs(other), value); }
+
+}  // namespace
+
+Octahedral octahedral(geometry::Vec3 d) {
+  const double scale = 1 / (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
+  const double x = d.x * scale;
+  const double y = d.y * scale;
+  if (d.z >= 0) return {packed(x), packed(y)};
+  return {packed(folded(x, y)), packed(folded(y, x))};
+}
+
+geometry::Vec3 direction(Octahedral p) {
+  const double x = p[0] / kSteps;
+  const double y = p[1] / kSteps;
+  const double z = 1 - std::fabs(x) - std::fabs(y);
+  const geometry::Vec3 d =
+      z >= 0 ? geometry::Vec3{x, y, z} : geometry::Vec3{folded(x, y), folded(y, x), z};
+  return (1 / std::sqrt(dot(d, d))) * d;
+}
+
+}  // namespace kerf::stock

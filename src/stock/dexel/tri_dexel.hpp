@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "stock/dexel/lattice.hpp"
+#include "stock/dexel/shape.hpp"
+#include "stock/dexel/tile.hpp"
+#include "stock/sweep/model.hpp"
+
+namespace kerf::stock {
+
+/// Stock as dexels along X, Y and Z: cuts with any tool in any direction (stock.md §3, §4).
+///
+/// No point of a sweep stays uncut, and nothing outside of it is cut, by more than min(1 µm, h/100)
+/// with a fixed axis, max(1 µm, h/50) with a turning one; places are float32, from the middle of
+/// the box. Material shorter than 10 nm along a dexel is not told from none.
+///
+/// What a sweep removed, and how deep its contacts are, is counted by the dexels that look along
+/// its tool best (ties Z, X, Y): only those see face and depth of a tool as its user does. A
+/// contact that none of them saw counts as the dexels of the next axis saw it. left_mm3() is of the
+/// grid that stock.md §3 chooses, so the sum of what was removed may differ by error_mm3().
+class TriDexel final : public Model {
+ public:
+  /// `cell_mm`: the largest cell; cells fill the box. `jobs`: threads, at most one a
+  /// processor; 0: that many.
+  /// Precondition: low < high on every axis, cell_mm > 0, bytes_for() can be had.
+  TriDexel(const Shape& shape, double cell_mm, unsigned jobs);
+  ~TriDexel() override;
+
+  /// What such a model needs before the first cut.
+  [[nodiscard]] static double bytes_for(const Bounds& box, double cell_mm);
+
+  [[nodiscard]] BodyId add_body(const Body& body) override;
+  [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
+  void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  [[nodiscard]] double left_mm3() const override;
+  [[nodiscard]] double stock_mm3() const override;
+  [[nodiscard]] double error_mm3() const override;
+  [[nodiscard]] Bounds extents() const override;
+  [[nodiscard]] std::size_t bytes() const override;
+
+  /// How far, in [0, 1], a body goes on a straight way until any of it meets material; none: it
+  /// meets nothing. Within 1e-6 mm along the way for what the dexels show; a body thinner than a
+  /// cell may pass between them. Precondition: can_cut(), a straight way.
+  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep);
+
+  /// What is left, by each grid: along X, Y, Z.
+  [[nodiscard]] std::array<double, 3> grids_mm3() const;
+
+  // The dexels themselves. `grid` 0, 1, 2 is along X, Y, Z; tiles count along b first.
+  [[nodiscard]] const Lattice& lattice(int grid) const;
+  [[nodiscard]] std::size_t tiles(int grid) const;
+  [[nodiscard]] const Tile& tile(int grid, std::size_t number) const;
+  /// In the frame of the stock.
+  [[nodiscard]] Vec3 middle() const { return middle_; }
+
+  /// A tile as a plain value: numbers of ends, dexel by dexel, and the ends in a row.
+  struct TileState {
+    std::vector<std::uint16_t> counts;
+    std::vector<DexelEnd> ends;
+
+    friend bool operator==(const TileState&, const TileState&) = default;
+  };
+  [[nodiscard]] TileState save(int grid, std::size_t number) const;
+  /// False, and nothing changes: it is no state of such a tile.
+  [[nodiscard]] bool restore(int grid, std::size_t number, const TileState& state);
+
+ private:
+  struct Grid;
+  struct Call;
+  struct Threads;
+
+  /// Where the last sweep ended: what is in the tool there is gone.
+  struct Trail {
+    bool is_cut = false;
+    BodyId body = 0;
+    Vec3 axis;
+    Vec3 tip;
+
+    [[nodiscard]] bool goes_on(const Sweep& sweep) const;
+    [[nodiscard]] static Trail after(const Sweep& sweep, bool cuts);
+  };
+
+  void make_grid(int axis, const Shape& shape, double cell_mm);
+  void fill(Grid& grid, const Shape& shape);
+  void cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes);
+  [[nodiscard]] Vec3 half() const;
+  [[nodiscard]] std::array<double, 3> alongside() const;
+  [[nodiscard]] std::size_t best_grid() const;
+
+  Bounds box_;
+  Vec3 middle_;
+  std::array<std::unique_ptr<Grid>, 3> grids_;
+  std::array<double, 3> whole_{};  ///< mm³ before the first cut, by each grid
+  double volume_ = 0;
+  double cell_ = 0;   ///< largest, mm
+  double block_ = 0;  ///< from the middle of a block to its corner, mm
+  std::unique_ptr<Threads> threads_;
+  std::deque<struct Tool> tools_;
+  Trail trail_;
+};
+
+}  // namespace kerf::stock

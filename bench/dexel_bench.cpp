@@ -10,6 +10,7 @@
 namespace {
 
 using namespace kerf::stock;
+using namespace kerf::stock::dexel;
 
 constexpr std::size_t kMoves = 50000;
 constexpr std::size_t kAtOnce = 10'000;

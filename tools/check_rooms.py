@@ -62,7 +62,7 @@ ROOMS = {
     "output/records": ["output/picture", "output/programs"],
     "output/reports": ["output/writing"],
     "engraver": ["machine/run", "output/picture", "output/reports"],
-    "job": ["machine/run", "output/records", "output/reports", "stock/field", "stock/sheet"],
+    "job": ["machine/run", "output/records", "output/reports", "stock/field", "stock/dexel", "stock/sheet"],
     "training": ["job"],
     "face/server/protocol": ["machine/panel", "output/writing"],
     "face/server/store": ["face/server/protocol"],

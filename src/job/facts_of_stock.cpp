@@ -35,8 +35,8 @@ output::StockFacts facts_of(StockResult& result) {
   facts.origin = result.origin;
   facts.stock_extents = stock::bounds(result.shape);
   facts.stock_mm3 = stock::volume(result.shape);
-  facts.removed_mm3 = result.removed_mm3;
   facts.left_mm3 = result.model->left_mm3();
+  facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
   facts.extents = result.model->extents();
   facts.model = result.model_facts;
   facts.assumed = result.assumed;

@@ -97,7 +97,6 @@ class Pass final : public motion::MotionSink {
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
     result.tools = cutter_->tools();
-    result.removed_mm3 = cutter_->removed_mm3();
     result.assumed = rack_->assumed();
     tell_of_run(result);
     result.model = std::move(model_);

@@ -17,7 +17,7 @@ struct StockResult {
   machine::RunStatus status{};
   machine::StockZero zero;  ///< that it stood at; never automatic
   stock::Vec3 origin;       ///< of that, machine coordinates
-  stock::Shape shape = stock::BoxShape{};
+  stock::Workpiece shape = stock::BoxShape{};
   output::StockFacts::Model model_facts;
   std::unique_ptr<stock::Model> model;
   std::unique_ptr<stock::ToolRack> rack;  ///< the run's
@@ -25,7 +25,6 @@ struct StockResult {
   std::vector<double> times_s;  ///< of each finding, when its motion ended
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
-  double removed_mm3 = 0;
   std::vector<control::Assumption> assumed;
 };
 

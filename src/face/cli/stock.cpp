@@ -9,9 +9,8 @@
 #include "face/cli/run_report.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
-#include "machine/definition/offset_file.hpp"
 #include "machine/definition/tools/tool_comment.hpp"
-#include "machine/definition/tools/tool_tables.hpp"
+#include "machine/definition/tools/tool_import.hpp"
 #include "motion/feed.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/writing/diagnostic_text.hpp"
@@ -35,18 +34,15 @@ Outcome<base::ProgramText> kept(const std::string& path) {
   return base::ProgramText::of(path, std::move(*text));
 }
 
-/// The tools of a file, in its order; none of a file of offsets.
-Outcome<std::vector<stock::Tool>> tools_of(const std::string& path) {
-  std::vector<stock::Tool> tools;
-  if (path.empty()) return tools;
-  constexpr std::size_t kLargest = 16 << 20;
-  auto text = base::read_whole(path, kLargest, "a file of tools");
+/// The tools of a file, none where it is the control's own punch-out.
+Outcome<machine::ToolLibrary> tools_of(const RunOptions& options) {
+  if (options.tools.empty()) return {};
+  auto text = base::read_whole(options.tools, machine::kLargestToolFile, "a file of tools");
   if (!text) return tl::unexpected(text.error());
-  if (!machine::looks_like_toml(*text)) return tools;
-  auto entries = machine::read_tool_tables(toml::parse(*text), path, stock::ToolSource::file);
-  if (!entries) return tl::unexpected(entries.error());
-  for (const machine::ToolEntry& entry : *entries) tools.push_back(entry.tool);
-  return tools;
+  if (machine::tool_format_of(*text) == machine::ToolFormat::other) return {};
+  return machine::read_tools(
+      *text, options.tools,
+      options.tools_unit == "inch" ? machine::ToolsUnit::inch : machine::ToolsUnit::mm);
 }
 
 Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
@@ -68,14 +64,15 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
     job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
                        << 20;
   job.jobs = options.jobs;
-  auto tools = tools_of(options.run.tools);
-  if (!tools) return tl::unexpected(tools.error());
+  auto library = tools_of(options.run);
+  if (!library) return tl::unexpected(library.error());
+  std::vector<stock::Tool> tools = std::move(library->tools);
   const machine::MachineDefinition& definition = job.job.definition;
-  tools->insert(tools->end(), definition.tools.begin(), definition.tools.end());
+  tools.insert(tools.end(), definition.tools.begin(), definition.tools.end());
   const machine::CommentStyle style{
       definition.parameters.power_on_inch ? motion::kMillimetresPerInch : 1, definition.turns()};
-  for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools->push_back(tool);
-  job.tools = machine::ToolChoice(std::move(*tools));
+  for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools.push_back(tool);
+  job.tools = machine::ToolChoice(std::move(tools));
   return job;
 }
 

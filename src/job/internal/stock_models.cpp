@@ -6,17 +6,20 @@
 #include <thread>
 
 #include "math/math.hpp"
+#include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
 
 namespace kerf::job {
 namespace {
 
-bool is_upright(const stock::Shape& shape) {
+using stock::Vec3;
+
+bool is_upright(const stock::Workpiece& shape) {
   const auto* const round = std::get_if<stock::CylinderShape>(&shape);
   return round == nullptr || round->along == 2;
 }
 
-std::string objection_to_zmap(const SurveyedTools& tools, const stock::Shape& shape) {
+std::string objection_to_zmap(const SurveyedTools& tools, const stock::Workpiece& shape) {
   if (!is_upright(shape)) return "the stock is no height field seen from +Z";
   if (tools.turned()) return "the work is tilted against the tool";
   if (tools.undercut()) return "a tool has an undercut";
@@ -25,16 +28,7 @@ std::string objection_to_zmap(const SurveyedTools& tools, const stock::Shape& sh
 
 // The largest number of columns along an axis that a grid may have.
 constexpr double kMostColumns = 67'108'864;
-
-/// `cell_mm`, or as much more as the memory asks for.
-double fitting_cell(const stock::Bounds& box, bool is_box, double cell_mm, std::size_t bytes) {
-  const double longest = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-  double cell = std::max(cell_mm, longest / kMostColumns);
-  while (stock::field::HeightField::bytes_of(stock::field::grid_of(box, cell), is_box) > bytes &&
-         cell < longest)
-    cell *= 1.1;
-  return cell;
-}
+constexpr double kLeastTurning_mm = 0.001;
 
 stock::field::ColumnAt column_of(const stock::CylinderShape& round) {
   return [round](double x, double y) -> stock::field::Column {
@@ -59,20 +53,61 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
                     : "every tool stands along Z, and none has an undercut";
 }
 
+namespace {
+
+stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
+  const auto* const round = std::get_if<stock::CylinderShape>(&piece);
+  if (round == nullptr) return stock::dexel::box_shape(stock::bounds(piece));
+  // Dexels along Y have Z before X.
+  const bool swapped = round->along == 1;
+  return stock::dexel::round_shape({.axis = round->along,
+                                    .b = swapped ? round->v : round->u,
+                                    .c = swapped ? round->u : round->v,
+                                    .low = round->from,
+                                    .high = round->to,
+                                    .radius_mm = round->diameter / 2,
+                                    .inner_mm = round->inner_diameter / 2});
+}
+
+/// What a model of this kind takes before the first cut.
+double bytes_for(const StockPlan& plan, double cell_mm) {
+  const stock::Bounds box = stock::bounds(plan.shape);
+  if (plan.kind == StockModel::tridexel) return stock::dexel::TriDexel::bytes_for(box, cell_mm);
+  const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
+  return static_cast<double>(
+      stock::field::HeightField::bytes_of(stock::field::grid_of(box, cell_mm), is_box));
+}
+
+/// The cell of the plan, or as much more as the memory asks for.
+double fitting_cell(const StockPlan& plan, std::size_t bytes) {
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  const double longest = std::max({size.x, size.y, size.z});
+  double cell = std::max(plan.cell_mm, longest / kMostColumns);
+  while (bytes_for(plan, cell) > static_cast<double>(bytes) && cell < longest) cell *= 1.1;
+  return cell;
+}
+
+std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, unsigned jobs) {
+  if (plan.kind == StockModel::tridexel)
+    return std::make_unique<stock::dexel::TriDexel>(dexels_of(plan.shape), cell_mm, jobs);
+  const auto grid = stock::field::grid_of(stock::bounds(plan.shape), cell_mm);
+  const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
+  if (round == nullptr) return std::make_unique<stock::field::HeightField>(grid, jobs);
+  return std::make_unique<stock::field::HeightField>(grid, column_of(*round), jobs);
+}
+
+}  // namespace
+
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const stock::Bounds box = stock::bounds(plan.shape);
-  const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
+  const double cell = fitting_cell(plan, job.memory_bytes);
   MadeModel made;
-  const double cell = fitting_cell(box, is_box, plan.cell_mm, job.memory_bytes);
+  made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
                                      plan.cell_mm, job.memory_bytes >> 20, cell);
   }
-  const auto grid = stock::field::grid_of(box, cell);
-  made.model = is_box ? std::make_unique<stock::field::HeightField>(grid, jobs)
-                      : std::make_unique<stock::field::HeightField>(
-                            grid, column_of(std::get<stock::CylinderShape>(plan.shape)), jobs);
+  made.model = model_of(plan, cell, jobs);
   return made;
 }
 
@@ -86,6 +121,17 @@ output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& mo
     facts.kind = "zmap";
     facts.cell_mm = {grid.cell_x(), grid.cell_y()};
     facts.cells = {static_cast<std::uint64_t>(grid.nx), static_cast<std::uint64_t>(grid.ny)};
+  }
+  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(&model)) {
+    facts.kind = "tridexel";
+    // Dexels along X lie on the grid of Y and Z, those along Z on that of X and Y.
+    const stock::dexel::Lattice& along_x = dexels->lattice(0);
+    const stock::dexel::Lattice& along_z = dexels->lattice(2);
+    facts.cell_mm = {along_z.cell_b, along_z.cell_c, along_x.cell_c};
+    for (const int count : {along_z.columns, along_z.rows, along_x.rows})
+      facts.cells.push_back(static_cast<std::uint64_t>(count));
+    const auto grids = dexels->grids_mm3();
+    facts.grids_mm3.assign(grids.begin(), grids.end());
   }
   return facts;
 }

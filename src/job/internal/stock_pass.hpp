@@ -14,7 +14,7 @@ namespace kerf::job {
 struct StockPlan {
   stock::Vec3 origin;            ///< of the stock's zero, machine coordinates
   bool without_changes = false;  ///< the program changes no tool: all of it is T0's
-  stock::Shape shape = stock::BoxShape{};
+  stock::Workpiece shape = stock::BoxShape{};
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;

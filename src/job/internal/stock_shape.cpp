@@ -22,7 +22,7 @@ void take_in(Bounds& all, const Bounds& one) {
               std::max(all.high.z, one.high.z)};
 }
 
-using Shape = base::Outcome<stock::Shape>;
+using Shape = base::Outcome<stock::Workpiece>;
 
 // stock.md §2.1: the bottom is a margin below the lowest tip, the top the zero of the stock where a
 // move cuts below it.
@@ -44,7 +44,7 @@ Shape around(const machine::StockAround& word, const SurveyedTools& tools,
       {0, fmt::format("the stock is a box around what is cut, X {:.3f} to {:.3f}, Y {:.3f} to "
                       "{:.3f}, Z {:.3f} to {:.3f}",
                       box.low.x, box.high.x, box.low.y, box.high.y, box.low.z, box.high.z)});
-  return stock::Shape(box);
+  return stock::Workpiece(box);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ double SurveyedTools::usual_cell() const {
 
 Shape shape_of(const machine::StockWord& word, const SurveyedTools& tools,
                std::vector<control::Assumption>& assumed) {
-  if (const auto* const shape = std::get_if<stock::Shape>(&word)) return *shape;
+  if (const auto* const shape = std::get_if<stock::Workpiece>(&word)) return *shape;
   if (const auto* const margin = std::get_if<machine::StockAround>(&word))
     return around(*margin, tools, assumed);
   return base::usage("--stock: this machine cannot have a stock of this kind");

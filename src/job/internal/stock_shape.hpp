@@ -35,8 +35,8 @@ class SurveyedTools {
 };
 
 /// The shape that lies on the table. Failure (usage): the machine cannot have it.
-[[nodiscard]] base::Outcome<stock::Shape> shape_of(const machine::StockWord& word,
-                                                   const SurveyedTools& tools,
-                                                   std::vector<control::Assumption>& assumed);
+[[nodiscard]] base::Outcome<stock::Workpiece> shape_of(const machine::StockWord& word,
+                                                       const SurveyedTools& tools,
+                                                       std::vector<control::Assumption>& assumed);
 
 }  // namespace kerf::job

@@ -59,7 +59,7 @@ Word box(const Text& text) {
   const BoxShape box{{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
   if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
     return wrong(text, "X0, Y0 and Z0 must lie below X1, Y1 and Z1");
-  return stock::Shape(box);
+  return stock::Workpiece(box);
 }
 
 Word round(const Text& text, bool is_tube) {
@@ -77,7 +77,7 @@ Word round(const Text& text, bool is_tube) {
   if (!(shape.inner_diameter >= 0 && shape.diameter > shape.inner_diameter))
     return wrong(text,
                  is_tube ? "D must be larger than DI, and DI not negative" : "D must be positive");
-  return stock::Shape(shape);
+  return stock::Workpiece(shape);
 }
 
 Word bar(const Text& text) {

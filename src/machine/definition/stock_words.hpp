@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "base/result.hpp"
-#include "stock/cutting/shape.hpp"
+#include "stock/cutting/workpiece.hpp"
 
 namespace kerf::machine {
 
@@ -37,7 +37,7 @@ struct StockSheet {
   double thickness = 1;
 };
 
-using StockWord = std::variant<StockAround, stock::Shape, StockBar, StockSheet, StockFile>;
+using StockWord = std::variant<StockAround, stock::Workpiece, StockBar, StockSheet, StockFile>;
 
 /// What `--stock` and `--fixture` take (docs/stock.md): box:X0,Y0,Z0,X1,Y1,Z1,
 /// cylinder:AXIS,U,V,W0,W1,D, tube:…,DI, bar:D,Z0,Z1[,DI], sheet:X0,Y0,X1,Y1,T, extents[:M], or a

@@ -6,7 +6,7 @@
 #include "math/math.hpp"
 #include "stock/sweep/outcome.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kStill_mm = 1e-9;
@@ -59,4 +59,4 @@ std::size_t Across::bin(Vec3 place) const {
       std::clamp(std::floor(distance(place) * scale_ + kHalf), 0.0, kLast));
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

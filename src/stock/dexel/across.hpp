@@ -2,7 +2,7 @@
 
 #include "stock/sweep/sweep.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Into which bin of Outcome::across a place of the stock falls.
 class Across {
@@ -32,4 +32,4 @@ class Across {
   double scale_ = 0;
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 using geometry::Vec3;
 
@@ -15,4 +15,4 @@ Frame Frame::of(Vec3 axis) {
   return {across, cross(axis, across), axis};
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

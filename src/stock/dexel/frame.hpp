@@ -2,7 +2,7 @@
 
 #include "geometry/vec3.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Directions of a tool in the frame of the stock: `up` its axis, the others across it, unit and
 /// perpendicular. Where the axis is one of the stock's so are the others, and nothing is rounded.
@@ -22,4 +22,4 @@ struct Frame {
   }
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -7,7 +7,7 @@
 
 #include "stock/sweep/way.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// The component of a vector on axis 0, 1 or 2.
 [[nodiscard]] constexpr double on_axis(Vec3 v, int axis) {
@@ -59,4 +59,4 @@ struct Lattice {
   }
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

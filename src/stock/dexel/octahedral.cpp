@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kSteps = 127;
@@ -33,4 +33,4 @@ geometry::Vec3 direction(Octahedral p) {
   return (1 / std::sqrt(dot(d, d))) * d;
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -5,7 +5,7 @@
 
 #include "geometry/vec3.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// A direction in two bytes: the octahedron |x| + |y| + |z| = 1 unfolded to a square. Within 1.0
 /// degree; the six directions of the axes are exact.
@@ -16,4 +16,4 @@ using Octahedral = std::array<std::int8_t, 2>;
 /// Unit.
 [[nodiscard]] geometry::Vec3 direction(Octahedral packed);
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -262,4 +262,4 @@ Vec3 Passage::normal(const Reach& reach, double b, double c) const {
   return frame_.outside(n);
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -7,7 +7,7 @@
 #include "stock/dexel/frame.hpp"
 #include "stock/dexel/solid.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 using geometry::Vec3;
 
@@ -123,4 +123,4 @@ class Passage {
   double per_ahead_ = 0;
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -5,7 +5,7 @@
 
 #include "math/math.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 PosedSolid posed(const Solid& solid, const Frame& frame, double block_mm) {
@@ -75,4 +75,4 @@ Bounds swept(const Bounds& box, Vec3 from, Vec3 way) {
   return both(first, {first.low + way, first.high + way});
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -8,7 +8,7 @@
 #include "stock/sweep/body.hpp"
 #include "stock/sweep/way.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// A body as a model has it.
 struct Tool {
@@ -49,4 +49,4 @@ struct PosedTool {
 /// A box that moves by `way`.
 [[nodiscard]] Bounds swept(const Bounds& box, Vec3 from, Vec3 way);
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

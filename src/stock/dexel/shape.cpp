@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 Vec3 from_parts(int axis, double along, double b, double c) {
@@ -89,4 +89,4 @@ Shape round_shape(const Round& round) {
   return {box, inside, area * (round.high - round.low)};
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -5,7 +5,7 @@
 
 #include "stock/sweep/way.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Material along a dexel: from low to high, with the directions that its faces look to, unit.
 struct Interval {
@@ -40,4 +40,4 @@ struct Round {
 };
 [[nodiscard]] Shape round_shape(const Round& round);
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

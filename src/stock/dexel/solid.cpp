@@ -6,7 +6,7 @@
 
 #include "math/math.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kLevel_mm = 1e-9;  // an edge that rises less is a face
@@ -217,4 +217,4 @@ std::vector<Solid> solids_of(const Profile& profile, double tolerance_mm) {
   return stack.take();
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

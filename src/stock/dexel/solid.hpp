@@ -5,7 +5,7 @@
 
 #include "stock/tool/profile.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// A convex piece of a tool: a body of revolution between two planes across its axis, in the frame
 /// of the tool (tip at 0, z up its axis), mm. Its points have
@@ -54,4 +54,4 @@ struct Solid {
 /// cones that are within `tolerance_mm` of them on either side.
 [[nodiscard]] std::vector<Solid> solids_of(const Profile& profile, double tolerance_mm);
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

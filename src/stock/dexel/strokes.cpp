@@ -6,7 +6,7 @@
 
 #include "math/math.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kMostChords = 1 << 20;
@@ -58,4 +58,4 @@ void append_strokes(const Way& way, Vec3 origin, double tolerance_mm, std::vecto
   std::visit(Divide{origin, tolerance_mm, out}, way);
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

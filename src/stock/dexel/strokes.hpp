@@ -4,7 +4,7 @@
 
 #include "stock/sweep/sweep.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// A straight piece of the way of a tip.
 struct Stroke {
@@ -17,4 +17,4 @@ struct Stroke {
 /// of them, if that is coarser).
 void append_strokes(const Way& way, Vec3 origin, double tolerance_mm, std::vector<Stroke>& out);
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

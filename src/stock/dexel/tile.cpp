@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 Tile::Tile(int columns, int rows, double half_mm)
     : columns_(columns),
@@ -125,4 +125,4 @@ std::size_t Tile::bytes() const {
          blocks_.capacity() * sizeof(std::uint64_t);
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -9,7 +9,7 @@
 
 #include "stock/dexel/octahedral.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Where material begins or ends along a dexel.
 struct DexelEnd {
@@ -172,4 +172,4 @@ double Tile::subtract(std::size_t dexel, float low, float high, LowEnd&& low_end
   return piece.removed;
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

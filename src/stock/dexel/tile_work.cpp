@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kDown_mm = 1e-9;  // that a tip must go for its face to cut
@@ -362,4 +362,4 @@ bool TileWork::meets(const PosedTool& posed, const Stroke& stroke) {
   return false;
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -12,7 +12,7 @@
 #include "stock/dexel/turn.hpp"
 #include "stock/sweep/outcome.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// One sweep, as every tile cuts it.
 struct Task {
@@ -123,4 +123,4 @@ class TileWork {
   std::vector<std::size_t> noted_;
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

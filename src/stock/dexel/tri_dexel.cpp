@@ -13,7 +13,7 @@
 #include "math/math.hpp"
 #include "stock/dexel/tile_work.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr std::size_t kSweepsAtOnce = 4096;
@@ -426,7 +426,7 @@ std::size_t TriDexel::bytes() const {
   return sum;
 }
 
-std::optional<double> TriDexel::first_contact(const Sweep& sweep) {
+std::optional<double> TriDexel::first_contact(const Sweep& sweep) const {
   const auto* way = std::get_if<StraightWay>(&sweep.way);
   assert(way != nullptr);
   const PosedTool posed = PosedTool::of(tools_[sweep.body], sweep.axis, block_);
@@ -449,7 +449,7 @@ std::optional<double> TriDexel::first_contact(const Sweep& sweep) {
   if (meets(0)) return 0.0;
   double clear = 0;
   double met = 1;
-  const double enough = kContact_mm / std::max(kContact_mm, length(*&sweep.way));
+  const double enough = kContact_mm / std::max(kContact_mm, length(*way));
   while (met - clear > enough) {
     const double middle = (clear + met) / 2;
     (meets(middle) ? met : clear) = middle;
@@ -501,4 +501,4 @@ bool TriDexel::restore(int grid, std::size_t number, const TileState& state) {
   return true;
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -13,7 +13,7 @@
 #include "stock/dexel/tile.hpp"
 #include "stock/sweep/model.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Stock as dexels along X, Y and Z: cuts with any tool in any direction (stock.md §3, §4).
 ///
@@ -48,7 +48,7 @@ class TriDexel final : public Model {
   /// How far, in [0, 1], a body goes on a straight way until any of it meets material; none: it
   /// meets nothing. Within 1e-6 mm along the way for what the dexels show; a body thinner than a
   /// cell may pass between them. Precondition: can_cut(), a straight way.
-  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep);
+  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
 
   /// What is left, by each grid: along X, Y, Z.
   [[nodiscard]] std::array<double, 3> grids_mm3() const;
@@ -106,4 +106,4 @@ class TriDexel final : public Model {
   Trail trail_;
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

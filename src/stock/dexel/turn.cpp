@@ -7,7 +7,7 @@
 #include "math/math.hpp"
 #include "stock/dexel/posed_tool.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 namespace {
 
 constexpr unsigned kMostHalvings = 14;
@@ -65,4 +65,4 @@ const Turn::Step& Turn::step(std::size_t number) {
   return *steps_[number];
 }
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

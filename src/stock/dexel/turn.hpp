@@ -7,7 +7,7 @@
 #include "stock/dexel/passage.hpp"
 #include "stock/sweep/way.hpp"
 
-namespace kerf::stock {
+namespace kerf::stock::dexel {
 
 /// Tip and axis at both ends of a turning way, in the frame of the dexels.
 struct TurnEnds {
@@ -74,4 +74,4 @@ class Turn {
   std::vector<std::unique_ptr<Step>> steps_;
 };
 
-}  // namespace kerf::stock
+}  // namespace kerf::stock::dexel

@@ -1,4 +1,4 @@
-#include "stock/cutting/shape.hpp"
+#include "stock/cutting/workpiece.hpp"
 
 #include <array>
 #include <numbers>
@@ -29,12 +29,12 @@ Bounds bounds_of(const CylinderShape& c) {
 
 }  // namespace
 
-double volume(const Shape& shape) {
-  return std::visit([](const auto& one) { return volume_of(one); }, shape);
+double volume(const Workpiece& piece) {
+  return std::visit([](const auto& one) { return volume_of(one); }, piece);
 }
 
-Bounds bounds(const Shape& shape) {
-  return std::visit([](const auto& one) { return bounds_of(one); }, shape);
+Bounds bounds(const Workpiece& piece) {
+  return std::visit([](const auto& one) { return bounds_of(one); }, piece);
 }
 
 }  // namespace kerf::stock

@@ -24,10 +24,10 @@ struct CylinderShape {
   double inner_diameter = 0;
 };
 
-using Shape = std::variant<BoxShape, CylinderShape>;
+using Workpiece = std::variant<BoxShape, CylinderShape>;
 
 /// Exact.
-[[nodiscard]] double volume(const Shape& shape);
-[[nodiscard]] Bounds bounds(const Shape& shape);
+[[nodiscard]] double volume(const Workpiece& piece);
+[[nodiscard]] Bounds bounds(const Workpiece& piece);
 
 }  // namespace kerf::stock

@@ -26,7 +26,7 @@ double fitting_cell(const Box& box, double cell_mm, std::size_t memory_bytes) {
   const auto bytes = [&] {
     return static_cast<double>(grid_of(box, cell).tiles()) * kBytesOfPlace;
   };
-  while (bytes() > room && cell < longest) cell *= 1.1;
+  while (bytes() > room && cell < longest) cell = std::min(cell * 1.1, longest);
   return cell;
 }
 

@@ -94,7 +94,7 @@ TEST(SheetOracle, CoarseCellsKeepArea) {
   for (const double cell : {0.2, 0.4, 0.5}) {
     Sheet sheet = sheet_of(square(-15, 15), cell);
     sheet.cut(std::vector{round({0, 0}, 10, 0, 2 * pi)});
-    EXPECT_NEAR(sheet.cut_mm2() / 12.5663706, 1, 0.02) << cell;
+    EXPECT_NEAR(sheet.cut_mm2() / 12.5663706, 1, 0.03) << cell;
     EXPECT_EQ(pieces_of(sheet).count, 2U) << cell;
   }
 }
@@ -207,7 +207,7 @@ TEST(Trace, DistanceIsThatOfItsPoints) {
     const double by_points = distance_by_points(trace, place);
     const double exact = distance(trace, place);
     EXPECT_LE(exact, by_points + 1e-9);
-    EXPECT_GE(exact, by_points - step);
+    EXPECT_GE(exact, by_points - step - 1e-9);
   }
 }
 

@@ -16,18 +16,22 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->option_defaults()->group("Stock");
   stock
       ->add_option("--stock", o.stock,
-                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI or "
-                   "extents[:M], a box around what is cut; default extents:5")
+                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
+                   "under a laser sheet:X0,Y0,X1,Y1,T, or extents[:M], around what is cut; default "
+                   "extents:5")
       ->type_name("SHAPE");
   stock
       ->add_option("--stock-zero", o.zero,
                    "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
                    "one in force at the first cut; default auto")
       ->type_name("SYSTEM");
-  stock->add_option("--model", o.model, "auto, zmap or tridexel; default auto")
+  stock->add_option("--model", o.model, "auto, zmap, tridexel or sheet; default auto")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "zmap", "tridexel"}));
+      ->check(CLI::IsMember({"auto", "zmap", "tridexel", "sheet"}));
   stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")
+      ->type_name("MM")
+      ->check(not_negative());
+  stock->add_option("--kerf", o.kerf, "width of a laser's cut, mm; default that of its spot")
       ->type_name("MM")
       ->check(not_negative());
   stock->add_option("--memory", o.memory, "of the part, MiB; default 1024")

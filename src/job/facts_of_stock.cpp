@@ -1,5 +1,7 @@
 #include "job/facts_of_stock.hpp"
 
+#include <algorithm>
+
 #include "base/block_id.hpp"
 #include "base/program_name.hpp"
 #include "job/facts_of_run.hpp"
@@ -26,6 +28,21 @@ output::StockFacts::Told told(const stock::Finding& finding, double time_s) {
   return {std::move(diagnostic), finding, time_s};
 }
 
+void take_sheet(const output::StockFacts::Sheet& sheet, output::StockFacts& facts) {
+  facts.sheet = sheet;
+  facts.removed_mm3 = sheet.cut_mm2 * sheet.thickness_mm;
+  facts.left_mm3 = facts.stock_mm3 - facts.removed_mm3;
+  stock::Bounds& all = facts.extents = {{0, 0, 0}, {-1, -1, -1}};
+  for (const output::StockFacts::Sheet::Piece& piece : sheet.pieces) {
+    const stock::Bounds& one = piece.extents;
+    const bool is_first = facts.pieces.empty();
+    facts.pieces.push_back({piece.area_mm2 * sheet.thickness_mm, one, piece.is_held});
+    if (is_first) all = one;
+    all.low = {std::min(all.low.x, one.low.x), std::min(all.low.y, one.low.y), one.low.z};
+    all.high = {std::max(all.high.x, one.high.x), std::max(all.high.y, one.high.y), one.high.z};
+  }
+}
+
 }  // namespace
 
 output::StockFacts facts_of(StockResult& result) {
@@ -35,10 +52,14 @@ output::StockFacts facts_of(StockResult& result) {
   facts.origin = result.origin;
   facts.stock_extents = stock::bounds(result.shape);
   facts.stock_mm3 = stock::volume(result.shape);
-  facts.left_mm3 = result.model->left_mm3();
-  facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
-  facts.extents = result.model->extents();
-  facts.pieces = result.model->pieces();
+  if (result.model) {
+    facts.left_mm3 = result.model->left_mm3();
+    facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
+    facts.extents = result.model->extents();
+    facts.pieces = result.model->pieces();
+  } else {
+    take_sheet(*result.sheet_facts, facts);
+  }
   facts.threads = result.threads;
   facts.turns = result.run->machine().definition().turns();
   facts.model = result.model_facts;

@@ -12,7 +12,7 @@
 namespace kerf::job {
 
 /// Which kind of stock holds the part (stock.md §3).
-enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile };
+enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile, sheet };
 
 /// A run that cuts the virtual part, as a value.
 struct StockJob {
@@ -25,7 +25,8 @@ struct StockJob {
   };
   std::vector<NamedShape> fixtures{};
   StockModel model = StockModel::automatic;
-  std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool
+  std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool or the kerf
+  std::optional<double> kerf_mm{};          ///< of a beam; none: as its machine has it
   std::size_t memory_bytes = 1024UL << 20;  ///< of the model
   unsigned jobs = 0;                        ///< threads; 0: one a processor
   bool checks_start = false;                ///< the axes begin where the machine says

@@ -7,6 +7,7 @@
 #include "job/internal/fixture.hpp"
 #include "job/internal/motion_times.hpp"
 #include "job/internal/run_rack.hpp"
+#include "job/internal/sheet_run.hpp"
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
@@ -254,6 +255,16 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   return plan;
 }
 
+/// Nothing is asked for that only a beam has.
+Outcome<void> without_beam(const StockJob& job) {
+  if (std::holds_alternative<machine::StockSheet>(job.shape))
+    return base::usage("--stock sheet: this machine has no laser");
+  if (job.model == StockModel::sheet)
+    return base::usage("--model sheet: this machine has no laser");
+  if (job.kerf_mm) return base::usage("--kerf: this machine has no laser");
+  return {};
+}
+
 // Each pass mends at least one thing that the one before supposed, and there are four.
 constexpr int kMostPasses = 5;
 
@@ -262,6 +273,8 @@ constexpr int kMostPasses = 5;
 Outcome<StockResult> cut_stock(const StockJob& job) {
   if (job.model == StockModel::profile && !job.job.definition.turns())
     return base::usage("--model profile: only stock that a lathe turns has a profile");
+  if (has_beam(job)) return cut_sheet(job);
+  if (auto suits = without_beam(job); !suits) return tl::unexpected(suits.error());
   std::vector<control::Assumption> assumed;
   std::optional<StockPlan> plan;
   if (needs_survey(job)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "job/stock_job.hpp"
 #include "output/reports/stock_facts.hpp"
 #include "stock/cutting/cutter.hpp"
+#include "stock/sheet/sheet.hpp"
 
 namespace kerf::job {
 
@@ -19,8 +21,10 @@ struct StockResult {
   stock::Vec3 origin;       ///< of that, machine coordinates
   stock::Workpiece shape = stock::BoxShape{};
   output::StockFacts::Model model_facts;
-  std::unique_ptr<stock::Model> model;
-  std::unique_ptr<stock::ToolRack> rack;  ///< the run's
+  std::unique_ptr<stock::Model> model;    ///< null: the stock is a sheet
+  std::unique_ptr<stock::ToolRack> rack;  ///< the run's; null: of a sheet
+  std::unique_ptr<stock::sheet::Sheet> sheet;
+  std::optional<output::StockFacts::Sheet> sheet_facts;  ///< of it
   std::vector<stock::Finding> findings;
   std::vector<double> times_s;  ///< of each finding, when its motion ended
   std::uint64_t findings_dropped = 0;

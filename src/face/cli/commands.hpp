@@ -67,7 +67,8 @@ struct StockOptions {
   std::string zero = "auto";
   std::vector<std::string> fixtures;
   std::string model = "auto";
-  std::string cell;    ///< mm; empty: by the tools
+  std::string cell;    ///< mm; empty: by the tools, or the kerf
+  std::string kerf;    ///< mm; empty: as the machine has it
   std::string memory;  ///< MiB; empty: 1024
   unsigned jobs = 0;   ///< threads; 0: one a processor
   std::string report;  ///< JSON

@@ -23,6 +23,7 @@ using base::Outcome;
 job::StockModel model_named(const std::string& name) {
   if (name == "zmap") return job::StockModel::zmap;
   if (name == "profile") return job::StockModel::profile;
+  if (name == "sheet") return job::StockModel::sheet;
   return name == "tridexel" ? job::StockModel::tridexel : job::StockModel::automatic;
 }
 
@@ -44,6 +45,14 @@ Outcome<machine::ToolLibrary> tools_of(const RunOptions& options) {
   return machine::read_tools(
       *text, options.tools,
       options.tools_unit == "inch" ? machine::ToolsUnit::inch : machine::ToolsUnit::mm);
+}
+
+/// The width of a laser's cut, where somebody but the machine says it.
+Outcome<std::optional<double>> kerf_of(const StockOptions& options) {
+  if (options.kerf.empty()) return std::optional<double>{};
+  const double kerf = base::read_number(options.kerf).value_or(0);
+  if (!(kerf > 0)) return base::usage("--kerf " + options.kerf + ": a cut has a width");
+  return std::optional(kerf);
 }
 
 Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
@@ -69,6 +78,11 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
     job.cell_mm = base::read_number(options.cell).value_or(0);
     if (!(*job.cell_mm > 0)) return base::usage("--cell " + options.cell + ": a cell has a size");
   }
+  if (auto kerf = kerf_of(options); !kerf) {
+    return tl::unexpected(kerf.error());
+  } else {
+    job.kerf_mm = *kerf;
+  }
   if (!options.memory.empty())
     job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
                        << 20;
@@ -77,6 +91,7 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
   if (!library) return tl::unexpected(library.error());
   std::vector<stock::Tool> tools = std::move(library->tools);
   const machine::MachineDefinition& definition = job.job.definition;
+  if (definition.axes.beam && !job.kerf_mm) job.kerf_mm = library->kerf_mm;
   tools.insert(tools.end(), definition.tools.begin(), definition.tools.end());
   const machine::CommentStyle style{
       definition.parameters.power_on_inch ? motion::kMillimetresPerInch : 1, definition.turns()};

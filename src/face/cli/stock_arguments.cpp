@@ -17,8 +17,8 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock
       ->add_option("--stock", o.stock,
                    "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
-                   "bar:D,Z0,Z1[,DI] on a lathe, or "
-                   "extents[:M], a box around what is cut; default extents:5")
+                   "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, or extents[:M], "
+                   "around what is cut; default extents:5")
       ->type_name("SHAPE");
   stock
       ->add_option("--stock-zero", o.zero,
@@ -29,10 +29,13 @@ void add_stock(CLI::App& app, StockOptions& o) {
                              "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
   stock
-      ->add_option("--model", o.model, "auto, zmap, tridexel or, on a lathe, profile; default auto")
+      ->add_option("--model", o.model, "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"auto", "zmap", "tridexel", "profile"}));
+      ->check(CLI::IsMember({"auto", "zmap", "tridexel", "profile", "sheet"}));
   stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")
+      ->type_name("MM")
+      ->check(not_negative());
+  stock->add_option("--kerf", o.kerf, "width of a laser's cut, mm; default that of its spot")
       ->type_name("MM")
       ->check(not_negative());
   stock->add_option("--memory", o.memory, "of the part, MiB; default 1024")

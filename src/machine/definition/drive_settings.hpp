@@ -17,12 +17,14 @@ struct LaserSettings {
   double max_power_w = 0;          ///< while the beam is on, >= 0; 0: there is no laser
   double pwm_frequency_hz = 2000;  ///< > 0
   double spot_mm = 0.1;            ///< diameter of the spot on the work, > 0
+  double kerf_mm = 0;              ///< width of a cut; 0: that of the spot
   double burn_j_mm = 0;  ///< places with more energy burn, J/mm; 0: more than twice the median
   drive::PwmTimer timer;
   double s_of_full_power = 1000;  ///< S of full power in G-code, read and written, > 0
   Beam post_beam = Beam::constant;
 
   [[nodiscard]] bool fitted() const { return max_power_w > 0; }
+  [[nodiscard]] double width_of_cut() const { return kerf_mm > 0 ? kerf_mm : spot_mm; }
 };
 
 /// Constants of what makes a machine's pulses.

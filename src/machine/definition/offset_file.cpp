@@ -91,6 +91,7 @@ void read_offset_tables(const toml::table& table, Memory& memory) {
 // The tools of the file are read by themselves.
 void read_all(const toml::table& table, const motion::AxisSetup& axes, Memory& memory) {
   for (const auto& [key, node] : table) {
+    if (key.str() == "beam") continue;
     const bool is_list = node.is_array_of_tables();
     if (is_list && (key.str() == "tool" || key.str() == "holder")) continue;
     if (key.str() == "work" && node.is_table()) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,23 @@ struct StockFacts {
     double volume_mm3 = 0;
   };
 
+  /// Of a sheet under a beam.
+  struct Sheet {
+    struct Piece {
+      double area_mm2 = 0;
+      stock::Bounds extents;
+      bool is_held = false;
+    };
+    double kerf_mm = 0;
+    double thickness_mm = 0;
+    double cut_mm2 = 0;
+    double cut_mm = 0;              ///< of the ways with the beam on, on the sheet or beside it
+    std::vector<Piece> pieces;      ///< the largest first
+    std::uint64_t piece_count = 0;  ///< of all; more than `pieces` has where they are very many
+    double energy_j = 0;            ///< that the beam gave
+    double peak_j_mm2 = 0;
+  };
+
   RunFacts run;
   std::string shape;
   std::string zero;
@@ -57,6 +75,7 @@ struct StockFacts {
   stock::Bounds stock_extents;
   double stock_mm3 = 0;
   Model model;
+  std::optional<Sheet> sheet;
   double removed_mm3 = 0;
   double left_mm3 = 0;
   stock::Bounds extents;             ///< of what is left; low > high: nothing is

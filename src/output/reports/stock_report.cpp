@@ -128,6 +128,25 @@ std::string threads_json(const StockFacts& facts) {
   return json_array(items);
 }
 
+std::string sheet_json(const StockFacts::Sheet& sheet) {
+  std::vector<std::string> pieces;
+  for (const StockFacts::Sheet::Piece& piece : sheet.pieces) {
+    pieces.push_back(JsonObject()
+                         .number("area_mm2", tidy(piece.area_mm2))
+                         .raw("held", piece.is_held ? "true" : "false")
+                         .done());
+  }
+  return JsonObject()
+      .number("kerf_mm", tidy(sheet.kerf_mm))
+      .number("cut_mm2", tidy(sheet.cut_mm2))
+      .number("cut_mm", tidy(sheet.cut_mm))
+      .number("piece_count", static_cast<double>(sheet.piece_count))
+      .raw("pieces", json_array(pieces))
+      .number("energy_j", tidy(sheet.energy_j))
+      .number("peak_j_mm2", tidy(sheet.peak_j_mm2))
+      .done();
+}
+
 }  // namespace
 
 std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
@@ -145,7 +164,9 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
   object.raw("extents", bounds_json(facts.extents, facts.turns)).raw("pieces", pieces_json(facts));
   if (!facts.threads.empty()) object.raw("threads", threads_json(facts));
   object.raw("tools", json_array(tools)).raw("findings", json_array(findings));
-  object.raw("counts", counts_json(facts)).raw("not_checked", json_array(not_checked));
+  object.raw("counts", counts_json(facts));
+  if (facts.sheet) object.raw("sheet", sheet_json(*facts.sheet));
+  object.raw("not_checked", json_array(not_checked));
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
 }
@@ -153,6 +174,7 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
 namespace {
 
 constexpr std::size_t kToldPerCode = 5;
+constexpr std::size_t kToldPieces = 5;
 
 std::string tool_line(const StockFacts::Tool& tool) {
   const bool assumed = tool.source == "assumed" || tool.source == "offset";
@@ -160,6 +182,20 @@ std::string tool_line(const StockFacts::Tool& tool) {
                      tool.did.tool, tool.type, number_text(tidy(tool.diameter)),
                      assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm, tool.did.air_mm,
                      tool.did.removed_mm3);
+}
+
+std::string sheet_lines(const StockFacts::Sheet& sheet) {
+  std::string text = fmt::format(
+      "  beam cuts {:.1f} mm, {:.2f} mm² with a kerf of {} mm; {:.1f} J, {:.2f} J/mm² at most\n",
+      sheet.cut_mm, sheet.cut_mm2, number_text(tidy(sheet.kerf_mm)), sheet.energy_j,
+      sheet.peak_j_mm2);
+  text += fmt::format("  {} {}", sheet.piece_count, sheet.piece_count == 1 ? "piece" : "pieces");
+  for (std::size_t i = 0; i < std::min(kToldPieces, sheet.pieces.size()); ++i) {
+    const StockFacts::Sheet::Piece& piece = sheet.pieces[i];
+    text += fmt::format("{} {:.2f} mm²{}", i == 0 ? ":" : ",", piece.area_mm2,
+                        piece.is_held ? " held" : "");
+  }
+  return text + (sheet.pieces.size() > kToldPieces ? " …\n" : "\n");
 }
 
 std::string finding_lines(const StockFacts& facts, const base::SourceSet& sources) {
@@ -188,6 +224,7 @@ std::string stock_report_text(const StockFacts& facts, const base::SourceSet& so
                       facts.zero, facts.stock_mm3, facts.model.kind, cell, facts.model.reason);
   text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);
   for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
+  if (facts.sheet) text += sheet_lines(*facts.sheet);
   text += finding_lines(facts, sources);
   for (const std::string& what : facts.not_checked) text += "  not checked: " + what + "\n";
   for (const control::Assumption& assumption : facts.assumed)

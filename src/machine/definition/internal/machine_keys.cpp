@@ -168,6 +168,7 @@ constexpr MachineKey kMachineKeys[] = {
     {"drive", "pwm_frequency_hz", positive(),
      [](Machine& m, double v) { m.drive.laser.pwm_frequency_hz = v; }},
     {"drive", "spot_mm", positive(), [](Machine& m, double v) { m.drive.laser.spot_mm = v; }},
+    {"beam", "kerf", positive(), [](Machine& m, double v) { m.drive.laser.kerf_mm = v; }},
     {"drive", "burn_j_mm", not_negative(),
      [](Machine& m, double v) { m.drive.laser.burn_j_mm = v; }},
     {"drive", "s_of_full_power", positive(),

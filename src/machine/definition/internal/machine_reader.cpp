@@ -13,11 +13,11 @@
 namespace kerf::machine {
 namespace {
 
-constexpr std::array<std::string_view, 15> kTables = {
-    "name",    "description", "dialect", "axis",         "spindle", "tip",  "kinematics",
-    "pattern", "drive",       "m_codes", "g_codes", "interpolator", "control", "tool", "holder"};
-constexpr std::array<std::string_view, 5> kTablesOfKeys = {"kinematics", "tip", "interpolator",
-                                                           "drive", "pattern"};
+constexpr std::array<std::string_view, 16> kTables = {
+    "name",  "description", "dialect", "axis",         "spindle", "tip",  "kinematics", "pattern",
+    "drive", "m_codes",     "g_codes", "interpolator", "control", "tool", "holder",     "beam"};
+constexpr std::array<std::string_view, 6> kTablesOfKeys = {"kinematics", "tip",     "interpolator",
+                                                           "drive",      "pattern", "beam"};
 constexpr std::array<std::string_view, 3> kJointNames = {"T1", "T2", "T3"};
 
 template <std::size_t N>

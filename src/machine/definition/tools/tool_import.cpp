@@ -2,8 +2,8 @@
 
 #include <toml++/toml.h>
 
-
 #include "base/source_file.hpp"
+#include "machine/definition/tools/beam_table.hpp"
 #include "machine/definition/tools/internal/letters.hpp"
 #include "machine/definition/tools/internal/library_builder.hpp"
 #include "machine/definition/tools/internal/zip_archive.hpp"
@@ -36,14 +36,19 @@ bool is_table_line(std::string_view line) {
 
 bool is_toml(std::string_view text) {
   return text.find("[[tool]]") != std::string_view::npos ||
-         text.find("[[holder]]") != std::string_view::npos;
+         text.find("[[holder]]") != std::string_view::npos ||
+         text.find("[beam]") != std::string_view::npos;
 }
 
 base::Outcome<ToolLibrary> read_toml(const std::string& text, const std::string& path) {
   try {
-    auto entries = read_tool_tables(toml::parse(text), path, stock::ToolSource::file);
+    const toml::table file = toml::parse(text);
+    auto entries = read_tool_tables(file, path, stock::ToolSource::file);
     if (!entries) return tl::unexpected(entries.error());
+    auto kerf = read_beam_table(file, path);
+    if (!kerf) return tl::unexpected(kerf.error());
     ToolLibrary library;
+    library.kerf_mm = *kerf;
     for (ToolEntry& entry : *entries) library.tools.push_back(std::move(entry.tool));
     return library;
   } catch (const toml::parse_error& error) {

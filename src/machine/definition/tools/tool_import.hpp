@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,7 @@ struct ImportRemark {
 struct ToolLibrary {
   std::vector<stock::Tool> tools;
   std::vector<ImportRemark> remarks;
+  std::optional<double> kerf_mm{};  ///< of a laser's beam, where TOML has a table of it
 };
 
 /// Reads a file of tools in any of the formats. `path` is where it is from: FreeCAD's tool bits are

@@ -1,0 +1,296 @@
+#include "job/internal/sheet_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <thread>
+
+#include "job/internal/motion_times.hpp"
+#include "job/internal/stock_pass.hpp"
+#include "machine/definition/work_turns.hpp"
+#include "stock/sheet/beam_energy.hpp"
+#include "stock/sheet/beam_tracer.hpp"
+#include "stock/sheet/pieces.hpp"
+
+namespace kerf::job {
+namespace {
+
+using base::Outcome;
+using stock::Vec3;
+using stock::sheet::BeamEnergy;
+using stock::sheet::BeamTracer;
+using stock::sheet::Box;
+using stock::sheet::Burn;
+using stock::sheet::Sheet;
+using stock::sheet::Trace;
+
+constexpr double kCellsInKerf = 4;
+constexpr double kUsualThickness_mm = 1;
+// Way and set-points are that near to what is cut, of a kerf.
+constexpr double kTolerance = 0.0025;
+// A pass that finds the zero elsewhere or the memory full is made anew, with larger cells.
+constexpr int kMostPasses = 12;
+constexpr double kEnlarge = 1.1;
+
+struct SheetPlan {
+  Vec3 origin;  // of the stock's zero, machine coordinates
+  machine::StockSheet sheet;
+  double kerf_mm = 0;
+  double cell_mm = 0;
+  double wanted_cell_mm = 0;
+};
+
+Box box_of(const machine::StockSheet& sheet) {
+  return {{sheet.x0, sheet.y0}, {sheet.x1, sheet.y1}};
+}
+
+stock::BoxShape shape_of(const machine::StockSheet& sheet) {
+  return {{sheet.x0, sheet.y0, -sheet.thickness}, {sheet.x1, sheet.y1, 0}};
+}
+
+/// What all passes over a program with a beam have: where its ways are, seen from the stock.
+class BeamPass : public motion::MotionSink {
+ public:
+  BeamPass(const StockJob& job, Vec3 origin, double tolerance_mm, BeamTracer::Take take,
+           std::unique_ptr<Run> run)
+      : run_(std::move(run)),
+        zero_(run_->machine(), job.zero),
+        frame_(axes(), machine::work_turns(run_->machine().definition())),
+        tracer_(axes(), frame_, tolerance_mm, std::move(take)) {
+    frame_.set_zero(origin);
+    run_->machine().add_sink(*this);
+  }
+
+  void take(const motion::Motion& motion) override {
+    if (motion::is_cut(motion)) zero_.look(motion.block);
+    tracer_.take(motion);
+  }
+
+  [[nodiscard]] Run& run() { return *run_; }
+  [[nodiscard]] std::unique_ptr<Run> end() { return std::move(run_); }
+  [[nodiscard]] const ZeroWatch& zero() const { return zero_; }
+  [[nodiscard]] const stock::WorkFrame& frame() const { return frame_; }
+  [[nodiscard]] const BeamTracer& tracer() const { return tracer_; }
+  [[nodiscard]] Vec3 origin() const { return zero_.origin().value_or(zero_.at_start()); }
+
+ private:
+  [[nodiscard]] const motion::AxisSetup& axes() const { return run_->machine().definition().axes; }
+
+  std::unique_ptr<Run> run_;
+  ZeroWatch zero_;
+  stock::WorkFrame frame_;
+  BeamTracer tracer_;
+};
+
+/// One pass that cuts and burns.
+class SheetPass {
+ public:
+  SheetPass(const StockJob& job, const SheetPlan& plan, std::unique_ptr<Run> run)
+      : plan_(plan),
+        sheet_(std::make_unique<Sheet>(stock::sheet::grid_of(box_of(plan.sheet), plan.cell_mm),
+                                       settings(job, plan))),
+        pass_(
+            job, plan.origin, plan.kerf_mm * kTolerance,
+            [this](const Trace& trace, const motion::Motion&) { add(traces_, trace); },
+            std::move(run)),
+        energy_(pass_.frame(), job.job.definition.drive.laser.max_power_w,
+                [this](const Burn& burn) { add(burns_, burn); }) {
+    pass_.run().machine().add_point_sink(energy_);
+  }
+
+  void go() {
+    status_ = pass_.run().go();
+    cut();
+  }
+
+  [[nodiscard]] std::optional<SheetPlan> better_plan() const {
+    SheetPlan better = plan_;
+    const auto& origin = pass_.zero().origin();
+    if (origin) better.origin = *origin;
+    if (sheet_->missing_tiles() > 0) {
+      const auto held = static_cast<double>(sheet_->touched_tiles());
+      const double wanted = held + static_cast<double>(sheet_->missing_tiles());
+      better.cell_mm *= std::max(kEnlarge, wanted / held);
+    }
+    const bool differs = better.origin != plan_.origin || better.cell_mm != plan_.cell_mm;
+    return differs ? std::optional(better) : std::nullopt;
+  }
+
+  [[nodiscard]] StockResult result(const StockJob& job) {
+    StockResult result;
+    result.status = status_;
+    result.zero = pass_.zero().zero();
+    result.origin = plan_.origin;
+    result.shape = shape_of(plan_.sheet);
+    result.sheet_facts = sheet_facts();
+    result.model_facts = model_facts();
+    tell(job, result);
+    result.sheet = std::move(sheet_);
+    result.run = pass_.end();
+    return result;
+  }
+
+ private:
+  static Sheet::Settings settings(const StockJob& job, const SheetPlan& plan) {
+    return {.kerf_mm = plan.kerf_mm,
+            .spot_mm = job.job.definition.drive.laser.spot_mm,
+            .memory_bytes = job.memory_bytes,
+            .jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency())};
+  }
+
+  template <typename Item>
+  void add(std::vector<Item>& items, const Item& item) {
+    constexpr std::size_t kBatch = 1 << 16;
+    items.push_back(item);
+    if (items.size() >= kBatch) cut();
+  }
+
+  void cut() {
+    sheet_->cut(traces_);
+    sheet_->burn(burns_);
+    traces_.clear();
+    burns_.clear();
+  }
+
+  [[nodiscard]] output::StockFacts::Sheet sheet_facts() const {
+    output::StockFacts::Sheet facts;
+    facts.kerf_mm = plan_.kerf_mm;
+    facts.thickness_mm = plan_.sheet.thickness;
+    facts.cut_mm2 = sheet_->cut_mm2();
+    facts.cut_mm = pass_.tracer().cut_mm();
+    facts.energy_j = energy_.energy_j();
+    facts.peak_j_mm2 = sheet_->peak_j_mm2();
+    const stock::sheet::Pieces pieces = stock::sheet::pieces_of(*sheet_);
+    facts.piece_count = pieces.count;
+    for (const stock::sheet::Piece& piece : pieces.largest) {
+      const double bottom = -plan_.sheet.thickness;
+      facts.pieces.push_back({piece.area_mm2,
+                              {{piece.extents.low.u, piece.extents.low.v, bottom},
+                               {piece.extents.high.u, piece.extents.high.v, 0}},
+                              piece.is_held});
+    }
+    return facts;
+  }
+
+  // The walls of the cut stand on both sides of the way.
+  [[nodiscard]] output::StockFacts::Model model_facts() const {
+    const stock::sheet::Grid& grid = sheet_->grid();
+    output::StockFacts::Model facts;
+    facts.kind = "sheet";
+    facts.reason = "a laser cuts a sheet";
+    facts.cell_mm = {grid.cell_x(), grid.cell_y()};
+    facts.cells = {static_cast<std::uint64_t>(grid.nx), static_cast<std::uint64_t>(grid.ny)};
+    facts.bytes = sheet_->bytes();
+    facts.error_mm3 = grid.cell() * pass_.tracer().cut_mm() * plan_.sheet.thickness;
+    return facts;
+  }
+
+  void tell(const StockJob& job, StockResult& result) const {
+    if (pass_.zero().moved()) {
+      result.findings.push_back(
+          {.code = base::Code::stock_zero_moved,
+           .detail = name_of(pass_.zero().zero()) + " was changed: the stock stays",
+           .block = *pass_.zero().moved()});
+    }
+    if (pass_.tracer().has_cut() && result.sheet_facts->cut_mm2 == 0)
+      result.findings.push_back({.code = base::Code::stock_missed});
+    if (plan_.cell_mm > plan_.wanted_cell_mm) {
+      result.findings.push_back(
+          {.code = base::Code::cell_enlarged,
+           .detail = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
+                                 plan_.wanted_cell_mm, job.memory_bytes >> 20, plan_.cell_mm)});
+    }
+    if (pass_.tracer().has_cut())
+      result.assumed.push_back({0, "every move with the beam on cuts through the sheet"});
+    if (pass_.tracer().is_tilted())
+      result.assumed.push_back({0, "the beam stands upright where the head tilts it"});
+  }
+
+  SheetPlan plan_;
+  std::unique_ptr<Sheet> sheet_;
+  std::vector<Trace> traces_;
+  std::vector<Burn> burns_;
+  BeamPass pass_;
+  BeamEnergy energy_;
+  machine::RunStatus status_{};
+};
+
+Outcome<machine::StockSheet> around(const StockJob& job, double margin_mm, Vec3& origin,
+                                    std::vector<control::Assumption>& assumed) {
+  auto run = Run::of(job.job);
+  if (!run) return tl::unexpected(run.error());
+  Box all;
+  BeamPass survey(
+      job, {}, 0.01,
+      [&all](const Trace& trace, const motion::Motion&) { all.take(extents(trace)); },
+      std::move(*run));
+  survey.run().go();
+  origin = survey.origin();
+  if (all.is_empty()) {
+    return base::usage(
+        "--stock extents: the program has no move with the beam on, so the sheet needs its "
+        "measures: --stock sheet:…");
+  }
+  const double m = margin_mm;
+  machine::StockSheet sheet{all.low.u - origin.x - m, all.low.v - origin.y - m,
+                            all.high.u - origin.x + m, all.high.v - origin.y + m,
+                            kUsualThickness_mm};
+  constexpr double kLeast_mm = 1e-3;  // of a hole alone, without a margin
+  sheet.x1 = std::max(sheet.x1, sheet.x0 + kLeast_mm);
+  sheet.y1 = std::max(sheet.y1, sheet.y0 + kLeast_mm);
+  assumed.push_back(
+      {0, fmt::format("the sheet lies around what is cut, X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, "
+                      "1 mm thick",
+                      sheet.x0, sheet.x1, sheet.y0, sheet.y1)});
+  return sheet;
+}
+
+Outcome<SheetPlan> plan_of(const StockJob& job, std::vector<control::Assumption>& assumed) {
+  SheetPlan plan;
+  plan.kerf_mm = job.kerf_mm.value_or(job.job.definition.drive.laser.width_of_cut());
+  if (const auto* const margin = std::get_if<machine::StockAround>(&job.shape)) {
+    auto sheet = around(job, margin->margin_mm, plan.origin, assumed);
+    if (!sheet) return tl::unexpected(sheet.error());
+    plan.sheet = *sheet;
+  } else if (const auto* const sheet = std::get_if<machine::StockSheet>(&job.shape)) {
+    auto run = Run::of(job.job);
+    if (!run) return tl::unexpected(run.error());
+    plan.origin = ZeroWatch((*run)->machine(), job.zero).at_start();
+    plan.sheet = *sheet;
+  } else {
+    return base::usage("--stock: a laser cuts a sheet: sheet:X0,Y0,X1,Y1,T or extents");
+  }
+  plan.wanted_cell_mm = job.cell_mm.value_or(plan.kerf_mm / kCellsInKerf);
+  plan.cell_mm =
+      stock::sheet::fitting_cell(box_of(plan.sheet), plan.wanted_cell_mm, job.memory_bytes);
+  return plan;
+}
+
+}  // namespace
+
+bool has_beam(const StockJob& job) { return job.job.definition.axes.beam; }
+
+Outcome<StockResult> cut_sheet(const StockJob& job) {
+  if (job.model != StockModel::automatic && job.model != StockModel::sheet)
+    return base::usage("--model: under a laser the stock is a sheet");
+  std::vector<control::Assumption> assumed;
+  auto plan = plan_of(job, assumed);
+  if (!plan) return tl::unexpected(plan.error());
+  for (int passes = 1;; ++passes) {
+    auto run = Run::of(job.job);
+    if (!run) return tl::unexpected(run.error());
+    SheetPass pass(job, *plan, std::move(*run));
+    pass.go();
+    if (const auto better = pass.better_plan(); better && passes < kMostPasses) {
+      *plan = *better;
+      continue;
+    }
+    StockResult result = pass.result(job);
+    result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
+    result.times_s = times_of(job.job, result.findings);
+    return result;
+  }
+}
+
+}  // namespace kerf::job

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <span>
+
+#include "geometry/contour/region.hpp"
+#include "stock/sheet/trace.hpp"
+
+namespace kerf::stock::sheet {
+
+/// What a beam of this width takes away along the traces, as an area of lines and arcs: both sides
+/// of every cut, exact. Its holes are the pieces that fall out. n log n in the number of traces and
+/// of places where cuts meet. Precondition: kerf_mm > 0.
+[[nodiscard]] contour::Region outline_of(std::span<const Trace> traces, double kerf_mm);
+
+}  // namespace kerf::stock::sheet

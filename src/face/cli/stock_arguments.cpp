@@ -15,10 +15,11 @@ void add_stock(CLI::App& app, StockOptions& o) {
   add_preparation(*stock, o.run, Patterns::not_run);
   stock->option_defaults()->group("Stock");
   stock
-      ->add_option("--stock", o.stock,
-                   "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
-                   "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, or extents[:M], "
-                   "around what is cut; default extents:5")
+      ->add_option(
+          "--stock", o.stock,
+          "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
+          "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, or extents[:M], "
+          "around what is cut; default extents:5")
       ->type_name("SHAPE");
   stock
       ->add_option("--stock-zero", o.zero,
@@ -29,7 +30,8 @@ void add_stock(CLI::App& app, StockOptions& o) {
                              "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
   stock
-      ->add_option("--model", o.model, "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
+      ->add_option("--model", o.model,
+                   "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")
       ->check(CLI::IsMember({"auto", "zmap", "tridexel", "profile", "sheet"}));
   stock->add_option("--cell", o.cell, "largest cell, mm; default by the smallest tool")

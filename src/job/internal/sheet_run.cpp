@@ -30,7 +30,7 @@ constexpr double kUsualThickness_mm = 1;
 // Way and set-points are that near to what is cut, of a kerf.
 constexpr double kTolerance = 0.0025;
 // A pass that finds the zero elsewhere or the memory full is made anew, with larger cells.
-constexpr int kMostPasses = 12;
+constexpr int kMostSheetPasses = 12;
 constexpr double kEnlarge = 1.1;
 
 struct SheetPlan {
@@ -282,7 +282,7 @@ Outcome<StockResult> cut_sheet(const StockJob& job) {
     if (!run) return tl::unexpected(run.error());
     SheetPass pass(job, *plan, std::move(*run));
     pass.go();
-    if (const auto better = pass.better_plan(); better && passes < kMostPasses) {
+    if (const auto better = pass.better_plan(); better && passes < kMostSheetPasses) {
       *plan = *better;
       continue;
     }

@@ -104,9 +104,9 @@ Shape shape_of(const machine::StockWord& word, bool turns, const SurveyedTools& 
     return turns ? bar_around(*margin, tools, assumed) : around(*margin, tools, assumed);
   if (const auto* const bar = std::get_if<machine::StockBar>(&word); turns && bar != nullptr) {
     return stock::Workpiece(stock::CylinderShape{.from = bar->z0,
-                                             .to = bar->z1,
-                                             .diameter = bar->diameter,
-                                             .inner_diameter = bar->inner_diameter});
+                                                 .to = bar->z1,
+                                                 .diameter = bar->diameter,
+                                                 .inner_diameter = bar->inner_diameter});
   }
   return base::usage("--stock: this machine cannot have a stock of this kind");
 }

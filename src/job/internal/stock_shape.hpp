@@ -37,7 +37,7 @@ class SurveyedTools {
 /// The shape that lies on the table, or that the chuck of a machine that turns holds. Failure
 /// (usage): the machine cannot have it.
 [[nodiscard]] base::Outcome<stock::Workpiece> shape_of(const machine::StockWord& word, bool turns,
-                                                   const SurveyedTools& tools,
-                                                   std::vector<control::Assumption>& assumed);
+                                                       const SurveyedTools& tools,
+                                                       std::vector<control::Assumption>& assumed);
 
 }  // namespace kerf::job

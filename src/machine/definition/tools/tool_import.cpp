@@ -2,7 +2,6 @@
 
 #include <toml++/toml.h>
 
-
 #include "base/source_file.hpp"
 #include "machine/definition/tools/internal/letters.hpp"
 #include "machine/definition/tools/internal/library_builder.hpp"

@@ -30,6 +30,7 @@ struct Execute {
   ExitStatus operator()(const PatternOptions& options) const { return pattern(options); }
   ExitStatus operator()(const ReplayOptions& options) const { return replay(options); }
   ExitStatus operator()(const ServeOptions& options) const { return kerf::serve(options); }
+  ExitStatus operator()(const ToolsOptions& options) const { return tools(options); }
   ExitStatus operator()(const MachinesOptions& options) const { return machines(options.name); }
   ExitStatus operator()(const Answer& answer) const {
     std::fputs(answer.text.c_str(), stdout);

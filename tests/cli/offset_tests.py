@@ -102,6 +102,17 @@ def of_other_programs(box):
     refused(box.kerf("run", "part.nc", "--tools", "bad.json"), 3, "bad.json: this is no library of tools")
 
 
+@test("kerf tools writes tools of other programs as tables that --tools takes")
+def written(box):
+    box.write("tool.tbl", "T5 P5 D12.0 Z+100 ;\"1/2\" end mill\nT6 D0 Z5 ;new\n")
+    got = box.kerf("tools", "tool.tbl")
+    status(got, 0)
+    equal(got.err, "kerf: tool.tbl: T6: a tool of type flat needs its diameter\n", "what is told")
+    equal(values(box, "--tools", box.write("t.toml", got.text)), [0, 0, 0, 0, 100, 0, 6, 0], "offsets")
+    refused(box.kerf("tools", "part.nc"), 3, "these are no tools")
+    status(box.kerf("tools"), 2)
+
+
 @test("tools of a machine file are where the table of offsets begins")
 def of_the_machine(box):
     machine = box.kerf("machines", "mill3").out.decode() + "\n[[tool]]\nnumber = 5\ndiameter = 12\nlength = 100\n"

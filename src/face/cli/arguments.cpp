@@ -209,6 +209,18 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
 }
 
 // CLI11 wants the words in reverse order.
+void add_tools(CLI::App& app, ToolsOptions& o) {
+  CLI::App* const tools =
+      app.add_subcommand("tools", "writes tools of another program as [[tool]] tables");
+  tools->group("Commands");
+  tools->add_option("file", o.file, "tool.tbl, or a library of Fusion or FreeCAD")
+      ->type_name("FILE")
+      ->required();
+  tools->add_option("--tools-unit", o.unit, "unit of a tool table that says none: mm or inch")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
+}
+
 std::vector<std::string> reversed(std::vector<std::string> words) {
   std::reverse(words.begin(), words.end());
   return words;
@@ -233,6 +245,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   MachinesOptions machines_options;
   ServeOptions serve_options;
   ReplayOptions replay_options;
+  ToolsOptions tools_options;
   add_run(app, run_options);
   add_time(app, time_options);
   add_stock(app, stock_options);
@@ -240,6 +253,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
   add_replay(app, replay_options);
+  add_tools(app, tools_options);
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
@@ -253,7 +267,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,
                       "a command is needed: run, time, stock, check, pattern, "
-                      "serve, replay, machines or notices; `kerf --help` lists them"});
+                      "serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -274,6 +288,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;
   if (app.got_subcommand("replay")) return replay_options;
+  if (app.got_subcommand("tools")) return tools_options;
   if (app.got_subcommand("notices")) return Answer{std::string(base::notices().front().text)};
   return machines_options;
 }

@@ -120,12 +120,20 @@ struct ServeOptions {
   bool protocol = false;  ///< prints the protocol instead
 };
 
+/// A file of tools, to be written as [[tool]] tables.
+struct ToolsOptions {
+  std::string file;
+  std::string unit = "mm";  ///< of a table that says none: "mm" or "inch"
+};
+
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus stock(const StockOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);
+/// Writes tools of any format as TOML on standard output, what is not understood on standard error.
+[[nodiscard]] ExitStatus tools(const ToolsOptions& options);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

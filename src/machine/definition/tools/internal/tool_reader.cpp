@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/decimal.hpp"
+#include "machine/definition/tools/internal/tool_limits.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -105,22 +106,13 @@ void take_centre(const toml::node& node, Tool& tool) {
   tool.centre_cutting = node.as_boolean()->get();
 }
 
-struct Limit {
-  std::string_view name;
-  std::optional<double> stock::ToolLimits::*of;
-};
-constexpr std::array<Limit, 5> kLimits = {{{"fz", &stock::ToolLimits::fz},
-                                           {"ap", &stock::ToolLimits::ap},
-                                           {"ae", &stock::ToolLimits::ae},
-                                           {"vc", &stock::ToolLimits::vc},
-                                           {"ramp_deg", &stock::ToolLimits::ramp_deg}}};
-
 void take_limits(const toml::node& node, Tool& tool) {
   if (!node.is_table()) throw WrongTool{node, "{fz, ap, ae, vc, ramp_deg} is expected"};
   for (const auto& [key, value] : *node.as_table()) {
-    const auto* const limit = std::find_if(
-        kLimits.begin(), kLimits.end(), [&](const Limit& each) { return each.name == key.str(); });
-    if (limit == kLimits.end())
+    const auto* const limit =
+        std::find_if(kLimitKeys.begin(), kLimitKeys.end(),
+                     [&](const LimitKey& each) { return each.name == key.str(); });
+    if (limit == kLimitKeys.end())
       throw WrongTool{value, "limits has no key " + std::string(key.str())};
     if (!(number_of(value) > 0)) throw WrongTool{value, "a limit is above 0"};
     tool.limits.*(limit->of) = number_of(value);

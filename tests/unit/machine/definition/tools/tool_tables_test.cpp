@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/definition/tools/tool_text.hpp"
+
 namespace kerf::machine {
 namespace {
 
@@ -144,6 +146,24 @@ TEST(ToolTables, TellWhatIsWrongWithItsLine) {
     EXPECT_EQ(refusal("[[tool]]\nnumber = 1\n" + each.lines + "\n").substr(0, sentence.size()),
               sentence);
   }
+}
+
+TEST(ToolTables, ReadTheToolsThatHaveBeenWrittenAsTheyWere) {
+  Tool form;
+  form.number = 3;
+  form.kind = ToolKind::form;
+  form.type = "form";
+  form.name = "a \"b\" \\ \n \x01 \xC3\x98";
+  form.form = {{1, 0, 0}, {2, 0.1 + 0.2, -0.25}, {2.5, 7, 0}};
+  form.cutting = stock::FormCutting{0, 1};
+  form.centre_cutting = false;
+  Tool insert =
+      only_tool("[[tool]]\nnumber = 1\ntype = \"turning\"\ninsert = \"DCMT11T304\"\nic = 40\n");
+  const std::vector<Tool> tools = {only_tool(kWhole), form, insert};
+  const auto entries = read(tools_as_toml(tools));
+  ASSERT_TRUE(entries) << entries.error().message;
+  ASSERT_EQ(entries->size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ((*entries)[i].tool, tools[i]) << i;
 }
 
 TEST(ToolTables, NeedNumbersThatTellToolsApart) {

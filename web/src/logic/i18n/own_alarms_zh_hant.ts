@@ -213,15 +213,16 @@ export const OWN_ALARMS_ZH_HANT: Record<string, [message: string, cause: string,
       '比刀刃寬的頸部或刀柄碰到材料。',
       '請用較長的刀刃或較細的刀柄，或減少切深。',
     ],
-    HOLDER_COLLISION: [
-      '刀把碰到材料',
-      '刀具的刀把碰到材料。',
-      '請加長伸出量，或減少切深。',
-    ],
+    HOLDER_COLLISION: ['刀把碰到材料', '刀具的刀把碰到材料。', '請加長伸出量，或減少切深。'],
     FIXTURE_COLLISION: [
       '刀具碰到夾具',
       '刀具某部分碰到夾具、虎鉗或以 --fixture 指定的物件。',
       '請繞過或從上方通過，或改變夾持位置。',
+    ],
+    INSERT_COLLISION: [
+      '刀片或刀桿在刃後碰到材料',
+      '車刀除刀刃與刀鼻以外的部分碰到材料。',
+      '請用刀尖角較小或刃較長的刀片、較細的刀桿，或減少切深。',
     ],
     NOT_CENTRE_CUTTING: [
       '以中心不能切削的刀具下刀',

@@ -226,10 +226,15 @@ Contour convex_passage(const Contour& loop, const Edge& way) {
 }
 
 Division divide(const Region& region, const std::vector<Contour>& by) {
-  std::vector<Strand> strands;
-  add_strands(strands, region.loops, Operand::first);
-  add_strands(strands, by, Operand::second);
-  const Arrangement all(std::move(strands));
+  const auto arranged = [&](const std::vector<Contour>& loops) {
+    std::vector<Strand> strands;
+    add_strands(strands, region.loops, Operand::first);
+    add_strands(strands, loops, Operand::second);
+    return Arrangement(std::move(strands));
+  };
+  Arrangement all = arranged(by);
+  // Many contours through each other may be too much for rounding where their outline is not.
+  if (!all.is_sound()) all = arranged(covered(by).loops);
   return {{all.loops([](Winding w) { return w.first > 0 && w.second > 0; })},
           {all.loops([](Winding w) { return w.first > 0 && w.second <= 0; })}};
 }

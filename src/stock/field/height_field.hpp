@@ -6,6 +6,7 @@
 
 #include "stock/field/columns.hpp"
 #include "stock/field/field_tool.hpp"
+#include "stock/field/pieces.hpp"
 #include "stock/field/ready_sweep.hpp"
 #include "stock/field/tile_work.hpp"
 #include "stock/sweep/model.hpp"
@@ -36,6 +37,7 @@ class HeightField final : public Model {
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }
   [[nodiscard]] double error_mm3() const override { return columns_.error_mm3(); }
   [[nodiscard]] Bounds extents() const override { return columns_.extents(); }
+  [[nodiscard]] std::vector<Piece> pieces() const override { return pieces_of(columns_); }
   [[nodiscard]] std::size_t bytes() const override { return columns_.bytes(); }
 
   [[nodiscard]] const Columns& columns() const { return columns_; }

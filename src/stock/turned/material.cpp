@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "stock/turned/edge_box.hpp"
+#include "stock/turned/window.hpp"
+
 namespace kerf::stock::turned {
 
 using contour::Box;
@@ -9,12 +12,33 @@ using contour::Contour;
 using contour::Division;
 using contour::Region;
 
+namespace {
+
+/// A window costs as much as so many edges.
+constexpr std::size_t kWorthAWindow = 32;
+// Any; one that programs do not use, so that no edge lies along the border.
+constexpr double kMargin_mm = 0.0377123;
+
+}  // namespace
+
 bool Material::may_meet(const Box& box) const {
   return std::any_of(boxes_.begin(), boxes_.end(),
                      [&](const Box& loop) { return loop.meets(box); });
 }
 
 Division Material::divide(const std::vector<Contour>& by, const Box& box) const {
+  if (contour::vertex_count(region_) >= kWorthAWindow) {
+    const Window window(region_, box.grown(kMargin_mm));
+    if (window.is_good()) {
+      Division division = contour::divide(window.seen(), by);
+      if (auto whole = window.with(division.outside))
+        return {std::move(division.inside), std::move(*whole)};
+    }
+  }
+  return divide_all(by, box);
+}
+
+Division Material::divide_all(const std::vector<Contour>& by, const Box& box) const {
   Region near;
   Region far;
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
@@ -30,7 +54,7 @@ Division Material::divide(const std::vector<Contour>& by, const Box& box) const 
 void Material::become(Region region) {
   region_ = std::move(region);
   boxes_.clear();
-  for (const Contour& loop : region_.loops) boxes_.push_back(contour::extents(loop));
+  for (const Contour& loop : region_.loops) boxes_.push_back(quick_box(loop));
 }
 
 }  // namespace kerf::stock::turned

@@ -21,6 +21,9 @@ class Material {
   void become(contour::Region region);
 
  private:
+  [[nodiscard]] contour::Division divide_all(const std::vector<contour::Contour>& by,
+                                             const contour::Box& box) const;
+
   contour::Region region_;
   std::vector<contour::Box> boxes_;  ///< of the loops
 };

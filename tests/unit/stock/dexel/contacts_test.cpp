@@ -1,7 +1,7 @@
 // Verdicts of stock.md §9.
 #include "mill.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 namespace {
 
 const Bounds kSlotStock{{0, 0, -20}, {70, 40, 0}};
@@ -209,4 +209,4 @@ TEST_P(Contacts, FirstOfAProbeIsWhereItsBallTouches) {
 }
 
 }  // namespace
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

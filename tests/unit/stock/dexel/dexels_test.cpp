@@ -5,7 +5,7 @@
 #include "stock/dexel/octahedral.hpp"
 #include "stock/dexel/solid.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 namespace {
 
 TEST(Octahedral, KeepsDirectionsWithinADegree) {
@@ -110,4 +110,4 @@ TEST(Ends, RememberTheMotionAndLookAwayFromTheMaterial) {
 }
 
 }  // namespace
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

@@ -8,7 +8,7 @@
 
 #include "stock/dexel/tri_dexel.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 
 using std::numbers::pi;
 
@@ -146,4 +146,4 @@ class Mill {
   Vec3 tip_;
 };
 
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

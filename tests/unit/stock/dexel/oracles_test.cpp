@@ -2,7 +2,7 @@
 #include "mill.hpp"
 #include "stock/sweep/turning_steps.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 namespace {
 
 /// |error| <= 5 % h; faces parallel to the grid: 1e-5.
@@ -180,4 +180,4 @@ TEST(OracleOfTurning, Swing) {
 }
 
 }  // namespace
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

@@ -3,7 +3,7 @@
 
 #include "mill.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 namespace {
 
 /// Random moves of five tools in a box around 0.
@@ -284,4 +284,4 @@ TEST(Cutting, NeedsNoMoreMemoryInTheLongRun) {
 }
 
 }  // namespace
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

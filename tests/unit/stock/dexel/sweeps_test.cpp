@@ -5,7 +5,7 @@
 #include "mill.hpp"
 #include "stock/dexel/strokes.hpp"
 
-namespace kerf::stock::test {
+namespace kerf::stock::dexel::test {
 namespace {
 
 constexpr double kBound_mm = 0.002;
@@ -157,4 +157,4 @@ TEST(Strokes, OfAnArcWithABillionTurnsAreStillFinite) {
 }
 
 }  // namespace
-}  // namespace kerf::stock::test
+}  // namespace kerf::stock::dexel::test

@@ -25,20 +25,20 @@ Body held(double d, double stickout, double holder) {
       .body();
 }
 
-class Contacts : public testing::TestWithParam<double> {
+class DexelContacts : public testing::TestWithParam<double> {
  protected:
   [[nodiscard]] static double cell() { return GetParam(); }
 };
-INSTANTIATE_TEST_SUITE_P(Cell, Contacts, testing::Values(0.2, 0.37));
+INSTANTIATE_TEST_SUITE_P(Cell, DexelContacts, testing::Values(0.2, 0.37));
 
-TEST_P(Contacts, HaveNoneWhoReturnsAlongItsOwnSlot) {
+TEST_P(DexelContacts, HaveNoneWhoReturnsAlongItsOwnSlot) {
   Mill mill(kSlotStock, cell());
   mill.tool(flat(10)).at({10, 20, 5}).line({10, 20, -5}).line({60, 20, -5});
   mill.rapid({10, 20, -5}).rapid({10, 20, 5}).run();
   EXPECT_FALSE(mill.has_contacts());
 }
 
-TEST_P(Contacts, AreMetOneMillimetreBesideTheSlot) {
+TEST_P(DexelContacts, AreMetOneMillimetreBesideTheSlot) {
   Mill mill(kSlotStock, cell());
   mill.tool(flat(10)).at({10, 20, 5}).line({10, 20, -5}).line({60, 20, -5});
   mill.rapid({60, 20, 5}).rapid({60, 21, 5});
@@ -54,7 +54,7 @@ TEST_P(Contacts, AreMetOneMillimetreBesideTheSlot) {
   EXPECT_NEAR(contact.volume.value(), 60 * 1 * 5, 60 * 5 * cell());
 }
 
-TEST_P(Contacts, HaveNoneWhoPecks) {
+TEST_P(DexelContacts, HaveNoneWhoPecks) {
   Mill mill(kSlotStock, cell());
   mill.tool(pointed(10, 59)).at({30, 20, 2});
   for (const double z : {-4.0, -8.0, -12.0}) {
@@ -64,14 +64,14 @@ TEST_P(Contacts, HaveNoneWhoPecks) {
   EXPECT_FALSE(mill.has_contacts());
 }
 
-TEST_P(Contacts, HaveNoneWhoGoesAtTheHeightOfTheStockOrAlongItsSide) {
+TEST_P(DexelContacts, HaveNoneWhoGoesAtTheHeightOfTheStockOrAlongItsSide) {
   Mill mill(kSlotStock, cell());
   mill.tool(flat(10)).at({-20, 20, 0}).rapid({90, 20, 0}).rapid({90, -5, 0});
   mill.rapid({90, -5, -10}).rapid({-20, -5, -10}).run();
   EXPECT_FALSE(mill.has_contacts());
 }
 
-TEST_P(Contacts, OfTheFlankAreMetSidewaysAndNotInThePlunge) {
+TEST_P(DexelContacts, OfTheFlankAreMetSidewaysAndNotInThePlunge) {
   Mill mill({{0, 0, -40}, {70, 40, 0}}, cell());
   mill.tool(end_mill(10, 20)).at({20, 20, 5}).line({20, 20, -26}).run();
   EXPECT_FALSE(mill.has_contacts());
@@ -81,7 +81,7 @@ TEST_P(Contacts, OfTheFlankAreMetSidewaysAndNotInThePlunge) {
   EXPECT_FALSE(met(mill.last(), ToolPart::shank).is_one());
 }
 
-TEST_P(Contacts, OfTheFlankAreNoneInTwoLevels) {
+TEST_P(DexelContacts, OfTheFlankAreNoneInTwoLevels) {
   for (const bool has_shank : {false, true}) {
     Mill mill({{0, 0, -40}, {70, 40, 0}}, cell());
     mill.tool(end_mill(10, 20, has_shank ? 12 : 0)).at({20, 20, 5});
@@ -96,7 +96,7 @@ TEST_P(Contacts, OfTheFlankAreNoneInTwoLevels) {
   }
 }
 
-TEST_P(Contacts, OfTheHolderAreAsDeepAsItGoesIn) {
+TEST_P(DexelContacts, OfTheHolderAreAsDeepAsItGoesIn) {
   for (const double stickout : {30.0, 40.0}) {
     Mill mill({{-30, -30, -50}, {30, 30, 0}}, std::max(0.25, cell()));
     mill.tool(held(10, stickout, 40)).at({0, 0, 5}).line({0, 0, -35}).run();
@@ -110,7 +110,7 @@ TEST_P(Contacts, OfTheHolderAreAsDeepAsItGoesIn) {
   }
 }
 
-TEST_P(Contacts, OfAHolderThatOnlyItsSideMeetsAreFoundByTheOtherDexels) {
+TEST_P(DexelContacts, OfAHolderThatOnlyItsSideMeetsAreFoundByTheOtherDexels) {
   // 0.03 mm into a wall: no column of the grid along the tool may be in it.
   Mill mill({{0, 0, -20}, {20, 20, 0}}, cell());
   mill.tool(flat(10)).at({-4.97, -20, -10}).rapid({-4.97, 40, -10}).run();
@@ -120,7 +120,7 @@ TEST_P(Contacts, OfAHolderThatOnlyItsSideMeetsAreFoundByTheOtherDexels) {
   EXPECT_FALSE(met(mill.last(), ToolPart::edge).is_one());
 }
 
-TEST_P(Contacts, OfAToolThatTurnsAreThoseOfItsPoses) {
+TEST_P(DexelContacts, OfAToolThatTurnsAreThoseOfItsPoses) {
   Mill mill({{-15, -15, -15}, {15, 15, 0}}, std::max(0.25, cell()));
   mill.tool(held(6, 12, 20)).at({0, 0, 5}).line({0, 0, -10}).run();
   EXPECT_FALSE(mill.has_contacts());
@@ -134,7 +134,7 @@ TEST_P(Contacts, OfAToolThatTurnsAreThoseOfItsPoses) {
   EXPECT_NEAR(holder.depth_mm, deep, 0.35);
 }
 
-TEST_P(Contacts, OfAProbeAreItsEdgesToo) {
+TEST_P(DexelContacts, OfAProbeAreItsEdgesToo) {
   Body probe = ball(4);
   probe.cuts = false;
   Mill mill(kSlotStock, cell());
@@ -144,7 +144,7 @@ TEST_P(Contacts, OfAProbeAreItsEdgesToo) {
   EXPECT_TRUE(met(mill.last(), ToolPart::edge).is_one());
 }
 
-TEST_P(Contacts, AreToldOnceForTheyAreRemoved) {
+TEST_P(DexelContacts, AreToldOnceForTheyAreRemoved) {
   Mill mill(kSlotStock, cell());
   mill.tool(flat(10)).at({-20, 20, -3}).rapid({90, 20, -3}).run();
   EXPECT_TRUE(met(mill.last(), ToolPart::edge).is_one());
@@ -154,7 +154,7 @@ TEST_P(Contacts, AreToldOnceForTheyAreRemoved) {
   EXPECT_EQ(mill.last().removed.value(), 0);
 }
 
-TEST_P(Contacts, OfTheCoreAreThoseOfAPlunge) {
+TEST_P(DexelContacts, OfTheCoreAreThoseOfAPlunge) {
   Body face = flat(40);
   face.core_mm = 12;
   Mill mill({{0, 0, -20}, {80, 80, 0}}, std::max(0.25, cell()));
@@ -167,7 +167,7 @@ TEST_P(Contacts, OfTheCoreAreThoseOfAPlunge) {
   EXPECT_GT(beside.last().removed.value(), 40 * 80 * 2 * 0.98);
 }
 
-TEST_P(Contacts, OfTheCoreInARampAreASlantedCylinder) {
+TEST_P(DexelContacts, OfTheCoreInARampAreASlantedCylinder) {
   Body face = flat(20);
   face.core_mm = 5;
   Mill mill({{0, 0, -20}, {80, 40, 0}}, std::max(0.25, cell()));
@@ -176,7 +176,7 @@ TEST_P(Contacts, OfTheCoreInARampAreASlantedCylinder) {
   EXPECT_NEAR(mill.last().core.value(), core, 0.05 * core);
 }
 
-TEST_P(Contacts, AcrossTheWayStandOnTheirSide) {
+TEST_P(DexelContacts, AcrossTheWayStandOnTheirSide) {
   Mill mill(kSlotStock, cell());
   // The stock lies to the left of the feed, 2 mm of the tool in it.
   mill.tool(flat(10)).at({-20, -3, -5}).line({90, -3, -5}).run();
@@ -193,7 +193,7 @@ TEST_P(Contacts, AcrossTheWayStandOnTheirSide) {
   EXPECT_NEAR(left, 70 * 2 * 5, 70 * 5 * cell());
 }
 
-TEST_P(Contacts, FirstOfAProbeIsWhereItsBallTouches) {
+TEST_P(DexelContacts, FirstOfAProbeIsWhereItsBallTouches) {
   Mill mill(kSlotStock, cell());
   Body probe = ball(4);
   const BodyId body = mill.model.add_body(probe);

@@ -16,21 +16,21 @@ void expect_removed(Mill& mill, double wanted, double share) {
   EXPECT_FALSE(mill.has_contacts());
 }
 
-class Oracle : public testing::TestWithParam<double> {
+class DexelOracle : public testing::TestWithParam<double> {
  protected:
   [[nodiscard]] static double cell() { return GetParam(); }
   [[nodiscard]] static double share() { return share_of(GetParam()); }
 };
-INSTANTIATE_TEST_SUITE_P(Cell, Oracle, testing::Values(0.25, 0.1),
+INSTANTIATE_TEST_SUITE_P(Cell, DexelOracle, testing::Values(0.25, 0.1),
                          [](const auto& each) { return each.param == 0.1 ? "Fine" : "Coarse"; });
 
-TEST_P(Oracle, Slot) {
+TEST_P(DexelOracle, Slot) {
   Mill mill({{0, 0, -20}, {70, 40, 0}}, cell());
   mill.tool(flat(10)).at({10, 20, 5}).line({10, 20, -5}).line({60, 20, -5});
   expect_removed(mill, 2892.69908, share());
 }
 
-TEST_P(Oracle, Pocket) {
+TEST_P(DexelOracle, Pocket) {
   Mill mill({{0, 0, -20}, {60, 50, 0}}, cell());
   mill.tool(flat(8)).at({10, 10, 5}).line({10, 10, -6});
   for (double y = 10; y <= 40; y += 5) {
@@ -41,13 +41,13 @@ TEST_P(Oracle, Pocket) {
   expect_removed(mill, 10861.5929, share());
 }
 
-TEST_P(Oracle, Island) {
+TEST_P(DexelOracle, Island) {
   Mill mill({{-20, -20, -20}, {20, 20, 0}}, cell());
   mill.tool(flat(6)).at({10, 0, 5}).line({10, 0, -4}).arc(0, 0, 2 * pi);
   expect_removed(mill, 1507.96447, share());
 }
 
-TEST_P(Oracle, Helix) {
+TEST_P(DexelOracle, Helix) {
   Mill mill({{-20, -20, -20}, {20, 20, 0}}, cell());
   mill.tool(flat(10)).at({3, 0, 5}).line({3, 0, 0});
   for (int i = 0; i < 3; ++i) mill.arc(0, 0, 2 * pi, -2);
@@ -55,64 +55,64 @@ TEST_P(Oracle, Helix) {
   expect_removed(mill, 1206.37158, share());
 }
 
-TEST_P(Oracle, BallShallow) {
+TEST_P(DexelOracle, BallShallow) {
   Mill mill({{0, 0, -20}, {60, 40, 0}}, cell());
   mill.tool(ball(6)).at({10, 20, 5}).line({10, 20, -2}).line({50, 20, -2});
   expect_removed(mill, 359.329837, share());
 }
 
-TEST_P(Oracle, BallDeep) {
+TEST_P(DexelOracle, BallDeep) {
   Mill mill({{0, 0, -20}, {60, 40, 0}}, cell());
   mill.tool(ball(6)).at({10, 20, 5}).line({10, 20, -5}).line({50, 20, -5});
   expect_removed(mill, 1158.58401, share());
 }
 
-TEST_P(Oracle, Bull) {
+TEST_P(DexelOracle, Bull) {
   Mill mill({{0, 0, -20}, {60, 40, 0}}, cell());
   mill.tool(bull(10, 2)).at({10, 20, 5}).line({10, 20, -3}).line({50, 20, -3});
   expect_removed(mill, 1342.38868, share());
 }
 
-TEST_P(Oracle, VGroove) {
+TEST_P(DexelOracle, VGroove) {
   Mill mill({{0, 0, -20}, {60, 40, 0}}, cell());
   mill.tool(pointed(6, 30, 0.2)).at({10, 20, 5}).line({10, 20, -1.5}).line({40, 20, -1.5});
   expect_removed(mill, 49.6044692, cell() == 0.1 ? 0.01 : 0.05);
 }
 
-TEST_P(Oracle, Drill) {
+TEST_P(DexelOracle, Drill) {
   Mill mill({{0, 0, -30}, {60, 40, 0}}, cell());
   mill.tool(pointed(10, 59)).at({30, 20, 2}).line({30, 20, -20}).rapid({30, 20, 2});
   expect_removed(mill, 1413.49138, share());
 }
 
-TEST_P(Oracle, DrillThrough) {
+TEST_P(DexelOracle, DrillThrough) {
   Mill mill({{0, 0, -20}, {60, 40, 0}}, cell());
   mill.tool(pointed(10, 59)).at({30, 20, 2}).line({30, 20, -26}).rapid({30, 20, 2});
   expect_removed(mill, 1570.79633, share());
 }
 
-TEST_P(Oracle, Chamfer) {
+TEST_P(DexelOracle, Chamfer) {
   Mill mill({{0, 0, -20}, {50, 30, 0}}, cell());
   mill.tool(pointed(12, 45)).at({-10, 0, -2}).line({50, 0, -2}).line({50, 30, -2});
   mill.line({0, 30, -2}).line({0, 0, -2});
   expect_removed(mill, 309.333333, share());
 }
 
-TEST_P(Oracle, Facing) {
+TEST_P(DexelOracle, Facing) {
   Mill mill({{0, 0, -20}, {80, 50, 0}}, cell());
   mill.tool(flat(40)).at({-25, 10, -1.5}).line({105, 10, -1.5}).line({105, 40, -1.5});
   mill.line({-25, 40, -1.5});
   expect_removed(mill, 6000, kParallelFaces);
 }
 
-TEST_P(Oracle, TSlot) {
+TEST_P(DexelOracle, TSlot) {
   Mill mill({{0, 0, -30}, {60, 40, 0}}, cell());
   mill.tool(flat(8)).at({-15, 20, -10}).line({75, 20, -10});
   mill.tool(t_slot(16, 4, 7)).at({-15, 20, -10}).line({75, 20, -10});
   expect_removed(mill, 6720, kParallelFaces);
 }
 
-TEST_P(Oracle, Lollipop) {
+TEST_P(DexelOracle, Lollipop) {
   Mill mill({{0, 0, -30}, {50, 40, 0}}, cell());
   mill.tool(flat(6)).at({-10, 20, -10}).line({60, 20, -10});
   mill.tool(lollipop(12, 5)).at({-10, 20, -16}).line({60, 20, -16});
@@ -143,7 +143,7 @@ TEST(Table, TurnsToolsAsItsFormulaSays) {
   EXPECT_NEAR(pose.axis.x, 0.5, 1e-6);
 }
 
-TEST_P(Oracle, CrossHoles) {
+TEST_P(DexelOracle, CrossHoles) {
   Mill mill({{-20, -20, -20}, {20, 20, 20}}, cell());
   mill.tool(flat(20, 50));
   for (const double a : {0.0, 90.0}) {
@@ -153,7 +153,7 @@ TEST_P(Oracle, CrossHoles) {
   expect_removed(mill, 19799.4079, share());
 }
 
-TEST_P(Oracle, Tilted) {
+TEST_P(DexelOracle, Tilted) {
   Mill mill({{-10, -30, -30}, {50, 30, 0}}, cell());
   const auto tip = [](double x, double z) { return on_table({x, 0, z}, 30, 0).tip; };
   mill.tool(flat(10, 30)).axis(on_table({}, 30, 0).axis).at(tip(0, 30));

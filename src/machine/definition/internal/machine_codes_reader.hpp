@@ -10,8 +10,8 @@
 
 namespace kerf::machine {
 
-/// Reads the tables [[spindle]], [m_codes] and [g_codes] of a machine file. Each failure (input) names the
-/// line.
+/// Reads the tables [[spindle]], [m_codes] and [g_codes] of a machine file. Each failure (input)
+/// names the line.
 class MachineCodesReader {
  public:
   /// All must outlive the reader.

@@ -69,7 +69,8 @@ void append_limits(std::string& out, const stock::ToolLimits& limits) {
 }  // namespace
 
 void append_tool(std::string& out, const Tool& tool) {
-  out += "[[tool]]\nnumber = " + std::to_string(tool.number) + "\n";
+  out += "[[tool]]\n";
+  append_line(out, "number", std::to_string(tool.number));
   append_text(out, "type", tool.type);
   append_text(out, "name", tool.name);
   append_text(out, "comment", tool.comment);

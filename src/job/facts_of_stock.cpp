@@ -43,6 +43,21 @@ void take_sheet(const output::StockFacts::Sheet& sheet, output::StockFacts& fact
   }
 }
 
+// stock.md §1.5: what cannot be checked for want of data is listed.
+void list_unchecked(const stock::CuttingTool& tool, std::vector<std::string>& not_checked) {
+  const std::string name = "T" + std::to_string(tool.number());
+  if (!tool.knows_shape()) {
+    not_checked.push_back("RAPID_IN_STOCK: the shape of " + name + " is assumed");
+    if (tool.tool.is_insert())
+      not_checked.push_back("INSERT_COLLISION: the shape of " + name + " is assumed");
+  }
+  if (tool.tool.is_insert()) return;
+  if (!tool.tool.said(stock::Measure::flute_length))
+    not_checked.push_back("FLUTE_LENGTH: " + name + " has no flute_length");
+  if (tool.tool.holder.empty() || !tool.tool.said(stock::Measure::stickout))
+    not_checked.push_back("HOLDER_COLLISION: " + name + " has no holder");
+}
+
 }  // namespace
 
 output::StockFacts facts_of(StockResult& result) {
@@ -64,10 +79,13 @@ output::StockFacts facts_of(StockResult& result) {
   facts.turns = result.run->machine().definition().turns();
   facts.model = result.model_facts;
   facts.assumed = result.assumed;
+  if (!result.knows_stock && result.model)
+    facts.not_checked.push_back("RAPID_IN_STOCK: the stock is assumed");
   for (const stock::ToolRecord& did : result.tools) {
     const stock::CuttingTool& tool = result.rack->tool(did.tool);
     facts.tools.push_back({did, std::string(tool.tool.type_name()), tool.diameter_mm(),
                            std::string(word_of(tool.tool.source))});
+    list_unchecked(tool, facts.not_checked);
   }
   for (std::size_t i = 0; i < result.findings.size(); ++i)
     facts.findings.push_back(told(result.findings[i], result.times_s[i]));

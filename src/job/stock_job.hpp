@@ -18,6 +18,7 @@ enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile, sheet
 struct StockJob {
   Job job;
   machine::StockWord shape{};
+  bool knows_stock = true;  ///< somebody has said what lies on the table
   machine::StockZero zero{};
   struct NamedShape {
     std::string name;

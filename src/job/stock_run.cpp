@@ -52,6 +52,7 @@ class Pass final : public motion::MotionSink {
                     stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
                                             .is_placed = placed_when(job),
                                             .obstacles = obstacles_of(job),
+                                            .knows_stock = job.knows_stock,
                                             .has_tool = plan_.without_changes,
                                             .turns_work = is_profile()});
     run_->machine().add_sink(*this);
@@ -268,13 +269,29 @@ Outcome<void> without_beam(const StockJob& job) {
 // Each pass mends at least one thing that the one before supposed, and there are four.
 constexpr int kMostPasses = 5;
 
+Outcome<void> suits(const StockJob& job) {
+  const machine::MachineDefinition& machine = job.job.definition;
+  if (job.model == StockModel::profile && !machine.turns())
+    return base::usage("--model profile: only stock that a lathe turns has a profile");
+  if (machine.axes.linked && !machine.axes.beam)
+    return base::usage(machine.name + ": stock is cut on mills, lathes and lasers");
+  return {};
+}
+
+/// What a lathe cannot have yet.
+Outcome<void> suits(const StockJob& job, const StockPlan& plan) {
+  if (!job.job.definition.turns() || plan.kind == StockModel::profile) return {};
+  return base::usage(
+      "the part of a lathe is a bar about its spindle, cut by tools that stand still: " +
+      plan.reason);
+}
+
 }  // namespace
 
 Outcome<StockResult> cut_stock(const StockJob& job) {
-  if (job.model == StockModel::profile && !job.job.definition.turns())
-    return base::usage("--model profile: only stock that a lathe turns has a profile");
+  if (auto suited = suits(job); !suited) return tl::unexpected(suited.error());
   if (has_beam(job)) return cut_sheet(job);
-  if (auto suits = without_beam(job); !suits) return tl::unexpected(suits.error());
+  if (auto suited = without_beam(job); !suited) return tl::unexpected(suited.error());
   std::vector<control::Assumption> assumed;
   std::optional<StockPlan> plan;
   if (needs_survey(job)) {
@@ -290,6 +307,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
       if (!guess) return tl::unexpected(guess.error());
       plan = *guess;
     }
+    if (auto suited = suits(job, *plan); !suited) return tl::unexpected(suited.error());
     Pass pass(job, *plan, std::move(*run));
     pass.go(job);
     const auto better = pass.better_plan();
@@ -300,6 +318,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     StockResult result = pass.result();
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
     result.times_s = times_of(job.job, result.findings);
+    result.knows_stock = job.knows_stock;
     return result;
   }
 }

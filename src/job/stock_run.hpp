@@ -30,6 +30,7 @@ struct StockResult {
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
   std::vector<output::StockFacts::Thread> threads;
+  bool knows_stock = true;  ///< as the job has it
   std::vector<control::Assumption> assumed;
 };
 

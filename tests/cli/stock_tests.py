@@ -213,3 +213,39 @@ def alarm(box):
     report = box.json("r.json")
     equal(report["status"], "alarm", "status")
     near(report["removed_mm3"], SLOT_MM3, 16, "removed")
+
+
+@test("stock: a check never rests on what is assumed, and says so")
+def not_checked(box):
+    moves = SLOT + "\nG01Z5.\nG00Y21.\nZ-5.\nX10."
+    equal(found(cut(box, moves, wanted=1)), [("RAPID_IN_STOCK", 9), ("RAPID_IN_STOCK", 10)], "described")
+    for words, what in (((), "the stock is assumed"), (("--stock", "box:0,0,-20,70,40,0"), "the shape of T1 is assumed")):
+        tools = ("--tools", "tools.toml") if not words else ()
+        status(box.kerf("stock", "part.nc", "--report", "r.json", *words, *tools), 0)
+        report = box.json("r.json")
+        equal(report["findings"], [], "findings")
+        contains(" ".join(report["not_checked"]), "RAPID_IN_STOCK: " + what, "told")
+    contains(" ".join(report["not_checked"]), "HOLDER_COLLISION: T1 has no holder", "holder")
+
+
+@test("stock: what a machine cannot cut is refused")
+def other_machines(box):
+    box.write("part.nc", "O1\nT0101\nG97S500M03\nG00X20.Z2.\nG01Z-5.F.2\nM30\n")
+    refused(box.kerf("stock", "part.nc", "--machine", "lathe2", "--stock", "box:0,0,-20,70,40,0"), 2, "about its spindle")
+    box.write("part.nc", "O1\nT0101\nG97S500M133\nG00X0.Z2.C0.\nG01Z-5.F.2\nM30\n")
+    refused(box.kerf("stock", "part.nc", "--machine", "lathe3c", "--stock", "bar:50,-80,0"), 2, "driven tool")
+    refused(box.kerf("stock", "part.nc", "--machine", "arm4"), 2, "mills, lathes and lasers")
+
+
+@test("stock: a bar is turned, and what is assumed of the default one begins before the face")
+def lathe(box):
+    box.write("part.nc", "O1\nT0101\nG97S1000M03\nG00X54.Z2.\nX40.\nG01Z-60.F.2\nX52.\nG00X200.Z100.\nM30\n")
+    box.write("tools.toml", '[[tool]]\nnumber = 1\ntype = "turning"\ninsert = "CNMG120408"\nnose_radius = 0\n'
+                            'ic = 40\nkapr = 95\ntip = 3\n')
+    status(box.kerf("stock", "part.nc", "--machine", "lathe2", "--tools", "tools.toml", "--stock", "bar:50,-80,0",
+                    "--report", "r.json"), 0)
+    report = box.json("r.json")
+    near(report["removed_mm3"], 42411.5008, 0.05, "removed")  # π (25² - 20²) 60
+    equal(report["model"]["kind"], "profile", "model")
+    status(box.kerf("stock", "part.nc", "--machine", "lathe2", "--tools", "tools.toml", "--report", "r.json"), 0)
+    equal(box.json("r.json")["stock"]["extents"]["Z"], [-65, 1], "default bar")

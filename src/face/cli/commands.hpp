@@ -63,7 +63,7 @@ struct TimeOptions {
 /// A run that cuts the virtual part.
 struct StockOptions {
   RunOptions run;  ///< without outputs
-  std::string stock = "extents";
+  std::string stock;  ///< empty: extents, which nobody has said
   std::string zero = "auto";
   std::vector<std::string> fixtures;
   std::string model = "auto";

@@ -20,6 +20,8 @@ namespace {
 
 using base::Outcome;
 
+const std::string kUsualStock = "extents";
+
 job::StockModel model_named(const std::string& name) {
   if (name == "zmap") return job::StockModel::zmap;
   if (name == "profile") return job::StockModel::profile;
@@ -59,9 +61,10 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
                                  base::ProgramText program, const base::SourceFile& source) {
   job::StockJob job{.job = std::move(ordered.job)};
   job.job.program = std::move(program);
-  auto shape = machine::stock_word(options.stock, "--stock");
+  auto shape = machine::stock_word(options.stock.empty() ? kUsualStock : options.stock, "--stock");
   if (!shape) return tl::unexpected(shape.error());
   job.shape = std::move(*shape);
+  job.knows_stock = !options.stock.empty();
   auto zero = machine::stock_zero(options.zero);
   if (!zero) return tl::unexpected(zero.error());
   job.zero = *zero;
@@ -141,7 +144,7 @@ ExitStatus stock(const StockOptions& options) {
   auto cut = job::cut_stock(*job);
   if (!cut) return fail(cut.error());
   output::StockFacts facts = job::facts_of(*cut);
-  facts.shape = options.stock;
+  facts.shape = options.stock.empty() ? kUsualStock : options.stock;
   facts.run.chosen = ready.choice.chosen;
   std::erase_if(facts.findings, [&](const auto& told) { return is_left_out(options, told); });
   ready.run = std::move(cut->run);

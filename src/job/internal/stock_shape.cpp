@@ -35,13 +35,16 @@ base::Failure without_cuts(std::string_view example) {
 }
 
 // stock.md §2.1: half a millimetre round the largest diameter, one in front, the margin behind.
+// Tools come to the face at feed from before it: the front is that of the face, where something is
+// cut behind it.
 Shape bar_around(const machine::StockAround& word, const SurveyedTools& tools,
                  std::vector<control::Assumption>& assumed) {
   if (!tools.extents()) return tl::unexpected(without_cuts("bar:D,Z0,Z1"));
   const Bounds& cut = *tools.extents();
   const double rho = std::max(std::fabs(cut.low.x), std::fabs(cut.high.x));
+  const double front = cut.low.z < 0 ? std::min(cut.high.z, 0.0) : cut.high.z;
   const stock::CylinderShape bar{.from = cut.low.z - word.margin_mm,
-                                 .to = cut.high.z + kInFront_mm,
+                                 .to = front + kInFront_mm,
                                  .diameter = 2 * (rho + kAround_mm)};
   assumed.push_back({0, fmt::format("the stock is a bar of diameter {:.3f}, Z {:.3f} to {:.3f}",
                                     bar.diameter, bar.from, bar.to)});

@@ -175,7 +175,7 @@ void Cutter::judge_obstacles(const Waiting& of) {
   for (Obstacle* const obstacle : settings_.obstacles) {
     const Obstacle::Contacts contacts = obstacle->meet(sweeps, rack_.tool(of.tool).body);
     const auto [worst, part] = deepest(contacts);
-    if (!worst.is_one()) continue;
+    if (!worst.is_one() || !rack_.tool(of.tool).knows_shape()) continue;
     find(Code::fixture_collision, of, worst,
          fmt::format("the {} of T{} {:.3f} mm deep in {}", kPartNames[part], of.tool,
                      worst.depth_mm, obstacle->name()));
@@ -184,7 +184,7 @@ void Cutter::judge_obstacles(const Waiting& of) {
 
 void Cutter::judge_rapid(const Waiting& of, const Outcome& outcome) {
   const auto [worst, part] = deepest(outcome.contacts);
-  if (worst.is_one()) {
+  if (worst.is_one() && knows_collisions(rack_.tool(of.tool))) {
     find(Code::rapid_in_stock, of, worst,
          fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], of.tool, worst.depth_mm));
   }
@@ -195,7 +195,7 @@ void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
   const auto& contacts = outcome.contacts;
   const auto told = [&](ToolPart part, Code code) {
     const Contact& contact = contacts[index(part)];
-    if (contact.is_one())
+    if (contact.is_one() && knows_collisions(tool))
       find(code, of, contact, fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
   };
   if (tool.is_probe()) {
@@ -229,7 +229,7 @@ void Cutter::judge_back(const Waiting& of, const Outcome& outcome) {
   Contact contact;
   for (const ToolPart part : {ToolPart::flank, ToolPart::shank, ToolPart::holder})
     contact.add(outcome.contacts[index(part)]);
-  if (!contact.is_one()) return;
+  if (!contact.is_one() || !knows_collisions(rack_.tool(of.tool))) return;
   find(Code::insert_collision, of, contact,
        fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
 }

@@ -28,6 +28,8 @@ class Cutter final : public motion::MotionSink {
     /// start.
     std::function<bool()> is_placed{};
     std::vector<Obstacle*> obstacles{};  ///< that no tool may touch; they outlive the cutter
+    /// Somebody has said what lies on the table: what collides with it is no guess.
+    bool knows_stock = true;
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
@@ -86,6 +88,10 @@ class Cutter final : public motion::MotionSink {
   void judge_rapid(const Waiting& of, const Outcome& outcome);
   void judge_cut(const Waiting& of, const Outcome& outcome);
   void judge_obstacles(const Waiting& of);
+  /// A check never rests on an assumed dimension (stock.md §1.5).
+  [[nodiscard]] bool knows_collisions(const CuttingTool& tool) const {
+    return settings_.knows_stock && tool.knows_shape();
+  }
   void judge_back(const Waiting& of, const Outcome& outcome);
   void judge_spindle(const Waiting& of, const CuttingTool& tool);
   void find(base::Code code, const Waiting& of, const Contact& contact, std::string detail);

@@ -15,6 +15,12 @@ struct CuttingTool {
   [[nodiscard]] std::uint32_t number() const { return static_cast<std::uint32_t>(tool.number); }
   [[nodiscard]] bool is_probe() const { return tool.kind == ToolKind::probe; }
   [[nodiscard]] bool is_axial() const { return row_of(tool.kind).is_axial; }
+  /// Somebody has said its outline: what collides with it is no guess. What the offset memory
+  /// knows is the radius of a mill, and of an insert its nose alone.
+  [[nodiscard]] bool knows_shape() const {
+    return tool.source != ToolSource::assumed &&
+           (tool.source != ToolSource::offset || !tool.is_insert());
+  }
   /// Somebody has said which way it must turn.
   [[nodiscard]] bool knows_hand() const {
     return tool.source == ToolSource::file || tool.source == ToolSource::machine;

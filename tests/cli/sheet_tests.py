@@ -72,7 +72,7 @@ def usage(box):
                   ["--machine", "laser3", "--stock", "bar:20,-10,0"],
                   ["--machine", "laser3", "--stock", sheet, "--model", "zmap"],
                   ["--machine", "laser3", "--stock", sheet, "--kerf", "0"]):
-        refused(box.kerf("stock", "part.nc", *words), 2, words[2])
+        refused(box.kerf("stock", "part.nc", *words), 2, words[-2])
 
 
 @test("a beam beside the sheet is told, and so are cells that the memory does not hold")

@@ -24,6 +24,7 @@ ROOMS = {
     "base": [],
     "geometry": ["math", "base"],
     "geometry/contour": ["geometry"],
+    "geometry/mesh": ["geometry"],
     "motion": ["geometry"],
     "stock/tool": ["geometry/contour"],
     "stock/sweep": ["stock/tool"],

@@ -153,7 +153,8 @@ def help_of_kerf(box):
     status(result, 0)
     equal(result.err, "", "standard error")
     commands = re.findall(r"^  ([a-z]+) {3,}", result.text, re.MULTILINE)
-    equal(sorted(commands), ["check", "machines", "notices", "pattern", "replay", "run", "serve", "time"], "commands in the help")
+    equal(sorted(commands), ["check", "machines", "notices", "pattern", "replay", "run", "serve", "stock",
+                               "time", "tools"], "commands in the help")
 
 
 @test("the help of every command is whole text without control characters")

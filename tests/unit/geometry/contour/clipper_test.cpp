@@ -1,6 +1,10 @@
+// Contours against polygons of many corners, as Clipper makes them, and against what areas must add
+// up to. KERF_CONTOURS=N tries N pairs of shapes instead of some hundred, KERF_CONTOURS_FIRST=S
+// from seed S on.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <polyclipping/clipper.hpp>
 
 #include "geometry/contour/boolean.hpp"
@@ -14,7 +18,7 @@ using namespace test;  // NOLINT: shapes by their names
 using kerf::test::kSeed;
 
 // Clipper counts in whole numbers; its arcs are chords that leave them by kChord.
-constexpr double kPerMm = 1e7;
+constexpr double kPerMm = 1e10;
 constexpr double kChord_mm = 1e-4;
 
 void flatten(const Edge& edge, ClipperLib::Path& path) {
@@ -59,10 +63,21 @@ double moved(const Region& region, double distance) {
   return sum / (kPerMm * kPerMm);
 }
 
+unsigned number_of(const char* variable, unsigned otherwise) {
+  const char* const wanted = std::getenv(variable);
+  return wanted == nullptr ? otherwise : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+}
+unsigned first_seed() { return number_of("KERF_CONTOURS_FIRST", kSeed); }
+unsigned trials() { return number_of("KERF_CONTOURS", 150); }
+
 Region any_shape(SeededRandom& random) {
-  if (random.coin()) return region_of(random_tangle(random, random.count(3, 12)));
   const Vec2 middle{random.in(-10, 10), random.in(-10, 10)};
-  return region_of(random_star(random, middle, 20, random.count(3, 20)));
+  switch (random.count(0, 3)) {
+    case 0: return region_of(random_tangle(random, random.count(3, 12)));
+    case 1: return region_of(random_sliver(random, random.count(2, 8)));
+    case 2: return region_of(random_touching_discs(random, random.count(2, 5)));
+    default: return region_of(random_star(random, middle, 20, random.count(3, 20)));
+  }
 }
 
 // No border is off by more than two chords' sagittae.
@@ -70,29 +85,37 @@ double tolerance_of(const Region& a, const Region& b = {}) {
   return 2 * kChord_mm * (length(a) + length(b)) + 1e-6;
 }
 
+// Of what rounding adds to areas of some hundred mm².
+constexpr double kSame_mm2 = 1e-6;
+
 TEST(Boolean, AgreesWithPolygonsOfManyCorners) {
-  for (unsigned seed = kSeed; seed < kSeed + 150; ++seed) {
+  for (unsigned seed = first_seed(); seed != first_seed() + trials(); ++seed) {
     SeededRandom random(seed);
     const Region a = any_shape(random);
     const Region b = any_shape(random);
     const double tolerance = tolerance_of(a, b);
-    EXPECT_NEAR(area(unite(a, b)), clipped(a, b, ClipperLib::ctUnion), tolerance) << seed;
-    EXPECT_NEAR(area(intersect(a, b)), clipped(a, b, ClipperLib::ctIntersection), tolerance)
-        << seed;
+    const double united = area(unite(a, b));
+    const double common = area(intersect(a, b));
+    EXPECT_NEAR(united, clipped(a, b, ClipperLib::ctUnion), tolerance) << seed;
+    EXPECT_NEAR(common, clipped(a, b, ClipperLib::ctIntersection), tolerance) << seed;
     EXPECT_NEAR(area(subtract(a, b)), clipped(a, b, ClipperLib::ctDifference), tolerance) << seed;
     EXPECT_NEAR(area(symmetric_difference(a, b)), clipped(a, b, ClipperLib::ctXor), tolerance)
         << seed;
+    EXPECT_NEAR(united + common, area(a) + area(b), kSame_mm2) << seed;
   }
 }
 
 TEST(Offset, AgreesWithPolygonsOfManyCorners) {
-  for (unsigned seed = kSeed; seed < kSeed + 150; ++seed) {
+  for (unsigned seed = first_seed(); seed != first_seed() + trials(); ++seed) {
     SeededRandom random(seed);
     const Region shape = any_shape(random);
     const double by = random.in(-6, 6);
     const Region result = offset(shape, by);
     EXPECT_NEAR(area(result), moved(shape, by), tolerance_of(shape, result))
         << seed << " by " << by;
+    const double in = std::fabs(by);
+    const Region opened = offset(offset(shape, -in), in);
+    EXPECT_NEAR(area(subtract(opened, shape)), 0, kSame_mm2) << seed << " by " << by;
   }
 }
 

@@ -37,6 +37,39 @@ inline Contour random_tangle(SeededRandom& random, int corners) {
   return contour;
 }
 
+/// Thin and long: two paths of `corners` each that keep a distance of 1e-7 to 1e-2 mm, turned
+/// anyhow.
+inline Contour random_sliver(SeededRandom& random, int corners) {
+  const double width = random.size(1e-7, 1e-2);
+  const double angle = random.in(0, 2 * std::numbers::pi);
+  const Vec2 along{std::cos(angle), std::sin(angle)};
+  const Vec2 across{-along.v, along.u};
+  std::vector<Vec2> spine;
+  for (int i = 0; i < corners; ++i)
+    spine.push_back(random.in(2, 4) * i * along + random.in(-3, 3) * across);
+  Contour contour;
+  for (const Vec2 point : spine) contour.vertices.push_back({point, 0, 0});
+  for (auto point = spine.rbegin(); point != spine.rend(); ++point)
+    contour.vertices.push_back({*point + width * across, 0, 0});
+  return contour;
+}
+
+/// Circles in a row, each touching the one before from outside or from inside.
+inline std::vector<Contour> random_touching_discs(SeededRandom& random, int discs) {
+  std::vector<Contour> contours;
+  Vec2 centre{0, 0};
+  double radius = random.in(1, 8);
+  for (int i = 0; i < discs; ++i) {
+    contours.push_back(disc(centre, radius).loops.front());
+    const double next = random.in(1, 8);
+    const double angle = random.in(0, 2 * std::numbers::pi);
+    const double away = random.coin() ? radius + next : radius - next;
+    centre = centre + away * Vec2{std::cos(angle), std::sin(angle)};
+    radius = next;
+  }
+  return contours;
+}
+
 inline Contour mapped(Contour contour, double angle_rad, Vec2 shift) {
   const double c = std::cos(angle_rad);
   const double s = std::sin(angle_rad);

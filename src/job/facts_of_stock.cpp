@@ -81,6 +81,8 @@ output::StockFacts facts_of(StockResult& result) {
   facts.assumed = result.assumed;
   if (!result.knows_stock && result.model)
     facts.not_checked.push_back("RAPID_IN_STOCK: the stock is assumed");
+  if (!result.knows_stock && result.has_probed)
+    facts.not_checked.push_back("G31: the stock is assumed, and no probe meets it");
   for (const stock::ToolRecord& did : result.tools) {
     const stock::CuttingTool& tool = result.rack->tool(did.tool);
     facts.tools.push_back({did, std::string(tool.tool.type_name()), tool.diameter_mm(),

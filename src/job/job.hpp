@@ -7,6 +7,7 @@
 #include "control/core/memory.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "machine/run/budget.hpp"
+#include "machine/run/known_skips.hpp"
 #include "machine/run/machine.hpp"
 #include "machine/run/skip_contacts.hpp"
 
@@ -28,6 +29,8 @@ struct Job {
   base::ProgramText program{};
   std::vector<InitialVariable> variables{};
   std::vector<machine::SkipContact> contacts{};
+  /// What probes met when this job was run with its stock; contacts count more.
+  machine::Skips skips{};
   std::vector<double> interrupt_at_s{};  ///< signals of a macro interrupt (M96), times of the run
   bool behind_alarms = false;            ///< BatchRun::search_alarms()
   machine::Budget budget{};

@@ -53,7 +53,9 @@ Outcome<std::unique_ptr<machine::PacedRun>> make_paced(const Job& job) {
 }  // namespace
 
 Run::Run(const Job& job)
-    : budget_(job.budget), machine_(job.definition, job.memory, job.settings) {}
+    : budget_(job.budget), skips_(job.skips), machine_(job.definition, job.memory, job.settings) {
+  machine_.set_skip_signal(skips_);
+}
 
 // When the axes are where is only known of a run by time: such ones are made before.
 Outcome<void> Run::plan_interrupts(const Job& job) {

@@ -28,10 +28,12 @@ std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
 }
 
 /// One pass over the program with a plan, and what it has shown of the plan.
-class Pass final : public motion::MotionSink {
+class Pass final : public motion::MotionSink, private motion::SkipSignal {
  public:
   Pass(const StockJob& job, const StockPlan& plan, std::unique_ptr<Run> run)
       : plan_(plan),
+        is_model_open_(job.model == StockModel::automatic),
+        knows_stock_(job.knows_stock),
         run_(std::move(run)),
         zero_(run_->machine(), job.zero),
         frame_(axes(), turns_of(plan, run_->machine().definition())),
@@ -56,6 +58,7 @@ class Pass final : public motion::MotionSink {
                                             .has_tool = plan_.without_changes,
                                             .turns_work = is_profile()});
     run_->machine().add_sink(*this);
+    run_->machine().set_skip_signal(*this);
     status_ = run_->go();
     cutter_->finish();
   }
@@ -85,6 +88,12 @@ class Pass final : public motion::MotionSink {
       better.kind = StockModel::tridexel;
       better.reason =
           "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
+      differs = true;
+    }
+    if (touches_wall_ && plan_.kind == StockModel::zmap && is_model_open_) {
+      better.kind = StockModel::tridexel;
+      better.reason =
+          "a probe meets more than level faces, line " + std::to_string(touches_wall_->line);
       differs = true;
     }
     if (driven_.driven()) {
@@ -119,6 +128,8 @@ class Pass final : public motion::MotionSink {
     result.tools = cutter_->tools();
     result.threads = threads();
     result.assumed = rack_->assumed();
+    result.skips = std::move(skips_);
+    result.has_probed = has_probed_;
     tell_of_run(result);
     result.model = std::move(model_);
     result.rack = std::move(rack_);
@@ -181,9 +192,26 @@ class Pass final : public motion::MotionSink {
     }
   }
 
+  // A wall of a height field is where its columns are, half a cell beside itself.
+  std::optional<double> comes_on(const motion::SkipMove& move) override {
+    zero_.look(move.block);
+    has_probed_ = true;
+    if (!knows_stock_) return std::nullopt;
+    const auto touch = cutter_->touch(move.from, move.to);
+    skips_.push_back(touch);
+    const Vec3 way = frame_.in_space(move.to - move.from);
+    if (touch && !touches_wall_ && (way.x != 0 || way.y != 0)) touches_wall_ = move.block;
+    return touch;
+  }
+
   StockPlan plan_;
+  bool is_model_open_;  // nobody has said which it shall be
+  bool knows_stock_;
   std::unique_ptr<Run> run_;
   ZeroWatch zero_;
+  machine::Skips skips_;
+  bool has_probed_ = false;
+  std::optional<base::BlockId> touches_wall_;
   stock::WorkFrame frame_;
   DrivenWatch driven_;
   std::unique_ptr<RunRack> rack_;
@@ -195,13 +223,14 @@ class Pass final : public motion::MotionSink {
 };
 
 /// Looks over the program without cutting anything.
-class SurveyPass final : public motion::MotionSink {
+class SurveyPass final : public motion::MotionSink, private motion::SkipSignal {
  public:
   SurveyPass(const StockJob& job, Run& run)
       : frame_(run.machine().definition().axes, machine::work_turns(run.machine().definition())),
         survey_(run.machine().definition().axes, frame_),
         zero_(run.machine(), job.zero) {
     run.machine().add_sink(*this);
+    if (job.job.skips.empty()) run.machine().set_skip_signal(*this);
   }
 
   void take(const motion::Motion& motion) override {
@@ -211,11 +240,19 @@ class SurveyPass final : public motion::MotionSink {
 
   [[nodiscard]] const stock::Survey& survey() const { return survey_; }
   [[nodiscard]] Vec3 origin() const { return zero_.origin().value_or(zero_.at_start()); }
+  /// A probe may have missed the stock, which is not there.
+  [[nodiscard]] bool has_probed() const { return has_probed_; }
 
  private:
+  std::optional<double> comes_on(const motion::SkipMove&) override {
+    has_probed_ = true;
+    return std::nullopt;
+  }
+
   stock::WorkFrame frame_;
   stock::Survey survey_;
   ZeroWatch zero_;
+  bool has_probed_ = false;
 };
 
 bool needs_survey(const StockJob& job) {
@@ -223,11 +260,33 @@ bool needs_survey(const StockJob& job) {
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
+/// What probes meet, found with cells of a usual size.
+Outcome<machine::Skips> skips_of(const StockJob& job) {
+  StockJob rough = job;
+  rough.cell_mm = SurveyedTools{}.usual_cell();
+  auto cut = cut_stock(rough);
+  if (!cut) return tl::unexpected(cut.error());
+  return std::move(cut->skips);
+}
+
+/// Whether its stock can be probed before the program has been looked over.
+bool can_be_probed(const StockJob& job) {
+  return job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
+}
+
+// A program that measures the part goes on by what it has found.
 Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
   (*run)->go();
+  if (pass.has_probed() && can_be_probed(job)) {
+    auto skips = skips_of(job);
+    if (!skips) return tl::unexpected(skips.error());
+    StockJob probed = job;
+    probed.job.skips = std::move(*skips);
+    if (!probed.job.skips.empty()) return plan_by_survey(probed, assumed);
+  }
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
@@ -317,7 +376,13 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     }
     StockResult result = pass.result();
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
-    result.times_s = times_of(job.job, result.findings);
+    if (!result.skips.empty() && !job.job.interrupt_at_s.empty())
+      return base::usage(
+          "--interrupt-at: when it comes depends on where probes meet the stock; say where by "
+          "--skip-at");
+    Job as_made = job.job;
+    as_made.skips = result.skips;
+    result.times_s = times_of(as_made, result.findings);
     result.knows_stock = job.knows_stock;
     return result;
   }

@@ -30,6 +30,8 @@ struct StockResult {
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
   std::vector<output::StockFacts::Thread> threads;
+  machine::Skips skips;     ///< what probes met: Job::skips of a run that shall be the same
+  bool has_probed = false;  ///< whether they might have met anything
   bool knows_stock = true;  ///< as the job has it
   std::vector<control::Assumption> assumed;
 };

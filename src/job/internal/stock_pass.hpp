@@ -28,7 +28,7 @@ class ZeroWatch {
   /// The run must outlive the watch.
   ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted);
 
-  /// A move cuts.
+  /// A move cuts, or is about to meet the stock with a probe.
   void look(const base::BlockId& block);
   /// What stands before anything ran.
   [[nodiscard]] stock::Vec3 at_start() const { return at_start_; }

@@ -50,6 +50,15 @@ double reach_of(const Body& body) {
   return math::hypot(std::min(height, 1000.0), body.profile.widest());
 }
 
+/// The middle of a ball is its radius above the tip.
+BallWay ball_of(const Sweep& sweep, double radius_mm) {
+  const auto* const turning = std::get_if<TurningWay>(&sweep.way);
+  const Vec3 axis_after = turning != nullptr ? turning->to_axis : sweep.axis;
+  return {{point_at(sweep.way, 0) + radius_mm * sweep.axis,
+           point_at(sweep.way, 1) + radius_mm * axis_after},
+          radius_mm};
+}
+
 }  // namespace
 
 Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
@@ -145,6 +154,34 @@ BodyId Cutter::body_of(const CuttingTool& tool) {
 }
 
 void Cutter::finish() { cut_batch(); }
+
+// The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
+// equal shares.
+std::optional<double> Cutter::touch(const TipPoint& from, const TipPoint& to) {
+  cut_batch();
+  const bool has_ball = tool_ != nullptr && tool_->is_probe();
+  const double radius = has_ball ? tool_->diameter_mm() / 2 : 0;
+  motion::Motion move;
+  move.action = motion::Probe{.to = to, .feed = {}};
+  std::vector<Sweep> sweeps;
+  for (const motion::Curve& curve : curves_.of(from, move))
+    maker_.add(from, curve, {}, radius, sweeps);
+  const auto count = static_cast<double>(sweeps.size());
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    if (const auto t = first_touch(ball_of(sweeps[i], radius)))
+      return (static_cast<double>(i) + *t) / count;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Cutter::first_touch(const BallWay& ball) const {
+  std::optional<double> first = model_.first_touch(ball);
+  for (const Obstacle* const obstacle : settings_.obstacles) {
+    const auto t = obstacle->first_touch(ball);
+    if (t && (!first || *t < *first)) first = t;
+  }
+  return first;
+}
 
 void Cutter::cut_batch() {
   outcomes_.assign(sweeps_.size(), Outcome{});

@@ -44,6 +44,10 @@ class Cutter final : public motion::MotionSink {
   void take(const motion::Motion& motion) override;
   /// Cuts what waits. Before any question.
   void finish();
+  /// Where a probing move stops that would begin now: the share of it at which the ball of the
+  /// probe in the spindle, or the tip of another tool, first touches what is left or an obstacle;
+  /// nullopt: nowhere. Cuts what waits.
+  [[nodiscard]] std::optional<double> touch(const base::TipPoint& from, const base::TipPoint& to);
 
   [[nodiscard]] const Findings& findings() const { return findings_; }
   /// By their first use.
@@ -84,6 +88,7 @@ class Cutter final : public motion::MotionSink {
   void add_sweeps(const motion::Motion& motion, SweepKind kind);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
   void judge(const Waiting& of, const Outcome& outcome);
   void judge_rapid(const Waiting& of, const Outcome& outcome);
   void judge_cut(const Waiting& of, const Outcome& outcome);

@@ -31,7 +31,7 @@ class HeightField final : public Model {
   /// Axis +Z, straight or an arc, edges without an undercut.
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
-  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
   [[nodiscard]] double left_mm3() const override { return columns_.volume_mm3(); }
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }

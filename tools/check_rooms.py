@@ -53,7 +53,7 @@ ROOMS = {
     "drive": ["base", "geometry"],
     "drive/pattern": ["drive"],
     "machine/definition/tools": ["stock/tool"],
-    "machine/definition": ["machine/definition/tools", "control/core", "planner", "kinematics", "drive/pattern", "stock/cutting"],
+    "machine/definition": ["machine/definition/tools", "geometry/mesh", "control/core", "planner", "kinematics", "drive/pattern", "stock/cutting"],
     "machine/dialect": ["control/gcode", "control/laser", "control/teach", "machine/definition"],
     "machine/run": ["machine/dialect"],
     "machine/panel": ["machine/run"],

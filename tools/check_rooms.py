@@ -33,6 +33,7 @@ ROOMS = {
     "stock/dexel": ["stock/sweep", "geometry/mesh"],
     "stock/turned": ["stock/sweep"],
     "stock/sheet": ["stock/cutting", "geometry/contour"],
+    "stock/compare": ["stock/field", "stock/dexel", "stock/turned", "stock/sheet", "geometry/mesh"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

@@ -34,6 +34,7 @@ ROOMS = {
     "stock/turned": ["stock/sweep"],
     "stock/sheet": ["stock/cutting", "geometry/contour"],
     "stock/surface": ["stock/field", "stock/dexel", "geometry/mesh"],
+    "stock/compare": ["stock/field", "stock/dexel", "stock/turned", "stock/sheet", "geometry/mesh"],
     "lang/vm": ["base"],
     "lang/gcode": ["lang/vm", "math"],
     "lang/basic": ["lang/vm", "math"],

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ struct Job {
   machine::Machine::Settings settings{};
   base::ProgramText program{};
   std::vector<InitialVariable> variables{};
+  /// What the operator enters for INPUT, by the number of the line from 0; nothing: there is no
+  /// more. Empty: nobody enters anything.
+  std::function<std::optional<std::string>(std::size_t)> input{};
   std::vector<machine::SkipContact> contacts{};
   /// What probes met when this job was run with its stock; contacts count more.
   machine::Skips skips{};

@@ -39,6 +39,9 @@ Outcome<void> prepare(const Job& job, std::unique_ptr<base::SourceFile> program,
     program = std::move(*opened);
   }
   machine.load(std::move(program));
+  if (job.input)
+    machine.set_input(
+        [input = job.input, line = std::size_t{0}]() mutable { return input(line++); });
   for (const machine::SkipContact& contact : job.contacts) machine.add_skip_contact(contact);
   return set_variables(job, machine);
 }

@@ -40,6 +40,7 @@ import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401
 import post_arc_tests  # noqa: F401
 import post_tests  # noqa: F401
+import probe_tests  # noqa: F401
 import pulse_tests  # noqa: F401
 import reader_tests  # noqa: F401
 import journal_tests  # noqa: F401

@@ -40,6 +40,8 @@ struct TableOptions {
   unsigned jobs = 0;   ///< threads; 0: one a processor
   std::string fail_on = "warning";
   std::vector<std::string> no_checks;  ///< codes
+
+  friend bool operator==(const TableOptions&, const TableOptions&) = default;
 };
 
 /// What the options of `kerf run` ask for.
@@ -87,6 +89,9 @@ struct CheckOptions {
   std::string dialect;
   std::vector<std::string> libraries;
   std::vector<std::string> parameters;
+  std::string tools;
+  std::string tools_unit = "mm";
+  TableOptions table;
   double max_seconds = 60;  ///< for each file
   std::uint64_t max_motions = 50'000'000;
   unsigned jobs = 1;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "base/decimal.hpp"
 
@@ -42,6 +43,15 @@ std::optional<std::string> operator_input() {
     line = read_line();
   }
   return line;
+}
+
+std::optional<std::string> KeptInput::line(std::size_t number) {
+  while (lines_.size() <= number) {
+    auto entered = operator_input();
+    if (!entered) return std::nullopt;
+    lines_.push_back(std::move(*entered));
+  }
+  return lines_[number];
 }
 
 }  // namespace kerf::cli

@@ -4,7 +4,7 @@
 
 namespace kerf::cli {
 
-void add_table(CLI::App& app, TableOptions& o) {
+void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
   app.option_defaults()->group("Stock");
   app.add_option("--stock", o.stock,
                  "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
@@ -31,9 +31,11 @@ void add_table(CLI::App& app, TableOptions& o) {
   app.add_option("--memory", o.memory, "of the part, MiB; default 1024")
       ->type_name("MIB")
       ->check(whole_number());
-  app.add_option("--jobs", o.jobs, "threads that cut; default one a processor")
-      ->type_name("N")
-      ->check(CLI::Range(1U, 256U));
+  if (jobs == CuttingJobs::option) {
+    app.add_option("--jobs", o.jobs, "threads that cut; default one a processor")
+        ->type_name("N")
+        ->check(CLI::Range(1U, 256U));
+  }
   app.option_defaults()->group("Checks");
   repeated(app.add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
       ->type_name("CODE");

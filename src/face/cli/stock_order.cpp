@@ -47,6 +47,13 @@ bool is_left_out(const TableOptions& options, const output::StockFacts::Told& to
 
 }  // namespace
 
+Outcome<bool> has_table(const TableOptions& options) {
+  if (!options.stock.empty() || !options.fixtures.empty()) return true;
+  if (options == TableOptions{}) return false;
+  return base::usage(
+      "what lies on the table is not said: --stock, beside the options that speak of it");
+}
+
 std::string shape_word(const TableOptions& options) {
   return options.stock.empty() ? "extents" : options.stock;
 }
@@ -110,12 +117,14 @@ void leave_out(const TableOptions& options, output::StockFacts& facts) {
   std::erase_if(facts.findings, [&](const auto& told) { return is_left_out(options, told); });
 }
 
-bool fails(const TableOptions& options, const output::StockFacts& facts) {
+bool counts(const TableOptions& options, const output::StockFacts::Told& told) {
   if (options.fail_on == "never") return false;
-  const bool errors_only = options.fail_on == "error";
-  return std::any_of(facts.findings.begin(), facts.findings.end(), [&](const auto& told) {
-    return !errors_only || told.diagnostic.severity == base::Severity::error;
-  });
+  return options.fail_on != "error" || told.diagnostic.severity == base::Severity::error;
+}
+
+bool fails(const TableOptions& options, const output::StockFacts& facts) {
+  return std::any_of(facts.findings.begin(), facts.findings.end(),
+                     [&](const auto& told) { return counts(options, told); });
 }
 
 }  // namespace kerf::cli

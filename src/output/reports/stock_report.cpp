@@ -149,24 +149,29 @@ std::string sheet_json(const StockFacts::Sheet& sheet) {
 
 }  // namespace
 
-std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
-  std::vector<std::string> tools;
-  for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
+CheckedStock checked_stock(const StockFacts& facts, const base::SourceSet& sources) {
   std::vector<std::string> findings;
   for (const StockFacts::Told& told : facts.findings)
     findings.push_back(finding_json(told, facts.turns, sources));
   std::vector<std::string> not_checked;
   for (const std::string& what : facts.not_checked) not_checked.push_back(quoted(what));
+  return {json_array(findings), counts_json(facts), json_array(not_checked)};
+}
+
+std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
+  std::vector<std::string> tools;
+  for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
+  const CheckedStock checked = checked_stock(facts, sources);
   JsonObject object = head_of_report(facts.run);
   object.number("time_s", tidy(facts.run.time_s));
   object.raw("stock", stock_json(facts)).raw("model", model_json(facts.model));
   object.number("removed_mm3", tidy(facts.removed_mm3)).number("left_mm3", tidy(facts.left_mm3));
   object.raw("extents", bounds_json(facts.extents, facts.turns)).raw("pieces", pieces_json(facts));
   if (!facts.threads.empty()) object.raw("threads", threads_json(facts));
-  object.raw("tools", json_array(tools)).raw("findings", json_array(findings));
-  object.raw("counts", counts_json(facts));
+  object.raw("tools", json_array(tools)).raw("findings", checked.findings);
+  object.raw("counts", checked.counts);
   if (facts.sheet) object.raw("sheet", sheet_json(*facts.sheet));
-  object.raw("not_checked", json_array(not_checked));
+  object.raw("not_checked", checked.not_checked);
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
 }

@@ -60,7 +60,7 @@ describe('texts', () => {
 
   it('are all used somewhere', () => {
     // A key may be put together: `mode.${mode}`.
-    const heads = [...sources.matchAll(/`([a-z]+\.(?:short-|step-)?)\$\{/g)].map(
+    const heads = [...sources.matchAll(/`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of)-)?)\$\{/g)].map(
       (match) => match[1],
     );
     const unused = keys.filter(

@@ -1,4 +1,5 @@
 /** The part that is cut: what the server is asked to show of it, what it has told, and how a person looks at it. */
+import type { Breakpoint } from '../logic/protocol';
 import type { Finding } from '../logic/stock/part_store';
 import { asks_for_fine, finding_marks, wanted_time } from '../logic/stock/part_view';
 import type { MeasureKind, Place } from '../logic/stock/measure';
@@ -25,6 +26,8 @@ class Part {
   places = $state.raw<Place[]>([]);
   /** Which finding stands out. */
   chosen = $state.raw<Finding | null>(null);
+  /** The server has been asked to show it, and has not refused. */
+  is_asked = $state(false);
   private asking = false;
   private wish: string | null = null;
   private told: string | null = null;
@@ -67,7 +70,8 @@ class Part {
     }
     this.told = null;
     const answer = await panel.ask('stock', { shows }).catch(() => null);
-    if (answer && shows) this.want();
+    this.is_asked = shows && answer !== null;
+    if (this.is_asked) this.want();
   }
 
   /** Tells the server what is to be shown, one wish at a time and the newest next. */
@@ -109,6 +113,29 @@ class Part {
     const at = this.chosen ? list.indexOf(this.chosen) : -1;
     const next = (at < 0 ? (way > 0 ? 0 : list.length - 1) : at + way + list.length) % list.length;
     void this.go_to(list[next]);
+  }
+
+  /** The lines of findings have breakpoints that this has set. */
+  get stops_at_findings(): boolean {
+    return this.stops.length > 0;
+  }
+  private stops = $state.raw<{ file: string; line: number }[]>([]);
+
+  /** The machine stops before the block of each finding, or no more. */
+  async stop_at_findings(): Promise<void> {
+    const is_stop = (b: Breakpoint, list: { file: string; line: number }[]) =>
+      list.some(({ file, line }) => b.file === file && b.line === line);
+    if (this.stops.length) {
+      const stops = this.stops;
+      this.stops = [];
+      return panel.set_breakpoints(panel.breakpoints.filter((b) => !is_stop(b, stops)));
+    }
+    const wanted = [...new Map(this.findings.map((f) => [`${f.line} ${f.file}`, f])).values()]
+      .filter(({ line }) => line > 0)
+      .map(({ file, line }) => ({ file, line }))
+      .filter((place) => !panel.breakpoints.some((b) => is_stop(b, [place])));
+    this.stops = wanted;
+    await panel.set_breakpoints([...panel.breakpoints, ...wanted]);
   }
 
   measure(kind: MeasureKind | null): void {

@@ -450,10 +450,10 @@ export class Picture {
 
   /** The grid lies on the floor of the travel, or below the work where the travel is far under it. */
   private grid_box(): Box {
-    const cuts = this.store?.facts.cuts;
-    if (!cuts || is_empty(cuts) || this.definition?.kinematics.kind === 'arm') return this.travel;
+    const work = this.stock.box() ?? this.store?.facts.cuts;
+    if (!work || is_empty(work) || this.definition?.kinematics.kind === 'arm') return this.travel;
     const box = structuredClone(this.travel);
-    box.min[2] = Math.max(box.min[2], cuts.min[2]);
+    box.min[2] = Math.max(box.min[2], work.min[2]);
     return box;
   }
 

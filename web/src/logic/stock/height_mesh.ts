@@ -19,7 +19,7 @@ export interface TileMesh {
 }
 
 /** Joined rectangles lap over their neighbours by this share of a cell: corners of those that lie on their sides leave no gap. */
-export const LAP = 0.01;
+export const LAP = 0.06;
 /** Of the cell: walls of less have no line at their edges. */
 const LEAST_LINE = 1.6;
 

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { cutting_outline } from '../src/logic/stock/cutting_outline';
 import {
-  cutting_outline,
-  insert_of,
   LATHE_TYPES,
   MILL_TYPES,
   type Point2,
@@ -10,6 +9,7 @@ import {
   type ToolTable,
   type_of,
 } from '../src/logic/stock/tool_shape';
+import { insert_of } from '../src/logic/stock/turning_shape';
 
 const radius_at = (outline: Point2[], height: number): number => {
   for (let i = 1; i < outline.length; i++) {

@@ -2,14 +2,7 @@
  * The 3-D picture of a machine: a scene without perspective, drawn only when something in it has changed. It knows nothing of
  * the page around it: it is told what to show, and tells where the pointer is on the path.
  */
-import {
-  AmbientLight,
-  DirectionalLight,
-  Group,
-  OrthographicCamera,
-  Scene,
-  WebGLRenderer,
-} from 'three';
+import { Group, Scene, WebGLRenderer } from 'three';
 import { type Box, diagonal, empty_box, is_empty, join } from '../logic/box';
 import type { Colouring, Scheme } from '../logic/colour_scale';
 import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
@@ -21,16 +14,9 @@ import type { MachineDefinition } from '../logic/protocol';
 import type { ToolShape } from '../logic/stock/tool_shape';
 import type { BodyHit } from './body';
 import { ViewKeeper } from '../logic/view_keeper';
+import { add_lights, AxesCorner } from './corner';
 import { Eye } from './eye';
-import {
-  type Palette,
-  axes_corner,
-  box_edges,
-  dispose,
-  ground_grid,
-  size_labels,
-  stock_box,
-} from './furniture';
+import { type Palette, box_edges, dispose, ground_grid, size_labels, stock_box } from './furniture';
 import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
@@ -43,7 +29,6 @@ import { travel_of, with_linkage } from './subject';
 import { type WorkZero, turning_sheet, with_mirrored } from './turning_sheet';
 import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 
-const CORNER_PX = 92;
 const PICK_REACH_PX = 7;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
@@ -63,8 +48,7 @@ export class Picture {
   private readonly scene = new Scene();
   private readonly path_scene = new Scene();
   private readonly eye: Eye;
-  private readonly corner_scene = new Scene();
-  private readonly corner_camera = new OrthographicCamera(-1.7, 1.7, 1.7, -1.7, -10, 10);
+  private readonly corner = new AxesCorner();
   private readonly material = new PathMaterial();
   private readonly path = new PathLayer(this.material);
   private readonly highlight = new Highlight();
@@ -74,7 +58,6 @@ export class Picture {
   private tool: ShapedTool | null = null;
   private model: Model | null = null;
   private furniture: Group | null = null;
-  private corner: Group | null = null;
   private definition: MachineDefinition | null = null;
   private palette: Palette | null = null;
   private store: PathStore | null = null;
@@ -110,7 +93,7 @@ export class Picture {
       () => this.request(),
       () => this.view.hand(),
     );
-    this.add_lights();
+    add_lights(this.scene);
     this.path_scene.add(this.path.group);
     this.stock = new StockLayer(calm);
     this.scene.add(this.highlight.group, this.stock.group);
@@ -131,9 +114,7 @@ export class Picture {
     this.palette = palette;
     this.material.set_scheme(scheme, palette.ground);
     this.highlight.set_colour(palette.mark);
-    if (this.corner) dispose(this.corner);
-    this.corner = axes_corner(palette);
-    this.corner_scene.add(this.corner);
+    this.corner.set_palette(palette);
     this.stock.set_palette(palette, scheme);
     if (this.definition) this.build_model();
     this.build_furniture();
@@ -350,7 +331,7 @@ export class Picture {
     this.renderer.clear();
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);
-    this.draw_corner();
+    this.corner.draw(this.renderer, this.eye.camera, this.width, this.height);
     if (glides || !is_whole) this.request();
   }
 
@@ -379,18 +360,6 @@ export class Picture {
     if (pose) this.tool?.group.position.set(...pose.tip);
     if (this.model) this.model.group.visible = !this.tool;
     return this.glide.moves(now);
-  }
-
-  private draw_corner(): void {
-    this.corner_camera.quaternion.copy(this.eye.camera.quaternion);
-    this.corner_camera.position.set(0, 0, 0);
-    this.renderer.setViewport(4, 4, CORNER_PX, CORNER_PX);
-    this.renderer.setScissor(4, 4, CORNER_PX, CORNER_PX);
-    this.renderer.setScissorTest(true);
-    this.renderer.clearDepth();
-    this.renderer.render(this.corner_scene, this.corner_camera);
-    this.renderer.setScissorTest(false);
-    this.renderer.setViewport(0, 0, this.width, this.height);
   }
 
   private fit_to(box: Box): void {
@@ -455,14 +424,6 @@ export class Picture {
     const box = structuredClone(this.travel);
     box.min[2] = Math.max(box.min[2], work.min[2]);
     return box;
-  }
-
-  private add_lights(): void {
-    const key = new DirectionalLight(0xffffff, 2.4);
-    key.position.set(-0.6, -0.9, 1.6);
-    const fill = new DirectionalLight(0xffffff, 0.9);
-    fill.position.set(1, 0.5, 0.4);
-    this.scene.add(new AmbientLight(0xffffff, 1.1), key, fill);
   }
 }
 

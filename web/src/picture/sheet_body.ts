@@ -126,14 +126,7 @@ export class SheetBody implements Body {
   private begins_to_fall({ cells }: SheetPiece): Falling {
     const { grid } = this.sheet;
     const { nx, cell, corner, top } = grid;
-    const box = { i0: Infinity, i1: -1, j0: Infinity, j1: -1 };
-    for (const at of cells) {
-      const [i, j] = [at % nx, Math.floor(at / nx)];
-      box.i0 = Math.min(box.i0, i);
-      box.i1 = Math.max(box.i1, i);
-      box.j0 = Math.min(box.j0, j);
-      box.j1 = Math.max(box.j1, j);
-    }
+    const box = box_of(cells, nx);
     const [i0, j0] = [box.i0 - FRAME, box.j0 - FRAME];
     const own: Grid = {
       nx: box.i1 - i0 + 1 + FRAME,
@@ -174,6 +167,18 @@ export class SheetBody implements Body {
     );
     return share < 1;
   }
+}
+
+function box_of(cells: Int32Array, nx: number) {
+  const box = { i0: Infinity, i1: -1, j0: Infinity, j1: -1 };
+  for (const at of cells) {
+    const [i, j] = [at % nx, Math.floor(at / nx)];
+    box.i0 = Math.min(box.i0, i);
+    box.i1 = Math.max(box.i1, i);
+    box.j0 = Math.min(box.j0, j);
+    box.j1 = Math.max(box.j1, j);
+  }
+  return box;
 }
 
 const CHARRED: Rgb[] = [

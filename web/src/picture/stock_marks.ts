@@ -26,24 +26,16 @@ type Vec = [number, number, number];
 export function fixtures_group(solids: readonly Solid[], palette: Palette): Group {
   const group = new Group();
   for (const solid of solids) {
-    const geometry = geometry_of(solid);
-    const body = new Mesh(
-      geometry,
-      new MeshStandardMaterial({
-        color: palette.fixture,
-        roughness: 0.7,
-        metalness: 0.15,
-        transparent: true,
-        opacity: 0.62,
-      }),
-    );
-    const edges = new LineSegments(
-      new EdgesGeometry(geometry, 30),
-      new LineBasicMaterial({ color: palette.fixture }),
-    );
-    group.add(body, edges);
+    group.add(...clamp(geometry_of(solid), palette));
   }
   return group;
+}
+
+function clamp(geometry: BufferGeometry, palette: Palette): [Mesh, LineSegments] {
+  const looks = { color: palette.fixture, roughness: 0.7, metalness: 0.15, opacity: 0.62 };
+  const body = new Mesh(geometry, new MeshStandardMaterial({ ...looks, transparent: true }));
+  const line = new LineBasicMaterial({ color: palette.fixture });
+  return [body, new LineSegments(new EdgesGeometry(geometry, 30), line)];
 }
 
 function geometry_of(solid: Solid): BufferGeometry {
@@ -113,14 +105,7 @@ function triangle(colour: string, ground: string): Sprite {
   pen.fillStyle = ground;
   pen.fillRect(29, 18, 6, 18);
   pen.fillRect(29, 40, 6, 6);
-  const sprite = new Sprite(
-    new SpriteMaterial({
-      map: new CanvasTexture(canvas),
-      depthTest: false,
-      sizeAttenuation: false,
-      toneMapped: false,
-    }),
-  );
+  const sprite = flat(canvas);
   sprite.center.set(0.5, 0.06);
   return sprite;
 }
@@ -141,24 +126,26 @@ export function measure_group(
     dot.userData = { aspect: 1, pixels: PLACE_PX };
     group.add(dot);
   }
-  if (line.length) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new Float32BufferAttribute(line.flat(), 3));
-    const drawn = new Line(
-      geometry,
-      new LineBasicMaterial({ color: palette.mark, depthTest: false }),
-    );
-    drawn.renderOrder = 22;
-    group.add(drawn);
-    const words = label(text, palette.mark, 18);
-    words.center.set(0.5, -0.35);
-    words.renderOrder = 24;
-    words.position.set(...line[Math.floor(line.length / 2)]);
-    if (line.length === 2)
-      words.position.set(...([0, 1, 2].map((i) => (line[0][i] + line[1][i]) / 2) as Vec));
-    group.add(words);
-  }
+  if (line.length) group.add(drawn(line, palette), words_at(line, text, palette));
   return group;
+}
+
+function drawn(line: readonly Vec[], palette: Palette): Line {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(line.flat(), 3));
+  const material = new LineBasicMaterial({ color: palette.mark, depthTest: false });
+  const whole = new Line(geometry, material);
+  whole.renderOrder = 22;
+  return whole;
+}
+
+function words_at(line: readonly Vec[], text: string, palette: Palette): Sprite {
+  const words = label(text, palette.mark, 18);
+  words.center.set(0.5, -0.35);
+  words.renderOrder = 24;
+  const middle = [0, 1, 2].map((i) => (line[0][i] + line[line.length - 1][i]) / 2) as Vec;
+  words.position.set(...(line.length === 2 ? middle : line[Math.floor(line.length / 2)]));
+  return words;
 }
 
 function round_dot(colour: string, ground: string): Sprite {
@@ -172,14 +159,14 @@ function round_dot(colour: string, ground: string): Sprite {
   pen.lineWidth = 4;
   pen.strokeStyle = ground;
   pen.stroke();
-  const sprite = new Sprite(
-    new SpriteMaterial({
-      map: new CanvasTexture(canvas),
-      depthTest: false,
-      sizeAttenuation: false,
-      toneMapped: false,
-    }),
-  );
+  const sprite = flat(canvas);
   sprite.renderOrder = 23;
   return sprite;
+}
+
+/** Before everything, and of one size whatever the scale. */
+function flat(canvas: HTMLCanvasElement): Sprite {
+  const map = new CanvasTexture(canvas);
+  const looks = { map, depthTest: false, sizeAttenuation: false, toneMapped: false };
+  return new Sprite(new SpriteMaterial(looks));
 }

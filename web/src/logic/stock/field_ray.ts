@@ -66,7 +66,13 @@ export function hit_of_field(
 }
 
 /** Where the line is within the box and not beyond the plane, and through which face it comes. */
-function span_in_box(from: Vec, way: Vec, low: Vec, high: Vec, plane: Plane | null) {
+interface Span {
+  begin: number;
+  end: number;
+  normal: Vec;
+}
+
+function span_in_box(from: Vec, way: Vec, low: Vec, high: Vec, plane: Plane | null): Span | null {
   let begin = -FAR_MM;
   let end = FAR_MM;
   let normal: Vec = [0, 0, 1];
@@ -84,16 +90,19 @@ function span_in_box(from: Vec, way: Vec, low: Vec, high: Vec, plane: Plane | nu
     }
     end = Math.min(end, Math.max(a, b));
   }
-  if (plane) {
-    const along = dot(plane.normal, way);
-    const over = plane.at - dot(plane.normal, from);
-    if (along < 0 && over / along > begin) {
-      begin = over / along;
-      normal = [...plane.normal];
-    } else if (along > 0) end = Math.min(end, over / along);
-    else if (along === 0 && over < 0) return null;
-  }
-  return begin <= end ? { begin, end, normal } : null;
+  const span = { begin, end, normal };
+  return plane ? before_plane(span, from, way, plane) : whole(span);
+}
+
+const whole = (span: Span): Span | null => (span.begin <= span.end ? span : null);
+
+function before_plane(span: Span, from: Vec, way: Vec, plane: Plane): Span | null {
+  const along = dot(plane.normal, way);
+  const over = plane.at - dot(plane.normal, from);
+  if (along === 0 && over < 0) return null;
+  if (along < 0 && over / along > span.begin)
+    return whole({ ...span, begin: over / along, normal: [...plane.normal] });
+  return whole(along > 0 ? { ...span, end: Math.min(span.end, over / along) } : span);
 }
 
 const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

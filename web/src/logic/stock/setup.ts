@@ -55,6 +55,10 @@ export function read_setup(toml: string): Setup | BadSetup {
     if (!(reason instanceof TomlError)) throw reason;
     return { line: reason.line, message: reason.message.split('\n')[0] };
   }
+  return setup_of(whole);
+}
+
+function setup_of(whole: Table): Setup {
   const stock = table_of(whole.stock);
   const checks = table_of(whole.checks);
   return {

@@ -54,24 +54,7 @@ export function revolved(
   const normals: number[] = [];
   const indices: number[] = [];
   const lines: number[] = [];
-  for (const piece of outline.flat()) {
-    if (piece.points.every(([, rho]) => rho <= 0)) continue;
-    const first = positions.length / 3;
-    piece.points.forEach(([z, rho], i) => {
-      const [nz, nr] = piece.normals[i];
-      for (const [c, s] of ways) {
-        positions.push(rho * c, rho * s, z);
-        normals.push(127 * nr * c, 127 * nr * s, 127 * nz, 0);
-      }
-    });
-    const row = ways.length;
-    for (let i = 0; i + 1 < piece.points.length; i++) {
-      for (let k = 0; k < steps; k++) {
-        const a = first + i * row + k;
-        indices.push(a, a + row + 1, a + 1, a, a + row, a + row + 1);
-      }
-    }
-  }
+  for (const piece of outline.flat()) turn(piece, ways, positions, normals, indices);
   for (const pieces of outline) edge_lines(pieces, ways, open_rad > 0, lines);
   for (const thread of threads) helix(thread, from, lines);
   return {
@@ -80,6 +63,33 @@ export function revolved(
     indices: new Uint32Array(indices),
     lines: new Float32Array(lines),
   };
+}
+
+/** The surface of a piece, as many rows as it has points. */
+function turn(
+  piece: OutlinePiece,
+  ways: number[][],
+  positions: number[],
+  normals: number[],
+  indices: number[],
+): void {
+  if (piece.points.every(([, rho]) => rho <= 0)) return;
+  const first = positions.length / 3;
+  piece.points.forEach(([z, rho], i) => {
+    const [nz, nr] = piece.normals[i];
+    for (const [c, s] of ways) {
+      positions.push(rho * c, rho * s, z);
+      normals.push(127 * nr * c, 127 * nr * s, 127 * nz, 0);
+    }
+  });
+  for (let i = 0; i + 1 < piece.points.length; i++)
+    stitch(first + i * ways.length, ways.length, indices);
+}
+
+/** Two rows of points that begin at `a`. */
+function stitch(a: number, row: number, indices: number[]): void {
+  for (let k = a; k + 1 < a + row; k++)
+    indices.push(k, k + row + 1, k + 1, k, k + row, k + row + 1);
 }
 
 function pieces_of({ z, rho, bulge }: ProfileLoop): OutlinePiece[] {

@@ -49,6 +49,7 @@ class TriDexel final : public Model {
   [[nodiscard]] double stock_mm3() const override;
   [[nodiscard]] double error_mm3() const override;
   [[nodiscard]] Bounds extents() const override;
+  [[nodiscard]] double grain_mm() const override { return cell_; }
   [[nodiscard]] std::size_t bytes() const override;
 
   /// How far, in [0, 1], a body goes on a straight way until any of it meets material; none: it

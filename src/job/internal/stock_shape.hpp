@@ -5,6 +5,7 @@
 
 #include "control/core/assumptions.hpp"
 #include "job/stock_job.hpp"
+#include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/survey.hpp"
 
 namespace kerf::job {

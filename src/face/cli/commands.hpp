@@ -74,6 +74,12 @@ struct StockOptions {
   std::string report;  ///< JSON
   std::string fail_on = "warning";
   std::vector<std::string> no_checks;  ///< codes
+  std::string blocks;                  ///< CSV
+  std::string material;                ///< a group, or kc11,mc; empty: not known
+  std::string lengths = "programmed";
+  std::string path = "programmed";
+  std::string until;  ///< a line, or seconds with an s
+  bool stop_at_finding = false;
 };
 
 struct CheckOptions {

@@ -7,12 +7,14 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
+#include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
 #include "machine/definition/tools/tool_comment.hpp"
 #include "machine/definition/tools/tool_import.hpp"
 #include "motion/feed.hpp"
 #include "output/reports/stock_report.hpp"
+#include "output/reports/stock_rows.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::cli {
@@ -57,6 +59,22 @@ Outcome<std::optional<double>> kerf_of(const StockOptions& options) {
   return std::optional(kerf);
 }
 
+Outcome<void> take_words(const StockOptions& options, job::StockJob& job) {
+  auto material = material_of(options.material);
+  if (!material) return tl::unexpected(material.error());
+  job.material = *material;
+  auto left_out = left_out_of(options.no_checks);
+  if (!left_out) return tl::unexpected(left_out.error());
+  job.left_out = std::move(*left_out);
+  auto until = until_of(options.until);
+  if (!until) return tl::unexpected(until.error());
+  job.until = *until;
+  job.has_real_lengths = options.lengths == "real";
+  job.follows_set_points = options.path == "interpolated";
+  job.stops_at_finding = options.stop_at_finding;
+  return {};
+}
+
 Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered,
                                  base::ProgramText program, const base::SourceFile& source) {
   job::StockJob job{.job = std::move(ordered.job)};
@@ -90,6 +108,7 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
     job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
                        << 20;
   job.jobs = options.jobs;
+  if (auto said = take_words(options, job); !said) return tl::unexpected(said.error());
   auto library = tools_of(options.run);
   if (!library) return tl::unexpected(library.error());
   std::vector<stock::Tool> tools = std::move(library->tools);
@@ -103,9 +122,25 @@ Outcome<job::StockJob> stock_job(const StockOptions& options, OrderedJob ordered
   return job;
 }
 
-bool is_left_out(const StockOptions& options, const output::StockFacts::Told& told) {
-  const auto& codes = options.no_checks;
-  return std::find(codes.begin(), codes.end(), told.diagnostic.number) != codes.end();
+/// Rows of `--blocks` for each pass over the program: the file begins anew.
+void write_rows(const StockOptions& options, std::optional<base::Failure>& failure,
+                job::StockJob& job) {
+  if (options.blocks.empty()) return;
+  job.rows = [&](const job::Run& run) -> std::unique_ptr<stock::TimedCutSink> {
+    auto file = base::OutputFile::create(options.blocks);
+    if (!file) {
+      failure = file.error();
+      return nullptr;
+    }
+    return std::make_unique<output::StockRows>(std::move(*file), run.machine().sources());
+  };
+}
+
+Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
+                          job::StockResult& result) {
+  if (failure) return tl::unexpected(*failure);
+  auto* const rows = dynamic_cast<output::StockRows*>(result.rows.get());
+  return rows == nullptr ? Outcome<void>{} : rows->commit();
 }
 
 void tell_findings(const StockOptions& options, const output::StockFacts& facts,
@@ -141,12 +176,14 @@ ExitStatus stock(const StockOptions& options) {
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
   auto job = stock_job(options, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
+  std::optional<base::Failure> no_rows;
+  write_rows(options, no_rows, *job);
   auto cut = job::cut_stock(*job);
   if (!cut) return fail(cut.error());
+  if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
   output::StockFacts facts = job::facts_of(*cut);
   facts.shape = options.stock.empty() ? kUsualStock : options.stock;
   facts.run.chosen = ready.choice.chosen;
-  std::erase_if(facts.findings, [&](const auto& told) { return is_left_out(options, told); });
   ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
   if (!options.report.empty()) {

@@ -46,9 +46,31 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->add_option("--jobs", o.jobs, "threads that cut; default one a processor")
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
+  stock
+      ->add_option("--material", o.material,
+                   "P, M, K, N, S, H or KC11,MC: tells forces and power of cuts")
+      ->type_name("GROUP");
+  stock
+      ->add_option("--lengths", o.lengths,
+                   "programmed, or real: tools stand where their length puts them, not their "
+                   "offset; default programmed")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"programmed", "real"}));
+  stock
+      ->add_option("--path", o.path,
+                   "programmed, or interpolated: along the set-points, with rounded corners; "
+                   "default programmed")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"programmed", "interpolated"}));
+  stock
+      ->add_option("--until", o.until,
+                   "the part as it is before this line begins, or at this second: 12.5s")
+      ->type_name("LINE|Ts");
   stock->option_defaults()->group("Checks");
   repeated(stock->add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
       ->type_name("CODE");
+  stock->add_flag("--stop-at-finding", o.stop_at_finding,
+                  "what is behind the first finding is not cut");
   stock
       ->add_option("--fail-on", o.fail_on,
                    "findings that make the exit status 1: error, warning or never; default warning")
@@ -58,6 +80,10 @@ void add_stock(CLI::App& app, StockOptions& o) {
   add_budget(*stock, o.run.max_seconds, o.run.max_motions);
   stock->option_defaults()->group("Outputs (- is standard output)");
   stock->add_option("--report", o.report, "the report as JSON")->type_name("FILE");
+  stock
+      ->add_option("--blocks", o.blocks,
+                   "a row for every motion: what it cuts, engagement, forces (CSV)")
+      ->type_name("FILE");
   add_diagnostics(*stock, o.run.diagnostics);
   stock->footer("Example: kerf stock part.nc --stock box:0,0,-20,100,60,0 --tools tools.toml");
 }

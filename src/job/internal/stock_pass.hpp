@@ -18,6 +18,8 @@ struct StockPlan {
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;
+  std::optional<stock::CutEnd> end{};  ///< none: all is cut
+  bool is_stopped = false;             ///< `end` is that of the first finding
   bool is_surveyed = false;
   std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
 };

@@ -20,6 +20,9 @@ constexpr double kSameLength_mm = 0.001;
 /// Likewise the lead of a thread and the pitch of its tool.
 constexpr double kSamePitch = 0.005;
 
+/// A line between two set-points has at least this length.
+constexpr double kShortest_mm = 1e-9;
+
 /// Farthest point of the body from its tip.
 double reach_of(const Body& body) {
   const double height = body.profile.height() < Profile::kEndless_mm ? body.profile.height()
@@ -90,6 +93,7 @@ Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& mod
       maker_(frame, settings.tolerance_mm),
       judge_(findings_, settings.judge),
       at_(axes.start),
+      axis_count_(axes.count()),
       checks_(!settings.is_placed) {
   if (settings.has_tool) tool_ = &rack_.tool(0);
 }
@@ -104,6 +108,12 @@ void Cutter::take(const motion::Motion& motion) {
   } else if (const TipPoint* const to = motion::target_of(motion)) {
     move(motion, *to);
   }
+}
+
+void Cutter::take_along(const motion::Motion& motion, std::span<const TipPoint> tips) {
+  along_ = &tips;
+  take(motion);
+  along_ = nullptr;
 }
 
 void Cutter::turn(const motion::Spindle& spindle) {
@@ -132,7 +142,8 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   if (tool_ != nullptr && checks_) add_sweeps(motion, of);
   of.end = sweeps_.size();
   if (!stuck_) waiting_.push_back(of);
-  at_ = to;
+  if (along_ == nullptr) at_ = to;
+  if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
   if (sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
 }
@@ -145,6 +156,7 @@ Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint&
             .move = name_of(motion)};
   const Vec3 from = frame_.pose(at_).tip;
   of.cut.to = frame_.pose(to).tip;
+  if (along_ != nullptr) of.cut.to = frame_.pose(along_->empty() ? at_ : along_->back()).tip;
   of.first = sweeps_.size();
   of.kind = of.cut.move == MoveName::rapid ? SweepKind::rapid : SweepKind::cut;
   of.spindle = turning_;
@@ -166,11 +178,7 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
     like.start_deg = thread->angle_deg;
     threads_.emplace(like.motion, motion.block);
   }
-  TipPoint from = at_;
-  for (const motion::Curve& curve : curves_.of(at_, motion)) {
-    maker_.add(from, curve, like, reach_of(tool_->body), sweeps_);
-    from = curve.end();
-  }
+  add_ways(motion, like);
   if (settings_.end && motions_ == settings_.end->motion) cut_short(of.first, settings_.end->share);
   const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
   for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
@@ -182,6 +190,25 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   of.cut.is_looked_at = true;
   if (of.kind == SweepKind::cut) check_length(motion, of);
   if (of.kind == SweepKind::cut) check_pitch(of);
+}
+
+void Cutter::add_ways(const motion::Motion& motion, const Sweep& like) {
+  const double reach = reach_of(tool_->body);
+  TipPoint from = at_;
+  if (along_ != nullptr) {
+    for (const TipPoint& tip : *along_) {
+      const double way = geometry::length(frame_.in_space(tip - from));
+      const motion::Curve line =
+          motion::Curve::line(from, tip, std::max(way, kShortest_mm), axis_count_);
+      maker_.add(from, line, like, reach, sweeps_);
+      from = tip;
+    }
+    return;
+  }
+  for (const motion::Curve& curve : curves_.of(at_, motion)) {
+    maker_.add(from, curve, like, reach, sweeps_);
+    from = curve.end();
+  }
 }
 
 /// Of the sweeps from `first` on only this share of their way is left.

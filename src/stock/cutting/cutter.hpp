@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "motion/axis_setup.hpp"
@@ -56,6 +57,9 @@ class Cutter final : public motion::MotionSink {
          const Settings& settings);
 
   void take(const motion::Motion& motion) override;
+  /// The same of a motion that goes through these tips, straight from one to the next, and not
+  /// where it was programmed; of one without any nothing is cut.
+  void take_along(const motion::Motion& motion, std::span<const base::TipPoint> tips);
   /// Cuts what waits. Before any question.
   void finish();
 
@@ -100,6 +104,7 @@ class Cutter final : public motion::MotionSink {
   void move(const motion::Motion& motion, const base::TipPoint& to);
   [[nodiscard]] Waiting waiting_of(const motion::Motion& motion, const base::TipPoint& to) const;
   void add_sweeps(const motion::Motion& motion, Waiting& of);
+  void add_ways(const motion::Motion& motion, const Sweep& like);
   void cut_short(std::size_t first, double share);
   void check_length(const motion::Motion& motion, const Waiting& of);
   [[nodiscard]] double too_long_mm(const motion::Motion& motion) const;
@@ -126,6 +131,8 @@ class Cutter final : public motion::MotionSink {
   Turning turning_ = Turning::stopped;
   motion::Spindle spindle_;  // that cuts
   base::TipPoint at_;
+  const std::span<const base::TipPoint>* along_ = nullptr;  // null: as programmed
+  std::size_t axis_count_;
   bool checks_ = false;
   std::uint64_t motions_ = 0;
   std::vector<Waiting> waiting_;

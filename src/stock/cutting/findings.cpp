@@ -55,7 +55,7 @@ void Findings::set_time(const base::BlockId& block, std::uint64_t motion, double
 std::vector<Finding> Findings::in_order() const {
   std::vector<Finding> sorted = findings_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
-    return std::tie(a.motion, a.code) < std::tie(b.motion, b.code);
+    return std::tuple(a.motion == 0, a.motion, a.code) < std::tuple(b.motion == 0, b.motion, b.code);
   });
   return sorted;
 }

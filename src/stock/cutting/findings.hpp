@@ -21,7 +21,7 @@ class Findings {
   /// When the motion ends, s of the run, where its findings are the worst of their blocks.
   void set_time(const base::BlockId& block, std::uint64_t motion, double time_s);
 
-  /// In the order of the motions, then of the codes.
+  /// In the order of the motions, then of the codes; what is of no motion comes last.
   [[nodiscard]] std::vector<Finding> in_order() const;
   [[nodiscard]] bool is_empty() const { return findings_.empty(); }
   /// That were not kept.

@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 6> kMoveNames = {"rapid",     "lin
 
 /// A motion that moved, and what it did to the stock. mm, frame of the stock. Plain value.
 struct MotionCut {
-  base::BlockId block;
+  base::BlockId block{};
   std::uint64_t motion = 0;
   std::uint32_t tool = 0;  ///< 0: none
   MoveName move{};
@@ -26,7 +26,7 @@ struct MotionCut {
   bool has_findings = false;
   double length_mm = 0;
   double removed_mm3 = 0;
-  Vec3 to;  ///< where the tip ends
+  Vec3 to{};  ///< where the tip ends
   CuttingData data{};
 };
 

@@ -130,7 +130,7 @@ output::StockFacts facts_of(StockResult& result) {
     facts.left_mm3 = result.model->left_mm3();
     facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
     facts.extents = result.model->extents();
-    facts.pieces = result.model->pieces();
+    facts.pieces = result.pieces;
   } else {
     take_sheet(*result.sheet_facts, facts);
   }

@@ -6,6 +6,7 @@
 
 #include "job/internal/cut_end.hpp"
 #include "job/internal/fixture.hpp"
+#include "job/internal/loose_pieces.hpp"
 #include "job/internal/run_rack.hpp"
 #include "job/internal/set_point_path.hpp"
 #include "job/internal/sheet_run.hpp"
@@ -59,6 +60,7 @@ class Pass final : public motion::MotionSink {
         stock::LimitChecks::Settings{.grain_mm = model_->grain_mm(), .most_kw = most_kw()});
     clock_.add_sink(*limits_);
     clock_.add_sink(strokes_);
+    clock_.add_sink(loose_);
     rows_ = job.rows ? job.rows(*run_) : nullptr;
     if (rows_) clock_.add_sink(*rows_);
     run_->machine().add_sink(*this);
@@ -70,7 +72,9 @@ class Pass final : public motion::MotionSink {
     status_ = run_->go();
     if (path_) path_->finish();
     cutter_->finish();
+    pieces_ = pieces_of(*model_, job);
     clock_.finish(run_->machine().time_s());
+    loose_.tell(pieces_, model_->grain_mm(), cutter_->judge());
   }
 
   void take(const motion::Motion& motion) override {
@@ -119,6 +123,10 @@ class Pass final : public motion::MotionSink {
         differs = differs || axial;
       }
     }
+    if (!differs && plan_.looks.empty()) {
+      better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
+      differs = !better.looks.empty();
+    }
     if (!differs && job.stops_at_finding) differs = ends_earlier(better);
     return differs ? std::optional(better) : std::nullopt;
   }
@@ -142,6 +150,7 @@ class Pass final : public motion::MotionSink {
     result.most_kw = most_kw();
     result.tools = cutter_->tools();
     result.rows = std::move(rows_);
+    result.pieces = pieces_;
     result.threads = threads();
     result.assumed = rack_->assumed();
     result.model = std::move(model_);
@@ -165,7 +174,11 @@ class Pass final : public motion::MotionSink {
             .cuts = &clock_,
             .end = plan_.end,
             .has_real_lengths = job.has_real_lengths,
-            .stock = stock::bounds(plan_.shape)};
+            .stock = stock::bounds(plan_.shape),
+            .looks = plan_.looks,
+            .look = [this, &job](const stock::MotionCut& last) {
+              loose_.look(last.motion, last.block, last.tool, pieces_of(*model_, job));
+            }};
   }
   /// Of the spindle that a cut needs: that of the work, or of the tool on a mill.
   [[nodiscard]] double most_kw() const {
@@ -250,6 +263,8 @@ class Pass final : public motion::MotionSink {
   stock::CutClock clock_;
   std::optional<stock::Cutter> cutter_;
   std::optional<stock::LimitChecks> limits_;
+  LoosePieces loose_;
+  std::vector<stock::Piece> pieces_;  // when all is cut
   std::optional<SetPointPath> path_;  // none: as programmed
   std::uint64_t motions_ = 0;
   std::unique_ptr<stock::TimedCutSink> rows_;
@@ -329,8 +344,8 @@ Outcome<void> without_beam(const StockJob& job) {
   return {};
 }
 
-// Each pass mends at least one thing that the one before supposed, and there are five.
-constexpr int kMostPasses = 6;
+// Each pass mends at least one thing that the one before supposed, and there are six.
+constexpr int kMostPasses = 7;
 
 Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;

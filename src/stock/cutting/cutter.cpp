@@ -145,7 +145,12 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   if (along_ == nullptr) at_ = to;
   if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
-  if (sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
+  const bool looks =
+      next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
+  if (looks || sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
+  if (!looks) return;
+  ++next_look_;
+  settings_.look(of.cut);
 }
 
 Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint& to) const {

@@ -50,6 +50,9 @@ class Cutter final : public motion::MotionSink {
     /// §2.6): they reach deeper or less deep by the difference.
     bool has_real_lengths = false;
     Bounds stock{};  ///< as it was before the first cut
+    /// Motions behind which the model is looked at, rising; what waits is cut before.
+    std::vector<std::uint64_t> looks{};
+    std::function<void(const MotionCut& last)> look{};
   };
 
   /// All must outlive the cutter.
@@ -147,6 +150,7 @@ class Cutter final : public motion::MotionSink {
   bool has_cut_ = false;
   std::map<std::uint32_t, base::BlockId> threads_;
   std::map<std::uint32_t, bool> axial_tools_;
+  std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
 };
 

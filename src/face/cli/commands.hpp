@@ -28,6 +28,22 @@ struct CommonOptions {
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };
 
+/// What lies on the table, what holds it in the computer, and which checks count.
+struct TableOptions {
+  std::string stock;  ///< empty: extents, which nobody has said
+  std::string zero = "auto";
+  std::vector<std::string> fixtures;
+  std::string model = "auto";
+  std::string cell;    ///< mm; empty: by the tools, or the kerf
+  std::string kerf;    ///< mm; empty: as the machine has it
+  std::string memory;  ///< MiB; empty: 1024
+  unsigned jobs = 0;   ///< threads; 0: one a processor
+  std::string fail_on = "warning";
+  std::string material;                ///< a group, or kc11,mc; empty: not known
+  std::string lengths = "programmed";  ///< or real
+  std::vector<std::string> no_checks;  ///< codes
+};
+
 /// What the options of `kerf run` ask for.
 struct RunOptions : CommonOptions {
   std::string program;
@@ -52,6 +68,7 @@ struct RunOptions : CommonOptions {
   std::string dprnt;
   std::string teach;
   std::string coverage;
+  TableOptions table;
 };
 
 /// A run whose time is looked at; outputs are not asked for.
@@ -60,23 +77,11 @@ struct TimeOptions {
   std::string format = "text";
 };
 
-/// A run that cuts the virtual part.
+/// A run that cuts the virtual part: RunOptions::table says what lies there.
 struct StockOptions {
-  RunOptions run;  ///< without outputs
-  std::string stock;  ///< empty: extents, which nobody has said
-  std::string zero = "auto";
-  std::vector<std::string> fixtures;
-  std::string model = "auto";
-  std::string cell;    ///< mm; empty: by the tools, or the kerf
-  std::string kerf;    ///< mm; empty: as the machine has it
-  std::string memory;  ///< MiB; empty: 1024
-  unsigned jobs = 0;   ///< threads; 0: one a processor
+  RunOptions run;      ///< without outputs
   std::string report;  ///< JSON
-  std::string fail_on = "warning";
-  std::vector<std::string> no_checks;  ///< codes
-  std::string blocks;                  ///< CSV
-  std::string material;                ///< a group, or kc11,mc; empty: not known
-  std::string lengths = "programmed";
+  std::string blocks;  ///< CSV
   std::string path = "programmed";
   std::string until;  ///< a line, or seconds with an s
   bool stop_at_finding = false;

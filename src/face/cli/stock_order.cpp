@@ -1,0 +1,120 @@
+#include "face/cli/stock_order.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/decimal.hpp"
+#include "base/output_file.hpp"
+#include "face/cli/stock_words.hpp"
+#include "machine/definition/tools/tool_comment.hpp"
+#include "machine/definition/tools/tool_import.hpp"
+#include "motion/feed.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Outcome;
+
+job::StockModel model_named(const std::string& name) {
+  if (name == "zmap") return job::StockModel::zmap;
+  if (name == "profile") return job::StockModel::profile;
+  if (name == "sheet") return job::StockModel::sheet;
+  return name == "tridexel" ? job::StockModel::tridexel : job::StockModel::automatic;
+}
+
+/// The tools of a file, none where it is the control's own punch-out.
+Outcome<machine::ToolLibrary> tools_of(const RunOptions& options) {
+  if (options.tools.empty()) return {};
+  auto text = base::read_whole(options.tools, machine::kLargestToolFile, "a file of tools");
+  if (!text) return tl::unexpected(text.error());
+  if (machine::tool_format_of(*text) == machine::ToolFormat::other) return {};
+  return machine::read_tools(
+      *text, options.tools,
+      options.tools_unit == "inch" ? machine::ToolsUnit::inch : machine::ToolsUnit::mm);
+}
+
+/// The width of a laser's cut, where somebody but the machine says it.
+Outcome<std::optional<double>> kerf_of(const TableOptions& options) {
+  if (options.kerf.empty()) return std::optional<double>{};
+  const double kerf = base::read_number(options.kerf).value_or(0);
+  if (!(kerf > 0)) return base::usage("--kerf " + options.kerf + ": a cut has a width");
+  return std::optional(kerf);
+}
+
+}  // namespace
+
+std::string shape_word(const TableOptions& options) {
+  return options.stock.empty() ? "extents" : options.stock;
+}
+
+Outcome<base::ProgramText> kept_program(const std::string& path) {
+  if (path != "-") return base::ProgramText::at_path(path);
+  constexpr std::size_t kLargest = 1UL << 30;
+  auto text = base::read_whole(path, kLargest, "a program");
+  if (!text) return tl::unexpected(text.error());
+  return base::ProgramText::of(path, std::move(*text));
+}
+
+Outcome<job::StockJob> stock_job(const RunOptions& run, OrderedJob ordered,
+                                 base::ProgramText program, const base::SourceFile& source) {
+  const TableOptions& options = run.table;
+  job::StockJob job{.job = std::move(ordered.job)};
+  job.job.program = std::move(program);
+  auto shape = machine::stock_word(shape_word(options), "--stock");
+  if (!shape) return tl::unexpected(shape.error());
+  job.shape = std::move(*shape);
+  job.knows_stock = !options.stock.empty();
+  auto zero = machine::stock_zero(options.zero);
+  if (!zero) return tl::unexpected(zero.error());
+  job.zero = *zero;
+  for (const std::string& words : options.fixtures) {
+    auto fixture = machine::stock_word(words, "--fixture");
+    if (!fixture) return tl::unexpected(fixture.error());
+    const auto* const piece = std::get_if<stock::Workpiece>(&*fixture);
+    if (piece == nullptr)
+      return base::usage("--fixture " + words + ": a box, a cylinder or a tube is expected");
+    job.fixtures.push_back({words, *piece});
+  }
+  job.model = model_named(options.model);
+  if (!options.cell.empty()) {
+    job.cell_mm = base::read_number(options.cell).value_or(0);
+    if (!(*job.cell_mm > 0)) return base::usage("--cell " + options.cell + ": a cell has a size");
+  }
+  if (auto kerf = kerf_of(options); !kerf) {
+    return tl::unexpected(kerf.error());
+  } else {
+    job.kerf_mm = *kerf;
+  }
+  if (!options.memory.empty())
+    job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
+                       << 20;
+  job.jobs = options.jobs;
+  auto material = material_of(options.material);
+  if (!material) return tl::unexpected(material.error());
+  job.material = *material;
+  auto left_out = left_out_of(options.no_checks);
+  if (!left_out) return tl::unexpected(left_out.error());
+  job.left_out = std::move(*left_out);
+  job.has_real_lengths = options.lengths == "real";
+  auto library = tools_of(run);
+  if (!library) return tl::unexpected(library.error());
+  std::vector<stock::Tool> tools = std::move(library->tools);
+  const machine::MachineDefinition& definition = job.job.definition;
+  if (definition.axes.beam && !job.kerf_mm) job.kerf_mm = library->kerf_mm;
+  tools.insert(tools.end(), definition.tools.begin(), definition.tools.end());
+  const machine::CommentStyle style{
+      definition.parameters.power_on_inch ? motion::kMillimetresPerInch : 1, definition.turns()};
+  for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools.push_back(tool);
+  job.tools = machine::ToolChoice(std::move(tools));
+  return job;
+}
+
+bool fails(const TableOptions& options, const output::StockFacts& facts) {
+  if (options.fail_on == "never") return false;
+  const bool errors_only = options.fail_on == "error";
+  return std::any_of(facts.findings.begin(), facts.findings.end(), [&](const auto& told) {
+    return !errors_only || told.diagnostic.severity == base::Severity::error;
+  });
+}
+
+}  // namespace kerf::cli

@@ -10,6 +10,7 @@
 #include "job/job.hpp"
 #include "machine/definition/stock_words.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
+#include "machine/definition/tools/tool_import.hpp"
 #include "stock/cutting/cutting_force.hpp"
 #include "stock/cutting/motion_cut.hpp"
 
@@ -44,6 +45,7 @@ struct StockJob {
   unsigned jobs = 0;                        ///< threads; 0: one a processor
   bool checks_start = false;                ///< the axes begin where the machine says
   machine::ToolChoice tools{};              ///< that somebody describes
+  std::vector<machine::ImportRemark> remarks{};  ///< what their file has and nobody understood
   std::optional<stock::CutMaterial> material{};  ///< of the stock; none: no forces are told
   std::vector<base::Code> left_out{};            ///< checks that are not made
   bool has_real_lengths = false;                 ///< Cutter::Settings

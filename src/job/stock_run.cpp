@@ -131,7 +131,7 @@ class Pass final : public motion::MotionSink {
     return differs ? std::optional(better) : std::nullopt;
   }
 
-  [[nodiscard]] StockResult result() {
+  [[nodiscard]] StockResult result(const StockJob& job) {
     StockResult result;
     result.status = status_;
     result.is_stopped = plan_.is_stopped;
@@ -143,7 +143,7 @@ class Pass final : public motion::MotionSink {
         cutter_->motions() > 0
             ? static_cast<double>(cutter_->visited()) / static_cast<double>(cutter_->motions())
             : 0;
-    tell_of_run();
+    tell_of_run(job);
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
     result.knows_travel = strokes_.is_known();
@@ -238,8 +238,14 @@ class Pass final : public motion::MotionSink {
   }
 
   /// What is against the run as a whole.
-  void tell_of_run() {
+  void tell_of_run(const StockJob& job) {
     stock::Judge& judge = cutter_->judge();
+    for (const machine::ImportRemark& remark : job.remarks) {
+      const std::string whose = remark.number > 0 ? fmt::format("T{}: ", remark.number) : "";
+      judge.add({.code = base::Code::tool_import,
+                 .detail = whose + remark.text,
+                 .tool = static_cast<std::uint32_t>(remark.number)});
+    }
     strokes_.tell(judge);
     if (zero_.moved()) {
       judge.add({.code = base::Code::stock_zero_moved,
@@ -401,7 +407,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
       plan = better;
       continue;
     }
-    StockResult result = pass.result();
+    StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
     result.knows_stock = job.knows_stock;
     result.knows_material = job.material.has_value();

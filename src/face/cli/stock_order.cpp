@@ -98,6 +98,7 @@ Outcome<job::StockJob> stock_job(const RunOptions& run, OrderedJob ordered,
   job.has_real_lengths = options.lengths == "real";
   auto library = tools_of(run);
   if (!library) return tl::unexpected(library.error());
+  job.remarks = std::move(library->remarks);
   std::vector<stock::Tool> tools = std::move(library->tools);
   const machine::MachineDefinition& definition = job.job.definition;
   if (definition.axes.beam && !job.kerf_mm) job.kerf_mm = library->kerf_mm;

@@ -20,7 +20,8 @@ Finding* Findings::known(const base::BlockId& block, base::Code code) {
 }
 
 void Findings::add(const Finding& finding) {
-  Finding* const known = this->known(finding.block, finding.code);
+  const bool is_of_block = finding.block.line > 0;
+  Finding* const known = is_of_block ? this->known(finding.block, finding.code) : nullptr;
   if (known == nullptr && findings_.size() >= kMost) {
     ++dropped_;
   } else if (known == nullptr) {

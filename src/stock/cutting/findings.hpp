@@ -15,7 +15,7 @@ class Findings {
   /// Of more blocks than this only the count is kept.
   static constexpr std::size_t kMost = 100'000;
 
-  /// A finding of one motion.
+  /// A finding of one motion. Those of the whole run stay apart.
   void add(const Finding& finding);
 
   /// When the motion ends, s of the run, where its findings are the worst of their blocks.

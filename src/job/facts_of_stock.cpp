@@ -127,8 +127,9 @@ output::StockFacts facts_of(StockResult& result) {
   facts.stock_extents = stock::bounds(result.shape);
   facts.stock_mm3 = stock::volume(result.shape);
   if (result.model) {
-    facts.left_mm3 = result.model->left_mm3();
-    facts.removed_mm3 = result.model->stock_mm3() - facts.left_mm3;
+    // Of a stock that columns sample what is exact, so that removed and left make the whole.
+    facts.removed_mm3 = result.model->stock_mm3() - result.model->left_mm3();
+    facts.left_mm3 = std::max(0.0, facts.stock_mm3 - facts.removed_mm3);
     facts.extents = result.model->extents();
     facts.pieces = result.pieces;
   } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -41,7 +42,8 @@ struct StockJob {
   StockModel model = StockModel::automatic;
   std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool or the kerf
   std::optional<double> kerf_mm{};          ///< of a beam; none: as its machine has it
-  std::size_t memory_bytes = 1024UL << 20;  ///< of the model
+  std::size_t memory_bytes = 1024UL << 20;  ///< of the model, and of the meshes beside it
+  std::size_t mesh_bytes = 0;               ///< what those take of it
   unsigned jobs = 0;                        ///< threads; 0: one a processor
   bool checks_start = false;                ///< the axes begin where the machine says
   machine::ToolChoice tools{};              ///< that somebody describes
@@ -54,6 +56,10 @@ struct StockJob {
   std::optional<CutUntil> until{};
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
+
+  [[nodiscard]] std::size_t memory_for_model() const {
+    return memory_bytes - std::min(mesh_bytes, memory_bytes);
+  }
 };
 
 }  // namespace kerf::job

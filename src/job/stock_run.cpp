@@ -323,8 +323,8 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  choose_model(job, tools, plan);
   plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  choose_model(job, tools, plan);
   return plan;
 }
 
@@ -335,8 +335,8 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  choose_model(job, SurveyedTools{}, plan);
   plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
+  choose_model(job, SurveyedTools{}, plan);
   return plan;
 }
 

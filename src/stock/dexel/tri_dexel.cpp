@@ -179,6 +179,11 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
   const int axis = lattice.axis;
   const double b0 = on_axis(middle_, (axis + 1) % 3);
   const double c0 = on_axis(middle_, (axis + 2) % 3);
+  const InsideOf inside = shape.on_lattice ? shape.on_lattice(lattice, middle_)
+                                           : [&](int column, int row, std::vector<Interval>& out) {
+                                               shape.inside(axis, b0 + lattice.b_of(column),
+                                                            c0 + lattice.c_of(row), out);
+                                             };
   threads_->each(grid.tiles.size(), [&](std::size_t t) {
     const int column = grid.first_column(t);
     const int row = grid.first_row(t);
@@ -186,10 +191,9 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
               std::min(Lattice::kTile, lattice.rows - row), lattice.half_s);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i < tile.count(); ++i) {
-      const double b = b0 + lattice.b_of(column + static_cast<int>(i) % tile.columns());
-      const double c = c0 + lattice.c_of(row + static_cast<int>(i) / tile.columns());
       intervals.clear();
-      shape.inside(axis, b, c, intervals);
+      inside(column + static_cast<int>(i) % tile.columns(),
+             row + static_cast<int>(i) / tile.columns(), intervals);
       tile.fill(i, ends_of(intervals, on_axis(middle_, axis)));
     }
     tile.refresh();

@@ -30,14 +30,25 @@ std::string callers_of(const base::BlockId& block, const control::Control& contr
   return text;
 }
 
-output::StockFacts::Told told(const stock::Finding& finding, const control::Control& control) {
+/// Where a block begins behind its blanks.
+base::Place first_character(const base::BlockId& block, const base::SourceSet& sources) {
+  base::Place place = base::place_of(block);
+  if (!sources.contains(block.file)) return place;
+  constexpr std::size_t kMostBlanks = 256;
+  const std::size_t blanks =
+      sources[block.file].line_at(block.from, kMostBlanks).find_first_not_of(" \t");
+  if (blanks != std::string::npos) place.column += static_cast<std::uint32_t>(blanks);
+  return place;
+}
+
+output::StockFacts::Told told(const stock::Finding& finding, const machine::BatchRun& run) {
   base::Diagnostic diagnostic =
-      base::make_error(finding.code, base::place_of(finding.block), finding.detail);
+      base::make_error(finding.code, first_character(finding.block, run.sources()), finding.detail);
   if (is_warning(finding.code)) diagnostic.severity = base::Severity::warning;
   if (finding.block.line > 0) {
     diagnostic.program = base::program_name(static_cast<std::uint32_t>(finding.block.program));
     diagnostic.block = finding.block;
-    diagnostic.hint = callers_of(finding.block, control);
+    diagnostic.hint = callers_of(finding.block, run.control());
   } else {
     diagnostic.place = {.file = base::FileId{0}};
   }
@@ -81,10 +92,12 @@ void list_limits(const StockResult& result, const stock::CuttingTool& tool,
   }
   if (result.knows_material && result.most_kw > 0) lacks(has_teeth, "CUTTING_POWER", "flutes");
   const bool turns = result.run->machine().definition().turns();
-  if (is_mill && !turns) lacks(tool.tool.said(stock::Measure::length).has_value(), "TOOL_LENGTH", "length");
+  if (is_mill && !turns)
+    lacks(tool.tool.said(stock::Measure::length).has_value(), "TOOL_LENGTH", "length");
   const bool makes_threads =
       tool.tool.kind == stock::ToolKind::tap || tool.tool.kind == stock::ToolKind::threading;
-  if (makes_threads) lacks(tool.tool.said(stock::Measure::pitch).has_value(), "THREAD_PITCH", "pitch");
+  if (makes_threads)
+    lacks(tool.tool.said(stock::Measure::pitch).has_value(), "THREAD_PITCH", "pitch");
 }
 
 // What the whole run lacks.
@@ -148,7 +161,7 @@ output::StockFacts facts_of(StockResult& result) {
     list_limits(result, tool, facts.not_checked);
   }
   for (const stock::Finding& finding : result.findings)
-    facts.findings.push_back(told(finding, result.run->machine().control()));
+    facts.findings.push_back(told(finding, result.run->machine()));
   return facts;
 }
 

@@ -31,9 +31,9 @@ struct StockResult {
   std::vector<stock::ToolRecord> tools;
   std::vector<stock::Piece> pieces;  ///< of the model, the largest first
   std::vector<output::StockFacts::Thread> threads;
-  bool knows_stock = true;  ///< as the job has it
-  bool knows_travel = true;       ///< some offset or length is not 0: the limits of strokes count
-  double most_kw = 0;             ///< of the spindle; 0: not known
+  bool knows_stock = true;   ///< as the job has it
+  bool knows_travel = true;  ///< some offset or length is not 0: the limits of strokes count
+  double most_kw = 0;        ///< of the spindle; 0: not known
   bool knows_material = false;
   std::unique_ptr<stock::TimedCutSink> rows;  ///< of StockJob::rows, all told; null: none
   std::vector<control::Assumption> assumed;

@@ -5,7 +5,7 @@
 
 #include "motion/setpoint.hpp"
 #include "motion/spindle_angle.hpp"
-#include "planner/motion_ends.hpp"
+#include "planner/internal/motion_ends.hpp"
 #include "planner/path_state.hpp"
 #include "planner/profile.hpp"
 #include "planner/way_ahead.hpp"

@@ -13,19 +13,16 @@ using base::Code;
 using base::Outcome;
 
 /// Every check of stock.md §5 and §7.
-constexpr std::array kChecks{Code::rapid_in_stock,     Code::spindle_stopped,
-                             Code::spindle_direction,  Code::flute_length,
-                             Code::shank_collision,    Code::holder_collision,
-                             Code::fixture_collision,  Code::insert_collision,
-                             Code::not_centre_cutting, Code::axial_tool_sideways,
-                             Code::probe_in_stock,     Code::overtravel_plus,
-                             Code::overtravel_minus,   Code::tap_without_hole,
-                             Code::thread_pitch,       Code::feed_per_tooth,
-                             Code::cut_depth,          Code::cut_width,
-                             Code::cutting_speed,      Code::cutting_power,
-                             Code::tool_length,        Code::stock_loose,
-                             Code::tool_import,        Code::stock_zero_moved,
-                             Code::stock_missed,       Code::cell_enlarged};
+constexpr std::array kChecks{
+    Code::rapid_in_stock,      Code::spindle_stopped,  Code::spindle_direction,
+    Code::flute_length,        Code::shank_collision,  Code::holder_collision,
+    Code::fixture_collision,   Code::insert_collision, Code::not_centre_cutting,
+    Code::axial_tool_sideways, Code::probe_in_stock,   Code::overtravel_plus,
+    Code::overtravel_minus,    Code::tap_without_hole, Code::thread_pitch,
+    Code::feed_per_tooth,      Code::cut_depth,        Code::cut_width,
+    Code::cutting_speed,       Code::cutting_power,    Code::tool_length,
+    Code::stock_loose,         Code::tool_import,      Code::stock_zero_moved,
+    Code::stock_missed,        Code::cell_enlarged};
 
 }  // namespace
 

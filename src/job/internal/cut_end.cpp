@@ -67,14 +67,14 @@ base::Outcome<FoundEnd> find_end(const StockJob& job) {
     (*run)->machine().tell_ends(search);
     (*run)->go();
     if (search.end()) return FoundEnd{search.end()};
-    return FoundEnd{.remark = fmt::format("the run ends before {} s: all of it is cut",
-                                          *job.until->time_s)};
+    return FoundEnd{
+        .remark = fmt::format("the run ends before {} s: all of it is cut", *job.until->time_s)};
   }
   LineSearch search((*run)->machine(), job.until->line);
   (*run)->go();
   if (search.end()) return FoundEnd{search.end()};
-  return FoundEnd{
-      .remark = fmt::format("line {} never begins: the whole run is cut", job.until->line)};
+  return FoundEnd{.remark =
+                      fmt::format("line {} never begins: the whole run is cut", job.until->line)};
 }
 
 }  // namespace kerf::job

@@ -42,8 +42,7 @@ std::vector<Piece> pieces_of(const stock::Model& model, const StockJob& job) {
   return pieces;
 }
 
-std::vector<std::uint64_t> LoosePieces::looks_for(const std::vector<Piece>& left,
-                                                  double grain_mm) {
+std::vector<std::uint64_t> LoosePieces::looks_for(const std::vector<Piece>& left, double grain_mm) {
   std::vector<std::uint64_t> motions;
   for (const Piece& piece : left) {
     if (is_loose(piece, grain_mm))
@@ -79,8 +78,7 @@ bool LoosePieces::was_loose(const Look& look, const Piece& piece, double grain_m
   });
 }
 
-void LoosePieces::tell(const std::vector<Piece>& left, double grain_mm,
-                       stock::Judge& judge) const {
+void LoosePieces::tell(const std::vector<Piece>& left, double grain_mm, stock::Judge& judge) const {
   for (const Piece& piece : left) {
     if (!is_loose(piece, grain_mm)) continue;
     bool is_off = false;

@@ -12,8 +12,7 @@ namespace kerf::job {
 
 /// The pieces of a part (stock.md §4.8). One is held where the model says so, or where its box
 /// touches that of a fixture.
-[[nodiscard]] std::vector<stock::Piece> pieces_of(const stock::Model& model,
-                                                  const StockJob& job);
+[[nodiscard]] std::vector<stock::Piece> pieces_of(const stock::Model& model, const StockJob& job);
 
 /// Finds moves that cut a piece behind its coming loose (STOCK_LOOSE): of the pieces that a first
 /// pass has left loose it asks, in a second pass, at the motions that cut them, which were loose by

@@ -10,9 +10,9 @@
 
 namespace kerf::job {
 
-/// Has a cutter cut where the axes go (`--path interpolated`): the motions of a run wait until their
-/// set-points are there, and are cut along them, in their order. A motion that is passed between
-/// two periods goes with the next one.
+/// Has a cutter cut where the axes go (`--path interpolated`): the motions of a run wait until
+/// their set-points are there, and are cut along them, in their order. A motion that is passed
+/// between two periods goes with the next one.
 class SetPointPath final : public motion::AxisPointSink {
  public:
   /// `is_placed`: whether the axes have been commanded, asked as motions come. The cutter must
@@ -39,7 +39,7 @@ class SetPointPath final : public motion::AxisPointSink {
   stock::Cutter& cutter_;
   std::function<bool()> is_placed_;
   std::deque<Waiting> waiting_;
-  std::uint64_t first_ = 1;  // number of the first that waits
+  std::uint64_t first_ = 1;             // number of the first that waits
   std::vector<base::TipPoint> points_;  // of that
   bool was_placed_ = false;
 };

@@ -7,12 +7,12 @@ namespace {
 
 constexpr bool kOn = true;
 
-bool is_any(const base::AxisVector& vector) {
-  return std::any_of(vector.values.begin(), vector.values.end(), [](double v) { return v != 0; });
-}
-
-bool is_any(const control::TurningOffset::Part& part) {
-  return part.x != 0 || part.y != 0 || part.z != 0;
+void add(const base::AxisVector& offset, base::AxisSet& axes) {
+  for (std::size_t i = 0; i < offset.values.size(); ++i) {
+    if (offset.values[i] != 0)
+      axes =
+          static_cast<base::AxisSet>(axes | base::only(base::Axis{static_cast<std::uint8_t>(i)}));
+  }
 }
 
 }  // namespace
@@ -22,25 +22,44 @@ StrokeWatch::StrokeWatch(const machine::BatchRun& run)
       axes_(run.definition().axes),
       limits_(axes_, kOn, &length_),
       at_(axes_.start),
-      is_known_(run.definition().parameters.stroke_check || has_offsets()),
-      revision_(run.memory().revision) {}
+      known_(0),
+      revision_(run.memory().revision) {
+  know(run.definition().parameters.stroke_check ? static_cast<base::AxisSet>(~0U) : with_offsets());
+}
 
-bool StrokeWatch::has_offsets() const {
+void StrokeWatch::know(base::AxisSet axes) {
+  known_ = static_cast<base::AxisSet>(known_ | axes);
+  for (std::size_t i = 0; i < axes_.count(); ++i) {
+    const motion::AxisConfig& whole = run_.definition().axes.axes[i];
+    const bool is_known = base::contains(known_, base::Axis{static_cast<std::uint8_t>(i)});
+    axes_.axes[i].travel_min = is_known ? whole.travel_min : 0;
+    axes_.axes[i].travel_max = is_known ? whole.travel_max : 0;
+  }
+}
+
+base::AxisSet StrokeWatch::with_offsets() const {
   const control::Memory& memory = run_.memory();
-  const auto any = [](const base::AxisVector& vector) { return is_any(vector); };
-  return is_any(memory.external) || std::any_of(memory.work.begin(), memory.work.end(), any) ||
-         std::any_of(memory.extended.begin(), memory.extended.end(), any) ||
-         std::any_of(memory.turning.begin(), memory.turning.end(),
-                     [](const control::TurningOffset& tool) { return is_any(tool.geometry); });
+  base::AxisSet axes = 0;
+  add(memory.external, axes);
+  for (const base::AxisVector& offset : memory.work) add(offset, axes);
+  for (const base::AxisVector& offset : memory.extended) add(offset, axes);
+  for (const control::TurningOffset& tool : memory.turning) {
+    base::AxisVector geometry;
+    if (const auto x = axes_.find('X')) geometry[*x] = tool.geometry.x;
+    if (const auto z = axes_.find('Z')) geometry[*z] = tool.geometry.z;
+    add(geometry, axes);
+  }
+  return axes;
 }
 
 void StrokeWatch::look(const motion::Motion& motion, std::uint64_t number) {
-  if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) tool_ = change->tool;
+  if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action))
+    tool_ = change->tool;
   const base::TipPoint* const to = motion::target_of(motion);
   if (to == nullptr) return;
-  if (!is_known_ && run_.memory().revision != revision_) {
+  if (run_.memory().revision != revision_) {
     revision_ = run_.memory().revision;
-    is_known_ = has_offsets();
+    know(with_offsets());
   }
   length_ = {};
   if (index(motion.length.axis) < axes_.count()) length_[motion.length.axis] = motion.length.mm;
@@ -55,7 +74,7 @@ void StrokeWatch::look(const motion::Motion& motion, std::uint64_t number) {
 }
 
 void StrokeWatch::tell(stock::Judge& judge) {
-  if (!is_known_ || has_told_) return;
+  if (has_told_) return;
   has_told_ = true;
   for (const stock::Finding& finding : findings_.in_order()) judge.add(finding);
 }

@@ -54,8 +54,8 @@ std::string change_spindle(MachineDefinition& machine, std::string_view path,
   Path at = split_path(path);
   if (at.rest.empty()) at = {motion::kSpindleNames.front(), path};
   if (at.rest == kSpindlePower) {
-    const auto* const name = std::find(motion::kSpindleNames.begin(), motion::kSpindleNames.end(),
-                                       at.head);
+    const auto* const name =
+        std::find(motion::kSpindleNames.begin(), motion::kSpindleNames.end(), at.head);
     const auto power = value_of(not_negative(), text);
     if (name == motion::kSpindleNames.end()) return "the machine has no such spindle";
     if (!power) return in_words(not_negative()) + " is expected";

@@ -52,17 +52,18 @@ const motion::Feed* feed_of(const motion::Motion& motion) {
       motion.action);
 }
 
-/// The tool stands so much lower on all of its way.
-void lower(Sweep& sweep, double by_mm) {
+/// The tool stands so much lower where its way begins, and where it ends; what is not straight is
+/// lowered as its end.
+void lower(Sweep& sweep, double from_mm, double to_mm) {
   if (auto* const straight = std::get_if<StraightWay>(&sweep.way)) {
-    straight->from = straight->from - by_mm * sweep.axis;
-    straight->to = straight->to - by_mm * sweep.axis;
+    straight->from = straight->from - from_mm * sweep.axis;
+    straight->to = straight->to - to_mm * sweep.axis;
   } else if (auto* const arc = std::get_if<ArcWay>(&sweep.way)) {
-    arc->centre = arc->centre - by_mm * sweep.axis;
+    arc->centre = arc->centre - to_mm * sweep.axis;
   } else {
     auto& turning = std::get<TurningWay>(sweep.way);
-    turning.from = turning.from - by_mm * sweep.axis;
-    turning.to = turning.to - by_mm * turning.to_axis;
+    turning.from = turning.from - from_mm * sweep.axis;
+    turning.to = turning.to - to_mm * turning.to_axis;
   }
 }
 
@@ -131,6 +132,7 @@ void Cutter::turn(const motion::Spindle& spindle) {
 void Cutter::change_tool(std::uint32_t number) {
   changed_tool_ = true;
   tool_ = &rack_.tool(number);
+  lowered_mm_ = 0;
 }
 
 void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
@@ -145,8 +147,7 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   if (along_ == nullptr) at_ = to;
   if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
-  const bool looks =
-      next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
+  const bool looks = next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
   if (looks || sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
   if (!looks) return;
   ++next_look_;
@@ -187,10 +188,12 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   if (settings_.end && motions_ == settings_.end->motion) cut_short(of.first, settings_.end->share);
   const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
   for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
-    if (longer != 0) lower(sweeps_[i], longer);
+    if (longer != 0 || lowered_mm_ != 0)
+      lower(sweeps_[i], i == of.first ? lowered_mm_ : longer, longer);
     of.cut.length_mm += length(sweeps_[i].way);
     if (!model_.can_cut(sweeps_[i])) stuck_ = motion.block;
   }
+  lowered_mm_ = longer;
   if (stuck_) return sweeps_.resize(of.first);
   of.cut.is_looked_at = true;
   if (of.kind == SweepKind::cut) check_length(motion, of);
@@ -276,8 +279,8 @@ void Cutter::check_pitch(const Waiting& of) {
   }
   if (std::fabs(lead - starts * *pitch) <= kSamePitch * starts * *pitch) return;
   judge_.add({.code = Code::thread_pitch,
-              .detail = fmt::format("{:.4g} mm a turn, and T{} is for {:.4g} mm", lead,
-                                    of.cut.tool, *pitch),
+              .detail = fmt::format("{:.4g} mm a turn, and T{} is for {:.4g} mm", lead, of.cut.tool,
+                                    *pitch),
               .block = of.cut.block,
               .tool = of.cut.tool,
               .motion = of.cut.motion,
@@ -309,14 +312,14 @@ void Cutter::settle(Waiting& of, const Outcome& outcome) {
   visited_ += outcome.visited;
   if (of.end > of.first) {
     const CuttingTool& tool = rack_.tool(of.cut.tool);
-    of.cut.has_findings = judge_.judge({.block = of.cut.block,
-                                        .motion = of.cut.motion,
-                                        .kind = of.kind,
-                                        .spindle = of.spindle,
-                                        .sweeps = {sweeps_.data() + of.first, of.end - of.first},
-                                        .outcomes = {outcomes_.data() + of.first,
-                                                     of.end - of.first}},
-                                       tool, outcome);
+    of.cut.has_findings =
+        judge_.judge({.block = of.cut.block,
+                      .motion = of.cut.motion,
+                      .kind = of.kind,
+                      .spindle = of.spindle,
+                      .sweeps = {sweeps_.data() + of.first, of.end - of.first},
+                      .outcomes = {outcomes_.data() + of.first, of.end - of.first}},
+                     tool, outcome);
     record(of, outcome);
     of.cut.removed_mm3 = outcome.removed.value();
     if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3)

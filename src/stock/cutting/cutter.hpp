@@ -150,6 +150,7 @@ class Cutter final : public motion::MotionSink {
   bool has_cut_ = false;
   std::map<std::uint32_t, base::BlockId> threads_;
   std::map<std::uint32_t, bool> axial_tools_;
+  double lowered_mm_ = 0;  // the tip against its programmed place, by its real length
   std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
 };

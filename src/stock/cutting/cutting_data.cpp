@@ -60,8 +60,7 @@ void take_mill(const CutFacts& facts, CuttingData& data) {
   const Engagement& engaged = data.engagement;
   data.is_fine = facts.outcome.aside.length() < facts.grain_mm * (1 - 1e-6);
   if (engaged.ae_mm > 0) {
-    data.told_mm3 =
-        std::min(data.told_mm3, engaged.ae_mm * engaged.ap_mm * facts.length_mm);
+    data.told_mm3 = std::min(data.told_mm3, engaged.ae_mm * engaged.ap_mm * facts.length_mm);
   }
   if (!(data.fz_mm > 0) || !(engaged.phi_rad > 0)) return;
   data.hm_mm = mean_chip_mm({.sin_kappa = sine_across(tool),
@@ -75,7 +74,8 @@ void take_mill(const CutFacts& facts, CuttingData& data) {
 /// Section of the ring that a tool cuts along its axis, mm².
 double ring_mm2(const CutFacts& facts) {
   if (facts.outcome.aside.is_empty()) return 0;
-  const double inside = std::max(0.0, facts.outcome.aside.low - facts.grain_mm / 2 * std::numbers::sqrt2);
+  const double inside =
+      std::max(0.0, facts.outcome.aside.low - facts.grain_mm / 2 * std::numbers::sqrt2);
   const double outside =
       std::min(facts.tool.diameter_mm() / 2, facts.outcome.aside.high + facts.grain_mm / 2);
   return std::numbers::pi * (outside * outside - inside * inside);
@@ -111,8 +111,8 @@ void take_insert(const CutFacts& facts, CuttingData& data) {
   const double sine = sine_of_insert(facts);
   data.hm_mm = turn * sine;
   if (!facts.material || !(data.engagement.ap_mm > 0)) return;
-  data.feed_kw = force_kw(
-      turning_force_n(*facts.material, data.engagement.ap_mm, turn, sine), data.vc_m_min);
+  data.feed_kw =
+      force_kw(turning_force_n(*facts.material, data.engagement.ap_mm, turn, sine), data.vc_m_min);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct CutFacts {
   bool turns_left = false;
   bool is_axial = false;  ///< all of it along the axis of the tool
   bool turns_work = false;
-  double radius_mm = 0;   ///< of a lathe: the largest of the tip
+  double radius_mm = 0;    ///< of a lathe: the largest of the tip
   bool is_facing = false;  ///< of a lathe: goes more across the axis than along it
   std::optional<CutMaterial> material{};
 };

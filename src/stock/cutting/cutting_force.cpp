@@ -43,7 +43,9 @@ double removal_kw(double mrr_mm3_s, double kc) {
   return mrr_mm3_s * kSecondsPerMinute * kc / 6e7;
 }
 
-double torque_nm(double power_kw, double rpm) { return 30000 * power_kw / (std::numbers::pi * rpm); }
+double torque_nm(double power_kw, double rpm) {
+  return 30000 * power_kw / (std::numbers::pi * rpm);
+}
 
 double turning_force_n(const CutMaterial& material, double ap_mm, double feed_mm,
                        double sin_kappa) {

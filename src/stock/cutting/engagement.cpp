@@ -7,6 +7,9 @@
 namespace kerf::stock {
 namespace {
 
+/// What places that are rounded to floats may lack, of the radius.
+constexpr double kSame = 1e-5;
+
 /// The bins as the sides of the way see them.
 class Bins {
  public:
@@ -14,8 +17,8 @@ class Bins {
       : across_(outcome.across),
         radius_mm_(setting.radius_mm),
         grain_mm_(setting.grain_mm),
-        low_(std::max(outcome.aside.low - setting.grain_mm / 2, -setting.radius_mm)),
-        high_(std::min(outcome.aside.high + setting.grain_mm / 2, setting.radius_mm)) {}
+        low_(-towards_rim(-outcome.aside.low)),
+        high_(towards_rim(outcome.aside.high)) {}
 
   [[nodiscard]] double low() const { return low_; }
   [[nodiscard]] double high() const { return high_; }
@@ -42,6 +45,11 @@ class Bins {
   [[nodiscard]] double right_mm3() const { return sum(0, Outcome::kBins / 2); }
 
  private:
+  /// Half a cell on from the outermost place; what is almost at the rim is there.
+  [[nodiscard]] double towards_rim(double s) const {
+    const double edge = s + grain_mm_ / 2;
+    return edge > radius_mm_ * (1 - kSame) ? radius_mm_ : edge;
+  }
   [[nodiscard]] double edge(std::size_t i) const {
     return radius_mm_ * (2 * static_cast<double>(i) / static_cast<double>(Outcome::kBins) - 1);
   }
@@ -81,9 +89,8 @@ Engagement engagement_of(const Outcome& outcome, const EngagementSetting& settin
     engagement.ae_mm += to - from;
     engagement.phi_rad += at(to) - at(from);
   });
-  engagement.ap_mm =
-      std::min(outcome.removed.value() / (engagement.ae_mm * setting.length_mm),
-               outcome.heights.length());
+  engagement.ap_mm = std::min(outcome.removed.value() / (engagement.ae_mm * setting.length_mm),
+                              outcome.heights.length());
   engagement.side = side_of(bins, setting);
   return engagement;
 }

@@ -16,17 +16,17 @@ enum class CuttingSide : std::uint8_t {
 
 /// How a mill goes through material on a straight or arc way (stock.md §6).
 struct Engagement {
-  double ae_mm = 0;    ///< across the way: width of what it removed, without gaps
-  double ap_mm = 0;    ///< along the axis: volume through width and length, at most what was removed
+  double ae_mm = 0;  ///< across the way: width of what it removed, without gaps
+  double ap_mm = 0;  ///< along the axis: volume through width and length, at most what was removed
   double phi_rad = 0;  ///< of its circle that lies in material; π: a slot
   CuttingSide side = CuttingSide::none;
 };
 
 /// What there is to know of the model and the mill.
 struct EngagementSetting {
-  double radius_mm = 0;    ///< R of Outcome::across, > 0
-  double length_mm = 0;    ///< of the way, > 0
-  double grain_mm = 0;     ///< size of the model's cells across the axis
+  double radius_mm = 0;     ///< R of Outcome::across, > 0
+  double length_mm = 0;     ///< of the way, > 0
+  double grain_mm = 0;      ///< size of the model's cells across the axis
   bool turns_left = false;  ///< seen from above counterclockwise: M04
 };
 

@@ -30,8 +30,8 @@ void Findings::add(const Finding& finding) {
   } else {
     known->count += finding.count;
     known->volume_mm3 += finding.volume_mm3;
-    const bool is_worse = std::tie(known->depth_mm, known->excess) <
-                          std::tie(finding.depth_mm, finding.excess);
+    const bool is_worse =
+        std::tie(known->depth_mm, known->excess) < std::tie(finding.depth_mm, finding.excess);
     if (is_worse) become(*known, finding);
   }
 }
@@ -56,7 +56,8 @@ void Findings::set_time(const base::BlockId& block, std::uint64_t motion, double
 std::vector<Finding> Findings::in_order() const {
   std::vector<Finding> sorted = findings_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
-    return std::tuple(a.motion == 0, a.motion, a.code) < std::tuple(b.motion == 0, b.motion, b.code);
+    return std::tuple(a.motion == 0, a.motion, a.code) <
+           std::tuple(b.motion == 0, b.motion, b.code);
   });
   return sorted;
 }

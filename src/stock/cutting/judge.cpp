@@ -87,9 +87,9 @@ void Judge::judge_obstacles(const JudgedMotion& of, const CuttingTool& tool) {
 void Judge::judge_rapid(const JudgedMotion& of, const CuttingTool& tool, const Outcome& sum) {
   const auto [worst, part] = deepest(sum.contacts);
   if (!worst.is_one() || !knows_collisions(tool)) return;
-  find(Code::rapid_in_stock, of, tool, worst,
-       fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], tool.number(),
-                   worst.depth_mm));
+  find(
+      Code::rapid_in_stock, of, tool, worst,
+      fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], tool.number(), worst.depth_mm));
 }
 
 void Judge::judge_cut(const JudgedMotion& of, const CuttingTool& tool, const Outcome& sum) {
@@ -179,8 +179,8 @@ void Judge::judge_tap(const JudgedMotion& of, const CuttingTool& tool, const Out
                    tool.number(), sum.removed.value(), minor));
 }
 
-void Judge::find(Code code, const JudgedMotion& of, const CuttingTool& tool,
-                 const Contact& contact, std::string detail) {
+void Judge::find(Code code, const JudgedMotion& of, const CuttingTool& tool, const Contact& contact,
+                 std::string detail) {
   const bool is_new = add({.code = code,
                            .detail = std::move(detail),
                            .block = of.block,

@@ -45,8 +45,8 @@ void LimitChecks::judge_limits(const TimedCut& timed) {
   const ToolLimits& limits = rack_.tool(timed.cut.tool).tool.limits;
   hold(timed, Code::feed_per_tooth, data.fz_mm, limits.fz.value_or(0), 0, "mm a tooth");
   hold(timed, Code::cut_depth, data.engagement.ap_mm, limits.ap.value_or(0), 0, "mm deep");
-  hold(timed, Code::cut_width, data.engagement.ae_mm, limits.ae.value_or(0),
-       settings_.grain_mm / 2, "mm wide");
+  hold(timed, Code::cut_width, data.engagement.ae_mm, limits.ae.value_or(0), settings_.grain_mm / 2,
+       "mm wide");
   hold(timed, Code::cutting_speed, data.vc_m_min, limits.vc.value_or(0), 0, "m/min");
   hold(timed, Code::cutting_power, timed.power_kw, settings_.most_kw, 0, "kW");
 }

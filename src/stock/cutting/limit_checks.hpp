@@ -14,8 +14,8 @@ namespace kerf::stock {
 class LimitChecks final : public TimedCutSink {
  public:
   struct Settings {
-    double grain_mm = 0;    ///< of the model
-    double most_kw = 0;     ///< of the spindle; 0: not known
+    double grain_mm = 0;  ///< of the model
+    double most_kw = 0;   ///< of the spindle; 0: not known
   };
 
   /// All must outlive this. The records are those of Cutter::tools(): each tool has its own before

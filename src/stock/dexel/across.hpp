@@ -7,8 +7,8 @@ namespace kerf::stock::dexel {
 /// Into which bin of Outcome::across a place of the stock falls.
 class Across {
  public:
-  /// `radius_mm`: R of the bins. Turning ways have no bins; of ways along the axis distances from it
-  /// count.
+  /// `radius_mm`: R of the bins. Turning ways have no bins; of ways along the axis distances from
+  /// it count.
   Across(const Sweep& sweep, double radius_mm);
 
   [[nodiscard]] bool has_bins() const { return kind_ != Kind::none; }

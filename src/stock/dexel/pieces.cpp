@@ -15,7 +15,9 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /// Sets that grow together; each is known by its first member.
 class Sets {
  public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit Sets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
 
   [[nodiscard]] std::uint32_t of(std::uint32_t member) {
     while (parent_[member] != member) {
@@ -82,9 +84,8 @@ class Search {
   /// Of each dexel the number of its first interval, and behind them of all.
   [[nodiscard]] std::vector<std::uint32_t> number_intervals() const {
     std::vector<std::uint32_t> first;
-    first.reserve(static_cast<std::size_t>(lattice_.rows) *
-                      static_cast<std::size_t>(lattice_.columns) +
-                  1);
+    first.reserve(
+        static_cast<std::size_t>(lattice_.rows) * static_cast<std::size_t>(lattice_.columns) + 1);
     std::uint32_t count = 0;
     each_dexel([&](int column, int row) {
       first.push_back(count);
@@ -112,8 +113,7 @@ class Search {
     const double b = lattice_.b_of(column);
     const double c = lattice_.c_of(row);
     for (std::size_t i = 0; i < all.size(); i += 2) {
-      std::uint32_t& number =
-          piece_of[sets_.of(first_[dexel] + static_cast<std::uint32_t>(i / 2))];
+      std::uint32_t& number = piece_of[sets_.of(first_[dexel] + static_cast<std::uint32_t>(i / 2))];
       if (number == kNone) {
         number = static_cast<std::uint32_t>(pieces.size());
         pieces.push_back({0, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, false, {}});

@@ -191,10 +191,9 @@ bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting
                     Outcome& outcome) {
   if (core != nullptr) count_core(place, meeting, *core, outcome);
   const bool is_told = lattice_.axis == task.main_axis && across.has_bins();
-  const Tile::Stretch span =
-      is_told ? tile_.touched_span(place.dexel, as_float(meeting.low.along),
-                                   as_float(meeting.high.along))
-              : Tile::Stretch{};
+  const Tile::Stretch span = is_told ? tile_.touched_span(place.dexel, as_float(meeting.low.along),
+                                                          as_float(meeting.high.along))
+                                     : Tile::Stretch{};
   const double length = subtract(task, place, meeting, passage);
   if (length == 0) return false;
   count(task, place, length, span, across, outcome);
@@ -210,8 +209,8 @@ double TileWork::subtract(const Task& task, const Place& place, const Meeting& m
       [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
 }
 
-void TileWork::count(const Task& task, const Place& place, double length,
-                     const Tile::Stretch& span, const Across& across, Outcome& outcome) const {
+void TileWork::count(const Task& task, const Place& place, double length, const Tile::Stretch& span,
+                     const Across& across, Outcome& outcome) const {
   if (lattice_.axis != task.main_axis) return;
   const Exact volume(length * lattice_.cell_area());
   outcome.removed += volume;

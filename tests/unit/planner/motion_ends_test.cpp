@@ -1,7 +1,8 @@
-#include "planner/motion_ends.hpp"
+#include "planner/internal/motion_ends.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,18 +52,18 @@ std::vector<Ends::End> ends_of(const std::vector<Motion>& motions, double tolera
   return ends.ends;
 }
 
-std::vector<Motion> random_path(std::uint64_t seed, int count) {
+std::vector<Motion> random_path(unsigned seed, int count) {
   test::SeededRandom random(seed);
   std::vector<Motion::Action> actions;
   for (int i = 0; i < count; ++i) {
     base::TipPoint to;
-    for (std::size_t m = 0; m < 3; ++m) to.values[m] = random.between(-20, 20);
-    if (random.between(0, 1) < 0.2) {
+    for (std::size_t m = 0; m < 3; ++m) to.values[m] = random.in(-20, 20);
+    if (random.in(0, 1) < 0.2) {
       actions.push_back(Rapid{to});
     } else {
-      actions.push_back(Line{to, {random.between(100, 5000)}});
+      actions.push_back(Line{to, {random.in(100, 5000)}});
     }
-    if (random.between(0, 1) < 0.1) actions.push_back(Dwell{random.between(0.01, 0.3)});
+    if (random.in(0, 1) < 0.1) actions.push_back(Dwell{random.in(0.01, 0.3)});
   }
   return test::motions_of(actions);
 }

@@ -128,16 +128,15 @@ TEST(CuttingData, OfAnInsertThatTurns) {
   outcome.removed = Exact(1000);
   outcome.section = Exact(2.5 * 40);
   const double radius = 30;
-  const CuttingData data =
-      cutting_data({.tool = insert,
-                    .outcome = outcome,
-                    .feed = {0.3, motion::FeedMode::per_revolution},
-                    .has_feed = true,
-                    .length_mm = 40,
-                    .rpm = 200 * 1000 / (2 * std::numbers::pi * radius),
-                    .turns_work = true,
-                    .radius_mm = radius,
-                    .material = material_named("P")});
+  const CuttingData data = cutting_data({.tool = insert,
+                                         .outcome = outcome,
+                                         .feed = {0.3, motion::FeedMode::per_revolution},
+                                         .has_feed = true,
+                                         .length_mm = 40,
+                                         .rpm = 200 * 1000 / (2 * std::numbers::pi * radius),
+                                         .turns_work = true,
+                                         .radius_mm = radius,
+                                         .material = material_named("P")});
   EXPECT_NEAR(data.engagement.ap_mm, 2.5, 1e-9);
   EXPECT_NEAR(data.vc_m_min, 200, 1e-9);
   EXPECT_NEAR(turning_force_n({1700, 0.25}, 2.5, 0.3, std::sin(95 * std::numbers::pi / 180)),
@@ -192,7 +191,7 @@ TEST(CutClock, JoinsMotionsWithTheirEndsWhicheverComesFirst) {
       clock.motion_ends(4, 7);
     };
     if (ends_first) tell_ends();
-    for (const std::uint64_t motion : {1, 3, 4, 5}) clock.take(cut_of(motion, 8));
+    for (const std::uint64_t motion : {1U, 3U, 4U, 5U}) clock.take(cut_of(motion, 8));
     if (!ends_first) tell_ends();
     clock.finish(9);
     ASSERT_EQ(cuts.cuts.size(), 4U);

@@ -34,8 +34,8 @@ Outcome rows(double cell_mm, double length_mm, double depth_mm,
 }
 
 Engagement engaged(const Outcome& outcome, double length_mm, double cell_mm) {
-  return engagement_of(
-      outcome, {.radius_mm = kRadius_mm, .length_mm = length_mm, .grain_mm = cell_mm});
+  return engagement_of(outcome,
+                       {.radius_mm = kRadius_mm, .length_mm = length_mm, .grain_mm = cell_mm});
 }
 
 /// The angle of a circle between two distances from the way of its middle, by adding up chords of
@@ -66,8 +66,7 @@ TEST(Engagement, OfASlotIsHalfATurn) {
 TEST(Engagement, AtTheSideIsTheArcusCosineOfItsWidth) {
   for (const double cell : {0.05, 0.1, 0.25, 0.5}) {
     for (const double ae : {1.0, 2.0, 4.0, 7.5}) {
-      const Outcome right =
-          rows(cell, 30, 3, [&](double s) { return s < ae - kRadius_mm; });
+      const Outcome right = rows(cell, 30, 3, [&](double s) { return s < ae - kRadius_mm; });
       const Engagement side = engaged(right, 30, cell);
       EXPECT_NEAR(side.ae_mm, ae, 1e-9) << cell;
       EXPECT_NEAR(side.ap_mm, 3, 1e-9) << cell;

@@ -1,10 +1,14 @@
-#include "planner/motion_ends.hpp"
+#include "planner/internal/motion_ends.hpp"
 
 #include <algorithm>
 #include <span>
 
 namespace kerf::planner {
 namespace {
+
+/// Nearer to the end of a phase a place is its end: where the axes come to rest, rounding of the
+/// way would be much of the time.
+constexpr double kSameWay = 1e-9;
 
 /// When a phase has come as far as `way`, by halving: its way never falls with time.
 double time_of(const Phase& phase, double way) {
@@ -34,7 +38,8 @@ class PhaseWalk {
     for (; !phases_.empty(); phases_ = phases_.subspan(1)) {
       const Phase& phase = phases_.front();
       const double length = phase.way(phase.duration_s);
-      if (way < way_ + length) return time_s_ + time_of(phase, std::max(0.0, way - way_));
+      if (way < way_ + length - kSameWay)
+        return time_s_ + time_of(phase, std::max(0.0, way - way_));
       way_ += length;
       time_s_ += phase.duration_s;
     }
@@ -75,9 +80,8 @@ void MotionEnds::tell_cell(const WayAhead& ahead, const Cell& cell, double last,
     const PathMark& mark = marks[next_];
     if (mark.piece > cell.piece || (mark.piece == cell.piece && mark.way > last)) return;
     const bool is_before = mark.piece < cell.piece;
-    const bool waits =
-        mark.mark.kind == motion::MoveKind::dwell && !is_before &&
-        ahead.path.pieces[cell.piece].waits_for_spindle();
+    const bool waits = mark.mark.kind == motion::MoveKind::dwell && !is_before &&
+                       ahead.path.pieces[cell.piece].waits_for_spindle();
     if (waits) continue;
     tell(mark.mark, walk.at(is_before ? cell_way : cell_way + (mark.way - cell.begin)));
   }

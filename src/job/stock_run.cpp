@@ -307,11 +307,18 @@ bool needs_survey(const StockJob& job) {
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
+/// Nothing was cut before the alarm, which is what there is to tell.
+stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
+  assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
+  if (turns) return stock::CylinderShape{.from = -1, .to = 0, .diameter = 1};
+  return stock::BoxShape{{0, 0, -1}, {1, 1, 0}};
+}
+
 Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
-  (*run)->go();
+  const machine::RunStatus status = (*run)->go();
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
@@ -321,6 +328,8 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
   auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
+  if (!shape && status == machine::RunStatus::alarm && !pass.survey().has_begun())
+    shape = shape_before_alarm(job.job.definition.turns(), assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());

@@ -265,6 +265,16 @@ def set_points(box):
     equal(found(rounded), [], "findings")
 
 
+@test("stock: an alarm before the first cut is told as such, whatever lies on the table")
+def early_alarm(box):
+    for machine in ("mill3", "lathe2"):
+        box.write("part.nc", "O1\nM03S1000\nG01X#9999999\nM30\n")
+        status(box.kerf("stock", "part.nc", "--machine", machine, "--report", "r.json"), 1)
+        report = box.json("r.json")
+        equal((report["status"], report["findings"], report["removed_mm3"]), ("alarm", [], 0), machine)
+        contains(" ".join(a["what"] for a in report["assumed"]), "before the first cut", "told")
+
+
 @test("stock: wrong words of checks are sentences")
 def wrong(box):
     box.write("part.nc", HEAD + SLOT + TAIL)

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "base/decimal.hpp"
 
@@ -45,13 +47,16 @@ std::optional<std::string> operator_input() {
   return line;
 }
 
-std::optional<std::string> KeptInput::line(std::size_t number) {
-  while (lines_.size() <= number) {
-    auto entered = operator_input();
-    if (!entered) return std::nullopt;
-    lines_.push_back(std::move(*entered));
-  }
-  return lines_[number];
+std::function<std::optional<std::string>(std::size_t)> kept_operator_input() {
+  return [lines = std::make_shared<std::vector<std::string>>()](
+             std::size_t number) -> std::optional<std::string> {
+    while (lines->size() <= number) {
+      auto entered = operator_input();
+      if (!entered) return std::nullopt;
+      lines->push_back(std::move(*entered));
+    }
+    return (*lines)[number];
+  };
 }
 
 }  // namespace kerf::cli

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace kerf::cli {
 
@@ -11,14 +11,8 @@ namespace kerf::cli {
 /// is no number is asked for again. Everything printed so far is put out first.
 [[nodiscard]] std::optional<std::string> operator_input();
 
-/// The same for a program that runs more than once: what was entered is kept.
-class KeptInput {
- public:
-  /// By its number from 0.
-  [[nodiscard]] std::optional<std::string> line(std::size_t number);
-
- private:
-  std::vector<std::string> lines_;
-};
+/// The same for a program that runs more than once: what was entered is kept, and is asked for by
+/// the number of the line from 0.
+[[nodiscard]] std::function<std::optional<std::string>(std::size_t)> kept_operator_input();
 
 }  // namespace kerf::cli

@@ -1,17 +1,75 @@
+#include <memory>
+#include <optional>
+
 #include "base/output_file.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_words.hpp"
 #include "face/cli/table_run.hpp"
+#include "job/facts_of_stock.hpp"
+#include "job/stock_run.hpp"
 #include "output/reports/stock_report.hpp"
+#include "output/reports/stock_rows.hpp"
 
 namespace kerf::cli {
+namespace {
+
+/// What `kerf stock` has besides a table.
+base::Outcome<void> take_words(const StockOptions& options, job::StockJob& job) {
+  auto until = until_of(options.until);
+  if (!until) return tl::unexpected(until.error());
+  job.until = *until;
+  job.follows_set_points = options.path == "interpolated";
+  job.stops_at_finding = options.stop_at_finding;
+  return {};
+}
+
+/// Rows of `--blocks` for each pass over the program: the file begins anew.
+void write_rows(const StockOptions& options, std::optional<base::Failure>& failure,
+                job::StockJob& job) {
+  if (options.blocks.empty()) return;
+  job.rows = [&](const job::Run& run) -> std::unique_ptr<stock::TimedCutSink> {
+    auto file = base::OutputFile::create(options.blocks);
+    if (!file) {
+      failure = file.error();
+      return nullptr;
+    }
+    return std::make_unique<output::StockRows>(std::move(*file), run.machine().sources());
+  };
+}
+
+base::Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
+                                job::StockResult& result) {
+  if (failure) return tl::unexpected(*failure);
+  auto* const rows = dynamic_cast<output::StockRows*>(result.rows.get());
+  return rows == nullptr ? base::Outcome<void>{} : rows->commit();
+}
+
+}  // namespace
+
 ExitStatus stock(const StockOptions& options) {
-  auto table = run_on_table(options.run);
-  if (!table) return fail(table.error());
-  auto& [cut, facts, ready] = *table;
-  ready.run = std::move(cut.run);
+  auto program = kept_program(options.run.program);
+  if (!program) return fail(program.error());
+  auto source = program->open();
+  if (!source) return fail(source.error());
+  auto ordered = job_of(options.run, **source);
+  if (!ordered) return fail(ordered.error());
+  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
+  auto job = stock_job(options.run, std::move(*ordered), std::move(*program), **source);
+  if (!job) return fail(job.error());
+  if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
+  std::optional<base::Failure> no_rows;
+  write_rows(options, no_rows, *job);
+  auto cut = job::cut_stock(*job);
+  if (!cut) return fail(cut.error());
+  if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
+  output::StockFacts facts = job::facts_of(*cut);
+  facts.shape = shape_word(options.run.table);
+  facts.run.chosen = ready.choice.chosen;
+  ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
   if (!options.report.empty()) {
     auto file = base::OutputFile::create(options.report);
@@ -21,7 +79,7 @@ ExitStatus stock(const StockOptions& options) {
   }
   report_diagnostics(ready, options.run.diagnostics);
   report_stock(options.run, facts, sources);
-  const ExitStatus ended = exit_status_of(cut.status);
+  const ExitStatus ended = exit_status_of(cut->status);
   return ended == ExitStatus::well && fails(options.run.table, facts) ? ExitStatus::findings
                                                                       : ended;
 }

@@ -27,8 +27,6 @@ namespace kerf::cli {
 [[nodiscard]] base::Outcome<bool> has_table(const TableOptions& options);
 /// The shape on the table as reports call it.
 [[nodiscard]] std::string shape_word(const TableOptions& options);
-/// Without the findings of checks that are not wanted.
-void leave_out(const TableOptions& options, output::StockFacts& facts);
 /// Whether a finding is one of those that make the command fail.
 [[nodiscard]] bool counts(const TableOptions& options, const output::StockFacts::Told& told);
 /// Whether a finding makes the command fail.

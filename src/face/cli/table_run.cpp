@@ -1,7 +1,6 @@
 #include "face/cli/table_run.hpp"
 
 #include <cstdio>
-#include <memory>
 #include <utility>
 
 #include "face/cli/operator_input.hpp"
@@ -22,16 +21,13 @@ base::Outcome<TableRun> run_on_table(const RunOptions& options) {
   TableRun made{.cut = {}, .facts = {}, .ready = {nullptr, ordered->choice, ordered->hint}};
   auto job = stock_job(options, std::move(*ordered), std::move(*program), **source);
   if (!job) return tl::unexpected(job.error());
-  job->job.input = [input = std::make_shared<KeptInput>()](std::size_t number) {
-    return input->line(number);
-  };
+  job->job.input = kept_operator_input();
   auto cut = job::cut_stock(*job);
   if (!cut) return tl::unexpected(cut.error());
   made.cut = std::move(*cut);
   made.facts = job::facts_of(made.cut);
   made.facts.shape = shape_word(options.table);
   made.facts.run.chosen = made.ready.choice.chosen;
-  leave_out(options.table, made.facts);
   job->job.skips = made.cut.skips;
   auto again = job::Run::of(job->job);
   if (!again) return tl::unexpected(again.error());

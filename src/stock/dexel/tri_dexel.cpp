@@ -12,6 +12,7 @@
 
 #include "math/math.hpp"
 #include "stock/dexel/ball_contact.hpp"
+#include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
 #include "stock/dexel/tile_work.hpp"
 
@@ -19,8 +20,7 @@ namespace kerf::stock::dexel {
 namespace {
 
 constexpr std::size_t kSweepsAtOnce = 4096;
-// Of a probe thinner than a cell: how often its way is looked at, and how near what it meets is
-// found.
+// Of a probe thinner than a cell.
 constexpr double kMostLooks = 1e6;
 constexpr int kHalvings = 40;
 
@@ -118,12 +118,8 @@ struct TriDexel::Grid {
     const int row = static_cast<int>(c);
     const Tile& tile = tiles[static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
                                                       column / Lattice::kTile)];
-    const auto s = static_cast<float>(on_axis(place, lattice.axis));
-    const auto ends = tile.ends(tile.index(column % Lattice::kTile, row % Lattice::kTile));
-    for (std::size_t i = 0; i < ends.size(); i += 2) {
-      if (ends[i].at < s && s < ends[i + 1].at) return true;
-    }
-    return false;
+    return tile.holds(tile.index(column % Lattice::kTile, row % Lattice::kTile),
+                      static_cast<float>(on_axis(place, lattice.axis)));
   }
   /// act(tile) for each that has dexels in the box, which is from the middle of the stock.
   template <class Act>
@@ -342,6 +338,12 @@ Bounds TriDexel::extents() const {
     }
   }
   return {middle_ + Vec3{low[0], low[1], low[2]}, middle_ + Vec3{high[0], high[1], high[2]}};
+}
+
+std::vector<Piece> TriDexel::pieces() const {
+  std::vector<Piece> all = pieces_of(*this, static_cast<int>(best_grid()), box_.low.z);
+  if (all.size() == 1) all.front().volume_mm3 = left_mm3();
+  return all;
 }
 
 std::size_t TriDexel::bytes() const {

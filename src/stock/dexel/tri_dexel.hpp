@@ -47,6 +47,9 @@ class TriDexel final : public Model {
   [[nodiscard]] double stock_mm3() const override;
   [[nodiscard]] double error_mm3() const override;
   [[nodiscard]] Bounds extents() const override;
+  /// Of the grid that left_mm3() counts; of one piece the volume is that.
+  [[nodiscard]] std::vector<Piece> pieces() const override;
+  [[nodiscard]] double grain_mm() const override { return cell_; }
   [[nodiscard]] std::size_t bytes() const override;
 
   /// As BallContact has it. A ball thinner than a cell is looked for between dexels, too.

@@ -4,14 +4,19 @@
 
 #include <optional>
 
+#include "job/internal/cut_end.hpp"
 #include "job/internal/fixture.hpp"
-#include "job/internal/motion_times.hpp"
+#include "job/internal/loose_pieces.hpp"
 #include "job/internal/run_rack.hpp"
+#include "job/internal/set_point_path.hpp"
 #include "job/internal/sheet_run.hpp"
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
+#include "job/internal/stroke_watch.hpp"
 #include "machine/definition/work_turns.hpp"
+#include "stock/cutting/cut_clock.hpp"
+#include "stock/cutting/limit_checks.hpp"
 #include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
@@ -36,6 +41,7 @@ class Pass final : public motion::MotionSink {
         zero_(run_->machine(), job.zero),
         frame_(axes(), turns_of(plan, run_->machine().definition())),
         driven_(axes()),
+        strokes_(run_->machine()),
         rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
                                         run_->machine().definition().turns(), plan.axial)) {
     frame_.set_zero(plan.origin);
@@ -48,26 +54,43 @@ class Pass final : public motion::MotionSink {
     auto made = make_model(plan_, job);
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
-    cutter_.emplace(axes(), frame_, *model_, *rack_,
-                    stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
-                                            .is_placed = placed_when(job),
-                                            .obstacles = obstacles_of(job),
-                                            .knows_stock = job.knows_stock,
-                                            .has_tool = plan_.without_changes,
-                                            .turns_work = is_profile()});
+    cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
+    limits_.emplace(
+        *rack_, cutter_->judge(), cutter_->findings(), cutter_->tools(),
+        stock::LimitChecks::Settings{.grain_mm = model_->grain_mm(), .most_kw = most_kw()});
+    clock_.add_sink(*limits_);
+    clock_.add_sink(strokes_);
+    clock_.add_sink(loose_);
+    rows_ = job.rows ? job.rows(*run_) : nullptr;
+    if (rows_) clock_.add_sink(*rows_);
     run_->machine().add_sink(*this);
+    run_->machine().tell_ends(clock_);
+    if (job.follows_set_points) {
+      path_.emplace(*cutter_, placed_when(job));
+      run_->machine().add_point_sink(*path_);
+    }
     status_ = run_->go();
+    if (path_) path_->finish();
     cutter_->finish();
+    pieces_ = pieces_of(*model_, job);
+    clock_.finish(run_->machine().time_s());
+    loose_.tell(pieces_, model_->grain_mm(), cutter_->judge());
   }
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
     if (is_profile()) driven_.look(motion);
-    cutter_->take(motion);
+    if (path_) {
+      path_->add(motion);
+    } else {
+      cutter_->take(motion);
+    }
+    ++motions_;
+    if (!plan_.end || motions_ <= plan_.end->motion) strokes_.look(motion, motions_);
   }
 
   /// The plan for the next pass, where this one was wrong.
-  [[nodiscard]] std::optional<StockPlan> better_plan() const {
+  [[nodiscard]] std::optional<StockPlan> better_plan(const StockJob& job) {
     StockPlan better = plan_;
     bool differs = false;
     if (zero_.origin() && *zero_.origin() != plan_.origin) {
@@ -100,12 +123,18 @@ class Pass final : public motion::MotionSink {
         differs = differs || axial;
       }
     }
+    if (!differs && plan_.looks.empty()) {
+      better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
+      differs = !better.looks.empty();
+    }
+    if (!differs && job.stops_at_finding) differs = ends_earlier(better);
     return differs ? std::optional(better) : std::nullopt;
   }
 
-  [[nodiscard]] StockResult result() {
+  [[nodiscard]] StockResult result(const StockJob& job) {
     StockResult result;
     result.status = status_;
+    result.is_stopped = plan_.is_stopped;
     result.zero = zero_.zero();
     result.origin = plan_.origin;
     result.shape = plan_.shape;
@@ -114,12 +143,16 @@ class Pass final : public motion::MotionSink {
         cutter_->motions() > 0
             ? static_cast<double>(cutter_->visited()) / static_cast<double>(cutter_->motions())
             : 0;
+    tell_of_run(job);
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
+    result.knows_travel = strokes_.is_known();
+    result.most_kw = most_kw();
     result.tools = cutter_->tools();
+    result.rows = std::move(rows_);
+    result.pieces = pieces_;
     result.threads = threads();
     result.assumed = rack_->assumed();
-    tell_of_run(result);
     result.model = std::move(model_);
     result.rack = std::move(rack_);
     result.run = std::move(run_);
@@ -127,6 +160,30 @@ class Pass final : public motion::MotionSink {
   }
 
  private:
+  [[nodiscard]] stock::Cutter::Settings settings(const StockJob& job, double tolerance_mm) {
+    return {.tolerance_mm = tolerance_mm,
+            .is_placed = job.follows_set_points && !job.checks_start
+                             ? std::function<bool()>([this] { return path_->was_placed(); })
+                             : placed_when(job),
+            .judge = {.obstacles = obstacles_of(job),
+                      .knows_stock = job.knows_stock,
+                      .left_out = job.left_out},
+            .has_tool = plan_.without_changes,
+            .turns_work = is_profile(),
+            .material = job.material,
+            .cuts = &clock_,
+            .end = plan_.end,
+            .has_real_lengths = job.has_real_lengths,
+            .stock = stock::bounds(plan_.shape),
+            .looks = plan_.looks,
+            .look = [this, &job](const stock::MotionCut& last) {
+              loose_.look(last.motion, last.block, last.tool, pieces_of(*model_, job));
+            }};
+  }
+  /// Of the spindle that a cut needs: that of the work, or of the tool on a mill.
+  [[nodiscard]] double most_kw() const {
+    return run_->machine().definition().spindle_kw[index(motion::SpindleName::main)];
+  }
   [[nodiscard]] std::vector<stock::Obstacle*> obstacles_of(const StockJob& job) {
     std::vector<stock::Obstacle*> obstacles;
     for (const StockJob::NamedShape& one : job.fixtures) {
@@ -146,6 +203,18 @@ class Pass final : public motion::MotionSink {
     return [this, all] { return (run_->machine().control().commanded() & all) == all; };
   }
   [[nodiscard]] const motion::AxisSetup& axes() const { return run_->machine().definition().axes; }
+
+  /// The first finding is the end. Its motion is cut as a whole.
+  [[nodiscard]] bool ends_earlier(StockPlan& better) {
+    strokes_.tell(cutter_->judge());
+    const auto found = cutter_->findings().in_order();
+    if (found.empty() || found.front().motion == 0) return false;
+    const std::uint64_t first = found.front().motion;
+    if (plan_.end && plan_.end->motion <= first) return false;
+    better.end = stock::CutEnd{first};
+    better.is_stopped = true;
+    return true;
+  }
 
   [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
 
@@ -168,17 +237,24 @@ class Pass final : public motion::MotionSink {
     return out;
   }
 
-  void tell_of_run(StockResult& result) const {
+  /// What is against the run as a whole.
+  void tell_of_run(const StockJob& job) {
+    stock::Judge& judge = cutter_->judge();
+    for (const machine::ImportRemark& remark : job.remarks) {
+      const std::string whose = remark.number > 0 ? fmt::format("T{}: ", remark.number) : "";
+      judge.add({.code = base::Code::tool_import,
+                 .detail = whose + remark.text,
+                 .tool = static_cast<std::uint32_t>(remark.number)});
+    }
+    strokes_.tell(judge);
     if (zero_.moved()) {
-      result.findings.push_back({.code = base::Code::stock_zero_moved,
-                                 .detail = name_of(zero_.zero()) + " was changed: the stock stays",
-                                 .block = *zero_.moved()});
+      judge.add({.code = base::Code::stock_zero_moved,
+                 .detail = name_of(zero_.zero()) + " was changed: the stock stays",
+                 .block = *zero_.moved()});
     }
-    if (cutter_->fed() && !cutter_->has_cut())
-      result.findings.push_back({.code = base::Code::stock_missed});
-    if (cell_enlarged_) {
-      result.findings.push_back({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
-    }
+    if (cutter_->fed() && !cutter_->has_cut() && !plan_.end)
+      judge.add({.code = base::Code::stock_missed});
+    if (cell_enlarged_) judge.add({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
   }
 
   StockPlan plan_;
@@ -186,10 +262,18 @@ class Pass final : public motion::MotionSink {
   ZeroWatch zero_;
   stock::WorkFrame frame_;
   DrivenWatch driven_;
+  StrokeWatch strokes_;
   std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
   std::vector<std::unique_ptr<Fixture>> fixtures_;
+  stock::CutClock clock_;
   std::optional<stock::Cutter> cutter_;
+  std::optional<stock::LimitChecks> limits_;
+  LoosePieces loose_;
+  std::vector<stock::Piece> pieces_;  // when all is cut
+  std::optional<SetPointPath> path_;  // none: as programmed
+  std::uint64_t motions_ = 0;
+  std::unique_ptr<stock::TimedCutSink> rows_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
 };
@@ -223,11 +307,18 @@ bool needs_survey(const StockJob& job) {
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
+/// Nothing was cut before the alarm, which is what there is to tell.
+stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
+  assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
+  if (turns) return stock::CylinderShape{.from = -1, .to = 0, .diameter = 1};
+  return stock::BoxShape{{0, 0, -1}, {1, 1, 0}};
+}
+
 Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
-  (*run)->go();
+  const machine::RunStatus status = (*run)->go();
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
@@ -237,6 +328,8 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
   auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
+  if (!shape && status == machine::RunStatus::alarm && !pass.survey().has_begun())
+    shape = shape_before_alarm(job.job.definition.turns(), assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
@@ -266,8 +359,8 @@ Outcome<void> without_beam(const StockJob& job) {
   return {};
 }
 
-// Each pass mends at least one thing that the one before supposed, and there are four.
-constexpr int kMostPasses = 5;
+// Each pass mends at least one thing that the one before supposed, and there are six.
+constexpr int kMostPasses = 7;
 
 Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;
@@ -299,6 +392,13 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     if (!surveyed) return tl::unexpected(surveyed.error());
     plan = *surveyed;
   }
+  std::optional<stock::CutEnd> end;
+  if (job.until) {
+    auto found = find_end(job);
+    if (!found) return tl::unexpected(found.error());
+    end = found->end;
+    if (!found->remark.empty()) assumed.push_back({0, found->remark});
+  }
   for (int passes = 1;; ++passes) {
     auto run = Run::of(job.job);
     if (!run) return tl::unexpected(run.error());
@@ -307,18 +407,19 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
       if (!guess) return tl::unexpected(guess.error());
       plan = *guess;
     }
+    if (passes == 1) plan->end = end;
     if (auto suited = suits(job, *plan); !suited) return tl::unexpected(suited.error());
     Pass pass(job, *plan, std::move(*run));
     pass.go(job);
-    const auto better = pass.better_plan();
+    const auto better = pass.better_plan(job);
     if (better && passes < kMostPasses) {
       plan = better;
       continue;
     }
-    StockResult result = pass.result();
+    StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
-    result.times_s = times_of(job.job, result.findings);
     result.knows_stock = job.knows_stock;
+    result.knows_material = job.material.has_value();
     return result;
   }
 }

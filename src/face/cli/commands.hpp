@@ -39,6 +39,8 @@ struct TableOptions {
   std::string memory;  ///< MiB; empty: 1024
   unsigned jobs = 0;   ///< threads; 0: one a processor
   std::string fail_on = "warning";
+  std::string material;                ///< a group, or kc11,mc; empty: not known
+  std::string lengths = "programmed";  ///< or real
   std::vector<std::string> no_checks;  ///< codes
 };
 
@@ -79,6 +81,10 @@ struct TimeOptions {
 struct StockOptions {
   RunOptions run;      ///< without outputs
   std::string report;  ///< JSON
+  std::string blocks;  ///< CSV
+  std::string path = "programmed";
+  std::string until;  ///< a line, or seconds with an s
+  bool stop_at_finding = false;
 };
 
 struct CheckOptions {

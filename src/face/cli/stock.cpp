@@ -1,4 +1,6 @@
 #include <cstdio>
+#include <memory>
+#include <optional>
 
 #include "base/output_file.hpp"
 #include "face/cli/commands.hpp"
@@ -6,9 +8,11 @@
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
 #include "output/reports/stock_report.hpp"
+#include "output/reports/stock_rows.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::cli {
@@ -27,6 +31,37 @@ void tell_findings(const StockOptions& options, const output::StockFacts& facts,
   }
 }
 
+/// What `kerf stock` has besides a table.
+base::Outcome<void> take_words(const StockOptions& options, job::StockJob& job) {
+  auto until = until_of(options.until);
+  if (!until) return tl::unexpected(until.error());
+  job.until = *until;
+  job.follows_set_points = options.path == "interpolated";
+  job.stops_at_finding = options.stop_at_finding;
+  return {};
+}
+
+/// Rows of `--blocks` for each pass over the program: the file begins anew.
+void write_rows(const StockOptions& options, std::optional<base::Failure>& failure,
+                job::StockJob& job) {
+  if (options.blocks.empty()) return;
+  job.rows = [&](const job::Run& run) -> std::unique_ptr<stock::TimedCutSink> {
+    auto file = base::OutputFile::create(options.blocks);
+    if (!file) {
+      failure = file.error();
+      return nullptr;
+    }
+    return std::make_unique<output::StockRows>(std::move(*file), run.machine().sources());
+  };
+}
+
+base::Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
+                                job::StockResult& result) {
+  if (failure) return tl::unexpected(*failure);
+  auto* const rows = dynamic_cast<output::StockRows*>(result.rows.get());
+  return rows == nullptr ? base::Outcome<void>{} : rows->commit();
+}
+
 }  // namespace
 
 ExitStatus stock(const StockOptions& options) {
@@ -39,12 +74,15 @@ ExitStatus stock(const StockOptions& options) {
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
   auto job = stock_job(options.run, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
+  if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
+  std::optional<base::Failure> no_rows;
+  write_rows(options, no_rows, *job);
   auto cut = job::cut_stock(*job);
   if (!cut) return fail(cut.error());
+  if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
   output::StockFacts facts = job::facts_of(*cut);
   facts.shape = shape_word(options.run.table);
   facts.run.chosen = ready.choice.chosen;
-  leave_out(options.run.table, facts);
   ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
   if (!options.report.empty()) {

@@ -34,6 +34,14 @@ void add_table(CLI::App& app, TableOptions& o) {
   app.add_option("--jobs", o.jobs, "threads that cut; default one a processor")
       ->type_name("N")
       ->check(CLI::Range(1U, 256U));
+  app.add_option("--material", o.material,
+                 "P, M, K, N, S, H or KC11,MC: tells forces and power of cuts")
+      ->type_name("GROUP");
+  app.add_option("--lengths", o.lengths,
+                 "programmed, or real: tools stand where their length puts them, not their "
+                 "offset; default programmed")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"programmed", "real"}));
   app.option_defaults()->group("Checks");
   repeated(app.add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
       ->type_name("CODE");
@@ -53,10 +61,27 @@ void add_stock(CLI::App& app, StockOptions& o) {
   stock->option_defaults()->group("Machine, memory, panel");
   add_preparation(*stock, o.run, Patterns::not_run);
   add_table(*stock, o.run.table);
+  stock->add_flag("--stop-at-finding", o.stop_at_finding,
+                  "what is behind the first finding is not cut");
+  stock->option_defaults()->group("Stock");
+  stock
+      ->add_option("--path", o.path,
+                   "programmed, or interpolated: along the set-points, with rounded corners; "
+                   "default programmed")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"programmed", "interpolated"}));
+  stock
+      ->add_option("--until", o.until,
+                   "the part as it is before this line begins, or at this second: 12.5s")
+      ->type_name("LINE|Ts");
   stock->option_defaults()->group("Limits");
   add_budget(*stock, o.run.max_seconds, o.run.max_motions);
   stock->option_defaults()->group("Outputs (- is standard output)");
   stock->add_option("--report", o.report, "the report as JSON")->type_name("FILE");
+  stock
+      ->add_option("--blocks", o.blocks,
+                   "a row for every motion: what it cuts, engagement, forces (CSV)")
+      ->type_name("FILE");
   add_diagnostics(*stock, o.run.diagnostics);
   stock->footer("Example: kerf stock part.nc --stock box:0,0,-20,100,60,0 --tools tools.toml");
 }

@@ -5,6 +5,7 @@
 
 #include "base/decimal.hpp"
 #include "base/output_file.hpp"
+#include "face/cli/stock_words.hpp"
 #include "machine/definition/tools/tool_comment.hpp"
 #include "machine/definition/tools/tool_import.hpp"
 #include "motion/feed.hpp"
@@ -38,11 +39,6 @@ Outcome<std::optional<double>> kerf_of(const TableOptions& options) {
   const double kerf = base::read_number(options.kerf).value_or(0);
   if (!(kerf > 0)) return base::usage("--kerf " + options.kerf + ": a cut has a width");
   return std::optional(kerf);
-}
-
-bool is_left_out(const TableOptions& options, const output::StockFacts::Told& told) {
-  const auto& codes = options.no_checks;
-  return std::find(codes.begin(), codes.end(), told.diagnostic.number) != codes.end();
 }
 
 }  // namespace
@@ -93,8 +89,16 @@ Outcome<job::StockJob> stock_job(const RunOptions& run, OrderedJob ordered,
     job.memory_bytes = static_cast<std::size_t>(base::read_number(options.memory).value_or(0))
                        << 20;
   job.jobs = options.jobs;
+  auto material = material_of(options.material);
+  if (!material) return tl::unexpected(material.error());
+  job.material = *material;
+  auto left_out = left_out_of(options.no_checks);
+  if (!left_out) return tl::unexpected(left_out.error());
+  job.left_out = std::move(*left_out);
+  job.has_real_lengths = options.lengths == "real";
   auto library = tools_of(run);
   if (!library) return tl::unexpected(library.error());
+  job.remarks = std::move(library->remarks);
   std::vector<stock::Tool> tools = std::move(library->tools);
   const machine::MachineDefinition& definition = job.job.definition;
   if (definition.axes.beam && !job.kerf_mm) job.kerf_mm = library->kerf_mm;
@@ -104,10 +108,6 @@ Outcome<job::StockJob> stock_job(const RunOptions& run, OrderedJob ordered,
   for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools.push_back(tool);
   job.tools = machine::ToolChoice(std::move(tools));
   return job;
-}
-
-void leave_out(const TableOptions& options, output::StockFacts& facts) {
-  std::erase_if(facts.findings, [&](const auto& told) { return is_left_out(options, told); });
 }
 
 bool fails(const TableOptions& options, const output::StockFacts& facts) {

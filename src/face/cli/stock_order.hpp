@@ -25,8 +25,6 @@ namespace kerf::cli {
 
 /// The shape on the table as reports call it.
 [[nodiscard]] std::string shape_word(const TableOptions& options);
-/// Without the findings of checks that are not wanted.
-void leave_out(const TableOptions& options, output::StockFacts& facts);
 /// Whether a finding makes the command fail.
 [[nodiscard]] bool fails(const TableOptions& options, const output::StockFacts& facts);
 

@@ -6,7 +6,6 @@
 #include <optional>
 #include <thread>
 
-#include "job/internal/motion_times.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/sheet/beam_energy.hpp"
@@ -288,7 +287,6 @@ Outcome<StockResult> cut_sheet(const StockJob& job) {
     }
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
-    result.times_s = times_of(job.job, result.findings);
     return result;
   }
 }

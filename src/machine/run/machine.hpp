@@ -56,6 +56,8 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   void add_sink(motion::MotionSink& sink) { sinks_.push_back(&sink); }
   /// Set-points at every period of the servo; making them takes time.
   void add_point_sink(motion::AxisPointSink& sink) { servo_.add_sink(sink); }
+  /// Is told when motions end, perhaps on another thread. Precondition: nothing has run.
+  void tell_ends(motion::MotionEndSink& sink) { servo_.tell_ends(sink); }
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "math/math.hpp"
+#include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
 #include "stock/dexel/tile_work.hpp"
 
@@ -321,6 +322,12 @@ Bounds TriDexel::extents() const {
     }
   }
   return {middle_ + Vec3{low[0], low[1], low[2]}, middle_ + Vec3{high[0], high[1], high[2]}};
+}
+
+std::vector<Piece> TriDexel::pieces() const {
+  std::vector<Piece> all = pieces_of(*this, static_cast<int>(best_grid()), box_.low.z);
+  if (all.size() == 1) all.front().volume_mm3 = left_mm3();
+  return all;
 }
 
 std::size_t TriDexel::bytes() const {

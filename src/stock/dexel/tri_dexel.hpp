@@ -49,6 +49,9 @@ class TriDexel final : public Model {
   [[nodiscard]] double stock_mm3() const override;
   [[nodiscard]] double error_mm3() const override;
   [[nodiscard]] Bounds extents() const override;
+  /// Of the grid that left_mm3() counts; of one piece the volume is that.
+  [[nodiscard]] std::vector<Piece> pieces() const override;
+  [[nodiscard]] double grain_mm() const override { return cell_; }
   [[nodiscard]] std::size_t bytes() const override;
 
   /// How far, in [0, 1], a body goes on a straight way until any of it meets material; none: it

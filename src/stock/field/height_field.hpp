@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -38,6 +39,9 @@ class HeightField final : public Model {
   [[nodiscard]] double error_mm3() const override { return columns_.error_mm3(); }
   [[nodiscard]] Bounds extents() const override { return columns_.extents(); }
   [[nodiscard]] std::vector<Piece> pieces() const override { return pieces_of(columns_); }
+  [[nodiscard]] double grain_mm() const override {
+    return std::max(columns_.grid().cell_x(), columns_.grid().cell_y());
+  }
   [[nodiscard]] std::size_t bytes() const override { return columns_.bytes(); }
 
   [[nodiscard]] const Columns& columns() const { return columns_; }

@@ -41,6 +41,8 @@ class Model : public base::Interface {
   [[nodiscard]] virtual Bounds extents() const = 0;
   /// What of it hangs together, the largest first. A model that cannot tell has it all for one.
   [[nodiscard]] virtual std::vector<Piece> pieces() const;
+  /// Size of its cells across Z, mm: how much it cannot tell. 0: it is exact.
+  [[nodiscard]] virtual double grain_mm() const { return 0; }
   /// What it holds now.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };

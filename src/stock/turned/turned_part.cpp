@@ -98,6 +98,11 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
   const Region met = without_threads(division.inside, body);
   check_back(tool, pass, met, outcome);
   outcome.removed += Exact(turned::volume(met));
+  outcome.section += Exact(contour::area(met));
+  if (!tool.is_insert() && !met.is_empty()) {
+    const Box all = contour::extents(met);
+    outcome.aside.add({all.low.v, all.high.v});
+  }
   const bool is_all = threads_.is_empty() || met == division.inside;
   material_.become(is_all ? std::move(division.outside) : contour::subtract(region(), met));
 }

@@ -149,6 +149,7 @@ class Pass final : public motion::MotionSink {
     result.knows_travel = strokes_.is_known();
     result.most_kw = most_kw();
     result.tools = cutter_->tools();
+    result.tool_spans = cutter_->tool_spans();
     result.rows = std::move(rows_);
     result.pieces = pieces_;
     result.threads = threads();

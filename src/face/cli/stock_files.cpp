@@ -1,6 +1,5 @@
 #include "face/cli/stock_files.hpp"
 
-#include "face/cli/same_file.hpp"
 #include "job/facts_of_run.hpp"
 #include "job/stock_part.hpp"
 #include "output/part/part_picture.hpp"

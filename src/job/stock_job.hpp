@@ -45,6 +45,7 @@ struct StockJob {
   std::size_t memory_bytes = 1024UL << 20;  ///< of the model, and of the meshes beside it
   std::size_t mesh_bytes = 0;               ///< what those take of it
   unsigned jobs = 0;                        ///< threads; 0: one a processor
+  bool keeps_ways = false;                  ///< of a beam: for exact outlines
   bool checks_start = false;                ///< the axes begin where the machine says
   machine::ToolChoice tools{};              ///< that somebody describes
   std::vector<machine::ImportRemark> remarks{};  ///< what their file has and nobody understood

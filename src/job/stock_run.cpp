@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string_view>
 
 #include "job/internal/cut_end.hpp"
 #include "job/internal/fixture.hpp"
@@ -108,23 +109,16 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
       better.without_changes = false;
       differs = true;
     }
-    if (cutter_->stuck()) {
+    const auto ask_for_dexels = [&](std::string_view why, const base::BlockId& block) {
       better.kind = StockModel::tridexel;
-      better.reason =
-          "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
+      better.reason = fmt::format("{}, line {}", why, block.line);
       differs = true;
-    }
-    if (touches_wall_ && plan_.kind == StockModel::zmap && is_model_open_) {
-      better.kind = StockModel::tridexel;
-      better.reason =
-          "a probe meets more than level faces, line " + std::to_string(touches_wall_->line);
-      differs = true;
-    }
-    if (driven_.driven()) {
-      better.kind = StockModel::tridexel;
-      better.reason = "a driven tool cuts, line " + std::to_string(driven_.driven()->line);
-      differs = true;
-    }
+    };
+    if (cutter_->stuck())
+      ask_for_dexels("a move that a height field cannot hold", *cutter_->stuck());
+    if (touches_wall_ && plan_.kind == StockModel::zmap && is_model_open_)
+      ask_for_dexels("a probe meets more than level faces", *touches_wall_);
+    if (driven_.driven()) ask_for_dexels("a driven tool cuts", *driven_.driven());
     // Whether a tool that nobody describes is a drill, only a survey says.
     if (rack_->has_guessed() && !plan_.is_surveyed) {
       better.is_surveyed = true;
@@ -159,6 +153,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.knows_travel = strokes_.is_known();
     result.most_kw = most_kw();
     result.tools = cutter_->tools();
+    result.tool_spans = cutter_->tool_spans();
     result.rows = std::move(rows_);
     result.pieces = pieces_;
     result.threads = threads();

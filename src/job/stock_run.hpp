@@ -29,7 +29,9 @@ struct StockResult {
   std::vector<stock::Finding> findings;
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
-  std::vector<stock::Piece> pieces;  ///< of the model, the largest first
+  std::vector<stock::ToolSpan> tool_spans;  ///< which motions are whose
+  std::vector<stock::sheet::Trace> ways;    ///< of a beam, where the job keeps them
+  std::vector<stock::Piece> pieces;         ///< of the model, the largest first
   std::vector<output::StockFacts::Thread> threads;
   machine::Skips skips;      ///< what probes met: Job::skips of a run that shall be the same
   bool has_probed = false;   ///< whether they might have met anything

@@ -79,10 +79,22 @@ struct TimeOptions {
   std::string format = "text";
 };
 
+/// Files of the part that `kerf stock` has cut; empty: not asked for.
+struct StockFileOptions {
+  std::string stl;
+  std::string glb;
+  std::string three_mf;
+  std::string profile;  ///< .svg, .dxf or .csv
+  std::string picture;  ///< .png or .svg
+  std::string view;     ///< empty: as the part is mostly shown
+  std::string mesh = "smooth";
+};
+
 /// A run that cuts the virtual part: RunOptions::table says what lies there.
 struct StockOptions {
   RunOptions run;      ///< without outputs
   std::string report;  ///< JSON
+  StockFileOptions files;
   std::string blocks;  ///< CSV
   std::string path = "programmed";
   std::string until;  ///< a line, or seconds with an s

@@ -6,6 +6,7 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
+#include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
 #include "face/cli/stock_words.hpp"
 #include "face/cli/table_run.hpp"
@@ -61,6 +62,12 @@ ExitStatus stock(const StockOptions& options) {
   auto job = stock_job(options.run, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
   if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
+  StockFiles files(options.files);
+  for (const std::string* const input :
+       {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state})
+    files.keep_from(*input);
+  if (auto opened = files.open(*job); !opened) return fail(opened.error());
+  job->keeps_ways = files.needs_ways();
   std::optional<base::Failure> no_rows;
   write_rows(options, no_rows, *job);
   auto cut = job::cut_stock(*job);
@@ -69,6 +76,7 @@ ExitStatus stock(const StockOptions& options) {
   output::StockFacts facts = job::facts_of(*cut);
   facts.shape = shape_word(options.run.table);
   facts.run.chosen = ready.choice.chosen;
+  if (auto written = files.write(*cut, facts, *job); !written) return fail(written.error());
   ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
   if (!options.report.empty()) {

@@ -1,6 +1,7 @@
 #include "face/cli/stock_arguments.hpp"
 
 #include "face/cli/option_groups.hpp"
+#include "face/cli/stock_files.hpp"
 
 namespace kerf::cli {
 
@@ -80,6 +81,7 @@ void add_stock(CLI::App& app, StockOptions& o) {
   add_budget(*stock, o.run.max_seconds, o.run.max_motions);
   stock->option_defaults()->group("Outputs (- is standard output)");
   stock->add_option("--report", o.report, "the report as JSON")->type_name("FILE");
+  add_stock_files(*stock, o.files);
   stock
       ->add_option("--blocks", o.blocks,
                    "a row for every motion: what it cuts, engagement, forces (CSV)")

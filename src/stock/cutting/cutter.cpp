@@ -205,6 +205,8 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   lowered_mm_ = longer;
   if (stuck_) return sweeps_.resize(of.first);
   of.cut.is_looked_at = true;
+  if (tool_spans_.empty() || tool_spans_.back().tool != of.cut.tool)
+    tool_spans_.push_back({like.motion, of.cut.tool});
   if (of.kind == SweepKind::cut) check_length(motion, of);
   if (of.kind == SweepKind::cut) check_pitch(of);
 }

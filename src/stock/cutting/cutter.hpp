@@ -17,6 +17,7 @@
 #include "stock/cutting/obstacle.hpp"
 #include "stock/cutting/sweep_maker.hpp"
 #include "stock/cutting/tool_record.hpp"
+#include "stock/cutting/tool_span.hpp"
 #include "stock/sweep/model.hpp"
 
 namespace kerf::stock {
@@ -74,6 +75,8 @@ class Cutter final : public motion::MotionSink {
   [[nodiscard]] Judge& judge() { return judge_; }
   /// By their first use.
   [[nodiscard]] std::vector<ToolRecord>& tools() { return tools_; }
+  /// Which motions are whose.
+  [[nodiscard]] const std::vector<ToolSpan>& tool_spans() const { return tool_spans_; }
   /// The first move that the model cannot cut; nothing behind it was cut.
   [[nodiscard]] const std::optional<base::BlockId>& stuck() const { return stuck_; }
   /// A move at feed met a tool change ahead of it or none: what Settings::has_tool is about.
@@ -134,6 +137,7 @@ class Cutter final : public motion::MotionSink {
   Findings findings_;
   Judge judge_;
   std::vector<ToolRecord> tools_;
+  std::vector<ToolSpan> tool_spans_;
   std::map<std::uint32_t, BodyId> bodies_;
   const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
   Turning turning_ = Turning::stopped;

@@ -67,6 +67,12 @@ std::optional<HeightSamples::Column> HeightSamples::column(int i, int j) const {
   return column;
 }
 
+std::uint32_t HeightSamples::owner(Place at) const {
+  const int x = numbers_[0][index(at[0])];
+  const int y = numbers_[1][index(at[1])];
+  return x < 0 || y < 0 ? 0 : columns_.owner(x, y);
+}
+
 void HeightSamples::fill(Signs& signs) const {
   const Place n = signs.count();
   const PointRange along(points(2), signs.first()[2], n[2]);
@@ -204,9 +210,10 @@ Crossing HeightSamples::wall(const Line& line) const {
   const std::vector<double>& along = points(line.axis);
   const double middle = (along[index(edge)] + along[index(edge + 1)]) / 2;
   const double outwards = line.from_inside ? 1 : -1;
-  const auto in = column(line.from_inside ? line.from : moved(line.from, line.axis, 1));
-  const auto out = column(line.from_inside ? moved(line.from, line.axis, 1) : line.from);
-  const std::uint32_t owner = out && out->owner != 0 ? out->owner : in->owner;
+  const Place next = moved(line.from, line.axis, 1);
+  // Who took the material away beside it, whatever is left there.
+  const std::uint32_t beside = owner(line.from_inside ? next : line.from);
+  const std::uint32_t by = beside != 0 ? beside : owner(line.from_inside ? line.from : next);
   Vec3 straight = line.axis == 0 ? Vec3{outwards, 0, 0} : Vec3{0, outwards, 0};
   if (is_border(line)) {
     const Bounds& box = columns_.grid().box;
@@ -223,7 +230,7 @@ Crossing HeightSamples::wall(const Line& line) const {
     places[index(kMostRows + rows + 1)] = up - edge;
     places[index(kMostRows - rows - 1)] = down - edge;
   }
-  if (rows == 0) return {middle, !is_step(line), straight, owner};
+  if (rows == 0) return {middle, !is_step(line), straight, by};
   double weights = 0, sum = 0, turned = 0, arm = 0;
   for (int k = -rows; k <= rows; ++k) {
     const double weight = rows + 1 - std::abs(k);
@@ -237,7 +244,7 @@ Crossing HeightSamples::wall(const Line& line) const {
   const double size = std::sqrt(1 + lean * lean);
   const double one = outwards / size;
   const Vec3 n = line.axis == 0 ? Vec3{one, -lean * one, 0} : Vec3{-lean * one, one, 0};
-  return {middle + std::clamp(sum / weights, -0.5, 0.5) * cell, true, n, owner};
+  return {middle + std::clamp(sum / weights, -0.5, 0.5) * cell, true, n, by};
 }
 
 }  // namespace kerf::stock::surface

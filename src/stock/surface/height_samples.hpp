@@ -42,6 +42,8 @@ class HeightSamples final : public Samples {
 
   [[nodiscard]] std::optional<Column> column(int i, int j) const;
   [[nodiscard]] std::optional<Column> column(Place at) const { return column(at[0], at[1]); }
+  /// The motion that cut a column, also where it left nothing; 0: none, or there is no column.
+  [[nodiscard]] std::uint32_t owner(Place at) const;
   [[nodiscard]] bool inside(Place at) const;
   [[nodiscard]] double slope(Place at, int axis, Side side) const;
   [[nodiscard]] Vec3 normal(double along_x, double along_y, Side side) const;

@@ -317,11 +317,6 @@ Outcome<machine::Skips> skips_of(const StockJob& job) {
   return std::move(cut->skips);
 }
 
-/// Whether its stock can be probed before the program has been looked over.
-bool can_be_probed(const StockJob& job) {
-  return job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
-}
-
 /// Nothing was cut before the alarm, which is what there is to tell.
 stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
   assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
@@ -335,7 +330,8 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
   const machine::RunStatus status = (*run)->go();
-  if (pass.has_probed() && can_be_probed(job)) {
+  const bool is_said = job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
+  if (pass.has_probed() && is_said) {
     auto skips = skips_of(job);
     if (!skips) return tl::unexpected(skips.error());
     StockJob probed = job;

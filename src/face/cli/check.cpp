@@ -13,7 +13,6 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/table_run.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 

@@ -9,7 +9,6 @@
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
 #include "face/cli/stock_words.hpp"
-#include "face/cli/table_run.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
 #include "output/reports/stock_report.hpp"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "control/core/memory.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "machine/run/budget.hpp"
+#include "machine/run/known_skips.hpp"
 #include "machine/run/machine.hpp"
 #include "machine/run/skip_contacts.hpp"
 
@@ -27,7 +30,12 @@ struct Job {
   machine::Machine::Settings settings{};
   base::ProgramText program{};
   std::vector<InitialVariable> variables{};
+  /// What the operator enters for INPUT, by the number of the line from 0; nothing: there is no
+  /// more. Empty: nobody enters anything.
+  std::function<std::optional<std::string>(std::size_t)> input{};
   std::vector<machine::SkipContact> contacts{};
+  /// What probes met when this job was run with its stock; contacts count more.
+  machine::Skips skips{};
   std::vector<double> interrupt_at_s{};  ///< signals of a macro interrupt (M96), times of the run
   bool behind_alarms = false;            ///< BatchRun::search_alarms()
   machine::Budget budget{};

@@ -39,6 +39,9 @@ Outcome<void> prepare(const Job& job, std::unique_ptr<base::SourceFile> program,
     program = std::move(*opened);
   }
   machine.load(std::move(program));
+  if (job.input)
+    machine.set_input(
+        [input = job.input, line = std::size_t{0}]() mutable { return input(line++); });
   for (const machine::SkipContact& contact : job.contacts) machine.add_skip_contact(contact);
   return set_variables(job, machine);
 }
@@ -53,7 +56,9 @@ Outcome<std::unique_ptr<machine::PacedRun>> make_paced(const Job& job) {
 }  // namespace
 
 Run::Run(const Job& job)
-    : budget_(job.budget), machine_(job.definition, job.memory, job.settings) {}
+    : budget_(job.budget), skips_(job.skips), machine_(job.definition, job.memory, job.settings) {
+  machine_.set_skip_signal(skips_);
+}
 
 // When the axes are where is only known of a run by time: such ones are made before.
 Outcome<void> Run::plan_interrupts(const Job& job) {

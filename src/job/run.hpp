@@ -6,6 +6,7 @@
 #include "base/source_file.hpp"
 #include "job/job.hpp"
 #include "machine/run/batch_run.hpp"
+#include "machine/run/known_skips.hpp"
 #include "machine/run/stepper.hpp"
 
 namespace kerf::job {
@@ -29,6 +30,7 @@ class Run {
   [[nodiscard]] base::Outcome<void> plan_interrupts(const Job& job);
 
   machine::Budget budget_;
+  machine::KnownSkips skips_;
   machine::BatchRun machine_;
   std::unique_ptr<machine::Stepper> interrupts_;  // gives the machine its signals; null: none
 };

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,11 +11,22 @@
 #include "job/job.hpp"
 #include "machine/definition/stock_words.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
+#include "machine/definition/tools/tool_import.hpp"
+#include "stock/cutting/cutting_force.hpp"
+#include "stock/cutting/motion_cut.hpp"
 
 namespace kerf::job {
 
 /// Which kind of stock holds the part (stock.md §3).
 enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile, sheet };
+
+class Run;
+
+/// Up to where a program is cut (`--until`).
+struct CutUntil {
+  std::uint32_t line = 0;          ///< of its own file, before which it ends; 0: by time
+  std::optional<double> time_s{};  ///< of the run
+};
 
 /// A run that cuts the virtual part, as a value.
 struct StockJob {
@@ -28,10 +42,25 @@ struct StockJob {
   StockModel model = StockModel::automatic;
   std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool or the kerf
   std::optional<double> kerf_mm{};          ///< of a beam; none: as its machine has it
-  std::size_t memory_bytes = 1024UL << 20;  ///< of the model
+  std::size_t memory_bytes = 1024UL << 20;  ///< of the model, and of the meshes beside it
+  std::size_t mesh_bytes = 0;               ///< what those take of it
   unsigned jobs = 0;                        ///< threads; 0: one a processor
+  bool keeps_ways = false;                  ///< of a beam: for exact outlines
   bool checks_start = false;                ///< the axes begin where the machine says
   machine::ToolChoice tools{};              ///< that somebody describes
+  std::vector<machine::ImportRemark> remarks{};  ///< what their file has and nobody understood
+  std::optional<stock::CutMaterial> material{};  ///< of the stock; none: no forces are told
+  std::vector<base::Code> left_out{};            ///< checks that are not made
+  bool has_real_lengths = false;                 ///< Cutter::Settings
+  bool stops_at_finding = false;                 ///< the first one is the end of what is cut
+  bool follows_set_points = false;               ///< cuts where the axes go, corners rounded
+  std::optional<CutUntil> until{};
+  /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
+  std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
+
+  [[nodiscard]] std::size_t memory_for_model() const {
+    return memory_bytes - std::min(mesh_bytes, memory_bytes);
+  }
 };
 
 }  // namespace kerf::job

@@ -3,15 +3,22 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string_view>
 
+#include "job/internal/cut_end.hpp"
 #include "job/internal/fixture.hpp"
-#include "job/internal/motion_times.hpp"
+#include "job/internal/loose_pieces.hpp"
 #include "job/internal/run_rack.hpp"
+#include "job/internal/set_point_path.hpp"
 #include "job/internal/sheet_run.hpp"
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
+#include "job/internal/stroke_watch.hpp"
+#include "job/internal/survey_pass.hpp"
 #include "machine/definition/work_turns.hpp"
+#include "stock/cutting/cut_clock.hpp"
+#include "stock/cutting/limit_checks.hpp"
 #include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
@@ -28,14 +35,17 @@ std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
 }
 
 /// One pass over the program with a plan, and what it has shown of the plan.
-class Pass final : public motion::MotionSink {
+class Pass final : public motion::MotionSink, private motion::SkipSignal {
  public:
   Pass(const StockJob& job, const StockPlan& plan, std::unique_ptr<Run> run)
       : plan_(plan),
+        is_model_open_(job.model == StockModel::automatic),
+        knows_stock_(job.knows_stock),
         run_(std::move(run)),
         zero_(run_->machine(), job.zero),
         frame_(axes(), turns_of(plan, run_->machine().definition())),
         driven_(axes()),
+        strokes_(run_->machine()),
         rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
                                         run_->machine().definition().turns(), plan.axial)) {
     frame_.set_zero(plan.origin);
@@ -48,26 +58,44 @@ class Pass final : public motion::MotionSink {
     auto made = make_model(plan_, job);
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
-    cutter_.emplace(axes(), frame_, *model_, *rack_,
-                    stock::Cutter::Settings{.tolerance_mm = made.turning_tolerance_mm,
-                                            .is_placed = placed_when(job),
-                                            .obstacles = obstacles_of(job),
-                                            .knows_stock = job.knows_stock,
-                                            .has_tool = plan_.without_changes,
-                                            .turns_work = is_profile()});
+    cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
+    limits_.emplace(
+        *rack_, cutter_->judge(), cutter_->findings(), cutter_->tools(),
+        stock::LimitChecks::Settings{.grain_mm = model_->grain_mm(), .most_kw = most_kw()});
+    clock_.add_sink(*limits_);
+    clock_.add_sink(strokes_);
+    clock_.add_sink(loose_);
+    rows_ = job.rows ? job.rows(*run_) : nullptr;
+    if (rows_) clock_.add_sink(*rows_);
     run_->machine().add_sink(*this);
+    run_->machine().set_skip_signal(*this);
+    run_->machine().tell_ends(clock_);
+    if (job.follows_set_points) {
+      path_.emplace(*cutter_, placed_when(job));
+      run_->machine().add_point_sink(*path_);
+    }
     status_ = run_->go();
+    if (path_) path_->finish();
     cutter_->finish();
+    pieces_ = pieces_of(*model_, job);
+    clock_.finish(run_->machine().time_s());
+    loose_.tell(pieces_, model_->grain_mm(), cutter_->judge());
   }
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
     if (is_profile()) driven_.look(motion);
-    cutter_->take(motion);
+    if (path_) {
+      path_->add(motion);
+    } else {
+      cutter_->take(motion);
+    }
+    ++motions_;
+    if (!plan_.end || motions_ <= plan_.end->motion) strokes_.look(motion, motions_);
   }
 
   /// The plan for the next pass, where this one was wrong.
-  [[nodiscard]] std::optional<StockPlan> better_plan() const {
+  [[nodiscard]] std::optional<StockPlan> better_plan(const StockJob& job) {
     StockPlan better = plan_;
     bool differs = false;
     if (zero_.origin() && *zero_.origin() != plan_.origin) {
@@ -81,17 +109,16 @@ class Pass final : public motion::MotionSink {
       better.without_changes = false;
       differs = true;
     }
-    if (cutter_->stuck()) {
+    const auto ask_for_dexels = [&](std::string_view why, const base::BlockId& block) {
       better.kind = StockModel::tridexel;
-      better.reason =
-          "a move that a height field cannot hold, line " + std::to_string(cutter_->stuck()->line);
+      better.reason = fmt::format("{}, line {}", why, block.line);
       differs = true;
-    }
-    if (driven_.driven()) {
-      better.kind = StockModel::tridexel;
-      better.reason = "a driven tool cuts, line " + std::to_string(driven_.driven()->line);
-      differs = true;
-    }
+    };
+    if (cutter_->stuck())
+      ask_for_dexels("a move that a height field cannot hold", *cutter_->stuck());
+    if (touches_wall_ && plan_.kind == StockModel::zmap && is_model_open_)
+      ask_for_dexels("a probe meets more than level faces", *touches_wall_);
+    if (driven_.driven()) ask_for_dexels("a driven tool cuts", *driven_.driven());
     // Whether a tool that nobody describes is a drill, only a survey says.
     if (rack_->has_guessed() && !plan_.is_surveyed) {
       better.is_surveyed = true;
@@ -100,12 +127,18 @@ class Pass final : public motion::MotionSink {
         differs = differs || axial;
       }
     }
+    if (!differs && plan_.looks.empty()) {
+      better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
+      differs = !better.looks.empty();
+    }
+    if (!differs && job.stops_at_finding) differs = ends_earlier(better);
     return differs ? std::optional(better) : std::nullopt;
   }
 
-  [[nodiscard]] StockResult result() {
+  [[nodiscard]] StockResult result(const StockJob& job) {
     StockResult result;
     result.status = status_;
+    result.is_stopped = plan_.is_stopped;
     result.zero = zero_.zero();
     result.origin = plan_.origin;
     result.shape = plan_.shape;
@@ -114,12 +147,19 @@ class Pass final : public motion::MotionSink {
         cutter_->motions() > 0
             ? static_cast<double>(cutter_->visited()) / static_cast<double>(cutter_->motions())
             : 0;
+    tell_of_run(job);
     result.findings = cutter_->findings().in_order();
     result.findings_dropped = cutter_->findings().dropped();
+    result.knows_travel = strokes_.is_known();
+    result.most_kw = most_kw();
     result.tools = cutter_->tools();
+    result.tool_spans = cutter_->tool_spans();
+    result.rows = std::move(rows_);
+    result.pieces = pieces_;
     result.threads = threads();
     result.assumed = rack_->assumed();
-    tell_of_run(result);
+    result.skips = std::move(skips_);
+    result.has_probed = has_probed_;
     result.model = std::move(model_);
     result.rack = std::move(rack_);
     result.run = std::move(run_);
@@ -127,6 +167,30 @@ class Pass final : public motion::MotionSink {
   }
 
  private:
+  [[nodiscard]] stock::Cutter::Settings settings(const StockJob& job, double tolerance_mm) {
+    return {.tolerance_mm = tolerance_mm,
+            .is_placed = job.follows_set_points && !job.checks_start
+                             ? std::function<bool()>([this] { return path_->was_placed(); })
+                             : placed_when(job),
+            .judge = {.obstacles = obstacles_of(job),
+                      .knows_stock = job.knows_stock,
+                      .left_out = job.left_out},
+            .has_tool = plan_.without_changes,
+            .turns_work = is_profile(),
+            .material = job.material,
+            .cuts = &clock_,
+            .end = plan_.end,
+            .has_real_lengths = job.has_real_lengths,
+            .stock = stock::bounds(plan_.shape),
+            .looks = plan_.looks,
+            .look = [this, &job](const stock::MotionCut& last) {
+              loose_.look(last.motion, last.block, last.tool, pieces_of(*model_, job));
+            }};
+  }
+  /// Of the spindle that a cut needs: that of the work, or of the tool on a mill.
+  [[nodiscard]] double most_kw() const {
+    return run_->machine().definition().spindle_kw[index(motion::SpindleName::main)];
+  }
   [[nodiscard]] std::vector<stock::Obstacle*> obstacles_of(const StockJob& job) {
     std::vector<stock::Obstacle*> obstacles;
     for (const StockJob::NamedShape& one : job.fixtures) {
@@ -146,6 +210,18 @@ class Pass final : public motion::MotionSink {
     return [this, all] { return (run_->machine().control().commanded() & all) == all; };
   }
   [[nodiscard]] const motion::AxisSetup& axes() const { return run_->machine().definition().axes; }
+
+  /// The first finding is the end. Its motion is cut as a whole.
+  [[nodiscard]] bool ends_earlier(StockPlan& better) {
+    strokes_.tell(cutter_->judge());
+    const auto found = cutter_->findings().in_order();
+    if (found.empty() || found.front().motion == 0) return false;
+    const std::uint64_t first = found.front().motion;
+    if (plan_.end && plan_.end->motion <= first) return false;
+    better.end = stock::CutEnd{first};
+    better.is_stopped = true;
+    return true;
+  }
 
   [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
 
@@ -168,54 +244,63 @@ class Pass final : public motion::MotionSink {
     return out;
   }
 
-  void tell_of_run(StockResult& result) const {
+  /// What is against the run as a whole.
+  void tell_of_run(const StockJob& job) {
+    stock::Judge& judge = cutter_->judge();
+    for (const machine::ImportRemark& remark : job.remarks) {
+      const std::string whose = remark.number > 0 ? fmt::format("T{}: ", remark.number) : "";
+      judge.add({.code = base::Code::tool_import,
+                 .detail = whose + remark.text,
+                 .tool = static_cast<std::uint32_t>(remark.number)});
+    }
+    strokes_.tell(judge);
     if (zero_.moved()) {
-      result.findings.push_back({.code = base::Code::stock_zero_moved,
-                                 .detail = name_of(zero_.zero()) + " was changed: the stock stays",
-                                 .block = *zero_.moved()});
+      judge.add({.code = base::Code::stock_zero_moved,
+                 .detail = name_of(zero_.zero()) + " was changed: the stock stays",
+                 .block = *zero_.moved()});
     }
-    if (cutter_->fed() && !cutter_->has_cut())
-      result.findings.push_back({.code = base::Code::stock_missed});
-    if (cell_enlarged_) {
-      result.findings.push_back({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
-    }
+    if (cutter_->fed() && !cutter_->has_cut() && !plan_.end)
+      judge.add({.code = base::Code::stock_missed});
+    if (cell_enlarged_) judge.add({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
+  }
+
+  // A wall of a height field is where its columns are, half a cell beside itself.
+  std::optional<double> comes_on(const motion::SkipMove& move) override {
+    zero_.look(move.block);
+    has_probed_ = true;
+    if (!knows_stock_) return std::nullopt;
+    if (path_) run_->machine().servo().finish();  // what waits there is cut, too
+    const auto touch = cutter_->touch(move.from, move.to);
+    skips_.push_back(touch);
+    const Vec3 way = frame_.in_space(move.to - move.from);
+    if (touch && !touches_wall_ && (way.x != 0 || way.y != 0)) touches_wall_ = move.block;
+    return touch;
   }
 
   StockPlan plan_;
+  bool is_model_open_;  // nobody has said which it shall be
+  bool knows_stock_;
   std::unique_ptr<Run> run_;
   ZeroWatch zero_;
+  machine::Skips skips_;
+  bool has_probed_ = false;
+  std::optional<base::BlockId> touches_wall_;
   stock::WorkFrame frame_;
   DrivenWatch driven_;
+  StrokeWatch strokes_;
   std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
   std::vector<std::unique_ptr<Fixture>> fixtures_;
+  stock::CutClock clock_;
   std::optional<stock::Cutter> cutter_;
+  std::optional<stock::LimitChecks> limits_;
+  LoosePieces loose_;
+  std::vector<stock::Piece> pieces_;  // when all is cut
+  std::optional<SetPointPath> path_;  // none: as programmed
+  std::uint64_t motions_ = 0;
+  std::unique_ptr<stock::TimedCutSink> rows_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
-};
-
-/// Looks over the program without cutting anything.
-class SurveyPass final : public motion::MotionSink {
- public:
-  SurveyPass(const StockJob& job, Run& run)
-      : frame_(run.machine().definition().axes, machine::work_turns(run.machine().definition())),
-        survey_(run.machine().definition().axes, frame_),
-        zero_(run.machine(), job.zero) {
-    run.machine().add_sink(*this);
-  }
-
-  void take(const motion::Motion& motion) override {
-    if (motion::is_cut(motion)) zero_.look(motion.block);
-    survey_.take(motion);
-  }
-
-  [[nodiscard]] const stock::Survey& survey() const { return survey_; }
-  [[nodiscard]] Vec3 origin() const { return zero_.origin().value_or(zero_.at_start()); }
-
- private:
-  stock::WorkFrame frame_;
-  stock::Survey survey_;
-  ZeroWatch zero_;
 };
 
 bool needs_survey(const StockJob& job) {
@@ -223,11 +308,36 @@ bool needs_survey(const StockJob& job) {
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
+/// What probes meet, found with cells of a usual size.
+Outcome<machine::Skips> skips_of(const StockJob& job) {
+  StockJob rough = job;
+  rough.cell_mm = SurveyedTools{}.usual_cell();
+  auto cut = cut_stock(rough);
+  if (!cut) return tl::unexpected(cut.error());
+  return std::move(cut->skips);
+}
+
+/// Nothing was cut before the alarm, which is what there is to tell.
+stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
+  assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
+  if (turns) return stock::CylinderShape{.from = -1, .to = 0, .diameter = 1};
+  return stock::BoxShape{{0, 0, -1}, {1, 1, 0}};
+}
+
+// A program that measures the part goes on by what it has found.
 Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
   SurveyPass pass(job, **run);
-  (*run)->go();
+  const machine::RunStatus status = (*run)->go();
+  const bool is_said = job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
+  if (pass.has_probed() && is_said) {
+    auto skips = skips_of(job);
+    if (!skips) return tl::unexpected(skips.error());
+    StockJob probed = job;
+    probed.job.skips = std::move(*skips);
+    if (!probed.job.skips.empty()) return plan_by_survey(probed, assumed);
+  }
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
@@ -237,10 +347,12 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
   auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
+  if (!shape && status == machine::RunStatus::alarm && !pass.survey().has_begun())
+    shape = shape_before_alarm(job.job.definition.turns(), assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  choose_model(job, tools, plan);
   plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  choose_model(job, tools, plan);
   return plan;
 }
 
@@ -251,8 +363,8 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  choose_model(job, SurveyedTools{}, plan);
   plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
+  choose_model(job, SurveyedTools{}, plan);
   return plan;
 }
 
@@ -266,8 +378,8 @@ Outcome<void> without_beam(const StockJob& job) {
   return {};
 }
 
-// Each pass mends at least one thing that the one before supposed, and there are four.
-constexpr int kMostPasses = 5;
+// Each pass mends at least one thing that the one before supposed, and there are six.
+constexpr int kMostPasses = 7;
 
 Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;
@@ -299,6 +411,13 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     if (!surveyed) return tl::unexpected(surveyed.error());
     plan = *surveyed;
   }
+  std::optional<stock::CutEnd> end;
+  if (job.until) {
+    auto found = find_end(job);
+    if (!found) return tl::unexpected(found.error());
+    end = found->end;
+    if (!found->remark.empty()) assumed.push_back({0, found->remark});
+  }
   for (int passes = 1;; ++passes) {
     auto run = Run::of(job.job);
     if (!run) return tl::unexpected(run.error());
@@ -307,18 +426,23 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
       if (!guess) return tl::unexpected(guess.error());
       plan = *guess;
     }
+    if (passes == 1) plan->end = end;
     if (auto suited = suits(job, *plan); !suited) return tl::unexpected(suited.error());
     Pass pass(job, *plan, std::move(*run));
     pass.go(job);
-    const auto better = pass.better_plan();
+    const auto better = pass.better_plan(job);
     if (better && passes < kMostPasses) {
       plan = better;
       continue;
     }
-    StockResult result = pass.result();
+    StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
-    result.times_s = times_of(job.job, result.findings);
+    if (!result.skips.empty() && !job.job.interrupt_at_s.empty())
+      return base::usage(
+          "--interrupt-at: when it comes depends on where probes meet the stock; say where by "
+          "--skip-at");
     result.knows_stock = job.knows_stock;
+    result.knows_material = job.material.has_value();
     return result;
   }
 }

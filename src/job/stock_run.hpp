@@ -17,6 +17,7 @@ namespace kerf::job {
 struct StockResult {
   std::unique_ptr<Run> run;  ///< over: its sources, what it came to
   machine::RunStatus status{};
+  bool is_stopped = false;  ///< at the first finding; the run itself went on
   machine::StockZero zero;  ///< that it stood at; never automatic
   stock::Vec3 origin;       ///< of that, machine coordinates
   stock::Workpiece shape = stock::BoxShape{};
@@ -26,11 +27,19 @@ struct StockResult {
   std::unique_ptr<stock::sheet::Sheet> sheet;
   std::optional<output::StockFacts::Sheet> sheet_facts;  ///< of it
   std::vector<stock::Finding> findings;
-  std::vector<double> times_s;  ///< of each finding, when its motion ended
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
+  std::vector<stock::ToolSpan> tool_spans;  ///< which motions are whose
+  std::vector<stock::sheet::Trace> ways;    ///< of a beam, where the job keeps them
+  std::vector<stock::Piece> pieces;         ///< of the model, the largest first
   std::vector<output::StockFacts::Thread> threads;
-  bool knows_stock = true;  ///< as the job has it
+  machine::Skips skips;      ///< what probes met: Job::skips of a run that shall be the same
+  bool has_probed = false;   ///< whether they might have met anything
+  bool knows_stock = true;   ///< as the job has it
+  bool knows_travel = true;  ///< some offset or length is not 0: the limits of strokes count
+  double most_kw = 0;        ///< of the spindle; 0: not known
+  bool knows_material = false;
+  std::unique_ptr<stock::TimedCutSink> rows;  ///< of StockJob::rows, all told; null: none
   std::vector<control::Assumption> assumed;
 };
 

@@ -33,6 +33,7 @@ class Interpolator final : public SetpointSource {
   /// The point of the next period. While the feed is held the points stand still.
   [[nodiscard]] bool next(motion::Setpoint& point) override;
   void skip() override;
+  void tell_ends(motion::MotionEndSink& sink) override { drive_.tell_ends(sink); }
 
   void set_overrides(const Overrides& overrides) override { wishes_.set_overrides(overrides); }
   void set_spindle_override(double factor) override { ahead_.builder.set_spindle_override(factor); }

@@ -64,6 +64,7 @@ bool PathSampler::begin_motion() {
 }
 
 void PathSampler::end_motion() {
+  if (ends_ != nullptr) ends_->motion_ends(mark_.motion, time_s_);
   while (path_.pieces.begin() <= last_piece_) path_.pieces.pop();
   path_.marks.pop();
   tick_ += count_;

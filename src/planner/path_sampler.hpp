@@ -28,6 +28,7 @@ class PathSampler final : public SetpointSource {
   void finish() override { builder_.stop(); }
   [[nodiscard]] bool next(motion::Setpoint& point) override;
   void skip() override;
+  void tell_ends(motion::MotionEndSink& sink) override { ends_ = &sink; }
   [[nodiscard]] double time_s() const override { return time_s_; }
   [[nodiscard]] const base::TipPoint& tip() const override { return tip_; }
   [[nodiscard]] base::TipPoint motion_end() const override;
@@ -93,6 +94,7 @@ class PathSampler final : public SetpointSource {
   std::uint64_t tick_ = 0;  // periods before it
   double begin_s_ = 0;      // its begin, where there is no period
   double time_s_ = 0;
+  motion::MotionEndSink* ends_ = nullptr;
   base::TipPoint tip_;
 };
 

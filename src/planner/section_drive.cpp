@@ -54,6 +54,16 @@ void SectionDrive::begin_phases(const Section& section) {
   } else if (ahead_.path.pieces.front().waits_for_spindle()) {
     begin_wait();
   }
+  if (ends_.is_wanted()) tell_ends();
+}
+
+// A wait lasts as long as the spindle takes.
+void SectionDrive::tell_ends() {
+  Section lasting = section_;
+  const double begin_s = static_cast<double>(phase_tick_) * period_s_ + phase_late_s_;
+  if (waiting_)
+    lasting.dwell_s = static_cast<double>(wait_tick_) * period_s_ + wait_late_s_ - begin_s;
+  ends_.tell(ahead_, lasting, offset_, profile_, begin_s);
 }
 
 // The changes that come before the section.

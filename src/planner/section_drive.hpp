@@ -5,6 +5,7 @@
 
 #include "motion/setpoint.hpp"
 #include "motion/spindle_angle.hpp"
+#include "planner/internal/motion_ends.hpp"
 #include "planner/path_state.hpp"
 #include "planner/profile.hpp"
 #include "planner/way_ahead.hpp"
@@ -18,6 +19,9 @@ class SectionDrive {
  public:
   /// The axes stand at the start of `ahead`, which must outlive this. `period_s` > 0.
   SectionDrive(WayAhead& ahead, double period_s);
+
+  /// Is told when motions end. Precondition: nothing has begun.
+  void tell_ends(motion::MotionEndSink& sink) { ends_.set_sink(sink); }
 
   /// Sections begin where the one before ended, or was left. This one is driven as fast as it is
   /// planned, or is a dwell.
@@ -64,6 +68,7 @@ class SectionDrive {
   void begin_phases(const Section& section);
   void turn_spindle();
   void begin_wait();
+  void tell_ends();
   void end();
   void end_phase(const Phase& phase);
   void rest_at(std::uint64_t tick);
@@ -77,6 +82,7 @@ class SectionDrive {
   void fill_at_rest(motion::Setpoint& point);
 
   WayAhead& ahead_;
+  MotionEnds ends_;
   double period_s_;
 
   bool driving_ = false;

@@ -2,6 +2,7 @@
 
 #include "base/interface.hpp"
 #include "motion/motion.hpp"
+#include "motion/motion_end_sink.hpp"
 #include "motion/setpoint.hpp"
 #include "planner/overrides.hpp"
 
@@ -26,6 +27,10 @@ class SetpointSource : public base::Interface {
   [[nodiscard]] virtual bool next(motion::Setpoint& point) = 0;
   /// Passes over all that next() would give.
   virtual void skip() = 0;
+
+  /// Is told when motions end; a source that knows no such times tells none. Precondition: nothing
+  /// was taken yet, and no operator will interfere.
+  virtual void tell_ends(motion::MotionEndSink& /*sink*/) {}
 
   /// Time at the last point, s.
   [[nodiscard]] virtual double time_s() const = 0;

@@ -40,6 +40,7 @@ import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401
 import post_arc_tests  # noqa: F401
 import post_tests  # noqa: F401
+import probe_tests  # noqa: F401
 import pulse_tests  # noqa: F401
 import reader_tests  # noqa: F401
 import journal_tests  # noqa: F401
@@ -49,6 +50,8 @@ import set_point_tests  # noqa: F401
 import sheet_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
+import stock_files_tests  # noqa: F401
+import stock_check_tests  # noqa: F401
 import stock_tests  # noqa: F401
 import teach_conversion_tests  # noqa: F401
 import teach_tests  # noqa: F401

@@ -139,7 +139,7 @@ def assumed(box):
 
 @test("stock: the zero of the stock is the work system of the first cut")
 def zero(box):
-    text = ("O1\nT1M06\nS3000M03\nG10L2P2X100.Y50.Z-30.\nG90G55G00X10.Y20.Z5.\nG01Z-5.F300\nX60.F600" + TAIL)
+    text = ("O1\nT1M06\nS3000M03\nG10L2P2X100.Y50.Z-130.\nG90G55G00X10.Y20.Z5.\nG01Z-5.F300\nX60.F600" + TAIL)
     box.write("part.nc", text)
     box.write("tools.toml", FLAT)
     for words in ((), ("--stock-zero", "G55")):
@@ -147,7 +147,7 @@ def zero(box):
                         "--cell", "0.1", "--report", "r.json", *words), 0)
         report = box.json("r.json")
         equal(report["stock"]["zero"], "G55", "zero")
-        equal(report["stock"]["origin"], {"X": 100, "Y": 50, "Z": -30}, "origin")
+        equal(report["stock"]["origin"], {"X": 100, "Y": 50, "Z": -130}, "origin")
         near(report["removed_mm3"], SLOT_MM3, 16, "removed")
 
 

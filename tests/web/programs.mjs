@@ -171,3 +171,55 @@ G00 X100. Z60. T0300 M09
 M30
 %
 `;
+
+/** A slot and a pocket beside a clamp, a rapid through what is left, two holes: with findings of each kind. */
+export const CLAMPED = `%
+O0007 (CLAMPED)
+G90 G54 G17 G21 G49 G40 G80
+T1 M06
+S3000 M03
+G00 X0. Y20. Z5.
+G01 Z-4. F800.
+X70.
+G00 Z5.
+X10. Y45.
+G01 Z-6. F300.
+X50.
+G00 Z-3. X30. Y30.
+G00 Z20.
+X-15. Y10. Z2.
+X-15. Y50.
+G00 Z20.
+T2 M06
+S2000 M03
+G00 X50. Y10.
+G81 Z-12. R2. F200.
+X58.
+G80
+M30
+%
+`;
+
+/** A surface of waves, finished line by line with a ball: most tiles change while it runs. */
+export const RELIEF = (() => {
+  const lines = [
+    '%',
+    'O0008 (RELIEF)',
+    'G90 G54 G17 G21 G49 G40 G80',
+    '(T1 D=10. - flat end mill)',
+  ];
+  lines.push('(T2 D=6. - ball end mill)', 'T1 M06', 'S6000 M03', 'G00 X-10. Y-10. Z5.');
+  for (let y = -5; y <= 105; y += 8) {
+    lines.push(`G00 X-10. Y${y}.`, 'G01 Z-3. F3000.', 'X110.', 'G00 Z5.');
+  }
+  lines.push('G00 Z20.', 'T2 M06', 'S9000 M03');
+  for (let row = 0; row <= 100; row += 1) {
+    lines.push(`G00 X0. Y${row}. Z5.`);
+    for (let x = 0; x <= 100; x += 2) {
+      const z = -7 - 3 * Math.sin(x / 9) * Math.cos(row / 11);
+      lines.push(`G01 X${x}. Y${row}. Z${z.toFixed(3)} F4000.`);
+    }
+    lines.push('G00 Z5.');
+  }
+  return [...lines, 'M30', '%', ''].join('\n');
+})();

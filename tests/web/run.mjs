@@ -29,6 +29,7 @@ import { drafts } from './scenarios/drafts.mjs';
 import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
+import { part as part_scenarios } from './scenarios/part.mjs';
 import { phone } from './scenarios/phone.mjs';
 import { lathe } from './scenarios/lathe.mjs';
 import { link } from './scenarios/link.mjs';
@@ -50,6 +51,7 @@ const ALL = [
   ...link,
   ...files,
   ...patterns,
+  ...part_scenarios.map((scenario) => ({ ...scenario, needs_part: true })),
   ...phone,
   ...training,
   ...newcomer,
@@ -97,6 +99,10 @@ const browser = await chromium.launch({
   ],
 });
 
+const shows_parts = await fetch(new URL('api', server?.base ?? values.base))
+  .then((answer) => answer.text())
+  .then((text) => text.includes('`stock_at`'));
+
 const scenarios = values.soak ? [a_long_look(Number(values.soak))] : ALL;
 const wanted = scenarios
   .filter(({ name }) => !values.only || values.only.some((word) => name.includes(word)))
@@ -128,6 +134,7 @@ function a_long_look(minutes) {
 
 function why_not(scenario) {
   if (scenario.needs_server && !server) return 'it ends the server: --kerf is needed';
+  if (scenario.needs_part && !shows_parts) return 'this server shows no parts';
   if (scenario.needs_shots && !values.shots) return 'it only takes pictures: --shots is needed';
   return '';
 }

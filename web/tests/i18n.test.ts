@@ -60,9 +60,11 @@ describe('texts', () => {
 
   it('are all used somewhere', () => {
     // A key may be put together: `mode.${mode}`.
-    const heads = [...sources.matchAll(/`([a-z]+\.(?:short-|step-)?)\$\{/g)].map(
-      (match) => match[1],
-    );
+    const heads = [
+      ...sources.matchAll(
+        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of)-)?)\$\{/g,
+      ),
+    ].map((match) => match[1]);
     const unused = keys.filter(
       (key) => !sources.includes(`'${key}'`) && !heads.some((head) => key.startsWith(head)),
     );

@@ -8,6 +8,7 @@
 #include "base/diagnostic_code.hpp"
 #include "base/point.hpp"
 #include "motion/motion.hpp"
+#include "motion/skip_signal.hpp"
 
 namespace kerf::control {
 
@@ -43,10 +44,9 @@ class Surroundings {
                                                        const motion::Motion& move,
                                                        Intent intent) = 0;
 
-  /// Where along a probing move from `from` to `to` the skip signal comes on:
-  /// a fraction of its length, or nothing.
-  [[nodiscard]] virtual std::optional<double> contact(const base::MachinePoint& from,
-                                                      const base::MachinePoint& to) = 0;
+  /// Where on a probing move the skip signal comes on, as SkipSignal has it. Asked when every
+  /// motion before it has been handed out.
+  [[nodiscard]] virtual std::optional<double> contact(const motion::SkipMove& move) = 0;
 
   /// Input bits #1000 to #1035 as they stand now; bit words by index 0 to 3.
   [[nodiscard]] virtual std::uint32_t inputs(std::size_t word) = 0;

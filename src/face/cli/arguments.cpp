@@ -49,6 +49,7 @@ void add_run(CLI::App& app, RunOptions& o) {
       ->required();
   run->option_defaults()->group("Machine, memory, panel");
   add_preparation(*run, o, Patterns::run);
+  add_table(*run, o.table);
   run->option_defaults()->group("Limits");
   add_budget(*run, o.max_seconds, o.max_motions);
   run->option_defaults()->group("Outputs (- is standard output)");
@@ -85,6 +86,13 @@ void add_check(CLI::App& app, CheckOptions& o) {
   repeated(check->add_option("--param", o.parameters,
                              "changes a parameter of the control: DPI=1; may be repeated"))
       ->type_name("KEY=VALUE");
+  check->add_option("--tools", o.tools, "tools: TOML, tool.tbl, a library of a CAM system")
+      ->type_name("FILE");
+  check->add_option("--tools-unit", o.tools_unit, "unit of a tool table that says none: mm or inch")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
+  add_table(*check, o.table, CuttingJobs::no_option);
+  check->option_defaults()->group("Options");
   add_budget(*check, o.max_seconds, o.max_motions);
   check->add_option("--jobs", o.jobs, "files checked at the same time; default one a processor")
       ->type_name("N")

@@ -12,6 +12,7 @@
 #include "face/cli/dialect_choice.hpp"
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
+#include "face/cli/stock_order.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 
@@ -48,6 +49,23 @@ std::vector<Diagnostic> find_all(const ReadyRun& ready, double max_seconds) {
   return found;
 }
 
+// What the stock says of the program: findings that count by --fail-on.
+base::Outcome<void> check_table(const std::string& path, const CheckOptions& options,
+                                FileReport& report) {
+  const auto on_table = has_table(options.table);
+  if (!on_table) return tl::unexpected(on_table.error());
+  if (!*on_table) return {};
+  RunOptions of_file = options_of(path, options);
+  of_file.table.jobs = options.jobs > 1 ? 1 : 0;
+  const auto table = run_on_table(of_file);
+  if (!table) return tl::unexpected(table.error());
+  for (const output::StockFacts::Told& told : table->facts.findings) {
+    if (counts(options.table, told))
+      report.add(told.diagnostic, table->cut.run->machine().sources());
+  }
+  return {};
+}
+
 FileReport check_file(const std::string& path, const CheckOptions& options) {
   if (is_pattern(options.dialect, path)) return check_pattern(path, options);
   FileReport report;
@@ -59,6 +77,7 @@ FileReport check_file(const std::string& path, const CheckOptions& options) {
   }
   for (const Diagnostic& diagnostic : find_all(*ready, options.max_seconds))
     report.add(diagnostic, ready->machine().sources());
+  if (auto looked = check_table(path, options, report); !looked) report.failure = looked.error();
   report.budget_spent =
       std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& finding) {
         return finding.object["code"] == base::text_of(base::Code::budget_spent).number;

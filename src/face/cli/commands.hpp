@@ -28,6 +28,24 @@ struct CommonOptions {
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };
 
+/// What lies on the table, what holds it in the computer, and which checks count.
+struct TableOptions {
+  std::string stock;  ///< empty: extents, which nobody has said
+  std::string zero = "auto";
+  std::vector<std::string> fixtures;
+  std::string model = "auto";
+  std::string cell;    ///< mm; empty: by the tools, or the kerf
+  std::string kerf;    ///< mm; empty: as the machine has it
+  std::string memory;  ///< MiB; empty: 1024
+  unsigned jobs = 0;   ///< threads; 0: one a processor
+  std::string fail_on = "warning";
+  std::string material;                ///< a group, or kc11,mc; empty: not known
+  std::string lengths = "programmed";  ///< or real
+  std::vector<std::string> no_checks;  ///< codes
+
+  friend bool operator==(const TableOptions&, const TableOptions&) = default;
+};
+
 /// What the options of `kerf run` ask for.
 struct RunOptions : CommonOptions {
   std::string program;
@@ -52,6 +70,7 @@ struct RunOptions : CommonOptions {
   std::string dprnt;
   std::string teach;
   std::string coverage;
+  TableOptions table;
 };
 
 /// A run whose time is looked at; outputs are not asked for.
@@ -60,20 +79,26 @@ struct TimeOptions {
   std::string format = "text";
 };
 
-/// A run that cuts the virtual part.
+/// Files of the part that `kerf stock` has cut; empty: not asked for.
+struct StockFileOptions {
+  std::string stl;
+  std::string glb;
+  std::string three_mf;
+  std::string profile;  ///< .svg, .dxf or .csv
+  std::string picture;  ///< .png or .svg
+  std::string view;     ///< empty: as the part is mostly shown
+  std::string mesh = "smooth";
+};
+
+/// A run that cuts the virtual part: RunOptions::table says what lies there.
 struct StockOptions {
-  RunOptions run;  ///< without outputs
-  std::string stock;  ///< empty: extents, which nobody has said
-  std::string zero = "auto";
-  std::vector<std::string> fixtures;
-  std::string model = "auto";
-  std::string cell;    ///< mm; empty: by the tools, or the kerf
-  std::string kerf;    ///< mm; empty: as the machine has it
-  std::string memory;  ///< MiB; empty: 1024
-  unsigned jobs = 0;   ///< threads; 0: one a processor
+  RunOptions run;      ///< without outputs
   std::string report;  ///< JSON
-  std::string fail_on = "warning";
-  std::vector<std::string> no_checks;  ///< codes
+  StockFileOptions files;
+  std::string blocks;  ///< CSV
+  std::string path = "programmed";
+  std::string until;  ///< a line, or seconds with an s
+  bool stop_at_finding = false;
 };
 
 struct CheckOptions {
@@ -82,6 +107,9 @@ struct CheckOptions {
   std::string dialect;
   std::vector<std::string> libraries;
   std::vector<std::string> parameters;
+  std::string tools;
+  std::string tools_unit = "mm";
+  TableOptions table;
   double max_seconds = 60;  ///< for each file
   std::uint64_t max_motions = 50'000'000;
   unsigned jobs = 1;

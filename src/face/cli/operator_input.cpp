@@ -3,6 +3,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/decimal.hpp"
 
@@ -42,6 +45,18 @@ std::optional<std::string> operator_input() {
     line = read_line();
   }
   return line;
+}
+
+std::function<std::optional<std::string>(std::size_t)> kept_operator_input() {
+  return [lines = std::make_shared<std::vector<std::string>>()](
+             std::size_t number) -> std::optional<std::string> {
+    while (lines->size() <= number) {
+      auto entered = operator_input();
+      if (!entered) return std::nullopt;
+      lines->push_back(std::move(*entered));
+    }
+    return (*lines)[number];
+  };
 }
 
 }  // namespace kerf::cli

@@ -1,15 +1,25 @@
 #include "face/cli/output_files.hpp"
 
+#include <filesystem>
+
 #include "drive/pulse_csv.hpp"
 #include "drive/pulse_vcd.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/same_file.hpp"
 
 namespace kerf::cli {
 namespace {
 
 using base::Outcome;
 using base::OutputFile;
+
+namespace fs = std::filesystem;
+
+// One that is to be made is one as well.
+bool is_ordinary(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return path != "-" && !path.empty() && (fs::is_regular_file(status) || !fs::exists(status));
+}
 
 std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
   std::vector<std::string> names;
@@ -18,6 +28,14 @@ std::vector<std::string> axis_names(const machine::MachineDefinition& machine) {
 }
 
 }  // namespace
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  if (!is_ordinary(a) || !is_ordinary(b)) return false;
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  const fs::path first = fs::weakly_canonical(fs::absolute(a), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b), error) && !error;
+}
 
 Outcome<void> OutputFiles::check_alone(const std::string& path) const {
   for (const std::string& input : inputs_) {

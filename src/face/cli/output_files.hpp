@@ -12,6 +12,10 @@
 
 namespace kerf::cli {
 
+/// Whether two paths lead to one ordinary file, under whatever names: what is written to one of
+/// them is then read from the other. Streams and devices are no such files.
+[[nodiscard]] bool is_same_file(const std::string& a, const std::string& b);
+
 /// The output files of a run or replay: opened before it, so that one that cannot be written is
 /// told at once; committed behind it, so that none looks complete that is not.
 class OutputFiles {

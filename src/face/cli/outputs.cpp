@@ -215,6 +215,7 @@ output::SummaryOfOutputs Outputs::in_summary() const {
                           ? engraver::pattern_json(*pattern_report_, machine_.definition().pattern)
                           : "null";
   if (!options_.post.empty()) members.post = post_report_.empty() ? "null" : post_report_;
+  members.stock = stock_;
   return members;
 }
 

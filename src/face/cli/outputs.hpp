@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drive/pattern/writer.hpp"
@@ -26,6 +27,8 @@ class Outputs {
   Outputs(const RunOptions& options, const ReadyRun& ready)
       : options_(options), ready_(ready), machine_(ready.machine()) {}
 
+  /// What was found in the run's stock, for the summary.
+  void tell_stock(output::CheckedStock checked) { stock_ = std::move(checked); }
   /// Opens what the options ask for and has the machine write into it. Failure (usage): an option
   /// does not fit its file's ending or the machine; (output): a file cannot be written.
   [[nodiscard]] base::Outcome<void> open();
@@ -73,6 +76,7 @@ class Outputs {
   std::string post_report_;  // JSON, of a posted program that was written
   output::Coverage coverage_;
   std::string remarks_;
+  std::optional<output::CheckedStock> stock_;
 };
 
 }  // namespace kerf::cli

@@ -7,8 +7,8 @@
 #include "drive/pattern/writer.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/output_files.hpp"
 #include "face/cli/pattern_files.hpp"
-#include "face/cli/same_file.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::cli {

@@ -224,7 +224,7 @@ Outcome<ReadyRun> make_ready(const RunOptions& options, bool behind_alarms) {
 
 Outcome<ReadyRun> make_ready(const RunOptions& options) { return make_ready(options, false); }
 
-Outcome<ReadyRun> make_ready(const std::string& path, const CheckOptions& options) {
+RunOptions options_of(const std::string& path, const CheckOptions& options) {
   RunOptions of_file;
   of_file.program = path;
   of_file.machine = options.machine;
@@ -233,7 +233,14 @@ Outcome<ReadyRun> make_ready(const std::string& path, const CheckOptions& option
   of_file.libraries = options.libraries;
   of_file.max_seconds = options.max_seconds;
   of_file.max_motions = options.max_motions;
-  return make_ready(of_file, true);
+  of_file.tools = options.tools;
+  of_file.tools_unit = options.tools_unit;
+  of_file.table = options.table;
+  return of_file;
+}
+
+Outcome<ReadyRun> make_ready(const std::string& path, const CheckOptions& options) {
+  return make_ready(options_of(path, options), true);
 }
 
 std::optional<base::Diagnostic> ReadyRun::alarm() const {

@@ -42,6 +42,8 @@ struct ReadyRun {
 [[nodiscard]] base::Outcome<ReadyRun> make_ready(const RunOptions& options);
 /// What the run came to, with how its machine was chosen.
 [[nodiscard]] output::RunFacts facts_of(const ReadyRun& ready);
+/// What a check asks of one of its files.
+[[nodiscard]] RunOptions options_of(const std::string& path, const CheckOptions& options);
 /// Of one file of a check, which goes on behind its alarms.
 [[nodiscard]] base::Outcome<ReadyRun> make_ready(const std::string& path,
                                                  const CheckOptions& options);

@@ -8,7 +8,9 @@
 #include "face/cli/progress.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
+#include "face/cli/stock_order.hpp"
 #include "machine/definition/state_file.hpp"
+#include "output/reports/stock_report.hpp"
 #include "output/reports/summary.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -49,22 +51,46 @@ Status run_showing_progress(job::Run& run) {
 
 }  // namespace
 
-ExitStatus run(const RunOptions& options) {
-  if (is_pattern(options.dialect, options.program)) return run_pattern(options);
-  auto ready = make_ready(options);
-  if (!ready) return fail(ready.error());
-  BatchRun& machine = ready->machine();
-  machine.set_input(operator_input);
-  Outputs outputs(options, *ready);
+namespace {
+
+/// Makes a run that is ready, with all its outputs. `table`: what lies there; null: nothing.
+ExitStatus make(const RunOptions& options, const ReadyRun& ready, const TableRun* table) {
+  BatchRun& machine = ready.machine();
+  Outputs outputs(options, ready);
+  if (table != nullptr)
+    outputs.tell_stock(output::checked_stock(table->facts, table->cut.run->machine().sources()));
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
-  const Status status = run_showing_progress(*ready->run);
+  const Status status = run_showing_progress(*ready.run);
   if (auto committed = outputs.commit(); !committed) return fail(committed.error());
   if (!options.state.empty()) {
     if (auto written = machine::write_state(options.state, machine.memory()); !written)
       return fail(written.error());
   }
-  report(options, *ready, outputs);
-  return exit_status_of(status);
+  report(options, ready, outputs);
+  if (table == nullptr) return exit_status_of(status);
+  report_stock(options, table->facts, table->cut.run->machine().sources());
+  const bool is_well = exit_status_of(status) == ExitStatus::well;
+  return is_well && fails(options.table, table->facts) ? ExitStatus::findings
+                                                       : exit_status_of(status);
+}
+
+}  // namespace
+
+ExitStatus run(const RunOptions& options) {
+  const auto on_table = has_table(options.table);
+  if (!on_table) return fail(on_table.error());
+  if (is_pattern(options.dialect, options.program))
+    return *on_table
+               ? fail(base::Failure{base::Failure::Kind::usage, "--stock: a pattern cuts no stock"})
+               : run_pattern(options);
+  if (*on_table) {
+    const auto table = run_on_table(options);
+    return table ? make(options, table->ready, &*table) : fail(table.error());
+  }
+  auto ready = make_ready(options);
+  if (!ready) return fail(ready.error());
+  ready->machine().set_input(operator_input);
+  return make(options, *ready, nullptr);
 }
 
 }  // namespace kerf::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ class Fixture final : public stock::Obstacle {
   [[nodiscard]] const std::string& name() const override { return name_; }
   [[nodiscard]] Contacts meet(std::span<const stock::Sweep> sweeps,
                               const stock::Body& body) override;
+  [[nodiscard]] std::optional<double> first_touch(const stock::BallWay& ball) const override {
+    return dexels_.first_touch(ball);
+  }
 
  private:
   using Tiles = std::vector<stock::dexel::TriDexel::TileState>;

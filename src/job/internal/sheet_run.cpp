@@ -6,7 +6,6 @@
 #include <optional>
 #include <thread>
 
-#include "job/internal/motion_times.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/sheet/beam_energy.hpp"
@@ -92,7 +91,10 @@ class SheetPass {
                                        settings(job, plan))),
         pass_(
             job, plan.origin, plan.kerf_mm * kTolerance,
-            [this](const Trace& trace, const motion::Motion&) { add(traces_, trace); },
+            [this, keeps = job.keeps_ways](const Trace& trace, const motion::Motion&) {
+              if (keeps) ways_.push_back(trace);
+              add(traces_, trace);
+            },
             std::move(run)),
         energy_(pass_.frame(), job.job.definition.drive.laser.max_power_w,
                 [this](const Burn& burn) { add(burns_, burn); }) {
@@ -127,6 +129,7 @@ class SheetPass {
     result.model_facts = model_facts();
     tell(job, result);
     result.sheet = std::move(sheet_);
+    result.ways = std::move(ways_);
     result.run = pass_.end();
     return result;
   }
@@ -210,6 +213,7 @@ class SheetPass {
   SheetPlan plan_;
   std::unique_ptr<Sheet> sheet_;
   std::vector<Trace> traces_;
+  std::vector<Trace> ways_;  // all of them, where the job keeps them
   std::vector<Burn> burns_;
   BeamPass pass_;
   BeamEnergy energy_;
@@ -288,7 +292,6 @@ Outcome<StockResult> cut_sheet(const StockJob& job) {
     }
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
-    result.times_s = times_of(job.job, result.findings);
     return result;
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "job/internal/mesh_stock.hpp"
 #include "math/math.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
@@ -15,13 +16,23 @@ namespace {
 
 using stock::Vec3;
 
-bool is_upright(const stock::Workpiece& shape) {
-  const auto* const round = std::get_if<stock::CylinderShape>(&shape);
-  return round == nullptr || round->along == 2;
+/// The least of what a field takes, as a field or beside it.
+double bytes_for(const StockPlan& plan, double cell_mm);
+double fitting_cell(const StockPlan& plan, std::size_t bytes);
+
+/// Of a mesh by the columns of the field that it would become.
+bool is_height_field(const StockJob& job, StockPlan plan) {
+  const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
+  const auto* const mesh = std::get_if<stock::MeshShape>(&plan.shape);
+  if (mesh == nullptr) return round == nullptr || round->along == 2;
+  plan.kind = StockModel::zmap;
+  const double cell = fitting_cell(plan, job.memory_for_model());
+  return MeshColumns(*mesh, stock::field::grid_of(mesh->box, cell)).is_height_field();
 }
 
-std::string objection_to_zmap(const SurveyedTools& tools, const stock::Workpiece& shape) {
-  if (!is_upright(shape)) return "the stock is no height field seen from +Z";
+std::string objection_to_zmap(const StockJob& job, const SurveyedTools& tools,
+                              const StockPlan& plan) {
+  if (!is_height_field(job, plan)) return "the stock is no height field seen from +Z";
   if (tools.turned()) return "the work is tilted against the tool";
   if (tools.undercut()) return "a tool has an undercut";
   return {};
@@ -65,10 +76,11 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
     plan.reason = "the work turns, and no tool does";
     return;
   }
-  const std::string objection = objection_to_zmap(tools, plan.shape);
-  if (job.model == StockModel::tridexel || !objection.empty()) {
+  const bool is_asked_for = job.model == StockModel::tridexel;
+  const std::string objection = is_asked_for ? "asked for" : objection_to_zmap(job, tools, plan);
+  if (!objection.empty()) {
     plan.kind = StockModel::tridexel;
-    plan.reason = objection.empty() ? "asked for" : objection;
+    plan.reason = objection;
     return;
   }
   plan.kind = StockModel::zmap;
@@ -78,6 +90,8 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
 }
 
 stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
+  if (const auto* const mesh = std::get_if<stock::MeshShape>(&piece))
+    return stock::dexel::mesh_shape(mesh->solid);
   const auto* const round = std::get_if<stock::CylinderShape>(&piece);
   if (round == nullptr) return stock::dexel::box_shape(stock::bounds(piece));
   // Dexels along Y have Z before X.
@@ -93,13 +107,26 @@ stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
 
 namespace {
 
+/// Ends of dexels that a mesh has beyond two a dexel, and the lines through it while it is asked.
+double bytes_for_mesh(const StockPlan& plan, double cell_mm) {
+  const auto* const mesh = std::get_if<stock::MeshShape>(&plan.shape);
+  if (mesh == nullptr) return 0;
+  const double along_z = bytes_of_lines(*mesh, 2, cell_mm);
+  if (plan.kind != StockModel::tridexel) return along_z;
+  const double along_x = bytes_of_lines(*mesh, 0, cell_mm);
+  const double along_y = bytes_of_lines(*mesh, 1, cell_mm);
+  return along_x + along_y + along_z + std::max({along_x, along_y, along_z});
+}
+
 /// What a model of this kind takes before the first cut.
 double bytes_for(const StockPlan& plan, double cell_mm) {
   const stock::Bounds box = stock::bounds(plan.shape);
-  if (plan.kind == StockModel::tridexel) return stock::dexel::TriDexel::bytes_for(box, cell_mm);
+  const double beside = bytes_for_mesh(plan, cell_mm);
+  if (plan.kind == StockModel::tridexel)
+    return beside + stock::dexel::TriDexel::bytes_for(box, cell_mm);
   const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
-  return static_cast<double>(
-      stock::field::HeightField::bytes_of(stock::field::grid_of(box, cell_mm), is_box));
+  return beside + static_cast<double>(stock::field::HeightField::bytes_of(
+                      stock::field::grid_of(box, cell_mm), is_box));
 }
 
 /// The cell of the plan, or as much more as the memory asks for.
@@ -115,6 +142,10 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
   if (plan.kind == StockModel::tridexel)
     return std::make_unique<stock::dexel::TriDexel>(dexels_of(plan.shape), cell_mm, jobs);
   const auto grid = stock::field::grid_of(stock::bounds(plan.shape), cell_mm);
+  if (const auto* const mesh = std::get_if<stock::MeshShape>(&plan.shape)) {
+    return std::make_unique<stock::field::HeightField>(grid, MeshColumns(*mesh, grid).columns(),
+                                                       jobs);
+  }
   const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
   if (round == nullptr) return std::make_unique<stock::field::HeightField>(grid, jobs);
   return std::make_unique<stock::field::HeightField>(grid, column_of(*round), jobs);
@@ -126,7 +157,7 @@ MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   if (plan.kind == StockModel::profile)
     return make_profile(std::get<stock::CylinderShape>(plan.shape));
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const double cell = fitting_cell(plan, job.memory_bytes);
+  const double cell = fitting_cell(plan, job.memory_for_model());
   MadeModel made;
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {

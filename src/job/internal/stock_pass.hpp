@@ -18,6 +18,9 @@ struct StockPlan {
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;
+  std::optional<stock::CutEnd> end{};  ///< none: all is cut
+  bool is_stopped = false;             ///< `end` is that of the first finding
+  std::vector<std::uint64_t> looks{};  ///< LoosePieces: motions behind which pieces are looked at
   bool is_surveyed = false;
   std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
 };
@@ -28,7 +31,7 @@ class ZeroWatch {
   /// The run must outlive the watch.
   ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted);
 
-  /// A move cuts.
+  /// A move cuts, or is about to meet the stock with a probe.
   void look(const base::BlockId& block);
   /// What stands before anything ran.
   [[nodiscard]] stock::Vec3 at_start() const { return at_start_; }

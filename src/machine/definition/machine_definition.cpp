@@ -51,7 +51,17 @@ std::string change_axis(MachineDefinition& machine, std::string_view path, std::
 
 std::string change_spindle(MachineDefinition& machine, std::string_view path,
                            std::string_view text) {
-  const Path at = split_path(path);
+  Path at = split_path(path);
+  if (at.rest.empty()) at = {motion::kSpindleNames.front(), path};
+  if (at.rest == kSpindlePower) {
+    const auto* const name =
+        std::find(motion::kSpindleNames.begin(), motion::kSpindleNames.end(), at.head);
+    const auto power = value_of(not_negative(), text);
+    if (name == motion::kSpindleNames.end()) return "the machine has no such spindle";
+    if (!power) return in_words(not_negative()) + " is expected";
+    machine.spindle_kw[static_cast<std::size_t>(name - motion::kSpindleNames.begin())] = *power;
+    return {};
+  }
   auto& spindles = machine.parameters.machine_codes.spindles;
   const auto spindle = std::find_if(spindles.begin(), spindles.end(), [&](const auto& each) {
     return name_of(each.name) == at.head;

@@ -15,6 +15,7 @@
 #include "machine/definition/pattern_settings.hpp"
 #include "machine/definition/tip_rates.hpp"
 #include "motion/axis_setup.hpp"
+#include "motion/spindle_name.hpp"
 #include "planner/settings.hpp"
 #include "stock/tool/tool.hpp"
 
@@ -51,6 +52,7 @@ struct MachineDefinition {
   motion::AxisSetup axes;  ///< the program's; they follow from the others
   base::JointPoint start;  ///< of the driven axes at power-on, where `axes` have theirs
   control::Parameters parameters;
+  std::array<double, motion::kSpindles> spindle_kw{};  ///< of each spindle; 0: not known
   std::vector<stock::Tool> tools;  ///< of its [[tool]] tables, in the order of the file
 
   /// Reads a definition. Failure (input): what is wrong, with the line; every unknown key is wrong.

@@ -62,6 +62,13 @@ std::uint32_t Machine::inputs(std::size_t word) {
   return signals_.inputs(word);
 }
 
+// The sensor for tools is no part of the work.
+std::optional<double> Machine::contact(const motion::SkipMove& move) {
+  const bool is_said = contacts_.any() || move.feeler == motion::Feeler::tool_setter;
+  if (is_said || skip_signal_ == nullptr) return contacts_.comes_on(move);
+  return skip_signal_->comes_on(move);
+}
+
 void Machine::print(std::string_view text) {
   if (print_output_) print_output_(text);
 }

@@ -23,6 +23,7 @@
 #include "machine/run/skip_contacts.hpp"
 #include "machine/run/spindle_beam.hpp"
 #include "machine/run/turning_statistics.hpp"
+#include "motion/skip_signal.hpp"
 
 namespace kerf::machine {
 
@@ -56,6 +57,8 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   void add_sink(motion::MotionSink& sink) { sinks_.push_back(&sink); }
   /// Set-points at every period of the servo; making them takes time.
   void add_point_sink(motion::AxisPointSink& sink) { servo_.add_sink(sink); }
+  /// Is told when motions end, perhaps on another thread. Precondition: nothing has run.
+  void tell_ends(motion::MotionEndSink& sink) { servo_.tell_ends(sink); }
   void set_print_output(std::function<void(std::string_view)> output) {
     print_output_ = std::move(output);
   }
@@ -63,6 +66,9 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   /// Without it there are none.
   void set_input(std::function<std::optional<std::string>()> input) { input_ = std::move(input); }
   void add_skip_contact(const SkipContact& contact) { contacts_.add(contact); }
+  /// Where the skip signals of probes come from while nobody has added a contact. It outlives the
+  /// machine; without one none comes.
+  void set_skip_signal(motion::SkipSignal& signal) { skip_signal_ = &signal; }
   /// A variable by its name in the program's language ("#100"). Before the start local ones are
   /// those of the main program. Failure (usage).
   [[nodiscard]] base::Outcome<void> set_variable(const std::string& name, double value) {
@@ -163,10 +169,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   // control::Surroundings
   double date() override { return signals_.date(seconds()); }
   double time_of_day() override { return signals_.time_of_day(seconds()); }
-  std::optional<double> contact(const base::MachinePoint& from,
-                                const base::MachinePoint& to) override {
-    return contacts_.meet(from, to);
-  }
+  std::optional<double> contact(const motion::SkipMove& move) override;
   std::uint32_t inputs(std::size_t word) override;
   void print(std::string_view text) override;
   std::optional<std::string> input() override { return input_ ? input_() : std::nullopt; }
@@ -194,6 +197,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
   std::function<void(std::string_view)> print_output_;
   std::function<std::optional<std::string>()> input_;
   SkipContacts contacts_;
+  motion::SkipSignal* skip_signal_ = nullptr;
   InputWait input_wait_;
   std::unique_ptr<Dialect> dialect_;
   RunStatus status_ = RunStatus::idle;

@@ -45,6 +45,8 @@ class Servo : public motion::MotionSink {
 
   /// Precondition of the first motion: all sinks are there.
   void add_sink(motion::AxisPointSink& sink) { sinks_.push_back(&sink); }
+  /// Is told when motions end, perhaps on the second thread. Precondition: nothing was taken yet.
+  void tell_ends(motion::MotionEndSink& sink) { source_->tell_ends(sink); }
   /// Without a second thread. Precondition: nothing was taken yet.
   void stay_on_one_thread() { on_one_thread_ = true; }
   /// Asked every few milliseconds of computing while set-points are made; true: breaks off.

@@ -2,9 +2,10 @@
 
 namespace kerf::machine {
 
-std::optional<double> SkipContacts::meet(const base::MachinePoint& from,
-                                         const base::MachinePoint& to) {
+std::optional<double> SkipContacts::comes_on(const motion::SkipMove& move) {
   if (waiting_.empty()) return std::nullopt;
+  const base::MachinePoint from = base::machine_of(move.from, move.length);
+  const base::MachinePoint to = base::machine_of(move.to, move.length);
   const SkipContact& next = waiting_.front();
   const double begin = from[next.axis];
   const double end = to[next.axis];

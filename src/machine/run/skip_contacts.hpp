@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/point.hpp"
+#include "motion/skip_signal.hpp"
 
 namespace kerf::machine {
 
@@ -15,15 +16,19 @@ struct SkipContact {
 
 /// Skip signals that are to come. They are used up in order: the next one waits until a probing
 /// move passes it.
-class SkipContacts {
+class SkipContacts final : public motion::SkipSignal {
  public:
-  void add(const SkipContact& contact) { waiting_.push_back(contact); }
-  /// Along a move of machine coordinates: the fraction of its length where the next one comes on.
-  [[nodiscard]] std::optional<double> meet(const base::MachinePoint& from,
-                                           const base::MachinePoint& to);
+  void add(const SkipContact& contact) {
+    waiting_.push_back(contact);
+    any_ = true;
+  }
+  /// Somebody has said where signals come on, used up or not.
+  [[nodiscard]] bool any() const { return any_; }
+  [[nodiscard]] std::optional<double> comes_on(const motion::SkipMove& move) override;
 
  private:
   std::deque<SkipContact> waiting_;
+  bool any_ = false;
 };
 
 }  // namespace kerf::machine

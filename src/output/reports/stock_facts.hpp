@@ -25,7 +25,6 @@ struct StockFacts {
   struct Told {
     base::Diagnostic diagnostic;
     stock::Finding finding;
-    double time_s = 0;
   };
   struct Model {
     std::string kind;  ///< "zmap", "tridexel", "profile"

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "geometry/angle.hpp"
 #include "output/reports/summary.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/json_object.hpp"
@@ -61,13 +63,32 @@ std::string model_json(const StockFacts::Model& model) {
   return object.text("reason", model.reason).done();
 }
 
+// What is not known is left out.
+std::string most_json(const stock::ToolMost& most) {
+  JsonObject object;
+  const auto add = [&](const char* key, double value) {
+    if (value > 0) object.number(key, tidy(value));
+  };
+  add("ae_mm", most.ae_mm);
+  add("ap_mm", most.ap_mm);
+  add("phi_deg", geometry::degrees(most.phi_rad));
+  add("fz_mm", most.fz_mm);
+  add("hm_mm", most.hm_mm);
+  add("vc_m_min", most.vc_m_min);
+  add("mrr_mm3_s", most.mrr_mm3_s);
+  add("power_kw", most.power_kw);
+  add("torque_nm", most.torque_nm);
+  return object.done();
+}
+
 std::string tool_json(const StockFacts::Tool& tool) {
   JsonObject object;
   object.number("tool", tool.did.tool).text("type", tool.type).number("diameter", tool.diameter);
   object.text("source", tool.source).number("cut_mm", tidy(tool.did.cut_mm));
-  object.number("air_mm", tidy(tool.did.air_mm)).number("removed_mm3", tidy(tool.did.removed_mm3));
-  if (tool.did.removed_mm3 > 0) object.number("lowest", tidy(tool.did.lowest));
-  return object.done();
+  object.number("cut_s", tidy(tool.did.cut_s)).number("air_mm", tidy(tool.did.air_mm));
+  object.number("removed_mm3", tidy(tool.did.removed_mm3));
+  if (std::isfinite(tool.did.lowest)) object.number("lowest", tidy(tool.did.lowest));
+  return object.raw("max", most_json(tool.did.most)).done();
 }
 
 std::string finding_json(const StockFacts::Told& told, bool turns, const base::SourceSet& sources) {
@@ -81,7 +102,7 @@ std::string finding_json(const StockFacts::Told& told, bool turns, const base::S
       .number("column", told.diagnostic.place.column)
       .text("program", told.diagnostic.program);
   object.number("tool", finding.tool).number("motion", static_cast<double>(finding.motion));
-  object.number("time_s", tidy(told.time_s)).raw("at", point_json(finding.at, turns));
+  object.number("time_s", tidy(told.finding.time_s)).raw("at", point_json(finding.at, turns));
   object.number("depth_mm", tidy(finding.depth_mm)).number("volume_mm3", tidy(finding.volume_mm3));
   return object.number("count", static_cast<double>(finding.count)).done();
 }
@@ -96,9 +117,11 @@ std::string counts_json(const StockFacts& facts) {
 
 std::string assumed_json(const StockFacts& facts) {
   std::vector<std::string> items;
-  for (const control::Assumption& assumption : facts.assumed) {
-    items.push_back(
-        JsonObject().number("line", assumption.line).text("what", assumption.what).done());
+  for (const auto* const list : {&facts.assumed, &facts.run.assumed}) {
+    for (const control::Assumption& assumption : *list) {
+      items.push_back(
+          JsonObject().number("line", assumption.line).text("what", assumption.what).done());
+    }
   }
   return json_array(items);
 }
@@ -149,24 +172,29 @@ std::string sheet_json(const StockFacts::Sheet& sheet) {
 
 }  // namespace
 
-std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
-  std::vector<std::string> tools;
-  for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
+CheckedStock checked_stock(const StockFacts& facts, const base::SourceSet& sources) {
   std::vector<std::string> findings;
   for (const StockFacts::Told& told : facts.findings)
     findings.push_back(finding_json(told, facts.turns, sources));
   std::vector<std::string> not_checked;
   for (const std::string& what : facts.not_checked) not_checked.push_back(quoted(what));
+  return {json_array(findings), counts_json(facts), json_array(not_checked)};
+}
+
+std::string stock_report_json(const StockFacts& facts, const base::SourceSet& sources) {
+  std::vector<std::string> tools;
+  for (const StockFacts::Tool& tool : facts.tools) tools.push_back(tool_json(tool));
+  const CheckedStock checked = checked_stock(facts, sources);
   JsonObject object = head_of_report(facts.run);
   object.number("time_s", tidy(facts.run.time_s));
   object.raw("stock", stock_json(facts)).raw("model", model_json(facts.model));
   object.number("removed_mm3", tidy(facts.removed_mm3)).number("left_mm3", tidy(facts.left_mm3));
   object.raw("extents", bounds_json(facts.extents, facts.turns)).raw("pieces", pieces_json(facts));
   if (!facts.threads.empty()) object.raw("threads", threads_json(facts));
-  object.raw("tools", json_array(tools)).raw("findings", json_array(findings));
-  object.raw("counts", counts_json(facts));
+  object.raw("tools", json_array(tools)).raw("findings", checked.findings);
+  object.raw("counts", checked.counts);
   if (facts.sheet) object.raw("sheet", sheet_json(*facts.sheet));
-  object.raw("not_checked", json_array(not_checked));
+  object.raw("not_checked", checked.not_checked);
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
 }
@@ -178,10 +206,11 @@ constexpr std::size_t kToldPieces = 5;
 
 std::string tool_line(const StockFacts::Tool& tool) {
   const bool assumed = tool.source == "assumed" || tool.source == "offset";
-  return fmt::format("  T{} {} D{}{}: cuts {:.1f} mm, in air {:.1f} mm, removes {:.1f} mm³\n",
-                     tool.did.tool, tool.type, number_text(tidy(tool.diameter)),
-                     assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm, tool.did.air_mm,
-                     tool.did.removed_mm3);
+  return fmt::format(
+      "  T{} {} D{}{}: cuts {:.1f} mm in {:.1f} s, in air {:.1f} mm, removes {:.1f} mm³\n",
+      tool.did.tool, tool.type, number_text(tidy(tool.diameter)),
+      assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm, tool.did.cut_s, tool.did.air_mm,
+      tool.did.removed_mm3);
 }
 
 std::string sheet_lines(const StockFacts::Sheet& sheet) {
@@ -208,7 +237,7 @@ std::string finding_lines(const StockFacts& facts, const base::SourceSet& source
     for (std::size_t i = 0; i < std::min(kToldPerCode, all.size()); ++i) {
       const base::Diagnostic& one = all[i]->diagnostic;
       text += fmt::format("    {}:{} at {:.3f} s: {}\n", printable(file_name(one, sources)),
-                          one.place.line, all[i]->time_s, printable(one.message));
+                          one.place.line, all[i]->finding.time_s, printable(one.message));
     }
   }
   return text;

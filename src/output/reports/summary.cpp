@@ -155,6 +155,10 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
   }
   if (!outputs.pattern.empty()) object.raw("pattern", outputs.pattern);
   if (!outputs.post.empty()) object.raw("post", outputs.post);
+  if (outputs.stock) {
+    object.raw("findings", outputs.stock->findings).raw("counts", outputs.stock->counts);
+    object.raw("not_checked", outputs.stock->not_checked);
+  }
   object.raw("assumed", assumed_json(run)).raw("variables", variables_json(run));
   return object.done() + "\n";
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "output/reports/run_facts.hpp"
@@ -7,10 +8,18 @@
 
 namespace kerf::output {
 
+/// JSON of the members that tell what was found in a run with stock (docs/stock.md, Report).
+struct CheckedStock {
+  std::string findings;
+  std::string counts;
+  std::string not_checked;
+};
+
 /// JSON of the summary's members that outputs of the run tell; those that are empty are left out.
 struct SummaryOfOutputs {
   std::string pattern;
   std::string post;
+  std::optional<CheckedStock> stock{};
 };
 
 /// How every report of a run begins: program, file, machine, dialect, status, alarm.

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
 #include "math/math.hpp"
+#include "motion/feed.hpp"
+#include "motion/spindle_speed.hpp"
 
 namespace kerf::stock {
 namespace {
@@ -16,38 +15,80 @@ namespace {
 using base::Code;
 using base::TipPoint;
 
-constexpr std::array<std::string_view, kToolParts> kPartNames = {"cutting edges", "flutes' end",
-                                                                 "shank", "holder"};
-// What is removed below this is dust of rounding, mm³.
-constexpr double kDust_mm3 = 1e-6;
+/// Lengths of a tool that differ by less are the same.
+constexpr double kSameLength_mm = 0.001;
+/// Likewise the lead of a thread and the pitch of its tool.
+constexpr double kSamePitch = 0.005;
 
-/// A way is across the tool's axis where it leaves the direction of it by more than this.
-constexpr double kAcross_mm = 1e-6;
-
-bool goes_across(const Sweep& sweep) {
-  if (const auto* const straight = std::get_if<StraightWay>(&sweep.way)) {
-    const Vec3 way = straight->to - straight->from;
-    return geometry::length(geometry::cross(way, sweep.axis)) > kAcross_mm;
-  }
-  return true;
-}
-
-/// All contacts as one, and the part of the deepest.
-std::pair<Contact, std::size_t> deepest(const std::array<Contact, kToolParts>& contacts) {
-  Contact all;
-  std::size_t part = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (contacts[i].depth_mm > all.depth_mm) part = i;
-    all.add(contacts[i]);
-  }
-  return {all, part};
-}
+/// A line between two set-points has at least this length.
+constexpr double kShortest_mm = 1e-9;
 
 /// Farthest point of the body from its tip.
 double reach_of(const Body& body) {
   const double height = body.profile.height() < Profile::kEndless_mm ? body.profile.height()
                                                                      : body.profile.edge_height();
   return math::hypot(std::min(height, 1000.0), body.profile.widest());
+}
+
+/// The middle of a ball is its radius above the tip.
+BallWay ball_of(const Sweep& sweep, double radius_mm) {
+  const auto* const turning = std::get_if<TurningWay>(&sweep.way);
+  const Vec3 axis_after = turning != nullptr ? turning->to_axis : sweep.axis;
+  return {{point_at(sweep.way, 0) + radius_mm * sweep.axis,
+           point_at(sweep.way, 1) + radius_mm * axis_after},
+          radius_mm};
+}
+
+MoveName name_of(const motion::Motion& motion) {
+  if (std::holds_alternative<motion::Rapid>(motion.action)) return MoveName::rapid;
+  if (std::holds_alternative<motion::Arc>(motion.action)) return MoveName::arc;
+  if (std::holds_alternative<motion::SpaceArc>(motion.action)) return MoveName::space_arc;
+  if (std::holds_alternative<motion::Thread>(motion.action)) return MoveName::thread;
+  if (std::holds_alternative<motion::Probe>(motion.action)) return MoveName::probe;
+  const auto* const surface = std::get_if<motion::SurfaceMove>(&motion.action);
+  return surface != nullptr && surface->is_arc ? MoveName::arc : MoveName::line;
+}
+
+const motion::Feed* feed_of(const motion::Motion& motion) {
+  return std::visit(
+      [](const auto& action) -> const motion::Feed* {
+        if constexpr (requires { action.feed; }) {
+          return &action.feed;
+        } else {
+          return nullptr;
+        }
+      },
+      motion.action);
+}
+
+/// The tool stands so much lower where its way begins, and where it ends; what is not straight is
+/// lowered as its end.
+void lower(Sweep& sweep, double from_mm, double to_mm) {
+  if (auto* const straight = std::get_if<StraightWay>(&sweep.way)) {
+    straight->from = straight->from - from_mm * sweep.axis;
+    straight->to = straight->to - to_mm * sweep.axis;
+  } else if (auto* const arc = std::get_if<ArcWay>(&sweep.way)) {
+    arc->centre = arc->centre - to_mm * sweep.axis;
+  } else {
+    auto& turning = std::get<TurningWay>(sweep.way);
+    turning.from = turning.from - from_mm * sweep.axis;
+    turning.to = turning.to - to_mm * turning.to_axis;
+  }
+}
+
+/// The beginning of a way, up to t in (0, 1).
+Way beginning(const Sweep& sweep, double t) {
+  if (const auto* const straight = std::get_if<StraightWay>(&sweep.way))
+    return part(*straight, 0, t);
+  if (const auto* const arc = std::get_if<ArcWay>(&sweep.way)) return part(*arc, 0, t);
+  const auto& turning = std::get<TurningWay>(sweep.way);
+  const Vec3 axis = sweep.axis + t * (turning.to_axis - sweep.axis);
+  return TurningWay{turning.from, point_at(turning, t), (1 / geometry::length(axis)) * axis};
+}
+
+bool is_within(Vec3 place, const Bounds& box) {
+  return place.x >= box.low.x && place.x <= box.high.x && place.y >= box.low.y &&
+         place.y <= box.high.y && place.z < box.high.z;
 }
 
 }  // namespace
@@ -60,13 +101,16 @@ Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& mod
       settings_(settings),
       curves_(axes),
       maker_(frame, settings.tolerance_mm),
+      judge_(findings_, settings.judge),
       at_(axes.start),
+      axis_count_(axes.count()),
       checks_(!settings.is_placed) {
   if (settings.has_tool) tool_ = &rack_.tool(0);
 }
 
 void Cutter::take(const motion::Motion& motion) {
   ++motions_;
+  if (settings_.end && motions_ > settings_.end->motion) return;
   if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     change_tool(change->tool);
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
@@ -76,66 +120,182 @@ void Cutter::take(const motion::Motion& motion) {
   }
 }
 
+void Cutter::take_along(const motion::Motion& motion, std::span<const TipPoint> tips) {
+  along_ = &tips;
+  take(motion);
+  along_ = nullptr;
+}
+
 void Cutter::turn(const motion::Spindle& spindle) {
   using motion::Spindle;
   if (spindle.name == motion::SpindleName::sub) return;
   if (settings_.turns_work && spindle.name == motion::SpindleName::live) return;
   // Of a surface speed without a limit only the tool's place tells the rpm.
   const double speed = spindle.follows_radius() ? spindle.speed : spindle.known_rpm();
-  spindle_ = !spindle.turns() || !(speed > 0)                 ? Turning::stopped
+  turning_ = !spindle.turns() || !(speed > 0)                 ? Turning::stopped
              : spindle.turning == Spindle::Turning::clockwise ? Turning::right
                                                               : Turning::left;
+  spindle_ = spindle;
 }
 
 void Cutter::change_tool(std::uint32_t number) {
   changed_tool_ = true;
   tool_ = &rack_.tool(number);
+  lowered_mm_ = 0;
 }
 
 void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   const bool rapid = std::holds_alternative<motion::Rapid>(motion.action);
   checks_ = checks_ || !rapid;
   fed_ = fed_ || (!rapid && (tool_ == nullptr || !tool_->is_probe()));
-  if (tool_ == nullptr) {
-    fed_without_tool_ = fed_without_tool_ || !rapid;
-  } else if (checks_) {
-    add_sweeps(motion, rapid ? SweepKind::rapid : SweepKind::cut);
-  }
-  at_ = to;
+  fed_without_tool_ = fed_without_tool_ || (tool_ == nullptr && !rapid);
+  Waiting of = waiting_of(motion, to);
+  if (tool_ != nullptr && checks_) add_sweeps(motion, of);
+  of.end = sweeps_.size();
+  if (!stuck_) waiting_.push_back(of);
+  if (along_ == nullptr) at_ = to;
+  if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
+  const bool looks = next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
+  if (looks || sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
+  if (!looks) return;
+  ++next_look_;
+  settings_.look(of.cut);
 }
 
-void Cutter::add_sweeps(const motion::Motion& motion, SweepKind kind) {
-  const bool probes = std::holds_alternative<motion::Probe>(motion.action);
-  if (stuck_ || (probes && tool_->is_probe())) return;
-  Waiting of{.block = motion.block,
-             .motion = motions_,
-             .first = sweeps_.size(),
-             .tool = tool_->number(),
-             .kind = kind,
-             .spindle = spindle_};
-  Sweep like{.body = body_of(*tool_), .kind = kind, .motion = static_cast<std::uint32_t>(motions_)};
+Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint& to) const {
+  Waiting of;
+  of.cut = {.block = motion.block,
+            .motion = motions_,
+            .tool = tool_ == nullptr ? 0 : tool_->number(),
+            .move = name_of(motion)};
+  const Vec3 from = frame_.pose(at_).tip;
+  of.cut.to = frame_.pose(to).tip;
+  if (along_ != nullptr) of.cut.to = frame_.pose(along_->empty() ? at_ : along_->back()).tip;
+  of.first = sweeps_.size();
+  of.kind = of.cut.move == MoveName::rapid ? SweepKind::rapid : SweepKind::cut;
+  of.spindle = turning_;
+  const motion::Feed* const feed = feed_of(motion);
+  of.has_feed = feed != nullptr;
+  if (of.has_feed) of.feed = *feed;
+  if (turning_ != Turning::stopped) of.rpm = motion::rpm_at(spindle_, to);
+  of.radius_mm = std::max(std::fabs(from.x), std::fabs(of.cut.to.x));
+  of.is_facing = std::fabs(of.cut.to.x - from.x) > std::fabs(of.cut.to.z - from.z);
+  return of;
+}
+
+void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
+  if (stuck_ || (of.cut.move == MoveName::probe && tool_->is_probe())) return;
+  Sweep like{
+      .body = body_of(*tool_), .kind = of.kind, .motion = static_cast<std::uint32_t>(motions_)};
   if (const auto* const thread = std::get_if<motion::Thread>(&motion.action)) {
-    like.lead_mm = std::fabs(thread->lead);
+    like.lead_mm = of.lead_mm = std::fabs(thread->lead);
     like.start_deg = thread->angle_deg;
     threads_.emplace(like.motion, motion.block);
   }
-  TipPoint from = at_;
-  for (const motion::Curve& curve : curves_.of(at_, motion)) {
-    maker_.add(from, curve, like, reach_of(tool_->body), sweeps_);
-    from = curve.end();
-  }
-  of.end = sweeps_.size();
-  for (std::size_t i = of.first; i < of.end && !stuck_; ++i) {
-    of.length_mm += length(sweeps_[i].way);
+  add_ways(motion, like);
+  if (settings_.end && motions_ == settings_.end->motion) cut_short(of.first, settings_.end->share);
+  const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
+  for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
+    if (longer != 0 || lowered_mm_ != 0)
+      lower(sweeps_[i], i == of.first ? lowered_mm_ : longer, longer);
+    of.cut.length_mm += length(sweeps_[i].way);
     if (!model_.can_cut(sweeps_[i])) stuck_ = motion.block;
   }
-  if (stuck_) {
-    sweeps_.resize(of.first);
+  lowered_mm_ = longer;
+  if (stuck_) return sweeps_.resize(of.first);
+  of.cut.is_looked_at = true;
+  if (tool_spans_.empty() || tool_spans_.back().tool != of.cut.tool)
+    tool_spans_.push_back({like.motion, of.cut.tool});
+  if (of.kind == SweepKind::cut) check_length(motion, of);
+  if (of.kind == SweepKind::cut) check_pitch(of);
+}
+
+void Cutter::add_ways(const motion::Motion& motion, const Sweep& like) {
+  const double reach = reach_of(tool_->body);
+  TipPoint from = at_;
+  if (along_ != nullptr) {
+    for (const TipPoint& tip : *along_) {
+      const double way = geometry::length(frame_.in_space(tip - from));
+      const motion::Curve line =
+          motion::Curve::line(from, tip, std::max(way, kShortest_mm), axis_count_);
+      maker_.add(from, line, like, reach, sweeps_);
+      from = tip;
+    }
     return;
   }
-  if (of.end > of.first) waiting_.push_back(of);
-  if (sweeps_.size() >= kBatch) cut_batch();
+  for (const motion::Curve& curve : curves_.of(at_, motion)) {
+    maker_.add(from, curve, like, reach, sweeps_);
+    from = curve.end();
+  }
+}
+
+/// Of the sweeps from `first` on only this share of their way is left.
+void Cutter::cut_short(std::size_t first, double share) {
+  double way = 0;
+  for (std::size_t i = first; i < sweeps_.size(); ++i) way += length(sweeps_[i].way);
+  double rest = way * share;
+  for (std::size_t i = first; i < sweeps_.size(); ++i) {
+    const double one = length(sweeps_[i].way);
+    if (rest >= one) {
+      rest -= one;
+      continue;
+    }
+    const double t = one > 0 ? rest / one : 0;
+    if (t > 0) sweeps_[i].way = beginning(sweeps_[i], t);
+    sweeps_.resize(t > 0 ? i + 1 : i);
+    return;
+  }
+}
+
+double Cutter::too_long_mm(const motion::Motion& motion) const {
+  const auto length = tool_->tool.said(Measure::length);
+  return length && !settings_.turns_work ? *length - motion.length.mm : 0;
+}
+
+void Cutter::check_length(const motion::Motion& motion, const Waiting& of) {
+  const double longer = too_long_mm(motion);
+  if (std::fabs(longer) <= kSameLength_mm || !wrong_lengths_.insert(of.cut.tool).second) return;
+  const std::string offset = motion.length.mm == 0 && motion.length.offset == 0
+                                 ? "no length offset is in force"
+                                 : fmt::format("the length offset in force is {:.4g} mm (H{})",
+                                               motion.length.mm, motion.length.offset);
+  judge_.add({.code = Code::tool_length,
+              .detail = fmt::format("T{} is {:.4g} mm long, and {}: its tip is {:.4g} mm {}",
+                                    of.cut.tool, motion.length.mm + longer, offset,
+                                    std::fabs(longer), longer > 0 ? "deeper" : "higher"),
+              .block = motion.block,
+              .tool = of.cut.tool,
+              .motion = motions_,
+              .at = of.cut.to,
+              .depth_mm = std::max(0.0, longer)});
+}
+
+// A tap is judged where it stands in the stock: on its way there it may be fed as one likes.
+void Cutter::check_pitch(const Waiting& of) {
+  const auto pitch = tool_->tool.said(Measure::pitch);
+  if (!pitch) return;
+  double lead = of.lead_mm;
+  double starts = 1;
+  if (tool_->tool.kind == ToolKind::threading) {
+    if (lead == 0) return;
+    starts = std::max(1.0, std::round(lead / *pitch));  // each start has the pitch of the insert
+  } else if (tool_->tool.kind == ToolKind::tap) {
+    if (lead == 0 && of.rpm > 0 && of.has_feed && is_within(of.cut.to, settings_.stock)) {
+      lead = motion::feed_per_minute(of.feed, of.cut.length_mm, of.rpm) / of.rpm;
+    }
+    if (lead == 0) return;
+  } else {
+    return;
+  }
+  if (std::fabs(lead - starts * *pitch) <= kSamePitch * starts * *pitch) return;
+  judge_.add({.code = Code::thread_pitch,
+              .detail = fmt::format("{:.4g} mm a turn, and T{} is for {:.4g} mm", lead, of.cut.tool,
+                                    *pitch),
+              .block = of.cut.block,
+              .tool = of.cut.tool,
+              .motion = of.cut.motion,
+              .at = of.cut.to});
 }
 
 BodyId Cutter::body_of(const CuttingTool& tool) {
@@ -146,133 +306,94 @@ BodyId Cutter::body_of(const CuttingTool& tool) {
 
 void Cutter::finish() { cut_batch(); }
 
+// The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
+// equal shares.
+std::optional<double> Cutter::touch(const TipPoint& from, const TipPoint& to) {
+  cut_batch();
+  const bool has_ball = tool_ != nullptr && tool_->is_probe();
+  const double radius = has_ball ? tool_->diameter_mm() / 2 : 0;
+  motion::Motion move;
+  move.action = motion::Probe{.to = to, .feed = {}};
+  std::vector<Sweep> sweeps;
+  for (const motion::Curve& curve : curves_.of(from, move))
+    maker_.add(from, curve, {}, radius, sweeps);
+  const auto count = static_cast<double>(sweeps.size());
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    if (const auto t = first_touch(ball_of(sweeps[i], radius)))
+      return (static_cast<double>(i) + *t) / count;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Cutter::first_touch(const BallWay& ball) const {
+  std::optional<double> first = model_.first_touch(ball);
+  for (const Obstacle* const obstacle : settings_.judge.obstacles) {
+    const auto t = obstacle->first_touch(ball);
+    if (t && (!first || *t < *first)) first = t;
+  }
+  return first;
+}
+
 void Cutter::cut_batch() {
   outcomes_.assign(sweeps_.size(), Outcome{});
   model_.cut(sweeps_, outcomes_);
-  for (const Waiting& of : waiting_) {
+  for (Waiting& of : waiting_) {
     Outcome sum;
     for (std::size_t i = of.first; i < of.end; ++i) sum.add(outcomes_[i]);
-    judge(of, sum);
-    record(of, sum);
+    settle(of, sum);
   }
   waiting_.clear();
   sweeps_.clear();
 }
 
-void Cutter::judge(const Waiting& of, const Outcome& outcome) {
+void Cutter::settle(Waiting& of, const Outcome& outcome) {
   removed_ += outcome.removed;
   visited_ += outcome.visited;
-  judge_obstacles(of);
-  if (of.kind == SweepKind::rapid) {
-    judge_rapid(of, outcome);
-  } else {
-    judge_cut(of, outcome);
+  if (of.end > of.first) {
+    const CuttingTool& tool = rack_.tool(of.cut.tool);
+    of.cut.has_findings =
+        judge_.judge({.block = of.cut.block,
+                      .motion = of.cut.motion,
+                      .kind = of.kind,
+                      .spindle = of.spindle,
+                      .sweeps = {sweeps_.data() + of.first, of.end - of.first},
+                      .outcomes = {outcomes_.data() + of.first, of.end - of.first}},
+                     tool, outcome);
+    record(of, outcome);
+    of.cut.removed_mm3 = outcome.removed.value();
+    if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3)
+      of.cut.data = data_of(of, outcome);
   }
+  if (settings_.cuts != nullptr) settings_.cuts->take(of.cut);
 }
 
-void Cutter::judge_obstacles(const Waiting& of) {
-  const std::span<const Sweep> sweeps(sweeps_.data() + of.first, of.end - of.first);
-  for (Obstacle* const obstacle : settings_.obstacles) {
-    const Obstacle::Contacts contacts = obstacle->meet(sweeps, rack_.tool(of.tool).body);
-    const auto [worst, part] = deepest(contacts);
-    if (!worst.is_one() || !rack_.tool(of.tool).knows_shape()) continue;
-    find(Code::fixture_collision, of, worst,
-         fmt::format("the {} of T{} {:.3f} mm deep in {}", kPartNames[part], of.tool,
-                     worst.depth_mm, obstacle->name()));
-  }
-}
-
-void Cutter::judge_rapid(const Waiting& of, const Outcome& outcome) {
-  const auto [worst, part] = deepest(outcome.contacts);
-  if (worst.is_one() && knows_collisions(rack_.tool(of.tool))) {
-    find(Code::rapid_in_stock, of, worst,
-         fmt::format("the {} of T{} {:.3f} mm deep", kPartNames[part], of.tool, worst.depth_mm));
-  }
-}
-
-void Cutter::judge_cut(const Waiting& of, const Outcome& outcome) {
-  const CuttingTool& tool = rack_.tool(of.tool);
-  const auto& contacts = outcome.contacts;
-  const auto told = [&](ToolPart part, Code code) {
-    const Contact& contact = contacts[index(part)];
-    if (contact.is_one() && knows_collisions(tool))
-      find(code, of, contact, fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
-  };
-  if (tool.is_probe()) {
-    told(ToolPart::edge, Code::probe_in_stock);
-    return;
-  }
-  if (tool.tool.is_insert()) {
-    judge_back(of, outcome);
-  } else {
-    told(ToolPart::flank, Code::flute_length);
-    told(ToolPart::shank, Code::shank_collision);
-    told(ToolPart::holder, Code::holder_collision);
-  }
-  if (outcome.removed.value() < kDust_mm3 && outcome.threaded.value() < kDust_mm3) return;
-  judge_spindle(of, tool);
-  if (outcome.core.value() > kDust_mm3) {
-    find(Code::not_centre_cutting, of,
-         fmt::format("T{} removes {:.3f} mm³ within its core", of.tool, outcome.core.value()));
-  }
-  const auto across = [&](std::size_t i) { return goes_across(sweeps_[i]); };
-  if (!tool.is_axial()) return;
-  for (std::size_t i = of.first; i < of.end; ++i) {
-    if (!across(i) || outcomes_[i].removed.value() < kDust_mm3) continue;
-    find(Code::axial_tool_sideways, of, fmt::format("T{} is a {}", of.tool, tool.tool.type_name()));
-    return;
-  }
-}
-
-// Of an insert nothing cuts but its edges, and the bar is behind them, too.
-void Cutter::judge_back(const Waiting& of, const Outcome& outcome) {
-  Contact contact;
-  for (const ToolPart part : {ToolPart::flank, ToolPart::shank, ToolPart::holder})
-    contact.add(outcome.contacts[index(part)]);
-  if (!contact.is_one() || !knows_collisions(rack_.tool(of.tool))) return;
-  find(Code::insert_collision, of, contact,
-       fmt::format("T{} {:.3f} mm deep", of.tool, contact.depth_mm));
-}
-
-void Cutter::judge_spindle(const Waiting& of, const CuttingTool& tool) {
-  const bool is_left = of.spindle == Turning::left;
-  if (of.spindle == Turning::stopped) {
-    find(Code::spindle_stopped, of, fmt::format("T{} cuts", of.tool));
-  } else if (!tool.tool.is_insert() && tool.knows_hand() &&
-             (tool.tool.hand == Hand::left) != is_left) {
-    // Which way an insert wants the work to turn depends on how it is clamped.
-    find(Code::spindle_direction, of,
-         fmt::format("T{} cuts with {}", of.tool, is_left ? "M04" : "M03"));
-  }
-}
-
-void Cutter::find(Code code, const Waiting& of, const Contact& contact, std::string detail) {
-  findings_.add({.code = code,
-                 .detail = std::move(detail),
-                 .block = of.block,
-                 .tool = of.tool,
-                 .motion = of.motion,
-                 .at = contact.at,
-                 .depth_mm = contact.depth_mm,
-                 .volume_mm3 = contact.volume.value()});
-}
-
-// Of what has no depth the place is where the tip goes.
-void Cutter::find(Code code, const Waiting& of, const std::string& detail) {
-  Contact contact;
-  contact.at = point_at(sweeps_[of.end - 1].way, 1);
-  find(code, of, contact, detail);
+CuttingData Cutter::data_of(const Waiting& of, const Outcome& outcome) {
+  bool is_axial = true;
+  for (std::size_t i = of.first; is_axial && i < of.end; ++i) is_axial = !goes_across(sweeps_[i]);
+  return cutting_data({.tool = rack_.tool(of.cut.tool),
+                       .outcome = outcome,
+                       .feed = of.feed,
+                       .has_feed = of.has_feed,
+                       .length_mm = of.cut.length_mm,
+                       .grain_mm = model_.grain_mm(),
+                       .rpm = of.rpm,
+                       .turns_left = of.spindle == Turning::left,
+                       .is_axial = is_axial,
+                       .turns_work = settings_.turns_work,
+                       .radius_mm = of.radius_mm,
+                       .is_facing = of.is_facing,
+                       .material = settings_.material});
 }
 
 void Cutter::record(const Waiting& of, const Outcome& outcome) {
-  const auto same = [&](const ToolRecord& record) { return record.tool == of.tool; };
+  const auto same = [&](const ToolRecord& record) { return record.tool == of.cut.tool; };
   auto place = std::find_if(tools_.begin(), tools_.end(), same);
-  if (place == tools_.end()) place = tools_.insert(place, ToolRecord{.tool = of.tool});
+  if (place == tools_.end()) place = tools_.insert(place, ToolRecord{.tool = of.cut.tool});
   const bool removes = outcome.removed.value() > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
   place->removed_mm3 += outcome.removed.value();
   if (of.kind == SweepKind::rapid) return;
-  (removes ? place->cut_mm : place->air_mm) += of.length_mm;
-  bool& axial = axial_tools_.try_emplace(of.tool, true).first->second;
+  (removes ? place->cut_mm : place->air_mm) += of.cut.length_mm;
+  bool& axial = axial_tools_.try_emplace(of.cut.tool, true).first->second;
   for (std::size_t i = of.first; axial && i < of.end; ++i) axial = !goes_across(sweeps_[i]);
   has_cut_ = has_cut_ || removes;
   for (std::size_t i = of.first; removes && i < of.end; ++i) {

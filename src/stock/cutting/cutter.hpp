@@ -3,6 +3,8 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
+#include <span>
 #include <vector>
 
 #include "motion/axis_setup.hpp"
@@ -10,12 +12,21 @@
 #include "motion/move_curves.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/findings.hpp"
+#include "stock/cutting/judge.hpp"
+#include "stock/cutting/motion_cut.hpp"
 #include "stock/cutting/obstacle.hpp"
 #include "stock/cutting/sweep_maker.hpp"
 #include "stock/cutting/tool_record.hpp"
+#include "stock/cutting/tool_span.hpp"
 #include "stock/sweep/model.hpp"
 
 namespace kerf::stock {
+
+/// How far a run is cut: up to a place on one of its motions.
+struct CutEnd {
+  std::uint64_t motion = 0;  ///< from 1; those behind it are not cut
+  double share = 1;          ///< of its way, in [0, 1]
+};
 
 /// Has a model cut what the motions of a run cut, and checks it (stock.md §2.5, §5). Motions wait
 /// in a batch, so that threads have something to share; finish() cuts what waits.
@@ -27,14 +38,22 @@ class Cutter final : public motion::MotionSink {
     /// have been commanded, which this tells, or from the first move at feed. Empty: from the
     /// start.
     std::function<bool()> is_placed{};
-    std::vector<Obstacle*> obstacles{};  ///< that no tool may touch; they outlive the cutter
-    /// Somebody has said what lies on the table: what collides with it is no guess.
-    bool knows_stock = true;
+    Judge::Settings judge{};
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
     /// The spindle of the work makes the cut: what driven tools do is not looked at.
     bool turns_work = false;
+    std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
+    MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
+    std::optional<CutEnd> end{};            ///< none: all is cut
+    /// Tools are as long as they are said to be, not as their offset in force has it (stock.md
+    /// §2.6): they reach deeper or less deep by the difference.
+    bool has_real_lengths = false;
+    Bounds stock{};  ///< as it was before the first cut
+    /// Motions behind which the model is looked at, rising; what waits is cut before.
+    std::vector<std::uint64_t> looks{};
+    std::function<void(const MotionCut& last)> look{};
   };
 
   /// All must outlive the cutter.
@@ -42,12 +61,22 @@ class Cutter final : public motion::MotionSink {
          const Settings& settings);
 
   void take(const motion::Motion& motion) override;
+  /// The same of a motion that goes through these tips, straight from one to the next, and not
+  /// where it was programmed; of one without any nothing is cut.
+  void take_along(const motion::Motion& motion, std::span<const base::TipPoint> tips);
   /// Cuts what waits. Before any question.
   void finish();
+  /// Where a probing move stops that would begin now: the share of it at which the ball of the
+  /// probe in the spindle, or the tip of another tool, first touches what is left or an obstacle;
+  /// nullopt: nowhere. Cuts what waits.
+  [[nodiscard]] std::optional<double> touch(const base::TipPoint& from, const base::TipPoint& to);
 
-  [[nodiscard]] const Findings& findings() const { return findings_; }
+  [[nodiscard]] Findings& findings() { return findings_; }
+  [[nodiscard]] Judge& judge() { return judge_; }
   /// By their first use.
-  [[nodiscard]] const std::vector<ToolRecord>& tools() const { return tools_; }
+  [[nodiscard]] std::vector<ToolRecord>& tools() { return tools_; }
+  /// Which motions are whose.
+  [[nodiscard]] const std::vector<ToolSpan>& tool_spans() const { return tool_spans_; }
   /// The first move that the model cannot cut; nothing behind it was cut.
   [[nodiscard]] const std::optional<base::BlockId>& stuck() const { return stuck_; }
   /// A move at feed met a tool change ahead of it or none: what Settings::has_tool is about.
@@ -65,37 +94,36 @@ class Cutter final : public motion::MotionSink {
   [[nodiscard]] const std::map<std::uint32_t, bool>& axial_tools() const { return axial_tools_; }
 
  private:
-  enum class Turning : std::uint8_t { stopped, right, left };
   /// What is known of a motion until the model has cut it.
   struct Waiting {
-    base::BlockId block;
-    std::uint64_t motion = 0;
+    MotionCut cut;
     std::size_t first = 0;  // of its sweeps
     std::size_t end = 0;
-    std::uint32_t tool = 0;
     SweepKind kind = SweepKind::cut;
     Turning spindle = Turning::stopped;
-    double length_mm = 0;
+    motion::Feed feed{};
+    bool has_feed = false;
+    double rpm = 0;
+    double radius_mm = 0;  // of a lathe: the largest of the tip
+    bool is_facing = false;
+    double lead_mm = 0;  // of a thread
   };
 
   void change_tool(std::uint32_t number);
   void turn(const motion::Spindle& spindle);
   void move(const motion::Motion& motion, const base::TipPoint& to);
-  void add_sweeps(const motion::Motion& motion, SweepKind kind);
+  [[nodiscard]] Waiting waiting_of(const motion::Motion& motion, const base::TipPoint& to) const;
+  void add_sweeps(const motion::Motion& motion, Waiting& of);
+  void add_ways(const motion::Motion& motion, const Sweep& like);
+  void cut_short(std::size_t first, double share);
+  void check_length(const motion::Motion& motion, const Waiting& of);
+  [[nodiscard]] double too_long_mm(const motion::Motion& motion) const;
+  void check_pitch(const Waiting& of);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
-  void judge(const Waiting& of, const Outcome& outcome);
-  void judge_rapid(const Waiting& of, const Outcome& outcome);
-  void judge_cut(const Waiting& of, const Outcome& outcome);
-  void judge_obstacles(const Waiting& of);
-  /// A check never rests on an assumed dimension (stock.md §1.5).
-  [[nodiscard]] bool knows_collisions(const CuttingTool& tool) const {
-    return settings_.knows_stock && tool.knows_shape();
-  }
-  void judge_back(const Waiting& of, const Outcome& outcome);
-  void judge_spindle(const Waiting& of, const CuttingTool& tool);
-  void find(base::Code code, const Waiting& of, const Contact& contact, std::string detail);
-  void find(base::Code code, const Waiting& of, const std::string& detail);
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
+  void settle(Waiting& of, const Outcome& outcome);
+  [[nodiscard]] CuttingData data_of(const Waiting& of, const Outcome& outcome);
   void record(const Waiting& of, const Outcome& outcome);
 
   static constexpr std::size_t kBatch = 8192;
@@ -107,11 +135,16 @@ class Cutter final : public motion::MotionSink {
   motion::MoveCurves curves_;
   SweepMaker maker_;
   Findings findings_;
+  Judge judge_;
   std::vector<ToolRecord> tools_;
+  std::vector<ToolSpan> tool_spans_;
   std::map<std::uint32_t, BodyId> bodies_;
   const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
-  Turning spindle_ = Turning::stopped;
+  Turning turning_ = Turning::stopped;
+  motion::Spindle spindle_;  // that cuts
   base::TipPoint at_;
+  const std::span<const base::TipPoint>* along_ = nullptr;  // null: as programmed
+  std::size_t axis_count_;
   bool checks_ = false;
   std::uint64_t motions_ = 0;
   std::vector<Waiting> waiting_;
@@ -126,6 +159,9 @@ class Cutter final : public motion::MotionSink {
   bool has_cut_ = false;
   std::map<std::uint32_t, base::BlockId> threads_;
   std::map<std::uint32_t, bool> axial_tools_;
+  double lowered_mm_ = 0;  // the tip against its programmed place, by its real length
+  std::size_t next_look_ = 0;
+  std::set<std::uint32_t> wrong_lengths_;  // tools that were told
 };
 
 }  // namespace kerf::stock

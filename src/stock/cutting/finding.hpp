@@ -19,7 +19,9 @@ struct Finding {
   Vec3 at{};                 ///< the deepest place
   double depth_mm = 0;       ///< there
   double volume_mm3 = 0;     ///< of all
+  double excess = 0;         ///< of what exceeds a limit: by which factor
   std::uint64_t count = 1;   ///< motions that had it
+  double time_s = 0;         ///< when the motion ends, s of the run; 0: not known
 };
 
 }  // namespace kerf::stock

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 
+#include "geometry/mesh/solid_mesh.hpp"
 #include "stock/sweep/way.hpp"
 
 namespace kerf::stock {
@@ -24,9 +26,20 @@ struct CylinderShape {
   double inner_diameter = 0;
 };
 
-using Workpiece = std::variant<BoxShape, CylinderShape>;
+/// A solid of triangles. Shared, because it may be large; not null.
+struct MeshShape {
+  std::shared_ptr<const mesh::SolidMesh> solid;
+  Bounds box;     ///< of it
+  Vec3 seen_mm2;  ///< what its triangles show along X, Y and Z
+};
+/// Where shells of it overlap, its volume is measured, and its changes say so.
+[[nodiscard]] MeshShape mesh_shape(mesh::SolidMesh solid);
+/// The same of one whose volume is known.
+[[nodiscard]] MeshShape mesh_shape(mesh::TriangleMesh mesh, double volume_mm3);
 
-/// Exact.
+using Workpiece = std::variant<BoxShape, CylinderShape, MeshShape>;
+
+/// Exact; of a mesh what its triangles enclose.
 [[nodiscard]] double volume(const Workpiece& piece);
 [[nodiscard]] Bounds bounds(const Workpiece& piece);
 

@@ -40,23 +40,27 @@ void Across::take(const ArcWay& way, Vec3 axis) {
 void Across::take_plane(Vec3 from, Vec3 along, Vec3 axis) {
   const Vec3 left = cross(axis, along);
   const double size = std::sqrt(dot(left, left));
-  if (size < kStill_mm) return;
-  kind_ = Kind::plane;
   from_ = from;
+  axis_ = axis;
+  kind_ = size < kStill_mm ? Kind::axis : Kind::plane;
+  if (kind_ == Kind::axis) return;
   left_ = (1 / size) * left;
 }
 
 double Across::distance(Vec3 place) const {
   const Vec3 v = place - from_;
   if (kind_ == Kind::plane) return dot(v, left_);
+  if (kind_ == Kind::axis) {
+    const Vec3 out = v - dot(v, axis_) * axis_;
+    return std::sqrt(dot(out, out));
+  }
   return side_ * (radius_ - math::hypot(dot(v, left_), dot(v, other_)));
 }
 
-std::size_t Across::bin(Vec3 place) const {
+std::size_t Across::bin(double distance) const {
   constexpr double kHalf = static_cast<double>(Outcome::kBins) / 2;
   constexpr double kLast = static_cast<double>(Outcome::kBins) - 1;
-  return static_cast<std::size_t>(
-      std::clamp(std::floor(distance(place) * scale_ + kHalf), 0.0, kLast));
+  return static_cast<std::size_t>(std::clamp(std::floor(distance * scale_ + kHalf), 0.0, kLast));
 }
 
 }  // namespace kerf::stock::dexel

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/mesh/lines.hpp"
+#include "stock/dexel/tile.hpp"
+
 namespace kerf::stock::dexel {
 namespace {
 
@@ -66,6 +69,15 @@ void through_round(const Round& round, int axis, double b, double c, std::vector
   }
 }
 
+mesh::LineGrid lines_of(const Lattice& lattice, Vec3 middle) {
+  mesh::LineGrid grid{lattice.axis, {}, {}};
+  const double b = on_axis(middle, (lattice.axis + 1) % 3);
+  const double c = on_axis(middle, (lattice.axis + 2) % 3);
+  for (int i = 0; i < lattice.columns; ++i) grid.b.push_back(b + lattice.b_of(i));
+  for (int i = 0; i < lattice.rows; ++i) grid.c.push_back(c + lattice.c_of(i));
+  return grid;
+}
+
 }  // namespace
 
 Shape box_shape(const Bounds& box) {
@@ -87,6 +99,24 @@ Shape round_shape(const Round& round) {
   };
   const double area = std::numbers::pi * (r * r - round.inner_mm * round.inner_mm);
   return {box, inside, area * (round.high - round.low)};
+}
+
+Shape mesh_shape(std::shared_ptr<const mesh::SolidMesh> solid) {
+  const mesh::MeshBox box = mesh::box_of(solid->mesh);
+  Shape shape{.box = {box.low, box.high}, .inside = {}, .volume_mm3 = solid->volume_mm3};
+  shape.on_lattice = [solid](const Lattice& lattice, Vec3 middle) -> InsideOf {
+    const auto lines = std::make_shared<const mesh::Lines>(solid->mesh, lines_of(lattice, middle));
+    return [solid, lines](int column, int row, std::vector<Interval>& out) {
+      std::vector<mesh::Stretch> found;
+      lines->inside(static_cast<std::size_t>(column), static_cast<std::size_t>(row),
+                    Tile::kLeast_mm, found);
+      for (const mesh::Stretch& s : found) {
+        out.push_back({s.low, s.high, mesh::normal_of(solid->mesh, s.low_triangle),
+                       mesh::normal_of(solid->mesh, s.high_triangle)});
+      }
+    };
+  };
+  return shape;
 }
 
 }  // namespace kerf::stock::dexel

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "geometry/mesh/solid_mesh.hpp"
+#include "stock/dexel/lattice.hpp"
 #include "stock/sweep/way.hpp"
 
 namespace kerf::stock::dexel {
@@ -20,11 +23,17 @@ struct Interval {
 /// (X: Y and Z, Y: Z and X, Z: X and Y). Called from several threads at once.
 using Inside = std::function<void(int axis, double b, double c, std::vector<Interval>& out)>;
 
+/// The same of the dexel in a column and a row of a lattice.
+using InsideOf = std::function<void(int column, int row, std::vector<Interval>& out)>;
+
 /// What a stock is before the first cut, in its own frame, mm.
 struct Shape {
   Bounds box;  ///< holds all of it; low < high
   Inside inside;
   double volume_mm3 = 0;  ///< exact; 0: as the dexels have it
+  /// Instead of `inside`, of what is asked by whole lattices: once for each of the three, in the
+  /// order X, Y, Z. `middle` is that of the box.
+  std::function<InsideOf(const Lattice& lattice, Vec3 middle)> on_lattice{};
 };
 
 [[nodiscard]] Shape box_shape(const Bounds& box);
@@ -39,5 +48,8 @@ struct Round {
   double inner_mm = 0;
 };
 [[nodiscard]] Shape round_shape(const Round& round);
+
+/// Not null.
+[[nodiscard]] Shape mesh_shape(std::shared_ptr<const mesh::SolidMesh> solid);
 
 }  // namespace kerf::stock::dexel

@@ -51,6 +51,11 @@ class Tile {
   [[nodiscard]] std::span<const DexelEnd> ends(std::size_t dexel) const {
     return {ends_.data() + dexels_[dexel].begin, dexels_[dexel].count};
   }
+  /// Whether a place lies between two ends.
+  [[nodiscard]] bool holds(std::size_t dexel, float place) const {
+    return has_piece(dexel, place, place,
+                     [&](double low, double high) { return low < place && place < high; });
+  }
   /// Replaces what is there. Precondition: even number, sorted.
   void fill(std::size_t dexel, std::span<const DexelEnd> ends);
 

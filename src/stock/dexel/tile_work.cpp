@@ -190,11 +190,13 @@ bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting
                     const Passage& passage, const Passage* core, const Across& across,
                     Outcome& outcome) {
   if (core != nullptr) count_core(place, meeting, *core, outcome);
+  const bool is_told = lattice_.axis == task.main_axis && across.has_bins();
+  const Tile::Stretch span = is_told ? tile_.touched_span(place.dexel, as_float(meeting.low.along),
+                                                          as_float(meeting.high.along))
+                                     : Tile::Stretch{};
   const double length = subtract(task, place, meeting, passage);
   if (length == 0) return false;
-  const double along =
-      std::clamp((meeting.low.along + meeting.high.along) / 2, -lattice_.half_s, lattice_.half_s);
-  count(task, place, length, along, across, outcome);
+  count(task, place, length, span, across, outcome);
   return true;
 }
 
@@ -207,13 +209,19 @@ double TileWork::subtract(const Task& task, const Place& place, const Meeting& m
       [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
 }
 
-void TileWork::count(const Task& task, const Place& place, double length, double along,
+void TileWork::count(const Task& task, const Place& place, double length, const Tile::Stretch& span,
                      const Across& across, Outcome& outcome) const {
   if (lattice_.axis != task.main_axis) return;
   const Exact volume(length * lattice_.cell_area());
   outcome.removed += volume;
   if (!across.has_bins()) return;
-  outcome.across[across.bin(place_of(along, place.b, place.c))] += volume;
+  const Vec3 low = place_of(double{span.low}, place.b, place.c);
+  const Vec3 high = place_of(double{span.high}, place.b, place.c);
+  const double s = across.distance(0.5 * (low + high));
+  outcome.across[across.bin(s)] += volume;
+  outcome.aside.add(s);
+  outcome.heights.add(dot(low, task.sweep->axis));
+  outcome.heights.add(dot(high, task.sweep->axis));
 }
 
 /// The tip face, going down, comes first to what it passes over.
@@ -296,8 +304,8 @@ void TileWork::remove_contacts(const Task& task, ToolPart part, Outcome& outcome
     if (!found_[place.dexel].is_contact) return false;
     const float before = found_[place.dexel].removed;
     if (!remove_contact(task, place, m, passage)) return false;
-    const double along = double{found_[place.dexel].at};
-    count(task, place, double{found_[place.dexel].removed - before}, along, across, outcome);
+    const float at = found_[place.dexel].at;
+    count(task, place, double{found_[place.dexel].removed - before}, {at, at}, across, outcome);
     return true;
   };
   each_solid(task, task.posed->solids, part,

@@ -94,7 +94,7 @@ class TileWork {
             const Passage* core, const Across& across, Outcome& outcome);
   double subtract(const Task& task, const Place& place, const Meeting& meeting,
                   const Passage& passage);
-  void count(const Task& task, const Place& place, double length, double along,
+  void count(const Task& task, const Place& place, double length, const Tile::Stretch& span,
              const Across& across, Outcome& outcome) const;
   void count_core(const Place& place, const Meeting& meeting, const Passage& core,
                   Outcome& outcome) const;

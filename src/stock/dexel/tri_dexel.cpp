@@ -11,6 +11,8 @@
 #include <cmath>
 
 #include "math/math.hpp"
+#include "stock/dexel/ball_contact.hpp"
+#include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
 #include "stock/dexel/tile_work.hpp"
 
@@ -18,7 +20,9 @@ namespace kerf::stock::dexel {
 namespace {
 
 constexpr std::size_t kSweepsAtOnce = 4096;
-constexpr double kContact_mm = 1e-6;
+// Of a probe thinner than a cell.
+constexpr double kMostLooks = 1e6;
+constexpr int kHalvings = 40;
 
 double cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
 
@@ -104,6 +108,19 @@ struct TriDexel::Grid {
   [[nodiscard]] TileWork work(std::size_t tile, Vec3 middle) {
     return {lattice, tiles[tile], first_column(tile), first_row(tile), middle};
   }
+  /// Whether the dexel of the cell that a place lies in has material there.
+  [[nodiscard]] bool holds(Vec3 place) const {
+    const double b =
+        on_axis(place, (lattice.axis + 1) % 3) / lattice.cell_b + lattice.columns / 2.0;
+    const double c = on_axis(place, (lattice.axis + 2) % 3) / lattice.cell_c + lattice.rows / 2.0;
+    if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return false;
+    const int column = static_cast<int>(b);
+    const int row = static_cast<int>(c);
+    const Tile& tile = tiles[static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
+                                                      column / Lattice::kTile)];
+    return tile.holds(tile.index(column % Lattice::kTile, row % Lattice::kTile),
+                      static_cast<float>(on_axis(place, lattice.axis)));
+  }
   /// act(tile) for each that has dexels in the box, which is from the middle of the stock.
   template <class Act>
   void each_in(const Bounds& box, Act&& act) const {
@@ -178,6 +195,11 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
   const int axis = lattice.axis;
   const double b0 = on_axis(middle_, (axis + 1) % 3);
   const double c0 = on_axis(middle_, (axis + 2) % 3);
+  const InsideOf inside = shape.on_lattice ? shape.on_lattice(lattice, middle_)
+                                           : [&](int column, int row, std::vector<Interval>& out) {
+                                               shape.inside(axis, b0 + lattice.b_of(column),
+                                                            c0 + lattice.c_of(row), out);
+                                             };
   threads_->each(grid.tiles.size(), [&](std::size_t t) {
     const int column = grid.first_column(t);
     const int row = grid.first_row(t);
@@ -185,10 +207,9 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
               std::min(Lattice::kTile, lattice.rows - row), lattice.half_s);
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i < tile.count(); ++i) {
-      const double b = b0 + lattice.b_of(column + static_cast<int>(i) % tile.columns());
-      const double c = c0 + lattice.c_of(row + static_cast<int>(i) / tile.columns());
       intervals.clear();
-      shape.inside(axis, b, c, intervals);
+      inside(column + static_cast<int>(i) % tile.columns(),
+             row + static_cast<int>(i) / tile.columns(), intervals);
       tile.fill(i, ends_of(intervals, on_axis(middle_, axis)));
     }
     tile.refresh();
@@ -319,6 +340,12 @@ Bounds TriDexel::extents() const {
   return {middle_ + Vec3{low[0], low[1], low[2]}, middle_ + Vec3{high[0], high[1], high[2]}};
 }
 
+std::vector<Piece> TriDexel::pieces() const {
+  std::vector<Piece> all = pieces_of(*this, static_cast<int>(best_grid()), box_.low.z);
+  if (all.size() == 1) all.front().volume_mm3 = left_mm3();
+  return all;
+}
+
 std::size_t TriDexel::bytes() const {
   std::size_t sum = sizeof(*this);
   for (const auto& grid : grids_) {
@@ -327,34 +354,53 @@ std::size_t TriDexel::bytes() const {
   return sum;
 }
 
-bool TriDexel::meets(const PosedTool& posed, const Stroke& stroke) const {
-  const Bounds box = swept(posed.reach, stroke.from, stroke.way);
-  bool met = false;
-  for (const auto& grid : grids_) {
-    grid->each_in(box, [&](std::size_t tile) {
-      met = met || grid->work(tile, middle_).meets(posed, stroke);
-    });
-  }
-  return met;
+/// All three grids have material there, the place from the middle of the stock.
+bool TriDexel::holds(Vec3 place) const {
+  return std::all_of(grids_.begin(), grids_.end(),
+                     [&](const auto& grid) { return grid->holds(place); });
 }
 
-std::optional<double> TriDexel::first_contact(const Sweep& sweep) const {
-  const auto* way = std::get_if<StraightWay>(&sweep.way);
-  assert(way != nullptr);
-  const PosedTool posed = PosedTool::of(tools_[sweep.body], sweep.axis, block_);
-  const auto meets_until = [&](double t) {
-    return meets(posed, {way->from - middle_, t * (way->to - way->from)});
-  };
-  if (!meets_until(1)) return std::nullopt;
-  if (meets_until(0)) return 0.0;
-  double clear = 0;
-  double met = 1;
-  const double enough = kContact_mm / std::max(kContact_mm, length(sweep.way));
-  while (met - clear > enough) {
-    const double middle = (clear + met) / 2;
-    (meets_until(middle) ? met : clear) = middle;
+/// Deeper in the material than a ball that has left it.
+bool TriDexel::is_deep(Vec3 place) const {
+  for (const double d : {-kLeft_mm, kLeft_mm}) {
+    if (!holds(place + Vec3{d, 0, 0}) || !holds(place + Vec3{0, d, 0})) return false;
+    if (!holds(place + Vec3{0, 0, d})) return false;
   }
-  return clear;
+  return true;
+}
+
+// Where faces of cells do not quite join, a point may slip in.
+std::optional<double> TriDexel::first_between(const StraightWay& way) const {
+  const double steps = std::clamp(std::ceil(2 * length(way) / cell_), 1.0, kMostLooks);
+  for (double i = 1; i <= steps; ++i) {
+    if (!is_deep(point_at(way, i / steps))) continue;
+    double free = (i - 1) / steps;
+    double met = i / steps;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = (free + met) / 2;
+      (is_deep(point_at(way, middle)) ? met : free) = middle;
+    }
+    return met;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> TriDexel::first_touch(const BallWay& ball) const {
+  const BallWay own{{ball.way.from - middle_, ball.way.to - middle_}, ball.radius_mm};
+  if (is_deep(own.way.from)) return 0.0;
+  BallContact contact(own);
+  const Vec3 cell{cell_, cell_, cell_};
+  const Bounds way = bounds(own);
+  for (const auto& grid : grids_) {
+    grid->each_in({way.low - cell, way.high + cell}, [&](std::size_t tile) {
+      contact.look_at(grid->lattice, grid->tiles[tile], grid->first_column(tile),
+                      grid->first_row(tile));
+    });
+  }
+  if (ball.radius_mm >= cell_) return contact.first();
+  const double limit = contact.first().value_or(1);
+  const auto between = first_between(part(own.way, 0, limit));
+  return between ? limit * *between : contact.first();
 }
 
 const Lattice& TriDexel::lattice(int grid) const {

@@ -16,8 +16,6 @@
 namespace kerf::stock::dexel {
 
 class Preparation;
-struct PosedTool;
-struct Stroke;
 struct Tool;
 struct Trail;
 
@@ -49,12 +47,13 @@ class TriDexel final : public Model {
   [[nodiscard]] double stock_mm3() const override;
   [[nodiscard]] double error_mm3() const override;
   [[nodiscard]] Bounds extents() const override;
+  /// Of the grid that left_mm3() counts; of one piece the volume is that.
+  [[nodiscard]] std::vector<Piece> pieces() const override;
+  [[nodiscard]] double grain_mm() const override { return cell_; }
   [[nodiscard]] std::size_t bytes() const override;
 
-  /// How far, in [0, 1], a body goes on a straight way until any of it meets material; none: it
-  /// meets nothing. Within 1e-6 mm along the way for what the dexels show; a body thinner than a
-  /// cell may pass between them. Precondition: can_cut(), a straight way.
-  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+  /// As BallContact has it. A ball thinner than a cell is looked for between dexels, too.
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
   /// What is left, by each grid: along X, Y, Z.
   [[nodiscard]] std::array<double, 3> grids_mm3() const;
@@ -86,7 +85,9 @@ class TriDexel final : public Model {
   void fill(Grid& grid, const Shape& shape);
   void cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes);
   [[nodiscard]] std::vector<Touched> touched(const Preparation& ready) const;
-  [[nodiscard]] bool meets(const PosedTool& posed, const Stroke& stroke) const;
+  [[nodiscard]] bool holds(Vec3 place) const;
+  [[nodiscard]] bool is_deep(Vec3 place) const;
+  [[nodiscard]] std::optional<double> first_between(const StraightWay& way) const;
   [[nodiscard]] Vec3 half() const;
   [[nodiscard]] std::array<double, 3> alongside() const;
   [[nodiscard]] std::size_t best_grid() const;

@@ -3,15 +3,13 @@
 #include <optional>
 
 #include "stock/field/columns.hpp"
-#include "stock/field/field_tool.hpp"
-#include "stock/sweep/way.hpp"
+#include "stock/sweep/ball_way.hpp"
 
 namespace kerf::stock::field {
 
-/// The first t in [0, 1] of a straight way at which a tool's edges or another part touch material:
-/// where a probe stops (stock.md §5, G31). To 1e-9 of the way's length on each column; walls of the
-/// stock are where the columns are. nullopt: it touches nothing.
-[[nodiscard]] std::optional<double> first_touch(const Columns& columns, const FieldTool& tool,
-                                                const StraightWay& way);
+/// Where the ball of a probe first touches columns as they are: each fills its cell from its bottom
+/// to its top (stock.md §5, G31). So a level face is met where it is, a wall within half a cell of
+/// it; walls of a box, which are borders of cells, where they are.
+[[nodiscard]] std::optional<double> first_touch(const Columns& columns, const BallWay& ball);
 
 }  // namespace kerf::stock::field

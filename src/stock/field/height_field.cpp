@@ -62,8 +62,8 @@ void HeightField::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes
   }
 }
 
-std::optional<double> HeightField::first_contact(const Sweep& sweep) const {
-  return first_touch(columns_, tools_[sweep.body], std::get<StraightWay>(sweep.way));
+std::optional<double> HeightField::first_touch(const BallWay& ball) const {
+  return field::first_touch(columns_, ball);
 }
 
 }  // namespace kerf::stock::field

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -31,13 +32,16 @@ class HeightField final : public Model {
   /// Axis +Z, straight or an arc, edges without an undercut.
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
-  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
   [[nodiscard]] double left_mm3() const override { return columns_.volume_mm3(); }
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }
   [[nodiscard]] double error_mm3() const override { return columns_.error_mm3(); }
   [[nodiscard]] Bounds extents() const override { return columns_.extents(); }
   [[nodiscard]] std::vector<Piece> pieces() const override { return pieces_of(columns_); }
+  [[nodiscard]] double grain_mm() const override {
+    return std::max(columns_.grid().cell_x(), columns_.grid().cell_y());
+  }
   [[nodiscard]] std::size_t bytes() const override { return columns_.bytes(); }
 
   [[nodiscard]] const Columns& columns() const { return columns_; }

@@ -46,7 +46,7 @@ class Search {
   }
 
   Piece piece_from(int i, int j) {
-    Piece piece{0, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, false};
+    Piece piece{0, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, false, {}};
     waiting_ = {{i, j}};
     is_seen_[at(i, j)] = true;
     while (!waiting_.empty()) {

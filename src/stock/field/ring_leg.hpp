@@ -21,7 +21,6 @@ class RingLeg {
   void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
   void offsets(const BlockPoints& points, BlockValues& offsets) const;
-  [[nodiscard]] bool has_sides() const { return radius_ > 0; }
   [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;
   [[nodiscard]] const Bounds& box() const { return box_; }
 

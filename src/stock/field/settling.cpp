@@ -43,7 +43,6 @@ void Settling::add(const auto& leg, const LowerEnvelope& body, double top, Spans
 void Settling::add_edges(const auto& leg, const FieldTool::Part& edges) {
   const Spans before = edges_;
   add(leg, edges.whole, edges.top, edges_);
-  if (!leg.has_sides()) return;
   BlockValues here;
   leg.offsets(points_, here);
   for (std::size_t i = 0; i < kBlockCells; ++i) {

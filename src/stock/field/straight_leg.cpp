@@ -169,7 +169,8 @@ void StraightLeg::offsets(const BlockPoints& points, BlockValues& offsets) const
   const float left = downwards_ ? -1 : 1;
   for (std::size_t j = 0; j < kBlockSide; ++j) {
     for (std::size_t i = 0; i < kBlockSide; ++i) {
-      offsets[j * kBlockSide + i] = left * (at.y[j] * at.dx - at.x[i] * at.dy);
+      offsets[j * kBlockSide + i] = length_ > 0 ? left * (at.y[j] * at.dx - at.x[i] * at.dy)
+                                                : std::sqrt(at.x[i] * at.x[i] + at.y[j] * at.y[j]);
     }
   }
 }

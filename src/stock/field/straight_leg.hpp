@@ -33,10 +33,9 @@ class StraightLeg {
   void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
   /// How high the tip gets while the axis is within `reach` from the column; -kNowhere: never.
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
-  /// Signed distances of columns from the axis' way along the feed, left positive.
+  /// Signed distances of columns from the axis' way along the feed, left positive; of a vertical
+  /// one distances from the axis.
   void offsets(const BlockPoints& points, BlockValues& offsets) const;
-  /// Whether there is a left and a right.
-  [[nodiscard]] bool has_sides() const { return length_ > 0; }
 
   /// How much a disc of this radius at the tip takes from a column of this height before what is
   /// around it in the same plane passes there: all that it finds where it begins over the column,

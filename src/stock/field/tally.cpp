@@ -17,6 +17,10 @@ void Tally::add_to(Outcome& outcome, double cell_mm2) const {
   outcome.removed += Exact(removed_ * cell_mm2);
   outcome.core += Exact(core_ * cell_mm2);
   outcome.visited += visited_;
+  if (right_ <= left_) {
+    outcome.aside.add({double{right_}, double{left_}});
+    outcome.heights.add({double{lowest_}, double{highest_}});
+  }
   for (std::size_t i = 0; i < across_.size(); ++i) {
     if (across_[i] > 0) outcome.across[i] += Exact(across_[i] * cell_mm2);
   }

@@ -15,12 +15,18 @@ class Tally {
  public:
   explicit Tally(const FieldTool& tool);
 
-  /// A column at this signed distance from the way, kNowhere if it has no sides.
-  void remove(float offset, float height) {
-    removed_ += static_cast<double>(height);
+  /// A column at this signed distance from the way, kNowhere if that is not known, down from one
+  /// height to another, over the bottom of the stock.
+  void remove(float offset, float from, float to) {
+    const auto height = static_cast<double>(from - to);
+    removed_ += height;
     if (offset >= kNowhere) return;
     const float bin = std::clamp((offset + reach_) * bins_per_mm_, 0.0F, Outcome::kBins - 1.0F);
-    across_[static_cast<std::size_t>(bin)] += static_cast<double>(height);
+    across_[static_cast<std::size_t>(bin)] += height;
+    left_ = std::max(left_, offset);
+    right_ = std::min(right_, offset);
+    highest_ = std::max(highest_, from);
+    lowest_ = std::min(lowest_, to);
   }
   void take_by_core(double height) { core_ += height; }
   void meet(ToolPart part, Vec3 at, double depth);
@@ -39,6 +45,10 @@ class Tally {
 
   float bins_per_mm_;
   float reach_;
+  float left_ = -kNowhere;
+  float right_ = kNowhere;
+  float highest_ = -kNowhere;
+  float lowest_ = kNowhere;
   double removed_ = 0;
   double core_ = 0;
   std::uint64_t visited_ = 0;

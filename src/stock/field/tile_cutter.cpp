@@ -107,7 +107,7 @@ void TileCutter::cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& 
     if (!lowers(block, low)) return;
     BlockValues offsets;
     offsets.fill(kNowhere);
-    if (leg.has_sides()) leg.offsets(at, offsets);
+    leg.offsets(at, offsets);
     lower(block, low, sweep.motion, offsets, tally);
   });
 }
@@ -184,7 +184,7 @@ void TileCutter::lower(int block, const BlockValues& low, std::uint32_t motion,
     const float bottom = this->bottom(first + i);
     const float height = std::max(low[i], bottom);
     if (height < heights[i]) {
-      tally.remove(offsets[i], heights[i] - height);
+      tally.remove(offsets[i], heights[i], height);
       heights[i] = height;
       tile_.owners[first + i] = motion;
     }

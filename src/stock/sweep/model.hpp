@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/interface.hpp"
+#include "stock/sweep/ball_way.hpp"
 #include "stock/sweep/body.hpp"
 #include "stock/sweep/outcome.hpp"
 #include "stock/sweep/piece.hpp"
@@ -27,10 +28,10 @@ class Model : public base::Interface {
   /// both spans have the same size.
   virtual void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) = 0;
 
-  /// Where a probe stops (stock.md §5, G31): the first t in [0, 1] at which any part of the body,
-  /// not made smaller, comes into material; nullopt: nowhere. Cuts nothing. Precondition:
-  /// can_cut(), and the way is straight.
-  [[nodiscard]] virtual std::optional<double> first_contact(const Sweep& sweep) const = 0;
+  /// Where a probe stops (stock.md §5, G31): the first t in [0, 1] at which its ball touches
+  /// material, 0 where it begins in it; nullopt: nowhere. What it leaves does not stop it
+  /// (kLeft_mm). Cuts nothing.
+  [[nodiscard]] virtual std::optional<double> first_touch(const BallWay& ball) const = 0;
 
   /// mm³ of what is left, and of what there was before the first cut.
   [[nodiscard]] virtual double left_mm3() const = 0;
@@ -41,6 +42,8 @@ class Model : public base::Interface {
   [[nodiscard]] virtual Bounds extents() const = 0;
   /// What of it hangs together, the largest first. A model that cannot tell has it all for one.
   [[nodiscard]] virtual std::vector<Piece> pieces() const;
+  /// Size of its cells across Z, mm: how much it cannot tell. 0: it is exact.
+  [[nodiscard]] virtual double grain_mm() const { return 0; }
   /// What it holds now.
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 };

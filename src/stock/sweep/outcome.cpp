@@ -33,6 +33,9 @@ void Outcome::add(const Outcome& other) {
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].add(other.contacts[i]);
   core += other.core;
   for (std::size_t i = 0; i < across.size(); ++i) across[i] += other.across[i];
+  aside.add(other.aside);
+  heights.add(other.heights);
+  section += other.section;
   threaded += other.threaded;
   visited += other.visited;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "stock/sweep/stretch.hpp"
 #include "stock/sweep/sweep.hpp"
 #include "stock/tool/tool_part.hpp"
 
@@ -51,8 +52,15 @@ struct Outcome {
   /// Removed inside of the tool's core at its tip face (Body::core_mm), mm³.
   Exact core;
   /// Removed by signed distance s of the column from the way of the axis, seen along the feed, left
-  /// positive, s from -R to R in equal bins; R is the widest edge. Straight and arc ways only.
+  /// positive, s from -R to R in equal bins; R is the widest edge. Of a way along the axis s is the
+  /// distance from it. Straight and arc ways only.
   std::array<Exact, kBins> across{};
+  /// Of the places that were removed there: s, and how high they lie along the tool's axis, mm. On
+  /// stock of a lathe a tool on the axis has the radii for s, and there are no heights.
+  Stretch aside;
+  Stretch heights;
+  /// Of stock of a lathe: area of its half section that was removed, mm².
+  Exact section;
   /// Of threads (stock.md §4.5): what the insert met for the first time where its thread is, mm³ of
   /// the ring, and left there.
   Exact threaded;

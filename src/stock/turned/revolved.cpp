@@ -67,6 +67,21 @@ double volume_of(const Contour& loop) {
   return sum;
 }
 
+/// Owners of the edges, rising.
+std::vector<std::uint32_t> cut_by(const Region& part) {
+  std::vector<std::uint32_t> motions;
+  for (const Contour& loop : part.loops) {
+    for (const contour::Vertex& vertex : loop.vertices) {
+      if (vertex.owner > 0) motions.push_back(vertex.owner);
+    }
+  }
+  std::sort(motions.begin(), motions.end());
+  motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
+  if (motions.size() > Piece::kMostCutBy)
+    motions.erase(motions.begin(), motions.end() - Piece::kMostCutBy);
+  return motions;
+}
+
 bool is_larger(const Piece& a, const Piece& b) {
   return std::tuple(-a.volume_mm3, a.extents.low.z) < std::tuple(-b.volume_mm3, b.extents.low.z);
 }
@@ -98,10 +113,13 @@ std::vector<Piece> pieces(const Region& region) {
   double farthest = std::numeric_limits<double>::infinity();
   for (const Region& part : parts) {
     if (part.is_empty()) continue;
-    out.push_back({volume(part), bounds(part), false});
+    out.push_back({volume(part), bounds(part), false, cut_by(part)});
     farthest = std::min(farthest, out.back().extents.low.z);
   }
-  for (Piece& piece : out) piece.held = piece.extents.low.z <= farthest + kAsFar_mm;
+  for (Piece& piece : out) {
+    piece.held = piece.extents.low.z <= farthest + kAsFar_mm;
+    if (piece.held) piece.cut_by.clear();
+  }
   std::stable_sort(out.begin(), out.end(), is_larger);
   return out;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/contour/boolean.hpp"
+#include "stock/turned/ball_touch.hpp"
 #include "stock/turned/met.hpp"
 #include "stock/turned/revolved.hpp"
 #include "stock/turned/tip_path.hpp"
@@ -98,6 +99,11 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
   const Region met = without_threads(division.inside, body);
   check_back(tool, pass, met, outcome);
   outcome.removed += Exact(turned::volume(met));
+  outcome.section += Exact(contour::area(met));
+  if (!tool.is_insert() && !met.is_empty()) {
+    const Box all = contour::extents(met);
+    outcome.aside.add({all.low.v, all.high.v});
+  }
   const bool is_all = threads_.is_empty() || met == division.inside;
   material_.become(is_all ? std::move(division.outside) : contour::subtract(region(), met));
 }
@@ -168,32 +174,8 @@ double TurnedPart::groove_mm3(const TurnedTool& tool, const ThreadPass& pass) co
   return turned::volume(contour::intersect(region(), moved(tooth, pass.from + share * way)));
 }
 
-bool TurnedPart::meets(const TurnedTool& tool, const Pass& pass) const {
-  const auto part_meets = [&](const TurnedTool::Part& part) {
-    const Box box = swept_box(part.box, pass);
-    return material_.may_meet(box) &&
-           !material_.divide(swept(part.whole, part.is_convex, pass), box).inside.is_empty();
-  };
-  return part_meets(tool.cutter()) ||
-         std::any_of(tool.others().begin(), tool.others().end(), part_meets);
-}
-
-// The longer its way, the more the tool meets: halving finds where it begins.
-std::optional<double> TurnedPart::first_contact(const Sweep& sweep) const {
-  const auto& way = std::get<StraightWay>(sweep.way);
-  const TurnedTool& tool = tools_[sweep.body];
-  const auto meets_by = [&](double t) {
-    return meets(tool, {tip_path(StraightWay{way.from, point_at(way, t)}), 0});
-  };
-  if (!meets_by(1)) return std::nullopt;
-  if (meets_by(0)) return 0;
-  double free = 0;
-  double met = 1;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (free + met) / 2;
-    (meets_by(middle) ? met : free) = middle;
-  }
-  return met;
+std::optional<double> TurnedPart::first_touch(const BallWay& ball) const {
+  return turned::first_touch(region(), ball);
 }
 
 double TurnedPart::left_mm3() const { return turned::volume(region()); }

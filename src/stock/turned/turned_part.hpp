@@ -24,7 +24,7 @@ class TurnedPart final : public Model {
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   /// Contacts of an insert's back are ToolPart::flank, of its bar ToolPart::holder.
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
-  [[nodiscard]] std::optional<double> first_contact(const Sweep& sweep) const override;
+  [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
   [[nodiscard]] double left_mm3() const override;
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }
@@ -46,7 +46,6 @@ class TurnedPart final : public Model {
             Outcome& outcome);
   [[nodiscard]] double groove_mm3(const TurnedTool& tool, const ThreadPass& pass) const;
   [[nodiscard]] contour::Region without_threads(contour::Region met, BodyId body) const;
-  [[nodiscard]] bool meets(const TurnedTool& tool, const Pass& pass) const;
 
   Material material_;
   double stock_mm3_;

@@ -187,6 +187,10 @@ export const newcomer = [
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
+      // What the part would meet besides is not what this is about.
+      await panel.page.locator('.tools .opener').click();
+      await panel.page.getByLabel('Part', { exact: true }).uncheck();
+      await panel.page.keyboard.press('Escape');
       await panel.run_text('mistakes.nc', MISTAKES);
       await panel.page.locator('header .problems', { hasText: '3' }).waitFor();
       await panel.tab('Problems');

@@ -73,6 +73,9 @@ export const ICONS = {
     '<circle cx="10.500" cy="10.500" r="6.500"/><path d="m15.500 15.500 5 5M7.500 10.500h6M10.500 7.500v6"/>',
   'zoom-out':
     '<circle cx="10.500" cy="10.500" r="6.500"/><path d="m15.500 15.500 5 5M7.500 10.500h6"/>',
+  measure:
+    '<path d="m3 16.500 13.500-13.500 4.500 4.500L7.500 21zM7 12.500l2 2M10 9.500l3 3M13 6.500l2 2"/>',
+  flip: '<path d="M12 3v18" stroke-dasharray="3 2.500"/><path d="M9 7 3 17h6zM15 7l6 10h-6z"/>',
   live: '<circle cx="12" cy="12" r="3.500" fill="currentColor" stroke="none"/><path d="M6 6a8.500 8.500 0 0 0 0 12M18 6a8.500 8.500 0 0 1 0 12"/>',
   back: '<path d="M14.500 5 8 12l6.500 7"/>',
   forward: '<path d="M9.500 5 16 12l-6.500 7"/>',

@@ -27,8 +27,21 @@ const VERY_SLOW_MS = 150;
 const SLOW_MS = 45;
 const QUICK_MS = 18;
 
+/** A picture of the part in all its cells may take so long while it moves. */
+const FLUENT_MS = 30;
+
 export class Detail {
   private index = 2;
+  private whole_ms = 0;
+
+  /** Whether a picture that moves shows the part in fewer cells. */
+  get is_coarse(): boolean {
+    return this.whole_ms > FLUENT_MS;
+  }
+  /** A frame with all cells of the part took `cost_ms`. */
+  took_whole(cost_ms: number): void {
+    this.whole_ms = cost_ms;
+  }
 
   /** For the next frame of a picture that changes, with a path of so many segments. */
   level(segments: number): Level {

@@ -68,6 +68,8 @@ export const BINDINGS = [
     keys: ['Shift+F8', 'Alt+Shift+F8'],
     in_text: true,
   },
+  { command: 'next-finding', group: 'program', keys: ['F3'], in_text: true },
+  { command: 'previous-finding', group: 'program', keys: ['Shift+F3'], in_text: true },
   { command: 'undo-edit', group: 'program', keys: ['Ctrl+KeyZ'] },
   { command: 'redo-edit', group: 'program', keys: ['Ctrl+Shift+KeyZ', 'Ctrl+KeyY'] },
   { command: 'focus-editor', group: 'panel', keys: ['Alt+KeyE'], in_text: true },

@@ -1,8 +1,12 @@
-/** All that is known to be wrong with a program: what shows in its text, what its preview has met, and the machine's alarm. */
+/**
+ * All that is known to be wrong with a program: what shows in its text, what its preview has met, what the part
+ * has met, and the machine's alarm.
+ */
 import type { Alarm, Diagnostic, PathEvent } from './protocol';
+import type { Finding } from './stock/part_store';
 
 /** Who has found it. */
-export type ProblemSource = 'text' | 'run' | 'machine';
+export type ProblemSource = 'text' | 'run' | 'machine' | 'part';
 
 export interface Problem {
   source: ProblemSource;
@@ -16,6 +20,8 @@ export interface Problem {
   remedy: string;
   /** The control stops here: what the run has met behind it, no machine would have come to. */
   stops: boolean;
+  /** Of the part: the instant and the place besides. */
+  finding?: Finding;
 }
 
 export interface ProblemSources {
@@ -23,12 +29,14 @@ export interface ProblemSources {
   checked: { file: string; found: readonly Diagnostic[] };
   path: Pick<PathEvent, 'findings' | 'error'> | null;
   alarm: Alarm | null;
+  /** Of the part. */
+  part?: readonly Finding[];
   /** Files whose text is no longer the machine's: their lines of the run may be others by now. */
   edited: ReadonlySet<string>;
 }
 
 /** Each code once a line, by file and line; files in the order in which they are met. */
-export function problems_of({ checked, path, alarm, edited }: ProblemSources): Problem[] {
+export function problems_of({ checked, path, alarm, part, edited }: ProblemSources): Problem[] {
   const list: Problem[] = checked.found.map((one) => of_text(one, checked.file));
   const met = path ? of_path(path) : [];
   met.forEach((one, i) => {
@@ -36,6 +44,8 @@ export function problems_of({ checked, path, alarm, edited }: ProblemSources): P
     if (!edited.has(one.file)) put(list, of_alarm(one, 'run', stops));
   });
   if (alarm && !edited.has(alarm.file)) put(list, of_alarm(alarm, 'machine', true));
+  for (const finding of part ?? [])
+    if (!edited.has(finding.file)) put(list, { ...of_alarm(finding, 'part', false), finding });
   const files = [...new Set(list.map(({ file }) => file))];
   return list.sort((a, b) => files.indexOf(a.file) - files.indexOf(b.file) || a.line - b.line);
 }
@@ -73,8 +83,10 @@ function put(list: Problem[], problem: Problem): void {
     (known) =>
       known.code === problem.code && known.line === problem.line && known.file === problem.file,
   );
-  if (same) same.stops ||= problem.stops;
-  else list.push(problem);
+  if (same) {
+    same.stops ||= problem.stops;
+    same.finding ??= problem.finding;
+  } else list.push(problem);
 }
 
 function of_text(found: Diagnostic, file: string): Problem {

@@ -106,6 +106,15 @@ export class Eye {
     return new Matrix4().multiplyMatrices(projectionMatrix, matrixWorldInverse).elements;
   }
 
+  /** What is seen at a place of the window, in its pixels: a point before everything, and the way from there. */
+  sight(x: number, y: number): { from: [number, number, number]; way: [number, number, number] } {
+    const place = new Vector3((2 * x) / this.width - 1, 1 - (2 * y) / this.height, -1);
+    const from = place.unproject(this.camera);
+    const way = new Vector3();
+    this.camera.getWorldDirection(way);
+    return { from: [from.x, from.y, from.z], way: [way.x, way.y, way.z] };
+  }
+
   private frame(): void {
     const aspect = this.width / this.height;
     const half = this.half_height_mm;

@@ -32,6 +32,14 @@ export interface Palette {
   tool: string;
   beam: string;
   mark: string;
+  /** Stock, its cut face and the lines on it, the edges of the part, clamps. */
+  blank: string;
+  face: string;
+  hatch: string;
+  edge: string;
+  fixture: string;
+  alarm: string;
+  hold: string;
 }
 
 export function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean): LineSegments {

@@ -19,5 +19,12 @@ export function palette_of(root: HTMLElement): Palette {
     tool: colour('tool'),
     beam: colour('beam'),
     mark: colour('mark'),
+    blank: colour('blank'),
+    face: colour('face'),
+    hatch: colour('hatch'),
+    edge: colour('edge'),
+    fixture: colour('fixture'),
+    alarm: colour('alarm'),
+    hold: colour('hold'),
   };
 }

@@ -2,15 +2,8 @@
  * The 3-D picture of a machine: a scene without perspective, drawn only when something in it has changed. It knows nothing of
  * the page around it: it is told what to show, and tells where the pointer is on the path.
  */
-import {
-  AmbientLight,
-  DirectionalLight,
-  Group,
-  OrthographicCamera,
-  Scene,
-  WebGLRenderer,
-} from 'three';
-import { type Box, diagonal, empty_box, is_empty } from '../logic/box';
+import { Group, Scene, WebGLRenderer } from 'three';
+import { type Box, diagonal, empty_box, is_empty, join } from '../logic/box';
 import type { Colouring, Scheme } from '../logic/colour_scale';
 import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
 import { fit_box, is_path } from '../logic/fit_box';
@@ -18,36 +11,36 @@ import type { Point } from '../logic/kinematics';
 import type { PathPlace, PathStore, Range } from '../logic/path_store';
 import { type Hit, pick } from '../logic/pick';
 import type { MachineDefinition } from '../logic/protocol';
+import type { ToolShape } from '../logic/stock/tool_shape';
+import type { BodyHit } from './body';
 import { ViewKeeper } from '../logic/view_keeper';
+import { add_lights, AxesCorner } from './corner';
 import { Eye } from './eye';
-import {
-  type Palette,
-  axes_corner,
-  box_edges,
-  dispose,
-  ground_grid,
-  size_labels,
-  stock_box,
-} from './furniture';
+import { type Palette, box_edges, dispose, ground_grid, size_labels, stock_box } from './furniture';
 import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
 import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
+import { ShapedTool } from './shaped_tool';
+import { StockLayer } from './stock_layer';
 import { travel_of, with_linkage } from './subject';
 import { type WorkZero, turning_sheet, with_mirrored } from './turning_sheet';
 import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 
-const CORNER_PX = 92;
 const PICK_REACH_PX = 7;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
+/** Of a frame: so long triangles of the part are made. */
+const STOCK_MS = 9;
 
 export interface Shown {
   rapids: boolean;
   travel: boolean;
   stock: boolean;
+  /** The path, while the part is shown. */
+  path_with_part: boolean;
 }
 
 export class Picture {
@@ -55,20 +48,21 @@ export class Picture {
   private readonly scene = new Scene();
   private readonly path_scene = new Scene();
   private readonly eye: Eye;
-  private readonly corner_scene = new Scene();
-  private readonly corner_camera = new OrthographicCamera(-1.7, 1.7, 1.7, -1.7, -10, 10);
+  private readonly corner = new AxesCorner();
   private readonly material = new PathMaterial();
   private readonly path = new PathLayer(this.material);
   private readonly highlight = new Highlight();
   private readonly glide = new PoseGlide();
+  /** The part; whoever changes it asks for a picture. */
+  readonly stock: StockLayer;
+  private tool: ShapedTool | null = null;
   private model: Model | null = null;
   private furniture: Group | null = null;
-  private corner: Group | null = null;
   private definition: MachineDefinition | null = null;
   private palette: Palette | null = null;
   private store: PathStore | null = null;
   private travel: Box = empty_box();
-  private shown: Shown = { rapids: true, travel: true, stock: true };
+  private shown: Shown = { rapids: true, travel: true, stock: true, path_with_part: false };
   private width = 1;
   private height = 1;
   private wanted = false;
@@ -88,6 +82,7 @@ export class Picture {
       canvas,
       antialias: true,
       alpha: true,
+      stencil: true, // cut faces of the part
       preserveDrawingBuffer: true, // a picture at rest is drawn in slices
       powerPreference: 'high-performance',
     });
@@ -98,9 +93,10 @@ export class Picture {
       () => this.request(),
       () => this.view.hand(),
     );
-    this.add_lights();
+    add_lights(this.scene);
     this.path_scene.add(this.path.group);
-    this.scene.add(this.highlight.group);
+    this.stock = new StockLayer(calm);
+    this.scene.add(this.highlight.group, this.stock.group);
     this.look('iso');
   }
 
@@ -108,6 +104,8 @@ export class Picture {
     this.closed = true;
     clearTimeout(this.rest_timer);
     this.path.clear();
+    this.stock.dispose();
+    this.tool?.dispose();
     this.eye.dispose();
     this.renderer.dispose();
   }
@@ -116,9 +114,8 @@ export class Picture {
     this.palette = palette;
     this.material.set_scheme(scheme, palette.ground);
     this.highlight.set_colour(palette.mark);
-    if (this.corner) dispose(this.corner);
-    this.corner = axes_corner(palette);
-    this.corner_scene.add(this.corner);
+    this.corner.set_palette(palette);
+    this.stock.set_palette(palette, scheme);
     if (this.definition) this.build_model();
     this.build_furniture();
   }
@@ -171,6 +168,28 @@ export class Picture {
     this.material.uniforms.stop.value =
       place && this.store ? vertices_before(this.store, place) : -1;
     this.request();
+  }
+
+  /** As its set-up describes it; null: nobody has, and the machine's own stands for it. */
+  set_tool(shape: ToolShape | null): void {
+    if ((shape === null && !this.tool) || !this.palette) return;
+    this.tool?.dispose();
+    this.tool = shape && new ShapedTool(shape, this.palette);
+    if (this.tool) this.scene.add(this.tool.group);
+    this.request();
+  }
+
+  /** The part is another one, or has begun or ceased to be shown. */
+  part_changed(): void {
+    this.build_furniture();
+    if (this.view.goes_with_path) this.fit();
+  }
+
+  /** What of the part lies under a place of the canvas, in CSS pixels; from the zero of the stock. */
+  hit_part(x: number, y: number): BodyHit | null {
+    if (!this.stock.is_shown) return null;
+    const { from, way } = this.eye.sight(x, y);
+    return this.stock.hit(from, way);
   }
 
   set_pose(pose: Pose, at_once: boolean): void {
@@ -256,10 +275,12 @@ export class Picture {
     clearTimeout(this.rest_timer);
     const level = this.level();
     this.draw_and_wait(
-      (now) => this.draw(now, level),
+      (now) => this.draw(now, level, this.detail.is_coarse),
       (cost_ms) => {
+        const was_coarse = this.detail.is_coarse;
         this.detail.took(cost_ms);
-        if (this.next_frame() || level === FINE) return;
+        if (!was_coarse && this.stock.is_shown) this.detail.took_whole(cost_ms);
+        if (this.next_frame() || (level === FINE && !was_coarse)) return;
         this.rest_timer = window.setTimeout(() => this.rest(level), REST_AFTER_MS);
       },
     );
@@ -272,7 +293,10 @@ export class Picture {
     const slice = (part: number) =>
       this.draw_and_wait(
         (now) => (part ? this.draw_path(part, one_of) : this.draw(now, { ...FINE, one_of })),
-        () => this.next_frame() || (part + 1 < one_of && !this.closed && slice(part + 1)),
+        (cost_ms) => {
+          if (part === 0 && this.stock.is_shown) this.detail.took_whole(cost_ms);
+          if (!this.next_frame() && part + 1 < one_of && !this.closed) slice(part + 1);
+        },
       );
     slice(0);
   }
@@ -296,20 +320,24 @@ export class Picture {
     });
   }
 
-  private draw(now: number, { slack_px, one_of }: Level): void {
+  private draw(now: number, { slack_px, one_of }: Level, coarse = false): void {
     const glides = this.pose_model(now);
+    const is_whole = this.stock.update(STOCK_MS, coarse);
     const pixel_mm = this.eye.pixel_mm();
     this.path.choose_detail(pixel_mm, slack_px);
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
+    size_labels(this.stock.group, pixel_mm);
+    this.highlight.group.visible = !this.stock.is_shown || this.shown.path_with_part;
     this.renderer.clear();
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);
-    this.draw_corner();
-    if (glides) this.request();
+    this.corner.draw(this.renderer, this.eye.camera, this.width, this.height);
+    if (glides || !is_whole) this.request();
   }
 
   private draw_path(part: number, one_of: number): void {
+    if (this.stock.is_shown && !this.shown.path_with_part) return;
     this.material.set_part(part, one_of);
     this.renderer.setViewport(0, 0, this.width, this.height);
     if (this.definition?.lathe && this.shown.stock) this.draw_other_half();
@@ -330,19 +358,9 @@ export class Picture {
   private pose_model(now: number): boolean {
     const pose = this.glide.at(now);
     if (pose) this.model?.set(pose);
+    if (pose) this.tool?.group.position.set(...pose.tip);
+    if (this.model) this.model.group.visible = !this.tool;
     return this.glide.moves(now);
-  }
-
-  private draw_corner(): void {
-    this.corner_camera.quaternion.copy(this.eye.camera.quaternion);
-    this.corner_camera.position.set(0, 0, 0);
-    this.renderer.setViewport(4, 4, CORNER_PX, CORNER_PX);
-    this.renderer.setScissor(4, 4, CORNER_PX, CORNER_PX);
-    this.renderer.setScissorTest(true);
-    this.renderer.clearDepth();
-    this.renderer.render(this.corner_scene, this.corner_camera);
-    this.renderer.setScissorTest(false);
-    this.renderer.setViewport(0, 0, this.width, this.height);
   }
 
   private fit_to(box: Box): void {
@@ -364,6 +382,8 @@ export class Picture {
     const { rapids } = this.shown;
     const work = this.definition?.lathe ? with_mirrored(cuts, this.zero) : cuts;
     const box = fit_box(work, bounds, { rapids, tip: this.tip, least_cuts });
+    const stock = this.stock.box();
+    if (stock) join(box, stock);
     return with_linkage(box, this.definition, this.store);
   }
 
@@ -386,8 +406,8 @@ export class Picture {
       if (this.shown.travel) this.furniture.add(box_edges(this.travel, this.palette.travel, true));
     }
     const cuts = this.store?.facts.cuts;
-    if (this.shown.stock && cuts && !is_empty(cuts) && !this.definition?.lathe)
-      this.furniture.add(stock_box(cuts, this.palette));
+    const has_outline = this.shown.stock && !this.stock.is_shown && !this.definition?.lathe;
+    if (has_outline && cuts && !is_empty(cuts)) this.furniture.add(stock_box(cuts, this.palette));
     this.scene.add(this.furniture);
     this.request();
   }
@@ -400,19 +420,11 @@ export class Picture {
 
   /** The grid lies on the floor of the travel, or below the work where the travel is far under it. */
   private grid_box(): Box {
-    const cuts = this.store?.facts.cuts;
-    if (!cuts || is_empty(cuts) || this.definition?.kinematics.kind === 'arm') return this.travel;
+    const work = this.stock.box() ?? this.store?.facts.cuts;
+    if (!work || is_empty(work) || this.definition?.kinematics.kind === 'arm') return this.travel;
     const box = structuredClone(this.travel);
-    box.min[2] = Math.max(box.min[2], cuts.min[2]);
+    box.min[2] = Math.max(box.min[2], work.min[2]);
     return box;
-  }
-
-  private add_lights(): void {
-    const key = new DirectionalLight(0xffffff, 2.4);
-    key.position.set(-0.6, -0.9, 1.6);
-    const fill = new DirectionalLight(0xffffff, 0.9);
-    fill.position.set(1, 0.5, 0.4);
-    this.scene.add(new AmbientLight(0xffffff, 1.1), key, fill);
   }
 }
 

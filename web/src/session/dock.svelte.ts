@@ -1,6 +1,7 @@
 /** Which tab of the dock is open. */
 export const TABS = [
   'problems',
+  'setup',
   'variables',
   'stepping',
   'mdi',

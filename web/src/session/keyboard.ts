@@ -20,6 +20,7 @@ import {
 } from './operator';
 import { panel } from './panel.svelte';
 import { picture_keys } from './picture_keys';
+import { part } from './part.svelte';
 import { places } from './places';
 import { preferences } from './preferences.svelte';
 import { problems } from './problems.svelte';
@@ -36,6 +37,10 @@ const feed = (by: number): unknown =>
 const look = (view: 'iso' | 'top' | 'front' | 'right') => () => {
   picture_keys.picture?.look(view);
   picture_keys.picture?.fit();
+};
+const go_to_finding = (way: 1 | -1): void => {
+  if (part.findings.length) dock.tab = 'problems';
+  part.beside(way);
 };
 const slide = (by: number): void => slider.move_to((slider.time_s ?? panel.state.time_s) + by);
 
@@ -96,6 +101,8 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'take-operation': () => panel.take(),
   'next-problem': () => problems.beside(1),
   'previous-problem': () => problems.beside(-1),
+  'next-finding': () => go_to_finding(1),
+  'previous-finding': () => go_to_finding(-1),
   manual: () => manual.help(),
   help: () => dialogs.show('help'),
 };

@@ -8,6 +8,8 @@ import {
   type Socket,
 } from '../logic/connection';
 import { decode_chunk } from '../logic/chunk';
+import { PartStore } from '../logic/stock/part_store';
+import { decode_stock_frame, is_stock_frame } from '../logic/stock/stock_frame';
 import { first_machine } from '../logic/first_machine';
 import { refusal_words } from '../logic/i18n/refusals';
 import { tip_of, type Point } from '../logic/kinematics';
@@ -58,6 +60,9 @@ class Panel {
   /** Changes with every chunk; the store itself is plain. */
   path_version = $state(0);
   readonly preview = new PathStore();
+  /** What of the part has come; changes with every frame and event of it. */
+  part_version = $state(0);
+  readonly part = new PartStore();
   readonly edits = new UndoStack();
 
   /** Where the tip is on the path, by the joints: the machine's position has the tool length in it, the path has not. */
@@ -176,6 +181,8 @@ class Panel {
     this.edits.clear();
     this.breakpoints = [];
     this.path_version++;
+    this.part.clear();
+    this.part_version++;
   }
 
   /** Free control is taken without a word; that somebody else was quicker is no news. */
@@ -203,6 +210,7 @@ class Panel {
     else if (event.event === 'request-refused') notices.say(t('operate.was-refused'), 'refused');
     else if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
     else if (event.event === 'state') this.state = patched(this.state, event);
+    else if (event.event === 'stock') this.on_part(event);
     else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
     else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
   }
@@ -218,7 +226,17 @@ class Panel {
     this.path_version++;
   }
 
+  private on_part(event: Record<string, unknown>): void {
+    if (event.machine !== this.machine && this.machine) return;
+    this.part.take_event(event);
+    this.part_version++;
+  }
+
   private on_chunk(bytes: ArrayBuffer): void {
+    if (is_stock_frame(bytes)) {
+      if (this.part.take_frame(decode_stock_frame(bytes))) this.part_version++;
+      return;
+    }
     const chunk = decode_chunk(bytes);
     if (chunk.source === 'preview' && this.preview.add(chunk)) this.path_version++;
   }

@@ -11,6 +11,10 @@ interface Stored {
   show_rapids: boolean;
   show_travel: boolean;
   show_stock: boolean;
+  /** The path, while the part is shown. */
+  show_path: boolean;
+  /** A picture at rest has the finest cells. */
+  stock_fine: boolean;
   follow: boolean;
   editor_share: number;
   dock_px: number;
@@ -35,6 +39,8 @@ function defaults(): Stored {
     show_rapids: true,
     show_travel: true,
     show_stock: true,
+    show_path: false,
+    stock_fine: true,
     follow: true,
     editor_share: 0.34,
     dock_px: 208,

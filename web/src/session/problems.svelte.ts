@@ -1,8 +1,10 @@
 /** What is wrong with the programs of this page, and the way from one mistake to the next. */
 import { count_errors, problem_beside, problems_of, type Problem } from '../logic/problems';
+import { verdict_of } from '../logic/stock/part_view';
 import { documents } from './documents.svelte';
 import { dock } from './dock.svelte';
 import { panel } from './panel.svelte';
+import { part } from './part.svelte';
 import { text_check } from './text_check.svelte';
 
 class Problems {
@@ -11,6 +13,7 @@ class Problems {
       checked: { file: documents.current, found: text_check.found },
       path: panel.path,
       alarm: panel.state.alarm,
+      part: part.findings,
       edited: new Set(
         documents.open
           .filter(({ loaded, text }) => loaded !== null && loaded !== text)
@@ -19,8 +22,21 @@ class Problems {
     }),
   );
   errors = $derived(count_errors(this.list));
+  /** One word for the program. */
+  verdict = $derived(
+    verdict_of({
+      has_program: panel.state.program !== '' && panel.path !== null,
+      problems: this.list.length,
+      is_stale: part.is_stale,
+      is_done:
+        panel.path?.done === true &&
+        text_check.state !== 'under-way' &&
+        (!part.is_asked || part.facts.done || part.facts.error !== null),
+    }),
+  );
 
-  async go_to({ file, line }: Problem): Promise<void> {
+  async go_to({ file, line, finding }: Problem): Promise<void> {
+    if (finding) return part.go_to(finding);
     if (line <= 0) return;
     if (file !== documents.current) await documents.follow(file);
     documents.go_to(line);

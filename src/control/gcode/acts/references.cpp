@@ -176,10 +176,11 @@ bool References::skip(const Words& words, bool& moved) {
   PathPoint path = state_.coordinates.path_of(target.program);
   if (!moves_.check_limits(path) || !state_.path.admits(motion::Probe{on_path(path), rate, false}))
     return false;
-  const auto machine = [&](const PathPoint& at) {
-    return state_.coordinates.machine_of(on_path(at));
-  };
-  const std::optional<double> contact = state_.surroundings.contact(machine(from), machine(path));
+  const std::optional<double> contact =
+      state_.surroundings.contact({.from = on_path(from),
+                                   .to = on_path(path),
+                                   .length = state_.coordinates.length(),
+                                   .block = state_.path.block()});
   if (contact) {
     for (std::size_t i = 0; i < state_.axes.count(); ++i) {
       const Axis axis{static_cast<std::uint8_t>(i)};
@@ -192,7 +193,7 @@ bool References::skip(const Words& words, bool& moved) {
   } else {
     state_.coordinates.move_to(target.program, path);
   }
-  state_.skip_position = machine(path);
+  state_.skip_position = state_.coordinates.machine_of(on_path(path));
   state_.moved_since_m29 = true;
   return true;
 }

@@ -58,14 +58,15 @@ bool ToolMeasurement::touch(Axis axis, double place) {
   const motion::Feed feed{parameters.measure_feed, motion::FeedMode::per_minute};
   if (!moves_.check_limits(path) || !state_.path.admits(motion::Probe{on_path(path), feed, false}))
     return false;
-  const auto machine = [&](const PathPoint& at) {
-    return state_.coordinates.machine_of(on_path(at));
-  };
-  const auto contact = state_.surroundings.contact(machine(from), machine(path));
+  const auto contact = state_.surroundings.contact({.from = on_path(from),
+                                                    .to = on_path(path),
+                                                    .length = state_.coordinates.length(),
+                                                    .block = state_.path.block(),
+                                                    .feeler = motion::Feeler::tool_setter});
   if (contact) path[axis] = base::tidy(from[axis] + *contact * (path[axis] - from[axis]));
   if (!state_.path.straight(motion::Probe{on_path(path), feed, contact.has_value()})) return false;
   state_.coordinates.arrive_at(path);
-  state_.skip_position = machine(path);
+  state_.skip_position = state_.coordinates.machine_of(on_path(path));
   state_.moved_since_m29 = true;
   const double difference = base::tidy(state_.coordinates.program()[axis] - place);
   if (!contact || std::fabs(difference) > window)

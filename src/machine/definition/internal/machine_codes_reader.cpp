@@ -72,17 +72,20 @@ base::Outcome<void> MachineCodesReader::read() {
 MachineCodesReader::Outcome MachineCodesReader::read_spindles() {
   const toml::node* const node = file_.get("spindle");
   if (node == nullptr) return {};
+  // A single one is the main one.
+  if (node->is_table()) return read_spindle(*node->as_table(), kSpindleNames.front());
   const toml::array* const spindles = node->as_array();
   if (spindles == nullptr) return wrong(*node, "a machine has [[spindle]] tables");
   for (const toml::node& spindle : *spindles) {
     if (!spindle.is_table()) return wrong(spindle, "spindle must be a table");
-    if (auto done = read_spindle(*spindle.as_table()); !done) return done;
+    if (auto done = read_spindle(*spindle.as_table(), {}); !done) return done;
   }
   return {};
 }
 
-MachineCodesReader::Outcome MachineCodesReader::read_spindle(const toml::table& table) {
-  const auto name = table["name"].value_or(std::string());
+MachineCodesReader::Outcome MachineCodesReader::read_spindle(const toml::table& table,
+                                                             std::string_view usual_name) {
+  const auto name = table["name"].value_or(std::string(usual_name));
   const auto* const known = std::find(kSpindleNames.begin(), kSpindleNames.end(), name);
   if (known == kSpindleNames.end())
     return wrong(table, "a spindle needs a name: main, live or sub");
@@ -98,10 +101,16 @@ MachineCodesReader::Outcome MachineCodesReader::read_spindle(const toml::table& 
 
 MachineCodesReader::Outcome MachineCodesReader::read_item(const std::string& key,
                                                           const toml::node& node,
-                                                          SpindleSettings& spindle) const {
+                                                          SpindleSettings& spindle) {
   if (key == "name") return {};
   if (key == "p")
     return read_numbers(node, spindle.numbers) ? Outcome{} : wrong(node, "p takes whole numbers");
+  if (key == kSpindlePower) {
+    const auto power = value_of(not_negative(), node);
+    if (!power) return wrong(node, key + " must be " + in_words(not_negative()));
+    spindle_kw_[index(spindle.name)] = *power;
+    return {};
+  }
   const SpindleKey* const known = find_spindle_key(key);
   if (known == nullptr) return wrong(node, "a spindle has no key " + key);
   const auto value = value_of(known->takes, node);

@@ -2,11 +2,13 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 
 #include "base/result.hpp"
 #include "control/core/machine_codes.hpp"
+#include "motion/spindle_name.hpp"
 
 namespace kerf::machine {
 
@@ -16,8 +18,9 @@ class MachineCodesReader {
  public:
   /// All must outlive the reader.
   MachineCodesReader(const toml::table& file, const std::string& source,
-                     control::MachineCodes& codes)
-      : file_(file), source_(source), codes_(codes) {}
+                     control::MachineCodes& codes,
+                     std::array<double, motion::kSpindles>& spindle_kw)
+      : file_(file), source_(source), codes_(codes), spindle_kw_(spindle_kw) {}
 
   [[nodiscard]] base::Outcome<void> read();
 
@@ -25,9 +28,9 @@ class MachineCodesReader {
   using Outcome = base::Outcome<void>;
 
   Outcome read_spindles();
-  Outcome read_spindle(const toml::table& table);
+  Outcome read_spindle(const toml::table& table, std::string_view usual_name);
   Outcome read_item(const std::string& key, const toml::node& node,
-                    control::SpindleSettings& spindle) const;
+                    control::SpindleSettings& spindle);
   Outcome read_m_codes();
   Outcome read_function(std::string_view key, const toml::node& node);
   Outcome read_g_codes();
@@ -37,6 +40,7 @@ class MachineCodesReader {
   const toml::table& file_;
   const std::string& source_;
   control::MachineCodes& codes_;
+  std::array<double, motion::kSpindles>& spindle_kw_;
 };
 
 /// `--machine-set g_codes.G121=G12.1`: the code has this meaning. Why not, or nothing.

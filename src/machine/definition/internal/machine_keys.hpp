@@ -23,6 +23,9 @@ using MachineKey = Key<MachineDefinition>;
 using AxisKey = Key<DrivenAxis>;
 using SpindleKey = Key<control::SpindleSettings>;
 
+/// kW that a spindle can give: of MachineDefinition, not of the control.
+inline constexpr std::string_view kSpindlePower = "power_kw";
+
 /// A key that takes the three coordinates of a point, and where they go.
 struct PointKey {
   std::string_view table;

@@ -181,7 +181,7 @@ MachineReader::Outcome MachineReader::read_value(const Key<Owner>& key, const to
 // The limit of the main spindle is a parameter of the control, which may say otherwise.
 MachineReader::Outcome MachineReader::read_codes() {
   control::MachineCodes& codes = machine_.parameters.machine_codes;
-  if (auto r = MachineCodesReader(file_, source_, codes).read(); !r) return r;
+  if (auto r = MachineCodesReader(file_, source_, codes, machine_.spindle_kw).read(); !r) return r;
   limit_main_spindle(machine_);
   return {};
 }

@@ -89,17 +89,26 @@ struct Text {
   bool halo = false;
 };
 
+/// Pixels in a place of the sheet, in whose shape they are.
+struct Image {
+  Rect at;
+  int width = 0;
+  int height = 0;
+  std::string rgb;  ///< three bytes a pixel, by rows from above
+};
+
 /// A drawing on a white sheet: what comes later lies on top.
 struct DisplayList {
   double width = 0, height = 0;
   std::string title;
-  std::vector<std::variant<Shape, Text>> items;
+  std::vector<std::variant<Shape, Text, Image>> items;
 
   /// Empty outlines are left out.
   void add(Outline outline, const Ink& ink) {
     if (!outline.empty()) items.push_back(Shape{std::move(outline), ink});
   }
   void add(Text text) { items.push_back(std::move(text)); }
+  void add(Image image) { items.push_back(std::move(image)); }
 };
 
 }  // namespace kerf::output::plot

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <new>
 
@@ -91,6 +92,40 @@ void draw(cairo_t* to, const Text& text) {
   cairo_fill(to);
 }
 
+Owned<cairo_surface_t> surface_of(const Image& image) {
+  Owned<cairo_surface_t> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+  unsigned char* const bytes = cairo_image_surface_get_data(surface.get());
+  if (bytes == nullptr) throw std::bad_alloc();
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const char* from = image.rgb.data();
+  for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) {
+    auto* row = static_cast<std::uint32_t*>(static_cast<void*>(bytes + y * stride));
+    for (int x = 0; x < image.width; ++x, from += 3) {
+      const auto part = [from](int i) {
+        return std::uint32_t{static_cast<unsigned char>(from[i])};
+      };
+      *row++ = part(0) << 16U | part(1) << 8U | part(2);
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+// Pixel by pixel where the sheet is as fine as the image.
+void draw(cairo_t* to, const Image& image) {
+  const Owned<cairo_surface_t> pixels = surface_of(image);
+  cairo_save(to);
+  cairo_rectangle(to, image.at.left, image.at.top, image.at.width, image.at.height);
+  cairo_clip(to);
+  cairo_translate(to, image.at.left, image.at.top);
+  cairo_scale(to, image.at.width / image.width, image.at.height / image.height);
+  cairo_set_source_surface(to, pixels.get(), 0, 0);
+  cairo_pattern_set_filter(cairo_get_source(to), CAIRO_FILTER_NEAREST);
+  cairo_paint(to);
+  cairo_restore(to);
+}
+
 // Glyphs do not depend on the display settings of whoever runs this.
 void set_up(cairo_t* to, double scale) {
   const Owned<cairo_font_options_t> options(cairo_font_options_create());
@@ -111,6 +146,13 @@ cairo_status_t append(void* out, const unsigned char* bytes, unsigned int count)
   return CAIRO_STATUS_SUCCESS;
 }
 
+std::string encoded(cairo_surface_t* surface) {
+  std::string file;
+  if (cairo_surface_write_to_png_stream(surface, append, &file) != CAIRO_STATUS_SUCCESS)
+    throw std::bad_alloc();
+  return file;
+}
+
 }  // namespace
 
 std::string write_png(const DisplayList& drawing, double scale) {
@@ -122,12 +164,10 @@ std::string write_png(const DisplayList& drawing, double scale) {
   for (const auto& item : drawing.items) {
     std::visit([&context](const auto& each) { draw(context.get(), each); }, item);
   }
-  std::string file;
-  const bool drawn =
-      cairo_status(context.get()) == CAIRO_STATUS_SUCCESS &&
-      cairo_surface_write_to_png_stream(surface.get(), append, &file) == CAIRO_STATUS_SUCCESS;
-  if (!drawn) throw std::bad_alloc();
-  return file;
+  if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  return encoded(surface.get());
 }
+
+std::string write_png(const Image& image) { return encoded(surface_of(image).get()); }
 
 }  // namespace kerf::output::plot

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/decimal.hpp"
+#include "output/picture/drawing/png_writer.hpp"
 #include "output/picture/drawing/text.hpp"
 
 namespace kerf::output::plot {
@@ -158,6 +159,29 @@ void write(std::string& out, const Text& text, Precision) {
   if (text.bold) out += " font-weight=\"bold\"";
   if (text.halo) out += " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"";
   out += '>' + escaped(text.text) + "</text>\n";
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits <<= 8U;
+      if (i + k < bytes.size()) bits |= static_cast<unsigned char>(bytes[i + k]);
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      out += i + k > bytes.size() ? '=' : kLetters[bits >> (18 - 6 * k) & 63U];
+  }
+  return out;
+}
+
+void write(std::string& out, const Image& image, Precision) {
+  out += "<image x=\"" + hundredths(image.at.left) + "\" y=\"" + hundredths(image.at.top) +
+         "\" width=\"" + hundredths(image.at.width) + "\" height=\"" + hundredths(image.at.height) +
+         "\" preserveAspectRatio=\"none\" href=\"data:image/png;base64," +
+         base64(write_png(image)) + "\"/>\n";
 }
 
 std::size_t point_count(const DisplayList& drawing) {

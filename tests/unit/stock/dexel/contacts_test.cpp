@@ -195,12 +195,11 @@ TEST_P(DexelContacts, AcrossTheWayStandOnTheirSide) {
 
 TEST_P(DexelContacts, FirstOfAProbeIsWhereItsBallTouches) {
   Mill mill(kSlotStock, cell());
-  Body probe = ball(4);
-  const BodyId body = mill.model.add_body(probe);
   const auto t = [&](Vec3 from, Vec3 to) {
-    return mill.model.first_contact({StraightWay{from, to}, {0, 0, 1}, body});
+    const Vec3 up{0, 0, 2};  // ways of the tip, a ball of 4 mm
+    return mill.model.first_touch({{from + up, to + up}, 2});
   };
-  const double dent = 0.5 * cell() * cell() / (2 * 2) + 1e-4;
+  const double dent = 1e-5;  // float32
   ASSERT_TRUE(t({30, 20, 10}, {30, 20, -10}));
   EXPECT_NEAR(*t({30, 20, 10}, {30, 20, -10}), 0.5, dent / 20);
   EXPECT_NEAR(*t({-20, 20, -10}, {20, 20, -10}), 18.0 / 40, dent / 40);

@@ -254,17 +254,16 @@ TEST(HeightField, HasNoWorkForThreadsWhereNothingIsMet) {
 
 TEST(Probe, StopsWhereItsBallTouchesAFace) {
   HeightField field(grid_of(kBox, 0.1), 1);
-  const BodyId stylus = field.add_body(ball(4));
   const auto stops = [&](Vec3 from, Vec3 to) {
-    return field.first_contact({.way = StraightWay{from, to}, .body = stylus});
+    const Vec3 up{0, 0, 2};  // ways of the tip, a ball of 4 mm
+    return field.first_touch({{from + up, to + up}, 2});
   };
-  EXPECT_NEAR(stops({30, 20, 10}, {30, 20, -10}).value(), 0.5, 1e-4);
-  // Sideways against a wall, with the middle of the ball below the edge: columns begin half a cell
-  // inside.
-  EXPECT_NEAR(stops({-12, 20, -6}, {8, 20, -6}).value(), 0.5, 0.05 / 20 + 1e-4);
+  EXPECT_NEAR(stops({30, 20, 10}, {30, 20, -10}).value(), 0.5, 1e-9);
+  EXPECT_NEAR(stops({-12, 20, -6}, {8, 20, -6}).value(), 0.5, 1e-9);
   // Down a slope of 45° the ball's contact is √2 - 1 radii below where its tip gets to the face.
   EXPECT_NEAR(stops({10, 20, 10}, {30, 20, -10}).value(), 0.5, 1e-3);
   EXPECT_FALSE(stops({-12, 20, 5}, {80, 20, 0.001}).has_value());
+  EXPECT_FALSE(stops({-12, 20, -25}, {80, 20, -25}).has_value());  // below it all
   EXPECT_EQ(stops({30, 20, -1}, {30, 20, 10}).value(), 0);
 }
 

@@ -227,16 +227,11 @@ TEST(TurnedHostile, ManyTurnsAndFarPlaces) {
 
 TEST(TurnedProbe, StopsWhereItFirstMeets) {
   TurnedPart part(bar(50, -80, 0));
-  Body ball;
-  ball.profile = Profile({{{0, 0}, {2, 2}, std::tan(pi / 8)}, {{2, 2}, {2, 10}}});
-  ball.cuts = false;
-  const BodyId body = part.add_body(ball);
-  const auto down =
-      part.first_contact({.way = StraightWay{{10, 0, 20}, {10, 0, -20}}, .body = body});
-  ASSERT_TRUE(down.has_value());
-  // What has no area, kNoArea_mm2, is not met.
-  EXPECT_NEAR(*down, 0.5, 1e-7);
-  EXPECT_FALSE(part.first_contact({.way = StraightWay{{40, 0, 20}, {40, 0, -20}}, .body = body}));
+  const auto stops = [&](Vec3 from, Vec3 to) { return part.first_touch({{from, to}, 2}); };
+  EXPECT_NEAR(stops({10, 0, 22}, {10, 0, -18}).value(), 0.5, 1e-9);
+  EXPECT_NEAR(stops({47, 0, -40}, {7, 0, -40}).value(), 0.5, 1e-9);
+  EXPECT_NEAR(stops({-47, 0, -40}, {-7, 0, -40}).value(), 0.5, 1e-9);  // in front of the axis
+  EXPECT_FALSE(stops({40, 0, 20}, {40, 0, -20}));
   EXPECT_EQ(part.left_mm3(), part.stock_mm3());
 }
 

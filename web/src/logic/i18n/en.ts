@@ -240,7 +240,6 @@ export const en = {
     'This browser draws no 3-D picture (WebGL 2 is missing). Everything else works.',
   'picture.rapids': 'Rapid moves',
   'picture.show': 'What the picture shows',
-  'picture.stock': 'Stock outline: the box of all cuts',
   'picture.title': 'Picture',
   'picture.travel': 'Travel of the axes',
   'picture.views': 'Views',

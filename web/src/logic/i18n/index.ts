@@ -1,20 +1,28 @@
 /** The page's texts: one table a language, the same keys in each (a test holds that). */
 import { en as en_panel } from './en';
 import { en_guide } from './en_guide';
+import { en_stock } from './en_stock';
 import { en_trust } from './en_trust';
 import { en_turning } from './en_turning';
 import { zh_hant } from './zh_hant';
 import { zh_hant_guide } from './zh_hant_guide';
+import { zh_hant_stock } from './zh_hant_stock';
 import { zh_hant_trust } from './zh_hant_trust';
 import { zh_hant_turning } from './zh_hant_turning';
 
-const en = { ...en_panel, ...en_guide, ...en_trust, ...en_turning };
+const en = { ...en_panel, ...en_guide, ...en_stock, ...en_trust, ...en_turning };
 export type TextKey = keyof typeof en;
 export type Language = 'en' | 'zh-Hant';
 
 export const TABLES: Record<Language, Record<TextKey, string>> = {
   en,
-  'zh-Hant': { ...zh_hant, ...zh_hant_guide, ...zh_hant_trust, ...zh_hant_turning },
+  'zh-Hant': {
+    ...zh_hant,
+    ...zh_hant_guide,
+    ...zh_hant_stock,
+    ...zh_hant_trust,
+    ...zh_hant_turning,
+  },
 };
 
 /** How each language calls itself. */

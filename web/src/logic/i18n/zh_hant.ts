@@ -233,7 +233,6 @@ export const zh_hant: Record<keyof typeof en, string> = {
   'picture.no-webgl': '此瀏覽器無法繪製 3D 圖形（缺少 WebGL 2），其他功能不受影響。',
   'picture.rapids': '快速移動',
   'picture.show': '圖形顯示項目',
-  'picture.stock': '素材外框：所有切削的範圍',
   'picture.title': '圖形',
   'picture.travel': '各軸行程',
   'picture.views': '視圖',

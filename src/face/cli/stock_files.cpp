@@ -1,0 +1,182 @@
+#include "face/cli/stock_files.hpp"
+
+#include "job/facts_of_run.hpp"
+#include "job/stock_part.hpp"
+#include "output/part/part_picture.hpp"
+#include "output/part/part_solids.hpp"
+#include "output/part/profile_writer.hpp"
+#include "output/picture/drawing/png_writer.hpp"
+#include "output/picture/drawing/svg_writer.hpp"
+#include "output/solid/glb_writer.hpp"
+#include "output/solid/stl_writer.hpp"
+#include "output/solid/three_mf_writer.hpp"
+
+namespace kerf::cli {
+namespace {
+
+using base::Outcome;
+using base::OutputFile;
+
+constexpr auto kRecord = OutputFiles::Kind::record;
+// More points than these along an axis show nothing more in a picture.
+constexpr std::size_t kPicturePoints = 900;
+constexpr double kPictureChord_mm = 0.01;
+
+std::string title_of(const job::StockResult& result) {
+  const machine::BatchRun& machine = result.run->machine();
+  return job::title_of(machine) + " on " + machine.definition().name;
+}
+
+}  // namespace
+
+void add_stock_files(CLI::App& stock, StockFileOptions& o) {
+  stock.add_option("--stl", o.stl, "the part as a closed surface of triangles, binary STL, mm")
+      ->type_name("FILE");
+  stock.add_option("--glb", o.glb, "likewise as GLB, in the colours of the tools")
+      ->type_name("FILE");
+  stock.add_option("--3mf", o.three_mf, "likewise as 3MF")->type_name("FILE");
+  stock
+      .add_option("--mesh", o.mesh,
+                  "surface of a height field: its own steps (exact) or smooth with edges; default "
+                  "smooth")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"exact", "smooth"}));
+  stock
+      .add_option("--profile", o.profile,
+                  "of a lathe the contour of the part, of a sheet what is left: exact lines and "
+                  "arcs, .svg, .dxf or .csv")
+      ->type_name("FILE");
+  stock
+      .add_option("--picture", o.picture,
+                  "a picture of part, fixtures and findings, .png or .svg; of a lathe a half "
+                  "section, of a sheet what the beam burned")
+      ->type_name("FILE");
+  stock
+      .add_option(
+          "--view", o.view,
+          "from where the picture is seen: iso, top, front, left or X,Y,Z towards who looks; "
+          "default iso")
+      ->type_name("VIEW");
+}
+
+Outcome<void> StockFiles::open(const job::StockJob& job) {
+  if (!options_.view.empty()) {
+    view_ = output::part_view(options_.view);
+    if (!view_)
+      return base::usage("--view " + options_.view +
+                         ": iso, top, front, left or a direction X,Y,Z is expected");
+    if (options_.picture.empty()) return base::usage("--view: without --picture nothing is seen");
+  }
+  if (auto fits = check_picture("--picture", options_.picture); !fits) return fits;
+  for (const auto& [path, place] :
+       {std::pair{&options_.stl, &stl_}, std::pair{&options_.glb, &glb_},
+        std::pair{&options_.three_mf, &three_mf_}}) {
+    if (auto opened = files_.open(*path, kRecord, [&](OutputFile& file) { *place = &file; });
+        !opened)
+      return opened;
+  }
+  if (options_.mesh == "exact" && job.model != job::StockModel::automatic &&
+      job.model != job::StockModel::zmap)
+    return base::usage("--mesh exact: only a height field has steps, --model zmap");
+  if (!options_.profile.empty()) {
+    const bool is_known = options_.profile.ends_with(".svg") ||
+                          options_.profile.ends_with(".dxf") || options_.profile.ends_with(".csv");
+    if (!is_known)
+      return base::usage("--profile " + options_.profile +
+                         ": an outline ends in .svg, .dxf or .csv");
+    const machine::MachineDefinition& machine = job.job.definition;
+    if (!machine.turns() && !machine.axes.beam)
+      return base::usage(
+          "--profile: only parts of lathes and sheets under a laser have an outline");
+  }
+  if (auto opened =
+          files_.open(options_.profile, kRecord, [&](OutputFile& file) { profile_ = &file; });
+      !opened)
+    return opened;
+  return files_.open(options_.picture, kRecord, [&](OutputFile& file) { picture_ = &file; });
+}
+
+bool StockFiles::needs_ways() const {
+  return stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr || picture_ != nullptr ||
+         profile_ != nullptr;
+}
+
+Outcome<void> StockFiles::write_solids(const job::StockResult& result,
+                                       const output::StockFacts& facts, const job::StockJob& job) {
+  if (stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr) return {};
+  const stock::surface::Surface part =
+      job::surface_of(result, {.steps = options_.mesh == "exact", .jobs = job.jobs});
+  if (stl_ != nullptr)
+    output::write_stl(part.mesh, [&](std::string_view bytes) { stl_->write(bytes); });
+  if (glb_ == nullptr && three_mf_ == nullptr) return {};
+  const output::SolidFile file =
+      output::solid_file(title_of(result), facts, result.tool_spans, part);
+  if (glb_ != nullptr) glb_->write(output::glb_of(file));
+  if (three_mf_ == nullptr) return {};
+  const auto archive = output::three_mf_of(file);
+  if (!archive) return tl::unexpected(archive.error());
+  three_mf_->write(*archive);
+  return {};
+}
+
+void StockFiles::write_profile(const job::StockResult& result) {
+  if (profile_ == nullptr) return;
+  const contour::Region* const turned = job::profile_of(result);
+  const contour::Region outline = turned != nullptr ? *turned : *job::pieces_of(result);
+  const auto of = turned != nullptr ? output::ProfileOf::lathe : output::ProfileOf::sheet;
+  const std::string& path = options_.profile;
+  profile_->write(path.ends_with(".csv")   ? output::profile_csv(outline, of)
+                  : path.ends_with(".dxf") ? output::profile_dxf(outline)
+                                           : output::profile_svg(outline, of));
+}
+
+output::PartScene StockFiles::scene_of(const job::StockResult& result,
+                                       const output::StockFacts& facts,
+                                       const job::StockJob& job) const {
+  output::PartScene scene;
+  scene.title = title_of(result);
+  scene.facts = &facts;
+  scene.tools = result.tool_spans;
+  scene.jobs = job.jobs;
+  scene.profile = job::profile_of(result);
+  const bool needs_solid = view_ || (scene.profile == nullptr && !result.sheet);
+  if (needs_solid) {
+    scene.part = job::surface_of(result, {.steps = options_.mesh == "exact",
+                                          .most_along = kPicturePoints,
+                                          .chord_mm = kPictureChord_mm,
+                                          .jobs = job.jobs});
+    for (const job::StockJob::NamedShape& fixture : job.fixtures)
+      scene.fixtures.push_back(job::surface_of(fixture.shape, kPictureChord_mm));
+  }
+  for (const job::StockJob::NamedShape& fixture : job.fixtures) {
+    if (const auto section = job::profile_of(fixture.shape))
+      scene.fixture_profiles.push_back(*section);
+  }
+  scene.sheet = result.sheet.get();
+  if (result.sheet && !view_) scene.pieces = job::pieces_of(result);
+  return scene;
+}
+
+output::plot::DisplayList StockFiles::picture(const job::StockResult& result,
+                                              const output::StockFacts& facts,
+                                              const job::StockJob& job) const {
+  const output::PartScene scene = scene_of(result, facts, job);
+  if (!view_ && scene.profile != nullptr) return output::draw_turned(scene);
+  if (!view_ && scene.sheet != nullptr) return output::draw_burnt(scene);
+  return output::draw_solid(scene, view_.value_or(output::PartView{}));
+}
+
+Outcome<void> StockFiles::write(const job::StockResult& result, const output::StockFacts& facts,
+                                const job::StockJob& job) {
+  if (auto written = write_solids(result, facts, job); !written) return written;
+  write_profile(result);
+  if (picture_ != nullptr) {
+    const output::plot::DisplayList drawn = picture(result, facts, job);
+    constexpr double kPixelsPerUnit = 1.5;
+    picture_->write(is_png(options_.picture) ? output::plot::write_png(drawn, kPixelsPerUnit)
+                                             : output::plot::write_svg(drawn));
+  }
+  return files_.commit(OutputFiles::Which::all);
+}
+
+}  // namespace kerf::cli

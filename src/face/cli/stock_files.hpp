@@ -1,0 +1,57 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "face/cli/commands.hpp"
+#include "face/cli/output_files.hpp"
+#include "job/stock_run.hpp"
+#include "output/part/part_picture.hpp"
+#include "output/reports/stock_facts.hpp"
+
+namespace kerf::cli {
+
+/// Adds the options of the files that show the part.
+void add_stock_files(CLI::App& stock, StockFileOptions& options);
+
+/// The files of the part: opened before the run, written behind it, and never half.
+class StockFiles {
+ public:
+  /// The options outlive it.
+  explicit StockFiles(const StockFileOptions& options) : options_(options) {}
+
+  /// A file that is read: none of these may be written.
+  void keep_from(const std::string& input) { files_.keep_from(input); }
+  /// Failure (usage): an ending or a word that is none; (output): a file cannot be written.
+  [[nodiscard]] base::Outcome<void> open(const job::StockJob& job);
+  /// What the run has to keep for them.
+  [[nodiscard]] bool needs_ways() const;
+  /// Failure (usage): the part has no such file; (output): one did not reach the disk.
+  [[nodiscard]] base::Outcome<void> write(const job::StockResult& result,
+                                          const output::StockFacts& facts,
+                                          const job::StockJob& job);
+
+ private:
+  [[nodiscard]] base::Outcome<void> write_solids(const job::StockResult& result,
+                                                 const output::StockFacts& facts,
+                                                 const job::StockJob& job);
+  void write_profile(const job::StockResult& result);
+  [[nodiscard]] output::PartScene scene_of(const job::StockResult& result,
+                                           const output::StockFacts& facts,
+                                           const job::StockJob& job) const;
+  [[nodiscard]] output::plot::DisplayList picture(const job::StockResult& result,
+                                                  const output::StockFacts& facts,
+                                                  const job::StockJob& job) const;
+
+  const StockFileOptions& options_;
+  OutputFiles files_;
+  std::optional<output::PartView> view_;
+  base::OutputFile* stl_ = nullptr;
+  base::OutputFile* glb_ = nullptr;
+  base::OutputFile* three_mf_ = nullptr;
+  base::OutputFile* picture_ = nullptr;
+  base::OutputFile* profile_ = nullptr;
+};
+
+}  // namespace kerf::cli

@@ -1,0 +1,199 @@
+#include "stock/compare/dexel_solid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::stock::compare {
+namespace {
+
+using dexel::along_axis;
+using dexel::DexelEnd;
+using dexel::Lattice;
+using dexel::on_axis;
+using dexel::Tile;
+
+/// Ends of three grids together leave no gap between discs of this radius, cells.
+constexpr double kRadius = 0.87;
+
+/// Planes of neighbours that differ by no more than this are one face, cells.
+constexpr double kFlat = 0.02;
+/// Squares of distances that differ by no more than this share are equal.
+constexpr double kAsFar = 1e-9;
+
+/// Act on each dexel of a tile: act(number in it, b, c), from the middle of the stock.
+void each_dexel(const Lattice& lattice, const Tile& tile, std::size_t number, const auto& act) {
+  const int column = static_cast<int>(number) % lattice.tiles_b() * Lattice::kTile;
+  const int row = static_cast<int>(number) / lattice.tiles_b() * Lattice::kTile;
+  for (std::size_t i = 0; i < tile.count(); ++i) {
+    act(i, lattice.b_of(column + static_cast<int>(i) % tile.columns()),
+        lattice.c_of(row + static_cast<int>(i) / tile.columns()));
+  }
+}
+
+int nearest(double at, double cell, int count) {
+  return static_cast<int>(std::clamp(std::floor(at / cell + 0.5 * count), 0.0, count - 1.0));
+}
+
+}  // namespace
+
+struct DexelSolid::Best {
+  std::uint32_t disc = Hint::kNone;
+  double height = 0;  ///< over its plane
+  double steep = -1;  ///< the same, without its sign
+};
+
+DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {
+  const Vec3 half{dexels.lattice(0).half_s, dexels.lattice(1).half_s, dexels.lattice(2).half_s};
+  bounds_ = {dexels.middle() - half, dexels.middle() + half};
+  for (int grid = 0; grid < 3; ++grid) {
+    const Lattice& lattice = dexels.lattice(grid);
+    cell_mm_ = std::max({cell_mm_, lattice.cell_b, lattice.cell_c});
+    for (std::size_t tile = 0; tile < dexels.tiles(grid); ++tile) {
+      const Tile& from = dexels.tile(grid, tile);
+      each_dexel(lattice, from, tile, [&](std::size_t i, double b, double c) {
+        for (const DexelEnd& end : from.ends(i)) {
+          discs_.push_back(
+              {dexels.middle() + along_axis(grid, double{end.at}, b, c), end.normal, end.motion});
+        }
+      });
+    }
+  }
+  radius_mm_ = kRadius * cell_mm_;
+  tree_ = NearTree(discs_.size(), [this](std::size_t i) -> Bounds {
+    const Vec3 n = dexel::direction(discs_[i].normal);
+    const auto reach = [&](double along) {
+      return radius_mm_ * std::sqrt(std::max(0.0, 1 - along * along));
+    };
+    const Vec3 size{reach(n.x), reach(n.y), reach(n.z)};
+    return {discs_[i].at - size, discs_[i].at + size};
+  });
+}
+
+// A plane that has the middle on its one side and the point on the other cuts the way. Planes of
+// one smooth face do so by less than what directions are rounded by.
+double DexelSolid::share_left(std::uint32_t number, Vec3 way) const {
+  const Vec3 from = discs_[number].at;
+  const Vec3 to = from + way;
+  const double enough = kFlat * cell_mm_;
+  const auto is_near = [&](const NearTree::Box& box) {
+    return box.square_from(to) <= radius_mm_ * radius_mm_;
+  };
+  double share = 1;
+  tree_.walk(is_near, [&](std::uint32_t other) {
+    if (other == number) return;
+    const Vec3 normal = dexel::direction(discs_[other].normal);
+    const double begin = dot(from - discs_[other].at, normal);
+    const double end = dot(to - discs_[other].at, normal);
+    const bool crosses = (begin > enough && end < -enough) || (begin < -enough && end > enough);
+    if (!crosses) return;
+    const double at = begin / (begin - end);
+    const Vec3 away = from + at * way - discs_[other].at;
+    if (dot(away, away) <= radius_mm_ * radius_mm_) share = std::min(share, at);
+  });
+  return share;
+}
+
+Near DexelSolid::near(Vec3 place, Hint& hint) const {
+  Best best;
+  double square = std::numeric_limits<double>::infinity();
+  const auto look = [&](std::uint32_t number, double& least) {
+    const Disc& disc = discs_[number];
+    const Vec3 away = place - disc.at;
+    const Vec3 normal = dexel::direction(disc.normal);
+    const double height = dot(away, normal);
+    const Vec3 in_plane = away - height * normal;
+    const double beside = std::sqrt(dot(in_plane, in_plane));
+    double out = std::max(0.0, beside - radius_mm_);
+    if (height * height + out * out > least || number == best.disc) return;
+    double share = beside > radius_mm_ ? radius_mm_ / beside : 1;
+    if (beside > 0) {
+      share *= share_left(number, share * in_plane);
+      out = (1 - share) * beside;
+    }
+    // Of equals that which looks most towards the place.
+    const double far = height * height + out * out;
+    const double steep = std::fabs(height);
+    const bool is_as_far = std::fabs(far - least) <= kAsFar * least;
+    if (is_as_far ? steep < best.steep || (steep == best.steep && number > best.disc) : far > least)
+      return;
+    best = {number, height, steep};
+    least = std::min(far, least);
+  };
+  if (hint.thing < discs_.size()) look(hint.thing, square);
+  tree_.search(place, square, look);
+  if (best.disc == Hint::kNone) return {};
+  hint.thing = best.disc;
+  const double distance = std::sqrt(square);
+  const bool is_inside = distance <= cell_mm_ ? best.height < 0 : holds(place);
+  return {is_inside ? -distance : distance, discs_[best.disc].motion};
+}
+
+bool DexelSolid::holds(Vec3 place) const {
+  int votes = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Stretch> material;
+    inside(axis, on_axis(place, (axis + 1) % 3), on_axis(place, (axis + 2) % 3), material);
+    const double s = on_axis(place, axis);
+    votes += std::any_of(material.begin(), material.end(),
+                         [&](const Stretch& one) { return one.low < s && s < one.high; });
+  }
+  return votes >= 2;
+}
+
+std::size_t DexelSolid::rows() const {
+  return dexels_.tiles(0) + dexels_.tiles(1) + dexels_.tiles(2);
+}
+
+DexelSolid::Place DexelSolid::place_of(std::size_t row) const {
+  int grid = 0;
+  for (; row >= dexels_.tiles(grid); ++grid) row -= dexels_.tiles(grid);
+  return {grid, row};
+}
+
+void DexelSolid::row(std::size_t number, Row& row) const {
+  row.clear();
+  const auto [grid, number_of_tile] = place_of(number);
+  const Lattice& lattice = dexels_.lattice(grid);
+  const Tile& tile = dexels_.tile(grid, number_of_tile);
+  const Vec3 middle = dexels_.middle();
+  const double b0 = on_axis(middle, (grid + 1) % 3);
+  const double c0 = on_axis(middle, (grid + 2) % 3);
+  const double s0 = on_axis(middle, grid);
+  each_dexel(lattice, tile, number_of_tile, [&](std::size_t i, double b, double c) {
+    const auto first = static_cast<std::uint32_t>(row.stretches.size());
+    const auto ends = tile.ends(i);
+    for (std::size_t k = 0; k < ends.size(); k += 2) {
+      const auto point = static_cast<std::uint32_t>(row.points.size());
+      for (std::size_t side = 0; side < 2; ++side) {
+        const DexelEnd& end = ends[k + side];
+        const Vec3 normal = dexel::direction(end.normal);
+        row.points.push_back({middle + along_axis(grid, double{end.at}, b, c), normal,
+                              lattice.cell_area() * std::fabs(on_axis(normal, grid)), end.motion});
+      }
+      row.stretches.push_back(
+          {s0 + double{ends[k].at}, s0 + double{ends[k + 1].at}, point, point + 1});
+    }
+    row.lines.push_back({grid, b0 + b, c0 + c, lattice.cell_area(), first,
+                         static_cast<std::uint32_t>(row.stretches.size())});
+  });
+}
+
+void DexelSolid::inside(int axis, double b, double c, std::vector<Stretch>& out) const {
+  const Lattice& lattice = dexels_.lattice(axis);
+  const Vec3 middle = dexels_.middle();
+  const double from_b = b - on_axis(middle, (axis + 1) % 3);
+  const double from_c = c - on_axis(middle, (axis + 2) % 3);
+  if (std::fabs(from_b) > lattice.columns * lattice.cell_b / 2) return;
+  if (std::fabs(from_c) > lattice.rows * lattice.cell_c / 2) return;
+  const int column = nearest(from_b, lattice.cell_b, lattice.columns);
+  const int row = nearest(from_c, lattice.cell_c, lattice.rows);
+  const auto number =
+      static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() + column / Lattice::kTile);
+  const Tile& tile = dexels_.tile(axis, number);
+  const auto ends = tile.ends(tile.index(column % Lattice::kTile, row % Lattice::kTile));
+  const double s0 = on_axis(middle, axis);
+  for (std::size_t k = 0; k < ends.size(); k += 2)
+    out.push_back({s0 + double{ends[k].at}, s0 + double{ends[k + 1].at}});
+}
+
+}  // namespace kerf::stock::compare

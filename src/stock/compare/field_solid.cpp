@@ -1,0 +1,255 @@
+#include "stock/compare/field_solid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stock/compare/internal/triangle.hpp"
+
+namespace kerf::stock::compare {
+namespace {
+
+/// Neighbours that are farther apart than so many cells are the two sides of a wall.
+constexpr double kWall = 2;
+constexpr std::size_t kBorder = 2;  // nodes in front of the first column
+
+std::vector<double> nodes(int count, double low, double high, const auto& middle_of) {
+  std::vector<double> at{low, low};
+  for (int i = 0; i < count; ++i) at.push_back(middle_of(i));
+  at.insert(at.end(), {high, high});
+  return at;
+}
+
+int clamped(std::size_t node, int count) {
+  return std::clamp(static_cast<int>(node) - static_cast<int>(kBorder), 0, count - 1);
+}
+
+std::size_t between(const std::vector<double>& at, double place) {
+  const auto after = std::upper_bound(at.begin(), at.end(), place) - at.begin();
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(after - 1, 0, static_cast<std::ptrdiff_t>(at.size()) - 2));
+}
+
+double outside(double at, double low, double high) { return std::max({low - at, at - high, 0.0}); }
+
+int nearest(double at, double low, double cell, int count) {
+  const double number = std::floor((at - low) / cell);
+  return static_cast<int>(std::clamp(number, 0.0, count - 1.0));
+}
+
+}  // namespace
+
+struct FieldSolid::Best {
+  std::uint32_t motion = 0;
+};
+
+FieldSolid::FieldSolid(const field::HeightField& field)
+    : columns_(field.columns()),
+      grid_(columns_.grid()),
+      x_(nodes(grid_.nx, grid_.box.low.x, grid_.box.high.x, [&](int i) { return grid_.x(i); })),
+      y_(nodes(grid_.ny, grid_.box.low.y, grid_.box.high.y, [&](int j) { return grid_.y(j); })),
+      tops_(x_, y_, [this](Cell cell) { return tops(cell); }),
+      bottoms_(x_, y_, [this](Cell cell) { return bottoms(cell); }) {}
+
+double FieldSolid::cell_mm() const { return std::max(grid_.cell_x(), grid_.cell_y()); }
+
+FieldSolid::Node FieldSolid::node(std::size_t i, std::size_t j) const {
+  const int column = clamped(i, grid_.nx);
+  const int row = clamped(j, grid_.ny);
+  Node node{columns_.bottom(column, row), columns_.height(column, row),
+            columns_.owner(column, row)};
+  const bool is_beside = i == 0 || j == 0 || i + 1 == x_.size() || j + 1 == y_.size();
+  if (is_beside) node.top = node.bottom;
+  return node;
+}
+
+FieldSolid::Corners FieldSolid::corners(Cell cell) const {
+  return {node(cell.i, cell.j), node(cell.i + 1, cell.j), node(cell.i, cell.j + 1),
+          node(cell.i + 1, cell.j + 1)};
+}
+
+bool FieldSolid::is_slope(const Corners& corners) const {
+  HeightRange range;
+  for (const Node& node : corners) {
+    if (node.is_empty()) return false;
+    range.take({node.top, node.top});
+  }
+  return double{range.high} - double{range.low} <= kWall * cell_mm();
+}
+
+HeightRange FieldSolid::tops(Cell cell) const {
+  HeightRange range;
+  const Corners around = corners(cell);
+  const bool is_all =
+      std::none_of(around.begin(), around.end(), [](const Node& node) { return node.is_empty(); });
+  for (const Node& node : around) {
+    if (!node.is_empty()) range.take({is_all ? node.top : node.bottom, node.top});
+  }
+  return range;
+}
+
+HeightRange FieldSolid::bottoms(Cell cell) const {
+  HeightRange range;
+  for (const Node& node : corners(cell)) {
+    if (node.is_empty()) return {};
+    range.take({node.bottom, node.bottom});
+  }
+  return range;
+}
+
+Vec3 FieldSolid::corner_point(Cell cell, std::size_t which, double z) const {
+  return {x_[cell.i + which % 2], y_[cell.j + which / 2], z};
+}
+
+double FieldSolid::square_to_box(Cell cell, Vec3 place, HeightRange range) const {
+  const double x = outside(place.x, x_[cell.i], x_[cell.i + 1]);
+  const double y = outside(place.y, y_[cell.j], y_[cell.j + 1]);
+  const double z = outside(place.z, double{range.low}, double{range.high});
+  return x * x + y * y + z * z;
+}
+
+void FieldSolid::look_at_tops(Cell cell, Vec3 place, double& square, Best& best) const {
+  const Corners around = corners(cell);
+  double found = 0;
+  if (tops(cell).is_none()) return;
+  if (is_slope(around)) {
+    std::array<Vec3, 4> at;
+    for (std::size_t i = 0; i < 4; ++i) at[i] = corner_point(cell, i, double{around[i].top});
+    const Vec3 one = place - nearest_on(at[0], at[1], at[3], place).point;
+    const Vec3 other = place - nearest_on(at[0], at[3], at[2], place).point;
+    found = std::min(dot(one, one), dot(other, other));
+  } else {
+    found = square_to_box(cell, place, tops(cell));
+  }
+  if (found >= square) return;
+  square = found;
+  // What cut deepest made the surface here, whatever made the other side of a wall.
+  const auto lowest =
+      std::min_element(around.begin(), around.end(), [](const Node& a, const Node& b) {
+        return (a.motion == 0) != (b.motion == 0) ? a.motion != 0 : a.top < b.top;
+      });
+  best.motion = lowest->motion;
+}
+
+FieldSolid::Cell FieldSolid::cell_at(Vec3 place) const {
+  return {between(x_, place.x), between(y_, place.y)};
+}
+
+bool FieldSolid::holds(Vec3 place) const {
+  const Bounds& box = grid_.box;
+  if (place.x < box.low.x || place.x > box.high.x) return false;
+  if (place.y < box.low.y || place.y > box.high.y) return false;
+  const Cell cell = cell_at(place);
+  const HeightRange floor = bottoms(cell);
+  if (floor.is_none() || place.z < double{floor.high}) return false;
+  const Corners around = corners(cell);
+  if (!is_slope(around)) return place.z < double{tops(cell).low};
+  const double dx = x_[cell.i + 1] - x_[cell.i];
+  const double dy = y_[cell.j + 1] - y_[cell.j];
+  const double u = dx > 0 ? (place.x - x_[cell.i]) / dx : 0;
+  const double v = dy > 0 ? (place.y - y_[cell.j]) / dy : 0;
+  const auto top = [&](std::size_t i) { return double{around[i].top}; };
+  const double height = u >= v ? top(0) + u * (top(1) - top(0)) + v * (top(3) - top(1))
+                               : top(0) + v * (top(2) - top(0)) + u * (top(3) - top(2));
+  return place.z < height;
+}
+
+void FieldSolid::look_at_bottoms(Cell cell, Vec3 place, double& square, Best& best) const {
+  const HeightRange range = bottoms(cell);
+  if (range.is_none()) return;
+  const double found = square_to_box(cell, place, range);
+  if (found >= square) return;
+  square = found;
+  best.motion = 0;
+}
+
+// What is over and under the place bounds the search from the beginning.
+Near FieldSolid::near(Vec3 place, Hint&) const {
+  const Vec3 over = place - Vec3{0, 0, grid_.box.low.z};
+  Best best;
+  double square = std::numeric_limits<double>::infinity();
+  const auto look_top = [&](Cell cell, double& least) { look_at_tops(cell, over, least, best); };
+  const auto look_bottom = [&](Cell cell, double& least) {
+    look_at_bottoms(cell, over, least, best);
+  };
+  const Cell here = cell_at(over);
+  look_top(here, square);
+  look_bottom(here, square);
+  tops_.search(
+      over, square, [this](Cell cell) { return tops(cell); }, look_top);
+  bottoms_.search(
+      over, square, [this](Cell cell) { return bottoms(cell); }, look_bottom);
+  const double distance = std::sqrt(square);
+  return {distance > 0 && holds(over) ? -distance : distance, best.motion};
+}
+
+void FieldSolid::row(std::size_t number, Row& row) const {
+  row.clear();
+  const int side = field::kTileSide;
+  const int first_i = static_cast<int>(number) % grid_.tiles_x() * side;
+  const int first_j = static_cast<int>(number) / grid_.tiles_x() * side;
+  const double area = grid_.cell_x() * grid_.cell_y();
+  for (int j = first_j; j < std::min(grid_.ny, first_j + side); ++j) {
+    for (int i = first_i; i < std::min(grid_.nx, first_i + side); ++i) {
+      const double x = grid_.x(i);
+      const double y = grid_.y(j);
+      const auto stretch = static_cast<std::uint32_t>(row.stretches.size());
+      const auto point = static_cast<std::uint32_t>(row.points.size());
+      const double low = grid_.box.low.z + double{columns_.bottom(i, j)};
+      const double high = grid_.box.low.z + double{columns_.height(i, j)};
+      if (columns_.height(i, j) > columns_.bottom(i, j)) {
+        row.points.push_back({{x, y, low}, {0, 0, -1}, area, 0});
+        row.points.push_back({{x, y, high}, {0, 0, 1}, area, columns_.owner(i, j)});
+        row.stretches.push_back({low, high, point, point + 1});
+      }
+      row.lines.push_back(
+          {2, x, y, area, stretch, static_cast<std::uint32_t>(row.stretches.size())});
+    }
+  }
+}
+
+int FieldSolid::column_at(double x) const {
+  return nearest(x, grid_.box.low.x, grid_.cell_x(), grid_.nx);
+}
+int FieldSolid::row_at(double y) const {
+  return nearest(y, grid_.box.low.y, grid_.cell_y(), grid_.ny);
+}
+
+void FieldSolid::inside(int axis, double b, double c, std::vector<Stretch>& out) const {
+  const Bounds& box = grid_.box;
+  if (axis != 2) return add_along(axis, b, c, out);
+  if (b < box.low.x || b > box.high.x || c < box.low.y || c > box.high.y) return;
+  const int i = column_at(b);
+  const int j = row_at(c);
+  const double low = box.low.z + double{columns_.bottom(i, j)};
+  const double high = box.low.z + double{columns_.height(i, j)};
+  if (low < high) out.push_back({low, high});
+}
+
+// Along X, b is Y and c is Z; along Y they are Z and X. A cell ends halfway to the next column.
+void FieldSolid::add_along(int axis, double b, double c, std::vector<Stretch>& out) const {
+  const Bounds& box = grid_.box;
+  const bool is_x = axis == 0;
+  const double across = is_x ? b : c;
+  const double low = is_x ? box.low.y : box.low.x;
+  const double high = is_x ? box.high.y : box.high.x;
+  if (across < low || across > high) return;
+  const double over = (is_x ? c : b) - box.low.z;
+  const int count = is_x ? grid_.nx : grid_.ny;
+  const double cell = is_x ? grid_.cell_x() : grid_.cell_y();
+  const double from = is_x ? box.low.x : box.low.y;
+  const int fixed = is_x ? row_at(across) : column_at(across);
+  int first = -1;
+  for (int k = 0; k <= count; ++k) {
+    const int i = is_x ? k : fixed;
+    const int j = is_x ? fixed : k;
+    const bool is_in =
+        k < count && double{columns_.bottom(i, j)} < over && over < double{columns_.height(i, j)};
+    if (is_in && first < 0) first = k;
+    if (is_in || first < 0) continue;
+    out.push_back({from + first * cell, from + k * cell});
+    first = -1;
+  }
+}
+
+}  // namespace kerf::stock::compare

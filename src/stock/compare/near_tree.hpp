@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "stock/sweep/way.hpp"
+
+namespace kerf::stock::compare {
+
+/// Things in space that are found by how near they are: a binary tree of boxes, halved along the
+/// longest side of what the middles of the things take up. Made in n log n; a search costs about
+/// log n and what is nearly as near. The same things make the same tree, whatever the threads.
+class NearTree {
+ public:
+  /// Floats, rounded outwards.
+  struct Box {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+
+    [[nodiscard]] double square_from(Vec3 place) const {
+      const double x = outside(place.x, low[0], high[0]);
+      const double y = outside(place.y, low[1], high[1]);
+      const double z = outside(place.z, low[2], high[2]);
+      return x * x + y * y + z * z;
+    }
+
+   private:
+    [[nodiscard]] static double outside(double at, float from, float to) {
+      const double below = double{from} - at;
+      const double above = at - double{to};
+      const double out = below > above ? below : above;
+      return out > 0 ? out : 0;
+    }
+  };
+
+  static constexpr std::size_t kLeaf = 4;  ///< things in a leaf
+  NearTree() = default;
+  /// `box_of(i)` for i below `count` < 2^31.
+  NearTree(std::size_t count, const std::function<Bounds(std::size_t)>& box_of);
+
+  /// Calls look(thing, square) for things whose boxes are nearer than `square` mm², which look()
+  /// may make smaller, the nearer boxes first.
+  template <class Look>
+  void search(Vec3 place, double& square, Look&& look) const;
+
+  /// Calls look(thing) for things in boxes that admits(box).
+  template <class Admits, class Look>
+  void walk(Admits&& admits, Look&& look) const;
+
+  [[nodiscard]] std::size_t bytes() const {
+    return order_.size() * sizeof(order_[0]) + boxes_.size() * sizeof(Box);
+  }
+
+ private:
+  // A node of n things has ceil(n / kLeaf) leaves, so 2 of these - 1 nodes: itself, those of its
+  // first half, those of the second.
+  struct Part {
+    std::uint32_t node;
+    std::uint32_t begin;
+    std::uint32_t count;
+    double square;
+
+    [[nodiscard]] bool is_leaf() const { return count <= kLeaf; }
+    [[nodiscard]] Part first() const {
+      return {node + 1, begin, static_cast<std::uint32_t>((leaves() + 1) / 2 * kLeaf), 0};
+    }
+    [[nodiscard]] Part second() const {
+      const Part one = first();
+      return {node + static_cast<std::uint32_t>(2 * one.leaves()), begin + one.count,
+              count - one.count, 0};
+    }
+    [[nodiscard]] std::size_t leaves() const { return (count + kLeaf - 1) / kLeaf; }
+  };
+  static constexpr std::size_t kDeepest = 64;
+  struct Middles;
+
+  void build(const Part& part, const Middles& middles,
+             const std::function<Bounds(std::size_t)>& box_of);
+  [[nodiscard]] Part whole() const { return {0, 0, static_cast<std::uint32_t>(order_.size()), 0}; }
+
+  std::vector<std::uint32_t> order_;
+  std::vector<Box> boxes_;
+};
+
+template <class Look>
+void NearTree::search(Vec3 place, double& square, Look&& look) const {
+  if (order_.empty()) return;
+  std::array<Part, kDeepest> waiting;
+  std::size_t count = 1;
+  waiting[0] = whole();
+  waiting[0].square = boxes_[0].square_from(place);
+  while (count > 0) {
+    const Part part = waiting[--count];
+    if (part.square > square) continue;
+    if (part.is_leaf()) {
+      for (std::uint32_t i = 0; i < part.count; ++i) look(order_[part.begin + i], square);
+      continue;
+    }
+    Part near = part.first();
+    Part far = part.second();
+    near.square = boxes_[near.node].square_from(place);
+    far.square = boxes_[far.node].square_from(place);
+    if (far.square < near.square) std::swap(near, far);
+    if (far.square <= square) waiting[count++] = far;
+    if (near.square <= square) waiting[count++] = near;
+  }
+}
+
+template <class Admits, class Look>
+void NearTree::walk(Admits&& admits, Look&& look) const {
+  if (order_.empty()) return;
+  std::array<Part, kDeepest> waiting;
+  std::size_t count = 1;
+  waiting[0] = whole();
+  while (count > 0) {
+    const Part part = waiting[--count];
+    if (!admits(boxes_[part.node])) continue;
+    if (part.is_leaf()) {
+      for (std::uint32_t i = 0; i < part.count; ++i) look(order_[part.begin + i]);
+    } else {
+      waiting[count++] = part.second();
+      waiting[count++] = part.first();
+    }
+  }
+}
+
+}  // namespace kerf::stock::compare

@@ -1,0 +1,55 @@
+/** A height field in fewer columns: of each square of columns the one in its middle. */
+import { HeightField } from './height_field';
+
+/** From so many columns along a side on it is worth while. */
+const WORTH_WHILE = 260;
+const COLUMNS_WANTED = 180;
+
+export class CoarseField {
+  readonly field: HeightField;
+  private seen: number;
+
+  private constructor(
+    private readonly of: HeightField,
+    private readonly stride: number,
+  ) {
+    const { nx, ny, cell, corner, top } = of.grid;
+    const [columns, rows] = [Math.floor(nx / stride), Math.floor(ny / stride)];
+    // Over the same box: what the stride leaves over widens each cell a little.
+    this.field = new HeightField({
+      nx: columns,
+      ny: rows,
+      cell: [(nx * cell[0]) / columns, (ny * cell[1]) / rows],
+      corner,
+      top,
+    });
+    this.seen = -1;
+    this.follow();
+  }
+
+  /** Null: it has few columns as it is. */
+  static of(field: HeightField): CoarseField | null {
+    const side = Math.max(field.grid.nx, field.grid.ny);
+    if (side < WORTH_WHILE || Math.min(field.grid.nx, field.grid.ny) < 16) return null;
+    return new CoarseField(field, Math.max(2, Math.round(side / COLUMNS_WANTED)));
+  }
+
+  /** Takes over what has changed since the last time. */
+  follow(): void {
+    if (this.of.version === this.seen) return;
+    this.seen = this.of.version;
+    const { nx: columns, ny: rows } = this.field.grid;
+    const { nx, ny } = this.of.grid;
+    const heights = new Float32Array(columns * rows);
+    for (let j = 0; j < rows; j++) {
+      const row = Math.floor(((j + 0.5) * ny) / rows) * nx;
+      for (let i = 0; i < columns; i++)
+        heights[j * columns + i] = this.of.heights[row + Math.floor(((i + 0.5) * nx) / columns)];
+    }
+    this.field.take_heights(heights);
+  }
+
+  get is_coarser_by(): number {
+    return this.stride;
+  }
+}

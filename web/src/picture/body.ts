@@ -1,0 +1,27 @@
+/** The part as one of its models draws it. */
+import type { Object3D } from 'three';
+import type { Finding, Owner } from '../logic/stock/part_store';
+import type { Section } from './section_plane';
+import type { SurfaceColours } from './stock_material';
+
+export type Vec = [number, number, number];
+
+export interface BodyHit {
+  /** From the zero of the stock. */
+  at: Vec;
+  normal: Vec;
+  /** 0: not cut, or not known. */
+  owner: number;
+}
+
+export interface Body {
+  readonly group: Object3D;
+  /** Brings what is drawn up to date, for at most so long. True: it is. `coarse`: a picture that moves, on a slow computer. */
+  update(most_ms: number, coarse: boolean): boolean;
+  set_colours(colours: SurfaceColours): void;
+  set_section(section: Section | null): void;
+  hit(from: Vec, way: Vec): BodyHit | null;
+  dispose(): void;
+}
+
+export type { Finding, Owner, Section };

@@ -1,0 +1,164 @@
+/** A height field as a body: a mesh a tile, made anew where columns have changed. */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type DataTexture,
+  Group,
+  LineSegments,
+  Mesh,
+  Sphere,
+  type Texture,
+  Vector3,
+} from 'three';
+import { mean_heights } from '../logic/stock/ambient';
+import type { HeightField } from '../logic/stock/height_field';
+import { HeightMesher, type TileMesh } from '../logic/stock/height_mesh';
+import { ORDER } from './section_plane';
+import { ambient_texture, owner_texture, StockMaterials } from './stock_material';
+
+interface Tile {
+  group: Group;
+  geometry: BufferGeometry;
+  lines: BufferGeometry;
+}
+
+export class FieldBody {
+  readonly group = new Group();
+  readonly materials: StockMaterials;
+  private readonly mesher = new HeightMesher();
+  private readonly tiles = new Map<number, Tile>();
+  /** All tiles have been there. */
+  is_whole = false;
+  private readonly owners: DataTexture | null = null;
+  private readonly ambient: DataTexture | null = null;
+
+  /** `looks_of`: another one of the same part, whose colours and shade it has. */
+  constructor(
+    readonly field: HeightField,
+    table: Texture,
+    private readonly looks_of?: FieldBody,
+  ) {
+    this.materials = looks_of?.materials ?? new StockMaterials(table, 'cell');
+    if (looks_of) return;
+    const { nx, ny, cell, corner, top } = field.grid;
+    this.owners = owner_texture(field.owners as Uint16Array<ArrayBuffer>, nx, ny);
+    this.ambient = ambient_texture();
+    const looks = this.materials.field;
+    looks.owners.value = this.owners;
+    looks.ambient.value = this.ambient;
+    looks.corner.value.set(...corner);
+    looks.far.value.set(corner[0] + nx * cell[0], corner[1] + ny * cell[1], top);
+    looks.cell.value.set(...cell);
+  }
+
+  /** Brings the tiles up to date, but no longer than that. True: all are. */
+  update(most_ms: number): boolean {
+    const { field } = this;
+    this.looks_of?.update_looks();
+    this.update_looks();
+    const began = performance.now();
+    for (const key of field.changed) {
+      field.changed.delete(key);
+      const [x, y] = [key % field.tiles_x, Math.floor(key / field.tiles_x)];
+      this.put(key, this.mesher.mesh(field, x, y));
+      if (performance.now() - began > most_ms) break;
+    }
+    const is_done = field.changed.size === 0;
+    this.is_whole ||= is_done;
+    return is_done;
+  }
+
+  private shaded = -1;
+  private update_looks(): void {
+    const { field } = this;
+    if (this.owners && field.repainted.size) {
+      field.repainted.clear();
+      this.owners.needsUpdate = true;
+    }
+    if (this.ambient && this.shaded !== field.version) {
+      this.shaded = field.version;
+      this.ambient.image.data = mean_heights(field);
+      this.ambient.needsUpdate = true;
+    }
+  }
+
+  get triangles(): number {
+    let count = 0;
+    for (const { geometry } of this.tiles.values()) count += (geometry.index?.count ?? 0) / 3;
+    return count;
+  }
+
+  dispose(): void {
+    for (const tile of this.tiles.values()) forget(tile);
+    this.tiles.clear();
+    this.owners?.dispose();
+    this.ambient?.dispose();
+    if (!this.looks_of) this.materials.dispose();
+    this.group.removeFromParent();
+  }
+
+  private put(key: number, mesh: TileMesh): void {
+    const old = this.tiles.get(key);
+    if (old) forget(old);
+    const tile = this.made(mesh);
+    this.tiles.set(key, tile);
+    this.group.add(tile.group);
+  }
+
+  private made(mesh: TileMesh): Tile {
+    const geometry = surface_geometry(mesh.positions, mesh.normals, mesh.indices);
+    const lines = new BufferGeometry();
+    lines.setAttribute('position', new BufferAttribute(mesh.lines, 3));
+    lines.boundingSphere = geometry.boundingSphere;
+    const group = new Group();
+    group.add(...body_meshes(geometry, lines, this.materials));
+    return { group, geometry, lines };
+  }
+}
+
+/** A body as it is drawn: outer side, inner side where a section opens it, edges. */
+export function body_meshes(
+  geometry: BufferGeometry,
+  lines: BufferGeometry,
+  materials: StockMaterials,
+): [Mesh, Mesh, LineSegments] {
+  const outside = new Mesh(geometry, materials.surface);
+  const inside = new Mesh(geometry, materials.cut_face);
+  const edges = new LineSegments(lines, materials.lines);
+  outside.renderOrder = ORDER.surface;
+  inside.renderOrder = ORDER.inside;
+  edges.renderOrder = ORDER.lines;
+  return [outside, inside, edges];
+}
+
+export function surface_geometry(
+  positions: Float32Array,
+  normals: Int8Array,
+  indices: Uint32Array | Uint16Array,
+): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normals, 4, true));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  geometry.boundingSphere = ball_around(positions);
+  return geometry;
+}
+
+function ball_around(positions: Float32Array): Sphere {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i++) {
+    const value = positions[i];
+    if (value < low[i % 3]) low[i % 3] = value;
+    if (value > high[i % 3]) high[i % 3] = value;
+  }
+  if (!positions.length) return new Sphere(new Vector3(), 0);
+  const middle = new Vector3(...low).add(new Vector3(...high)).multiplyScalar(0.5);
+  return new Sphere(middle, middle.distanceTo(new Vector3(...high)));
+}
+
+function forget({ group, geometry, lines }: Tile): void {
+  geometry.dispose();
+  lines.dispose();
+  group.removeFromParent();
+}

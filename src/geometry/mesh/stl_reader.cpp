@@ -11,8 +11,6 @@ namespace {
 // So much of a file says what it is: a binary one has bytes behind its head that are no text.
 constexpr std::size_t kTelling = 1024;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool begins_with_solid(std::string_view head) {
   constexpr std::string_view kSolid = "solid";
   const std::size_t at = std::min(head.find_first_not_of(" \t\r\n"), head.size());

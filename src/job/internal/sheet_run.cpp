@@ -240,9 +240,9 @@ Outcome<machine::StockSheet> around(const StockJob& job, double margin_mm, Vec3&
   machine::StockSheet sheet{all.low.u - origin.x - m, all.low.v - origin.y - m,
                             all.high.u - origin.x + m, all.high.v - origin.y + m,
                             kUsualThickness_mm};
-  constexpr double kLeast_mm = 1e-3;  // of a hole alone, without a margin
-  sheet.x1 = std::max(sheet.x1, sheet.x0 + kLeast_mm);
-  sheet.y1 = std::max(sheet.y1, sheet.y0 + kLeast_mm);
+  constexpr double kLeastSide_mm = 1e-3;  // of a hole alone, without a margin
+  sheet.x1 = std::max(sheet.x1, sheet.x0 + kLeastSide_mm);
+  sheet.y1 = std::max(sheet.y1, sheet.y0 + kLeastSide_mm);
   assumed.push_back(
       {0, fmt::format("the sheet lies around what is cut, X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, "
                       "1 mm thick",

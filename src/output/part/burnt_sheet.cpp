@@ -18,7 +18,6 @@ using stock::sheet::Sheet;
 
 constexpr Color kSheetColor{222, 215, 202}, kLooseColor{196, 214, 232}, kCutColor{58, 52, 48};
 constexpr double kLowest = 360, kHighest = 760;
-constexpr double kRulerLeft = 54, kRulerBelow = 40;
 constexpr double kPixelsPerUnit = 1.5;
 
 /// From little energy to the most, as glowing metal.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace plot;
 
-constexpr double kLowest = 420, kHighest = 760;
+constexpr double kSolidLowest = 420, kSolidHighest = 760;
 
 /// Three numbers with commas between.
 std::optional<Vec3> direction(const std::string& words) {
@@ -61,7 +61,7 @@ DisplayList draw_solid(const PartScene& scene, const PartView& view) {
   sheet.width = kSheetWidth;
   draw_head(sheet, scene, about(scene, view));
   const SolidView solid(scene, paints, view.camera);
-  const double height = std::clamp(solid.height_for(kSheetInner), kLowest, kHighest);
+  const double height = std::clamp(solid.height_for(kSheetInner), kSolidLowest, kSolidHighest);
   const Rect frame{kSheetMargin, kPictureTop, kSheetInner, std::round(height)};
   solid.draw(sheet, frame);
   draw_foot(sheet, frame.bottom() + 18, scene, paints);

@@ -21,9 +21,8 @@ using geometry::Vec2;
 constexpr Color kOutside{232, 236, 240}, kSection{240, 226, 200}, kHatchInk{176, 150, 104};
 constexpr Color kClamp{186, 193, 202}, kClampInk{120, 128, 138};
 constexpr double kSolidHeight = 330;
-constexpr double kLowest = 240, kHighest = 460;
+constexpr double kHalfLowest = 240, kHalfHighest = 460;
 constexpr double kPadding = 40;
-constexpr double kRulerLeft = 54, kRulerBelow = 40;
 
 /// Z to the right, X up, a little from above and from the front of the part.
 Camera lathe_camera() {
@@ -292,7 +291,7 @@ DisplayList draw_turned(const PartScene& scene) {
   HalfSection half(scene, paints);
   const double width = kSheetInner - kRulerLeft;
   const Rect below{kSheetMargin + kRulerLeft, above.bottom() + 30, width,
-                   std::round(std::clamp(half.height_for(width), kLowest, kHighest))};
+                   std::round(std::clamp(half.height_for(width), kHalfLowest, kHalfHighest))};
   half.draw(sheet, below);
   draw_foot(sheet, below.bottom() + kRulerBelow + 14, scene, paints);
   return sheet;

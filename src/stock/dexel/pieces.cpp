@@ -9,7 +9,7 @@
 namespace kerf::stock::dexel {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// Sets that grow together; each is known by its first member.
@@ -116,7 +116,8 @@ class Search {
       std::uint32_t& number = piece_of[sets_.of(first_[dexel] + static_cast<std::uint32_t>(i / 2))];
       if (number == kNone) {
         number = static_cast<std::uint32_t>(pieces.size());
-        pieces.push_back({0, {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}}, false, {}});
+        pieces.push_back(
+            {0, {{kNowhere, kNowhere, kNowhere}, {-kNowhere, -kNowhere, -kNowhere}}, false, {}});
       }
       Piece& piece = pieces[number];
       piece.volume_mm3 += double{all[i + 1].at - all[i].at} * lattice_.cell_area();

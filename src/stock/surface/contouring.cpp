@@ -8,11 +8,10 @@
 #include <algorithm>
 
 #include "stock/surface/internal/patch_maker.hpp"
+#include "stock/surface/internal/places.hpp"
 
 namespace kerf::stock::surface {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// A patch without the points that belong to the blocks before it.
 struct Part {

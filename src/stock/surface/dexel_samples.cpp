@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stock/surface/internal/bits.hpp"
+#include "stock/surface/internal/places.hpp"
 
 namespace kerf::stock::surface {
 namespace {
@@ -11,20 +12,6 @@ namespace {
 using dexel::DexelEnd;
 using dexel::Lattice;
 using dexel::on_axis;
-
-// A face that lies so near to points of the lattice (of a cell) is told alike by all dexels.
-constexpr double kSlack = 2e-3;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-/// Numbers of the neighbours that are looked at: every `stride`-th, from the middle of the first.
-std::vector<int> chosen(int count, int stride) {
-  std::vector<int> numbers{-1};
-  const int first = std::min(stride / 2, (count - 1) / 2);
-  for (int i = first; i < count; i += stride) numbers.push_back(i);
-  numbers.push_back(-1);
-  return numbers;
-}
 
 }  // namespace
 

@@ -5,29 +5,15 @@
 #include <limits>
 
 #include "stock/surface/internal/bits.hpp"
+#include "stock/surface/internal/places.hpp"
 
 namespace kerf::stock::surface {
 namespace {
 
-constexpr double kSlack = 2e-3;   // of a cell
 constexpr double kSteepest = 12;  // a steeper slope is a wall
 constexpr double kLittle = 0.5;   // of a cell: a drop that needs no explanation
 constexpr int kMostRows = 4;      // on each side
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Place moved(Place at, int axis, int by) {
-  at[index(axis)] += by;
-  return at;
-}
-
-std::vector<int> chosen(int count, int stride) {
-  std::vector<int> numbers{-1};
-  for (int i = std::min(stride / 2, (count - 1) / 2); i < count; i += stride) numbers.push_back(i);
-  numbers.push_back(-1);
-  return numbers;
-}
 
 std::vector<double> levels(const Bounds& box, double cell_mm) {
   const double size = box.high.z - box.low.z;

@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "stock/surface/internal/cell_cycles.hpp"
+#include "stock/surface/internal/places.hpp"
 
 namespace kerf::stock::surface {
 namespace {
 
 constexpr double kAside = 1e-3;  // of a cell
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// From where to where a post is solid, in steps; low >= high: it is not there.
 struct Post {

@@ -11,6 +11,11 @@
 
 namespace kerf::mesh {
 
+/// Of ASCII letters; words of the format may be written either way.
+[[nodiscard]] constexpr char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 /// What is wrong, a sentence.
 using Wrong = std::optional<std::string>;
 

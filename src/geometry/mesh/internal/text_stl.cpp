@@ -17,8 +17,6 @@ constexpr std::array<std::string_view, 21> kFacet{
 constexpr std::size_t kOutside = kFacet.size();  // before "solid"
 constexpr std::size_t kLongestWord = 100;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 }  // namespace

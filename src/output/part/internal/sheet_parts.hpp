@@ -13,6 +13,8 @@ inline constexpr double kSheetWidth = 1280;
 inline constexpr double kSheetMargin = 32;
 inline constexpr double kSheetInner = kSheetWidth - 2 * kSheetMargin;
 inline constexpr double kPictureTop = 82;
+inline constexpr double kRulerLeft = 54;
+inline constexpr double kRulerBelow = 40;
 
 /// Title and a line about it.
 void draw_head(DisplayList& sheet, const PartScene& scene, const std::string& about);

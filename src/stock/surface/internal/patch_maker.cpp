@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stock/surface/internal/nearest_point.hpp"
+#include "stock/surface/internal/places.hpp"
 
 namespace kerf::stock::surface {
 namespace {
@@ -11,15 +12,8 @@ namespace {
 constexpr double kNear = 1e-3;          // of a cell
 constexpr double kFloatSteps = 4.8e-6;  // of the largest coordinate: 40 steps of float32
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 double& part(Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 double part(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
-Place moved(Place at, int axis, int by) {
-  at[index(axis)] += by;
-  return at;
-}
 
 Place moved(Place at, Place by) { return {at[0] + by[0], at[1] + by[1], at[2] + by[2]}; }
 

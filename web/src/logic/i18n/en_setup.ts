@@ -64,6 +64,7 @@ export const en_setup = {
   'setup.material-none': 'not said',
   'setup.material-own': 'own numbers',
   'setup.material-takes': 'kc1.1 {kc11} N/mm², mc {mc}: estimates of a sharp tool',
+  'setup.place-none': 'not moved',
   'setup.place-turned': '{axis}, ° about {about}',
   'setup.stock-place': 'Place of the stock',
   'setup.unit': 'Unit of the file',

@@ -64,6 +64,7 @@ export const zh_hant_setup = {
   'setup.material-none': '未指定',
   'setup.material-own': '自訂數值',
   'setup.material-takes': 'kc1.1 {kc11} N/mm²，mc {mc}：鋒利刀具的估計值',
+  'setup.place-none': '未移動',
   'setup.place-turned': '{axis} 繞 {about} °',
   'setup.stock-place': '素材的位置',
   'setup.unit': '檔案單位',

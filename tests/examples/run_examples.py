@@ -9,7 +9,8 @@ an ending _VARIANT before the point:
   command        one line, as typed in the root of the repository: ./kerf run examples/..., or
                  ./kerf stock examples/...
   expected.json  the stable part of the summary that --summary writes, of kerf stock of its --report
-  picture.svg    what --plot or --picture wrote, where the command has it (or .png)
+  picture.svg    what --plot wrote, where the command has it (or .png)
+  part.png       likewise of --picture
   pattern.svg    likewise of --pattern-plot
   printed.txt    what --dprnt wrote, where the command has it
   generate.py    writes the program of `command`, where a script made it
@@ -60,10 +61,10 @@ STABLE_WITHIN = {
     "tools": ("tool", "type", "diameter", "source", "cut_mm", "removed_mm3"),
 }
 RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
-SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt")
-PICTURES = {"--plot": "picture", "--picture": "picture", "--pattern-plot": "pattern"}
+SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt", ".stl", ".toml")
+PICTURES = {"--plot": "picture", "--picture": "part", "--pattern-plot": "pattern"}
 SUMMARIES = {"run": "--summary", "stock": "--report"}
-PICTURE_BYTES = (4_000, 250_000)
+PICTURE_BYTES = (4_000, 450_000)
 PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
 EXIT_STATUS = {"end": 0, "stopped": 0, "alarm": 1}
 SECONDS = 60
@@ -149,9 +150,10 @@ def variants_of(folder: Path) -> list:
 
 
 def check_no_orphans(folder: Path, variants: list) -> None:
-    """Programs, expectations and pictures that no command speaks of."""
+    """Programs, tools, expectations and pictures that no command speaks of."""
     known = {variant.program.name for variant in variants}
     for variant in variants:
+        known |= {Path(word).name for word in variant.words if (ROOT / word).parent == folder}
         known |= {variant.expected.name, variant.printed.name}
         known |= {variant.picture(kind, suffix).name
                   for kind in PICTURES.values() for suffix in PICTURE_HEADS}

@@ -41,9 +41,6 @@ export function text_of(
 
 /** The first language of the browser that there is a table for. Any Chinese reads the Chinese table. */
 export function chosen_language(wishes: readonly string[]): Language {
-  for (const wish of wishes) {
-    if (/^zh/i.test(wish)) return 'zh-Hant';
-    if (/^en/i.test(wish)) return 'en';
-  }
-  return 'en';
+  const first = wishes.find((wish) => /^(zh|en)/i.test(wish)) ?? 'en';
+  return /^zh/i.test(first) ? 'zh-Hant' : 'en';
 }

@@ -60,24 +60,25 @@ export function read_setup(toml: string): Setup | BadSetup {
 
 function setup_of(whole: Table): Setup {
   const stock = table_of(whole.stock);
-  const checks = table_of(whole.checks);
+  const { off } = table_of(whole.checks);
   return {
     stock: text_of(stock.shape),
     zero: text_of(stock.zero),
     place: text_of(stock.place),
-    fixtures: tables_of(whole.fixture).map((one) => ({
-      name: text_of(one.name),
-      shape: text_of(one.shape),
-    })),
+    fixtures: tables_of(whole.fixture).map(fixture_of),
     material: text_of(table_of(whole.material).name),
-    no_check: Array.isArray(checks.off) ? checks.off.map(text_of).filter(Boolean) : [],
+    no_check: Array.isArray(off) ? off.map(text_of).filter(Boolean) : [],
     tools: tables_of(whole.tool).filter((one): one is ToolTable => typeof one.number === 'number'),
-    holders: tables_of(whole.holder).map((one) => ({
-      name: text_of(one.name),
-      segments: one.segments,
-    })),
+    holders: tables_of(whole.holder).map(holder_of),
     whole,
   };
+}
+
+function fixture_of({ name, shape }: Table): Fixture {
+  return { name: text_of(name), shape: text_of(shape) };
+}
+function holder_of({ name, segments }: Table): Setup['holders'][number] {
+  return { name: text_of(name), segments };
 }
 
 export const is_bad = (setup: Setup | BadSetup): setup is BadSetup => 'message' in setup;

@@ -27,7 +27,7 @@ struct MotionCut {
   bool cuts = false;  ///< removes something, or makes a thread
   double length_mm = 0;
   double removed_mm3 = 0;
-  Vec3 to{};  ///< where the tip ends
+  Vec3 to{};           ///< where the tip ends
   CuttingData data{};  ///< where nothing but the edges met the stock
 };
 

@@ -260,8 +260,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
                  .block = *zero_.moved()});
     }
     const bool is_whole = !plan_.end && status_ != machine::RunStatus::alarm;
-    if (is_whole && cutter_->fed() && !cutter_->has_cut())
-      judge.add({.code = base::Code::stock_missed});
+    if (is_whole && cutter_->fed() && !cutter_->has_cut()) judge.add({base::Code::stock_missed});
     if (cell_enlarged_) judge.add({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
   }
 

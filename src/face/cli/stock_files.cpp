@@ -162,7 +162,8 @@ output::plot::DisplayList StockFiles::picture(const job::StockResult& result,
   const output::PartScene scene = scene_of(result, facts, job);
   if (!view_ && scene.profile != nullptr) return output::draw_turned(scene);
   if (!view_ && scene.sheet != nullptr) return output::draw_burnt(scene);
-  return output::draw_solid(scene, view_.value_or(output::PartView{}));
+  return output::draw_solid(
+      scene, view_.value_or(facts.turns ? output::lathe_view() : output::PartView{}));
 }
 
 Outcome<void> StockFiles::write(const job::StockResult& result, const output::StockFacts& facts,

@@ -83,8 +83,11 @@ HalfPlaneLines::Buckets HalfPlaneLines::buckets(Part&& part) const {
   }
   if (high > made.low) made.per_mm = static_cast<double>(made.pieces.size()) / (high - made.low);
   for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-    const auto [from, to] = std::minmax(part(pieces_[i].from), part(pieces_[i].to));
-    for (std::size_t k = made.number(from); k <= made.number(to); ++k) made.pieces[k].push_back(i);
+    const double from = part(pieces_[i].from);
+    const double to = part(pieces_[i].to);
+    const std::size_t last = made.number(std::max(from, to));
+    for (std::size_t k = made.number(std::min(from, to)); k <= last; ++k)
+      made.pieces[k].push_back(i);
   }
   return made;
 }

@@ -35,6 +35,30 @@ double share_of_part(const TriDexel::Common& common) {
   return whole > 0 ? std::min(1.0, sum(common.part_mm3) / whole) : 1;
 }
 
+/// How far the part reaches from the axis, as dexels across it see that.
+double farthest(const TriDexel& dexels) {
+  double most = 0;
+  for (const int grid : {0, 1}) {
+    const dexel::Lattice& lattice = dexels.lattice(grid);
+    for (std::size_t t = 0; t < dexels.tiles(grid); ++t) {
+      const dexel::Tile& tile = dexels.tile(grid, t);
+      const int column = static_cast<int>(t) % lattice.tiles_b() * dexel::Lattice::kTile;
+      const int row = static_cast<int>(t) / lattice.tiles_b() * dexel::Lattice::kTile;
+      for (std::size_t i = 0; i < tile.count(); ++i) {
+        const int b = column + static_cast<int>(i) % tile.columns();
+        const int c = row + static_cast<int>(i) / tile.columns();
+        // Y lies along b of the dexels along X, X along c of those along Y.
+        const double aside = grid == 0 ? dexels.middle().y + lattice.b_of(b)
+                                       : dexels.middle().x + lattice.c_of(c);
+        const double zero = grid == 0 ? dexels.middle().x : dexels.middle().y;
+        for (const dexel::DexelEnd& end : tile.ends(i))
+          most = std::max(most, math::hypot(zero + double{end.at}, aside));
+      }
+    }
+  }
+  return most;
+}
+
 double size_of(const Sweep& sweep) {
   return geometry::length(sweep.axis) + length(sweep.way) +
          geometry::length(point_at(sweep.way, 0)) + geometry::length(point_at(sweep.way, 1));
@@ -121,12 +145,12 @@ void TurnMillPart::cut_turned(const Sweep& sweep, Outcome& outcome) {
   outcome.add(own);
 }
 
-// Volumes are those of the profile, exact, as far as dexels had not lost that before.
+// Of a bar volumes are those of the profile, exact, as far as dexels had not lost that before.
 void TurnMillPart::take(const turned::TurnedCut& cut, const Sweep& sweep, Outcome& outcome) {
   if (cut.region.is_empty()) return;
   const dexel::Shape shape = revolved_shape(cut.region, sweep.motion);
   const TriDexel::Common common = cut.is_taken ? dexels_.subtract(shape) : dexels_.common(shape);
-  const Exact volume(shape.volume_mm3 * share_of_part(common));
+  const Exact volume(is_bar_ ? shape.volume_mm3 * share_of_part(common) : common.part_mm3[2]);
   if (cut.is_taken) outcome.removed += volume;
   if (!cut.contact || common.longest_mm <= 2 * touch_mm_[sweep.body]) return;
   Contact contact = turned::contact_of(cut.region);
@@ -161,8 +185,15 @@ double TurnMillPart::error_mm3() const {
   return 0.5 * dexels_.grain_mm() * faces[TriDexel::best_of(faces)];
 }
 
+// As wide as what is farthest from the axis.
 Bounds TurnMillPart::extents() const {
-  return is_abreast_ ? dexels_.extents() : profile_.extents();
+  if (!is_abreast_) return profile_.extents();
+  Bounds all = dexels_.extents();
+  if (all.low.z > all.high.z) return all;
+  const double rho = farthest(dexels_);
+  all.low.x = all.low.y = -rho;
+  all.high.x = all.high.y = rho;
+  return all;
 }
 
 std::vector<Piece> TurnMillPart::pieces() const {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/contour/boolean.hpp"
-#include "stock/dexel/tri_dexel.hpp"
+#include "job/internal/stock_models.hpp"
 #include "stock/field/height_field.hpp"
 #include "stock/sheet/outline.hpp"
 #include "stock/surface/contouring.hpp"
@@ -12,7 +12,7 @@
 #include "stock/surface/height_steps.hpp"
 #include "stock/surface/plate_surface.hpp"
 #include "stock/surface/turned_surface.hpp"
-#include "stock/turned/turned_part.hpp"
+#include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -83,8 +83,8 @@ Surface surface_of(const stock::Workpiece& shape, double chord_mm) {
 
 Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
   const stock::Model* const model = result.model.get();
-  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(model))
-    return surface_of(*dexels, wish);
+  const stock::dexel::TriDexel* const dexels = model == nullptr ? nullptr : dexels_of(*model);
+  if (dexels != nullptr) return surface_of(*dexels, wish);
   if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(model))
     return surface_of(*field, wish);
   if (const contour::Region* const profile = profile_of(result))
@@ -104,6 +104,14 @@ std::optional<contour::Region> pieces_of(const StockResult& result) {
 const contour::Region* profile_of(const StockResult& result) {
   const auto* const part = dynamic_cast<const stock::turned::TurnedPart*>(result.model.get());
   return part == nullptr ? nullptr : &part->region();
+}
+
+std::optional<contour::Region> outline_of(const StockResult& result) {
+  if (const contour::Region* const profile = profile_of(result)) return *profile;
+  using stock::turnmill::TurnMillPart;
+  if (const auto* const part = dynamic_cast<const TurnMillPart*>(result.model.get()))
+    return part->profile().region();
+  return pieces_of(result);
 }
 
 std::optional<contour::Region> profile_of(const stock::Workpiece& shape) {

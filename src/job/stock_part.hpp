@@ -27,6 +27,9 @@ struct SurfaceWish {
 [[nodiscard]] std::optional<contour::Region> pieces_of(const StockResult& result);
 /// The half section of a turned part, (Z, ρ); null: the stock is none. As long as the result lives.
 [[nodiscard]] const contour::Region* profile_of(const StockResult& result);
+/// What has a contour: a turned part its half section, as turning has left it where driven tools
+/// have cut more; a sheet what is left.
+[[nodiscard]] std::optional<contour::Region> outline_of(const StockResult& result);
 /// That of a fixture about the axis of the spindle; none: it is not.
 [[nodiscard]] std::optional<contour::Region> profile_of(const stock::Workpiece& shape);
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "job/internal/cut_end.hpp"
+#include "job/internal/first_plan.hpp"
 #include "job/internal/fixture.hpp"
 #include "job/internal/loose_pieces.hpp"
 #include "job/internal/run_rack.hpp"
@@ -15,11 +16,11 @@
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
-#include "job/internal/survey_pass.hpp"
+#include "job/internal/threads_of.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
-#include "stock/turned/turned_part.hpp"
+#include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -27,11 +28,15 @@ namespace {
 using base::Outcome;
 using stock::Vec3;
 
-/// A body of revolution is the same however the work has turned.
+/// A body of revolution is the same however the work has turned. A lathe turns about its zero.
 std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
                                       const machine::MachineDefinition& definition) {
   if (plan.kind == StockModel::profile) return {};
-  return machine::work_turns(definition);
+  std::vector<stock::WorkTurn> turns = machine::work_turns(definition);
+  for (stock::WorkTurn& turn : turns) {
+    if (definition.turns()) turn.point = plan.origin;
+  }
+  return turns;
 }
 
 /// One pass over the program with a plan, and what it has shown of the plan.
@@ -44,10 +49,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         run_(std::move(run)),
         zero_(run_->machine(), job.zero),
         frame_(axes(), turns_of(plan, run_->machine().definition())),
-        driven_(axes()),
         strokes_(run_->machine()),
-        rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
-                                        run_->machine().definition().turns(), plan.axial)) {
+        rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(), is_lathe(), plan.axial,
+                                        plan.driven)),
+        driven_(axes(), *rack_, plan.origin.x) {
     frame_.set_zero(plan.origin);
   }
 
@@ -77,6 +82,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     status_ = run_->go();
     if (path_) path_->finish();
     cutter_->finish();
+    if (auto* const part = dynamic_cast<stock::turnmill::TurnMillPart*>(model_.get()))
+      part->catch_up();
     pieces_ = pieces_of(*model_, job);
     clock_.finish(run_->machine().time_s());
     loose_.tell(pieces_, model_->grain_mm(), cutter_->judge());
@@ -84,7 +91,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
-    if (is_profile()) driven_.look(motion);
+    if (is_lathe()) driven_.look(motion, run_->machine().control().plane());
     if (path_) {
       path_->add(motion);
     } else {
@@ -114,11 +121,22 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
       better.reason = fmt::format("{}, line {}", why, block.line);
       differs = true;
     };
-    if (cutter_->stuck())
+    if (cutter_->stuck() && is_lathe() && better.driven == driven_.tools()) {
+      better.is_beside_middle = true;
+      better.reason = fmt::format("line {}", cutter_->stuck()->line);
+      return better;
+    }
+    if (cutter_->stuck() && !is_lathe())
       ask_for_dexels("a move that a height field cannot hold", *cutter_->stuck());
     if (touches_wall_ && plan_.kind == StockModel::zmap && is_model_open_)
       ask_for_dexels("a probe meets more than level faces", *touches_wall_);
-    if (driven_.driven()) ask_for_dexels("a driven tool cuts", *driven_.driven());
+    if (is_lathe() && driven_.tools() != plan_.driven) {
+      better.driven = driven_.tools();
+      better.cell_mm = job.cell_mm.value_or(cell_for_driven());
+      if (plan_.kind == StockModel::profile)
+        ask_for_dexels("a driven tool cuts", *driven_.first());
+      differs = true;
+    }
     // Whether a tool that nobody describes is a drill, only a survey says.
     if (rack_->has_guessed() && !plan_.is_surveyed) {
       better.is_surveyed = true;
@@ -156,7 +174,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.tool_spans = cutter_->tool_spans();
     result.rows = std::move(rows_);
     result.pieces = pieces_;
-    result.threads = threads();
+    result.threads = threads_of(*model_, *cutter_);
     result.assumed = rack_->assumed();
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;
@@ -176,7 +194,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
                       .knows_stock = job.knows_stock,
                       .left_out = job.left_out},
             .has_tool = plan_.without_changes,
-            .turns_work = is_profile(),
+            .turns_work = is_lathe(),
             .material = job.material,
             .cuts = &clock_,
             .end = plan_.end,
@@ -223,25 +241,15 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     return true;
   }
 
-  [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
-
-  [[nodiscard]] std::vector<output::StockFacts::Thread> threads() const {
-    std::vector<output::StockFacts::Thread> out;
-    const auto* const part = dynamic_cast<const stock::turned::TurnedPart*>(model_.get());
-    if (part == nullptr) return out;
-    for (const stock::turned::TurnedThread& thread : part->threads()) {
-      const auto block = cutter_->threads().find(thread.motion);
-      out.push_back({.line = block == cutter_->threads().end() ? 0 : block->second.line,
-                     .axis = thread.axis,
-                     .from = thread.from,
-                     .to = thread.to,
-                     .major = thread.major,
-                     .minor = thread.minor,
-                     .pitch = thread.pitch,
-                     .starts = thread.starts,
-                     .volume_mm3 = thread.volume_mm3});
+  [[nodiscard]] bool is_lathe() const { return run_->machine().definition().turns(); }
+  /// By the smallest of the driven tools.
+  [[nodiscard]] double cell_for_driven() const {
+    std::optional<double> smallest;
+    for (const auto& [number, driven] : driven_.tools()) {
+      const double diameter = rack_->tool(number).diameter_mm();
+      if (diameter > 0) smallest = std::min(smallest.value_or(diameter), diameter);
     }
-    return out;
+    return SurveyedTools::cell_for(smallest);
   }
 
   /// What is against the run as a whole.
@@ -286,9 +294,9 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   bool has_probed_ = false;
   std::optional<base::BlockId> touches_wall_;
   stock::WorkFrame frame_;
-  DrivenWatch driven_;
   StrokeWatch strokes_;
   std::unique_ptr<RunRack> rack_;
+  stock::DrivenTools driven_;
   std::unique_ptr<stock::Model> model_;
   std::vector<std::unique_ptr<Fixture>> fixtures_;
   stock::CutClock clock_;
@@ -302,71 +310,6 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
 };
-
-bool needs_survey(const StockJob& job) {
-  const bool needs_cell = !job.cell_mm && !job.job.definition.turns();
-  return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
-}
-
-/// What probes meet, found with cells of a usual size.
-Outcome<machine::Skips> skips_of(const StockJob& job) {
-  StockJob rough = job;
-  rough.cell_mm = SurveyedTools{}.usual_cell();
-  auto cut = cut_stock(rough);
-  if (!cut) return tl::unexpected(cut.error());
-  return std::move(cut->skips);
-}
-
-/// Nothing was cut before the alarm, which is what there is to tell.
-stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
-  assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
-  if (turns) return stock::CylinderShape{.from = -1, .to = 0, .diameter = 1};
-  return stock::BoxShape{{0, 0, -1}, {1, 1, 0}};
-}
-
-// A program that measures the part goes on by what it has found.
-Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
-  auto run = Run::of(job.job);
-  if (!run) return tl::unexpected(run.error());
-  SurveyPass pass(job, **run);
-  const machine::RunStatus status = (*run)->go();
-  const bool is_said = job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
-  if (pass.has_probed() && is_said) {
-    auto skips = skips_of(job);
-    if (!skips) return tl::unexpected(skips.error());
-    StockJob probed = job;
-    probed.job.skips = std::move(*skips);
-    if (!probed.job.skips.empty()) return plan_by_survey(probed, assumed);
-  }
-  StockPlan plan;
-  plan.is_surveyed = true;
-  for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
-  RunRack rack(job.tools, (*run)->machine().memory(), (*run)->machine().definition().turns(),
-               plan.axial);
-  plan.origin = pass.origin();
-  plan.without_changes = !pass.survey().changes_tool();
-  const SurveyedTools tools(pass.survey(), rack, plan.origin);
-  auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
-  if (!shape && status == machine::RunStatus::alarm && !pass.survey().has_begun())
-    shape = shape_before_alarm(job.job.definition.turns(), assumed);
-  if (!shape) return tl::unexpected(shape.error());
-  plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
-  choose_model(job, tools, plan);
-  return plan;
-}
-
-Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
-  StockPlan plan;
-  plan.origin = ZeroWatch(run.machine(), job.zero).at_start();
-  std::vector<control::Assumption> none;
-  auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
-  if (!shape) return tl::unexpected(shape.error());
-  plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
-  choose_model(job, SurveyedTools{}, plan);
-  return plan;
-}
 
 /// Nothing is asked for that only a beam has.
 Outcome<void> without_beam(const StockJob& job) {
@@ -385,17 +328,22 @@ Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;
   if (job.model == StockModel::profile && !machine.turns())
     return base::usage("--model profile: only stock that a lathe turns has a profile");
+  if (job.model == StockModel::zmap && machine.turns())
+    return base::usage("--model zmap: the part of a lathe is no height field; --model tridexel");
   if (machine.axes.linked && !machine.axes.beam)
     return base::usage(machine.name + ": stock is cut on mills, lathes and lasers");
   return {};
 }
 
-/// What a lathe cannot have yet.
+/// Where the model was asked for by its name.
 Outcome<void> suits(const StockJob& job, const StockPlan& plan) {
-  if (!job.job.definition.turns() || plan.kind == StockModel::profile) return {};
-  return base::usage(
-      "the part of a lathe is a bar about its spindle, cut by tools that stand still: " +
-      plan.reason);
+  if (!job.job.definition.turns()) return {};
+  if (job.model == StockModel::profile && plan.kind != StockModel::profile)
+    return base::usage("--model profile: " + plan.reason);
+  if (plan.is_beside_middle)
+    return base::usage("a turning tool cuts beside the middle of the part, which no model can hold: " +
+                       plan.reason);
+  return {};
 }
 
 }  // namespace
@@ -405,34 +353,23 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
   if (has_beam(job)) return cut_sheet(job);
   if (auto suited = without_beam(job); !suited) return tl::unexpected(suited.error());
   std::vector<control::Assumption> assumed;
-  std::optional<StockPlan> plan;
-  if (needs_survey(job)) {
-    auto surveyed = plan_by_survey(job, assumed);
-    if (!surveyed) return tl::unexpected(surveyed.error());
-    plan = *surveyed;
-  }
-  std::optional<stock::CutEnd> end;
+  auto plan = first_plan(job, assumed);
+  if (!plan) return tl::unexpected(plan.error());
   if (job.until) {
     auto found = find_end(job);
     if (!found) return tl::unexpected(found.error());
-    end = found->end;
+    plan->end = found->end;
     if (!found->remark.empty()) assumed.push_back({0, found->remark});
   }
   for (int passes = 1;; ++passes) {
     auto run = Run::of(job.job);
     if (!run) return tl::unexpected(run.error());
-    if (!plan) {
-      auto guess = plan_by_guess(job, **run);
-      if (!guess) return tl::unexpected(guess.error());
-      plan = *guess;
-    }
-    if (passes == 1) plan->end = end;
     if (auto suited = suits(job, *plan); !suited) return tl::unexpected(suited.error());
     Pass pass(job, *plan, std::move(*run));
     pass.go(job);
     const auto better = pass.better_plan(job);
     if (better && passes < kMostPasses) {
-      plan = better;
+      *plan = *better;
       continue;
     }
     StockResult result = pass.result(job);

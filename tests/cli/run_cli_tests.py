@@ -56,6 +56,7 @@ import stock_tests  # noqa: F401
 import teach_conversion_tests  # noqa: F401
 import teach_tests  # noqa: F401
 import time_tests  # noqa: F401
+import turn_mill_tests  # noqa: F401
 import turning_tests  # noqa: F401
 import usage_tests  # noqa: F401
 

@@ -14,6 +14,7 @@
 #include "control/core/assumptions.hpp"
 #include "control/core/cycle_counts.hpp"
 #include "control/core/work_system.hpp"
+#include "motion/motion.hpp"
 
 namespace kerf::control {
 
@@ -99,6 +100,8 @@ class Control : public base::Interface {
   [[nodiscard]] virtual base::AxisSet commanded() const { return static_cast<base::AxisSet>(-1); }
   /// Of a language without work coordinate systems the first one.
   [[nodiscard]] virtual WorkSystem work_system() const { return {}; }
+  /// The plane that a program has chosen; of a language without planes none.
+  [[nodiscard]] virtual std::optional<motion::Plane> plane() const { return std::nullopt; }
   /// Where the zero of the active work coordinate system lies.
   [[nodiscard]] virtual base::AxisVector work_origin() const = 0;
 

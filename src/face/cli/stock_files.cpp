@@ -121,9 +121,8 @@ Outcome<void> StockFiles::write_solids(const job::StockResult& result,
 
 void StockFiles::write_profile(const job::StockResult& result) {
   if (profile_ == nullptr) return;
-  const contour::Region* const turned = job::profile_of(result);
-  const contour::Region outline = turned != nullptr ? *turned : *job::pieces_of(result);
-  const auto of = turned != nullptr ? output::ProfileOf::lathe : output::ProfileOf::sheet;
+  const contour::Region outline = job::outline_of(result).value_or(contour::Region{});
+  const auto of = result.sheet ? output::ProfileOf::sheet : output::ProfileOf::lathe;
   const std::string& path = options_.profile;
   profile_->write(path.ends_with(".csv")   ? output::profile_csv(outline, of)
                   : path.ends_with(".dxf") ? output::profile_dxf(outline)
@@ -163,7 +162,8 @@ output::plot::DisplayList StockFiles::picture(const job::StockResult& result,
   const output::PartScene scene = scene_of(result, facts, job);
   if (!view_ && scene.profile != nullptr) return output::draw_turned(scene);
   if (!view_ && scene.sheet != nullptr) return output::draw_burnt(scene);
-  return output::draw_solid(scene, view_.value_or(output::PartView{}));
+  return output::draw_solid(
+      scene, view_.value_or(facts.turns ? output::lathe_view() : output::PartView{}));
 }
 
 Outcome<void> StockFiles::write(const job::StockResult& result, const output::StockFacts& facts,

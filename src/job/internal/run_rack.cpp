@@ -1,5 +1,7 @@
 #include "job/internal/run_rack.hpp"
 
+#include <fmt/format.h>
+
 namespace kerf::job {
 namespace {
 
@@ -8,16 +10,26 @@ constexpr double kTouch_mm = 0.01;  // stock.md §5
 }  // namespace
 
 machine::ToolUse RunRack::use_of(std::uint32_t number) const {
-  machine::ToolUse use{.turns = turns_};
+  const auto driven = driven_.find(number);
+  machine::ToolUse use{.turns = turns_ && driven == driven_.end()};
   const auto known = axial_.find(number);
   use.cuts_only_along_axis = known != axial_.end() && known->second;
+  if (driven != driven_.end()) use.cuts_only_along_axis = driven->second.is_axial;
   if (number > 0 && number < memory_.tools.size())
     use.offset_radius_mm = memory_.tools[number].radius_geometry;
-  if (turns_ && number < memory_.turning.size()) {
+  if (use.turns && number < memory_.turning.size()) {
     use.offset_nose_mm = memory_.turning[number].geometry.radius;
     use.offset_tip = static_cast<int>(memory_.turning[number].tip);
   }
   return use;
+}
+
+void RunRack::stand(stock::CuttingTool& tool, const stock::DrivenTool& driven) {
+  tool.driven = driven.axis;
+  if (!driven.is_guess) return;
+  const bool is_in_face = driven.axis.z != 0;
+  assumed_.push_back({0, fmt::format("T{}: driven along {}, as its first straight cut goes",
+                                     tool.number(), is_in_face ? 'Z' : 'X')});
 }
 
 const stock::CuttingTool& RunRack::tool(std::uint32_t number) {
@@ -27,7 +39,11 @@ const stock::CuttingTool& RunRack::tool(std::uint32_t number) {
   for (std::string& what : chosen.assumed) assumed_.push_back({0, std::move(what)});
   has_guessed_ = has_guessed_ || chosen.tool.source == stock::ToolSource::assumed;
   chosen.tool.number = static_cast<int>(number);
-  return ready_.emplace(number, stock::cutting_tool(chosen.tool, kTouch_mm)).first->second;
+  stock::CuttingTool& tool =
+      ready_.emplace(number, stock::cutting_tool(chosen.tool, kTouch_mm)).first->second;
+  const auto driven = driven_.find(number);
+  if (driven != driven_.end() && !tool.tool.is_insert()) stand(tool, driven->second);
+  return tool;
 }
 
 }  // namespace kerf::job

@@ -7,6 +7,7 @@
 #include "control/core/memory.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
 #include "stock/cutting/cutting_tool.hpp"
+#include "stock/cutting/driven_tools.hpp"
 
 namespace kerf::job {
 
@@ -15,11 +16,17 @@ class RunRack final : public stock::ToolRack {
  public:
   /// Tools of which all moves at feed go along Z, by a survey; empty: there was none.
   using AxialTools = std::map<std::uint32_t, bool>;
+  /// Of a lathe those that turn themselves.
+  using Driven = std::map<std::uint32_t, stock::DrivenTool>;
 
   /// All must outlive the rack.
   RunRack(const machine::ToolChoice& tools, const control::Memory& memory, bool turns,
-          AxialTools axial)
-      : tools_(tools), memory_(memory), turns_(turns), axial_(std::move(axial)) {}
+          AxialTools axial, Driven driven = {})
+      : tools_(tools),
+        memory_(memory),
+        turns_(turns),
+        axial_(std::move(axial)),
+        driven_(std::move(driven)) {}
 
   [[nodiscard]] const stock::CuttingTool& tool(std::uint32_t number) override;
 
@@ -29,12 +36,14 @@ class RunRack final : public stock::ToolRack {
   [[nodiscard]] bool has_guessed() const { return has_guessed_; }
 
  private:
+  void stand(stock::CuttingTool& tool, const stock::DrivenTool& driven);
   [[nodiscard]] machine::ToolUse use_of(std::uint32_t number) const;
 
   const machine::ToolChoice& tools_;
   const control::Memory& memory_;
   bool turns_;
   AxialTools axial_;
+  Driven driven_;
   std::map<std::uint32_t, stock::CuttingTool> ready_;
   std::vector<control::Assumption> assumed_;
   bool has_guessed_ = false;

@@ -9,7 +9,7 @@
 #include "math/math.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
-#include "stock/turned/turned_part.hpp"
+#include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -49,10 +49,13 @@ bool becomes_profile(const StockJob& job, const stock::Workpiece& shape) {
   return is_wanted && job.job.definition.turns() && is_about_spindle(shape);
 }
 
+contour::Region bar_of(const stock::CylinderShape& bar) {
+  return stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter);
+}
+
 MadeModel make_profile(const stock::CylinderShape& bar) {
   MadeModel made;
-  made.model = std::make_unique<stock::turned::TurnedPart>(
-      stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter));
+  made.model = std::make_unique<stock::turned::TurnedPart>(bar_of(bar));
   return made;
 }
 
@@ -77,6 +80,11 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
     return;
   }
   const bool is_asked_for = job.model == StockModel::tridexel;
+  if (job.job.definition.turns()) {
+    plan.kind = StockModel::tridexel;
+    plan.reason = is_asked_for ? "asked for" : "the stock is no bar about the spindle";
+    return;
+  }
   const std::string objection = is_asked_for ? "asked for" : objection_to_zmap(job, tools, plan);
   if (!objection.empty()) {
     plan.kind = StockModel::tridexel;
@@ -138,6 +146,15 @@ double fitting_cell(const StockPlan& plan, std::size_t bytes) {
   return cell;
 }
 
+std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_mm,
+                                            unsigned jobs) {
+  using stock::turnmill::TurnMillPart;
+  if (!is_about_spindle(plan.shape))
+    return std::make_unique<TurnMillPart>(dexels_of(plan.shape), cell_mm, jobs);
+  return std::make_unique<TurnMillPart>(bar_of(std::get<stock::CylinderShape>(plan.shape)), cell_mm,
+                                        jobs);
+}
+
 std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, unsigned jobs) {
   if (plan.kind == StockModel::tridexel)
     return std::make_unique<stock::dexel::TriDexel>(dexels_of(plan.shape), cell_mm, jobs);
@@ -164,8 +181,15 @@ MadeModel make_model(const StockPlan& plan, const StockJob& job) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
                                      plan.cell_mm, job.memory_bytes >> 20, cell);
   }
-  made.model = model_of(plan, cell, jobs);
+  made.model =
+      job.job.definition.turns() ? part_of_lathe(plan, cell, jobs) : model_of(plan, cell, jobs);
   return made;
+}
+
+const stock::dexel::TriDexel* dexels_of(const stock::Model& model) {
+  if (const auto* const part = dynamic_cast<const stock::turnmill::TurnMillPart*>(&model))
+    return &part->dexels();
+  return dynamic_cast<const stock::dexel::TriDexel*>(&model);
 }
 
 output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& model) {
@@ -180,7 +204,7 @@ output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& mo
     facts.cell_mm = {grid.cell_x(), grid.cell_y()};
     facts.cells = {static_cast<std::uint64_t>(grid.nx), static_cast<std::uint64_t>(grid.ny)};
   }
-  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(&model)) {
+  if (const stock::dexel::TriDexel* const dexels = dexels_of(model)) {
     facts.kind = "tridexel";
     // Dexels along X lie on the grid of Y and Z, those along Z on that of X and Y.
     const stock::dexel::Lattice& along_x = dexels->lattice(0);

@@ -8,6 +8,7 @@
 #include "job/internal/stock_shape.hpp"
 #include "output/reports/stock_facts.hpp"
 #include "stock/dexel/shape.hpp"
+#include "stock/dexel/tri_dexel.hpp"
 
 namespace kerf::job {
 
@@ -25,6 +26,9 @@ struct MadeModel {
 };
 
 [[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
+
+/// The dexels of a model; null: it has none.
+[[nodiscard]] const stock::dexel::TriDexel* dexels_of(const stock::Model& model);
 
 /// What reports say of a model that was made so.
 [[nodiscard]] output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& model);

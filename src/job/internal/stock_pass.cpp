@@ -48,20 +48,4 @@ void ZeroWatch::look(const base::BlockId& block) {
   }
 }
 
-void DrivenWatch::look(const motion::Motion& motion) {
-  if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    if (spindle->name == motion::SpindleName::live) is_live_ = spindle->turns();
-    return;
-  }
-  const base::TipPoint* const to = motion::target_of(motion);
-  if (to == nullptr) return;
-  bool turns = false;
-  for (std::size_t i = 0; i < axes_.count(); ++i) {
-    const base::Axis axis{static_cast<std::uint8_t>(i)};
-    turns = turns || (axes_.axes[i].rotary && (*to)[axis] != at_[axis]);
-  }
-  if (!driven_ && motion::is_cut(motion) && (is_live_ || turns)) driven_ = motion.block;
-  at_ = *to;
-}
-
 }  // namespace kerf::job

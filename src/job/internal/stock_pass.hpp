@@ -6,6 +6,7 @@
 #include "job/run.hpp"
 #include "job/stock_job.hpp"
 #include "stock/cutting/cutter.hpp"
+#include "stock/cutting/driven_tools.hpp"
 #include "stock/cutting/survey.hpp"
 
 namespace kerf::job {
@@ -22,7 +23,10 @@ struct StockPlan {
   bool is_stopped = false;             ///< `end` is that of the first finding
   std::vector<std::uint64_t> looks{};  ///< LoosePieces: motions behind which pieces are looked at
   bool is_surveyed = false;
+  bool is_beside_middle = false;  ///< of a lathe: a turning tool leaves the plane of Z and X
   std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
+  /// Of a lathe the tools that turn themselves, and what a pass before has seen them do.
+  std::map<std::uint32_t, stock::DrivenTool> driven{};
 };
 
 /// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.
@@ -52,23 +56,6 @@ class ZeroWatch {
   std::optional<stock::Vec3> origin_;
   std::optional<base::BlockId> moved_;
   std::uint64_t revision_ = 0;
-};
-
-/// Whether a machine that turns its work cuts with tools that turn, or with the work standing: then
-/// the part is no body of revolution.
-class DrivenWatch {
- public:
-  explicit DrivenWatch(const motion::AxisSetup& axes) : axes_(axes), at_(axes.start) {}
-
-  void look(const motion::Motion& motion);
-  /// The first block that did.
-  [[nodiscard]] const std::optional<base::BlockId>& driven() const { return driven_; }
-
- private:
-  const motion::AxisSetup& axes_;
-  base::TipPoint at_;
-  bool is_live_ = false;
-  std::optional<base::BlockId> driven_;
 };
 
 }  // namespace kerf::job

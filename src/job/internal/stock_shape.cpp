@@ -89,9 +89,9 @@ SurveyedTools::SurveyedTools(const stock::Survey& survey, stock::ToolRack& rack,
   }
 }
 
-double SurveyedTools::usual_cell() const {
+double SurveyedTools::cell_for(std::optional<double> smallest_mm) {
   const double least =
-      std::max(smallest_mm_.value_or(kUsualDiameter_mm) / kCellsAcrossTool, kLeastCell_mm);
+      std::max(smallest_mm.value_or(kUsualDiameter_mm) / kCellsAcrossTool, kLeastCell_mm);
   for (double decade = 0.01;; decade *= 10) {
     for (const double step : {1.0, 2.0, 5.0}) {
       if (step * decade >= least * (1 - 1e-12)) return step * decade;

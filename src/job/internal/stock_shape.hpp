@@ -24,8 +24,9 @@ class SurveyedTools {
   /// A tool stands tilted against Z somewhere, or has an undercut.
   [[nodiscard]] bool turned() const { return turned_; }
   [[nodiscard]] bool undercut() const { return undercut_; }
+  [[nodiscard]] double usual_cell() const { return cell_for(smallest_mm_); }
   /// Cells by the smallest tool (stock.md §3): 1, 2 or 5 times a power of ten.
-  [[nodiscard]] double usual_cell() const;
+  [[nodiscard]] static double cell_for(std::optional<double> smallest_mm);
 
  private:
   std::optional<stock::Bounds> extents_;

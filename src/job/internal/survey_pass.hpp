@@ -16,7 +16,7 @@ namespace kerf::job {
 class SurveyPass final : public motion::MotionSink, private motion::SkipSignal {
  public:
   SurveyPass(const StockJob& job, Run& run)
-      : frame_(run.machine().definition().axes, machine::work_turns(run.machine().definition())),
+      : frame_(run.machine().definition().axes, turns_of(run.machine().definition())),
         survey_(run.machine().definition().axes, frame_),
         zero_(run.machine(), job.zero) {
     run.machine().add_sink(*this);
@@ -37,6 +37,12 @@ class SurveyPass final : public motion::MotionSink, private motion::SkipSignal {
   std::optional<double> comes_on(const motion::SkipMove&) override {
     has_probed_ = true;
     return std::nullopt;
+  }
+
+  /// How far a bar is cut is the same however it has turned.
+  [[nodiscard]] static std::vector<stock::WorkTurn> turns_of(
+      const machine::MachineDefinition& machine) {
+    return machine.turns() ? std::vector<stock::WorkTurn>{} : machine::work_turns(machine);
   }
 
   stock::WorkFrame frame_;

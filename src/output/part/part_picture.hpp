@@ -35,6 +35,8 @@ struct PartView {
   std::string name = "iso";
   plot::Camera camera = plot::Camera::from({1, -1, 1});
 };
+/// Of a lathe: Z to the right, X up, a little from above and from the front of the part.
+[[nodiscard]] PartView lathe_view();
 /// `iso`, `top`, `front`, `left` or X,Y,Z: the direction to who looks.
 [[nodiscard]] std::optional<PartView> part_view(const std::string& words);
 

@@ -34,6 +34,7 @@ std::optional<Vec3> direction(const std::string& words) {
 
 std::string about(const PartScene& scene, const PartView& view) {
   const std::string seen = view.name == "iso" ? "isometric from the front right"
+                           : view.name == "lathe" ? "Z to the right, C 0 up"
                            : view.name.find(',') != std::string::npos
                                ? "seen from " + view.name
                                : "seen from the " + view.name;
@@ -44,6 +45,14 @@ std::string about(const PartScene& scene, const PartView& view) {
 }
 
 }  // namespace
+
+PartView lathe_view() {
+  PartView view{"lathe", {}};
+  view.camera.toward = unit(Vec3{0.50, 0.74, 0.45});
+  view.camera.right = unit(cross(Vec3{1, 0, 0}, view.camera.toward));
+  view.camera.up = cross(view.camera.toward, view.camera.right);
+  return view;
+}
 
 std::optional<PartView> part_view(const std::string& words) {
   if (words == "iso") return PartView{};

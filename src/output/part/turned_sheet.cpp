@@ -24,15 +24,6 @@ constexpr double kSolidHeight = 330;
 constexpr double kHalfLowest = 240, kHalfHighest = 460;
 constexpr double kPadding = 40;
 
-/// Z to the right, X up, a little from above and from the front of the part.
-Camera lathe_camera() {
-  Camera camera;
-  camera.toward = unit(Vec3{0.50, 0.74, 0.45});
-  camera.right = unit(cross(Vec3{1, 0, 0}, camera.toward));
-  camera.up = cross(camera.toward, camera.right);
-  return camera;
-}
-
 /// The half section of everything, on the sheet: above the axis from outside, below it cut.
 class HalfSection {
  public:
@@ -284,7 +275,7 @@ DisplayList draw_turned(const PartScene& scene) {
       std::string(ended ? "The part when the alarm came" : "The part as it is left") +
           " \u00b7 with a quarter cut out, and its half section: above the axis from outside");
   const PartScene open = opened(scene);
-  const SolidView solid(open, paints, lathe_camera());
+  const SolidView solid(open, paints, lathe_view().camera);
   const Rect above{kSheetMargin, kPictureTop, kSheetInner,
                    std::round(std::clamp(solid.height_for(kSheetInner), 240.0, kSolidHeight))};
   solid.draw(sheet, above);

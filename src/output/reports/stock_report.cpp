@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/angle.hpp"
+#include "math/math.hpp"
 #include "output/reports/summary.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/json_object.hpp"
@@ -18,12 +19,21 @@ using base::number_text;
 using base::tidy;
 using stock::Vec3;
 
-// A turned part has no Y, and its X is a diameter.
+// The part of a lathe has no Y: X is a diameter, and where it is not round C says the angle.
 std::string point_json(Vec3 at, bool turns) {
+  const bool is_turned = turns && at.y != 0;
+  const double x = is_turned ? math::hypot(at.x, at.y) : at.x;
   JsonObject object;
-  object.number("X", tidy(turns ? 2 * at.x : at.x));
+  object.number("X", tidy(turns ? 2 * x : x));
   if (!turns) object.number("Y", tidy(at.y));
-  return object.number("Z", tidy(at.z)).done();
+  object.number("Z", tidy(at.z));
+  if (is_turned) object.number("C", tidy(geometry::degrees(math::atan2(at.y, at.x))));
+  return object.done();
+}
+
+/// Half of the width of a box about the axis of a lathe.
+double farthest(const stock::Bounds& box) {
+  return std::max({std::fabs(box.low.x), box.high.x, std::fabs(box.low.y), box.high.y});
 }
 
 std::string bounds_json(const stock::Bounds& box, bool turns) {
@@ -32,7 +42,7 @@ std::string bounds_json(const stock::Bounds& box, bool turns) {
     return "[" + number_text(tidy(low)) + "," + number_text(tidy(high)) + "]";
   };
   JsonObject object;
-  object.raw("X", turns ? range(0, 2 * box.high.x) : range(box.low.x, box.high.x));
+  object.raw("X", turns ? range(0, 2 * farthest(box)) : range(box.low.x, box.high.x));
   if (!turns) object.raw("Y", range(box.low.y, box.high.y));
   return object.raw("Z", range(box.low.z, box.high.z)).done();
 }

@@ -96,12 +96,15 @@ bool is_within(Vec3 place, const Bounds& box) {
 Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
                const Settings& settings)
     : frame_(frame),
+      still_(frame.still()),
       model_(model),
       rack_(rack),
       settings_(settings),
       curves_(axes),
       maker_(frame, settings.tolerance_mm),
+      still_maker_(still_, settings.tolerance_mm),
       judge_(findings_, settings.judge),
+      spindles_(axes, settings.turns_work),
       at_(axes.start),
       axis_count_(axes.count()),
       checks_(!settings.is_placed) {
@@ -114,7 +117,7 @@ void Cutter::take(const motion::Motion& motion) {
   if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
     change_tool(change->tool);
   } else if (const auto* const spindle = std::get_if<motion::Spindle>(&motion.action)) {
-    turn(*spindle);
+    spindles_.take(*spindle);
   } else if (const TipPoint* const to = motion::target_of(motion)) {
     move(motion, *to);
   }
@@ -126,18 +129,6 @@ void Cutter::take_along(const motion::Motion& motion, std::span<const TipPoint> 
   along_ = nullptr;
 }
 
-void Cutter::turn(const motion::Spindle& spindle) {
-  using motion::Spindle;
-  if (spindle.name == motion::SpindleName::sub) return;
-  if (settings_.turns_work && spindle.name == motion::SpindleName::live) return;
-  // Of a surface speed without a limit only the tool's place tells the rpm.
-  const double speed = spindle.follows_radius() ? spindle.speed : spindle.known_rpm();
-  turning_ = !spindle.turns() || !(speed > 0)                 ? Turning::stopped
-             : spindle.turning == Spindle::Turning::clockwise ? Turning::right
-                                                              : Turning::left;
-  spindle_ = spindle;
-}
-
 void Cutter::change_tool(std::uint32_t number) {
   changed_tool_ = true;
   tool_ = &rack_.tool(number);
@@ -146,6 +137,7 @@ void Cutter::change_tool(std::uint32_t number) {
 
 void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   const bool rapid = std::holds_alternative<motion::Rapid>(motion.action);
+  spindles_.move(at_, to);
   checks_ = checks_ || !rapid;
   fed_ = fed_ || (!rapid && (tool_ == nullptr || !tool_->is_probe()));
   fed_without_tool_ = fed_without_tool_ || (tool_ == nullptr && !rapid);
@@ -163,33 +155,47 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   settings_.look(of.cut);
 }
 
+// What is driven is so where its spindle turns, or where that of the work stands.
+bool Cutter::is_turned() const {
+  if (!settings_.turns_work) return false;
+  if (tool_ == nullptr || tool_->tool.is_insert() || !tool_->driven) return true;
+  return !spindles_.drive_tool() && spindles_.turning(Spindles::Of::work) != Turning::stopped;
+}
+
 Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint& to) const {
   Waiting of;
   of.cut = {.block = motion.block,
             .motion = motions_,
             .tool = tool_ == nullptr ? 0 : tool_->number(),
             .move = name_of(motion)};
-  const Vec3 from = frame_.pose(at_).tip;
-  of.cut.to = frame_.pose(to).tip;
-  if (along_ != nullptr) of.cut.to = frame_.pose(along_->empty() ? at_ : along_->back()).tip;
+  of.is_turned = is_turned();
+  const WorkFrame& frame = frame_of(of);
+  const Vec3 from = frame.pose(at_).tip;
+  of.cut.to = frame.pose(to).tip;
+  if (along_ != nullptr) of.cut.to = frame.pose(along_->empty() ? at_ : along_->back()).tip;
   of.first = sweeps_.size();
   of.kind = of.cut.move == MoveName::rapid ? SweepKind::rapid : SweepKind::cut;
-  of.spindle = turning_;
+  const Spindles::Of spindle = of.is_turned ? Spindles::Of::work : Spindles::Of::tool;
+  of.spindle = spindles_.turning(spindle);
   const motion::Feed* const feed = feed_of(motion);
   of.has_feed = feed != nullptr;
   if (of.has_feed) of.feed = *feed;
   // Where the tip is widest the speed of the surface is highest, and a turn is slowest.
   of.radius_mm = std::max(std::fabs(from.x), std::fabs(of.cut.to.x));
-  const bool begins_wide = settings_.turns_work && std::fabs(from.x) > std::fabs(of.cut.to.x);
-  if (turning_ != Turning::stopped) of.rpm = motion::rpm_at(spindle_, begins_wide ? at_ : to);
+  const bool begins_wide = of.is_turned && std::fabs(from.x) > std::fabs(of.cut.to.x);
+  if (of.spindle != Turning::stopped)
+    of.rpm = motion::rpm_at(spindles_.told(spindle), begins_wide ? at_ : to);
   of.is_facing = std::fabs(of.cut.to.x - from.x) > std::fabs(of.cut.to.z - from.z);
   return of;
 }
 
 void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   if (stuck_ || (of.cut.move == MoveName::probe && tool_->is_probe())) return;
-  Sweep like{
-      .body = body_of(*tool_), .kind = of.kind, .motion = static_cast<std::uint32_t>(motions_)};
+  Sweep like{.axis = of.is_turned ? Vec3{0, 0, 1} : tool_->axis(),
+             .body = body_of(*tool_),
+             .kind = of.kind,
+             .motion = static_cast<std::uint32_t>(motions_),
+             .is_turned = of.is_turned};
   if (const auto* const thread = std::get_if<motion::Thread>(&motion.action)) {
     like.lead_mm = of.lead_mm = std::fabs(thread->lead);
     like.start_deg = thread->angle_deg;
@@ -215,19 +221,20 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
 
 void Cutter::add_ways(const motion::Motion& motion, const Sweep& like) {
   const double reach = reach_of(tool_->body);
+  const SweepMaker& maker = like.is_turned ? still_maker_ : maker_;
   TipPoint from = at_;
   if (along_ != nullptr) {
     for (const TipPoint& tip : *along_) {
       const double way = geometry::length(frame_.in_space(tip - from));
       const motion::Curve line =
           motion::Curve::line(from, tip, std::max(way, kShortest_mm), axis_count_);
-      maker_.add(from, line, like, reach, sweeps_);
+      maker.add(from, line, like, reach, sweeps_);
       from = tip;
     }
     return;
   }
   for (const motion::Curve& curve : curves_.of(at_, motion)) {
-    maker_.add(from, curve, like, reach, sweeps_);
+    maker.add(from, curve, like, reach, sweeps_);
     from = curve.end();
   }
 }
@@ -317,8 +324,10 @@ std::optional<double> Cutter::touch(const TipPoint& from, const TipPoint& to) {
   motion::Motion move;
   move.action = motion::Probe{.to = to, .feed = {}};
   std::vector<Sweep> sweeps;
+  Sweep like;
+  if (tool_ != nullptr) like.axis = tool_->axis();
   for (const motion::Curve& curve : curves_.of(from, move))
-    maker_.add(from, curve, {}, radius, sweeps);
+    maker_.add(from, curve, like, radius, sweeps);
   const auto count = static_cast<double>(sweeps.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     if (const auto t = first_touch(ball_of(sweeps[i], radius)))
@@ -382,7 +391,7 @@ CuttingData Cutter::data_of(const Waiting& of, const Outcome& outcome) {
                        .rpm = of.rpm,
                        .turns_left = of.spindle == Turning::left,
                        .is_axial = is_axial,
-                       .turns_work = settings_.turns_work,
+                       .turns_work = of.is_turned,
                        .radius_mm = of.radius_mm,
                        .is_facing = of.is_facing,
                        .material = settings_.material});

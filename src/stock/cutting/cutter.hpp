@@ -42,7 +42,7 @@ class Cutter final : public motion::MotionSink {
     /// Before the first tool change there is no tool. True: there is none in the whole program, and
     /// the tool is T0.
     bool has_tool = false;
-    /// The spindle of the work makes the cut: what driven tools do is not looked at.
+    /// On a lathe: inserts, and tools that are not driven, cut work that turns.
     bool turns_work = false;
     std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
     MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
@@ -100,6 +100,7 @@ class Cutter final : public motion::MotionSink {
     std::size_t first = 0;  // of its sweeps
     std::size_t end = 0;
     SweepKind kind = SweepKind::cut;
+    bool is_turned = false;  // the work turns under it
     Turning spindle = Turning::stopped;
     motion::Feed feed{};
     bool has_feed = false;
@@ -110,8 +111,11 @@ class Cutter final : public motion::MotionSink {
   };
 
   void change_tool(std::uint32_t number);
-  void turn(const motion::Spindle& spindle);
   void move(const motion::Motion& motion, const base::TipPoint& to);
+  [[nodiscard]] bool is_turned() const;
+  [[nodiscard]] const WorkFrame& frame_of(const Waiting& of) const {
+    return of.is_turned ? still_ : frame_;
+  }
   [[nodiscard]] Waiting waiting_of(const motion::Motion& motion, const base::TipPoint& to) const;
   void add_sweeps(const motion::Motion& motion, Waiting& of);
   void add_ways(const motion::Motion& motion, const Sweep& like);
@@ -129,19 +133,20 @@ class Cutter final : public motion::MotionSink {
   static constexpr std::size_t kBatch = 8192;
 
   const WorkFrame& frame_;
+  WorkFrame still_;  // of work that turns
   Model& model_;
   ToolRack& rack_;
   Settings settings_;
   motion::MoveCurves curves_;
   SweepMaker maker_;
+  SweepMaker still_maker_;
   Findings findings_;
   Judge judge_;
   std::vector<ToolRecord> tools_;
   std::vector<ToolSpan> tool_spans_;
   std::map<std::uint32_t, BodyId> bodies_;
   const CuttingTool* tool_ = nullptr;  // in the spindle; null: none
-  Turning turning_ = Turning::stopped;
-  motion::Spindle spindle_;  // that cuts
+  Spindles spindles_;
   base::TipPoint at_;
   const std::span<const base::TipPoint>* along_ = nullptr;  // null: as programmed
   std::size_t axis_count_;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "stock/sweep/body.hpp"
+#include "stock/sweep/way.hpp"
 #include "stock/tool/tool.hpp"
 
 namespace kerf::stock {
@@ -11,6 +13,12 @@ namespace kerf::stock {
 struct CuttingTool {
   Tool tool;
   Body body;  ///< made of it once
+  /// Of a lathe a tool that turns itself: from its tip up, in the machine. None: it stands, or it
+  /// is that of a mill, along Z.
+  std::optional<Vec3> driven{};
+
+  /// From its tip up, in the machine.
+  [[nodiscard]] Vec3 axis() const { return driven.value_or(Vec3{0, 0, 1}); }
 
   [[nodiscard]] std::uint32_t number() const { return static_cast<std::uint32_t>(tool.number); }
   [[nodiscard]] bool is_probe() const { return tool.kind == ToolKind::probe; }

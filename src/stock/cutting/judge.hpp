@@ -7,6 +7,7 @@
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/findings.hpp"
 #include "stock/cutting/obstacle.hpp"
+#include "stock/cutting/spindles.hpp"
 
 namespace kerf::stock {
 
@@ -14,9 +15,6 @@ namespace kerf::stock {
 [[nodiscard]] bool goes_across(const Sweep& sweep);
 /// What is removed below this is dust of rounding, mm³.
 inline constexpr double kDust_mm3 = 1e-6;
-
-/// Turns of a spindle as checks see them.
-enum class Turning : std::uint8_t { stopped, right, left };
 
 /// A motion that the model has cut.
 struct JudgedMotion {

@@ -36,7 +36,7 @@ void SweepMaker::add(const TipPoint& from, const Curve& curve, const Sweep& like
     return;
   }
   Sweep sweep = like;
-  sweep.axis = frame_.turned({0, 0, 1}, from);
+  sweep.axis = frame_.turned(like.axis, from);
   if (curve.is_line()) {
     sweep.way = StraightWay{frame_.pose(from).tip, frame_.pose(curve.end()).tip};
   } else if (curve.is_arc()) {
@@ -84,11 +84,13 @@ void SweepMaker::add_turning(const TipPoint& from, const Curve& curve, const Swe
   const double turn = frame_.turn_rad(from, curve.end());
   const double steps = steps_of(curve, turn, lever, tolerance_mm_);
   Sweep sweep = like;
-  Pose at = frame_.pose(from);
+  Pose at = frame_.pose(from, like.axis);
   for (double i = 1; i <= steps; ++i) {
-    const Pose next = frame_.pose(i == steps ? curve.end() : curve.at(curve.length() * i / steps));
+    const Pose next =
+        frame_.pose(i == steps ? curve.end() : curve.at(curve.length() * i / steps), like.axis);
     sweep.axis = at.axis;
-    sweep.way = TurningWay{at.tip, next.tip, next.axis};
+    sweep.way = next.axis == at.axis ? Way(StraightWay{at.tip, next.tip})
+                                     : Way(TurningWay{at.tip, next.tip, next.axis});
     sweeps.push_back(sweep);
     at = next;
   }

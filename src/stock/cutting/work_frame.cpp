@@ -11,6 +11,7 @@ namespace {
 /// `v` turned about a unit vector (Rodrigues).
 Vec3 turned_about(Vec3 v, Vec3 axis, double angle_deg) {
   const auto [s, c] = geometry::sine_cosine_deg(angle_deg);
+  if (geometry::cross(axis, v) == Vec3{}) return v;  // nothing of it is rounded
   return c * v + s * geometry::cross(axis, v) + ((1 - c) * geometry::dot(axis, v)) * axis;
 }
 
@@ -30,8 +31,14 @@ Vec3 WorkFrame::turned(Vec3 direction, const base::AxisVector& tip) const {
   return direction;
 }
 
-Pose WorkFrame::pose(const base::TipPoint& tip) const {
-  Pose pose{in_space(tip)};
+WorkFrame WorkFrame::still() const {
+  WorkFrame still = *this;
+  still.turns_.clear();
+  return still;
+}
+
+Pose WorkFrame::pose(const base::TipPoint& tip, Vec3 axis) const {
+  Pose pose{in_space(tip), axis};
   for (const WorkTurn& turn : turns_) {
     pose.tip = turn.point + turned_about(pose.tip - turn.point, turn.direction, tip[turn.axis]);
     pose.axis = turned_about(pose.axis, turn.direction, tip[turn.axis]);

@@ -34,7 +34,10 @@ class WorkFrame {
   void set_zero(Vec3 zero) { zero_ = zero; }
   [[nodiscard]] Vec3 zero() const { return zero_; }
 
-  [[nodiscard]] Pose pose(const base::TipPoint& tip) const;
+  /// The same of work whose turns mean nothing, as it is one of revolution.
+  [[nodiscard]] WorkFrame still() const;
+  /// `axis`: of the tool in the machine.
+  [[nodiscard]] Pose pose(const base::TipPoint& tip, Vec3 axis = {0, 0, 1}) const;
   /// A direction of the machine while the rotary axes stand as at `tip`.
   [[nodiscard]] Vec3 turned(Vec3 direction, const base::AxisVector& tip) const;
   /// One of the work's rotary axes stands elsewhere at the second place.

@@ -80,6 +80,15 @@ mesh::LineGrid lines_of(const Lattice& lattice, Vec3 middle) {
 
 }  // namespace
 
+InsideOf inside_of(const Shape& shape, const Lattice& lattice, Vec3 middle) {
+  if (shape.on_lattice) return shape.on_lattice(lattice, middle);
+  const double b = on_axis(middle, (lattice.axis + 1) % 3);
+  const double c = on_axis(middle, (lattice.axis + 2) % 3);
+  return [&shape, &lattice, b, c](int column, int row, std::vector<Interval>& out) {
+    shape.inside(lattice.axis, b + lattice.b_of(column), c + lattice.c_of(row), out);
+  };
+}
+
 Shape box_shape(const Bounds& box) {
   const auto inside = [box](int axis, double, double, std::vector<Interval>& out) {
     const auto i = static_cast<std::size_t>(axis);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -16,6 +17,11 @@ struct Interval {
   double high = 0;
   Vec3 low_normal;
   Vec3 high_normal;
+  std::uint32_t low_motion = 0;  ///< that left the face; 0: none did
+  std::uint32_t high_motion = 0;
+  /// Of a shape that is taken away: beyond this end there is none of the part.
+  bool low_is_border = false;
+  bool high_is_border = false;
 };
 
 /// Appends the intervals of a shape, in order and apart from each other, along the line through
@@ -26,7 +32,7 @@ using Inside = std::function<void(int axis, double b, double c, std::vector<Inte
 /// The same of the dexel in a column and a row of a lattice.
 using InsideOf = std::function<void(int column, int row, std::vector<Interval>& out)>;
 
-/// What a stock is before the first cut, in its own frame, mm.
+/// What a stock is before the first cut, or what is taken away from it, in its own frame, mm.
 struct Shape {
   Bounds box;  ///< holds all of it; low < high
   Inside inside;
@@ -35,6 +41,9 @@ struct Shape {
   /// order X, Y, Z. `middle` is that of the box.
   std::function<InsideOf(const Lattice& lattice, Vec3 middle)> on_lattice{};
 };
+
+/// A shape as the dexels of one lattice see it; `middle` is that of the stock.
+[[nodiscard]] InsideOf inside_of(const Shape& shape, const Lattice& lattice, Vec3 middle);
 
 [[nodiscard]] Shape box_shape(const Bounds& box);
 /// A cylinder along `axis`, or a tube where inner_mm > 0: centre (b, c) as Inside has them, radii.

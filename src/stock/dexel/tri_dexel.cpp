@@ -12,8 +12,10 @@
 
 #include "math/math.hpp"
 #include "stock/dexel/ball_contact.hpp"
+#include "stock/dexel/grid.hpp"
 #include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
+#include "stock/dexel/shape_work.hpp"
 #include "stock/dexel/tile_work.hpp"
 
 namespace kerf::stock::dexel {
@@ -24,28 +26,22 @@ constexpr std::size_t kSweepsAtOnce = 4096;
 constexpr double kMostLooks = 1e6;
 constexpr int kHalvings = 40;
 
+bool any_motion(std::uint32_t) { return true; }
+
 double cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
 
-DexelEnd stock_end(double at, double middle, Vec3 normal) {
-  return {static_cast<float>(at - middle), octahedral(normal), 0, 0};
+DexelEnd stock_end(double at, double middle, Vec3 normal, std::uint32_t motion) {
+  return {static_cast<float>(at - middle), octahedral(normal), 0, motion};
 }
 
 std::vector<DexelEnd> ends_of(const std::vector<Interval>& intervals, double middle) {
   std::vector<DexelEnd> ends;
   for (const Interval& each : intervals) {
     if (each.high - each.low < Tile::kLeast_mm) continue;
-    ends.push_back(stock_end(each.low, middle, each.low_normal));
-    ends.push_back(stock_end(each.high, middle, each.high_normal));
+    ends.push_back(stock_end(each.low, middle, each.low_normal, each.low_motion));
+    ends.push_back(stock_end(each.high, middle, each.high_normal, each.high_motion));
   }
   return ends;
-}
-
-double length_of(std::span<const DexelEnd> ends) {
-  double length = 0;
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    length += double{ends[i + 1].at} - double{ends[i].at};
-  }
-  return length;
 }
 
 bool is_sound(std::span<const DexelEnd> ends, double half) {
@@ -93,51 +89,6 @@ struct TriDexel::Threads {
   }
 
   tbb::task_arena arena;
-};
-
-struct TriDexel::Grid {
-  Lattice lattice;
-  std::vector<Tile> tiles;
-
-  [[nodiscard]] int first_column(std::size_t tile) const {
-    return static_cast<int>(tile) % lattice.tiles_b() * Lattice::kTile;
-  }
-  [[nodiscard]] int first_row(std::size_t tile) const {
-    return static_cast<int>(tile) / lattice.tiles_b() * Lattice::kTile;
-  }
-  [[nodiscard]] TileWork work(std::size_t tile, Vec3 middle) {
-    return {lattice, tiles[tile], first_column(tile), first_row(tile), middle};
-  }
-  /// Whether the dexel of the cell that a place lies in has material there.
-  [[nodiscard]] bool holds(Vec3 place) const {
-    const double b =
-        on_axis(place, (lattice.axis + 1) % 3) / lattice.cell_b + lattice.columns / 2.0;
-    const double c = on_axis(place, (lattice.axis + 2) % 3) / lattice.cell_c + lattice.rows / 2.0;
-    if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return false;
-    const int column = static_cast<int>(b);
-    const int row = static_cast<int>(c);
-    const Tile& tile = tiles[static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
-                                                      column / Lattice::kTile)];
-    return tile.holds(tile.index(column % Lattice::kTile, row % Lattice::kTile),
-                      static_cast<float>(on_axis(place, lattice.axis)));
-  }
-  /// act(tile) for each that has dexels in the box, which is from the middle of the stock.
-  template <class Act>
-  void each_in(const Bounds& box, Act&& act) const {
-    const int b = (lattice.axis + 1) % 3;
-    const int c = (lattice.axis + 2) % 3;
-    const int a = lattice.axis;
-    if (on_axis(box.low, a) > lattice.half_s || on_axis(box.high, a) < -lattice.half_s) return;
-    const CellRange columns = lattice.columns_in(on_axis(box.low, b), on_axis(box.high, b));
-    const CellRange rows = lattice.rows_in(on_axis(box.low, c), on_axis(box.high, c));
-    if (columns.first > columns.last || rows.first > rows.last) return;
-    for (int row = rows.first / Lattice::kTile; row <= rows.last / Lattice::kTile; ++row) {
-      const int last = columns.last / Lattice::kTile;
-      for (int column = columns.first / Lattice::kTile; column <= last; ++column) {
-        act(static_cast<std::size_t>(row * lattice.tiles_b() + column));
-      }
-    }
-  }
 };
 
 /// Which tasks touch which tile, in order.
@@ -192,14 +143,7 @@ void TriDexel::make_grid(int axis, const Shape& shape, double cell_mm) {
 
 void TriDexel::fill(Grid& grid, const Shape& shape) {
   const Lattice& lattice = grid.lattice;
-  const int axis = lattice.axis;
-  const double b0 = on_axis(middle_, (axis + 1) % 3);
-  const double c0 = on_axis(middle_, (axis + 2) % 3);
-  const InsideOf inside = shape.on_lattice ? shape.on_lattice(lattice, middle_)
-                                           : [&](int column, int row, std::vector<Interval>& out) {
-                                               shape.inside(axis, b0 + lattice.b_of(column),
-                                                            c0 + lattice.c_of(row), out);
-                                             };
+  const InsideOf inside = inside_of(shape, lattice, middle_);
   threads_->each(grid.tiles.size(), [&](std::size_t t) {
     const int column = grid.first_column(t);
     const int row = grid.first_row(t);
@@ -210,7 +154,7 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
       intervals.clear();
       inside(column + static_cast<int>(i) % tile.columns(),
              row + static_cast<int>(i) / tile.columns(), intervals);
-      tile.fill(i, ends_of(intervals, on_axis(middle_, axis)));
+      tile.fill(i, ends_of(intervals, on_axis(middle_, lattice.axis)));
     }
     tile.refresh();
     grid.tiles[t] = std::move(tile);
@@ -276,26 +220,17 @@ std::vector<TriDexel::Touched> TriDexel::touched(const Preparation& ready) const
 }
 
 std::array<double, 3> TriDexel::grids_mm3() const {
-  std::array<double, 3> sums{};
-  for (std::size_t g = 0; g < 3; ++g) {
-    for (const Tile& tile : grids_[g]->tiles) {
-      double length = 0;
-      for (std::size_t i = 0; i < tile.count(); ++i) length += length_of(tile.ends(i));
-      sums[g] += length * grids_[g]->lattice.cell_area();
-    }
-  }
-  return sums;
+  return {grids_[0]->volume(), grids_[1]->volume(), grids_[2]->volume()};
 }
 
-/// P of stock.md §3, Volumes: cut face alongside the dexels of each grid, mm².
-std::array<double, 3> TriDexel::alongside() const {
+std::array<double, 3> TriDexel::alongside(const CountsMotion& counts) const {
   std::array<double, 3> sums{};
   for (const auto& grid : grids_) {
     const int axis = grid->lattice.axis;
     for (const Tile& tile : grid->tiles) {
       for (std::size_t i = 0; i < tile.count(); ++i) {
         for (const DexelEnd& end : tile.ends(i)) {
-          if (end.motion == 0) continue;
+          if (end.motion == 0 || !counts(end.motion)) continue;
           const Vec3 n = direction(end.normal);
           const double area = grid->lattice.cell_area() * std::fabs(on_axis(n, axis));
           sums[0] += area * (1 - std::fabs(n.x));
@@ -308,11 +243,12 @@ std::array<double, 3> TriDexel::alongside() const {
   return sums;
 }
 
-std::size_t TriDexel::best_grid() const {
-  const std::array<double, 3> faces = alongside();
+std::size_t TriDexel::best_of(const std::array<double, 3>& faces) {
   if (faces[2] <= faces[0] && faces[2] <= faces[1]) return 2;
   return faces[0] <= faces[1] ? 0 : 1;
 }
+
+std::size_t TriDexel::best_grid() const { return best_of(alongside(any_motion)); }
 
 double TriDexel::left_mm3() const {
   const std::size_t grid = best_grid();
@@ -321,7 +257,10 @@ double TriDexel::left_mm3() const {
 
 double TriDexel::stock_mm3() const { return volume_; }
 
-double TriDexel::error_mm3() const { return 0.5 * cell_ * alongside()[best_grid()]; }
+double TriDexel::error_mm3() const {
+  const std::array<double, 3> faces = alongside(any_motion);
+  return 0.5 * cell_ * faces[best_of(faces)];
+}
 
 Bounds TriDexel::extents() const {
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -413,6 +352,44 @@ std::size_t TriDexel::tiles(int grid) const {
 
 const Tile& TriDexel::tile(int grid, std::size_t number) const {
   return grids_[static_cast<std::size_t>(grid)]->tiles[number];
+}
+
+// Sums of tiles are added in their order, whichever thread had made them.
+template <class Look>
+TriDexel::Common TriDexel::each_common(const Shape& shape, Look&& look) const {
+  const Bounds box{shape.box.low - middle_, shape.box.high - middle_};
+  Common sum;
+  for (std::size_t g = 0; g < 3; ++g) {
+    const Grid& grid = *grids_[g];
+    const InsideOf inside = inside_of(shape, grid.lattice, middle_);
+    std::vector<std::size_t> met;
+    grid.each_in(box, [&](std::size_t tile) { met.push_back(tile); });
+    std::vector<CommonLengths> lengths(met.size());
+    threads_->each(met.size(), [&](std::size_t i) {
+      const ShapeWork work(grid.lattice, box, grid.first_column(met[i]), grid.first_row(met[i]));
+      lengths[i] = look(work, g, met[i], inside);
+    });
+    for (const CommonLengths& one : lengths) {
+      sum.shape_mm3[g] += one.shape_mm * grid.lattice.cell_area();
+      sum.part_mm3[g] += one.part_mm * grid.lattice.cell_area();
+      sum.longest_mm = std::max(sum.longest_mm, one.longest_mm);
+    }
+  }
+  return sum;
+}
+
+TriDexel::Common TriDexel::common(const Shape& shape) const {
+  return each_common(shape, [&](const ShapeWork& work, std::size_t grid, std::size_t tile,
+                                const InsideOf& inside) {
+    return work.measure(grids_[grid]->tiles[tile], inside, middle_);
+  });
+}
+
+TriDexel::Common TriDexel::subtract(const Shape& shape) {
+  return each_common(shape, [&](const ShapeWork& work, std::size_t grid, std::size_t tile,
+                                const InsideOf& inside) {
+    return work.take(grids_[grid]->tiles[tile], inside, middle_);
+  });
 }
 
 TriDexel::TileState TriDexel::save(int grid, std::size_t number) const {

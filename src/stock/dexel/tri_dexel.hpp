@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,7 @@
 
 namespace kerf::stock::dexel {
 
+struct Grid;
 class Preparation;
 struct Tool;
 struct Trail;
@@ -58,6 +60,22 @@ class TriDexel final : public Model {
   /// What is left, by each grid: along X, Y, Z.
   [[nodiscard]] std::array<double, 3> grids_mm3() const;
 
+  /// What a shape and the part have in common, by each grid.
+  struct Common {
+    std::array<double, 3> shape_mm3{};  ///< of the shape as dexels see it, the part or not
+    std::array<double, 3> part_mm3{};   ///< of the part in it
+    double longest_mm = 0;              ///< most of the part in it along one dexel
+  };
+  [[nodiscard]] Common common(const Shape& shape) const;
+  /// The same, and the part loses it. The new faces have its normals turned round, and its motions.
+  Common subtract(const Shape& shape);
+
+  /// P of stock.md §3, Volumes: face that motions which count have cut alongside the dexels of each
+  /// grid, mm², and the grid that has the least; the first of Z, X, Y.
+  using CountsMotion = std::function<bool(std::uint32_t motion)>;
+  [[nodiscard]] std::array<double, 3> alongside(const CountsMotion& counts) const;
+  [[nodiscard]] static std::size_t best_of(const std::array<double, 3>& faces);
+
   // The dexels themselves. `grid` 0, 1, 2 is along X, Y, Z; tiles count along b first.
   [[nodiscard]] const Lattice& lattice(int grid) const;
   [[nodiscard]] std::size_t tiles(int grid) const;
@@ -77,7 +95,6 @@ class TriDexel final : public Model {
   [[nodiscard]] bool restore(int grid, std::size_t number, const TileState& state);
 
  private:
-  struct Grid;
   struct Touched;
   struct Threads;
 
@@ -89,8 +106,9 @@ class TriDexel final : public Model {
   [[nodiscard]] bool is_deep(Vec3 place) const;
   [[nodiscard]] std::optional<double> first_between(const StraightWay& way) const;
   [[nodiscard]] Vec3 half() const;
-  [[nodiscard]] std::array<double, 3> alongside() const;
   [[nodiscard]] std::size_t best_grid() const;
+  template <class Look>
+  [[nodiscard]] Common each_common(const Shape& shape, Look&& look) const;
 
   Bounds box_;
   Vec3 middle_;

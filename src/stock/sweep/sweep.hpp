@@ -24,6 +24,9 @@ struct Sweep {
   SweepKind kind = SweepKind::cut;
   /// Number of the motion in the run, from 1: what a cut face remembers.
   std::uint32_t motion = 0;
+  /// The work turns about Z while the tool goes: what it goes over is a body of revolution. Only on
+  /// stock of a lathe, and in the plane of Z and X.
+  bool is_turned = false;
   /// Of a cut that is synchronised with the work's spindle: mm a turn, and the spindle's angle at
   /// its mark. 0: it is none. Only stock of a lathe keeps threads.
   double lead_mm = 0;

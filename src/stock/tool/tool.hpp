@@ -50,6 +50,9 @@ enum class Hand : std::uint8_t {
   left,   ///< cuts under M04
 };
 
+/// Where a driven tool of a lathe stands: along Z before the face of the part, or along X beside it.
+enum class Driven : std::uint8_t { face, side };
+
 /// Who has said what a tool is, the one that counts most first (stock.md §1.5).
 enum class ToolSource : std::uint8_t { file, machine, comment, offset, assumed };
 /// As reports write it: "file".
@@ -74,6 +77,7 @@ struct Tool {
   ToolLimits limits{};
   Hand hand = Hand::right;
   std::optional<bool> centre_cutting{};
+  std::optional<Driven> driven{};  ///< nothing: nobody has said where it would stand
   std::vector<FormPoint> form{};
   std::optional<FormCutting> cutting{};
 

@@ -70,34 +70,40 @@ bool TurnedPart::can_cut(const Sweep& sweep) const {
 
 void TurnedPart::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
   assert(sweeps.size() == outcomes.size());
-  for (std::size_t i = 0; i < sweeps.size(); ++i) cut_one(sweeps[i], outcomes[i]);
+  std::vector<TurnedCut> cuts;
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    cuts.clear();
+    cut(sweeps[i], outcomes[i], cuts);
+  }
 }
 
-void TurnedPart::cut_one(const Sweep& sweep, Outcome& outcome) {
+void TurnedPart::cut(const Sweep& sweep, Outcome& outcome, std::vector<TurnedCut>& cuts) {
   const TurnedTool& tool = tools_[sweep.body];
+  const Told told{outcome, cuts};
   const Pass pass{tip_path(sweep.way), sweep.motion};
   if (sweep.kind == SweepKind::rapid || !tool.cuts()) {
-    meet(tool.cutter(), tool.touch_mm(), pass, sweep.body, outcome);
+    meet(tool.cutter(), tool.touch_mm(), pass, sweep.body, told);
   } else if (sweep.lead_mm > 0 && tool.is_insert()) {
-    cut_thread(tool, pass, sweep, outcome);
+    cut_thread(tool, pass, sweep, told);
   } else {
-    cut_with_edges(tool, pass, sweep.body, outcome);
+    cut_with_edges(tool, pass, sweep.body, told);
   }
   // What the edges have cut is gone by now: what others meet is theirs.
   for (const TurnedTool::Part& part : tool.others())
-    meet(part, tool.touch_mm(), pass, sweep.body, outcome);
+    meet(part, tool.touch_mm(), pass, sweep.body, told);
 }
 
 void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId body,
-                                Outcome& outcome) {
+                                const Told& told) {
+  Outcome& outcome = told.outcome;
   const Box box = swept_box(tool.cutter().box, pass);
   if (!material_.may_meet(box)) return;
   outcome.visited += contour::vertex_count(region());
   Division division =
       material_.divide(swept(tool.cutter().whole, tool.cutter().is_convex, pass), box);
   if (division.inside.is_empty()) return;
-  const Region met = without_threads(division.inside, body);
-  check_back(tool, pass, met, outcome);
+  Region met = without_threads(division.inside, body);
+  check_back(tool, pass, met, told);
   outcome.removed += Exact(turned::volume(met));
   outcome.section += Exact(contour::area(met));
   if (!tool.is_insert() && !met.is_empty()) {
@@ -106,35 +112,39 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
   }
   const bool is_all = threads_.is_empty() || met == division.inside;
   material_.become(is_all ? std::move(division.outside) : contour::subtract(region(), met));
+  told.cuts.push_back({.region = std::move(met)});
 }
 
 void TurnedPart::check_back(const TurnedTool& tool, const Pass& pass, const Region& met,
-                            Outcome& outcome) const {
+                            const Told& told) const {
   if (tool.edges().empty() || met.is_empty()) return;
   const Box box = contour::extents(met);
   const std::vector<Contour> behind = swept(tool.back(), pass);
   const auto may_meet = [&](const Contour& loop) { return contour::extents(loop).meets(box); };
   if (std::none_of(behind.begin(), behind.end(), may_meet)) return;
-  const Region rest = contour::divide(met, swept(tool.edges(), pass)).outside;
+  Region rest = contour::divide(met, swept(tool.edges(), pass)).outside;
   if (!counts(rest, tool.touch_mm())) return;
   const Region touched =
       contour::divide(rest, swept(tool.cutter().shrunk, tool.cutter().is_convex, pass)).inside;
-  if (counts(touched, tool.touch_mm()))
-    outcome.contacts[index(ToolPart::flank)].add(contact_of(rest));
+  if (!counts(touched, tool.touch_mm())) return;
+  told.outcome.contacts[index(ToolPart::flank)].add(contact_of(rest));
+  told.cuts.push_back({.region = std::move(rest), .contact = ToolPart::flank, .is_taken = false});
 }
 
 void TurnedPart::meet(const TurnedTool::Part& part, double touch_mm, const Pass& pass, BodyId body,
-                      Outcome& outcome) {
+                      const Told& told) {
+  Outcome& outcome = told.outcome;
   const Box box = swept_box(part.box, pass);
   if (part.shrunk.is_empty() || !material_.may_meet(box)) return;
   outcome.visited += contour::vertex_count(region());
   const Region touched = material_.divide(swept(part.shrunk, part.is_convex, pass), box).inside;
   if (!counts(without_threads(touched, body), touch_mm)) return;
-  const Region met =
+  Region met =
       without_threads(material_.divide(swept(part.whole, part.is_convex, pass), box).inside, body);
   outcome.contacts[index(part.part)].add(contact_of(met));
   outcome.removed += Exact(turned::volume(met));
   material_.become(contour::subtract(region(), met));
+  told.cuts.push_back({.region = std::move(met), .contact = part.part});
 }
 
 Region TurnedPart::without_threads(Region met, BodyId body) const {
@@ -144,7 +154,7 @@ Region TurnedPart::without_threads(Region met, BodyId body) const {
 }
 
 void TurnedPart::cut_thread(const TurnedTool& tool, const Pass& pass, const Sweep& sweep,
-                            Outcome& outcome) {
+                            const Told& told) {
   const Box box = swept_box(tool.cutter().box, pass);
   if (!material_.may_meet(box)) return;
   ThreadPass thread{
@@ -158,9 +168,9 @@ void TurnedPart::cut_thread(const TurnedTool& tool, const Pass& pass, const Swee
       .met =
           material_.divide(swept(tool.cutter().whole, tool.cutter().is_convex, pass), box).inside};
   if (thread.met.is_empty()) return;
-  check_back(tool, pass, thread.met, outcome);
+  check_back(tool, pass, thread.met, told);
   thread.groove_mm3 = groove_mm3(tool, thread);
-  outcome.threaded += Exact(turned::volume(threads_.add(thread)));
+  told.outcome.threaded += Exact(turned::volume(threads_.add(thread)));
 }
 
 // The insert stands where the middle of what it meets is.

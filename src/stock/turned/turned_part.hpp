@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stock/sweep/model.hpp"
@@ -9,6 +10,13 @@
 #include "stock/turned/turned_tool.hpp"
 
 namespace kerf::stock::turned {
+
+/// What a sweep has met of a part, as a region: for whoever holds that part in another way, too.
+struct TurnedCut {
+  contour::Region region;
+  std::optional<ToolPart> contact{};  ///< that should not have met it; none: edges cut it
+  bool is_taken = true;               ///< else it is part of what edges cut
+};
 
 /// Stock of a lathe (stock.md §3, profile): all that turns about the axis of the spindle, Z, as a
 /// region of lines and arcs in (u = Z, v = ρ >= 0). Tools move in the plane of Z and X, ways of
@@ -24,6 +32,9 @@ class TurnedPart final : public Model {
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   /// Contacts of an insert's back are ToolPart::flank, of its bar ToolPart::holder.
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  /// One of them, and in `cuts` what it met, in the order in which that was taken; of a thread
+  /// nothing is.
+  void cut(const Sweep& sweep, Outcome& outcome, std::vector<TurnedCut>& cuts);
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
   [[nodiscard]] double left_mm3() const override;
@@ -37,13 +48,17 @@ class TurnedPart final : public Model {
   [[nodiscard]] std::vector<TurnedThread> threads() const { return threads_.threads(); }
 
  private:
-  void cut_one(const Sweep& sweep, Outcome& outcome);
-  void cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId body, Outcome& outcome);
-  void cut_thread(const TurnedTool& tool, const Pass& pass, const Sweep& sweep, Outcome& outcome);
+  struct Told {
+    Outcome& outcome;
+    std::vector<TurnedCut>& cuts;
+  };
+
+  void cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId body, const Told& told);
+  void cut_thread(const TurnedTool& tool, const Pass& pass, const Sweep& sweep, const Told& told);
   void check_back(const TurnedTool& tool, const Pass& pass, const contour::Region& met,
-                  Outcome& outcome) const;
+                  const Told& told) const;
   void meet(const TurnedTool::Part& part, double touch_mm, const Pass& pass, BodyId body,
-            Outcome& outcome);
+            const Told& told);
   [[nodiscard]] double groove_mm3(const TurnedTool& tool, const ThreadPass& pass) const;
   [[nodiscard]] contour::Region without_threads(contour::Region met, BodyId body) const;
 

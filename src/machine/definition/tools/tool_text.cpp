@@ -83,6 +83,8 @@ void append_tool(std::string& out, const Tool& tool) {
   if (tool.centre_cutting)
     append_line(out, "centre_cutting", *tool.centre_cutting ? "true" : "false");
   if (tool.hand == stock::Hand::left) append_line(out, "hand", "\"left\"");
+  if (tool.driven)
+    append_line(out, "driven", *tool.driven == stock::Driven::face ? "\"face\"" : "\"side\"");
   append_form(out, tool);
   append_stack(out, "shank", tool.shank);
   append_stack(out, "holder", tool.holder);

@@ -101,6 +101,12 @@ void take_hand(const toml::node& node, Tool& tool) {
   tool.hand = word == "left" ? stock::Hand::left : stock::Hand::right;
 }
 
+void take_driven(const toml::node& node, Tool& tool) {
+  const std::string word = text_of(node);
+  if (word != "face" && word != "side") throw WrongTool{node, "driven is face or side"};
+  tool.driven = word == "face" ? stock::Driven::face : stock::Driven::side;
+}
+
 void take_centre(const toml::node& node, Tool& tool) {
   if (!node.is_boolean()) throw WrongTool{node, "true or false is expected"};
   tool.centre_cutting = node.as_boolean()->get();
@@ -145,7 +151,7 @@ struct Item {
   std::string_view key;
   void (*take)(const toml::node& node, Tool& tool);
 };
-constexpr std::array<Item, 14> kItems = {{{"number", take_number},
+constexpr std::array<Item, 15> kItems = {{{"number", take_number},
                                           {"type", take_type},
                                           {"name", take_name},
                                           {"comment", take_comment},
@@ -153,6 +159,7 @@ constexpr std::array<Item, 14> kItems = {{{"number", take_number},
                                           {"insert", take_insert},
                                           {"hand", take_hand},
                                           {"centre_cutting", take_centre},
+                                          {"driven", take_driven},
                                           {"shank", take_shank},
                                           {"holder", take_holder},
                                           {"holder_name", nullptr},

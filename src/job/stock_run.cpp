@@ -16,6 +16,7 @@
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/survey_pass.hpp"
+#include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
@@ -46,8 +47,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         frame_(axes(), turns_of(plan, run_->machine().definition())),
         driven_(axes()),
         strokes_(run_->machine()),
-        rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
-                                        run_->machine().definition().turns(), plan.axial)) {
+        rack_(std::make_unique<RunRack>(job, run_->machine(), plan.axial)) {
     frame_.set_zero(plan.origin);
   }
 
@@ -341,8 +341,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
-  RunRack rack(job.tools, (*run)->machine().memory(), (*run)->machine().definition().turns(),
-               plan.axial);
+  RunRack rack(job, (*run)->machine(), plan.axial);
   plan.origin = pass.origin();
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
@@ -437,6 +436,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     }
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
+    tell_notes(job, result);
     if (!result.skips.empty() && !job.job.interrupt_at_s.empty())
       return base::usage(
           "--interrupt-at: when it comes depends on where probes meet the stock; say where by "

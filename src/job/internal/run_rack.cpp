@@ -1,11 +1,6 @@
 #include "job/internal/run_rack.hpp"
 
 namespace kerf::job {
-namespace {
-
-constexpr double kTouch_mm = 0.01;  // stock.md §5
-
-}  // namespace
 
 machine::ToolUse RunRack::use_of(std::uint32_t number) const {
   machine::ToolUse use{.turns = turns_};
@@ -27,7 +22,7 @@ const stock::CuttingTool& RunRack::tool(std::uint32_t number) {
   for (std::string& what : chosen.assumed) assumed_.push_back({0, std::move(what)});
   has_guessed_ = has_guessed_ || chosen.tool.source == stock::ToolSource::assumed;
   chosen.tool.number = static_cast<int>(number);
-  return ready_.emplace(number, stock::cutting_tool(chosen.tool, kTouch_mm)).first->second;
+  return ready_.emplace(number, stock::cutting_tool(chosen.tool, touch_mm_)).first->second;
 }
 
 }  // namespace kerf::job

@@ -5,7 +5,9 @@
 
 #include "control/core/assumptions.hpp"
 #include "control/core/memory.hpp"
+#include "job/stock_job.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
+#include "machine/run/batch_run.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 
 namespace kerf::job {
@@ -17,9 +19,12 @@ class RunRack final : public stock::ToolRack {
   using AxialTools = std::map<std::uint32_t, bool>;
 
   /// All must outlive the rack.
-  RunRack(const machine::ToolChoice& tools, const control::Memory& memory, bool turns,
-          AxialTools axial)
-      : tools_(tools), memory_(memory), turns_(turns), axial_(std::move(axial)) {}
+  RunRack(const StockJob& job, const machine::BatchRun& run, AxialTools axial)
+      : tools_(job.tools),
+        memory_(run.memory()),
+        turns_(run.definition().turns()),
+        touch_mm_(job.touch_mm),
+        axial_(std::move(axial)) {}
 
   [[nodiscard]] const stock::CuttingTool& tool(std::uint32_t number) override;
 
@@ -34,6 +39,7 @@ class RunRack final : public stock::ToolRack {
   const machine::ToolChoice& tools_;
   const control::Memory& memory_;
   bool turns_;
+  double touch_mm_;
   AxialTools axial_;
   std::map<std::uint32_t, stock::CuttingTool> ready_;
   std::vector<control::Assumption> assumed_;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "job/internal/stock_pass.hpp"
+#include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/sheet/beam_energy.hpp"
 #include "stock/sheet/beam_tracer.hpp"
@@ -292,6 +293,7 @@ Outcome<StockResult> cut_sheet(const StockJob& job) {
     }
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
+    tell_notes(job, result);
     return result;
   }
 }

@@ -20,6 +20,7 @@
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
+#include "stock/cutting/saved_part.hpp"
 #include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
@@ -158,6 +159,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.pieces = pieces_;
     result.threads = threads();
     result.assumed = rack_->assumed();
+    if (was_field() && plan_.kind == StockModel::tridexel) {
+      result.assumed.push_back({0, "the height field of the stock became dexels: its walls stand "
+                                   "half-way between its columns"});
+    }
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;
     result.model = std::move(model_);
@@ -223,6 +228,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     return true;
   }
 
+  [[nodiscard]] bool was_field() const {
+    const auto* const saved = std::get_if<stock::SavedShape>(&plan_.shape);
+    return saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::field;
+  }
   [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
 
   [[nodiscard]] std::vector<output::StockFacts::Thread> threads() const {
@@ -303,8 +312,23 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   machine::RunStatus status_{};
 };
 
+/// A part that was cut before, with cells of its own; null: something else lies there.
+const stock::SavedPart* saved_part(const StockJob& job) {
+  const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
+  const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
+  return saved != nullptr ? saved->part.get() : nullptr;
+}
+
+/// The cells of a plan: of what was cut before its own.
+double cell_for(const StockJob& job, const SurveyedTools& tools) {
+  const stock::SavedPart* const saved = saved_part(job);
+  if (saved != nullptr && saved->cell_mm() > 0) return saved->cell_mm();
+  return job.cell_mm.value_or(tools.usual_cell());
+}
+
 bool needs_survey(const StockJob& job) {
-  const bool needs_cell = !job.cell_mm && !job.job.definition.turns();
+  const bool needs_cell =
+      !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
@@ -350,7 +374,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
     shape = shape_before_alarm(job.job.definition.turns(), assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  plan.cell_mm = cell_for(job, tools);
   choose_model(job, tools, plan);
   return plan;
 }
@@ -362,7 +386,7 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
+  plan.cell_mm = cell_for(job, SurveyedTools{});
   choose_model(job, SurveyedTools{}, plan);
   return plan;
 }

@@ -4,9 +4,11 @@
 
 #include <utility>
 
+#include "job/part_file.hpp"
 #include "machine/definition/stock_comment.hpp"
 #include "motion/feed.hpp"
 #include "stock/cutting/placement.hpp"
+#include "stock/cutting/saved_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -22,15 +24,37 @@ std::size_t bytes_of(const mesh::TriangleMesh& mesh) {
          mesh.triangles.size() * sizeof(mesh.triangles[0]);
 }
 
-/// A solid of a file, which takes its part of the memory.
-Outcome<Workpiece> read_shape(const machine::StockFile& file, StockJob& job) {
-  auto solid = machine::read_mesh(file.path, file.unit, job.memory_for_model());
+Outcome<Workpiece> read_solid(const base::SourceFile& file, machine::MeshUnit unit,
+                              StockJob& job) {
+  auto solid = machine::mesh_in(file, unit, job.memory_for_model());
   if (!solid) return tl::unexpected(solid.error());
   job.mesh_bytes += bytes_of(solid->mesh);
   stock::MeshShape shape = stock::mesh_shape(std::move(*solid));
   for (const std::string& change : shape.solid->changes)
-    job.notes.push_back(file.path + ": " + change);
+    job.notes.push_back(file.name() + ": " + change);
   return Workpiece(std::move(shape));
+}
+
+/// The part and its model share the memory.
+Outcome<Workpiece> read_saved(const base::SourceFile& file, StockJob& job) {
+  auto read = part_in(file, job.memory_for_model() / 2);
+  if (!read) return tl::unexpected(read.error());
+  job.mesh_bytes += read->part->bytes();
+  job.made_by = std::move(read->label.made_by);
+  job.threads = std::move(read->label.threads);
+  if (!job.threads.empty())
+    job.notes.push_back(file.name() + ": of its threads only the measures are known, a tool that "
+                        "goes into one of them meets material");
+  return Workpiece(stock::SavedShape{std::move(read->part)});
+}
+
+/// What is in a file, which takes its part of the memory.
+Outcome<Workpiece> read_shape(const machine::StockFile& file, StockJob& job) {
+  constexpr std::uint64_t kLargestPipe = std::uint64_t{4} << 30U;
+  const auto open =
+      base::SourceFile::open(file.path, {.most_bytes = kLargestPipe, .seconds = 60});
+  if (!open) return tl::unexpected(open.error());
+  return is_part(**open) ? read_saved(**open, job) : read_solid(**open, file.unit, job);
 }
 
 stock::CylinderShape round_of(const machine::StockBar& bar) {
@@ -66,6 +90,27 @@ Outcome<StockWord> placed_sheet(const machine::StockSheet& sheet, const stock::P
       machine::StockSheet{box.low.x, box.low.y, box.high.x, box.high.y, sheet.thickness});
 }
 
+const stock::SavedShape* saved_in(const StockWord& word) {
+  const auto* const piece = std::get_if<Workpiece>(&word);
+  return piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
+}
+
+/// A part that was cut before, where the machine or its cells want another kind of model.
+void sample_anew(StockJob& job) {
+  using Kind = stock::SavedPart::Kind;
+  const stock::SavedShape* const saved = saved_in(job.shape);
+  if (saved == nullptr) return;
+  const stock::SavedPart& part = *saved->part;
+  const machine::MachineDefinition& machine = job.job.definition;
+  const bool is_finer = job.cell_mm && *job.cell_mm < part.cell_mm() * (1 - 1e-9);
+  const bool is_other = (part.kind() == Kind::sheet && !machine.axes.beam) ||
+                        (part.kind() == Kind::turned && !machine.turns());
+  if (!is_other && !(is_finer && part.kind() != Kind::sheet)) return;
+  job.notes.push_back(job.said + ": its surface is sampled anew, with other cells");
+  job.shape = Workpiece(part.solid());
+}
+
+/// Puts the stock where it is clamped. Cells that cannot keep their places are told.
 Outcome<StockWord> placed_word(StockWord word, const stock::Placement& place) {
   if (auto* const piece = std::get_if<Workpiece>(&word))
     return StockWord(stock::placed(*piece, place));
@@ -89,10 +134,17 @@ Outcome<void> lay_stock(const SetUp::Piece& stock, const std::optional<stock::Pl
   auto piece = piece_of(stock.word, job);
   if (!piece) return tl::unexpected(piece.error());
   if (*piece) job.shape = std::move(**piece);
-  if (!place) return {};
-  auto placed = placed_word(std::move(job.shape), *place);
-  if (!placed) return tl::unexpected(placed.error());
-  job.shape = std::move(*placed);
+  if (place) {
+    const bool was_saved = saved_in(job.shape) != nullptr;
+    auto placed = placed_word(std::move(job.shape), *place);
+    if (!placed) return tl::unexpected(placed.error());
+    job.shape = std::move(*placed);
+    if (was_saved && saved_in(job.shape) == nullptr)
+      job.notes.push_back(job.said +
+                          ": it is turned by other than multiples of 90°, so its surface is "
+                          "sampled anew");
+  }
+  sample_anew(job);
   return {};
 }
 
@@ -102,6 +154,8 @@ Outcome<void> lay_fixture(const SetUp::Piece& fixture, StockJob& job) {
   if (!*piece)
     return base::usage("--fixture " + fixture.said +
                        ": a box, a cylinder, a tube or a mesh is expected, on a lathe also a bar");
+  if (std::holds_alternative<stock::SavedShape>(**piece))
+    return base::usage("--fixture " + fixture.said + ": a part that was cut is a stock");
   job.fixtures.push_back({fixture.title(), std::move(**piece)});
   return {};
 }

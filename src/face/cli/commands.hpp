@@ -91,6 +91,8 @@ struct StockFileOptions {
   std::string profile;  ///< .svg, .dxf or .csv
   std::string picture;  ///< .png or .svg
   std::string view;     ///< empty: as the part is mostly shown
+  std::string save;     ///< .kstock
+  bool keep_partial = false;  ///< also of a run that did not reach its end
   std::string mesh = "smooth";
 };
 

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -91,6 +92,8 @@ ExitStatus stock(const StockOptions& options) {
   }
   report_diagnostics(ready, options.run.diagnostics);
   report_stock(options.run, facts, sources);
+  if (options.run.diagnostics != DiagnosticFormat::json)
+    std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
   return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings
                                                                       : ended;

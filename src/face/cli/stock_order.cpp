@@ -32,12 +32,13 @@ Outcome<machine::ToolLibrary> tools_of(const RunOptions& options) {
 }
 
 /// Who describes tools, those that count more first.
-Outcome<void> take_tools(const RunOptions& run, const base::SourceFile& source,
-                         job::StockJob& job) {
+Outcome<void> take_tools(const RunOptions& run, const machine::SetUp& set_up,
+                         const base::SourceFile& source, job::StockJob& job) {
   auto library = tools_of(run);
   if (!library) return tl::unexpected(library.error());
   job.remarks = std::move(library->remarks);
   std::vector<stock::Tool> tools = std::move(library->tools);
+  tools.insert(tools.end(), set_up.tools.begin(), set_up.tools.end());
   const machine::MachineDefinition& definition = job.job.definition;
   if (definition.axes.beam && !job.kerf_mm) job.kerf_mm = library->kerf_mm;
   tools.insert(tools.end(), definition.tools.begin(), definition.tools.end());
@@ -65,7 +66,7 @@ Outcome<job::StockJob> stock_job(const RunOptions& run, const machine::SetUp& se
   job.job.program = std::move(program);
   if (auto taken = take_means(run.table, job); !taken) return tl::unexpected(taken.error());
   if (auto laid = job::lay(set_up, source, job); !laid) return tl::unexpected(laid.error());
-  if (auto taken = take_tools(run, source, job); !taken) return tl::unexpected(taken.error());
+  if (auto taken = take_tools(run, set_up, source, job); !taken) return tl::unexpected(taken.error());
   return job;
 }
 

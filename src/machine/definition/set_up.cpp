@@ -3,8 +3,10 @@
 #include <toml++/toml.h>
 
 #include <iterator>
+#include <utility>
 
 #include "machine/definition/internal/set_up_reader.hpp"
+#include "machine/definition/tools/tool_tables.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -47,6 +49,7 @@ SetUp joined(SetUp more, SetUp less) {
   fill(more.fail_on, less.fail_on);
   fill(more.has_real_lengths, less.has_real_lengths);
   fill(more.design, less.design);
+  append(more.tools, less.tools);
   return more;
 }
 
@@ -57,7 +60,12 @@ base::Outcome<SetUp> read_set_up(const std::string& text, const std::string& sou
                                             std::to_string(at.column) + ": " + what});
   };
   try {
-    return set_up_in(toml::parse(text, source), source);
+    const toml::table file = toml::parse(text, source);
+    SetUp set_up = set_up_in(file, source);
+    auto tools = read_tool_tables(file, source, stock::ToolSource::file);
+    if (!tools) return tl::unexpected(tools.error());
+    for (ToolEntry& entry : *tools) set_up.tools.push_back(std::move(entry.tool));
+    return set_up;
   } catch (const toml::parse_error& error) {
     return failure(error.source().begin, std::string(error.description()));
   } catch (const WrongSetUp& wrong) {

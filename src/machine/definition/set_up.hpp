@@ -10,6 +10,7 @@
 #include "machine/definition/stock_words.hpp"
 #include "stock/cutting/cutting_force.hpp"
 #include "stock/cutting/placement.hpp"
+#include "stock/tool/tool.hpp"
 
 namespace kerf::machine {
 
@@ -44,12 +45,14 @@ struct SetUp {
   std::optional<FailOn> fail_on{};
   std::optional<bool> has_real_lengths{};
   std::optional<Design> design{};
+  std::vector<stock::Tool> tools{};  ///< the ones that count more first
 
   /// All that it has to be read.
   [[nodiscard]] std::vector<std::string> files() const;
 };
 
-/// Both together: `more` counts more, one thing at a time; fixtures and checks left out add up.
+/// Both together: `more` counts more, one thing at a time; fixtures, tools and checks left out add
+/// up.
 [[nodiscard]] SetUp joined(SetUp more, SetUp less);
 
 /// The set-up in a TOML text (docs/set-up.md); files in it are beside `source`. Failure (input): an

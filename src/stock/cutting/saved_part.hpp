@@ -32,8 +32,8 @@ class SavedPart : public base::Interface {
   /// The model again: the same material to the last bit, all of it the stock's. Null: a sheet,
   /// which is no such model.
   [[nodiscard]] virtual std::unique_ptr<Model> model(unsigned jobs) const = 0;
-  /// The same in dexels of its own cells; null: it has none.
-  [[nodiscard]] virtual std::shared_ptr<const SavedPart> as_dexels() const = 0;
+  /// A model of dexels with its own cells; null: it has none.
+  [[nodiscard]] virtual std::unique_ptr<Model> dexels(unsigned jobs) const = 0;
   /// Its surface as triangles, with its volume: for another kind of model, other cells, any place.
   [[nodiscard]] virtual MeshShape solid() const = 0;
   /// Clamped anew, no cell of it changed. Null: it cannot be so, its solid can.

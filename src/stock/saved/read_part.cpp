@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stock/saved/internal/packing.hpp"
@@ -157,7 +158,8 @@ SheetCut read_cut(Unpacker& numbers) {
 
 SheetState::Tile read_sheet_tile(std::uint32_t number, bool has_energy, PartUnpacker& unpacker) {
   Record record = unpacker.record();
-  SheetState::Tile tile{.number = number};
+  SheetState::Tile tile;
+  tile.number = number;
   unpacker.hold(sizeof tile + (has_energy ? sizeof *tile.energy : 0));
   const std::string_view cells = record.take(sheet::kTileCells);
   std::transform(cells.begin(), cells.end(), tile.coverage.begin(),
@@ -199,18 +201,24 @@ Part read_sheet(const PartHead& head, double volume_mm3, PartUnpacker& unpacker)
   return std::make_shared<const SavedSheet>(std::move(state), volume_mm3);
 }
 
+struct PartKind {
+  std::string_view model;
+  Part (*read)(const PartHead& head, double volume_mm3, PartUnpacker& unpacker);
+};
+constexpr std::array<PartKind, 4> kKinds = {{{"zmap", read_field},
+                                             {"tridexel", read_tridexel},
+                                             {"profile", read_turned},
+                                             {"sheet", read_sheet}}};
+
 ReadPart read_all(const GiveBytes& give, std::size_t most_bytes) {
   PartUnpacker unpacker(give, most_bytes);
   const PartHead head(unpacker.head());
   ReadPart read{.label = head.label(), .part = nullptr};
   const std::string model = head.text("model");
-  const auto* const reader = model == "zmap"       ? read_field
-                             : model == "tridexel" ? read_tridexel
-                             : model == "profile"  ? read_turned
-                             : model == "sheet"    ? read_sheet
-                                                   : nullptr;
-  if (reader == nullptr) throw damaged("it has no model that this Kerf knows");
-  read.part = reader(head, read.label.volume_mm3, unpacker);
+  const auto* const kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                        [&](const auto& each) { return each.model == model; });
+  if (kind == kKinds.end()) throw damaged("it has no model that this Kerf knows");
+  read.part = kind->read(head, read.label.volume_mm3, unpacker);
   unpacker.finish();
   return read;
 }

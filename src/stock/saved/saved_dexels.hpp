@@ -23,9 +23,7 @@ class SavedDexels final : public SavedPart {
   [[nodiscard]] double cell_mm() const override;
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::unique_ptr<Model> model(unsigned jobs) const override;
-  [[nodiscard]] std::shared_ptr<const SavedPart> as_dexels() const override {
-    return std::make_shared<const SavedDexels>(*this);
-  }
+  [[nodiscard]] std::unique_ptr<Model> dexels(unsigned jobs) const override { return model(jobs); }
   [[nodiscard]] MeshShape solid() const override;
   [[nodiscard]] std::shared_ptr<const SavedPart> placed(const Placing& placing) const override;
 

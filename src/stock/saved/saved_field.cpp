@@ -123,6 +123,13 @@ FieldState turned_state(const FieldState& state, const FieldTurn& turn, const Pl
   return out;
 }
 
+/// Those of the grid, and as many layers as there are of their size.
+dexel::TriDexel::CellCounts cells_of(const SavedField& part) {
+  const Grid& grid = part.state().grid;
+  const double layers = std::ceil((grid.box.high.z - grid.box.low.z) / part.cell_mm() - 1e-9);
+  return {grid.nx, grid.ny, static_cast<int>(std::max(1.0, layers))};
+}
+
 }  // namespace
 
 double SavedField::cell_mm() const { return std::max(state_.grid.cell_x(), state_.grid.cell_y()); }
@@ -135,13 +142,8 @@ std::unique_ptr<Model> SavedField::model(unsigned jobs) const {
   return std::make_unique<field::HeightField>(state_, jobs);
 }
 
-std::shared_ptr<const SavedPart> SavedField::as_dexels() const {
-  const Bounds& box = state_.grid.box;
-  const double layers = std::ceil((box.high.z - box.low.z) / cell_mm() - 1e-9);
-  const dexel::TriDexel::CellCounts cells{state_.grid.nx, state_.grid.ny,
-                                          static_cast<int>(std::max(1.0, layers))};
-  const dexel::TriDexel model(shape_of(state_, volume_mm3_), cells, 0);
-  return std::make_shared<const SavedDexels>(state_of(model, volume_mm3_));
+std::unique_ptr<Model> SavedField::dexels(unsigned jobs) const {
+  return std::make_unique<dexel::TriDexel>(shape_of(state_, volume_mm3_), cells_of(*this), jobs);
 }
 
 MeshShape SavedField::solid() const {
@@ -153,7 +155,10 @@ MeshShape SavedField::solid() const {
 std::shared_ptr<const SavedPart> SavedField::placed(const Placing& placing) const {
   const auto turn = QuarterTurn::of(placing);
   if (!turn) return nullptr;
-  if (!turn->keeps_z()) return as_dexels()->placed(placing);
+  if (!turn->keeps_z()) {
+    const dexel::TriDexel lying(shape_of(state_, volume_mm3_), cells_of(*this), 0);
+    return SavedDexels(state_of(lying, volume_mm3_)).placed(placing);
+  }
   return std::make_shared<const SavedField>(
       turned_state(state_, {*turn, state_.grid}, placing), volume_mm3_);
 }

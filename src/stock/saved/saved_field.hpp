@@ -22,7 +22,7 @@ class SavedField final : public SavedPart {
   [[nodiscard]] double cell_mm() const override;
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::unique_ptr<Model> model(unsigned jobs) const override;
-  [[nodiscard]] std::shared_ptr<const SavedPart> as_dexels() const override;
+  [[nodiscard]] std::unique_ptr<Model> dexels(unsigned jobs) const override;
   /// Slopes smooth, walls half-way between columns.
   [[nodiscard]] MeshShape solid() const override;
   [[nodiscard]] std::shared_ptr<const SavedPart> placed(const Placing& placing) const override;

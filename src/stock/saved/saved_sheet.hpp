@@ -51,7 +51,7 @@ class SavedSheet final : public SavedPart {
   [[nodiscard]] double cell_mm() const override { return state_.grid.cell(); }
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::unique_ptr<Model> model(unsigned) const override { return nullptr; }
-  [[nodiscard]] std::shared_ptr<const SavedPart> as_dexels() const override { return nullptr; }
+  [[nodiscard]] std::unique_ptr<Model> dexels(unsigned) const override { return nullptr; }
   /// By its ways, exact; without them the whole sheet.
   [[nodiscard]] MeshShape solid() const override;
   [[nodiscard]] std::shared_ptr<const SavedPart> placed(const Placing& placing) const override;

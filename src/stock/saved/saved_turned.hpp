@@ -23,7 +23,7 @@ class SavedTurned final : public SavedPart {
   [[nodiscard]] double cell_mm() const override { return 0; }
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::unique_ptr<Model> model(unsigned jobs) const override;
-  [[nodiscard]] std::shared_ptr<const SavedPart> as_dexels() const override { return nullptr; }
+  [[nodiscard]] std::unique_ptr<Model> dexels(unsigned) const override { return nullptr; }
   [[nodiscard]] MeshShape solid() const override;
   [[nodiscard]] std::shared_ptr<const SavedPart> placed(const Placing& placing) const override;
 

@@ -245,10 +245,13 @@ SetUp set_up_in(const toml::table& file, const std::string& source) {
       take_table(node, "[checks]", kCheckKeys, set_up);
     } else if (name.str() == "design") {
       take_design(node, folder, set_up);
+    } else if (name.str() == "tool" || name.str() == "holder") {
+      if (!node.is_array_of_tables())
+        throw WrongSetUp{node, "[[" + std::string(name.str()) + "]] tables are expected"};
     } else {
       throw WrongSetUp{name.source().begin,
                        "there is no table " + shown(name.str()) +
-                           ": stock, fixture, material, checks and design are there"};
+                           ": stock, fixture, material, checks, design and tool are there"};
     }
   }
   return set_up;

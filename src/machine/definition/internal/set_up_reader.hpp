@@ -17,7 +17,7 @@ struct WrongSetUp {
   std::string what;
 };
 
-/// The set-up that a document has; `source` is its path.
+/// The set-up that a document has, but for its tools; `source` is its path.
 [[nodiscard]] SetUp set_up_in(const toml::table& file, const std::string& source);
 
 }  // namespace kerf::machine

@@ -45,7 +45,13 @@ lengths = "real"
 file = "part.stl"
 place = "0,0,1"
 tolerance = 0.1
+[[tool]]
+number = 5
+type = "ball"
+diameter = 6
 )");
+  ASSERT_EQ(set_up.tools.size(), 1U);
+  EXPECT_EQ(set_up.tools[0].number, 5);
   ASSERT_TRUE(set_up.stock && set_up.zero && set_up.place && set_up.material && set_up.design);
   EXPECT_DOUBLE_EQ(stock::volume(std::get<stock::Workpiece>(set_up.stock->word)), 120000);
   EXPECT_EQ(name_of(*set_up.zero), "G55");
@@ -89,8 +95,8 @@ TEST(SetUp, WhatIsWrongHasItsLineAndColumn) {
       {"[stock]\n  shap = \"box:0,0,0,1,1,1\"\n",
        "vice.toml:2:3: [stock] has no key shap: shape, zero, place, unit are there"},
       {"[stocks]\n",
-       "vice.toml:1:2: there is no table stocks: stock, fixture, material, checks and design are "
-       "there"},
+       "vice.toml:1:2: there is no table stocks: stock, fixture, material, checks, design and "
+       "tool are there"},
       {"[stock]\nshape = 5\n", "vice.toml:2:9: shape is a text"},
       {"[stock]\nzero = \"G60\"\n",
        "vice.toml:2:8: zero G60: G54 to G59, G54.1P1 to G54.1P300, machine or auto is expected"},

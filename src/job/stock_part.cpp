@@ -5,6 +5,7 @@
 #include "geometry/contour/boolean.hpp"
 #include "job/internal/stock_models.hpp"
 #include "stock/field/height_field.hpp"
+#include "stock/saved/saved_sheet.hpp"
 #include "stock/sheet/outline.hpp"
 #include "stock/surface/contouring.hpp"
 #include "stock/surface/dexel_samples.hpp"
@@ -77,6 +78,8 @@ Surface surface_of(const stock::Workpiece& shape, double chord_mm) {
     return {triangles, std::vector<std::uint32_t>(triangles.triangles.size()),
             std::vector<std::uint32_t>(triangles.points.size())};
   }
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&shape))
+    return surface_of(stock::Workpiece(saved->part->solid()), chord_mm);
   const stock::Bounds box = stock::bounds(shape);
   return stock::surface::plate(rectangle(box), box.low.z, box.high.z, chord_mm);
 }
@@ -95,7 +98,12 @@ Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
 
 std::optional<contour::Region> pieces_of(const StockResult& result) {
   if (!result.sheet) return {};
-  const contour::Region sheet = rectangle(stock::bounds(result.shape));
+  contour::Region sheet = rectangle(stock::bounds(result.shape));
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&result.shape)) {
+    if (const auto* const before =
+            dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
+      sheet = contour::subtract(sheet, stock::saved::outline_of(before->state().cuts));
+  }
   if (result.ways.empty()) return sheet;
   return contour::subtract(sheet,
                            stock::sheet::outline_of(result.ways, result.sheet_facts->kerf_mm));

@@ -17,9 +17,11 @@
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/threads_of.hpp"
+#include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
+#include "stock/cutting/saved_part.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
@@ -50,8 +52,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         zero_(run_->machine(), job.zero),
         frame_(axes(), turns_of(plan, run_->machine().definition())),
         strokes_(run_->machine()),
-        rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(), is_lathe(), plan.axial,
-                                        plan.driven)),
+        rack_(std::make_unique<RunRack>(job, run_->machine(), plan.axial, plan.driven)),
         driven_(axes(), *rack_, plan.origin.x) {
     frame_.set_zero(plan.origin);
   }
@@ -176,6 +177,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.pieces = pieces_;
     result.threads = threads_of(*model_, *cutter_);
     result.assumed = rack_->assumed();
+    if (was_field() && plan_.kind == StockModel::tridexel) {
+      result.assumed.push_back({0, "the height field of the stock became dexels: its walls stand "
+                                   "half-way between its columns"});
+    }
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;
     result.model = std::move(model_);
@@ -241,6 +246,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     return true;
   }
 
+  [[nodiscard]] bool was_field() const {
+    const auto* const saved = std::get_if<stock::SavedShape>(&plan_.shape);
+    return saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::field;
+  }
   [[nodiscard]] bool is_lathe() const { return run_->machine().definition().turns(); }
   /// By the smallest of the driven tools.
   [[nodiscard]] double cell_for_driven() const {
@@ -374,6 +383,7 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
     }
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
+    tell_notes(job, result);
     if (!result.skips.empty() && !job.job.interrupt_at_s.empty())
       return base::usage(
           "--interrupt-at: when it comes depends on where probes meet the stock; say where by "

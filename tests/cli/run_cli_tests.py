@@ -47,6 +47,7 @@ import journal_tests  # noqa: F401
 import replay_tests  # noqa: F401
 import row_tests  # noqa: F401
 import set_point_tests  # noqa: F401
+import set_up_tests  # noqa: F401
 import sheet_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401

@@ -197,11 +197,12 @@ def wrong(box):
     box.write("part.nc", HEAD + SLOT + TAIL)
     for words in (("--stock", "box:0,0,0,0,1,1"), ("--stock", "box:1,2,3"), ("--stock", "cylinder:Q,0,0,0,1,2"),
                   ("--stock", "tube:Z,0,0,0,1,2,3"), ("--stock", "extents:-1"), ("--stock", "bar:10,-5,0"),
-                  ("--stock", "sheet:0,0,1,1,1"), ("--stock", "nothing.stl"), ("--stock-zero", "G60"),
+                  ("--stock", "sheet:0,0,1,1,1"), ("--stock-zero", "G60"),
                   ("--cell", "0"), ("--cell", "x"), ("--fixture", "bar:1,2,3"), ("--model", "voxel")):
         refused(box.kerf("stock", "part.nc", *words), 2, words[0])
     box.write("tools.toml", '[[tool]]\nnumber = 1\ntype = "bull"\ndiameter = 4\ncorner_radius = 3\n')
     refused(box.kerf("stock", "part.nc", "--tools", "tools.toml"), 3, "tools.toml:5")
+    refused(box.kerf("stock", "part.nc", "--stock", "nothing.stl"), 3, "nothing.stl")
 
 
 @test("stock: behind an alarm the part is as it was cut, and the status says so")

@@ -13,6 +13,7 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 
@@ -60,7 +61,7 @@ base::Outcome<void> check_table(const std::string& path, const CheckOptions& opt
   const auto table = run_on_table(of_file);
   if (!table) return tl::unexpected(table.error());
   for (const output::StockFacts::Told& told : table->facts.findings) {
-    if (counts(options.table, told))
+    if (counts(table->set_up, told))
       report.add(told.diagnostic, table->cut.run->machine().sources());
   }
   return {};

@@ -30,17 +30,21 @@ struct CommonOptions {
 
 /// What lies on the table, what holds it in the computer, and which checks count.
 struct TableOptions {
-  std::string stock;  ///< empty: extents, which nobody has said
-  std::string zero = "auto";
+  std::string set_up;  ///< a file; empty: none
+  std::string stock;   ///< empty: as the set-up or the program has it, else extents
+  std::string unit;    ///< of STL files, mm or inch; empty: mm
+  std::string zero;    ///< empty: as the set-up has it, else auto
+  std::string place;   ///< X,Y,Z[,A,B,C]; empty: as the set-up has it, else none
+  std::string start;   ///< X,Y,Z; empty: nobody knows
   std::vector<std::string> fixtures;
   std::string model = "auto";
   std::string cell;    ///< mm; empty: by the tools, or the kerf
   std::string kerf;    ///< mm; empty: as the machine has it
   std::string memory;  ///< MiB; empty: 1024
   unsigned jobs = 0;   ///< threads; 0: one a processor
-  std::string fail_on = "warning";
-  std::string material;                ///< a group, or kc11,mc; empty: not known
-  std::string lengths = "programmed";  ///< or real
+  std::string fail_on;   ///< empty: as the set-up has it, else warning
+  std::string material;  ///< a group, or kc11,mc; empty: as the set-up has it, else not known
+  std::string lengths;   ///< programmed or real; empty: as the set-up has it, else programmed
   std::vector<std::string> no_checks;  ///< codes
 
   friend bool operator==(const TableOptions&, const TableOptions&) = default;
@@ -87,6 +91,8 @@ struct StockFileOptions {
   std::string profile;  ///< .svg, .dxf or .csv
   std::string picture;  ///< .png or .svg
   std::string view;     ///< empty: as the part is mostly shown
+  std::string save;     ///< .kstock
+  bool keep_partial = false;  ///< also of a run that did not reach its end
   std::string mesh = "smooth";
 };
 

@@ -29,6 +29,8 @@ class Outputs {
 
   /// What was found in the run's stock, for the summary.
   void tell_stock(output::CheckedStock checked) { stock_ = std::move(checked); }
+  /// A file that is read: none of these may be written.
+  void keep_from(const std::string& input) { files_.keep_from(input); }
   /// Opens what the options ask for and has the machine write into it. Failure (usage): an option
   /// does not fit its file's ending or the machine; (output): a file cannot be written.
   [[nodiscard]] base::Outcome<void> open();

@@ -9,6 +9,7 @@
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "machine/definition/state_file.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/reports/summary.hpp"
@@ -57,8 +58,10 @@ namespace {
 ExitStatus make(const RunOptions& options, const ReadyRun& ready, const TableRun* table) {
   BatchRun& machine = ready.machine();
   Outputs outputs(options, ready);
-  if (table != nullptr)
+  if (table != nullptr) {
     outputs.tell_stock(output::checked_stock(table->facts, table->cut.run->machine().sources()));
+    for (const std::string& input : table->set_up.files()) outputs.keep_from(input);
+  }
   if (auto opened = outputs.open(); !opened) return fail(opened.error());
   const Status status = run_showing_progress(*ready.run);
   if (auto committed = outputs.commit(); !committed) return fail(committed.error());
@@ -70,7 +73,7 @@ ExitStatus make(const RunOptions& options, const ReadyRun& ready, const TableRun
   if (table == nullptr) return exit_status_of(status);
   report_stock(options, table->facts, table->cut.run->machine().sources());
   const bool is_well = exit_status_of(status) == ExitStatus::well;
-  return is_well && fails(options.table, table->facts) ? ExitStatus::findings
+  return is_well && fails(table->set_up, table->facts) ? ExitStatus::findings
                                                        : exit_status_of(status);
 }
 

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"
@@ -51,6 +53,8 @@ base::Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
 }  // namespace
 
 ExitStatus stock(const StockOptions& options) {
+  const auto set_up = set_up_of(options.run.table);
+  if (!set_up) return fail(set_up.error());
   auto program = kept_program(options.run.program);
   if (!program) return fail(program.error());
   auto source = program->open();
@@ -58,13 +62,15 @@ ExitStatus stock(const StockOptions& options) {
   auto ordered = job_of(options.run, **source);
   if (!ordered) return fail(ordered.error());
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options.run, std::move(*ordered), std::move(*program), **source);
+  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
   if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
   StockFiles files(options.files);
   for (const std::string* const input :
-       {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state})
+       {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
+        &options.run.table.set_up})
     files.keep_from(*input);
+  for (const std::string& input : set_up->files()) files.keep_from(input);
   if (auto opened = files.open(*job); !opened) return fail(opened.error());
   job->keeps_ways = files.needs_ways();
   std::optional<base::Failure> no_rows;
@@ -73,7 +79,7 @@ ExitStatus stock(const StockOptions& options) {
   if (!cut) return fail(cut.error());
   if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
   output::StockFacts facts = job::facts_of(*cut);
-  facts.shape = shape_word(options.run.table);
+  facts.shape = job->said;
   facts.run.chosen = ready.choice.chosen;
   if (auto written = files.write(*cut, facts, *job); !written) return fail(written.error());
   ready.run = std::move(cut->run);
@@ -86,8 +92,10 @@ ExitStatus stock(const StockOptions& options) {
   }
   report_diagnostics(ready, options.run.diagnostics);
   report_stock(options.run, facts, sources);
+  if (options.run.diagnostics != DiagnosticFormat::json)
+    std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
-  return ended == ExitStatus::well && fails(options.run.table, facts) ? ExitStatus::findings
+  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings
                                                                       : ended;
 }
 

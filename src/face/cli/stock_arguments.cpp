@@ -5,20 +5,54 @@
 
 namespace kerf::cli {
 
-void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
-  app.option_defaults()->group("Stock");
+namespace {
+
+/// What lies on the table, and where.
+void add_shapes(CLI::App& app, TableOptions& o) {
+  app.add_option("--setup", o.set_up,
+                 "stock, fixtures, material, checks and design as a TOML file; the other options "
+                 "count more")
+      ->type_name("FILE");
   app.add_option("--stock", o.stock,
                  "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
-                 "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, or extents[:M], "
-                 "around what is cut; default extents:5")
+                 "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, an STL or a .kstock, or "
+                 "extents[:M], around what is cut; default a WORKPIECE comment of the program, "
+                 "else extents:5")
       ->type_name("SHAPE");
+  app.add_option("--stock-unit", o.unit, "unit of STL files: mm or inch; default mm")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
   app.add_option("--stock-zero", o.zero,
                  "where its zero stands: G54 to G59, G54.1P1 to G54.1P300, machine or auto, the "
                  "one in force at the first cut; default auto")
       ->type_name("SYSTEM");
+  app.add_option("--stock-place", o.place,
+                 "how it is clamped: turned about its zero by A about X, B about Y, C about Z, "
+                 "then moved")
+      ->type_name("X,Y,Z[,A,B,C]");
+  app.add_option("--start", o.start,
+                 "where the axes begin, machine coordinates; rapids from there are checked")
+      ->type_name("X,Y,Z");
   repeated(app.add_option("--fixture", o.fixtures,
                           "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
+}
+
+void add_checks(CLI::App& app, TableOptions& o) {
+  app.option_defaults()->group("Checks");
+  repeated(app.add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
+      ->type_name("CODE");
+  app.add_option("--fail-on", o.fail_on,
+                 "findings that make the exit status 1: error, warning or never; default warning")
+      ->type_name("SEVERITY")
+      ->check(CLI::IsMember({"error", "warning", "never"}));
+}
+
+}  // namespace
+
+void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
+  app.option_defaults()->group("Stock");
+  add_shapes(app, o);
   app.add_option("--model", o.model,
                  "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")
@@ -45,13 +79,7 @@ void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
                  "offset; default programmed")
       ->type_name("KIND")
       ->check(CLI::IsMember({"programmed", "real"}));
-  app.option_defaults()->group("Checks");
-  repeated(app.add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
-      ->type_name("CODE");
-  app.add_option("--fail-on", o.fail_on,
-                 "findings that make the exit status 1: error, warning or never; default warning")
-      ->type_name("SEVERITY")
-      ->check(CLI::IsMember({"error", "warning", "never"}));
+  add_checks(app, o);
 }
 
 void add_stock(CLI::App& app, StockOptions& o) {

@@ -1,6 +1,8 @@
 #include "face/cli/stock_files.hpp"
 
+#include "face/cli/ready_run.hpp"
 #include "job/facts_of_run.hpp"
+#include "job/part_file.hpp"
 #include "job/stock_part.hpp"
 #include "output/part/part_picture.hpp"
 #include "output/part/part_solids.hpp"
@@ -10,6 +12,7 @@
 #include "output/solid/glb_writer.hpp"
 #include "output/solid/stl_writer.hpp"
 #include "output/solid/three_mf_writer.hpp"
+#include "output/writing/diagnostic_text.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -57,6 +60,12 @@ void add_stock_files(CLI::App& stock, StockFileOptions& o) {
           "from where the picture is seen: iso, top, front, left or X,Y,Z towards who looks; "
           "default iso")
       ->type_name("VIEW");
+  stock
+      .add_option("--save", o.save,
+                  "what is left of the part, a .kstock for --stock of the next set-up")
+      ->type_name("FILE");
+  stock.add_flag("--keep-partial", o.keep_partial,
+                 "writes --save also when the run does not reach its end");
 }
 
 Outcome<void> StockFiles::open(const job::StockJob& job) {
@@ -93,11 +102,15 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
           files_.open(options_.profile, kRecord, [&](OutputFile& file) { profile_ = &file; });
       !opened)
     return opened;
+  constexpr auto kPart = OutputFiles::Kind::drives_a_machine;
+  if (auto opened = files_.open(options_.save, kPart, [&](OutputFile& file) { save_ = &file; });
+      !opened)
+    return opened;
   return files_.open(options_.picture, kRecord, [&](OutputFile& file) { picture_ = &file; });
 }
 
 bool StockFiles::needs_ways() const {
-  return stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr || picture_ != nullptr ||
+  return save_ != nullptr || stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr || picture_ != nullptr ||
          profile_ != nullptr;
 }
 
@@ -176,7 +189,23 @@ Outcome<void> StockFiles::write(const job::StockResult& result, const output::St
     picture_->write(is_png(options_.picture) ? output::plot::write_png(drawn, kPixelsPerUnit)
                                              : output::plot::write_svg(drawn));
   }
-  return files_.commit(OutputFiles::Which::all);
+  if (auto saved = write_part(result, facts, job); !saved) return saved;
+  return files_.commit(is_partial_ ? OutputFiles::Which::records_only : OutputFiles::Which::all);
+}
+
+// Whoever mounts it next would not know that something is missing.
+Outcome<void> StockFiles::write_part(const job::StockResult& result,
+                                     const output::StockFacts& facts, const job::StockJob& job) {
+  if (save_ == nullptr) return {};
+  const bool has_ended = exit_status_of(result.status) == ExitStatus::well && !result.is_stopped;
+  is_partial_ = !has_ended && !options_.keep_partial;
+  return is_partial_ ? Outcome<void>{} : job::save_part(job, result, facts, *save_);
+}
+
+std::string StockFiles::remarks() const {
+  if (!is_partial_) return {};
+  return "  " + output::printable(options_.save) +
+         " was not written: the run did not reach its end (--keep-partial)\n";
 }
 
 }  // namespace kerf::cli

@@ -31,8 +31,13 @@ class StockFiles {
   [[nodiscard]] base::Outcome<void> write(const job::StockResult& result,
                                           const output::StockFacts& facts,
                                           const job::StockJob& job);
+  /// What else there is to say behind the run, for people: indented lines.
+  [[nodiscard]] std::string remarks() const;
 
  private:
+  [[nodiscard]] base::Outcome<void> write_part(const job::StockResult& result,
+                                               const output::StockFacts& facts,
+                                               const job::StockJob& job);
   [[nodiscard]] base::Outcome<void> write_solids(const job::StockResult& result,
                                                  const output::StockFacts& facts,
                                                  const job::StockJob& job);
@@ -52,6 +57,8 @@ class StockFiles {
   base::OutputFile* three_mf_ = nullptr;
   base::OutputFile* picture_ = nullptr;
   base::OutputFile* profile_ = nullptr;
+  base::OutputFile* save_ = nullptr;
+  bool is_partial_ = false;  ///< what was to be saved is not the whole
 };
 
 }  // namespace kerf::cli

@@ -9,6 +9,7 @@
 #include "face/cli/ready_run.hpp"
 #include "job/stock_job.hpp"
 #include "job/stock_run.hpp"
+#include "machine/definition/set_up.hpp"
 #include "output/reports/stock_facts.hpp"
 
 namespace kerf::cli {
@@ -17,25 +18,23 @@ namespace kerf::cli {
 /// Failure (input).
 [[nodiscard]] base::Outcome<base::ProgramText> kept_program(const std::string& path);
 
-/// What the words of a command line put on the table, around a job that job_of() has made of the
-/// same options. `source` is the program, opened. Failure (usage): a word is wrong; (input): the
-/// file of tools cannot be read.
-[[nodiscard]] base::Outcome<job::StockJob> stock_job(const RunOptions& run, OrderedJob ordered,
-                                                     base::ProgramText program,
+/// What a set-up and the words of a command line put on the table, around a job that job_of() has
+/// made of the same options. `source` is the program, opened. Failure (usage): a word is wrong;
+/// (input): the file of tools, or one that the set-up names, cannot be read.
+[[nodiscard]] base::Outcome<job::StockJob> stock_job(const RunOptions& run,
+                                                     const machine::SetUp& set_up,
+                                                     OrderedJob ordered, base::ProgramText program,
                                                      const base::SourceFile& source);
 
-/// Whether something lies on the table. Failure (usage): it is spoken of, and nothing does.
-[[nodiscard]] base::Outcome<bool> has_table(const TableOptions& options);
-/// The shape on the table as reports call it.
-[[nodiscard]] std::string shape_word(const TableOptions& options);
 /// Whether a finding is one of those that make the command fail.
-[[nodiscard]] bool counts(const TableOptions& options, const output::StockFacts::Told& told);
+[[nodiscard]] bool counts(const machine::SetUp& set_up, const output::StockFacts::Told& told);
 /// Whether a finding makes the command fail.
-[[nodiscard]] bool fails(const TableOptions& options, const output::StockFacts& facts);
+[[nodiscard]] bool fails(const machine::SetUp& set_up, const output::StockFacts& facts);
 
 /// A run whose stock has been cut, what was found, and the same run once more, which nobody has
 /// made yet: probes meet there what they met.
 struct TableRun {
+  machine::SetUp set_up;
   job::StockResult cut;
   output::StockFacts facts;
   ReadyRun ready;

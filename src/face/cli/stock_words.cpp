@@ -1,57 +1,12 @@
 #include "face/cli/stock_words.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
 
 #include "base/decimal.hpp"
 
 namespace kerf::cli {
-namespace {
 
-using base::Code;
 using base::Outcome;
-
-/// Every check of stock.md §5 and §7.
-constexpr std::array kChecks{
-    Code::rapid_in_stock,      Code::spindle_stopped,  Code::spindle_direction,
-    Code::flute_length,        Code::shank_collision,  Code::holder_collision,
-    Code::fixture_collision,   Code::insert_collision, Code::not_centre_cutting,
-    Code::axial_tool_sideways, Code::probe_in_stock,   Code::overtravel_plus,
-    Code::overtravel_minus,    Code::tap_without_hole, Code::thread_pitch,
-    Code::feed_per_tooth,      Code::cut_depth,        Code::cut_width,
-    Code::cutting_speed,       Code::cutting_power,    Code::tool_length,
-    Code::stock_loose,         Code::tool_import,      Code::stock_zero_moved,
-    Code::stock_missed,        Code::cell_enlarged};
-
-}  // namespace
-
-Outcome<std::optional<stock::CutMaterial>> material_of(const std::string& word) {
-  if (word.empty()) return std::optional<stock::CutMaterial>{};
-  if (const auto group = stock::material_named(word)) return group;
-  const std::size_t comma = word.find(',');
-  if (comma != std::string::npos) {
-    const double kc11 = base::read_number(word.substr(0, comma)).value_or(0);
-    const double mc = base::read_number(word.substr(comma + 1)).value_or(-1);
-    if (kc11 > 0 && mc >= 0 && mc < 1) return std::optional(stock::CutMaterial{kc11, mc});
-  }
-  return base::usage("--material " + word +
-                     ": one of P, M, K, N, S, H is expected, or kc11,mc: N/mm² above 0 and an "
-                     "exponent from 0 to below 1");
-}
-
-Outcome<std::vector<Code>> left_out_of(const std::vector<std::string>& names) {
-  std::vector<Code> codes;
-  for (const std::string& name : names) {
-    const auto* const known = std::find_if(kChecks.begin(), kChecks.end(), [&](Code code) {
-      return base::text_of(code).number == name;
-    });
-    if (known == kChecks.end())
-      return base::usage("--no-check " + name + ": no check of stock has this code");
-    codes.push_back(*known);
-  }
-  return codes;
-}
 
 Outcome<std::optional<job::CutUntil>> until_of(const std::string& word) {
   if (word.empty()) return std::optional<job::CutUntil>{};

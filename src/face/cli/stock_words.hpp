@@ -2,9 +2,7 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "base/diagnostic_code.hpp"
 #include "base/result.hpp"
 #include "job/stock_job.hpp"
 
@@ -12,11 +10,6 @@ namespace kerf::cli {
 
 // Words of `kerf stock` that are read here. Failure (usage): the option and what is wrong with it.
 
-/// `--material`: a group, or kc11 and mc. Empty: none.
-[[nodiscard]] base::Outcome<std::optional<stock::CutMaterial>> material_of(const std::string& word);
-/// `--no-check`: codes of checks.
-[[nodiscard]] base::Outcome<std::vector<base::Code>> left_out_of(
-    const std::vector<std::string>& names);
 /// `--until`: a line, or seconds ("12.5s"). Empty: none.
 [[nodiscard]] base::Outcome<std::optional<job::CutUntil>> until_of(const std::string& word);
 

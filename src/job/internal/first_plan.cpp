@@ -5,14 +5,30 @@
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/survey_pass.hpp"
 #include "job/stock_run.hpp"
+#include "stock/cutting/saved_part.hpp"
 
 namespace kerf::job {
 namespace {
 
 using base::Outcome;
 
+/// A part that was cut before, with cells of its own; null: something else lies there.
+const stock::SavedPart* saved_part(const StockJob& job) {
+  const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
+  const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
+  return saved != nullptr ? saved->part.get() : nullptr;
+}
+
+/// The cells of a plan: of what was cut before its own.
+double cell_for(const StockJob& job, const SurveyedTools& tools) {
+  const stock::SavedPart* const saved = saved_part(job);
+  if (saved != nullptr && saved->cell_mm() > 0) return saved->cell_mm();
+  return job.cell_mm.value_or(tools.usual_cell());
+}
+
 bool needs_survey(const StockJob& job) {
-  const bool needs_cell = !job.cell_mm && !job.job.definition.turns();
+  const bool needs_cell =
+      !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 
@@ -49,8 +65,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   StockPlan plan;
   plan.is_surveyed = true;
   for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
-  RunRack rack(job.tools, (*run)->machine().memory(), (*run)->machine().definition().turns(),
-               plan.axial);
+  RunRack rack(job, (*run)->machine(), plan.axial);
   plan.origin = pass.origin();
   plan.without_changes = !pass.survey().changes_tool();
   const SurveyedTools tools(pass.survey(), rack, plan.origin);
@@ -59,7 +74,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
     shape = shape_before_alarm(job.job.definition.turns(), assumed);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  plan.cell_mm = cell_for(job, tools);
   choose_model(job, tools, plan);
   return plan;
 }
@@ -73,7 +88,7 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job) {
   auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
-  plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
+  plan.cell_mm = cell_for(job, SurveyedTools{});
   choose_model(job, SurveyedTools{}, plan);
   return plan;
 }

@@ -3,11 +3,6 @@
 #include <fmt/format.h>
 
 namespace kerf::job {
-namespace {
-
-constexpr double kTouch_mm = 0.01;  // stock.md §5
-
-}  // namespace
 
 machine::ToolUse RunRack::use_of(std::uint32_t number) const {
   const auto driven = driven_.find(number);
@@ -40,7 +35,7 @@ const stock::CuttingTool& RunRack::tool(std::uint32_t number) {
   has_guessed_ = has_guessed_ || chosen.tool.source == stock::ToolSource::assumed;
   chosen.tool.number = static_cast<int>(number);
   stock::CuttingTool& tool =
-      ready_.emplace(number, stock::cutting_tool(chosen.tool, kTouch_mm)).first->second;
+      ready_.emplace(number, stock::cutting_tool(chosen.tool, touch_mm_)).first->second;
   const auto driven = driven_.find(number);
   if (driven != driven_.end() && !tool.tool.is_insert()) stand(tool, driven->second);
   return tool;

@@ -5,7 +5,9 @@
 
 #include "control/core/assumptions.hpp"
 #include "control/core/memory.hpp"
+#include "job/stock_job.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
+#include "machine/run/batch_run.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/driven_tools.hpp"
 
@@ -20,11 +22,11 @@ class RunRack final : public stock::ToolRack {
   using Driven = std::map<std::uint32_t, stock::DrivenTool>;
 
   /// All must outlive the rack.
-  RunRack(const machine::ToolChoice& tools, const control::Memory& memory, bool turns,
-          AxialTools axial, Driven driven = {})
-      : tools_(tools),
-        memory_(memory),
-        turns_(turns),
+  RunRack(const StockJob& job, const machine::BatchRun& run, AxialTools axial, Driven driven = {})
+      : tools_(job.tools),
+        memory_(run.memory()),
+        turns_(run.definition().turns()),
+        touch_mm_(job.touch_mm),
         axial_(std::move(axial)),
         driven_(std::move(driven)) {}
 
@@ -42,6 +44,7 @@ class RunRack final : public stock::ToolRack {
   const machine::ToolChoice& tools_;
   const control::Memory& memory_;
   bool turns_;
+  double touch_mm_;
   AxialTools axial_;
   Driven driven_;
   std::map<std::uint32_t, stock::CuttingTool> ready_;

@@ -7,7 +7,10 @@
 #include <thread>
 
 #include "job/internal/stock_pass.hpp"
+#include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
+#include "stock/cutting/saved_part.hpp"
+#include "stock/saved/saved_sheet.hpp"
 #include "stock/sheet/beam_energy.hpp"
 #include "stock/sheet/beam_tracer.hpp"
 #include "stock/sheet/pieces.hpp"
@@ -38,14 +41,27 @@ struct SheetPlan {
   double kerf_mm = 0;
   double cell_mm = 0;
   double wanted_cell_mm = 0;
+  std::shared_ptr<const stock::SavedPart> saved{};  // that it is; null: it is whole
+
+  [[nodiscard]] const stock::saved::SavedSheet* before() const {
+    return dynamic_cast<const stock::saved::SavedSheet*>(saved.get());
+  }
 };
 
 Box box_of(const machine::StockSheet& sheet) {
   return {{sheet.x0, sheet.y0}, {sheet.x1, sheet.y1}};
 }
 
-stock::BoxShape shape_of(const machine::StockSheet& sheet) {
-  return {{sheet.x0, sheet.y0, -sheet.thickness}, {sheet.x1, sheet.y1, 0}};
+stock::Workpiece shape_of(const SheetPlan& plan) {
+  if (plan.saved) return stock::SavedShape{plan.saved};
+  const machine::StockSheet& sheet = plan.sheet;
+  return stock::BoxShape{{sheet.x0, sheet.y0, -sheet.thickness}, {sheet.x1, sheet.y1, 0}};
+}
+
+/// The cells of a sheet that was cut before are its own.
+stock::sheet::Grid grid_for(const SheetPlan& plan) {
+  if (plan.before() != nullptr) return plan.before()->state().grid;
+  return stock::sheet::grid_of(box_of(plan.sheet), plan.cell_mm);
 }
 
 /// What all passes over a program with a beam have: where its ways are, seen from the stock.
@@ -87,8 +103,7 @@ class SheetPass {
  public:
   SheetPass(const StockJob& job, const SheetPlan& plan, std::unique_ptr<Run> run)
       : plan_(plan),
-        sheet_(std::make_unique<Sheet>(stock::sheet::grid_of(box_of(plan.sheet), plan.cell_mm),
-                                       settings(job, plan))),
+        sheet_(std::make_unique<Sheet>(grid_for(plan), settings(job, plan))),
         pass_(
             job, plan.origin, plan.kerf_mm * kTolerance,
             [this, keeps = job.keeps_ways](const Trace& trace, const motion::Motion&) {
@@ -99,7 +114,12 @@ class SheetPass {
         energy_(pass_.frame(), job.job.definition.drive.laser.max_power_w,
                 [this](const Burn& burn) { add(burns_, burn); }) {
     pass_.run().machine().add_point_sink(energy_);
+    if (plan_.before() != nullptr) static_cast<void>(plan_.before()->restore(*sheet_));
+    cut_before_mm2_ = sheet_->cut_mm2();
   }
+
+  /// The memory holds all that was touched.
+  [[nodiscard]] bool is_whole() const { return sheet_->missing_tiles() == 0; }
 
   void go() {
     status_ = pass_.run().go();
@@ -110,7 +130,7 @@ class SheetPass {
     SheetPlan better = plan_;
     const auto& origin = pass_.zero().origin();
     if (origin) better.origin = *origin;
-    if (sheet_->missing_tiles() > 0) {
+    if (!is_whole() && !plan_.saved) {
       const auto held = static_cast<double>(sheet_->touched_tiles());
       const double wanted = held + static_cast<double>(sheet_->missing_tiles());
       better.cell_mm *= std::max(kEnlarge, wanted / held);
@@ -124,7 +144,7 @@ class SheetPass {
     result.status = status_;
     result.zero = pass_.zero().zero();
     result.origin = plan_.origin;
-    result.shape = shape_of(plan_.sheet);
+    result.shape = shape_of(plan_);
     result.sheet_facts = sheet_facts();
     result.model_facts = model_facts();
     tell(job, result);
@@ -160,7 +180,7 @@ class SheetPass {
     output::StockFacts::Sheet facts;
     facts.kerf_mm = plan_.kerf_mm;
     facts.thickness_mm = plan_.sheet.thickness;
-    facts.cut_mm2 = sheet_->cut_mm2();
+    facts.cut_mm2 = sheet_->cut_mm2() - cut_before_mm2_;
     facts.cut_mm = pass_.tracer().cut_mm();
     facts.energy_j = energy_.energy_j();
     facts.peak_j_mm2 = sheet_->peak_j_mm2();
@@ -217,6 +237,7 @@ class SheetPass {
   std::vector<Burn> burns_;
   BeamPass pass_;
   BeamEnergy energy_;
+  double cut_before_mm2_ = 0;  // by the runs before
   machine::RunStatus status_{};
 };
 
@@ -250,6 +271,15 @@ Outcome<machine::StockSheet> around(const StockJob& job, double margin_mm, Vec3&
   return sheet;
 }
 
+/// A sheet that was cut before; null: something else lies there.
+std::shared_ptr<const stock::SavedPart> saved_sheet(const StockJob& job) {
+  const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
+  const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
+  const bool is_sheet =
+      saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::sheet;
+  return is_sheet ? saved->part : nullptr;
+}
+
 Outcome<SheetPlan> plan_of(const StockJob& job, std::vector<control::Assumption>& assumed) {
   SheetPlan plan;
   plan.kerf_mm = job.kerf_mm.value_or(job.job.definition.drive.laser.width_of_cut());
@@ -262,6 +292,15 @@ Outcome<SheetPlan> plan_of(const StockJob& job, std::vector<control::Assumption>
     if (!run) return tl::unexpected(run.error());
     plan.origin = ZeroWatch((*run)->machine(), job.zero).at_start();
     plan.sheet = *sheet;
+  } else if (auto saved = saved_sheet(job)) {
+    auto run = Run::of(job.job);
+    if (!run) return tl::unexpected(run.error());
+    plan.origin = ZeroWatch((*run)->machine(), job.zero).at_start();
+    plan.saved = std::move(saved);
+    const stock::Bounds box = plan.saved->box();
+    plan.sheet = {box.low.x, box.low.y, box.high.x, box.high.y, box.high.z - box.low.z};
+    plan.wanted_cell_mm = plan.cell_mm = plan.saved->cell_mm();
+    return plan;
   } else {
     return base::usage("--stock: a laser cuts a sheet: sheet:X0,Y0,X1,Y1,T or extents");
   }
@@ -290,8 +329,12 @@ Outcome<StockResult> cut_sheet(const StockJob& job) {
       *plan = *better;
       continue;
     }
+    if (!pass.is_whole() && plan->saved)
+      return base::usage("--memory: what is left of the sheet does not fit into " +
+                         std::to_string(job.memory_bytes >> 20) + " MiB");
     StockResult result = pass.result(job);
     result.assumed.insert(result.assumed.begin(), assumed.begin(), assumed.end());
+    tell_notes(job, result);
     return result;
   }
 }

@@ -7,6 +7,7 @@
 
 #include "job/internal/mesh_stock.hpp"
 #include "math/math.hpp"
+#include "stock/cutting/saved_part.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
@@ -24,6 +25,8 @@ double fitting_cell(const StockPlan& plan, std::size_t bytes);
 bool is_height_field(const StockJob& job, StockPlan plan) {
   const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
   const auto* const mesh = std::get_if<stock::MeshShape>(&plan.shape);
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape))
+    return saved->part->kind() == stock::SavedPart::Kind::field;
   if (mesh == nullptr) return round == nullptr || round->along == 2;
   plan.kind = StockModel::zmap;
   const double cell = fitting_cell(plan, job.memory_for_model());
@@ -39,6 +42,8 @@ std::string objection_to_zmap(const StockJob& job, const SurveyedTools& tools,
 }
 
 bool is_about_spindle(const stock::Workpiece& shape) {
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&shape))
+    return saved->part->kind() == stock::SavedPart::Kind::turned;
   const auto* const round = std::get_if<stock::CylinderShape>(&shape);
   return round != nullptr && round->along == 2 && round->u == 0 && round->v == 0;
 }
@@ -53,10 +58,23 @@ contour::Region bar_of(const stock::CylinderShape& bar) {
   return stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter);
 }
 
-MadeModel make_profile(const stock::CylinderShape& bar) {
+MadeModel make_profile(const stock::Workpiece& shape) {
   MadeModel made;
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&shape)) {
+    made.model = saved->part->model(1);
+    return made;
+  }
+  const auto& bar = std::get<stock::CylinderShape>(shape);
   made.model = std::make_unique<stock::turned::TurnedPart>(bar_of(bar));
   return made;
+}
+
+/// The model of a part that was cut before, with its own cells; null: it is not of this kind.
+std::unique_ptr<stock::Model> model_again(const stock::SavedPart& part, StockModel kind,
+                                          unsigned jobs) {
+  using Kind = stock::SavedPart::Kind;
+  if (kind == StockModel::zmap && part.kind() == Kind::field) return part.model(jobs);
+  return kind == StockModel::tridexel ? part.dexels(jobs) : nullptr;
 }
 
 // The largest number of columns along an axis that a grid may have.
@@ -100,6 +118,8 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
 stock::dexel::Shape dexels_of(const stock::Workpiece& piece) {
   if (const auto* const mesh = std::get_if<stock::MeshShape>(&piece))
     return stock::dexel::mesh_shape(mesh->solid);
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&piece))
+    return stock::dexel::mesh_shape(saved->part->solid().solid);
   const auto* const round = std::get_if<stock::CylinderShape>(&piece);
   if (round == nullptr) return stock::dexel::box_shape(stock::bounds(piece));
   // Dexels along Y have Z before X.
@@ -172,10 +192,15 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   if (plan.kind == StockModel::profile)
-    return make_profile(std::get<stock::CylinderShape>(plan.shape));
+    return make_profile(plan.shape);
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const double cell = fitting_cell(plan, job.memory_for_model());
   MadeModel made;
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape)) {
+    made.turning_tolerance_mm = std::max(kLeastTurning_mm, saved->part->cell_mm() / 50);
+    made.model = model_again(*saved->part, plan.kind, jobs);
+    if (made.model) return made;
+  }
+  const double cell = fitting_cell(plan, job.memory_for_model());
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",

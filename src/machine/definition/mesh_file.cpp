@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/source_file.hpp"
 #include "geometry/mesh/stl_reader.hpp"
 #include "motion/feed.hpp"
 
@@ -24,8 +23,10 @@ base::Failure named(const std::string& name, base::Failure failure) {
   return failure;
 }
 
-Outcome<mesh::SolidMesh> read(const base::SourceFile& file, MeshUnit unit,
-                              std::size_t memory_bytes) {
+}  // namespace
+
+Outcome<mesh::SolidMesh> mesh_in(const base::SourceFile& file, MeshUnit unit,
+                                 std::size_t memory_bytes) {
   mesh::StlReader reader(
       {.size = file.size(),
        .mm_per_unit = unit == MeshUnit::inch ? motion::kMillimetresPerInch : 1,
@@ -43,18 +44,16 @@ Outcome<mesh::SolidMesh> read(const base::SourceFile& file, MeshUnit unit,
   return solid;
 }
 
-}  // namespace
-
 Outcome<mesh::SolidMesh> read_mesh(const std::string& path, MeshUnit unit,
                                    std::size_t memory_bytes) {
   const auto file = base::SourceFile::open(path, {.most_bytes = kLargestPipe, .seconds = 60});
   if (!file) return tl::unexpected(file.error());
-  return read(**file, unit, memory_bytes);
+  return mesh_in(**file, unit, memory_bytes);
 }
 
 Outcome<mesh::SolidMesh> mesh_of(std::string bytes, const std::string& name, MeshUnit unit,
                                  std::size_t memory_bytes) {
-  return read(*base::SourceFile::from_text(name, std::move(bytes)), unit, memory_bytes);
+  return mesh_in(*base::SourceFile::from_text(name, std::move(bytes)), unit, memory_bytes);
 }
 
 }  // namespace kerf::machine

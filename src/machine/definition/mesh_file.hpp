@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "base/source_file.hpp"
 #include "geometry/mesh/solid_mesh.hpp"
 
 namespace kerf::machine {
@@ -16,6 +17,10 @@ enum class MeshUnit : std::uint8_t { mm, inch };
 /// open edges), or its triangles need more than `memory_bytes`.
 [[nodiscard]] base::Outcome<mesh::SolidMesh> read_mesh(const std::string& path, MeshUnit unit,
                                                        std::size_t memory_bytes);
+
+/// The same of a file that is open.
+[[nodiscard]] base::Outcome<mesh::SolidMesh> mesh_in(const base::SourceFile& file, MeshUnit unit,
+                                                     std::size_t memory_bytes);
 
 /// The same of bytes that are there; `name` is what messages call them.
 [[nodiscard]] base::Outcome<mesh::SolidMesh> mesh_of(std::string bytes, const std::string& name,

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
 
 #include "base/decimal.hpp"
+#include "machine/definition/number_list.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -15,9 +15,6 @@ namespace {
 using stock::BoxShape;
 using stock::CylinderShape;
 using Word = base::Outcome<StockWord>;
-
-// Far beyond every machine; more is a slip of the pen.
-constexpr double kFarthest_mm = 100'000;
 
 struct Text {
   std::string_view word;    // before the colon
@@ -29,32 +26,8 @@ tl::unexpected<base::Failure> wrong(const Text& text, const std::string& what) {
   return base::usage(text.said + ": " + what);
 }
 
-std::vector<std::string_view> split(std::string_view list) {
-  std::vector<std::string_view> items;
-  while (true) {
-    const std::size_t comma = std::min(list.find(','), list.size());
-    items.push_back(list.substr(0, comma));
-    if (comma == list.size()) return items;
-    list.remove_prefix(comma + 1);
-  }
-}
-
-/// Between `least` and `most` numbers; nothing where they are not.
-std::optional<std::vector<double>> numbers(std::string_view list, std::size_t least,
-                                           std::size_t most) {
-  const std::vector<std::string_view> items = split(list);
-  if (items.size() < least || items.size() > most) return std::nullopt;
-  std::vector<double> values;
-  for (const std::string_view item : items) {
-    const auto value = base::read_number(item);
-    if (!value || std::fabs(*value) > kFarthest_mm) return std::nullopt;
-    values.push_back(*value);
-  }
-  return values;
-}
-
 Word box(const Text& text) {
-  const auto n = numbers(text.values, 6, 6);
+  const auto n = numbers_in(text.values, 6, 6);
   if (!n) return wrong(text, "box:X0,Y0,Z0,X1,Y1,Z1 takes six numbers");
   const BoxShape box{{(*n)[0], (*n)[1], (*n)[2]}, {(*n)[3], (*n)[4], (*n)[5]}};
   if (!(box.low.x < box.high.x && box.low.y < box.high.y && box.low.z < box.high.z))
@@ -68,7 +41,7 @@ Word round(const Text& text, bool is_tube) {
   const std::size_t comma = std::min(text.values.find(','), text.values.size());
   const std::string_view axis = text.values.substr(0, comma);
   const std::size_t count = is_tube ? 6 : 5;
-  const auto n = comma < text.values.size() ? numbers(text.values.substr(comma + 1), count, count)
+  const auto n = comma < text.values.size() ? numbers_in(text.values.substr(comma + 1), count, count)
                                             : std::nullopt;
   if (!n || axis.size() != 1 || axis < "X" || axis > "Z") return wrong(text, form);
   CylinderShape shape{axis[0] - 'X', (*n)[0], (*n)[1], (*n)[2], (*n)[3], (*n)[4]};
@@ -81,7 +54,7 @@ Word round(const Text& text, bool is_tube) {
 }
 
 Word bar(const Text& text) {
-  const auto n = numbers(text.values, 3, 4);
+  const auto n = numbers_in(text.values, 3, 4);
   if (!n) return wrong(text, "bar:D,Z0,Z1[,DI] takes three or four numbers");
   const StockBar bar{(*n)[0], (*n)[1], (*n)[2], n->size() > 3 ? (*n)[3] : 0};
   if (!(bar.z0 < bar.z1)) return wrong(text, "Z0 must lie below Z1");
@@ -91,7 +64,7 @@ Word bar(const Text& text) {
 }
 
 Word sheet(const Text& text) {
-  const auto n = numbers(text.values, 5, 5);
+  const auto n = numbers_in(text.values, 5, 5);
   if (!n) return wrong(text, "sheet:X0,Y0,X1,Y1,T takes five numbers");
   const StockSheet sheet{(*n)[0], (*n)[1], (*n)[2], (*n)[3], (*n)[4]};
   if (!(sheet.x0 < sheet.x1 && sheet.y0 < sheet.y1 && sheet.thickness > 0))
@@ -101,7 +74,7 @@ Word sheet(const Text& text) {
 
 Word around(const Text& text) {
   if (text.values.empty()) return StockAround{};
-  const auto n = numbers(text.values, 1, 1);
+  const auto n = numbers_in(text.values, 1, 1);
   if (!n || (*n)[0] < 0) return wrong(text, "extents:M takes a margin, 0 or more");
   return StockAround{(*n)[0]};
 }
@@ -124,7 +97,7 @@ Word stock_word(std::string_view said, const std::string& option) {
   return StockFile{std::string(said)};
 }
 
-base::Outcome<StockZero> stock_zero(std::string_view text) {
+base::Outcome<StockZero> stock_zero(std::string_view text, const std::string& option) {
   using Kind = StockZero::Kind;
   if (text == "auto") return StockZero{};
   if (text == "machine") return StockZero{.kind = Kind::machine};
@@ -136,7 +109,7 @@ base::Outcome<StockZero> stock_zero(std::string_view text) {
     if (p && *p >= 1 && *p <= 300 && *p == std::floor(*p))
       return StockZero{.kind = Kind::system, .extended = static_cast<std::uint32_t>(*p)};
   }
-  return base::usage("--stock-zero " + std::string(text) +
+  return base::usage(option + " " + std::string(text) +
                      ": G54 to G59, G54.1P1 to G54.1P300, machine or auto is expected");
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "base/result.hpp"
+#include "machine/definition/mesh_file.hpp"
 #include "stock/cutting/workpiece.hpp"
 
 namespace kerf::machine {
@@ -18,6 +19,7 @@ struct StockAround {
 /// A shape in a file, STL or KSTOCK.
 struct StockFile {
   std::string path;
+  MeshUnit unit = MeshUnit::mm;  ///< of an STL
 };
 
 /// A bar on a lathe: about the axis of its spindle, X as a diameter.
@@ -57,8 +59,8 @@ struct StockZero {
   friend bool operator==(const StockZero&, const StockZero&) = default;
 };
 
-/// G54 to G59, G54.1P1 to G54.1P300, machine, auto. Failure (usage).
-[[nodiscard]] base::Outcome<StockZero> stock_zero(std::string_view text);
+/// G54 to G59, G54.1P1 to G54.1P300, machine, auto. Failure (usage): `option` and what is wrong.
+[[nodiscard]] base::Outcome<StockZero> stock_zero(std::string_view text, const std::string& option);
 /// The other way round.
 [[nodiscard]] std::string name_of(const StockZero& zero);
 

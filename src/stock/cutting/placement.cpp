@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "geometry/angle.hpp"
 #include "math/math.hpp"
+#include "stock/cutting/saved_part.hpp"
 
 namespace kerf::stock {
 namespace {
@@ -138,6 +140,11 @@ Workpiece placed(const CylinderShape& round, const Placing& placing) {
 
 Workpiece placed(const MeshShape& shape, const Placing& placing) {
   return placed_mesh(shape.solid->mesh, shape.solid->volume_mm3, placing);
+}
+
+Workpiece placed(const SavedShape& saved, const Placing& placing) {
+  if (auto part = saved.part->placed(placing)) return SavedShape{std::move(part)};
+  return placed(saved.part->solid(), placing);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/mesh/lines.hpp"
+#include "stock/cutting/saved_part.hpp"
 
 namespace kerf::stock {
 namespace {
@@ -22,6 +23,8 @@ double volume_of(const CylinderShape& c) {
 }
 
 double volume_of(const MeshShape& mesh) { return mesh.solid->volume_mm3; }
+
+double volume_of(const SavedShape& saved) { return saved.part->volume_mm3(); }
 
 Bounds bounds_of(const BoxShape& box) { return {box.low, box.high}; }
 
@@ -66,6 +69,8 @@ double volume_by_lines(const mesh::TriangleMesh& mesh, const mesh::MeshBox& box)
 }
 
 Bounds bounds_of(const MeshShape& mesh) { return mesh.box; }
+
+Bounds bounds_of(const SavedShape& saved) { return saved.part->box(); }
 
 MeshShape shared(mesh::SolidMesh solid, const mesh::MeshBox& box) {
   const Vec3 seen = mesh::seen_mm2(solid.mesh);

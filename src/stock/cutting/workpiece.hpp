@@ -37,9 +37,15 @@ struct MeshShape {
 /// The same of one whose volume is known.
 [[nodiscard]] MeshShape mesh_shape(mesh::TriangleMesh mesh, double volume_mm3);
 
-using Workpiece = std::variant<BoxShape, CylinderShape, MeshShape>;
+class SavedPart;
+/// A part that was cut before. Not null.
+struct SavedShape {
+  std::shared_ptr<const SavedPart> part;
+};
 
-/// Exact; of a mesh what its triangles enclose.
+using Workpiece = std::variant<BoxShape, CylinderShape, MeshShape, SavedShape>;
+
+/// Exact; of a mesh what its triangles enclose, of a part that was cut what was told of it.
 [[nodiscard]] double volume(const Workpiece& piece);
 [[nodiscard]] Bounds bounds(const Workpiece& piece);
 

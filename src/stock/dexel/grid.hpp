@@ -3,19 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "stock/dexel/dexel_ends.hpp"
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/tile.hpp"
 #include "stock/dexel/tile_work.hpp"
 
 namespace kerf::stock::dexel {
-
-[[nodiscard]] inline double length_of(std::span<const DexelEnd> ends) {
-  double length = 0;
-  for (std::size_t i = 0; i < ends.size(); i += 2) {
-    length += double{ends[i + 1].at} - double{ends[i].at};
-  }
-  return length;
-}
 
 /// The dexels of one direction, tile by tile.
 struct Grid {

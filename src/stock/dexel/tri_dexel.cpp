@@ -12,6 +12,7 @@
 
 #include "math/math.hpp"
 #include "stock/dexel/ball_contact.hpp"
+#include "stock/dexel/dexel_ends.hpp"
 #include "stock/dexel/grid.hpp"
 #include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
@@ -28,43 +29,12 @@ constexpr int kHalvings = 40;
 
 bool any_motion(std::uint32_t) { return true; }
 
-double cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
+double cells_along(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
 
-DexelEnd stock_end(double at, double middle, Vec3 normal, std::uint32_t motion) {
-  return {static_cast<float>(at - middle), octahedral(normal), 0, motion};
-}
-
-std::vector<DexelEnd> ends_of(const std::vector<Interval>& intervals, double middle) {
-  std::vector<DexelEnd> ends;
-  for (const Interval& each : intervals) {
-    if (each.high - each.low < Tile::kLeast_mm) continue;
-    ends.push_back(stock_end(each.low, middle, each.low_normal, each.low_motion));
-    ends.push_back(stock_end(each.high, middle, each.high_normal, each.high_motion));
-  }
-  return ends;
-}
-
-bool is_sound(std::span<const DexelEnd> ends, double half) {
-  double last = -half * (1 + 1e-6);
-  for (const DexelEnd& end : ends) {
-    if (!(double{end.at} >= last)) return false;
-    last = double{end.at};
-  }
-  return last <= half * (1 + 1e-6);
-}
-
-/// Of the contacts of one sweep and part those that stand: of the first rank that has any.
-void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
-  for (const int rank : {1, 2}) {
-    std::vector<AsideContact> open;
-    for (const AsideContact& each : aside) {
-      if (!outcomes[each.number].contacts[each.part].is_one()) open.push_back(each);
-    }
-    for (const AsideContact& each : open) {
-      if (each.rank == rank) outcomes[each.number].contacts[each.part].add(each.contact);
-    }
-    aside = std::move(open);
-  }
+TriDexel::CellCounts cells_of(const Bounds& box, double cell) {
+  const Vec3 size = box.high - box.low;
+  return {static_cast<int>(cells_along(size.x, cell)), static_cast<int>(cells_along(size.y, cell)),
+          static_cast<int>(cells_along(size.z, cell))};
 }
 
 }  // namespace
@@ -98,38 +68,62 @@ struct TriDexel::Touched {
   std::vector<std::uint32_t> tasks;
 };
 
-TriDexel::TriDexel(const Shape& shape, double cell_mm, unsigned jobs)
-    : box_(shape.box),
-      middle_(0.5 * (shape.box.low + shape.box.high)),
-      volume_(shape.volume_mm3),
+TriDexel::TriDexel(const Bounds& box, const CellCounts& cells, unsigned jobs)
+    : box_(box),
+      middle_(0.5 * (box.low + box.high)),
       threads_(std::make_unique<Threads>(jobs)),
       trail_(std::make_unique<Trail>()) {
-  for (int axis = 0; axis < 3; ++axis) make_grid(axis, shape, cell_mm);
+  for (int axis = 0; axis < 3; ++axis) make_grid(axis, cells);
+}
+
+TriDexel::TriDexel(const Shape& shape, double cell_mm, unsigned jobs)
+    : TriDexel(shape, cells_of(shape.box, cell_mm), jobs) {}
+
+TriDexel::TriDexel(const Shape& shape, const CellCounts& cells, unsigned jobs)
+    : TriDexel(shape.box, cells, jobs) {
+  for (const auto& grid : grids_) fill(*grid, shape);
   whole_ = grids_mm3();
-  if (volume_ == 0) volume_ = whole_[2];
+  volume_ = shape.volume_mm3 > 0 ? shape.volume_mm3 : whole_[2];
+}
+
+std::unique_ptr<TriDexel> TriDexel::of(const State& state, unsigned jobs) {
+  std::unique_ptr<TriDexel> made(new TriDexel(state.box, state.cells, jobs));
+  for (int g = 0; g < 3; ++g) {
+    const auto& tiles = state.tiles[static_cast<std::size_t>(g)];
+    if (tiles.size() != made->tiles(g)) return nullptr;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+      if (!made->restore(g, i, tiles[i])) return nullptr;
+    }
+  }
+  made->whole_ = made->grids_mm3();
+  made->volume_ = state.volume_mm3;
+  return made;
 }
 
 TriDexel::~TriDexel() = default;
 
 double TriDexel::bytes_for(const Bounds& box, double cell_mm) {
-  const double x = cells(box.high.x - box.low.x, cell_mm);
-  const double y = cells(box.high.y - box.low.y, cell_mm);
-  const double z = cells(box.high.z - box.low.z, cell_mm);
+  const double x = cells_along(box.high.x - box.low.x, cell_mm);
+  const double y = cells_along(box.high.y - box.low.y, cell_mm);
+  const double z = cells_along(box.high.z - box.low.z, cell_mm);
   return (x * y + y * z + z * x) * (8 + 2 * sizeof(DexelEnd));
 }
 
 Vec3 TriDexel::half() const { return 0.5 * (box_.high - box_.low); }
 
-void TriDexel::make_grid(int axis, const Shape& shape, double cell_mm) {
+void TriDexel::make_grid(int axis, const CellCounts& cells) {
   auto grid = std::make_unique<Grid>();
   const Vec3 size = box_.high - box_.low;
-  const double size_b = on_axis(size, (axis + 1) % 3);
-  const double size_c = on_axis(size, (axis + 2) % 3);
-  const double columns = cells(size_b, cell_mm);
-  const double rows = cells(size_c, cell_mm);
-  grid->lattice = {
-      axis,          static_cast<int>(columns), static_cast<int>(rows), size_b / columns,
-      size_c / rows, on_axis(size, axis) / 2};
+  const int b = (axis + 1) % 3;
+  const int c = (axis + 2) % 3;
+  const int columns = cells[static_cast<std::size_t>(b)];
+  const int rows = cells[static_cast<std::size_t>(c)];
+  grid->lattice = {axis,
+                   columns,
+                   rows,
+                   on_axis(size, b) / columns,
+                   on_axis(size, c) / rows,
+                   on_axis(size, axis) / 2};
   const Lattice& lattice = grid->lattice;
   cell_ = std::max({cell_, lattice.cell_b, lattice.cell_c});
   // A little more, for rounding.
@@ -137,7 +131,11 @@ void TriDexel::make_grid(int axis, const Shape& shape, double cell_mm) {
       std::max(block_, 0.501 * (Tile::kBlock - 1) * math::hypot(lattice.cell_b, lattice.cell_c));
   grid->tiles.resize(static_cast<std::size_t>(lattice.tiles_b()) *
                      static_cast<std::size_t>(lattice.tiles_c()));
-  fill(*grid, shape);
+  for (std::size_t t = 0; t < grid->tiles.size(); ++t) {
+    grid->tiles[t] =
+        Tile(std::min(Lattice::kTile, lattice.columns - grid->first_column(t)),
+             std::min(Lattice::kTile, lattice.rows - grid->first_row(t)), lattice.half_s);
+  }
   grids_[static_cast<std::size_t>(axis)] = std::move(grid);
 }
 
@@ -147,8 +145,7 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
   threads_->each(grid.tiles.size(), [&](std::size_t t) {
     const int column = grid.first_column(t);
     const int row = grid.first_row(t);
-    Tile tile(std::min(Lattice::kTile, lattice.columns - column),
-              std::min(Lattice::kTile, lattice.rows - row), lattice.half_s);
+    Tile& tile = grid.tiles[t];
     std::vector<Interval> intervals;
     for (std::size_t i = 0; i < tile.count(); ++i) {
       intervals.clear();
@@ -157,7 +154,6 @@ void TriDexel::fill(Grid& grid, const Shape& shape) {
       tile.fill(i, ends_of(intervals, on_axis(middle_, lattice.axis)));
     }
     tile.refresh();
-    grid.tiles[t] = std::move(tile);
   });
 }
 
@@ -390,6 +386,10 @@ TriDexel::Common TriDexel::subtract(const Shape& shape) {
                                 const InsideOf& inside) {
     return work.take(grids_[grid]->tiles[tile], inside, middle_);
   });
+}
+
+TriDexel::CellCounts TriDexel::cells() const {
+  return {lattice(1).rows, lattice(0).columns, lattice(0).rows};
 }
 
 TriDexel::TileState TriDexel::save(int grid, std::size_t number) const {

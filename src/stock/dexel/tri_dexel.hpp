@@ -37,7 +37,14 @@ class TriDexel final : public Model {
   /// processor; 0: that many.
   /// Precondition: low < high on every axis, cell_mm > 0, bytes_for() can be had.
   TriDexel(const Shape& shape, double cell_mm, unsigned jobs);
+  /// The same with so many cells along X, Y and Z.
+  using CellCounts = std::array<int, 3>;
+  TriDexel(const Shape& shape, const CellCounts& cells, unsigned jobs);
   ~TriDexel() override;
+
+  struct State;
+  /// One that was left so, to the last bit; null: it is no such state.
+  [[nodiscard]] static std::unique_ptr<TriDexel> of(const State& state, unsigned jobs);
 
   /// What such a model needs before the first cut.
   [[nodiscard]] static double bytes_for(const Bounds& box, double cell_mm);
@@ -94,11 +101,24 @@ class TriDexel final : public Model {
   /// False, and nothing changes: it is no state of such a tile.
   [[nodiscard]] bool restore(int grid, std::size_t number, const TileState& state);
 
+  [[nodiscard]] CellCounts cells() const;
+  [[nodiscard]] const Bounds& box() const { return box_; }
+  /// All of its material as a plain value.
+  struct State {
+    Bounds box;
+    CellCounts cells{};
+    std::array<std::vector<TileState>, 3> tiles;  ///< by grids
+    double volume_mm3 = 0;
+
+    friend bool operator==(const State&, const State&) = default;
+  };
+
  private:
   struct Touched;
   struct Threads;
 
-  void make_grid(int axis, const Shape& shape, double cell_mm);
+  TriDexel(const Bounds& box, const CellCounts& cells, unsigned jobs);
+  void make_grid(int axis, const CellCounts& cells);
   void fill(Grid& grid, const Shape& shape);
   void cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes);
   [[nodiscard]] std::vector<Touched> touched(const Preparation& ready) const;

@@ -26,17 +26,32 @@ Columns::Columns(const Grid& grid)
   bottoms_.shrink_to_fit();
 }
 
-Columns::Columns(const Grid& grid, const ColumnAt& column_at)
+Columns::Columns(const Grid& grid, const ColumnAt& column_at) : Columns(grid, Bottoms::stored) {
+  fill(column_at);
+}
+
+Columns::Columns(const FieldState& state)
+    : Columns(state.grid, state.bottoms.empty() ? Bottoms::all_zero : Bottoms::stored) {
+  std::size_t from = 0;
+  for (int j = 0; j < grid_.ny; ++j) {
+    for (int i = 0; i < grid_.nx; ++i, ++from) {
+      heights_[at(i, j)] = state.heights[from];
+      if (has_bottoms()) bottoms_[at(i, j)] = state.bottoms[from];
+    }
+  }
+  for (std::size_t tile = 0; tile < grid_.tiles(); ++tile) see_tops(tile);
+}
+
+Columns::Columns(const Grid& grid, Bottoms bottoms)
     : grid_(grid),
       heights_(grid.tiles() * kCells),
       owners_(grid.tiles() * kCells),
-      bottoms_(grid.tiles() * kCells),
+      bottoms_(bottoms == Bottoms::stored ? grid.tiles() * kCells : 0),
       block_tops_(grid.tiles() * kBlocks),
       tops_(grid.tiles()),
       versions_(grid.tiles()) {
   for (int i = 0; i < grid.tiles_x() * kTileSide; ++i) x_.push_back(grid.x(i));
   for (int j = 0; j < grid.tiles_y() * kTileSide; ++j) y_.push_back(grid.y(j));
-  fill(column_at);
 }
 
 void Columns::fill(const ColumnAt& column_at) {

@@ -23,6 +23,16 @@ struct TileState {
   std::vector<std::uint32_t> owners;
 };
 
+/// All columns of a field as plain values, by rows along X: heights and bottoms over the lowest place
+/// of the grid's box, without the motions that cut them.
+struct FieldState {
+  Grid grid;
+  std::vector<float> heights;
+  std::vector<float> bottoms;  ///< empty: all 0
+
+  friend bool operator==(const FieldState&, const FieldState&) = default;
+};
+
 /// All columns of a height field, by tiles of 64 × 64 in blocks of 4 × 4. Heights are over the
 /// lowest place of the grid's box. A column that is empty has the height of its bottom; columns of
 /// the last tiles that lie outside of the grid are empty.
@@ -30,6 +40,8 @@ class Columns {
  public:
   explicit Columns(const Grid& grid);  ///< a box
   Columns(const Grid& grid, const ColumnAt& column_at);
+  /// As it was, to the last bit. Precondition: 0 <= bottom <= height for each column of the grid.
+  explicit Columns(const FieldState& state);
 
   /// A tile to work on: pointers to its columns, block by block. Of different tiles at the same
   /// time by different threads.
@@ -64,6 +76,8 @@ class Columns {
     return bottoms_.empty() ? 0 : bottoms_[at(i, j)];
   }
   [[nodiscard]] std::uint32_t owner(int i, int j) const { return owners_[at(i, j)]; }
+  /// Not all of them are 0.
+  [[nodiscard]] bool has_bottoms() const { return !bottoms_.empty(); }
 
   /// mm³; summed by tiles.
   [[nodiscard]] double volume_mm3() const;
@@ -76,6 +90,8 @@ class Columns {
 
  private:
   [[nodiscard]] std::size_t at(int i, int j) const;
+  enum class Bottoms : bool { all_zero, stored };
+  Columns(const Grid& grid, Bottoms bottoms);
   void fill(const ColumnAt& column_at);
   void see_tops(std::size_t tile);
 

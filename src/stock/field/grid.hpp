@@ -33,6 +33,7 @@ struct Grid {
   [[nodiscard]] std::size_t tiles() const {
     return static_cast<std::size_t>(tiles_x()) * static_cast<std::size_t>(tiles_y());
   }
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 /// Cells not larger than this that fill the box exactly (stock.md §3): n = ⌈L / cell - 1e-9⌉, at

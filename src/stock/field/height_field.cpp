@@ -23,6 +23,9 @@ HeightField::HeightField(const Grid& grid, unsigned jobs)
 HeightField::HeightField(const Grid& grid, const ColumnAt& column_at, unsigned jobs)
     : columns_(grid, column_at), stock_mm3_(columns_.volume_mm3()), work_(columns_, jobs) {}
 
+HeightField::HeightField(const FieldState& state, unsigned jobs)
+    : columns_(state), stock_mm3_(columns_.volume_mm3()), work_(columns_, jobs) {}
+
 std::size_t HeightField::bytes_of(const Grid& grid, bool is_box) {
   const std::size_t column = sizeof(float) + sizeof(std::uint32_t) + (is_box ? 0 : sizeof(float));
   return grid.tiles() * kTileCells * column +

@@ -24,6 +24,8 @@ class HeightField final : public Model {
   HeightField(const Grid& grid, unsigned jobs);  ///< a box
   /// Other stock whose columns have one piece of material each.
   HeightField(const Grid& grid, const ColumnAt& column_at, unsigned jobs);
+  /// One that was left so (Columns).
+  HeightField(const FieldState& state, unsigned jobs);
 
   /// What a field of this grid will hold, `box` or other stock.
   [[nodiscard]] static std::size_t bytes_of(const Grid& grid, bool is_box);

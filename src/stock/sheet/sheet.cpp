@@ -131,6 +131,14 @@ const Sheet::Energy* Sheet::energy(std::size_t tile) const {
   return place == 0 || place == kMissing ? nullptr : tiles_[place - 1]->energy.get();
 }
 
+bool Sheet::restore(std::size_t tile, const Coverage& coverage, const Energy* energy) {
+  Tile* const to = touch(tile);
+  if (to == nullptr) return false;
+  to->coverage = coverage;
+  if (to->energy && energy != nullptr) *to->energy = *energy;
+  return true;
+}
+
 std::uint8_t Sheet::cut_from() const {
   constexpr double kHalf = 127.5;
   const double share = settings_.kerf_mm / grid_.cell();

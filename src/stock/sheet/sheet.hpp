@@ -64,6 +64,9 @@ class Sheet {
   [[nodiscard]] const Coverage* coverage(std::size_t tile) const;
   /// J/mm²; null: nothing came to it, or energy is not kept.
   [[nodiscard]] const Energy* energy(std::size_t tile) const;
+  /// Puts back what a tile of an equal grid had, both as coverage() and energy() told; energy goes
+  /// where none is kept. False: the memory does not hold it.
+  [[nodiscard]] bool restore(std::size_t tile, const Coverage& coverage, const Energy* energy);
   /// A cell counts as cut from so much: half of what one in the middle of a kerf has.
   [[nodiscard]] std::uint8_t cut_from() const;
 

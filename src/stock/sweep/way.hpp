@@ -61,6 +61,8 @@ using Way = std::variant<StraightWay, ArcWay, TurningWay>;
 struct Bounds {
   Vec3 low;
   Vec3 high;
+
+  friend bool operator==(const Bounds&, const Bounds&) = default;
 };
 /// Holds every point of the tip's way; that of an arc with a rise or a change of radius may be
 /// larger than need be.

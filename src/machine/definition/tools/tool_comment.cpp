@@ -7,7 +7,7 @@
 
 #include "base/decimal.hpp"
 #include "machine/definition/tools/internal/library_builder.hpp"
-#include "machine/definition/tools/internal/program_lines.hpp"
+#include "machine/definition/tools/program_lines.hpp"
 #include "machine/definition/tools/tool_tables.hpp"
 #include "machine/definition/tools/tool_words.hpp"
 

@@ -1,4 +1,4 @@
-#include "machine/definition/tools/internal/program_lines.hpp"
+#include "machine/definition/tools/program_lines.hpp"
 
 #include <algorithm>
 #include <array>

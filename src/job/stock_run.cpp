@@ -16,10 +16,10 @@
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/survey_pass.hpp"
+#include "job/internal/threads.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
-#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -49,6 +49,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         rack_(std::make_unique<RunRack>(job.tools, run_->machine().memory(),
                                         run_->machine().definition().turns(), plan.axial)) {
     frame_.set_zero(plan.origin);
+    if (job.compares()) lines_.emplace();
   }
 
   /// Where the zero would be if the program did not move it.
@@ -84,6 +85,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
+    if (lines_) lines_->add(motion.block);
     if (is_profile()) driven_.look(motion);
     if (path_) {
       path_->add(motion);
@@ -127,6 +129,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         differs = differs || axial;
       }
     }
+    if (lines_ && !is_profile() && lines_->bytes() > plan_.lines_bytes) {
+      better.lines_bytes = lines_->bytes();
+      differs = differs || cell_of(better, job) > cell_of(plan_, job);
+    }
     if (!differs && plan_.looks.empty()) {
       better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
       differs = !better.looks.empty();
@@ -155,8 +161,9 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.tools = cutter_->tools();
     result.tool_spans = cutter_->tool_spans();
     result.rows = std::move(rows_);
+    if (lines_) result.lines = std::move(*lines_);
     result.pieces = pieces_;
-    result.threads = threads();
+    result.threads = threads_of(*model_, *cutter_);
     result.assumed = rack_->assumed();
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;
@@ -225,25 +232,6 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
 
   [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
 
-  [[nodiscard]] std::vector<output::StockFacts::Thread> threads() const {
-    std::vector<output::StockFacts::Thread> out;
-    const auto* const part = dynamic_cast<const stock::turned::TurnedPart*>(model_.get());
-    if (part == nullptr) return out;
-    for (const stock::turned::TurnedThread& thread : part->threads()) {
-      const auto block = cutter_->threads().find(thread.motion);
-      out.push_back({.line = block == cutter_->threads().end() ? 0 : block->second.line,
-                     .axis = thread.axis,
-                     .from = thread.from,
-                     .to = thread.to,
-                     .major = thread.major,
-                     .minor = thread.minor,
-                     .pitch = thread.pitch,
-                     .starts = thread.starts,
-                     .volume_mm3 = thread.volume_mm3});
-    }
-    return out;
-  }
-
   /// What is against the run as a whole.
   void tell_of_run(const StockJob& job) {
     stock::Judge& judge = cutter_->judge();
@@ -298,6 +286,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::vector<stock::Piece> pieces_;  // when all is cut
   std::optional<SetPointPath> path_;  // none: as programmed
   std::uint64_t motions_ = 0;
+  std::optional<MotionLines> lines_;
   std::unique_ptr<stock::TimedCutSink> rows_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
@@ -311,6 +300,7 @@ bool needs_survey(const StockJob& job) {
 /// What probes meet, found with cells of a usual size.
 Outcome<machine::Skips> skips_of(const StockJob& job) {
   StockJob rough = job;
+  rough.design = nullptr;
   rough.cell_mm = SurveyedTools{}.usual_cell();
   auto cut = cut_stock(rough);
   if (!cut) return tl::unexpected(cut.error());
@@ -352,6 +342,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = job.cell_mm.value_or(tools.usual_cell());
+  plan.is_compared = job.compares();
   choose_model(job, tools, plan);
   return plan;
 }
@@ -364,6 +355,7 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = job.cell_mm.value_or(SurveyedTools{}.usual_cell());
+  plan.is_compared = job.compares();
   choose_model(job, SurveyedTools{}, plan);
   return plan;
 }
@@ -378,8 +370,8 @@ Outcome<void> without_beam(const StockJob& job) {
   return {};
 }
 
-// Each pass mends at least one thing that the one before supposed, and there are six.
-constexpr int kMostPasses = 7;
+// Each pass mends at least one thing that the one before supposed, and there are seven.
+constexpr int kMostPasses = 8;
 
 Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;

@@ -7,6 +7,7 @@
 
 #include "job/internal/mesh_stock.hpp"
 #include "math/math.hpp"
+#include "stock/compare/dexel_solid.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
 #include "stock/turned/turned_part.hpp"
@@ -16,17 +17,13 @@ namespace {
 
 using stock::Vec3;
 
-/// The least of what a field takes, as a field or beside it.
-double bytes_for(const StockPlan& plan, double cell_mm);
-double fitting_cell(const StockPlan& plan, std::size_t bytes);
-
 /// Of a mesh by the columns of the field that it would become.
 bool is_height_field(const StockJob& job, StockPlan plan) {
   const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
   const auto* const mesh = std::get_if<stock::MeshShape>(&plan.shape);
   if (mesh == nullptr) return round == nullptr || round->along == 2;
   plan.kind = StockModel::zmap;
-  const double cell = fitting_cell(plan, job.memory_for_model());
+  const double cell = cell_of(plan, job);
   return MeshColumns(*mesh, stock::field::grid_of(mesh->box, cell)).is_height_field();
 }
 
@@ -122,20 +119,13 @@ double bytes_for_mesh(const StockPlan& plan, double cell_mm) {
 double bytes_for(const StockPlan& plan, double cell_mm) {
   const stock::Bounds box = stock::bounds(plan.shape);
   const double beside = bytes_for_mesh(plan, cell_mm);
-  if (plan.kind == StockModel::tridexel)
-    return beside + stock::dexel::TriDexel::bytes_for(box, cell_mm);
+  if (plan.kind == StockModel::tridexel) {
+    return beside + stock::dexel::TriDexel::bytes_for(box, cell_mm) +
+           (plan.is_compared ? stock::compare::DexelSolid::bytes_for(box, cell_mm) : 0);
+  }
   const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
   return beside + static_cast<double>(stock::field::HeightField::bytes_of(
                       stock::field::grid_of(box, cell_mm), is_box));
-}
-
-/// The cell of the plan, or as much more as the memory asks for.
-double fitting_cell(const StockPlan& plan, std::size_t bytes) {
-  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
-  const double longest = std::max({size.x, size.y, size.z});
-  double cell = std::max(plan.cell_mm, longest / kMostColumns);
-  while (bytes_for(plan, cell) > static_cast<double>(bytes) && cell < longest) cell *= 1.1;
-  return cell;
 }
 
 std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, unsigned jobs) {
@@ -153,11 +143,21 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 
 }  // namespace
 
+double cell_of(const StockPlan& plan, const StockJob& job) {
+  const std::size_t memory = job.memory_for_model();
+  const auto bytes = static_cast<double>(memory - std::min(plan.lines_bytes, memory));
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  const double longest = std::max({size.x, size.y, size.z});
+  double cell = std::max(plan.cell_mm, longest / kMostColumns);
+  while (bytes_for(plan, cell) > bytes && cell < longest) cell *= 1.1;
+  return cell;
+}
+
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   if (plan.kind == StockModel::profile)
     return make_profile(std::get<stock::CylinderShape>(plan.shape));
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const double cell = fitting_cell(plan, job.memory_for_model());
+  const double cell = cell_of(plan, job);
   MadeModel made;
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {

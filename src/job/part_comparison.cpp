@@ -152,8 +152,7 @@ Outcome<void> read_design(const std::string& path, const stock::Placement& place
     const stock::Placing placing(place);
     for (Vec3& point : read->mesh.points) point = placing(point);
   }
-  job.design = std::make_shared<const Design>(
-      Design{stock::compare::MeshSolid(std::move(read->mesh)), std::move(read->changes)});
+  job.design = std::make_shared<const Design>(std::move(*read));
   job.mesh_bytes += job.design->solid.bytes();
   return {};
 }

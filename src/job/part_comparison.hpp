@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.hpp"
@@ -13,8 +14,11 @@ namespace kerf::job {
 
 /// What a part shall be, frame of the stock.
 struct Design {
+  explicit Design(mesh::SolidMesh read)
+      : solid(std::move(read.mesh)), changes(std::move(read.changes)) {}
+
   stock::compare::MeshSolid solid;
-  std::vector<std::string> changes{};  ///< what of its file was not taken as it was
+  std::vector<std::string> changes;  ///< what of its file was not taken as it was
 };
 
 /// Reads the design of a job from an STL file, mm, and counts its memory. Failure (input): as

@@ -6,9 +6,10 @@ usage: run_examples.py --kerf PATH [--update] [NAME ...]
 An example is a folder examples/NN_name/ with these files; each kind may also come in variants, with
 an ending _VARIANT before the point:
 
-  command        one line, as typed in the root of the repository: ./kerf run examples/...
-  expected.json  the stable part of the summary that --summary writes
+  command        one line, as typed in the root of the repository: ./kerf run examples/..., of variants ./kerf stock, too
+  expected.json  the stable part of the summary that --summary writes, or of the report of --report
   picture.svg    what --plot wrote, where the command has it (or .png)
+  part.png       likewise of --picture
   pattern.svg    likewise of --pattern-plot
   printed.txt    what --dprnt wrote, where the command has it
   generate.py    writes the program of `command`, where a script made it
@@ -45,12 +46,16 @@ TIMES_HEAD = "| example | time s | without acceleration s | ratio |\n| --- | ---
 STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
           "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
 STABLE_IN_ALARM = ("code", "program", "line")
+STABLE_OF_STOCK = ("program", "status", "alarm", "time_s", "removed_mm3", "left_mm3", "counts")
+STABLE_IN_FINDING = ("severity", "code", "line", "tool", "depth_mm", "volume_mm3")
+STABLE_IN_COMPARISON = ("tolerance_mm", "gouge", "excess")
 RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
-SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt")
-PICTURES = {"--plot": "picture", "--pattern-plot": "pattern"}
+SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt", ".stl", ".toml")
+PICTURES = {"--plot": "picture", "--pattern-plot": "pattern", "--picture": "part"}
+RECORDS = {"run": "--summary", "stock": "--report"}
 PICTURE_BYTES = (4_000, 250_000)
 PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
-EXIT_STATUS = {"end": 0, "alarm": 1}
+EXIT_STATUS = {"end": 0, "findings": 1, "alarm": 1}
 SECONDS = 60
 
 
@@ -90,6 +95,11 @@ class Variant:
         return self.folder / f"printed{self.ending}.txt"
 
     @property
+    def record(self) -> str:
+        """Where the command writes what is expected of it."""
+        return self.option(RECORDS[self.words[1]])
+
+    @property
     def program(self) -> Path:
         return ROOT / self.words[2]
 
@@ -105,12 +115,13 @@ class Variant:
         if text.count("\n") != 1 or not text.endswith("\n"):
             raise Failed(f"{self.command.name}: must be one line")
         self.words = shlex.split(text)
-        if self.words[:2] != ["./kerf", "run"]:
-            raise Failed(f"{self.command.name}: must begin with ./kerf run")
+        known = [["./kerf", "run"]] + ([["./kerf", "stock"]] if self.ending else [])
+        if self.words[:2] not in known:
+            raise Failed(f"{self.command.name}: must begin with {' or '.join(map(' '.join, known))}")
         if self.program.parent != self.folder or not self.program.is_file():
             raise Failed(f"{self.command.name}: {self.words[2]} is no program of this example")
-        if not self.option("--summary"):
-            raise Failed(f"{self.command.name}: needs --summary")
+        if not self.record:
+            raise Failed(f"{self.command.name}: needs {RECORDS[self.words[1]]}")
         if text.strip() not in readme:
             raise Failed(f"README.md does not quote {self.command.name}")
 
@@ -133,6 +144,7 @@ def check_no_orphans(folder: Path, variants: list) -> None:
     """Programs, expectations and pictures that no command speaks of."""
     known = {variant.program.name for variant in variants}
     for variant in variants:
+        known |= {(ROOT / word).name for word in variant.words if (ROOT / word).parent == folder}
         known |= {variant.expected.name, variant.printed.name}
         known |= {variant.picture(kind, suffix).name
                   for kind in PICTURES.values() for suffix in PICTURE_HEADS}
@@ -155,11 +167,12 @@ def run(variant: Variant, kerf: Path, place: Path) -> Result:
     """Runs a command in `place`, a copy of the repository that holds only the examples."""
     done = subprocess.run([str(kerf), *variant.words[1:]], cwd=place, capture_output=True,
                           text=True, timeout=SECONDS)
-    summary = place / variant.option("--summary")
+    summary = place / variant.record
     if not summary.is_file():
-        raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary\n"
+        raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary or report\n"
                      + done.stderr.rstrip())
-    result = Result(done.returncode, done.stderr, stable(json.loads(summary.read_text())))
+    kept = stable_report if variant.words[1] == "stock" else stable
+    result = Result(done.returncode, done.stderr, kept(json.loads(summary.read_text())))
     for option, kind in PICTURES.items():
         if variant.option(option):
             drawn = place / variant.option(option)
@@ -173,6 +186,15 @@ def stable(summary: dict) -> dict:
     kept = {key: summary.get(key) for key in STABLE}
     if kept["alarm"]:
         kept["alarm"] = {key: kept["alarm"].get(key) for key in STABLE_IN_ALARM}
+    return kept
+
+
+def stable_report(report: dict) -> dict:
+    kept = {key: report.get(key) for key in STABLE_OF_STOCK}
+    kept["findings"] = [{key: finding[key] for key in STABLE_IN_FINDING} for finding in report["findings"]]
+    if "compare" in report:
+        kept["compare"] = {key: report["compare"][key] for key in STABLE_IN_COMPARISON}
+        kept["compare"]["lines"] = [region["lines"] for region in report["compare"]["regions"]]
     return kept
 
 
@@ -209,7 +231,10 @@ def check_ending(variant: Variant, result: Result) -> None:
     if ending(result.summary) != ending(before):
         raise Failed(f"{variant.command.name}: must reach {ending(before)}, "
                      f"reached {ending(result.summary)}\n" + result.errors.rstrip())
-    if result.exit_status != EXIT_STATUS.get(result.summary["status"]):
+    status = result.summary["status"]
+    if status == "end" and result.summary.get("findings"):
+        status = "findings"
+    if result.exit_status != EXIT_STATUS.get(status):
         raise Failed(f"{variant.command.name}: exit status {result.exit_status} "
                      f"with status {result.summary['status']}")
 

@@ -67,7 +67,7 @@ ROOMS = {
     "output/picture": ["output/picture/drawing"],
     "output/programs": ["output/writing", "lang/teach"],
     "output/records": ["output/picture", "output/programs"],
-    "output/reports": ["output/writing"],
+    "output/reports": ["output/writing", "stock/compare"],
     "output/solid": ["stock/surface"],
     "output/part": ["output/picture/solid", "output/reports", "output/solid"],
     "engraver": ["machine/run", "output/picture", "output/reports"],

@@ -12,6 +12,7 @@
 #include "machine/definition/stock_words.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
 #include "machine/definition/tools/tool_import.hpp"
+#include "stock/compare/tolerance.hpp"
 #include "stock/cutting/cutting_force.hpp"
 #include "stock/cutting/motion_cut.hpp"
 #include "stock/turned/thread_book.hpp"
@@ -22,6 +23,7 @@ namespace kerf::job {
 enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile, sheet };
 
 class Run;
+struct Design;
 
 /// Up to where a program is cut (`--until`).
 struct CutUntil {
@@ -61,9 +63,13 @@ struct StockJob {
   bool stops_at_finding = false;                 ///< the first one is the end of what is cut
   bool follows_set_points = false;               ///< cuts where the axes go, corners rounded
   std::optional<CutUntil> until{};
+  /// What the part shall be, frame of the stock; null: nobody says.
+  std::shared_ptr<const Design> design{};
+  stock::compare::Tolerance tolerance{};  ///< of what the part is compared with
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
 
+  [[nodiscard]] bool compares() const { return design != nullptr; }
   [[nodiscard]] std::size_t memory_for_model() const {
     return memory_bytes - std::min(mesh_bytes, memory_bytes);
   }

@@ -55,6 +55,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         rack_(std::make_unique<RunRack>(job, run_->machine(), plan.axial, plan.driven)),
         driven_(axes(), *rack_, plan.origin.x) {
     frame_.set_zero(plan.origin);
+    if (job.compares()) lines_.emplace();
   }
 
   /// Where the zero would be if the program did not move it.
@@ -92,6 +93,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
 
   void take(const motion::Motion& motion) override {
     if (motion::is_cut(motion)) zero_.look(motion.block);
+    if (lines_) lines_->add(motion.block);
     if (is_lathe()) driven_.look(motion, run_->machine().control().plane());
     if (path_) {
       path_->add(motion);
@@ -146,6 +148,10 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
         differs = differs || axial;
       }
     }
+    if (lines_ && !is_profile() && lines_->bytes() > plan_.lines_bytes) {
+      better.lines_bytes = lines_->bytes();
+      differs = differs || cell_of(better, job) > cell_of(plan_, job);
+    }
     if (!differs && plan_.looks.empty()) {
       better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
       differs = !better.looks.empty();
@@ -174,6 +180,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.tools = cutter_->tools();
     result.tool_spans = cutter_->tool_spans();
     result.rows = std::move(rows_);
+    if (lines_) result.lines = std::move(*lines_);
     result.pieces = pieces_;
     result.threads = threads_of(*model_, *cutter_);
     result.assumed = rack_->assumed();
@@ -260,6 +267,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     }
     return SurveyedTools::cell_for(smallest);
   }
+  [[nodiscard]] bool is_profile() const { return plan_.kind == StockModel::profile; }
 
   /// What is against the run as a whole.
   void tell_of_run(const StockJob& job) {
@@ -315,6 +323,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::vector<stock::Piece> pieces_;  // when all is cut
   std::optional<SetPointPath> path_;  // none: as programmed
   std::uint64_t motions_ = 0;
+  std::optional<MotionLines> lines_;
   std::unique_ptr<stock::TimedCutSink> rows_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
@@ -330,8 +339,8 @@ Outcome<void> without_beam(const StockJob& job) {
   return {};
 }
 
-// Each pass mends at least one thing that the one before supposed, and there are six.
-constexpr int kMostPasses = 7;
+// Each pass mends at least one thing that the one before supposed, and there are seven.
+constexpr int kMostPasses = 8;
 
 Outcome<void> suits(const StockJob& job) {
   const machine::MachineDefinition& machine = job.job.definition;

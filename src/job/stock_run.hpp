@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "job/motion_lines.hpp"
 #include "job/run.hpp"
 #include "job/stock_job.hpp"
 #include "output/reports/stock_facts.hpp"
@@ -27,6 +28,7 @@ struct StockResult {
   std::unique_ptr<stock::sheet::Sheet> sheet;
   std::optional<output::StockFacts::Sheet> sheet_facts;  ///< of it
   std::vector<stock::Finding> findings;
+  std::optional<output::StockFacts::Compared> compare;  ///< with a design; compare_with_design()
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
   std::vector<stock::ToolSpan> tool_spans;  ///< which motions are whose
@@ -39,6 +41,7 @@ struct StockResult {
   bool knows_travel = true;  ///< some offset or length is not 0: the limits of strokes count
   double most_kw = 0;        ///< of the spindle; 0: not known
   bool knows_material = false;
+  MotionLines lines;                          ///< of a job that compares
   std::unique_ptr<stock::TimedCutSink> rows;  ///< of StockJob::rows, all told; null: none
   std::vector<control::Assumption> assumed;
 };

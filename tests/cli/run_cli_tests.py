@@ -20,6 +20,7 @@ import harness
 import alarm_tests  # noqa: F401
 import basic_tests  # noqa: F401
 import check_tests  # noqa: F401
+import compare_tests  # noqa: F401
 import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401

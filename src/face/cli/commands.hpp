@@ -96,11 +96,20 @@ struct StockFileOptions {
   std::string mesh = "smooth";
 };
 
+/// What a part is compared with; empty: with nothing.
+struct CompareOptions {
+  std::string design;  ///< STL
+  std::string tolerance;
+  std::string gouge;
+  std::string excess;
+};
+
 /// A run that cuts the virtual part: RunOptions::table says what lies there.
 struct StockOptions {
   RunOptions run;      ///< without outputs
   std::string report;  ///< JSON
   StockFileOptions files;
+  CompareOptions compare;
   std::string blocks;  ///< CSV
   std::string path = "programmed";
   std::string until;  ///< a line, or seconds with an s

@@ -12,6 +12,7 @@
 #include "face/cli/stock_table.hpp"
 #include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
+#include "job/part_comparison.hpp"
 #include "job/stock_run.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/reports/stock_rows.hpp"
@@ -27,6 +28,16 @@ base::Outcome<void> take_words(const StockOptions& options, job::StockJob& job) 
   job.follows_set_points = options.path == "interpolated";
   job.stops_at_finding = options.stop_at_finding;
   return {};
+}
+
+/// What the part is compared with.
+base::Outcome<void> take_design(const CompareOptions& options, job::StockJob& job) {
+  if (auto checked = check_comparison(options); !checked) return checked;
+  auto tolerance = tolerance_of(options);
+  if (!tolerance) return tl::unexpected(tolerance.error());
+  job.tolerance = *tolerance;
+  if (options.design.empty()) return {};
+  return job::read_design(options.design, {}, job);
 }
 
 /// Rows of `--blocks` for each pass over the program: the file begins anew.
@@ -65,10 +76,11 @@ ExitStatus stock(const StockOptions& options) {
   auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
   if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
+  if (auto taken = take_design(options.compare, *job); !taken) return fail(taken.error());
   StockFiles files(options.files);
   for (const std::string* const input :
        {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
-        &options.run.table.set_up})
+         &options.run.table.set_up, &options.compare.design})
     files.keep_from(*input);
   for (const std::string& input : set_up->files()) files.keep_from(input);
   if (auto opened = files.open(*job); !opened) return fail(opened.error());
@@ -78,6 +90,8 @@ ExitStatus stock(const StockOptions& options) {
   auto cut = job::cut_stock(*job);
   if (!cut) return fail(cut.error());
   if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
+  if (auto compared = job::compare_with_design(*job, *cut); !compared)
+    return fail(compared.error());
   output::StockFacts facts = job::facts_of(*cut);
   facts.shape = job->said;
   facts.run.chosen = ready.choice.chosen;

@@ -82,6 +82,22 @@ void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
   add_checks(app, o);
 }
 
+namespace {
+
+void add_comparison(CLI::App& stock, CompareOptions& o) {
+  stock.option_defaults()->group("Comparison");
+  stock
+      .add_option("--design", o.design,
+                  "what the part shall be: closed STL, mm, frame of the stock")
+      ->type_name("FILE");
+  stock.add_option("--tolerance", o.tolerance, "what it may be off, mm; default 0.05")
+      ->type_name("MM");
+  stock.add_option("--gouge", o.gouge, "likewise where too much is cut")->type_name("MM");
+  stock.add_option("--excess", o.excess, "likewise where material is left")->type_name("MM");
+}
+
+}  // namespace
+
 void add_stock(CLI::App& app, StockOptions& o) {
   CLI::App* stock =
       app.add_subcommand("stock", "cuts the virtual part, checks it and writes what is left");
@@ -105,6 +121,7 @@ void add_stock(CLI::App& app, StockOptions& o) {
       ->add_option("--until", o.until,
                    "the part as it is before this line begins, or at this second: 12.5s")
       ->type_name("LINE|Ts");
+  add_comparison(*stock, o.compare);
   stock->option_defaults()->group("Limits");
   add_budget(*stock, o.run.max_seconds, o.run.max_motions);
   stock->option_defaults()->group("Outputs (- is standard output)");

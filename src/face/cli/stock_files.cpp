@@ -3,6 +3,7 @@
 #include "face/cli/ready_run.hpp"
 #include "job/facts_of_run.hpp"
 #include "job/part_file.hpp"
+#include "job/part_comparison.hpp"
 #include "job/stock_part.hpp"
 #include "output/part/part_picture.hpp"
 #include "output/part/part_solids.hpp"
@@ -122,8 +123,12 @@ Outcome<void> StockFiles::write_solids(const job::StockResult& result,
   if (stl_ != nullptr)
     output::write_stl(part.mesh, [&](std::string_view bytes) { stl_->write(bytes); });
   if (glb_ == nullptr && three_mf_ == nullptr) return {};
-  const output::SolidFile file =
-      output::solid_file(title_of(result), facts, result.tool_spans, part);
+  output::SolidFile file = output::solid_file(title_of(result), facts, result.tool_spans, part);
+  if (job.design) {
+    for (output::SolidPiece& piece : file.pieces)
+      piece.deviations = output::Deviations{job::deviations_mm(job, piece.surface.mesh.points),
+                                            job.tolerance.larger()};
+  }
   if (glb_ != nullptr) glb_->write(output::glb_of(file));
   if (three_mf_ == nullptr) return {};
   const auto archive = output::three_mf_of(file);

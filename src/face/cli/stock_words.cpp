@@ -20,4 +20,43 @@ Outcome<std::optional<job::CutUntil>> until_of(const std::string& word) {
   return base::usage("--until " + word + ": a line is expected, or seconds as in 12.5s");
 }
 
+namespace {
+
+// More is no tolerance of a part.
+constexpr double kLargestTolerance_mm = 100;
+
+Outcome<void> take_tolerance(const std::string& option, const std::string& word, double& mm) {
+  if (word.empty()) return {};
+  mm = base::read_number(word).value_or(0);
+  if (mm > 0 && mm <= kLargestTolerance_mm) return {};
+  return base::usage(option + " " + word + ": a number above 0 is expected, and no more than " +
+                     base::number_text(kLargestTolerance_mm) + " mm");
+}
+
+}  // namespace
+
+Outcome<stock::compare::Tolerance> tolerance_of(const CompareOptions& options) {
+  stock::compare::Tolerance tolerance;
+  double both = tolerance.larger();
+  if (auto taken = take_tolerance("--tolerance", options.tolerance, both); !taken)
+    return tl::unexpected(taken.error());
+  tolerance = {both, both};
+  if (auto taken = take_tolerance("--gouge", options.gouge, tolerance.gouge_mm); !taken)
+    return tl::unexpected(taken.error());
+  if (auto taken = take_tolerance("--excess", options.excess, tolerance.excess_mm); !taken)
+    return tl::unexpected(taken.error());
+  return tolerance;
+}
+
+Outcome<void> check_comparison(const CompareOptions& options) {
+  if (!options.design.empty()) return {};
+  for (const auto& [option, word] :
+       {std::pair{"--tolerance", &options.tolerance}, std::pair{"--gouge", &options.gouge},
+        std::pair{"--excess", &options.excess}}) {
+    if (!word->empty())
+      return base::usage(std::string(option) + ": without --design nothing is compared");
+  }
+  return {};
+}
+
 }  // namespace kerf::cli

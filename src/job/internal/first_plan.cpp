@@ -35,6 +35,7 @@ bool needs_survey(const StockJob& job) {
 /// What probes meet, found with cells of a usual size.
 Outcome<machine::Skips> skips_of(const StockJob& job) {
   StockJob rough = job;
+  rough.design = nullptr;
   rough.cell_mm = SurveyedTools{}.usual_cell();
   auto cut = cut_stock(rough);
   if (!cut) return tl::unexpected(cut.error());
@@ -75,6 +76,7 @@ Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assu
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = cell_for(job, tools);
+  plan.is_compared = job.compares();
   choose_model(job, tools, plan);
   return plan;
 }
@@ -89,6 +91,7 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job) {
   if (!shape) return tl::unexpected(shape.error());
   plan.shape = *shape;
   plan.cell_mm = cell_for(job, SurveyedTools{});
+  plan.is_compared = job.compares();
   choose_model(job, SurveyedTools{}, plan);
   return plan;
 }

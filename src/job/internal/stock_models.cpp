@@ -7,6 +7,7 @@
 
 #include "job/internal/mesh_stock.hpp"
 #include "math/math.hpp"
+#include "stock/compare/dexel_solid.hpp"
 #include "stock/cutting/saved_part.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 using stock::Vec3;
 
-/// The least of what a field takes, as a field or beside it.
-double bytes_for(const StockPlan& plan, double cell_mm);
-double fitting_cell(const StockPlan& plan, std::size_t bytes);
-
 /// Of a mesh by the columns of the field that it would become.
 bool is_height_field(const StockJob& job, StockPlan plan) {
   const auto* const round = std::get_if<stock::CylinderShape>(&plan.shape);
@@ -29,7 +26,7 @@ bool is_height_field(const StockJob& job, StockPlan plan) {
     return saved->part->kind() == stock::SavedPart::Kind::field;
   if (mesh == nullptr) return round == nullptr || round->along == 2;
   plan.kind = StockModel::zmap;
-  const double cell = fitting_cell(plan, job.memory_for_model());
+  const double cell = cell_of(plan, job);
   return MeshColumns(*mesh, stock::field::grid_of(mesh->box, cell)).is_height_field();
 }
 
@@ -150,20 +147,13 @@ double bytes_for_mesh(const StockPlan& plan, double cell_mm) {
 double bytes_for(const StockPlan& plan, double cell_mm) {
   const stock::Bounds box = stock::bounds(plan.shape);
   const double beside = bytes_for_mesh(plan, cell_mm);
-  if (plan.kind == StockModel::tridexel)
-    return beside + stock::dexel::TriDexel::bytes_for(box, cell_mm);
+  if (plan.kind == StockModel::tridexel) {
+    return beside + stock::dexel::TriDexel::bytes_for(box, cell_mm) +
+           (plan.is_compared ? stock::compare::DexelSolid::bytes_for(box, cell_mm) : 0);
+  }
   const bool is_box = std::holds_alternative<stock::BoxShape>(plan.shape);
   return beside + static_cast<double>(stock::field::HeightField::bytes_of(
                       stock::field::grid_of(box, cell_mm), is_box));
-}
-
-/// The cell of the plan, or as much more as the memory asks for.
-double fitting_cell(const StockPlan& plan, std::size_t bytes) {
-  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
-  const double longest = std::max({size.x, size.y, size.z});
-  double cell = std::max(plan.cell_mm, longest / kMostColumns);
-  while (bytes_for(plan, cell) > static_cast<double>(bytes) && cell < longest) cell *= 1.1;
-  return cell;
 }
 
 std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_mm,
@@ -190,6 +180,16 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 
 }  // namespace
 
+double cell_of(const StockPlan& plan, const StockJob& job) {
+  const std::size_t memory = job.memory_for_model();
+  const auto bytes = static_cast<double>(memory - std::min(plan.lines_bytes, memory));
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  const double longest = std::max({size.x, size.y, size.z});
+  double cell = std::max(plan.cell_mm, longest / kMostColumns);
+  while (bytes_for(plan, cell) > bytes && cell < longest) cell *= 1.1;
+  return cell;
+}
+
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   if (plan.kind == StockModel::profile)
     return make_profile(plan.shape);
@@ -200,7 +200,7 @@ MadeModel make_model(const StockPlan& plan, const StockJob& job) {
     made.model = model_again(*saved->part, plan.kind, jobs);
     if (made.model) return made;
   }
-  const double cell = fitting_cell(plan, job.memory_for_model());
+  const double cell = cell_of(plan, job);
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",

@@ -25,6 +25,9 @@ struct MadeModel {
   std::optional<std::string> cell_enlarged;
 };
 
+/// The cell that the model will have: that of the plan, or as much more as the memory asks for.
+/// Precondition: no profile.
+[[nodiscard]] double cell_of(const StockPlan& plan, const StockJob& job);
 [[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
 
 /// The dexels of a model; null: it has none.

@@ -20,7 +20,8 @@ constexpr std::array kStockChecks{
     Code::feed_per_tooth,      Code::cut_depth,        Code::cut_width,
     Code::cutting_speed,       Code::cutting_power,    Code::tool_length,
     Code::stock_loose,         Code::tool_import,      Code::stock_zero_moved,
-    Code::stock_missed,        Code::cell_enlarged};
+    Code::stock_missed,        Code::cell_enlarged,    Code::gouge,
+    Code::excess};
 
 }  // namespace
 

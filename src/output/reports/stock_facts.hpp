@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.hpp"
 #include "output/reports/run_facts.hpp"
+#include "stock/compare/comparison.hpp"
 #include "stock/cutting/finding.hpp"
 #include "stock/cutting/tool_record.hpp"
 #include "stock/sweep/piece.hpp"
@@ -67,6 +68,18 @@ struct StockFacts {
     double peak_j_mm2 = 0;
   };
 
+  /// A line, and its share of a region.
+  struct LineShare {
+    std::string file;
+    std::uint32_t line = 0;
+    double share = 0;
+  };
+  /// With a design.
+  struct Compared {
+    stock::compare::Comparison found;
+    std::vector<std::vector<LineShare>> lines;  ///< of each region, the largest share first
+  };
+
   RunFacts run;
   std::string shape;
   std::string zero;
@@ -75,6 +88,7 @@ struct StockFacts {
   double stock_mm3 = 0;
   Model model;
   std::optional<Sheet> sheet;
+  std::optional<Compared> compare;
   double removed_mm3 = 0;
   double left_mm3 = 0;
   stock::Bounds extents;             ///< of what is left; low > high: nothing is

@@ -7,7 +7,8 @@
 #include <map>
 
 #include "geometry/angle.hpp"
-#include "math/math.hpp"
+#include "output/reports/compared_report.hpp"
+#include "output/reports/internal/places.hpp"
 #include "output/reports/summary.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/json_object.hpp"
@@ -17,41 +18,6 @@ namespace {
 
 using base::number_text;
 using base::tidy;
-using stock::Vec3;
-
-// The part of a lathe has no Y: X is a diameter, and where it is not round C says the angle.
-std::string point_json(Vec3 at, bool turns) {
-  const bool is_turned = turns && at.y != 0;
-  const double x = is_turned ? math::hypot(at.x, at.y) : at.x;
-  JsonObject object;
-  object.number("X", tidy(turns ? 2 * x : x));
-  if (!turns) object.number("Y", tidy(at.y));
-  object.number("Z", tidy(at.z));
-  if (is_turned) object.number("C", tidy(geometry::degrees(math::atan2(at.y, at.x))));
-  return object.done();
-}
-
-/// Half of the width of a box about the axis of a lathe.
-double farthest(const stock::Bounds& box) {
-  return std::max({std::fabs(box.low.x), box.high.x, std::fabs(box.low.y), box.high.y});
-}
-
-std::string bounds_json(const stock::Bounds& box, bool turns) {
-  if (box.low.x > box.high.x) return "{}";
-  const auto range = [](double low, double high) {
-    return "[" + number_text(tidy(low)) + "," + number_text(tidy(high)) + "]";
-  };
-  JsonObject object;
-  object.raw("X", turns ? range(0, 2 * farthest(box)) : range(box.low.x, box.high.x));
-  if (!turns) object.raw("Y", range(box.low.y, box.high.y));
-  return object.raw("Z", range(box.low.z, box.high.z)).done();
-}
-
-std::string numbers_json(const std::vector<double>& values) {
-  std::vector<std::string> items;
-  for (const double value : values) items.push_back(number_text(tidy(value)));
-  return json_array(items);
-}
 
 std::string stock_json(const StockFacts& facts) {
   return JsonObject()
@@ -204,6 +170,7 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
   object.raw("tools", json_array(tools)).raw("findings", checked.findings);
   object.raw("counts", checked.counts);
   if (facts.sheet) object.raw("sheet", sheet_json(*facts.sheet));
+  if (facts.compare) object.raw("compare", compared_json(*facts.compare, facts.turns));
   object.raw("not_checked", checked.not_checked);
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
@@ -246,8 +213,10 @@ std::string finding_lines(const StockFacts& facts, const base::SourceSet& source
     text += fmt::format("  {}: {} {}\n", code, all.size(), all.size() == 1 ? "block" : "blocks");
     for (std::size_t i = 0; i < std::min(kToldPerCode, all.size()); ++i) {
       const base::Diagnostic& one = all[i]->diagnostic;
-      text += fmt::format("    {}:{} at {:.3f} s: {}\n", printable(file_name(one, sources)),
-                          one.place.line, all[i]->finding.time_s, printable(one.message));
+      const double time_s = all[i]->finding.time_s;
+      text += fmt::format("    {}:{}{}: {}\n", printable(file_name(one, sources)), one.place.line,
+                          time_s > 0 ? fmt::format(" at {:.3f} s", time_s) : "",
+                          printable(one.message));
     }
   }
   return text;
@@ -264,6 +233,7 @@ std::string stock_report_text(const StockFacts& facts, const base::SourceSet& so
   text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);
   for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
   if (facts.sheet) text += sheet_lines(*facts.sheet);
+  if (facts.compare) text += compared_text(*facts.compare);
   text += finding_lines(facts, sources);
   for (const std::string& what : facts.not_checked) text += "  not checked: " + what + "\n";
   for (const control::Assumption& assumption : facts.assumed)

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,10 +12,5 @@ namespace kerf::stock::compare {
 /// part. `jobs` threads; their number changes no bit. Precondition: jobs > 0.
 [[nodiscard]] std::vector<float> deviations_mm(const Solid& design, std::span<const Vec3> places,
                                                unsigned jobs);
-
-/// The colour of a deviation: red, green, blue of 255. Grey is 0, blue -2 tolerances and less, red
-/// +2 tolerances and more, and linear in between.
-using Colour = std::array<std::uint8_t, 3>;
-[[nodiscard]] Colour colour_of_deviation(double deviation_mm, double tolerance_mm);
 
 }  // namespace kerf::stock::compare

@@ -69,6 +69,12 @@ DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {
   });
 }
 
+double DexelSolid::bytes_for(const Bounds& box, double cell_mm) {
+  const Vec3 size = box.high - box.low;
+  const double across = size.x * size.y + size.y * size.z + size.z * size.x;
+  return 2 * across / (cell_mm * cell_mm) * (sizeof(Disc) + NearTree::kBytesOfThing);
+}
+
 // A plane that has the middle on its one side and the point on the other cuts the way. Planes of
 // one smooth face do so by less than what directions are rounded by.
 double DexelSolid::share_left(std::uint32_t number, Vec3 way) const {

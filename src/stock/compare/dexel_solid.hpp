@@ -18,6 +18,9 @@ class DexelSolid final : public Part {
   /// The dexels outlive this and are not cut meanwhile.
   explicit DexelSolid(const dexel::TriDexel& dexels);
 
+  /// About what it takes of dexels in this box that have two ends each.
+  [[nodiscard]] static double bytes_for(const Bounds& box, double cell_mm);
+
   [[nodiscard]] Near near(Vec3 place, Hint& hint) const override;
   [[nodiscard]] Bounds bounds() const override { return bounds_; }
   [[nodiscard]] std::size_t rows() const override;

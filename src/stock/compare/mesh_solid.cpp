@@ -287,6 +287,12 @@ void MeshSolid::inside(int axis, double b, double c, std::vector<Stretch>& out) 
   out.insert(out.end(), material.begin(), material.end());
 }
 
+std::size_t MeshSolid::bytes() const {
+  return mesh_.points.size() * sizeof(mesh_.points[0]) +
+         mesh_.triangles.size() * sizeof(mesh_.triangles[0]) + tree_.bytes() +
+         (first_at_.size() + triangles_at_.size()) * sizeof(first_at_[0]);
+}
+
 std::size_t MeshSolid::rows() const {
   return (mesh_.points.size() + kRowCorners - 1) / kRowCorners +
          (mesh_.triangles.size() + kRowTriangles - 1) / kRowTriangles;

@@ -35,6 +35,8 @@ class MeshSolid final : public Solid {
   /// Whether the solid is there. Of places on the surface either.
   [[nodiscard]] bool holds(Vec3 place) const;
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return mesh_; }
+  /// What it takes, with the tree and the neighbours.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   static constexpr std::size_t kRowCorners = 4096;

@@ -38,6 +38,7 @@ class NearTree {
   };
 
   static constexpr std::size_t kLeaf = 4;  ///< things in a leaf
+  static constexpr std::size_t kBytesOfThing = sizeof(std::uint32_t) + 2 * sizeof(Box) / kLeaf;
   NearTree() = default;
   /// `box_of(i)` for i below `count` < 2^31.
   NearTree(std::size_t count, const std::function<Bounds(std::size_t)>& box_of);

@@ -55,11 +55,15 @@ void Findings::set_time(const base::BlockId& block, std::uint64_t motion, double
 
 std::vector<Finding> Findings::in_order() const {
   std::vector<Finding> sorted = findings_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
+  put_in_order(sorted);
+  return sorted;
+}
+
+void put_in_order(std::vector<Finding>& findings) {
+  std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
     return std::tuple(a.motion == 0, a.motion, a.code) <
            std::tuple(b.motion == 0, b.motion, b.code);
   });
-  return sorted;
 }
 
 }  // namespace kerf::stock

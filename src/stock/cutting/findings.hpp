@@ -8,6 +8,9 @@
 
 namespace kerf::stock {
 
+/// In the order of the motions, then of the codes; what is of no motion comes last.
+void put_in_order(std::vector<Finding>& findings);
+
 /// What all checks of a run have found: one finding for each block and code, however often the
 /// block ran; the deepest stays (stock.md §5).
 class Findings {
@@ -21,7 +24,6 @@ class Findings {
   /// When the motion ends, s of the run, where its findings are the worst of their blocks.
   void set_time(const base::BlockId& block, std::uint64_t motion, double time_s);
 
-  /// In the order of the motions, then of the codes; what is of no motion comes last.
   [[nodiscard]] std::vector<Finding> in_order() const;
   [[nodiscard]] bool is_empty() const { return findings_.empty(); }
   /// That were not kept.

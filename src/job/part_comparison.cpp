@@ -1,0 +1,188 @@
+#include "job/part_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "machine/definition/mesh_file.hpp"
+#include "stock/compare/deviation.hpp"
+#include "stock/compare/dexel_solid.hpp"
+#include "stock/compare/field_solid.hpp"
+#include "stock/cutting/findings.hpp"
+
+namespace kerf::job {
+namespace {
+
+using base::BlockId;
+using base::Outcome;
+using stock::Bounds;
+using stock::Vec3;
+using stock::compare::Comparison;
+using stock::compare::Part;
+using stock::compare::Region;
+using stock::compare::Side;
+
+unsigned threads_for(const StockJob& job) {
+  return job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
+}
+
+std::unique_ptr<Part> part_of(const StockResult& result) {
+  const stock::Model* const model = result.model.get();
+  if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(model))
+    return std::make_unique<stock::compare::FieldSolid>(*field);
+  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(model))
+    return std::make_unique<stock::compare::DexelSolid>(*dexels);
+  return nullptr;
+}
+
+/// A line with its share of a region, and which of its motions has most of that.
+struct Blame {
+  BlockId block;
+  std::uint32_t motion = 0;
+  double share = 0;
+  double of_motion = 0;
+};
+
+/// The largest share first.
+std::vector<Blame> blame(const Region& region, const MotionLines& lines) {
+  std::map<std::pair<base::FileId, std::uint32_t>, Blame> by_line;
+  for (const stock::compare::MotionShare& one : region.motions) {
+    const BlockId block = lines.block(one.motion);
+    Blame& of = by_line[{block.file, block.line}];
+    of.share += one.share;
+    if (one.share > of.of_motion) {
+      of.of_motion = one.share;
+      of.motion = one.motion;
+      of.block = block;
+    }
+  }
+  std::vector<Blame> sorted;
+  for (const auto& [line, of] : by_line) sorted.push_back(of);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Blame& a, const Blame& b) { return a.share > b.share; });
+  return sorted;
+}
+
+stock::Finding finding_of(const Region& region, const std::vector<Blame>& lines,
+                          const StockResult& result) {
+  const bool is_gouge = region.side == Side::gouge;
+  stock::Finding finding;
+  finding.code = is_gouge ? base::Code::gouge : base::Code::excess;
+  finding.detail = fmt::format("{:.4g} mm at most, {:.4g} mm³ over {:.4g} mm²{}", region.max_mm,
+                               region.volume_mm3, region.area_mm2,
+                               lines.empty() ? ", where nothing was cut" : "");
+  finding.at = region.at;
+  finding.depth_mm = region.max_mm;
+  finding.volume_mm3 = region.volume_mm3;
+  if (lines.empty()) return finding;
+  finding.block = lines.front().block;
+  finding.motion = lines.front().motion;
+  finding.tool = tool_at(result.tool_spans, lines.front().motion).value_or(0);
+  return finding;
+}
+
+output::StockFacts::LineShare line_share(const Blame& one, const base::SourceSet& sources) {
+  const bool is_known = sources.contains(one.block.file);
+  return {is_known ? sources[one.block.file].name() : std::string{}, one.block.line, one.share};
+}
+
+/// The regions' lines, and a finding each.
+void take_regions(Comparison comparison, const StockJob& job, StockResult& result) {
+  const base::SourceSet& sources = result.run->machine().sources();
+  output::StockFacts::Compared compared;
+  std::vector<stock::Finding> findings;
+  for (Region& region : comparison.regions) {
+    const std::vector<Blame> lines = blame(region, result.lines);
+    std::vector<output::StockFacts::LineShare> told;
+    for (const Blame& one : lines) told.push_back(line_share(one, sources));
+    compared.lines.push_back(std::move(told));
+    region.motions = {};  // the lines say it
+    stock::Finding finding = finding_of(region, lines, result);
+    const bool counts =
+        std::find(job.left_out.begin(), job.left_out.end(), finding.code) == job.left_out.end();
+    if (counts) findings.push_back(std::move(finding));
+  }
+  std::vector<BlockId> blocks;
+  for (const stock::Finding& finding : findings) blocks.push_back(finding.block);
+  find_line_starts(sources, blocks);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    findings[i].block = blocks[i];
+    result.findings.push_back(std::move(findings[i]));
+  }
+  stock::put_in_order(result.findings);
+  compared.found = std::move(comparison);
+  result.compare = std::move(compared);
+}
+
+bool are_apart(const Bounds& a, const Bounds& b) {
+  return a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
+         a.low.z > b.high.z || b.low.z > a.high.z;
+}
+
+std::string ranges(const Bounds& box) {
+  return fmt::format("X {:.4g} to {:.4g}, Y {:.4g} to {:.4g}, Z {:.4g} to {:.4g}", box.low.x,
+                     box.high.x, box.low.y, box.high.y, box.low.z, box.high.z);
+}
+
+/// A file whose numbers are no millimetres is larger or smaller than what it is cut from.
+bool is_odd(Vec3 design, Vec3 stock) {
+  constexpr double kLarger = 2;
+  constexpr double kSmaller = 10;
+  const double largest = std::max({stock.x, stock.y, stock.z});
+  const double of_design = std::max({design.x, design.y, design.z});
+  return of_design > kLarger * largest || of_design * kSmaller < largest;
+}
+
+std::string size_text(Vec3 size) {
+  return fmt::format("{:.4g} × {:.4g} × {:.4g} mm", size.x, size.y, size.z);
+}
+
+}  // namespace
+
+Outcome<void> read_design(const std::string& path, const stock::Placement& place, StockJob& job) {
+  if (job.job.definition.turns() || job.job.definition.axes.beam)
+    return base::usage("--design: parts of lathes and sheets are not compared yet");
+  auto read = machine::read_mesh(path, machine::MeshUnit::mm, job.memory_for_model());
+  if (!read) return tl::unexpected(read.error());
+  if (place != stock::Placement{}) {
+    const stock::Placing placing(place);
+    for (Vec3& point : read->mesh.points) point = placing(point);
+  }
+  job.design = std::make_shared<const Design>(std::move(*read));
+  job.mesh_bytes += job.design->solid.bytes();
+  return {};
+}
+
+Outcome<void> compare_with_design(const StockJob& job, StockResult& result) {
+  if (!job.design) return {};
+  const stock::compare::MeshSolid& design = job.design->solid;
+  const Bounds stock = stock::bounds(result.shape);
+  const Bounds wanted = design.bounds();
+  if (are_apart(stock, wanted)) {
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::input,
+        fmt::format("--design: it lies at {}, and the stock at {}: they have no place in common",
+                    ranges(wanted), ranges(stock))});
+  }
+  for (const std::string& change : job.design->changes)
+    result.assumed.push_back({0, "the design: " + change});
+  if (is_odd(wanted.high - wanted.low, stock.high - stock.low)) {
+    result.assumed.push_back(
+        {0, fmt::format("the design is in millimetres: {}, the stock {}",
+                        size_text(wanted.high - wanted.low), size_text(stock.high - stock.low))});
+  }
+  const std::unique_ptr<Part> part = part_of(result);
+  take_regions(stock::compare::compare(*part, design, job.tolerance, threads_for(job)), job,
+               result);
+  return {};
+}
+
+std::vector<float> deviations_mm(const StockJob& job, std::span<const Vec3> places) {
+  return stock::compare::deviations_mm(job.design->solid, places, threads_for(job));
+}
+
+}  // namespace kerf::job

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "job/job.hpp"
+#include "job/pass_watch.hpp"
 #include "machine/definition/stock_words.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
 #include "machine/definition/tools/tool_import.hpp"
@@ -19,8 +20,6 @@ namespace kerf::job {
 
 /// Which kind of stock holds the part (stock.md §3).
 enum class StockModel : std::uint8_t { automatic, zmap, tridexel, profile, sheet };
-
-class Run;
 
 /// Up to where a program is cut (`--until`).
 struct CutUntil {
@@ -57,6 +56,10 @@ struct StockJob {
   std::optional<CutUntil> until{};
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
+  /// Somebody looks on; made for each pass likewise. Empty: nobody.
+  std::function<std::unique_ptr<PassWatch>(const PassBegin& pass)> watch{};
+  /// Cells along the longest side of the model, for pictures; 0: as many as its cells make.
+  int most_along = 0;
 
   [[nodiscard]] std::size_t memory_for_model() const {
     return memory_bytes - std::min(mesh_bytes, memory_bytes);

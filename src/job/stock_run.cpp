@@ -14,8 +14,10 @@
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
+#include "job/internal/stock_suits.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/survey_pass.hpp"
+#include "job/internal/watched_pass.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/limit_checks.hpp"
@@ -33,6 +35,9 @@ std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
   if (plan.kind == StockModel::profile) return {};
   return machine::work_turns(definition);
 }
+
+/// So many sweeps are cut before those who look on see them.
+constexpr std::size_t kWatchedBatch = 1024;
 
 /// One pass over the program with a plan, and what it has shown of the plan.
 class Pass final : public motion::MotionSink, private motion::SkipSignal {
@@ -58,6 +63,11 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     auto made = make_model(plan_, job);
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
+    if (job.watch) {
+      watch_ = job.watch(begin_of(job, plan_, *run_, *model_, [this] {
+        return cutter_->findings().in_order();
+      }));
+    }
     cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
     limits_.emplace(
         *rack_, cutter_->judge(), cutter_->findings(), cutter_->tools(),
@@ -67,6 +77,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     clock_.add_sink(loose_);
     rows_ = job.rows ? job.rows(*run_) : nullptr;
     if (rows_) clock_.add_sink(*rows_);
+    if (watch_) clock_.add_sink(watch_->times());
     run_->machine().add_sink(*this);
     run_->machine().set_skip_signal(*this);
     run_->machine().tell_ends(clock_);
@@ -179,6 +190,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
             .turns_work = is_profile(),
             .material = job.material,
             .cuts = &clock_,
+            .watch = watch_ ? &watch_->cuts() : nullptr,
+            .batch = watch_ ? kWatchedBatch : stock::Cutter::Settings{}.batch,
             .end = plan_.end,
             .has_real_lengths = job.has_real_lengths,
             .stock = stock::bounds(plan_.shape),
@@ -299,6 +312,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::optional<SetPointPath> path_;  // none: as programmed
   std::uint64_t motions_ = 0;
   std::unique_ptr<stock::TimedCutSink> rows_;
+  std::unique_ptr<PassWatch> watch_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
 };
@@ -368,35 +382,8 @@ Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
   return plan;
 }
 
-/// Nothing is asked for that only a beam has.
-Outcome<void> without_beam(const StockJob& job) {
-  if (std::holds_alternative<machine::StockSheet>(job.shape))
-    return base::usage("--stock sheet: this machine has no laser");
-  if (job.model == StockModel::sheet)
-    return base::usage("--model sheet: this machine has no laser");
-  if (job.kerf_mm) return base::usage("--kerf: this machine has no laser");
-  return {};
-}
-
 // Each pass mends at least one thing that the one before supposed, and there are six.
 constexpr int kMostPasses = 7;
-
-Outcome<void> suits(const StockJob& job) {
-  const machine::MachineDefinition& machine = job.job.definition;
-  if (job.model == StockModel::profile && !machine.turns())
-    return base::usage("--model profile: only stock that a lathe turns has a profile");
-  if (machine.axes.linked && !machine.axes.beam)
-    return base::usage(machine.name + ": stock is cut on mills, lathes and lasers");
-  return {};
-}
-
-/// What a lathe cannot have yet.
-Outcome<void> suits(const StockJob& job, const StockPlan& plan) {
-  if (!job.job.definition.turns() || plan.kind == StockModel::profile) return {};
-  return base::usage(
-      "the part of a lathe is a bar about its spindle, cut by tools that stand still: " +
-      plan.reason);
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "job/internal/mesh_stock.hpp"
@@ -129,13 +130,29 @@ double bytes_for(const StockPlan& plan, double cell_mm) {
                       stock::field::grid_of(box, cell_mm), is_box));
 }
 
+double longest_side(const StockPlan& plan) {
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  return std::max({size.x, size.y, size.z});
+}
+
 /// The cell of the plan, or as much more as the memory asks for.
 double fitting_cell(const StockPlan& plan, std::size_t bytes) {
-  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
-  const double longest = std::max({size.x, size.y, size.z});
+  const double longest = longest_side(plan);
   double cell = std::max(plan.cell_mm, longest / kMostColumns);
   while (bytes_for(plan, cell) > static_cast<double>(bytes) && cell < longest) cell *= 1.1;
   return cell;
+}
+
+/// Of surfaces a picture takes so many points with `along` cells to the longest side, however thick
+/// the stock is.
+constexpr double kPointsOfSurface = 0.625;
+
+double picture_cell(const StockPlan& plan, int along) {
+  const double cell = longest_side(plan) / along;
+  if (plan.kind != StockModel::tridexel) return cell;
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return std::max(cell, std::sqrt(area / kPointsOfSurface) / along);
 }
 
 std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, unsigned jobs) {
@@ -157,13 +174,14 @@ MadeModel make_model(const StockPlan& plan, const StockJob& job) {
   if (plan.kind == StockModel::profile)
     return make_profile(std::get<stock::CylinderShape>(plan.shape));
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  const double cell = fitting_cell(plan, job.memory_for_model());
+  double cell = fitting_cell(plan, job.memory_for_model());
   MadeModel made;
-  made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
                                      plan.cell_mm, job.memory_bytes >> 20, cell);
   }
+  if (job.most_along > 0) cell = std::max(cell, picture_cell(plan, job.most_along));
+  made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   made.model = model_of(plan, cell, jobs);
   return made;
 }

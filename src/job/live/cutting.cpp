@@ -1,0 +1,80 @@
+#include "job/live/cutting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/dexel/tri_dexel.hpp"
+#include "stock/field/height_field.hpp"
+
+namespace kerf::job {
+namespace {
+
+using stock::Bounds;
+using stock::Vec3;
+using stock::field::Grid;
+
+/// As many as a browser makes triangles of in a second or two.
+constexpr double kMostColumns = 2.4e6;
+constexpr double kMostPoints = 4e5;
+/// A level is worth its name where its cells are smaller by so much.
+constexpr double kFiner = 0.8;
+
+PartGrid grid_of(const Grid& grid) {
+  return {{grid.x(0), grid.y(0)}, {grid.cell_x(), grid.cell_y()}, {grid.nx, grid.ny}};
+}
+
+double fine_cell(const stock::Model& model, const Bounds& box, double usual_mm) {
+  const Vec3 size = box.high - box.low;
+  if (dynamic_cast<const stock::field::HeightField*>(&model) != nullptr)
+    return std::max(usual_mm, std::sqrt(size.x * size.y / kMostColumns));
+  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return std::max(usual_mm, std::sqrt(area / kMostPoints));
+}
+
+PartLevel level_of(const stock::Model& model) {
+  PartLevel level{.cell_mm = model.grain_mm()};
+  const auto* const field = dynamic_cast<const stock::field::HeightField*>(&model);
+  if (field != nullptr) level.grid = grid_of(field->columns().grid());
+  return level;
+}
+
+}  // namespace
+
+Cutting::Cutting(const PassBegin& pass, std::uint32_t run, std::size_t memory_bytes)
+    : run_(run),
+      origin_(pass.origin),
+      box_(stock::bounds(pass.shape)),
+      facts_(pass.facts),
+      like_(pass.like),
+      recording_(pass.model, {.memory_bytes = memory_bytes}) {
+  levels_.push_back(level_of(pass.model));
+  const double fine = fine_cell(pass.model, box_, pass.usual_cell_mm);
+  if (!(fine < kFiner * levels_.front().cell_mm)) return;
+  levels_.push_back({.cell_mm = fine});
+  if (levels_.front().grid) levels_.back().grid = grid_of(stock::field::grid_of(box_, fine));
+}
+
+void Cutting::take(const stock::TimedCut& cut) {
+  const auto motion = static_cast<std::uint32_t>(cut.cut.motion);
+  if (cut.cut.is_looked_at) {
+    const base::BlockId& block = cut.cut.block;
+    owners_.add(motion, {block.file.value, block.line, cut.cut.tool});
+  }
+  recording_.tell(motion, cut.start_s, cut.end_s);
+}
+
+const stock::replay::Player* Cutting::at(double time_s, std::uint32_t level,
+                                         const std::stop_token& unwanted) {
+  auto& player = players_.at(level);
+  if (!player) {
+    const bool is_alike = level == 0;
+    player = std::make_unique<stock::replay::Player>(
+        like_(is_alike ? 0 : levels_[level].cell_mm),
+        stock::replay::Player::Settings{.is_alike = is_alike,
+                                        .own = {.memory_bytes = kFineMemory_bytes}});
+  }
+  if (!player->go_to(recording_, recording_.at(time_s), unwanted)) return nullptr;
+  return player.get();
+}
+
+}  // namespace kerf::job

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "stock/compare/internal/beyond.hpp"
 #include "stock/compare/internal/triangle.hpp"
 
 namespace kerf::stock::compare {
@@ -29,8 +30,6 @@ std::size_t between(const std::vector<double>& at, double place) {
   return static_cast<std::size_t>(
       std::clamp<std::ptrdiff_t>(after - 1, 0, static_cast<std::ptrdiff_t>(at.size()) - 2));
 }
-
-double outside(double at, double low, double high) { return std::max({low - at, at - high, 0.0}); }
 
 int nearest(double at, double low, double cell, int count) {
   const double number = std::floor((at - low) / cell);
@@ -102,9 +101,9 @@ Vec3 FieldSolid::corner_point(Cell cell, std::size_t which, double z) const {
 }
 
 double FieldSolid::square_to_box(Cell cell, Vec3 place, HeightRange range) const {
-  const double x = outside(place.x, x_[cell.i], x_[cell.i + 1]);
-  const double y = outside(place.y, y_[cell.j], y_[cell.j + 1]);
-  const double z = outside(place.z, double{range.low}, double{range.high});
+  const double x = beyond(place.x, x_[cell.i], x_[cell.i + 1]);
+  const double y = beyond(place.y, y_[cell.j], y_[cell.j + 1]);
+  const double z = beyond(place.z, double{range.low}, double{range.high});
   return x * x + y * y + z * z;
 }
 

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "stock/compare/internal/beyond.hpp"
+
 namespace kerf::stock::compare {
-namespace {
-
-double outside(double at, double low, double high) { return std::max({low - at, at - high, 0.0}); }
-
-}  // namespace
 
 void HeightRange::take(HeightRange other) {
   if (other.is_none()) return;
@@ -47,9 +44,9 @@ double Skin::square(Vec3 place, std::size_t level, std::size_t i, std::size_t j,
   const auto end = [&](const std::vector<double>& of, std::size_t k) {
     return of[std::min(of.size() - 1, (k + 1) * side)];
   };
-  const double x = outside(place.x, (*x_)[i * side], end(*x_, i));
-  const double y = outside(place.y, (*y_)[j * side], end(*y_, j));
-  const double z = outside(place.z, double{range.low}, double{range.high});
+  const double x = beyond(place.x, (*x_)[i * side], end(*x_, i));
+  const double y = beyond(place.y, (*y_)[j * side], end(*y_, j));
+  const double z = beyond(place.z, double{range.low}, double{range.high});
   return x * x + y * y + z * z;
 }
 

@@ -60,7 +60,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   [[nodiscard]] Vec3 zero_at_start() const { return zero_.at_start(); }
 
   void go(const StockJob& job) {
-    auto made = make_model(plan_, job);
+    auto made = make_model(plan_, ModelSize::of(job));
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
     if (job.watch) {

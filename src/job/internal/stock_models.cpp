@@ -170,17 +170,17 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 
 }  // namespace
 
-MadeModel make_model(const StockPlan& plan, const StockJob& job) {
+MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
   if (plan.kind == StockModel::profile)
     return make_profile(std::get<stock::CylinderShape>(plan.shape));
-  const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-  double cell = fitting_cell(plan, job.memory_for_model());
+  const unsigned jobs = size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
+  double cell = fitting_cell(plan, size.memory_bytes);
   MadeModel made;
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
-                                     plan.cell_mm, job.memory_bytes >> 20, cell);
+                                     plan.cell_mm, size.of_bytes >> 20, cell);
   }
-  if (job.most_along > 0) cell = std::max(cell, picture_cell(plan, job.most_along));
+  if (size.most_along > 0) cell = std::max(cell, picture_cell(plan, size.most_along));
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   made.model = model_of(plan, cell, jobs);
   return made;

@@ -24,7 +24,18 @@ struct MadeModel {
   std::optional<std::string> cell_enlarged;
 };
 
-[[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
+/// How large a model may be, and how many threads cut it.
+struct ModelSize {
+  std::size_t memory_bytes = 0;  ///< of the model
+  std::size_t of_bytes = 0;      ///< with what stands beside it, as its user has said it
+  unsigned jobs = 0;             ///< StockJob::jobs
+  int most_along = 0;            ///< StockJob::most_along
+
+  [[nodiscard]] static ModelSize of(const StockJob& job) {
+    return {job.memory_for_model(), job.memory_bytes, job.jobs, job.most_along};
+  }
+};
+[[nodiscard]] MadeModel make_model(const StockPlan& plan, const ModelSize& size);
 
 /// What reports say of a model that was made so.
 [[nodiscard]] output::StockFacts::Model facts_of(const StockPlan& plan, const stock::Model& model);

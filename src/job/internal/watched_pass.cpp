@@ -8,19 +8,16 @@ namespace {
 
 using Told = output::StockFacts::Told;
 
-/// Only what a model is made by.
 std::function<std::unique_ptr<stock::Model>(double)> maker_of(const StockJob& job,
                                                               const StockPlan& plan) {
-  StockJob like;
-  like.job.definition = job.job.definition;
-  like.memory_bytes = job.memory_bytes;
-  like.jobs = job.jobs;
-  return [plan, like, most_along = job.most_along](double cell_mm) {
+  return [plan, size = ModelSize::of(job)](double cell_mm) {
     StockPlan with_cell = plan;
-    StockJob for_cell = like;
-    if (cell_mm > 0) with_cell.cell_mm = cell_mm;
-    if (cell_mm == 0) for_cell.most_along = most_along;
-    return make_model(with_cell, for_cell).model;
+    ModelSize of = size;
+    if (cell_mm > 0) {
+      with_cell.cell_mm = cell_mm;
+      of.most_along = 0;
+    }
+    return make_model(with_cell, of).model;
   };
 }
 

@@ -58,7 +58,7 @@ void Cutting::take(const stock::TimedCut& cut) {
   const auto motion = static_cast<std::uint32_t>(cut.cut.motion);
   if (cut.cut.is_looked_at) {
     const base::BlockId& block = cut.cut.block;
-    owners_.add(motion, {block.file.value, block.line, cut.cut.tool});
+    owners_.add(motion, {static_cast<std::uint32_t>(block.file), block.line, cut.cut.tool});
   }
   recording_.tell(motion, cut.start_s, cut.end_s);
 }

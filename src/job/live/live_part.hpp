@@ -19,7 +19,7 @@ namespace kerf::job {
 
 /// How far a part is, told on the thread that cuts it. What it refers to is there meanwhile.
 struct PartProgress {
-  std::shared_ptr<Cutting> cutting;            ///< null: no pass has begun
+  std::shared_ptr<Cutting> cutting{};          ///< null: no pass has begun
   const base::SourceSet* sources = nullptr;    ///< of the findings; null: there are none
   std::vector<output::StockFacts::Told> findings{};
   std::vector<output::StockFacts::Thread> threads{};  ///< known at the end

@@ -58,7 +58,7 @@ struct StockJob {
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
   /// Somebody looks on; made for each pass likewise. Empty: nobody.
   std::function<std::unique_ptr<PassWatch>(const PassBegin& pass)> watch{};
-  /// Cells along the longest side of the model, for pictures; 0: as many as its cells make.
+  /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
   int most_along = 0;
 
   [[nodiscard]] std::size_t memory_for_model() const {

@@ -180,7 +180,7 @@ MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
                                      plan.cell_mm, size.of_bytes >> 20, cell);
   }
-  if (size.most_along > 0) cell = std::max(cell, picture_cell(plan, size.most_along));
+  if (size.most_along > 0) cell = picture_cell(plan, size.most_along);
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
   made.model = model_of(plan, cell, jobs);
   return made;

@@ -63,18 +63,19 @@ void Cutting::take(const stock::TimedCut& cut) {
   recording_.tell(motion, cut.start_s, cut.end_s);
 }
 
-const stock::replay::Player* Cutting::at(double time_s, std::uint32_t level,
-                                         const std::stop_token& unwanted) {
-  auto& player = players_.at(level);
-  if (!player) {
+const Picture* Cutting::at(double time_s, std::uint32_t level, const std::stop_token& unwanted) {
+  auto& seen = seen_.at(level);
+  if (!seen) {
     const bool is_alike = level == 0;
-    player = std::make_unique<stock::replay::Player>(
+    seen = std::make_unique<Seen>(
         like_(is_alike ? 0 : levels_[level].cell_mm),
         stock::replay::Player::Settings{.is_alike = is_alike,
-                                        .own = {.memory_bytes = kFineMemory_bytes}});
+                                        .own = {.memory_bytes = kFineMemory_bytes}},
+        owners_);
   }
-  if (!player->go_to(recording_, recording_.at(time_s), unwanted)) return nullptr;
-  return player.get();
+  if (!seen->player.go_to(recording_, recording_.at(time_s), unwanted)) return nullptr;
+  seen->picture->look();
+  return seen->picture.get();
 }
 
 }  // namespace kerf::job

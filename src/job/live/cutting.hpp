@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "job/live/owner_table.hpp"
+#include "job/live/picture.hpp"
 #include "job/pass_watch.hpp"
 #include "stock/replay/player.hpp"
 #include "stock/replay/recording.hpp"
@@ -56,10 +57,20 @@ class Cutting final : public stock::CutWatch, public stock::TimedCutSink {
 
   /// The part at a time, or as late as it is known, seen at a level; made when it is asked for.
   /// Null: `unwanted` came first.
-  [[nodiscard]] const stock::replay::Player* at(double time_s, std::uint32_t level,
-                                                const std::stop_token& unwanted);
+  [[nodiscard]] const Picture* at(double time_s, std::uint32_t level,
+                                  const std::stop_token& unwanted);
 
  private:
+  /// A level that somebody has looked at.
+  struct Seen {
+    Seen(std::unique_ptr<stock::Model> model, const stock::replay::Player::Settings& settings,
+         const OwnerTable& owners)
+        : player(std::move(model), settings),
+          picture(picture_of(player.model(), player.tiles(), owners)) {}
+
+    stock::replay::Player player;
+    std::unique_ptr<Picture> picture;
+  };
   static constexpr std::size_t kFineMemory_bytes = std::size_t{64} << 20U;
 
   std::uint32_t run_;
@@ -70,7 +81,7 @@ class Cutting final : public stock::CutWatch, public stock::TimedCutSink {
   std::vector<PartLevel> levels_;
   OwnerTable owners_;
   stock::replay::Recording recording_;
-  std::array<std::unique_ptr<stock::replay::Player>, 2> players_;
+  std::array<std::unique_ptr<Seen>, 2> seen_;  // of the levels
 };
 
 }  // namespace kerf::job

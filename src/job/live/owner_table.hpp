@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/block_id.hpp"
+#include "output/part/part_frame.hpp"
 
 namespace kerf::job {
 
@@ -29,6 +30,10 @@ class OwnerTable {
 
   /// Of the frames, 0: nobody. From 1 on.
   [[nodiscard]] std::uint16_t number(std::uint32_t motion) const;
+  /// As frames ask for it; as long as the table is there.
+  [[nodiscard]] output::OwnerOf numbers() const {
+    return [this](std::uint32_t motion) { return number(motion); };
+  }
   /// The exact one; nobody has line 0.
   [[nodiscard]] PartOwner owner(std::uint32_t motion) const;
   /// Grows when numbers begin anew.

@@ -8,10 +8,6 @@
 #include <vector>
 
 #include "job/live/cutting.hpp"
-#include "output/part/part_frame.hpp"
-#include "stock/dexel/tri_dexel.hpp"
-#include "stock/field/height_field.hpp"
-#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 
@@ -47,22 +43,14 @@ class PartSight {
  private:
   /// Of a tile of the picture.
   struct Seen {
-    std::uint64_t sent = 0;  // which bytes; 0: none
-    bool is_old = true;      // what it shows may have changed since it was looked at
+    std::uint64_t version = 0;  // when it was looked at last; 0: it never was
+    std::uint64_t sent = 0;     // which bytes; 0: none
   };
 
   void begin(const std::shared_ptr<Cutting>& cutting, std::uint32_t level);
   void tell_owners(PartLook& look);
-  output::PartKind add_parts(const stock::replay::Player& player);
-  void add_heights(const stock::field::HeightField& field, const std::vector<std::size_t>& changed);
-  void add_mesh(const stock::dexel::TriDexel& model, const std::vector<std::size_t>& changed);
-  void add_profile(const stock::turned::TurnedPart& part, const std::vector<std::size_t>& changed);
-  /// The tiles of the model that may hold something else than at the last look.
-  [[nodiscard]] std::vector<std::size_t> changed(const stock::replay::Tiles& tiles);
-  template <class PartOf>
-  void add_old(const PartOf& part_of);
-  void add(Seen& seen, const std::string& part);
-  [[nodiscard]] output::OwnerOf owner_of() const;
+  [[nodiscard]] Picture::Parts changed(const Picture& picture, PartLook& look);
+  static void add(const Picture::Parts& tile, Seen& seen, Picture::Parts& all);
 
   std::shared_ptr<Cutting> cutting_;
   std::uint32_t level_ = 0;
@@ -70,11 +58,7 @@ class PartSight {
   std::uint32_t edition_ = 0;  // of the owners
   std::size_t owners_ = 0;     // that were told
   std::optional<double> shown_s_;
-  bool has_more_ = false;
-  std::vector<std::uint64_t> versions_;  // of the model's tiles
-  std::vector<Seen> seen_;               // of the picture's tiles
-  std::string parts_;
-  std::uint32_t count_ = 0;
+  std::vector<Seen> seen_;  // of the picture's tiles
 };
 
 }  // namespace kerf::job

@@ -31,6 +31,8 @@ std::optional<Outgoing> PartView::next() {
     ready_.pop_front();
     return message;
   }
+  for (const auto& [reply, answer] : answers_) reply.yes(answer);
+  answers_.clear();
   if (is_looking_ || !is_new_ || !part_) return std::nullopt;
   is_looking_ = true;
   is_new_ = false;
@@ -59,9 +61,10 @@ void PartView::take(const PartLooking& of, const std::optional<job::PartLook>& l
   if (of.wish == wish_ && !look->has_more) answer(*look);
 }
 
+// Behind what it is the answer to.
 void PartView::answer(const job::PartLook& look) {
   for (const Reply& reply : replies_)
-    reply.yes({{"time_s", look.time_s}, {"behind", look.is_behind}});
+    answers_.push_back({reply, {{"time_s", look.time_s}, {"behind", look.is_behind}}});
   replies_.clear();
 }
 

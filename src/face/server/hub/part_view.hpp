@@ -57,6 +57,7 @@ class PartView {
   std::shared_ptr<job::PartSight> sight_;
   job::PartWish wish_;
   std::vector<Reply> replies_;  // to those who want it
+  std::vector<std::pair<Reply, Json>> answers_;  // to be sent behind what is ready
   std::stop_source changed_;    // the wish, since the look began
   bool is_looking_ = false;
   bool is_new_ = false;

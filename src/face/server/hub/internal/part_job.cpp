@@ -22,7 +22,10 @@ Outcome<std::vector<stock::Tool>> tools_of(const machine::MachineDefinition& def
 
 }  // namespace
 
-Outcome<void> check_set_up(const std::string& /*toml*/) { return {}; }
+Outcome<void> check_set_up(const std::string& toml) {
+  if (toml.empty()) return {};
+  return base::usage("set-ups cannot be read yet: the stock lies around what is cut");
+}
 
 Outcome<job::StockJob> part_job(const PartSource& source, const std::string& /*set_up*/) {
   auto text = source.text();

@@ -56,8 +56,7 @@ struct StockJob {
   std::optional<CutUntil> until{};
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
-  /// Somebody looks on; made for each pass likewise. Empty: nobody.
-  std::function<std::unique_ptr<PassWatch>(const PassBegin& pass)> watch{};
+  JobWatch* watch = nullptr;  ///< who looks on; outlives the run
   /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
   int most_along = 0;
 

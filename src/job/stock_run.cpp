@@ -63,8 +63,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     auto made = make_model(plan_, ModelSize::of(job));
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
-    if (job.watch) {
-      watch_ = job.watch(begin_of(job, plan_, *run_, *model_, [this] {
+    if (job.watch != nullptr) {
+      watch_ = job.watch->begins(begin_of(job, plan_, *run_, *model_, [this] {
         return cutter_->findings().in_order();
       }));
     }
@@ -312,7 +312,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::optional<SetPointPath> path_;  // none: as programmed
   std::uint64_t motions_ = 0;
   std::unique_ptr<stock::TimedCutSink> rows_;
-  std::unique_ptr<PassWatch> watch_;
+  std::unique_ptr<ModelWatch> watch_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
 };

@@ -23,21 +23,18 @@ std::function<std::unique_ptr<stock::Model>(double)> maker_of(const StockJob& jo
 
 }  // namespace
 
-PassBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run, stock::Model& model,
-                   std::function<std::vector<stock::Finding>()> findings) {
-  return {.run = run,
-          .origin = plan.origin,
-          .shape = plan.shape,
-          .facts = facts_of(plan, model),
-          .model = model,
-          .like = maker_of(job, plan),
-          .usual_cell_mm = plan.cell_mm,
-          .is_like_before = !plan.looks.empty(),
-          .findings = [findings = std::move(findings), &run] {
-            std::vector<Told> all;
-            for (const stock::Finding& each : findings()) all.push_back(told(each, run.machine()));
-            return all;
-          }};
+ModelBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run, stock::Model& model,
+                    std::function<std::vector<stock::Finding>()> findings) {
+  const auto told_findings = [findings = std::move(findings), &run] {
+    std::vector<Told> all;
+    for (const stock::Finding& each : findings()) all.push_back(told(each, run.machine()));
+    return all;
+  };
+  return {{run, plan.origin, plan.shape, facts_of(plan, model), told_findings},
+          model,
+          maker_of(job, plan),
+          plan.cell_mm,
+          !plan.looks.empty()};
 }
 
 }  // namespace kerf::job

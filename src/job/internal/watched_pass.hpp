@@ -13,8 +13,8 @@ namespace kerf::job {
 inline constexpr std::size_t kWatchedBatch = 1024;
 
 /// A pass with this plan, for those who look on. All must be there until it is over.
-[[nodiscard]] PassBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run,
-                                 stock::Model& model,
-                                 std::function<std::vector<stock::Finding>()> findings);
+[[nodiscard]] ModelBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run,
+                                  stock::Model& model,
+                                  std::function<std::vector<stock::Finding>()> findings);
 
 }  // namespace kerf::job

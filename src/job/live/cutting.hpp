@@ -1,19 +1,16 @@
 #pragma once
 
 #include <array>
-#include <atomic>
-#include <functional>
-#include <memory>
-#include <mutex>
+#include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "base/interface.hpp"
 #include "job/live/owner_table.hpp"
 #include "job/live/picture.hpp"
 #include "job/pass_watch.hpp"
-#include "stock/replay/player.hpp"
-#include "stock/replay/recording.hpp"
 
 namespace kerf::job {
 
@@ -30,58 +27,51 @@ struct PartLevel {
 
 /// One pass over a program that is cut in the background: what it was given is recorded, so that
 /// its part can be seen at any time up to where it has come. One thread cuts; one looks.
-class Cutting final : public stock::CutWatch, public stock::TimedCutSink {
+class Cutting : public base::Interface {
  public:
-  Cutting(const PassBegin& pass, std::uint32_t run, std::size_t memory_bytes);
-
-  // On the thread that cuts
-
-  void added(const stock::Body& body) override { recording_.added(body); }
-  void cut(std::span<const stock::Sweep> sweeps) override { recording_.cut(sweeps); }
-  void take(const stock::TimedCut& cut) override;
-  void finish(double time_s) { recording_.finish(time_s); }
-  [[nodiscard]] bool is_full() const { return recording_.is_full(); }
-
   // From any thread
 
   [[nodiscard]] std::uint32_t run() const { return run_; }
+  /// As reports call it.
   [[nodiscard]] const std::string& model() const { return facts_.kind; }
   [[nodiscard]] const std::string& reason() const { return facts_.reason; }
   [[nodiscard]] stock::Vec3 origin() const { return origin_; }
   [[nodiscard]] const stock::Bounds& box() const { return box_; }
+  /// The coarse one first.
   [[nodiscard]] const std::vector<PartLevel>& levels() const { return levels_; }
   [[nodiscard]] const OwnerTable& owners() const { return owners_; }
-  [[nodiscard]] double reached_s() const { return recording_.reached_s(); }
+  /// Up to here it can be seen, s of the run.
+  [[nodiscard]] virtual double reached_s() const = 0;
+  /// What is behind needs more memory than it may have.
+  [[nodiscard]] virtual bool is_full() const = 0;
+
+  // On the thread that cuts
+
+  /// A motion that has been cut, with its times.
+  virtual void take(const stock::TimedCut& cut) = 0;
+  virtual void finish(double time_s) = 0;
 
   // On the thread that looks
 
   /// The part at a time, or as late as it is known, seen at a level; made when it is asked for.
   /// Null: `unwanted` came first.
-  [[nodiscard]] const Picture* at(double time_s, std::uint32_t level,
-                                  const std::stop_token& unwanted);
+  [[nodiscard]] virtual const Picture* at(double time_s, std::uint32_t level,
+                                          const std::stop_token& unwanted) = 0;
+
+ protected:
+  Cutting(const PassBegin& pass, std::uint32_t run)
+      : run_(run), origin_(pass.origin), box_(stock::bounds(pass.shape)), facts_(pass.facts) {}
+
+  void add_level(const PartLevel& level) { levels_.push_back(level); }
+  [[nodiscard]] OwnerTable& table() { return owners_; }
 
  private:
-  /// A level that somebody has looked at.
-  struct Seen {
-    Seen(std::unique_ptr<stock::Model> model, const stock::replay::Player::Settings& settings,
-         const OwnerTable& owners)
-        : player(std::move(model), settings),
-          picture(picture_of(player.model(), player.tiles(), owners)) {}
-
-    stock::replay::Player player;
-    std::unique_ptr<Picture> picture;
-  };
-  static constexpr std::size_t kFineMemory_bytes = std::size_t{64} << 20U;
-
   std::uint32_t run_;
   stock::Vec3 origin_;
   stock::Bounds box_;
   output::StockFacts::Model facts_;
-  std::function<std::unique_ptr<stock::Model>(double)> like_;
   std::vector<PartLevel> levels_;
   OwnerTable owners_;
-  stock::replay::Recording recording_;
-  std::array<std::unique_ptr<Seen>, 2> seen_;  // of the levels
 };
 
 }  // namespace kerf::job

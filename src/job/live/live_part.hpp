@@ -4,7 +4,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -19,8 +18,8 @@ namespace kerf::job {
 
 /// How far a part is, told on the thread that cuts it. What it refers to is there meanwhile.
 struct PartProgress {
-  std::shared_ptr<Cutting> cutting{};          ///< null: no pass has begun
-  const base::SourceSet* sources = nullptr;    ///< of the findings; null: there are none
+  std::shared_ptr<Cutting> cutting{};        ///< null: no pass has begun
+  const base::SourceSet* sources = nullptr;  ///< of the findings; null: there are none
   std::vector<output::StockFacts::Told> findings{};
   std::vector<output::StockFacts::Thread> threads{};  ///< known at the end
   bool is_done = false;
@@ -29,7 +28,7 @@ struct PartProgress {
 
 /// The part of a program, cut in the background as fast as it goes, for those who look at it while
 /// and after that. cut() belongs to a thread of its own and may take long.
-class LivePart {
+class LivePart final : private JobWatch {
  public:
   struct Order {
     /// Made on the thread that cuts, for it may wait for the disk.
@@ -47,19 +46,21 @@ class LivePart {
   explicit LivePart(Order order) : order_(std::move(order)) {}
 
   void cut(const Observer& observer);
-  void cancel() {
-    is_cancelled_ = true;
-    over_.request_stop();
-  }
+  void cancel();
   [[nodiscard]] bool is_cancelled() const { return is_cancelled_; }
 
   /// The newest pass; null: none has begun. From any thread.
   [[nodiscard]] std::shared_ptr<Cutting> cutting() const;
 
  private:
-  class Watch;
+  class Teller;
+  class ModelLook;
+  class SheetLook;
 
-  [[nodiscard]] std::shared_ptr<Cutting> begin(const PassBegin& pass);
+  [[nodiscard]] std::unique_ptr<ModelWatch> begins(const ModelBegin& pass) override;
+  [[nodiscard]] std::unique_ptr<SheetWatch> begins(const SheetBegin& pass) override;
+  [[nodiscard]] std::uint32_t next_run() { return order_.first_run + runs_++ % kMostRuns; }
+  void show(std::shared_ptr<Cutting> cutting);
   void prepare(StockJob& job);
   [[nodiscard]] std::string why_over(const StockResult& result) const;
   void tell_end(StockResult& result) const;

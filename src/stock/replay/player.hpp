@@ -1,50 +1,44 @@
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <stop_token>
-#include <vector>
 
-#include "stock/replay/checkpoints.hpp"
-#include "stock/replay/recording.hpp"
+#include "stock/replay/record.hpp"
 
 namespace kerf::stock::replay {
 
-/// A model that goes to any time of a recording: from the checkpoint before it, or from where it
+/// Brings something to any time of a record: from the checkpoint before it, or from where it
 /// stands, over the steps up to it, of the last motion a part. However it comes there, it is the
 /// same to the last bit. Not for several threads at once.
 class Player {
  public:
+  /// Does the steps [from, to) once more; where the share is not 1 they are one motion, of whose
+  /// way only that much is made.
+  using Redo = std::function<void(std::size_t from, std::size_t to, double share)>;
+
   struct Settings {
-    /// Its cells are those of the recorded model, whose checkpoints are its own.
+    /// Its tiles are those that were recorded, and so are its checkpoints.
     bool is_alike = true;
-    Checkpoints::Settings own{};  ///< of its own checkpoints, where it is not
+    Checkpoints::Settings own{};  ///< of its own checkpoints, where they are not
   };
-  /// `model`: made as the recorded one was, but for its cells.
-  Player(std::unique_ptr<Model> model, const Settings& settings);
+  /// The tiles are as those of the record were before the first step, and outlive the player.
+  Player(Tiles& tiles, Redo redo, const Settings& settings);
 
   /// False: `unwanted` came before it was there; it goes on from where it is the next time.
-  bool go_to(const Recording& recording, const Instant& instant, const std::stop_token& unwanted);
-  /// Where it has come to.
-  [[nodiscard]] const Instant& at() const { return at_; }
-
-  [[nodiscard]] const Model& model() const { return *model_; }
-  [[nodiscard]] const Tiles& tiles() const { return *tiles_; }
+  bool go_to(const Record& record, const Instant& instant, const std::stop_token& unwanted);
 
  private:
-  void begin(const Recording& recording, std::size_t steps);
-  [[nodiscard]] std::optional<Checkpoint> checkpoint(const Recording& recording,
+  void begin(const Record& record, std::size_t steps);
+  [[nodiscard]] std::optional<Checkpoint> checkpoint(const Record& record,
                                                      std::size_t steps) const;
-  void cut(const std::vector<Sweep>& sweeps);
 
+  Redo redo_;
   Settings settings_;
-  std::unique_ptr<Model> model_;
-  std::unique_ptr<Tiles> tiles_;
   Keeper keeper_;
   Checkpoints own_;
-  Moment clean_;  // behind at_.whole, where a part is cut on top of it
+  Moment clean_;  // behind at_.whole, where a part is done on top of it
   Instant at_;
-  std::size_t bodies_ = 0;
-  std::vector<Outcome> outcomes_;
 };
 
 }  // namespace kerf::stock::replay

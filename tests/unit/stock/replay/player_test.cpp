@@ -1,8 +1,10 @@
 // A part at any time of its run is the same to the last bit, however one comes there.
-#include "stock/replay/player.hpp"
+#include "stock/replay/model_player.hpp"
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <functional>
 #include <random>
 
 #include "stock/dexel/tri_dexel.hpp"
@@ -109,21 +111,21 @@ std::unique_ptr<Model> tri_dexel() {
 
 /// What a player that was never anywhere else shows at a time.
 std::vector<std::uint32_t> fresh(const Made& made, const Recording& recording, double time_s) {
-  Player player(made(), {.is_alike = false});
-  EXPECT_TRUE(player.go_to(recording, recording.at(time_s), {}));
+  ModelPlayer player(made(), recording, {.is_alike = false});
+  EXPECT_TRUE(player.go_to(time_s, {}));
   return bits_of(player.model());
 }
 
 void there_and_back(const Made& made) {
   Run run(made, 7, std::size_t{64} << 20U);
-  Player player(made(), {});
+  ModelPlayer player(made(), run.recording(), {});
   std::mt19937 random(3);
   for (int i = 0; i < 40; ++i) {
     const double time_s = Run::kLasts_s * static_cast<double>(random()) / 4294967296.0;
-    ASSERT_TRUE(player.go_to(run.recording(), run.recording().at(time_s), {}));
+    ASSERT_TRUE(player.go_to(time_s, {}));
     ASSERT_EQ(bits_of(player.model()), fresh(made, run.recording(), time_s)) << time_s << " s";
   }
-  ASSERT_TRUE(player.go_to(run.recording(), run.recording().at(1e9), {}));
+  ASSERT_TRUE(player.go_to(1e9, {}));
   EXPECT_EQ(bits_of(player.model()), bits_of(run.model()));
 }
 
@@ -133,14 +135,14 @@ TEST(Player, ThereAndBackDexelsHaveTheSameBits) { there_and_back(tri_dexel); }
 TEST(Player, FewerCheckpointsMakeTheSameBits) {
   Run many(height_field, 11, std::size_t{64} << 20U);
   Run few(height_field, 11, std::size_t{2} << 20U);
-  Player a(height_field(), {});
-  Player b(height_field(), {});
+  ModelPlayer a(height_field(), many.recording(), {});
+  ModelPlayer b(height_field(), few.recording(), {});
   for (const double time_s : {80.3, 12.25, 55.0, 3.75}) {
-    ASSERT_TRUE(a.go_to(many.recording(), many.recording().at(time_s), {}));
-    ASSERT_TRUE(b.go_to(few.recording(), few.recording().at(time_s), {}));
+    ASSERT_TRUE(a.go_to(time_s, {}));
+    ASSERT_TRUE(b.go_to(time_s, {}));
     EXPECT_EQ(bits_of(a.model()), bits_of(b.model())) << time_s << " s";
   }
-  EXPECT_LT(few.recording().bytes(), std::size_t{2} << 20U);
+  EXPECT_LT(few.recording().record().bytes(), std::size_t{2} << 20U);
 }
 
 // The same job as a lathe: what is left is one region.
@@ -160,9 +162,9 @@ TEST(Player, ATurnedPartComesBack) {
     recording.cut({&sweep, 1});
     recording.tell(i, i - 1, i);
   }
-  Player player(made(), {});
+  ModelPlayer player(made(), recording, {});
   const auto left = [&](double time_s) {
-    EXPECT_TRUE(player.go_to(recording, recording.at(time_s), {}));
+    EXPECT_TRUE(player.go_to(time_s, {}));
     return player.model().stock_mm3() - player.model().left_mm3();
   };
   constexpr double kDisc = 3.14159265358979 * 25;
@@ -174,11 +176,11 @@ TEST(Player, ATurnedPartComesBack) {
 
 TEST(Player, WhoIsNoLongerWantedStopsAndGoesOnLater) {
   Run run(height_field, 5, std::size_t{64} << 20U);
-  Player player(height_field(), {.is_alike = false});
+  ModelPlayer player(height_field(), run.recording(), {.is_alike = false});
   std::stop_source unwanted;
   unwanted.request_stop();
-  EXPECT_FALSE(player.go_to(run.recording(), run.recording().at(70), unwanted.get_token()));
-  ASSERT_TRUE(player.go_to(run.recording(), run.recording().at(70), {}));
+  EXPECT_FALSE(player.go_to(70, unwanted.get_token()));
+  ASSERT_TRUE(player.go_to(70, {}));
   EXPECT_EQ(bits_of(player.model()), fresh(height_field, run.recording(), 70));
 }
 

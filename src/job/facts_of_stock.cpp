@@ -41,20 +41,6 @@ base::Place first_character(const base::BlockId& block, const base::SourceSet& s
   return place;
 }
 
-output::StockFacts::Told told(const stock::Finding& finding, const machine::BatchRun& run) {
-  base::Diagnostic diagnostic =
-      base::make_error(finding.code, first_character(finding.block, run.sources()), finding.detail);
-  if (is_warning(finding.code)) diagnostic.severity = base::Severity::warning;
-  if (finding.block.line > 0) {
-    diagnostic.program = base::program_name(static_cast<std::uint32_t>(finding.block.program));
-    diagnostic.block = finding.block;
-    diagnostic.hint = callers_of(finding.block, run.control());
-  } else {
-    diagnostic.place = {.file = base::FileId{0}};
-  }
-  return {std::move(diagnostic), finding};
-}
-
 void take_sheet(const output::StockFacts::Sheet& sheet, output::StockFacts& facts) {
   facts.sheet = sheet;
   facts.removed_mm3 = sheet.cut_mm2 * sheet.thickness_mm;
@@ -130,6 +116,20 @@ void list_unchecked(const stock::CuttingTool& tool, std::vector<std::string>& no
 }
 
 }  // namespace
+
+output::StockFacts::Told told(const stock::Finding& finding, const machine::BatchRun& run) {
+  base::Diagnostic diagnostic =
+      base::make_error(finding.code, first_character(finding.block, run.sources()), finding.detail);
+  if (is_warning(finding.code)) diagnostic.severity = base::Severity::warning;
+  if (finding.block.line > 0) {
+    diagnostic.program = base::program_name(static_cast<std::uint32_t>(finding.block.program));
+    diagnostic.block = finding.block;
+    diagnostic.hint = callers_of(finding.block, run.control());
+  } else {
+    diagnostic.place = {.file = base::FileId{0}};
+  }
+  return {std::move(diagnostic), finding};
+}
 
 output::StockFacts facts_of(StockResult& result) {
   output::StockFacts facts;

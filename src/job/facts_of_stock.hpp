@@ -9,4 +9,8 @@ namespace kerf::job {
 /// result still has its run.
 [[nodiscard]] output::StockFacts facts_of(StockResult& result);
 
+/// A finding with the place of its block, as diagnostics have it.
+[[nodiscard]] output::StockFacts::Told told(const stock::Finding& finding,
+                                            const machine::BatchRun& run);
+
 }  // namespace kerf::job

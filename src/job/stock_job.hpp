@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "job/job.hpp"
+#include "job/pass_watch.hpp"
 #include "machine/definition/stock_words.hpp"
 #include "machine/definition/tools/tool_choice.hpp"
 #include "machine/definition/tools/tool_import.hpp"
@@ -68,6 +69,9 @@ struct StockJob {
   stock::compare::Tolerance tolerance{};  ///< of what the part is compared with
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
+  JobWatch* watch = nullptr;  ///< who looks on; outlives the run
+  /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
+  int most_along = 0;
 
   [[nodiscard]] bool compares() const { return design != nullptr; }
   [[nodiscard]] std::size_t memory_for_model() const {

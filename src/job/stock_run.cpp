@@ -15,8 +15,10 @@
 #include "job/internal/stock_models.hpp"
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
+#include "job/internal/stock_suits.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/threads_of.hpp"
+#include "job/internal/watched_pass.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
@@ -41,6 +43,9 @@ std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
   return turns;
 }
 
+/// So many sweeps are cut before those who look on see them.
+constexpr std::size_t kWatchedBatch = 1024;
+
 /// One pass over the program with a plan, and what it has shown of the plan.
 class Pass final : public motion::MotionSink, private motion::SkipSignal {
  public:
@@ -62,9 +67,14 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   [[nodiscard]] Vec3 zero_at_start() const { return zero_.at_start(); }
 
   void go(const StockJob& job) {
-    auto made = make_model(plan_, job);
+    auto made = make_model(plan_, ModelSize::of(job));
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
+    if (job.watch != nullptr) {
+      watch_ = job.watch->begins(begin_of(job, plan_, *run_, *model_, [this] {
+        return cutter_->findings().in_order();
+      }));
+    }
     cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
     limits_.emplace(
         *rack_, cutter_->judge(), cutter_->findings(), cutter_->tools(),
@@ -74,6 +84,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     clock_.add_sink(loose_);
     rows_ = job.rows ? job.rows(*run_) : nullptr;
     if (rows_) clock_.add_sink(*rows_);
+    if (watch_) clock_.add_sink(watch_->times());
     run_->machine().add_sink(*this);
     run_->machine().set_skip_signal(*this);
     run_->machine().tell_ends(clock_);
@@ -150,7 +161,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     }
     if (lines_ && !is_profile() && lines_->bytes() > plan_.lines_bytes) {
       better.lines_bytes = lines_->bytes();
-      differs = differs || cell_of(better, job) > cell_of(plan_, job);
+      differs = differs || cell_of(better, ModelSize::of(job)) > cell_of(plan_, ModelSize::of(job));
     }
     if (!differs && plan_.looks.empty()) {
       better.looks = LoosePieces::looks_for(pieces_, model_->grain_mm());
@@ -209,6 +220,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
             .turns_work = is_lathe(),
             .material = job.material,
             .cuts = &clock_,
+            .watch = watch_ ? &watch_->cuts() : nullptr,
+            .batch = watch_ ? kWatchedBatch : stock::Cutter::Settings{}.batch,
             .end = plan_.end,
             .has_real_lengths = job.has_real_lengths,
             .stock = stock::bounds(plan_.shape),
@@ -325,44 +338,13 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::uint64_t motions_ = 0;
   std::optional<MotionLines> lines_;
   std::unique_ptr<stock::TimedCutSink> rows_;
+  std::unique_ptr<ModelWatch> watch_;
   std::optional<std::string> cell_enlarged_;
   machine::RunStatus status_{};
 };
 
-/// Nothing is asked for that only a beam has.
-Outcome<void> without_beam(const StockJob& job) {
-  if (std::holds_alternative<machine::StockSheet>(job.shape))
-    return base::usage("--stock sheet: this machine has no laser");
-  if (job.model == StockModel::sheet)
-    return base::usage("--model sheet: this machine has no laser");
-  if (job.kerf_mm) return base::usage("--kerf: this machine has no laser");
-  return {};
-}
-
 // Each pass mends at least one thing that the one before supposed, and there are seven.
 constexpr int kMostPasses = 8;
-
-Outcome<void> suits(const StockJob& job) {
-  const machine::MachineDefinition& machine = job.job.definition;
-  if (job.model == StockModel::profile && !machine.turns())
-    return base::usage("--model profile: only stock that a lathe turns has a profile");
-  if (job.model == StockModel::zmap && machine.turns())
-    return base::usage("--model zmap: the part of a lathe is no height field; --model tridexel");
-  if (machine.axes.linked && !machine.axes.beam)
-    return base::usage(machine.name + ": stock is cut on mills, lathes and lasers");
-  return {};
-}
-
-/// Where the model was asked for by its name.
-Outcome<void> suits(const StockJob& job, const StockPlan& plan) {
-  if (!job.job.definition.turns()) return {};
-  if (job.model == StockModel::profile && plan.kind != StockModel::profile)
-    return base::usage("--model profile: " + plan.reason);
-  if (plan.is_beside_middle)
-    return base::usage("a turning tool cuts beside the middle of the part, which no model can hold: " +
-                       plan.reason);
-  return {};
-}
 
 }  // namespace
 

@@ -109,6 +109,7 @@ class Client:
         self.state = {}
         self.events = []
         self.chunks = []
+        self.part_frames = []  # of the part, as they come
         self.answers = {}
         self.next_id = 1
         self.name = None
@@ -116,7 +117,10 @@ class Client:
     def receive(self, timeout=20 * PATIENCE):
         message = self.socket.receive(timeout)
         if isinstance(message, bytes):
-            self.chunks.append(Chunk(message))
+            if message[:4] == b"KSTK":
+                self.part_frames.append(PartFrame(message))
+            else:
+                self.chunks.append(Chunk(message))
             return
         frame = json.loads(message)
         if "id" in frame:
@@ -240,6 +244,56 @@ class Chunk:
         values = struct.unpack_from(f"<{count}{kind}", self.data, self.at)
         self.at += (count * struct.calcsize("<" + kind) + 3) // 4 * 4
         return values
+
+
+class PartFrame:
+    """A binary frame of the part, as docs/panel-protocol.md has it."""
+
+    def __init__(self, data):
+        magic, version, self.kind, self.run, self.number, self.level, count, self.time_s = struct.unpack_from("<4sHHIIIId", data)
+        equal((magic, version), (b"KSTK", 1), "magic and version")
+        self.data = data
+        self.bytes = len(data)
+        self.at = struct.calcsize("<4sHHIIIId")
+        read = {0: self.heights, 1: self.mesh, 2: self.loop, 3: self.sheet}[self.kind]
+        self.tiles = []
+        for _ in range(count):
+            self.tiles.append(read())
+            self.at = (self.at + 3) // 4 * 4
+        equal(self.at, len(data), "bytes of the frame")
+
+    def take(self, form):
+        values = struct.unpack_from("<" + form, self.data, self.at)
+        self.at += struct.calcsize("<" + form)
+        return values
+
+    def heights(self):
+        x, y, nx, ny, z0, dz = self.take("iiHHff")
+        check(0 < nx <= 65 and 0 < ny <= 65, f"a tile of {nx} x {ny}")
+        raw = self.take(f"{nx * ny}H")
+        return {"at": (x, y), "nx": nx, "ny": ny, "z": [None if h == 65535 else z0 + dz * h for h in raw],
+                "owner": self.take(f"{nx * ny}H")}
+
+    def mesh(self):
+        *at, vertices, triangles = self.take("iiiII")
+        *origin, scale = self.take("ffff")
+        flat = self.take(f"{3 * vertices}h")
+        points = [tuple(o + scale * p for o, p in zip(origin, flat[3 * i : 3 * i + 3])) for i in range(vertices)]
+        self.take(f"{2 * vertices}b")
+        owner = self.take(f"{vertices}H")
+        index = self.take(f"{3 * triangles}H")
+        check(all(i < vertices for i in index), "triangles of vertices that are there")
+        return {"at": tuple(at), "points": points, "owner": owner, "index": index}
+
+    def loop(self):
+        (n,) = self.take("I")
+        flat = self.take(f"{3 * n}d")
+        return [flat[3 * i : 3 * i + 3] for i in range(n)]
+
+    def sheet(self):
+        x, y, nx, ny, full = self.take("iiHHf")
+        return {"at": (x, y), "nx": nx, "ny": ny, "full": full, "energy": self.take(f"{nx * ny}B"),
+                "coverage": self.take(f"{nx * ny}B")}
 
 
 class Place:

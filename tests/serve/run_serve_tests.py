@@ -30,6 +30,7 @@ import link_tests  # noqa: F401
 import machine_tests  # noqa: F401
 import memory_tests  # noqa: F401
 import pattern_tests  # noqa: F401
+import stock_tests  # noqa: F401
 import training_tests  # noqa: F401
 
 

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <thread>
 
 #include "job/internal/stock_pass.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
+#include "stock/cutting/cut_clock.hpp"
 #include "stock/cutting/saved_part.hpp"
 #include "stock/saved/saved_sheet.hpp"
 #include "stock/sheet/beam_energy.hpp"
@@ -29,6 +31,8 @@ using stock::sheet::Trace;
 
 constexpr double kCellsInKerf = 4;
 constexpr double kUsualThickness_mm = 1;
+// Of two bytes each.
+constexpr double kMostPictureCells = 2e6;
 // Way and set-points are that near to what is cut, of a kerf.
 constexpr double kTolerance = 0.0025;
 // A pass that finds the zero elsewhere or the memory full is made anew, with larger cells.
@@ -78,9 +82,13 @@ class BeamPass : public motion::MotionSink {
   }
 
   void take(const motion::Motion& motion) override {
+    ++motions_;
     if (motion::is_cut(motion)) zero_.look(motion.block);
     tracer_.take(motion);
   }
+
+  /// That were taken, with the one that is traced.
+  [[nodiscard]] std::uint64_t motions() const { return motions_; }
 
   [[nodiscard]] Run& run() { return *run_; }
   [[nodiscard]] std::unique_ptr<Run> end() { return std::move(run_); }
@@ -96,6 +104,7 @@ class BeamPass : public motion::MotionSink {
   ZeroWatch zero_;
   stock::WorkFrame frame_;
   BeamTracer tracer_;
+  std::uint64_t motions_ = 0;
 };
 
 /// One pass that cuts and burns.
@@ -108,14 +117,19 @@ class SheetPass {
             job, plan.origin, plan.kerf_mm * kTolerance,
             [this, keeps = job.keeps_ways](const Trace& trace, const motion::Motion&) {
               if (keeps) ways_.push_back(trace);
+              motions_.push_back(static_cast<std::uint32_t>(pass_.motions()));
               add(traces_, trace);
             },
             std::move(run)),
         energy_(pass_.frame(), job.job.definition.drive.laser.max_power_w,
-                [this](const Burn& burn) { add(burns_, burn); }) {
+                [this](const Burn& burn) {
+                  until_s_.push_back(energy_.time_s());
+                  add(burns_, burn);
+                }) {
     pass_.run().machine().add_point_sink(energy_);
     if (plan_.before() != nullptr) static_cast<void>(plan_.before()->restore(*sheet_));
     cut_before_mm2_ = sheet_->cut_mm2();
+    if (job.watch != nullptr) watch(*job.watch);
   }
 
   /// The memory holds all that was touched.
@@ -124,6 +138,8 @@ class SheetPass {
   void go() {
     status_ = pass_.run().go();
     cut();
+    tell_motions(pass_.motions() + 1);
+    clock_.finish(pass_.run().machine().time_s());
   }
 
   [[nodiscard]] std::optional<SheetPlan> better_plan() const {
@@ -162,18 +178,55 @@ class SheetPass {
             .jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency())};
   }
 
+  /// So many items are cut at a time; fewer where somebody looks on.
+  static constexpr std::size_t kBatch = 1 << 16;
+  static constexpr std::size_t kSheetWatchedBatch = 2048;
+
   template <typename Item>
   void add(std::vector<Item>& items, const Item& item) {
-    constexpr std::size_t kBatch = 1 << 16;
     items.push_back(item);
-    if (items.size() >= kBatch) cut();
+    if (items.size() >= (watch_ ? kSheetWatchedBatch : kBatch)) cut();
   }
 
   void cut() {
     sheet_->cut(traces_);
     sheet_->burn(burns_);
+    if (watch_) tell_watch();
     traces_.clear();
     burns_.clear();
+    motions_.clear();
+    until_s_.clear();
+  }
+
+  void watch(JobWatch& of) {
+    const auto like = [grid = sheet_->grid(), settings = sheet_->settings()] {
+      return std::make_unique<Sheet>(grid, settings);
+    };
+    watch_ = of.begins({{pass_.run(), plan_.origin, shape_of(plan_.sheet), model_facts(),
+                         [] { return std::vector<output::StockFacts::Told>(); }},
+                        *sheet_,
+                        like});
+    if (!watch_) return;
+    clock_.add_sink(watch_->times());
+    pass_.run().machine().tell_ends(clock_);
+  }
+
+  void tell_watch() {
+    watch_->cut(traces_, motions_);
+    watch_->burn(burns_, until_s_);
+    open_motions_.insert(open_motions_.end(), motions_.begin(), motions_.end());
+    tell_motions(pass_.motions());
+  }
+
+  /// Those before this one are cut: they get their times.
+  void tell_motions(std::uint64_t before) {
+    std::size_t i = 0;
+    for (; i < open_motions_.size() && open_motions_[i] < before; ++i) {
+      const bool is_last = i + 1 == open_motions_.size() || open_motions_[i + 1] != open_motions_[i];
+      if (is_last) clock_.take({.motion = open_motions_[i]});
+    }
+    open_motions_.erase(open_motions_.begin(),
+                        open_motions_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
   [[nodiscard]] output::StockFacts::Sheet sheet_facts() const {
@@ -235,6 +288,11 @@ class SheetPass {
   std::vector<Trace> traces_;
   std::vector<Trace> ways_;  // all of them, where the job keeps them
   std::vector<Burn> burns_;
+  std::vector<std::uint32_t> motions_;  // of the traces
+  std::vector<double> until_s_;         // of the burns
+  std::unique_ptr<SheetWatch> watch_;
+  stock::CutClock clock_;
+  std::vector<std::uint32_t> open_motions_;  // that are cut, and have no times yet
   BeamPass pass_;
   BeamEnergy energy_;
   double cut_before_mm2_ = 0;  // by the runs before
@@ -305,6 +363,11 @@ Outcome<SheetPlan> plan_of(const StockJob& job, std::vector<control::Assumption>
     return base::usage("--stock: a laser cuts a sheet: sheet:X0,Y0,X1,Y1,T or extents");
   }
   plan.wanted_cell_mm = job.cell_mm.value_or(plan.kerf_mm / kCellsInKerf);
+  if (job.most_along > 0) {
+    const machine::StockSheet& at = plan.sheet;
+    plan.wanted_cell_mm = std::max(
+        plan.wanted_cell_mm, std::sqrt((at.x1 - at.x0) * (at.y1 - at.y0) / kMostPictureCells));
+  }
   plan.cell_mm =
       stock::sheet::fitting_cell(box_of(plan.sheet), plan.wanted_cell_mm, job.memory_bytes);
   return plan;

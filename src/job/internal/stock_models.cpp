@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <thread>
 
 #include "job/internal/mesh_stock.hpp"
@@ -26,7 +27,7 @@ bool is_height_field(const StockJob& job, StockPlan plan) {
     return saved->part->kind() == stock::SavedPart::Kind::field;
   if (mesh == nullptr) return round == nullptr || round->along == 2;
   plan.kind = StockModel::zmap;
-  const double cell = cell_of(plan, job);
+  const double cell = cell_of(plan, ModelSize::of(job));
   return MeshColumns(*mesh, stock::field::grid_of(mesh->box, cell)).is_height_field();
 }
 
@@ -165,6 +166,23 @@ std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_m
                                         jobs);
 }
 
+double longest_side(const StockPlan& plan) {
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  return std::max({size.x, size.y, size.z});
+}
+
+/// Of surfaces a picture takes so many points with `along` cells to the longest side, however thick
+/// the stock is.
+constexpr double kPointsOfSurface = 0.625;
+
+double picture_cell(const StockPlan& plan, int along) {
+  const double cell = longest_side(plan) / along;
+  if (plan.kind != StockModel::tridexel) return cell;
+  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
+  const double area = 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  return std::max(cell, std::sqrt(area / kPointsOfSurface) / along);
+}
+
 std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, unsigned jobs) {
   if (plan.kind == StockModel::tridexel)
     return std::make_unique<stock::dexel::TriDexel>(dexels_of(plan.shape), cell_mm, jobs);
@@ -180,34 +198,32 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 
 }  // namespace
 
-double cell_of(const StockPlan& plan, const StockJob& job) {
-  const std::size_t memory = job.memory_for_model();
-  const auto bytes = static_cast<double>(memory - std::min(plan.lines_bytes, memory));
-  const Vec3 size = stock::bounds(plan.shape).high - stock::bounds(plan.shape).low;
-  const double longest = std::max({size.x, size.y, size.z});
+double cell_of(const StockPlan& plan, const ModelSize& size) {
+  const auto bytes =
+      static_cast<double>(size.memory_bytes - std::min(plan.lines_bytes, size.memory_bytes));
+  const double longest = longest_side(plan);
   double cell = std::max(plan.cell_mm, longest / kMostColumns);
   while (bytes_for(plan, cell) > bytes && cell < longest) cell *= 1.1;
   return cell;
 }
 
-MadeModel make_model(const StockPlan& plan, const StockJob& job) {
-  if (plan.kind == StockModel::profile)
-    return make_profile(plan.shape);
-  const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
+MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
+  if (plan.kind == StockModel::profile) return make_profile(plan.shape);
+  const unsigned jobs = size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
   MadeModel made;
   if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape)) {
     made.turning_tolerance_mm = std::max(kLeastTurning_mm, saved->part->cell_mm() / 50);
     made.model = model_again(*saved->part, plan.kind, jobs);
     if (made.model) return made;
   }
-  const double cell = cell_of(plan, job);
-  made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
+  double cell = cell_of(plan, size);
   if (cell > plan.cell_mm) {
     made.cell_enlarged = fmt::format("{:.4g} mm does not fit into {} MiB, {:.4g} mm does",
-                                     plan.cell_mm, job.memory_bytes >> 20, cell);
+                                     plan.cell_mm, size.of_bytes >> 20, cell);
   }
-  made.model =
-      job.job.definition.turns() ? part_of_lathe(plan, cell, jobs) : model_of(plan, cell, jobs);
+  if (size.most_along > 0) cell = picture_cell(plan, size.most_along);
+  made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
+  made.model = size.turns ? part_of_lathe(plan, cell, jobs) : model_of(plan, cell, jobs);
   return made;
 }
 

@@ -25,10 +25,23 @@ struct MadeModel {
   std::optional<std::string> cell_enlarged;
 };
 
+/// How large a model may be, and how many threads cut it.
+struct ModelSize {
+  std::size_t memory_bytes = 0;  ///< of the model
+  std::size_t of_bytes = 0;      ///< with what stands beside it, as its user has said it
+  unsigned jobs = 0;             ///< StockJob::jobs
+  int most_along = 0;            ///< StockJob::most_along
+  bool turns = false;            ///< on a lathe
+
+  [[nodiscard]] static ModelSize of(const StockJob& job) {
+    return {job.memory_for_model(), job.memory_bytes, job.jobs, job.most_along,
+            job.job.definition.turns()};
+  }
+};
 /// The cell that the model will have: that of the plan, or as much more as the memory asks for.
 /// Precondition: no profile.
-[[nodiscard]] double cell_of(const StockPlan& plan, const StockJob& job);
-[[nodiscard]] MadeModel make_model(const StockPlan& plan, const StockJob& job);
+[[nodiscard]] double cell_of(const StockPlan& plan, const ModelSize& size);
+[[nodiscard]] MadeModel make_model(const StockPlan& plan, const ModelSize& size);
 
 /// The dexels of a model; null: it has none.
 [[nodiscard]] const stock::dexel::TriDexel* dexels_of(const stock::Model& model);

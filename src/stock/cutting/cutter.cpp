@@ -8,6 +8,7 @@
 #include "math/math.hpp"
 #include "motion/feed.hpp"
 #include "motion/spindle_speed.hpp"
+#include "stock/sweep/shorten.hpp"
 
 namespace kerf::stock {
 namespace {
@@ -76,16 +77,6 @@ void lower(Sweep& sweep, double from_mm, double to_mm) {
   }
 }
 
-/// The beginning of a way, up to t in (0, 1).
-Way beginning(const Sweep& sweep, double t) {
-  if (const auto* const straight = std::get_if<StraightWay>(&sweep.way))
-    return part(*straight, 0, t);
-  if (const auto* const arc = std::get_if<ArcWay>(&sweep.way)) return part(*arc, 0, t);
-  const auto& turning = std::get<TurningWay>(sweep.way);
-  const Vec3 axis = sweep.axis + t * (turning.to_axis - sweep.axis);
-  return TurningWay{turning.from, point_at(turning, t), (1 / geometry::length(axis)) * axis};
-}
-
 bool is_within(Vec3 place, const Bounds& box) {
   return place.x >= box.low.x && place.x <= box.high.x && place.y >= box.low.y &&
          place.y <= box.high.y && place.z < box.high.z;
@@ -149,7 +140,8 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
   const bool looks = next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
-  if (looks || sweeps_.size() >= kBatch || waiting_.size() >= kBatch) cut_batch();
+  const std::size_t most = settings_.batch;
+  if (looks || sweeps_.size() >= most || waiting_.size() >= most) cut_batch();
   if (!looks) return;
   ++next_look_;
   settings_.look(of.cut);
@@ -202,7 +194,7 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
     threads_.emplace(like.motion, motion.block);
   }
   add_ways(motion, like);
-  if (settings_.end && motions_ == settings_.end->motion) cut_short(of.first, settings_.end->share);
+  if (settings_.end && motions_ == settings_.end->motion) shorten(sweeps_, of.first, settings_.end->share);
   const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
   for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
     if (longer != 0 || lowered_mm_ != 0)
@@ -236,24 +228,6 @@ void Cutter::add_ways(const motion::Motion& motion, const Sweep& like) {
   for (const motion::Curve& curve : curves_.of(at_, motion)) {
     maker.add(from, curve, like, reach, sweeps_);
     from = curve.end();
-  }
-}
-
-/// Of the sweeps from `first` on only this share of their way is left.
-void Cutter::cut_short(std::size_t first, double share) {
-  double way = 0;
-  for (std::size_t i = first; i < sweeps_.size(); ++i) way += length(sweeps_[i].way);
-  double rest = way * share;
-  for (std::size_t i = first; i < sweeps_.size(); ++i) {
-    const double one = length(sweeps_[i].way);
-    if (rest >= one) {
-      rest -= one;
-      continue;
-    }
-    const double t = one > 0 ? rest / one : 0;
-    if (t > 0) sweeps_[i].way = beginning(sweeps_[i], t);
-    sweeps_.resize(t > 0 ? i + 1 : i);
-    return;
   }
 }
 
@@ -310,6 +284,7 @@ void Cutter::check_pitch(const Waiting& of) {
 BodyId Cutter::body_of(const CuttingTool& tool) {
   const auto known = bodies_.find(tool.number());
   if (known != bodies_.end()) return known->second;
+  if (settings_.watch != nullptr) settings_.watch->added(tool.body);
   return bodies_.emplace(tool.number(), model_.add_body(tool.body)).first->second;
 }
 
@@ -348,6 +323,7 @@ std::optional<double> Cutter::first_touch(const BallWay& ball) const {
 void Cutter::cut_batch() {
   outcomes_.assign(sweeps_.size(), Outcome{});
   model_.cut(sweeps_, outcomes_);
+  if (settings_.watch != nullptr) settings_.watch->cut(sweeps_);
   for (Waiting& of : waiting_) {
     Outcome sum;
     for (std::size_t i = of.first; i < of.end; ++i) sum.add(outcomes_[i]);

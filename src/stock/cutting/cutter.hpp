@@ -18,6 +18,7 @@
 #include "stock/cutting/sweep_maker.hpp"
 #include "stock/cutting/tool_record.hpp"
 #include "stock/cutting/tool_span.hpp"
+#include "stock/sweep/cut_watch.hpp"
 #include "stock/sweep/model.hpp"
 
 namespace kerf::stock {
@@ -46,6 +47,8 @@ class Cutter final : public motion::MotionSink {
     bool turns_work = false;
     std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
     MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
+    CutWatch* watch = nullptr;              ///< sees what the model gets; outlives the cutter
+    std::size_t batch = 8192;               ///< so many sweeps are cut at a time
     std::optional<CutEnd> end{};            ///< none: all is cut
     /// Tools are as long as they are said to be, not as their offset in force has it (stock.md
     /// §2.6): they reach deeper or less deep by the difference.
@@ -119,7 +122,6 @@ class Cutter final : public motion::MotionSink {
   [[nodiscard]] Waiting waiting_of(const motion::Motion& motion, const base::TipPoint& to) const;
   void add_sweeps(const motion::Motion& motion, Waiting& of);
   void add_ways(const motion::Motion& motion, const Sweep& like);
-  void cut_short(std::size_t first, double share);
   void check_length(const motion::Motion& motion, const Waiting& of);
   [[nodiscard]] double too_long_mm(const motion::Motion& motion) const;
   void check_pitch(const Waiting& of);
@@ -129,8 +131,6 @@ class Cutter final : public motion::MotionSink {
   void settle(Waiting& of, const Outcome& outcome);
   [[nodiscard]] CuttingData data_of(const Waiting& of, const Outcome& outcome);
   void record(const Waiting& of, const Outcome& outcome);
-
-  static constexpr std::size_t kBatch = 8192;
 
   const WorkFrame& frame_;
   WorkFrame still_;  // of work that turns

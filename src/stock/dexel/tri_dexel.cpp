@@ -424,4 +424,7 @@ bool TriDexel::restore(int grid, std::size_t number, const TileState& state) {
   return true;
 }
 
+Trail TriDexel::trail() const { return *trail_; }
+void TriDexel::restore_trail(const Trail& trail) { *trail_ = trail; }
+
 }  // namespace kerf::stock::dexel

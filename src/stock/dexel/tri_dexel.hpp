@@ -100,6 +100,11 @@ class TriDexel final : public Model {
   [[nodiscard]] TileState save(int grid, std::size_t number) const;
   /// False, and nothing changes: it is no state of such a tile.
   [[nodiscard]] bool restore(int grid, std::size_t number, const TileState& state);
+  /// The sweep before the next one (stock/dexel/preparation.hpp). Where that goes on with the same
+  /// tool, what lies behind is cut and need not be looked at; so it belongs to what is kept, and is
+  /// to be restored behind the tiles. Without it the next sweep begins afresh.
+  [[nodiscard]] Trail trail() const;
+  void restore_trail(const Trail& trail);
 
   [[nodiscard]] CellCounts cells() const;
   [[nodiscard]] const Bounds& box() const { return box_; }

@@ -21,12 +21,12 @@ void BeamEnergy::take(const motion::AxisPoint& point) {
   const Vec2 to = place_of(point);
   const double watts = full_power_w_ * static_cast<double>(point.power_percent) / kPercent;
   const double energy = watts * (point.tip.time_s - time_s_);
+  time_s_ = point.tip.time_s;
   if (energy > 0) {
     energy_j_ += energy;
     take_({at_, to, energy});
   }
   at_ = to;
-  time_s_ = point.tip.time_s;
 }
 
 }  // namespace kerf::stock::sheet

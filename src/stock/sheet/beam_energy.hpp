@@ -23,6 +23,8 @@ class BeamEnergy final : public motion::AxisPointSink {
 
   /// Of all periods, on the sheet or beside it.
   [[nodiscard]] double energy_j() const { return energy_j_; }
+  /// Up to which the last burn goes, s of the run.
+  [[nodiscard]] double time_s() const { return time_s_; }
 
  private:
   [[nodiscard]] Vec2 place_of(const motion::AxisPoint& point) const;

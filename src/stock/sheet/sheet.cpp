@@ -113,22 +113,55 @@ void Sheet::work(std::span<const Item> items, double reach) {
         const Item& item = some[list.number(i)];
         if constexpr (std::is_same_v<Item, Trace>) {
           painter.cut(item, settings_.kerf_mm, tiles[n]->coverage);
+          ++tiles[n]->cuts;
         } else {
           painter.burn(item, settings_.spot_mm, *tiles[n]->energy);
+          ++tiles[n]->burns;
         }
       }
     });
   }
 }
 
-const Sheet::Coverage* Sheet::coverage(std::size_t tile) const {
+const Sheet::Tile* Sheet::touched(std::size_t tile) const {
   const std::uint32_t place = places_[tile];
-  return place == 0 || place == kMissing ? nullptr : &tiles_[place - 1]->coverage;
+  return place == 0 || place == kMissing ? nullptr : tiles_[place - 1].get();
+}
+
+const Sheet::Coverage* Sheet::coverage(std::size_t tile) const {
+  const Tile* const known = touched(tile);
+  return known == nullptr ? nullptr : &known->coverage;
 }
 
 const Sheet::Energy* Sheet::energy(std::size_t tile) const {
-  const std::uint32_t place = places_[tile];
-  return place == 0 || place == kMissing ? nullptr : tiles_[place - 1]->energy.get();
+  const Tile* const known = touched(tile);
+  return known == nullptr ? nullptr : known->energy.get();
+}
+
+std::uint64_t Sheet::cuts_of(std::size_t tile) const {
+  const Tile* const known = touched(tile);
+  return known == nullptr ? 0 : known->cuts;
+}
+
+std::uint64_t Sheet::burns_of(std::size_t tile) const {
+  const Tile* const known = touched(tile);
+  return known == nullptr ? 0 : known->burns;
+}
+
+void Sheet::restore_coverage(std::size_t tile, const Coverage* cells) {
+  if (cells == nullptr && touched(tile) == nullptr) return;
+  Tile* const known = touch(tile);
+  if (known == nullptr) return;
+  known->coverage = cells == nullptr ? Coverage{} : *cells;
+  ++known->cuts;
+}
+
+void Sheet::restore_energy(std::size_t tile, const Energy* cells) {
+  if (cells == nullptr && touched(tile) == nullptr) return;
+  Tile* const known = touch(tile);
+  if (known == nullptr || !known->energy) return;
+  *known->energy = cells == nullptr ? Energy{} : *cells;
+  ++known->burns;
 }
 
 bool Sheet::restore(std::size_t tile, const Coverage& coverage, const Energy* energy) {

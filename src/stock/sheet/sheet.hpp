@@ -67,6 +67,14 @@ class Sheet {
   /// Puts back what a tile of an equal grid had, both as coverage() and energy() told; energy goes
   /// where none is kept. False: the memory does not hold it.
   [[nodiscard]] bool restore(std::size_t tile, const Coverage& coverage, const Energy* energy);
+
+  /// How often a tile was cut, or burnt; restoring counts as once.
+  [[nodiscard]] std::uint64_t cuts_of(std::size_t tile) const;
+  [[nodiscard]] std::uint64_t burns_of(std::size_t tile) const;
+  /// What coverage() or energy() told of the tile; null: nothing came to it.
+  void restore_coverage(std::size_t tile, const Coverage* cells);
+  void restore_energy(std::size_t tile, const Energy* cells);
+
   /// A cell counts as cut from so much: half of what one in the middle of a kerf has.
   [[nodiscard]] std::uint8_t cut_from() const;
 
@@ -74,11 +82,14 @@ class Sheet {
   struct Tile {
     Coverage coverage{};
     std::unique_ptr<Energy> energy;
+    std::uint64_t cuts = 0;
+    std::uint64_t burns = 0;
   };
 
   template <typename Item>
   void work(std::span<const Item> items, double reach);
   [[nodiscard]] Tile* touch(std::size_t tile);
+  [[nodiscard]] const Tile* touched(std::size_t tile) const;
   [[nodiscard]] std::size_t bytes_of_tile() const;
 
   Grid grid_;

@@ -107,6 +107,12 @@ Box extents(const Trace& trace) {
   return box;
 }
 
+Trace part(const Trace& trace, double share) {
+  if (!(trace.radius > 0)) return straight(trace.from, trace.from + share * (trace.to - trace.from));
+  const Vec2 out = trace.from - trace.centre;
+  return round(trace.centre, trace.radius, math::atan2(out.v, out.u), share * trace.turn_rad);
+}
+
 double length(const Trace& trace) {
   return trace.radius > 0 ? trace.radius * std::fabs(trace.turn_rad)
                           : geometry::length(trace.to - trace.from);

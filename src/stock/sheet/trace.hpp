@@ -82,6 +82,8 @@ class DistanceToArc {
 /// Holds every point of it; of an arc that of its circle may be taken.
 [[nodiscard]] Box extents(const Trace& trace);
 [[nodiscard]] double length(const Trace& trace);
+/// Its beginning, up to this share of its way, in (0, 1].
+[[nodiscard]] Trace part(const Trace& trace, double share);
 
 /// Adds the ways that a way makes seen from +Z. Lines and circles in the plane stay what they are;
 /// of anything else no point is farther than `tolerance_mm` > 0 from where it is drawn.

@@ -111,8 +111,18 @@ void TurnedPart::cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId
     outcome.aside.add({all.low.v, all.high.v});
   }
   const bool is_all = threads_.is_empty() || met == division.inside;
-  material_.become(is_all ? std::move(division.outside) : contour::subtract(region(), met));
+  become(is_all ? std::move(division.outside) : contour::subtract(region(), met));
   told.cuts.push_back({.region = std::move(met)});
+}
+
+void TurnedPart::become(contour::Region region) {
+  material_.become(std::move(region));
+  ++changes_;
+}
+
+void TurnedPart::restore(const State& state) {
+  become(state.region);
+  threads_ = state.threads;
 }
 
 void TurnedPart::check_back(const TurnedTool& tool, const Pass& pass, const Region& met,
@@ -143,7 +153,7 @@ void TurnedPart::meet(const TurnedTool::Part& part, double touch_mm, const Pass&
       without_threads(material_.divide(swept(part.whole, part.is_convex, pass), box).inside, body);
   outcome.contacts[index(part.part)].add(contact_of(met));
   outcome.removed += Exact(turned::volume(met));
-  material_.become(contour::subtract(region(), met));
+  become(contour::subtract(region(), met));
   told.cuts.push_back({.region = std::move(met), .contact = part.part});
 }
 
@@ -171,6 +181,7 @@ void TurnedPart::cut_thread(const TurnedTool& tool, const Pass& pass, const Swee
   check_back(tool, pass, thread.met, told);
   thread.groove_mm3 = groove_mm3(tool, thread);
   told.outcome.threaded += Exact(turned::volume(threads_.add(thread)));
+  ++changes_;
 }
 
 // The insert stands where the middle of what it meets is.

@@ -47,12 +47,24 @@ class TurnedPart final : public Model {
   [[nodiscard]] const contour::Region& region() const { return material_.region(); }
   [[nodiscard]] std::vector<TurnedThread> threads() const { return threads_.threads(); }
 
+  /// What is left with its threads, to keep it and to bring it back.
+  struct State {
+    contour::Region region;
+    ThreadBook threads;
+  };
+  [[nodiscard]] State state() const { return {region(), threads_}; }
+  /// Precondition: state() of a part with the same tools.
+  void restore(const State& state);
+  /// How often it has changed; restoring counts as once.
+  [[nodiscard]] std::uint64_t changes() const { return changes_; }
+
  private:
   struct Told {
     Outcome& outcome;
     std::vector<TurnedCut>& cuts;
   };
 
+  void become(contour::Region region);
   void cut_with_edges(const TurnedTool& tool, const Pass& pass, BodyId body, const Told& told);
   void cut_thread(const TurnedTool& tool, const Pass& pass, const Sweep& sweep, const Told& told);
   void check_back(const TurnedTool& tool, const Pass& pass, const contour::Region& met,
@@ -66,6 +78,7 @@ class TurnedPart final : public Model {
   double stock_mm3_;
   std::vector<TurnedTool> tools_;
   ThreadBook threads_;
+  std::uint64_t changes_ = 0;
 };
 
 /// A bar or a tube about the axis: diameters, from < to. Precondition: diameter > inner >= 0.

@@ -1,8 +1,14 @@
 #include "face/server/hub/client.hpp"
 
 #include "face/server/hub/machine_record.hpp"
+#include "face/server/hub/part_view.hpp"
 
 namespace kerf::server {
+
+Client::Client(std::string name, Link& link)
+    : name_(std::move(name)), link_(&link), part_(std::make_unique<PartView>()) {}
+
+Client::~Client() = default;
 
 void Client::send(const Json& message) {
   if (link_ != nullptr) send_text(message.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -33,6 +39,8 @@ void Client::watch(MachineRecord* machine) {
   chunks_.reset();
   next_chunk_ = 0;
   fetched_.reset();
+  wants_part = false;
+  part_->show(nullptr);
 }
 
 void Client::begin_chunks(std::shared_ptr<ChunkStore> chunks) {
@@ -50,6 +58,7 @@ std::optional<Outgoing> Client::next() {
     return message;
   }
   if (auto state = next_state()) return state;
+  if (auto seen = part_->next()) return seen;
   return next_chunk();
 }
 

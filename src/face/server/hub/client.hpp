@@ -10,18 +10,13 @@
 #include <string_view>
 
 #include "face/server/hub/commands.hpp"
+#include "face/server/hub/outgoing.hpp"
 #include "face/server/hub/rate_limit.hpp"
 #include "face/server/protocol/json.hpp"
 #include "face/server/store/chunk_store.hpp"
 #include "face/server/store/quota.hpp"
 
 namespace kerf::server {
-
-/// A message that leaves for a client.
-struct Outgoing {
-  std::string bytes;
-  bool binary = false;
-};
 
 /// The connection of a client as the hub sees it.
 class Link {
@@ -34,6 +29,7 @@ class Link {
 };
 
 class MachineRecord;
+class PartView;
 
 /// One who is connected: what waits for him, and which machine he watches. Belongs to the thread of
 /// the sockets.
@@ -46,7 +42,10 @@ class Client {
   /// Has a chunk read where files are read; take_chunk() gets it.
   using FetchChunk = std::function<void(const std::shared_ptr<ChunkStore>&, std::size_t number)>;
 
-  Client(std::string name, Link& link) : name_(std::move(name)), link_(&link) {}
+  Client(std::string name, Link& link);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
 
   void set_fetch(FetchChunk fetch) { fetch_ = std::move(fetch); }
   /// Nothing: the disk has not given it back.
@@ -74,13 +73,18 @@ class Client {
     if (link_ != nullptr) link_->close(why, sentence);
   }
 
-  /// What is to be sent next: answers and events, then a state, then a chunk.
+  /// What is to be sent next: answers and events, then a state, then what is seen of the part, then
+  /// a chunk.
   [[nodiscard]] std::optional<Outgoing> next();
 
   [[nodiscard]] MachineRecord* watched() const { return watched_; }
   void watch(MachineRecord* machine);
   /// Another run has begun: its chunks are sent from the first one.
   void begin_chunks(std::shared_ptr<ChunkStore> chunks);
+
+  /// What he is shown of the part of the machine.
+  [[nodiscard]] PartView& part() { return *part_; }
+  bool wants_part = false;  ///< he has asked to see it
 
   /// As the person at it is called; until he says it, the name of the connection.
   [[nodiscard]] std::string shown_name() const {
@@ -117,6 +121,7 @@ class Client {
   FetchChunk fetch_;
   bool is_fetching_ = false;
   std::optional<std::string> fetched_;  // chunk next_chunk_
+  std::unique_ptr<PartView> part_;
   std::stop_source gone_;
   Quota under_way_{limits::kUnderWay, 0};
   RateLimit rate_{limits::kCommandsPerSecond, limits::kCommandBurst};

@@ -31,6 +31,7 @@ inline constexpr std::size_t kSmallBytes = 4096;  ///< such commands never wait 
 /// Larger commands of all connections that are not answered yet.
 inline constexpr std::size_t kBytesUnderWay = 64U << 20U;
 inline constexpr std::size_t kLineBytes = 32U << 10U;   ///< lines that are cut into tokens at once
+inline constexpr std::size_t kSetUpBytes = 1U << 20U;   ///< of a program
 inline constexpr std::size_t kHeadBytes = 16U << 10U;   ///< of a text that is to be recognised
 inline constexpr std::size_t kAnswerBytes = 6U << 20U;  ///< a larger answer is refused
 inline constexpr std::size_t kDiagnostics = 1000;       ///< of `check`; the rest is counted

@@ -31,6 +31,8 @@ const Handlers& hub_handlers() {
       {"introduce", [](Hub& hub, const Request& r) { hub.attendance().introduce(r); }},
       {"ping", [](Hub& hub, const Request& r) { hub.attendance().ping(r); }},
       {"load", [](Hub& hub, const Request& r) { hub.programs().load(r); }},
+      {"stock", [](Hub& hub, const Request& r) { hub.parts().stock(r); }},
+      {"stock_at", [](Hub& hub, const Request& r) { hub.parts().stock_at(r); }},
       {"set-settings", [](Hub& hub, const Request& r) { hub.machine_files().replace(r); }},
   };
   return handlers;

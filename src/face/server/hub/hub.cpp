@@ -18,6 +18,8 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
       machine_worker_(std::make_unique<Worker>()),
       aside_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
       preview_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
+      cut_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
+      look_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
       answers_(std::move(to_sockets), settings.data),
       clients_(*disk_worker_, answers_),
       machines_(clients_),
@@ -26,7 +28,8 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
       orders_(answers_, clock_, machine_disk_),
       background_(*library_, *disk_worker_, *aside_worker_, answers_),
       attendance_(machines_, clock_),
-      previews_({settings.data, *library_, machines_, answers_, clock_, *preview_worker_}),
+      parts_({*library_, machines_, answers_, *disk_worker_, *cut_worker_, *look_worker_}),
+      previews_({settings.data, *library_, machines_, answers_, clock_, parts_, *preview_worker_}),
       programs_({*library_, machines_, machine_disk_, previews_, answers_}),
       machine_files_(machines_, machine_disk_, previews_, answers_),
       threads_(std::make_unique<MachineThreads>(
@@ -36,9 +39,12 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
 // Machines stop, then what their memory holds is written, then the threads end.
 Hub::~Hub() {
   previews_.cancel();
+  parts_.cancel();
   clients_.cut();
   threads_.reset();
   preview_worker_.reset();
+  cut_worker_.reset();
+  look_worker_.reset();
   aside_worker_.reset();
   machine_worker_.reset();
   machine_disk_.save_at_the_end();
@@ -79,7 +85,9 @@ void Hub::published(std::vector<Publication> publications) {
 
 std::shared_ptr<Client> Hub::connect(Link& link) {
   thread_.here();
-  return clients_.add(link);
+  auto client = clients_.add(link);
+  client->part().set_look(parts_.look_for(client));
+  return client;
 }
 
 void Hub::disconnect(Client& client) {

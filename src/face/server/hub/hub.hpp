@@ -15,6 +15,7 @@
 #include "face/server/hub/internal/machine_maker.hpp"
 #include "face/server/hub/internal/machine_orders.hpp"
 #include "face/server/hub/internal/machine_table.hpp"
+#include "face/server/hub/internal/parts.hpp"
 #include "face/server/hub/internal/previews.hpp"
 #include "face/server/hub/internal/program_loading.hpp"
 #include "face/server/hub/server_clock.hpp"
@@ -64,6 +65,7 @@ class Hub {
   [[nodiscard]] MachineMaker& maker() { return maker_; }
   [[nodiscard]] MachineFiles& machine_files() { return machine_files_; }
   [[nodiscard]] ProgramLoading& programs() { return programs_; }
+  [[nodiscard]] Parts& parts() { return parts_; }
   [[nodiscard]] Previews& previews() { return previews_; }
   [[nodiscard]] MachineOrders& orders() { return orders_; }
   [[nodiscard]] BackgroundWork& background() { return background_; }
@@ -87,6 +89,8 @@ class Hub {
   std::unique_ptr<Worker> machine_worker_;  // nobody waits for the library there
   std::unique_ptr<Worker> aside_worker_;
   std::unique_ptr<Worker> preview_worker_;
+  std::unique_ptr<Worker> cut_worker_;
+  std::unique_ptr<Worker> look_worker_;
   // Its parts; each knows only those above it.
   Answers answers_;
   Clients clients_;
@@ -96,6 +100,7 @@ class Hub {
   MachineOrders orders_;
   BackgroundWork background_;
   Attendance attendance_;
+  Parts parts_;
   Previews previews_;
   ProgramLoading programs_;
   MachineFiles machine_files_;

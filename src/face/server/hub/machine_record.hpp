@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "face/server/hub/machine_threads.hpp"
+#include "face/server/hub/part.hpp"
 #include "face/server/hub/preview.hpp"
 #include "face/server/protocol/state_document.hpp"
 #include "face/server/store/machine_store.hpp"
@@ -22,7 +23,10 @@ class Client;
 class MachineRecord {
  public:
   MachineRecord(const StoredMachine& stored, std::shared_ptr<Runner> runner, MachineThread& thread);
-  ~MachineRecord() { cancel_preview(); }
+  ~MachineRecord() {
+    cancel_preview();
+    cancel_part();
+  }
 
   std::string name;
   std::string kind;
@@ -47,6 +51,9 @@ class MachineRecord {
   std::uint32_t preview_run = 0;
   double preview_began_ms = 0;          ///< of the server's clock
   bool is_preview_out_of_date = false;  ///< inputs were given since
+  std::optional<PartSource> part_source;  ///< none: nothing is loaded
+  std::shared_ptr<Part> part;             ///< null: nobody has asked to see it
+  std::uint32_t part_number = 0;          ///< of the last one
   std::vector<machine::Breakpoint> breakpoint_list;
   Json breakpoints = Json::array();
 
@@ -67,6 +74,9 @@ class MachineRecord {
   [[nodiscard]] Json row() const;
   void cancel_preview() {
     if (preview) preview->cancel();
+  }
+  void cancel_part() {
+    if (part) part->live.cancel();
   }
 
  private:

@@ -17,7 +17,7 @@ What a page or another program says to `kerf serve`, and hears from it. Version 
 seconds, mm/min.
 
 ## Frames
-`/ws` is a WebSocket. Its text frames are JSON, its binary frames are chunks of a path.
+`/ws` is a WebSocket. Its text frames are JSON, its binary frames are chunks of a path, or what is seen of a part.
 
 A command is `{{"id":7,"do":"NAME",…}}`; it is answered by `{{"id":7,"ok":true,…}}` or `{{"id":7,"ok":false,"error":"sentence"}}`.
 A refusal that operators meet has `code` and `values` as well, for who says it in another language: [base/refusals.def](../src/base/refusals.def).
@@ -81,6 +81,18 @@ would make and the time when it rests behind that. `cut_short`: of what comes be
 `error` may be a warning, where a preview ends though the machine would go on: BUDGET, or INPUT_WAIT of a program that waits for an
 input signal. `set-input` renews the preview of a program that reads inputs, at most twice a second.
 
+`stock`: of the part of what is loaded, to who has it shown, with the keys whose value has changed; of another `run` all are new.
+`{"event":"stock","machine","run","model":"zmap|tridexel|profile|sheet","reason","stock":{"origin","low","high"},"cell_mm",
+"levels":[null|{"first":[x,y],"cell_mm":[x,y],"cells":[nx,ny]},…],"files":["O1.nc",…],"done_s","done","removed_mm3",
+"findings":[{…},…],"more_findings","threads":[{…},…],"behind","error":null|{"message"},"owners":{"from","rows":[[file,line,tool],…]}}`.
+Places and lengths count from the zero of the stock, mm, X of a lathe as a radius; `origin` is that zero in machine coordinates, `low` and
+`high` are the box of the stock. A level tells the middle of its first column; one that is no grid of columns is null. `done_s`: up to
+this second of the program the part is cut. `removed_mm3` is up to the time that is shown; `behind`: it is not cut as far as was
+asked for. A finding is a diagnostic with `time_s`, `tool`, `motion`, `at`: `[x,y,z]`, `depth_mm`, `volume_mm3` and `count`, how often the
+block did it; one of the whole run has line 0. `owners`: rows behind those told before, or with `from` 0 in place of them; a
+frame names who cut a place by the number of a row, and row 0 is nobody's. A program of more than 65,535 blocks that cut has
+several neighbours in a row, which then names the first of them. `error`: why the part is not cut, or not to its end.
+
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 
 `definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced. A definition has
@@ -108,6 +120,34 @@ f32 `feed_mm_min[n]` (programmed; of rapids 0), f32 `speed_mm_min[n]` (mean over
 
 Vertex 0 is where the first segment begins, the last vertex of the chunk before; vertex i is the end of segment i. Arcs are cut into
 chords that leave them by at most 0.01 mm.
+
+## Frames of the part
+A binary frame, little endian:
+
+| bytes | type | what |
+| --- | --- | --- |
+| 0 | 4 bytes | `KSTK` |
+| 4 | u16 | version 1 |
+| 6 | u16 | kind: 0 heights, 1 triangles, 2 half section, 3 sheet |
+| 8 | u32 | run, as in `stock` |
+| 12 | u32 | number of the frame; 0: it begins a picture, which replaces the one before |
+| 16 | u32 | level |
+| 20 | u32 | n: parts |
+| 24 | f64 | time that is shown, s of the program |
+
+Then n parts, each padded to 4 bytes. Only tiles that have changed are sent, and of those that have changed several times the newest
+state: a client has at most one frame of about a MiB under way, and the next one is made when he has taken it.
+
+Kind 0: i32 `x`, `y` of the tile, u16 `nx`, `ny` (at most 65), f32 `z0`, `dz`, u16 `height[nx·ny]` (z = z0 + dz·height, rows along X; 65535:
+nothing is left), u16 `owner[nx·ny]`. Tiles begin every 64 columns.
+
+Kind 1: i32 `x`, `y`, `z` of the tile, u32 `nv`, `nt`, f32 `origin[3]`, `scale`, i16 `position[3nv]` (a vertex stands at origin + scale·position),
+i8 `normal[2nv]` (octahedral), u16 `owner[nv]`, u16 `index[3nt]`. A tile replaces what it was; nt = 0: there is nothing.
+
+Kind 2: a part is a closed line: u32 n, n times f64 z, ρ (a radius) and bulge (the tangent of a quarter of the angle of the arc to the
+next corner; 0: a line). All lines together are what is left, on the left of them.
+
+Kind 3: i32 `x`, `y` of the tile, u16 `nx`, `ny`, f32 `full`, u8 `energy[nx·ny]` (255: `full` J/mm²), u8 `coverage[nx·ny]` (255: cut).
 
 ## HTTP
 `GET /` and what it refers to: the page. `GET /api`: this document. `GET /notices`: licences. `GET /health`. `GET /library/NAME`: a program.

@@ -23,12 +23,16 @@ void StateDocument::update(const Json& object) {
   if (changed) revision_ = revision;
 }
 
-std::string StateDocument::event_since(std::uint64_t seen, const std::string& machine) const {
-  std::string event = R"({"event":"state","machine":)" + Json(machine).dump();
+std::string StateDocument::event_since(std::uint64_t seen, const std::string& machine,
+                                       const std::string& event, const Json& more) const {
+  std::string text = R"({"event":)" + Json(event).dump() + R"(,"machine":)" + Json(machine).dump();
   for (const Entry& entry : entries_) {
-    if (entry.revision > seen) event += ',' + Json(entry.key).dump() + ':' + entry.value;
+    if (entry.revision > seen) text += ',' + Json(entry.key).dump() + ':' + entry.value;
   }
-  return event + '}';
+  for (const auto& [key, value] : more.items())
+    text += ',' + Json(key).dump() + ':' +
+            value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text + '}';
 }
 
 }  // namespace kerf::server

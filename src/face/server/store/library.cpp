@@ -30,6 +30,9 @@ tl::unexpected<Failure> disk(const std::string& message) {
   return tl::unexpected(Failure{Failure::Kind::output, message});
 }
 
+// No program has such a name.
+std::string set_up_of(const std::string& program) { return "set-up/" + program; }
+
 enum class Entry { nothing, program, other };
 
 struct Look {
@@ -234,6 +237,7 @@ Outcome<void> Library::rename(const std::string& from, const std::string& to) {
     }
     try {
       revisions_->rename(from, to);
+      revisions_->rename(set_up_of(from), set_up_of(to));
       renaming.commit();
     } catch (const DatabaseError&) {
       ::unlink(join(to).c_str());
@@ -253,6 +257,24 @@ Outcome<void> Library::remove(const std::string& name) {
     removing.commit();
     if (::unlink(path->c_str()) != 0) return disk(name + ": " + std::strerror(errno));
     return base::sync_folder(folder_);
+  });
+}
+
+Outcome<std::string> Library::set_up(const std::string& name) {
+  if (auto checked = check_program_name(name); !checked) return tl::unexpected(checked.error());
+  return guarded([&]() -> Outcome<std::string> {
+    const auto newest = revisions_->newest(set_up_of(name));
+    return newest ? revisions_->text(set_up_of(name), newest->number).value_or("") : "";
+  });
+}
+
+Outcome<void> Library::keep_set_up(const std::string& name, const std::string& toml) {
+  if (auto checked = check_program_name(name); !checked) return checked;
+  return guarded([&]() -> Outcome<void> {
+    Transaction saving = revisions_->begin();
+    revisions_->add(set_up_of(name), toml, toml.size(), now_ms());
+    saving.commit();
+    return {};
   });
 }
 

@@ -50,6 +50,11 @@ class Library {
   /// Its revisions stay: it can be had back.
   [[nodiscard]] base::Outcome<void> remove(const std::string& name);
 
+  /// What a program was set up with last (docs/set-up.md); empty: it was not. Of any name that a
+  /// program may have; it goes with the program when that is renamed.
+  [[nodiscard]] base::Outcome<std::string> set_up(const std::string& name);
+  [[nodiscard]] base::Outcome<void> keep_set_up(const std::string& name, const std::string& toml);
+
   /// A file under a temporary name in the folder, for an upload that comes in pieces.
   [[nodiscard]] base::Outcome<std::unique_ptr<base::OutputFile>> begin_upload(
       const std::string& name) const;

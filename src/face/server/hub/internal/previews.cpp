@@ -42,11 +42,12 @@ void Previews::start(MachineRecord& machine, const machine::MachineDefinition& d
   machine.cancel_preview();
   machine.preview.reset();
   machine.preview_began_ms = around_.clock.now_ms();
-  if (!machine.program) return;
+  if (!machine.program) return around_.parts.end(machine);
   PreviewOrder order{.job = job_of(machine, definition, memory),
                      .program = [&library = around_.library, program = *machine.program,
                                  definition] { return text_of(library, program, definition); },
                      .run = ++machine.preview_run};
+  around_.parts.begin(machine, {machine.program->name, order.job, order.program});
   const auto preview = std::make_shared<Preview>(
       std::move(order), std::make_shared<ChunkStore>(around_.folder, chunk_budget_));
   tell_begin(machine, preview);

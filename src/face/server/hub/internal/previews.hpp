@@ -5,6 +5,7 @@
 
 #include "face/server/hub/internal/answers.hpp"
 #include "face/server/hub/internal/machine_table.hpp"
+#include "face/server/hub/internal/parts.hpp"
 #include "face/server/hub/preview.hpp"
 #include "face/server/hub/server_clock.hpp"
 #include "face/server/store/chunk_store.hpp"
@@ -35,6 +36,7 @@ class Previews {
     MachineTable& machines;
     const Answers& answers;
     const ServerClock& clock;
+    Parts& parts;    ///< cut from what they run
     Worker& worker;  ///< runs them
   };
   /// They must outlive this, but for the worker, whose jobs use it.

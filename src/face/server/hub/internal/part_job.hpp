@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+#include "face/server/hub/part.hpp"
+#include "job/stock_job.hpp"
+
+namespace kerf::server {
+
+/// Whether a text is a set-up (docs/set-up.md). Failure (usage): a sentence with its line.
+[[nodiscard]] base::Outcome<void> check_set_up(const std::string& toml);
+
+/// The job that cuts a part as it is set up; empty: as nobody has. Waits for the disk.
+[[nodiscard]] base::Outcome<job::StockJob> part_job(const PartSource& source,
+                                                    const std::string& set_up);
+
+}  // namespace kerf::server

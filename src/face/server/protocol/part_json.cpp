@@ -1,0 +1,90 @@
+#include "face/server/protocol/part_json.hpp"
+
+#include <algorithm>
+
+#include "face/server/protocol/diagnostic_json.hpp"
+#include "output/writing/diagnostic_text.hpp"
+
+namespace kerf::server {
+namespace {
+
+using Told = output::StockFacts::Told;
+using Thread = output::StockFacts::Thread;
+
+Json place_json(stock::Vec3 place) { return {place.x, place.y, place.z}; }
+
+Json level_json(const job::PartLevel& level) {
+  if (!level.grid) return nullptr;
+  return {{"first", level.grid->first},
+          {"cell_mm", level.grid->cell_mm},
+          {"cells", level.grid->cells}};
+}
+
+Json finding_json(const Told& told, const base::SourceSet& sources) {
+  Json json = diagnostic_json(told.diagnostic, sources);
+  json["time_s"] = told.finding.time_s;
+  json["tool"] = told.finding.tool;
+  json["motion"] = told.finding.motion;
+  json["at"] = place_json(told.finding.at);
+  json["depth_mm"] = told.finding.depth_mm;
+  json["volume_mm3"] = told.finding.volume_mm3;
+  json["count"] = told.finding.count;
+  return json;
+}
+
+Json thread_json(const Thread& thread) {
+  return {{"line", thread.line},   {"from", thread.from},   {"to", thread.to},
+          {"major", thread.major}, {"minor", thread.minor}, {"pitch", thread.pitch},
+          {"starts", thread.starts}};
+}
+
+void take_cutting(const job::Cutting& cutting, Json& json) {
+  json["run"] = cutting.run();
+  json["model"] = cutting.model();
+  json["reason"] = output::printable(cutting.reason());
+  json["stock"] = {{"origin", place_json(cutting.origin())},
+                   {"low", place_json(cutting.box().low)},
+                   {"high", place_json(cutting.box().high)}};
+  json["cell_mm"] = cutting.levels().front().cell_mm;
+  json["levels"] = Json::array();
+  for (const job::PartLevel& level : cutting.levels()) json["levels"].push_back(level_json(level));
+  json["done_s"] = cutting.reached_s();
+}
+
+void take_sources(const job::PartProgress& progress, Json& json) {
+  const base::SourceSet& sources = *progress.sources;
+  json["files"] = Json::array();
+  for (std::uint32_t i = 0; sources.contains(base::FileId{i}); ++i)
+    json["files"].push_back(file_label(sources[base::FileId{i}].name()));
+  json["findings"] = Json::array();
+  const std::size_t count = std::min(progress.findings.size(), kMostPartFindings);
+  for (std::size_t i = 0; i < count; ++i)
+    json["findings"].push_back(finding_json(progress.findings[i], sources));
+  json["more_findings"] = progress.findings.size() - count;
+}
+
+}  // namespace
+
+Json part_json(const job::PartProgress& progress) {
+  Json json = {{"done", progress.is_done}, {"error", nullptr}};
+  if (progress.cutting) take_cutting(*progress.cutting, json);
+  if (progress.sources != nullptr) take_sources(progress, json);
+  if (progress.is_done) {
+    json["threads"] = Json::array();
+    for (const Thread& thread : progress.threads) json["threads"].push_back(thread_json(thread));
+  }
+  if (!progress.error.empty()) json["error"] = {{"message", output::printable(progress.error)}};
+  return json;
+}
+
+Json sight_json(const job::PartLook& look) {
+  Json json = {{"removed_mm3", look.removed_mm3}, {"behind", look.is_behind}};
+  if (look.owners.empty()) return json;
+  Json rows = Json::array();
+  for (const job::PartOwner& owner : look.owners)
+    rows.push_back({owner.file, owner.line, owner.tool});
+  json["owners"] = {{"from", look.first_owner}, {"rows", std::move(rows)}};
+  return json;
+}
+
+}  // namespace kerf::server

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "face/server/protocol/json.hpp"
+#include "job/live/live_part.hpp"
+#include "job/live/part_sight.hpp"
+
+namespace kerf::server {
+
+/// Findings of a part that are told; the others are counted.
+inline constexpr std::size_t kMostPartFindings = 1000;
+
+/// What all who look at a part are told of it, for the event `stock`. On the thread that cuts it.
+[[nodiscard]] Json part_json(const job::PartProgress& progress);
+
+/// What one who looks is told besides.
+[[nodiscard]] Json sight_json(const job::PartLook& look);
+
+}  // namespace kerf::server

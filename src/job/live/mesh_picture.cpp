@@ -1,0 +1,89 @@
+#include "job/live/mesh_picture.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kerf::job {
+namespace {
+
+using stock::Bounds;
+using stock::Vec3;
+using stock::dexel::Lattice;
+using stock::dexel::TriDexel;
+using stock::surface::Place;
+
+bool meet(const Bounds& a, const Bounds& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
+         b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
+/// Of the dexels of a tile, frame of the stock.
+Bounds box_of(const TriDexel& model, int grid, std::size_t tile) {
+  const Lattice& lattice = model.lattice(grid);
+  const auto across = static_cast<std::size_t>(lattice.tiles_b());
+  const int b = static_cast<int>(tile % across) * Lattice::kTile;
+  const int c = static_cast<int>(tile / across) * Lattice::kTile;
+  const Vec3 low = stock::dexel::along_axis(grid, -lattice.half_s,
+                                            lattice.b_of(b) - lattice.cell_b,
+                                            lattice.c_of(c) - lattice.cell_c);
+  const Vec3 high = stock::dexel::along_axis(
+      grid, lattice.half_s, lattice.b_of(b + Lattice::kTile), lattice.c_of(c + Lattice::kTile));
+  return {model.middle() + low, model.middle() + high};
+}
+
+Place place_of(std::size_t number, Place blocks) {
+  const int n = static_cast<int>(number);
+  return {n % blocks[0], n / blocks[0] % blocks[1], n / (blocks[0] * blocks[1])};
+}
+
+std::size_t count_of(Place blocks) {
+  std::size_t count = 1;
+  for (const int along : blocks) count *= static_cast<std::size_t>(along);
+  return count;
+}
+
+}  // namespace
+
+MeshPicture::MeshPicture(const TriDexel& model, const stock::replay::Tiles& tiles,
+                         const OwnerTable& owners)
+    : model_(model),
+      tiles_(tiles),
+      owners_(owners),
+      samples_(model),
+      contouring_(samples_),
+      versions_(count_of(contouring_.blocks()), 1) {
+  for (std::size_t i = 0; i < tiles.count(); ++i) seen_.push_back(tiles.version(i));
+}
+
+void MeshPicture::look() {
+  const std::vector<Bounds> boxes = changed();
+  if (boxes.empty()) return;
+  for (std::size_t i = 0; i < versions_.size(); ++i) {
+    const Bounds leans_on = contouring_.seen(place_of(i, contouring_.blocks()));
+    const auto meets = [&](const Bounds& box) { return meet(leans_on, box); };
+    if (std::any_of(boxes.begin(), boxes.end(), meets)) ++versions_[i];
+  }
+}
+
+/// Boxes of the tiles that have changed. They count through the grids.
+std::vector<Bounds> MeshPicture::changed() {
+  std::vector<Bounds> boxes;
+  std::size_t number = 0;
+  for (int grid = 0; grid < 3; ++grid) {
+    for (std::size_t tile = 0; tile < model_.tiles(grid); ++tile, ++number) {
+      const std::uint64_t version = tiles_.version(number);
+      if (version == seen_[number]) continue;
+      seen_[number] = version;
+      boxes.push_back(box_of(model_, grid, tile));
+    }
+  }
+  return boxes;
+}
+
+Picture::Parts MeshPicture::parts(std::size_t tile) const {
+  const Place block = place_of(tile, contouring_.blocks());
+  const stock::surface::Patch patch = contouring_.patch(block);
+  return {output::mesh_part(block, patch, owners_.numbers()), 1, patch.triangles.empty()};
+}
+
+}  // namespace kerf::job

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/interface.hpp"
+#include "job/live/owner_table.hpp"
+#include "output/part/part_frame.hpp"
+#include "stock/replay/player.hpp"
+
+namespace kerf::job {
+
+/// What is seen of a part as it stands, in tiles.
+class Picture : public base::Interface {
+ public:
+  /// Some parts of a frame.
+  struct Parts {
+    std::string bytes{};
+    std::uint32_t count = 0;
+    bool is_empty = false;  ///< nothing is there: to be told where something was
+  };
+
+  [[nodiscard]] virtual output::PartKind kind() const = 0;
+  [[nodiscard]] virtual std::size_t tiles() const = 0;
+  /// Another number than before: the tile may look different.
+  [[nodiscard]] virtual std::uint64_t version(std::size_t tile) const = 0;
+  [[nodiscard]] virtual Parts parts(std::size_t tile) const = 0;
+  /// Up to where the part stands.
+  [[nodiscard]] virtual double removed_mm3() const = 0;
+  /// The part may have changed.
+  virtual void look() {}
+};
+
+/// Of a model; it, its tiles and the owners outlive the picture.
+[[nodiscard]] std::unique_ptr<Picture> picture_of(const stock::Model& model,
+                                                  const stock::replay::Tiles& tiles,
+                                                  const OwnerTable& owners);
+
+}  // namespace kerf::job

@@ -18,7 +18,7 @@ struct Answer {
 };
 
 /// What a command line asks for.
-using Request = std::variant<RunOptions, TimeOptions, StockOptions, CheckOptions, PatternOptions,
+using Request = std::variant<RunOptions, TimeOptions, StockOptions, FeaturesOptions, CheckOptions, PatternOptions,
                              ReplayOptions, MachinesOptions, ServeOptions, ToolsOptions, Answer>;
 
 /// Reads the words behind `kerf`. Failure (usage): one sentence.

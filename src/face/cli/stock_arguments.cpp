@@ -5,7 +5,7 @@
 
 namespace kerf::cli {
 
-void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
+void add_blank(CLI::App& app, TableOptions& o) {
   app.option_defaults()->group("Stock");
   app.add_option("--stock", o.stock,
                  "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
@@ -19,6 +19,10 @@ void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
   repeated(app.add_option("--fixture", o.fixtures,
                           "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
+}
+
+void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
+  add_blank(app, o);
   app.add_option("--model", o.model,
                  "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")

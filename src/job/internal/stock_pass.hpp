@@ -25,6 +25,10 @@ struct StockPlan {
   std::map<std::uint32_t, bool> axial{};  ///< tools that only go down, by the survey
 };
 
+/// Where a zero lies now, machine coordinates: that of a work system with EXT, without shifts; of
+/// another kind the machine's own.
+[[nodiscard]] stock::Vec3 origin_of(const machine::BatchRun& run, const machine::StockZero& zero);
+
 /// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.
 class ZeroWatch {
  public:
@@ -43,7 +47,6 @@ class ZeroWatch {
   [[nodiscard]] const std::optional<base::BlockId>& moved() const { return moved_; }
 
  private:
-  [[nodiscard]] stock::Vec3 origin_of(const machine::StockZero& zero) const;
   [[nodiscard]] bool in_force() const;
 
   const machine::BatchRun& run_;

@@ -100,10 +100,9 @@ bool are_same(const Recording& recording, const Loop& a, const Loop& b) {
 }
 
 bool are_same(const Recording& recording, const LiteralLayer& a, const LiteralLayer& b) {
-  return a.tool == b.tool && std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(),
-                                        b.loops.end(), [&](const Loop& x, const Loop& y) {
-                                          return are_same(recording, x, y);
-                                        });
+  return a.tool == b.tool &&
+         std::equal(a.loops.begin(), a.loops.end(), b.loops.begin(), b.loops.end(),
+                    [&](const Loop& x, const Loop& y) { return are_same(recording, x, y); });
 }
 
 Order order_of(const std::vector<Loop>& loops) {

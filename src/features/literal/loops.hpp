@@ -14,8 +14,8 @@ struct LoopsOfRows {
 };
 
 /// Follows the rows: a row that ends where an earlier one began, since the last loop, closes one; a
-/// row that goes round in a circle is one by itself. `rows` in their order; where one does not begin
-/// where the one before ended, the tool has been elsewhere, and no loop goes across.
+/// row that goes round in a circle is one by itself. `rows` in their order; where one does not
+/// begin where the one before ended, the tool has been elsewhere, and no loop goes across.
 [[nodiscard]] LoopsOfRows loops_of(const Recording& recording,
                                    const std::vector<std::uint32_t>& rows);
 

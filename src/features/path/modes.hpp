@@ -23,7 +23,7 @@ struct Frame {
 /// What the control has in force beside what motions say.
 struct Modes {
   std::string zero = "G54";  ///< the work coordinate system
-  geometry::Vec3 origin{};     ///< of it, machine coordinates, without shifts
+  geometry::Vec3 origin{};   ///< of it, machine coordinates, without shifts
   Compensation compensation = Compensation::none;
   std::uint16_t cycle = 0;  ///< number of the canned cycle in force: 81; 0: none
   Frame frame{};

@@ -22,7 +22,7 @@ struct Move {
     arc,   ///< in the plane of the machine's kind: XY of a mill, ZX of a lathe; perhaps a helix
     other  ///< neither: an arc of another plane or of space, what turns a rotary axis
   };
-  Vec3 to{};                   ///< tip, coordinates of the set-up
+  Vec3 to{};                 ///< tip, coordinates of the set-up
   std::uint32_t shaped = 0;  ///< of what is no line: its place among Recording::arcs or lengths
   std::uint32_t block = 0;   ///< its place among the blocks
   std::uint32_t state = 0;   ///< its place among the states
@@ -57,7 +57,7 @@ struct SetUp {
   std::string zero{};
   Vec3 origin{};
   base::AxisVector rotary{};  ///< of the rotary axes, degrees; all else 0
-  Vec3 axis{0, 0, 1};       ///< of the tool
+  Vec3 axis{0, 0, 1};         ///< of the tool
 };
 
 }  // namespace kerf::features

@@ -37,8 +37,7 @@ Recorder::Recorder(const motion::AxisSetup& axes, ModeSource& modes)
 Vec3 Recorder::in_setup(const base::TipPoint& tip) const {
   const auto of = [&](std::size_t i) { return xyz_[i] ? tip[*xyz_[i]] : 0.0; };
   const Vec3 origin = recording_.setups[state_.setup].origin;
-  return {base::tidy(of(0) - origin.x), base::tidy(of(1) - origin.y),
-          base::tidy(of(2) - origin.z)};
+  return {base::tidy(of(0) - origin.x), base::tidy(of(1) - origin.y), base::tidy(of(2) - origin.z)};
 }
 
 base::AxisVector Recorder::rotary_of(const base::TipPoint& at) const {
@@ -159,8 +158,8 @@ void Recorder::move(const motion::Arc& arc) {
                        2 * std::numbers::pi * static_cast<double>(arc.turns);
   const Vec3 origin = recording_.setups[state_.setup].origin;
   const Vec2 zero = recording_.flat(origin);
-  recording_.arcs.push_back({{base::tidy(centre.u - zero.u), base::tidy(centre.v - zero.v)},
-                             clockwise ? -sweep : sweep});
+  recording_.arcs.push_back(
+      {{base::tidy(centre.u - zero.u), base::tidy(centre.v - zero.v)}, clockwise ? -sweep : sweep});
   add({.shaped = static_cast<std::uint32_t>(recording_.arcs.size() - 1),
        .kind = Move::Kind::feed,
        .shape = Move::Shape::arc},

@@ -33,9 +33,9 @@ double Recording::length_of(std::uint32_t row) const {
   const Vec3 begin = from(row);
   if (move.shape == Move::Shape::line) return geometry::length(move.to - begin);
   const ArcRow& arc = arc_of(row);
-  const double radius = (geometry::length(flat(begin) - arc.centre) +
-                         geometry::length(flat(move.to) - arc.centre)) /
-                        2;
+  const double radius =
+      (geometry::length(flat(begin) - arc.centre) + geometry::length(flat(move.to) - arc.centre)) /
+      2;
   const double rise = turns ? move.to.y - begin.y : move.to.z - begin.z;
   return math::hypot(radius * std::fabs(arc.sweep_rad), rise);
 }
@@ -64,7 +64,8 @@ void Recording::append_edges(std::uint32_t row, std::vector<Edge>& edges) const 
   const ArcRow& arc = arc_of(row);
   double sweep = arc.sweep_rad;
   while (std::fabs(sweep) > kTurn_rad * (1 + 1e-9)) sweep -= std::copysign(kTurn_rad, sweep);
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::fabs(sweep) / std::numbers::pi - 1e-9)));
+  const int parts =
+      std::max(1, static_cast<int>(std::ceil(std::fabs(sweep) / std::numbers::pi - 1e-9)));
   const double bulge = math::tan(sweep / parts / 4);
   Vec2 at = begin;
   for (int part = 1; part <= parts; ++part) {

@@ -22,7 +22,7 @@ struct Span {
 /// All that a run has moved. Of a mill XY is the plane, of a lathe (Z, X) with X as a radius.
 struct Recording {
   bool turns = false;  ///< of a lathe
-  Vec3 start{};          ///< where the first row begins, coordinates of its set-up
+  Vec3 start{};        ///< where the first row begins, coordinates of its set-up
   Chunks<Move> moves{};
   Chunks<base::BlockId> blocks{};
   std::vector<ArcRow> arcs{};

@@ -84,9 +84,9 @@ struct Origin {
     mixed,
   };
   Kind kind = Kind::literal;
-  std::optional<Span> lines{};       ///< of a loop
+  std::optional<Span> lines{};        ///< of a loop
   std::optional<std::size_t> call{};  ///< place among the calls
-  std::optional<Span> shape{};       ///< lines of P and Q of a turning cycle
+  std::optional<Span> shape{};        ///< lines of P and Q of a turning cycle
 };
 enum class Editable : std::uint8_t { contour, shared, unroll, argument, no };
 
@@ -98,11 +98,11 @@ struct Layer {
   std::vector<Span> entries{};  ///< rows at feed that lead into it or out of it
   std::vector<Span> visits{};   ///< from the first rapid of the approach to the retract
   Frame frame{};
-  double area = 0;           ///< of what was removed, mm²
-  contour::Region removed{};   ///< V: sweep of the level, as far as there was material
-  Contour contour{};           ///< outline of what was removed
+  double area = 0;            ///< of what was removed, mm²
+  contour::Region removed{};  ///< V: sweep of the level, as far as there was material
+  Contour contour{};          ///< outline of what was removed
   std::vector<Contour> islands{};
-  Contour nominal{};           ///< what a drawing would say
+  Contour nominal{};  ///< what a drawing would say
   std::vector<Contour> nominal_islands{};
   std::vector<Loop> loops{};
   std::vector<std::uint32_t> links{};  ///< rows that are part of no loop
@@ -152,14 +152,14 @@ struct FeatureMeasures {
     double diameter = 0;
     Vec2 centre{};
   };
-  std::optional<Round> round{};           ///< of a pocket that is a disc
-  std::optional<double> width{};          ///< of a slot, chamfer, groove
-  std::optional<double> length{};         ///< of a slot
-  std::optional<int> open_ends{};         ///< of a slot
-  std::optional<double> wall_share{};     ///< where part of the border is the stock's
+  std::optional<Round> round{};        ///< of a pocket that is a disc
+  std::optional<double> width{};       ///< of a slot, chamfer, groove
+  std::optional<double> length{};      ///< of a slot
+  std::optional<int> open_ends{};      ///< of a slot
+  std::optional<double> wall_share{};  ///< where part of the border is the stock's
   std::optional<double> draft_deg{};
-  std::vector<Contour> strokes{};         ///< of an engraving, open
-  std::optional<Contour> centre_line{};   ///< of a slot, a groove, an engraving; open
+  std::vector<Contour> strokes{};        ///< of an engraving, open
+  std::optional<Contour> centre_line{};  ///< of a slot, a groove, an engraving; open
 };
 
 /// An element of a turned contour.

@@ -17,10 +17,10 @@ struct HoleStep {
   double diameter = 0;  ///< of a cone at its top
   double top = 0;
   double bottom = 0;
-  std::uint16_t cycle = 0;         ///< 81; 0: none
+  std::uint16_t cycle = 0;               ///< 81; 0: none
   std::optional<double> peck{};          ///< mm a peck
   std::optional<double> thread_pitch{};  ///< of a thread that it cuts
-  std::vector<Span> rows{};          ///< at feed
+  std::vector<Span> rows{};              ///< at feed
   std::vector<Span> visits{};
 };
 
@@ -30,7 +30,15 @@ struct HoleThread {
 };
 
 struct Hole {
-  enum class Form : std::uint8_t { plain, spot, counterbore, countersink, stepped, tapped, threaded };
+  enum class Form : std::uint8_t {
+    plain,
+    spot,
+    counterbore,
+    countersink,
+    stepped,
+    tapped,
+    threaded
+  };
   Form form = Form::plain;
   std::string key{};
   std::size_t setup = 0;
@@ -56,7 +64,7 @@ struct Pattern {
   enum class Kind : std::uint8_t { line, grid, circle, list };
   Kind kind = Kind::list;
   std::vector<std::size_t> holes{};  ///< places among the holes
-  std::optional<double> pitch{};   ///< of a line; of a grid along its rows
+  std::optional<double> pitch{};     ///< of a line; of a grid along its rows
   std::optional<double> second_pitch{};
   std::optional<double> angle_deg{};
   std::optional<Vec2> centre{};

@@ -105,8 +105,8 @@ void append(const Piece& piece, Contour& contour) {
   const double bulge = piece.is_line() ? 0 : math::tan(piece.sweep_rad / parts / 4);
   const Vec2 arm = piece.from - piece.centre;
   for (int part = 0; part < parts; ++part) {
-    const Vec2 at = part == 0 ? piece.from
-                              : piece.centre + turned(arm, piece.sweep_rad * part / parts);
+    const Vec2 at =
+        part == 0 ? piece.from : piece.centre + turned(arm, piece.sweep_rad * part / parts);
     contour.vertices.push_back({at, bulge, piece.owner});
   }
 }
@@ -117,11 +117,12 @@ bool is_whole_circle(const std::vector<Piece>& pieces) {
 }
 
 void begin_at_least(Contour& contour) {
-  const auto least = std::min_element(
-      contour.vertices.begin(), contour.vertices.end(), [](const auto& a, const auto& b) {
-        if (std::fabs(a.point.u - b.point.u) > kSameCurve_mm) return a.point.u < b.point.u;
-        return a.point.v < b.point.v;
-      });
+  const auto least = std::min_element(contour.vertices.begin(), contour.vertices.end(),
+                                      [](const auto& a, const auto& b) {
+                                        if (std::fabs(a.point.u - b.point.u) > kSameCurve_mm)
+                                          return a.point.u < b.point.u;
+                                        return a.point.v < b.point.v;
+                                      });
   std::rotate(contour.vertices.begin(), least, contour.vertices.end());
 }
 

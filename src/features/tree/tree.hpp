@@ -74,9 +74,9 @@ struct OperationFacts {
   double cut_mm = 0;
   double air_mm = 0;
   double spindle_rpm = 0;
-  std::vector<double> cut_feeds{};    ///< in the order of their first use
+  std::vector<double> cut_feeds{};  ///< in the order of their first use
   std::vector<double> entry_feeds{};
-  std::optional<Span> visits{};     ///< from the first visit to the last, rows
+  std::optional<Span> visits{};  ///< from the first visit to the last, rows
 };
 
 /// All that was recognised in a recording; places are those in these lists.

@@ -27,9 +27,8 @@ features::Compensation compensation_of(GCode code) {
 
 void ControlModes::look_at_zero() {
   const control::WorkSystem system = run_.control().work_system();
-  const machine::StockZero zero{.kind = machine::StockZero::Kind::system,
-                                .index = system.index,
-                                .extended = system.extended};
+  const machine::StockZero zero{
+      .kind = machine::StockZero::Kind::system, .index = system.index, .extended = system.extended};
   if (zero == zero_ && revision_ == run_.memory().revision) return;
   zero_ = zero;
   revision_ = run_.memory().revision;

@@ -51,8 +51,8 @@ std::vector<Span> visits_of(const Feature& feature) {
 
 std::string layer_text(const FeatureFacts& facts, const Layer& layer, std::size_t number) {
   const std::size_t loops = layer.loops.size();
-  std::string text = fmt::format("{}  Z{}  {}", number, short_number(layer.z),
-                                 lines_text(facts, layer.cuts));
+  std::string text =
+      fmt::format("{}  Z{}  {}", number, short_number(layer.z), lines_text(facts, layer.cuts));
   if (loops > 0) text += fmt::format("  {} loop{}", loops, loops == 1 ? "" : "s");
   return text;
 }
@@ -126,8 +126,8 @@ class TreeOfText {
   void add_patterns(std::vector<TextNode>& nodes) const {
     for (std::size_t i = 0; i < tree_.patterns.size(); ++i) {
       const features::Pattern& pattern = tree_.patterns[i];
-      std::string text = fmt::format("P{} {} of {} holes: ", i + 1,
-                                     word_of(pattern.kind), pattern.holes.size());
+      std::string text =
+          fmt::format("P{} {} of {} holes: ", i + 1, word_of(pattern.kind), pattern.holes.size());
       for (const std::size_t hole : pattern.holes)
         text += fmt::format("{}H{}", hole == pattern.holes.front() ? "" : " ", hole + 1);
       nodes.push_back({text});
@@ -138,9 +138,10 @@ class TreeOfText {
     if (tree_.unrecognised.empty()) return;
     std::string text = "not recognised:";
     for (const features::Unrecognised& span : tree_.unrecognised) {
-      text += fmt::format("{} {} ({} moves, {} mm, {})", &span == tree_.unrecognised.data() ? "" : ",",
-                          lines_text(facts_, {span.rows}), span.moves, short_number(span.cut_mm),
-                          word_of(span.why));
+      text +=
+          fmt::format("{} {} ({} moves, {} mm, {})", &span == tree_.unrecognised.data() ? "" : ",",
+                      lines_text(facts_, {span.rows}), span.moves, short_number(span.cut_mm),
+                      word_of(span.why));
     }
     nodes.push_back({text});
   }
@@ -160,17 +161,16 @@ std::vector<TextNode> literal_nodes(const FeatureFacts& facts) {
     TextNode one{text};
     for (const std::size_t place : feature.layers) {
       const features::LiteralLayer& layer = literal.layers[place];
-      one.below.push_back({fmt::format("Z{}  {}  {} loop{}", short_number(layer.z),
-                                       lines_text(facts, {layer.rows}), layer.loops.size(),
-                                       layer.loops.size() == 1 ? "" : "s")});
+      one.below.push_back(
+          {fmt::format("Z{}  {}  {} loop{}", short_number(layer.z), lines_text(facts, {layer.rows}),
+                       layer.loops.size(), layer.loops.size() == 1 ? "" : "s")});
     }
     node.below.push_back(std::move(one));
   }
   for (const features::LiteralHole& hole : literal.holes) {
-    node.below.push_back(
-        {fmt::format("hole  X{} Y{}  to Z{}  line {}", short_number(hole.at.u),
-                     short_number(hole.at.v), short_number(hole.z),
-                     facts.recording->line_of(hole.row))});
+    node.below.push_back({fmt::format("hole  X{} Y{}  to Z{}  line {}", short_number(hole.at.u),
+                                      short_number(hole.at.v), short_number(hole.z),
+                                      facts.recording->line_of(hole.row))});
   }
   return {node};
 }
@@ -181,7 +181,8 @@ std::string feature_title(const FeatureFacts& facts, std::size_t place) {
   const Feature& feature = facts.tree->features[place];
   std::string text = fmt::format("F{} {}", place + 1, word_of(feature.type));
   const auto add = [&](const std::string& more) {
-    if (!more.empty()) text += (text.ends_with(std::string(word_of(feature.type))) ? " " : "  ") + more;
+    if (!more.empty())
+      text += (text.ends_with(std::string(word_of(feature.type))) ? " " : "  ") + more;
   };
   if (!feature.layers.empty()) add(size_text(feature));
   add(fmt::format("Z{}…{}", short_number(feature.top), short_number(feature.bottom)));
@@ -200,11 +201,11 @@ std::string hole_title(const FeatureFacts& facts, std::size_t place) {
   std::vector<Span> visits;
   for (const features::HoleStep& step : hole.steps)
     visits.insert(visits.end(), step.visits.begin(), step.visits.end());
-  std::string text = fmt::format(
-      "H{} hole {} Ø{}  X{} Y{}  Z{}…{}{}  {:.3f} mm³  {}", place + 1, word_of(hole.form),
-      short_number(hole.diameter), short_number(hole.at.u), short_number(hole.at.v),
-      short_number(hole.top), short_number(hole.bottom), hole.through ? " through" : "",
-      hole.volume, lines_text(facts, visits));
+  std::string text =
+      fmt::format("H{} hole {} Ø{}  X{} Y{}  Z{}…{}{}  {:.3f} mm³  {}", place + 1,
+                  word_of(hole.form), short_number(hole.diameter), short_number(hole.at.u),
+                  short_number(hole.at.v), short_number(hole.top), short_number(hole.bottom),
+                  hole.through ? " through" : "", hole.volume, lines_text(facts, visits));
   return text + doubts(hole.confidence, hole.reasons);
 }
 

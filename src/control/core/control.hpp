@@ -42,13 +42,6 @@ struct ModalView {
   friend bool operator==(const ModalView&, const ModalView&) = default;
 };
 
-/// How the coordinates of a program come to lie in its plane XY: scaling, mirror image, rotation.
-struct PlaneFrame {
-  double rotation_deg = 0;
-  double scale = 1;
-  bool is_mirrored = false;
-};
-
 /// A program or subroutine that is open.
 struct OpenCall {
   std::string program;
@@ -106,8 +99,6 @@ class Control : public base::Interface {
   [[nodiscard]] virtual base::AxisSet commanded() const { return static_cast<base::AxisSet>(-1); }
   /// Of a language without work coordinate systems the first one.
   [[nodiscard]] virtual WorkSystem work_system() const { return {}; }
-  /// Of a language without such frames the plain one.
-  [[nodiscard]] virtual PlaneFrame frame() const { return {}; }
   /// Where the zero of the active work coordinate system lies.
   [[nodiscard]] virtual base::AxisVector work_origin() const = 0;
 

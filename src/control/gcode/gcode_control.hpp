@@ -67,7 +67,6 @@ class GcodeControl : public ProgramControl {
   }
   [[nodiscard]] base::AxisSet commanded() const override { return state_.commanded; }
   [[nodiscard]] WorkSystem work_system() const override { return state_.coordinates.work(); }
-  [[nodiscard]] PlaneFrame frame() const override { return state_.frame(); }
   [[nodiscard]] base::AxisVector work_origin() const override {
     return state_.coordinates.origin();
   }

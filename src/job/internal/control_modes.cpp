@@ -1,6 +1,7 @@
 #include "job/internal/control_modes.hpp"
 
 #include "control/gcode/codes/code_table.hpp"
+#include "control/gcode/gcode_control.hpp"
 #include "job/internal/stock_pass.hpp"
 
 namespace kerf::job {
@@ -23,7 +24,22 @@ features::Compensation compensation_of(GCode code) {
   return code == kRight ? features::Compensation::right : features::Compensation::none;
 }
 
+// How the coordinates of the program come to lie in its plane XY.
+features::Frame frame_of(const motion::AxisSetup& axes, const control::GcodeControl& control) {
+  const control::Transform& transform = control.coordinates().transform();
+  const auto x = axes.find('X');
+  const auto y = axes.find('Y');
+  if (transform.identity() || !x || !y) return {};
+  const base::AxisSet mirrored = transform.mirrored();
+  return {.rotation_deg = transform.rotated() ? transform.rotation_deg() : 0,
+          .scale = transform.factor(*x),
+          .mirror = base::contains(mirrored, *x) != base::contains(mirrored, *y)};
+}
+
 }  // namespace
+
+ControlModes::ControlModes(const machine::BatchRun& run)
+    : run_(run), gcode_(dynamic_cast<const control::GcodeControl*>(&run.control())) {}
 
 void ControlModes::look_at_zero() {
   const control::WorkSystem system = run_.control().work_system();
@@ -42,8 +58,7 @@ const features::Modes& ControlModes::modes() {
   modes_.compensation = compensation_of(code_of(modal, Group::compensation));
   const GCode cycle = code_of(modal, Group::cycle);
   modes_.cycle = cycle == kNoCycle ? GCode{0} : static_cast<GCode>(cycle / kWhole);
-  const control::PlaneFrame frame = run_.control().frame();
-  modes_.frame = {frame.rotation_deg, frame.scale, frame.is_mirrored};
+  modes_.frame = gcode_ == nullptr ? features::Frame{} : frame_of(run_.definition().axes, *gcode_);
   return modes_;
 }
 

@@ -67,17 +67,6 @@ void State::leave_surface() {
   coordinates.roll_up(base::PathPoint(path.tip().numbers()));
 }
 
-PlaneFrame State::frame() const {
-  const Transform& transform = coordinates.transform();
-  const auto x = axes.find('X');
-  const auto y = axes.find('Y');
-  if (transform.identity() || !x || !y) return {};
-  const base::AxisSet mirrored = transform.mirrored();
-  return {.rotation_deg = transform.rotated() ? transform.rotation_deg() : 0,
-          .scale = transform.factor(*x),
-          .is_mirrored = base::contains(mirrored, *x) != base::contains(mirrored, *y)};
-}
-
 ModalView State::modal_view() const {
   ModalView view;
   static_assert(kGroups <= std::tuple_size_v<decltype(view.codes)>);

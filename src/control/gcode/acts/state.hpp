@@ -163,7 +163,6 @@ struct State {
   void reset();
   /// The modes as whoever shows them gets them.
   [[nodiscard]] ModalView modal_view() const;
-  [[nodiscard]] PlaneFrame frame() const;
   /// The tool length of an axis is in force from the next move on.
   void set_length(base::Axis axis, double mm) {
     coordinates.set_length(axis, mm);

@@ -25,6 +25,7 @@ import conversion_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401
 import engraving_tests  # noqa: F401
+import feature_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import lathe_point_tests  # noqa: F401

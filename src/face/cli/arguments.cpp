@@ -74,6 +74,26 @@ void add_time(CLI::App& app, TimeOptions& o) {
   time->footer("Example: kerf time part.nc --machine-set axis.X.acceleration=1500");
 }
 
+void add_features(CLI::App& app, FeaturesOptions& o) {
+  CLI::App* features =
+      app.add_subcommand("features", "recognises what a program machines and prints it as a tree");
+  features->group("Commands");
+  features->add_option("program", o.run.program, "program file; - is standard input")
+      ->type_name("PROGRAM")
+      ->required();
+  features->option_defaults()->group("Machine, memory, panel");
+  add_preparation(*features, o.run, Patterns::not_run);
+  add_blank(*features, o.run.table);
+  features->option_defaults()->group("Limits");
+  add_budget(*features, o.run.max_seconds, o.run.max_motions);
+  features->option_defaults()->group("Output");
+  features->add_option("--format", o.format, "text or json; default text")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"text", "json"}));
+  add_diagnostics(*features, o.run.diagnostics);
+  features->footer("Example: kerf features part.nc --tools tools.toml --stock box:0,0,-20,80,50,0");
+}
+
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* check =
       app.add_subcommand("check", "compiles and runs files and prints what is wrong with them");
@@ -247,6 +267,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   RunOptions run_options;
   TimeOptions time_options;
   StockOptions stock_options;
+  FeaturesOptions features_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
   PatternOptions pattern_options;
@@ -257,6 +278,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_run(app, run_options);
   add_time(app, time_options);
   add_stock(app, stock_options);
+  add_features(app, features_options);
   add_check(app, check_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
@@ -274,7 +296,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, time, stock, check, pattern, "
+                      "a command is needed: run, time, stock, features, check, pattern, "
                       "serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
@@ -292,6 +314,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("run")) return run_options;
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("stock")) return stock_options;
+  if (app.got_subcommand("features")) return features_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;

@@ -116,6 +116,12 @@ struct StockOptions {
   bool stop_at_finding = false;
 };
 
+/// A run in which is recognised what it machines: RunOptions::table says what lies there.
+struct FeaturesOptions {
+  RunOptions run;  ///< without outputs
+  std::string format = "text";
+};
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string machine;
@@ -172,6 +178,7 @@ struct ToolsOptions {
 [[nodiscard]] ExitStatus run(const RunOptions& options);
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus stock(const StockOptions& options);
+[[nodiscard]] ExitStatus features(const FeaturesOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);

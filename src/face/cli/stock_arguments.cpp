@@ -5,10 +5,8 @@
 
 namespace kerf::cli {
 
-namespace {
-
-/// What lies on the table, and where.
-void add_shapes(CLI::App& app, TableOptions& o) {
+void add_blank(CLI::App& app, TableOptions& o) {
+  app.option_defaults()->group("Stock");
   app.add_option("--setup", o.set_up,
                  "stock, fixtures, material, checks and design as a TOML file; the other options "
                  "count more")
@@ -38,6 +36,8 @@ void add_shapes(CLI::App& app, TableOptions& o) {
       ->type_name("SHAPE");
 }
 
+namespace {
+
 void add_checks(CLI::App& app, TableOptions& o) {
   app.option_defaults()->group("Checks");
   repeated(app.add_option("--no-check", o.no_checks, "leaves a check out; may be repeated"))
@@ -51,8 +51,7 @@ void add_checks(CLI::App& app, TableOptions& o) {
 }  // namespace
 
 void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
-  app.option_defaults()->group("Stock");
-  add_shapes(app, o);
+  add_blank(app, o);
   app.add_option("--model", o.model,
                  "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")

@@ -16,13 +16,13 @@ machine::StockZero zero_of(const control::WorkSystem& system) {
 ZeroWatch::ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted)
     : run_(run), zero_(wanted) {
   const bool is_open = wanted.kind == Kind::automatic;
-  at_start_ = origin_of(is_open ? zero_of(run.control().work_system()) : wanted);
+  at_start_ = origin_of(run, is_open ? zero_of(run.control().work_system()) : wanted);
 }
 
-stock::Vec3 ZeroWatch::origin_of(const machine::StockZero& zero) const {
+stock::Vec3 origin_of(const machine::BatchRun& run, const machine::StockZero& zero) {
   if (zero.kind != Kind::system) return {};
-  const control::Memory& memory = run_.memory();
-  const motion::AxisSetup& axes = run_.definition().axes;
+  const control::Memory& memory = run.memory();
+  const motion::AxisSetup& axes = run.definition().axes;
   const base::AxisVector& offset =
       zero.extended > 0 ? memory.extended[zero.extended - 1] : memory.work[zero.index];
   const base::AxisVector origin = axes.in_mm(memory.external + offset);
@@ -40,11 +40,11 @@ bool ZeroWatch::in_force() const {
 void ZeroWatch::look(const base::BlockId& block) {
   if (!origin_) {
     if (zero_.kind == Kind::automatic) zero_ = zero_of(run_.control().work_system());
-    if (in_force()) origin_ = origin_of(zero_);
+    if (in_force()) origin_ = origin_of(run_, zero_);
     revision_ = run_.memory().revision;
   } else if (!moved_ && run_.memory().revision != revision_) {
     revision_ = run_.memory().revision;
-    if (in_force() && origin_of(zero_) != *origin_) moved_ = block;
+    if (in_force() && origin_of(run_, zero_) != *origin_) moved_ = block;
   }
 }
 

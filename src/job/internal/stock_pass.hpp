@@ -31,6 +31,10 @@ struct StockPlan {
   std::map<std::uint32_t, stock::DrivenTool> driven{};
 };
 
+/// Where a zero lies now, machine coordinates: that of a work system with EXT, without shifts; of
+/// another kind the machine's own.
+[[nodiscard]] stock::Vec3 origin_of(const machine::BatchRun& run, const machine::StockZero& zero);
+
 /// The zero of the stock as the run has it: a sink that looks at the control whenever a move cuts.
 class ZeroWatch {
  public:
@@ -49,7 +53,6 @@ class ZeroWatch {
   [[nodiscard]] const std::optional<base::BlockId>& moved() const { return moved_; }
 
  private:
-  [[nodiscard]] stock::Vec3 origin_of(const machine::StockZero& zero) const;
   [[nodiscard]] bool in_force() const;
 
   const machine::BatchRun& run_;

@@ -30,6 +30,7 @@ class SurveyPass final : public motion::MotionSink, private motion::SkipSignal {
 
   [[nodiscard]] const stock::Survey& survey() const { return survey_; }
   [[nodiscard]] stock::Vec3 origin() const { return zero_.origin().value_or(zero_.at_start()); }
+  [[nodiscard]] const machine::StockZero& zero() const { return zero_.zero(); }
   /// A probe may have missed the stock, which is not there.
   [[nodiscard]] bool has_probed() const { return has_probed_; }
 

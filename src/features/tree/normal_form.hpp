@@ -1,0 +1,17 @@
+#pragma once
+
+#include "geometry/contour/contour.hpp"
+
+namespace kerf::features {
+
+/// The form in which contours are told: a closed one goes round counterclockwise and begins at the
+/// vertex of least x, then least y; neighbours on one line or circle are one edge; no arc turns by
+/// more than half a circle, a whole circle is two halves from its leftmost point. An open one keeps
+/// its direction and its ends.
+[[nodiscard]] contour::Contour normal_form(const contour::Contour& contour);
+
+/// Whether two closed contours in normal form are one, point for point within `tolerance`.
+[[nodiscard]] bool are_equal(const contour::Contour& a, const contour::Contour& b,
+                             double tolerance);
+
+}  // namespace kerf::features

@@ -1,0 +1,53 @@
+#include "job/features_run.hpp"
+
+#include "features/path/recorder.hpp"
+#include "job/internal/control_modes.hpp"
+#include "job/internal/run_rack.hpp"
+#include "job/internal/stock_shape.hpp"
+#include "job/internal/survey_pass.hpp"
+
+namespace kerf::job {
+namespace {
+
+base::Outcome<void> suits(const machine::MachineDefinition& machine) {
+  if (!machine.axes.linked && !machine.axes.beam) return {};
+  return base::usage(machine.name + ": features are recognised on mills and lathes");
+}
+
+/// The tools as the stock of a run has them, for as many as have moved.
+void add_tools(const StockJob& job, const SurveyPass& pass, FeaturesResult& result) {
+  RunRack::AxialTools axial;
+  for (const auto& [number, cut] : pass.survey().tools()) axial[number] = cut.axial;
+  const machine::BatchRun& machine = result.run->machine();
+  const bool turns = machine.definition().turns();
+  RunRack rack(job.tools, machine.memory(), turns, std::move(axial));
+  for (const features::State& state : result.recording.states)
+    result.recording.tools.try_emplace(state.tool, rack.tool(state.tool).tool);
+  const SurveyedTools tools(pass.survey(), rack, pass.origin());
+  if (auto shape = shape_of(job.shape, turns, tools, result.assumed)) result.shape = *shape;
+  result.assumed.insert(result.assumed.begin(), rack.assumed().begin(), rack.assumed().end());
+}
+
+}  // namespace
+
+base::Outcome<FeaturesResult> recognise_features(const StockJob& job) {
+  if (auto suited = suits(job.job.definition); !suited) return tl::unexpected(suited.error());
+  auto run = Run::of(job.job);
+  if (!run) return tl::unexpected(run.error());
+  FeaturesResult result;
+  SurveyPass pass(job, **run);
+  ControlModes modes((*run)->machine());
+  features::Recorder recorder((*run)->machine().definition().axes, modes);
+  (*run)->machine().add_sink(recorder);
+  result.status = (*run)->go();
+  result.run = std::move(*run);
+  result.recording = std::move(recorder.recording());
+  result.zero = pass.zero();
+  result.origin = pass.origin();
+  result.knows_stock = job.knows_stock;
+  add_tools(job, pass, result);
+  result.tree = features::recognise(result.recording);
+  return result;
+}
+
+}  // namespace kerf::job

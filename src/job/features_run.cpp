@@ -20,7 +20,7 @@ void add_tools(const StockJob& job, const SurveyPass& pass, FeaturesResult& resu
   for (const auto& [number, cut] : pass.survey().tools()) axial[number] = cut.axial;
   const machine::BatchRun& machine = result.run->machine();
   const bool turns = machine.definition().turns();
-  RunRack rack(job.tools, machine.memory(), turns, std::move(axial));
+  RunRack rack(job, machine, std::move(axial));
   for (const features::State& state : result.recording.states)
     result.recording.tools.try_emplace(state.tool, rack.tool(state.tool).tool);
   const SurveyedTools tools(pass.survey(), rack, pass.origin());

@@ -71,9 +71,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
     if (job.watch != nullptr) {
-      watch_ = job.watch->begins(begin_of(job, plan_, *run_, *model_, [this] {
-        return cutter_->findings().in_order();
-      }));
+      watch_ = job.watch->begins(
+          begin_of(job, plan_, *run_, *model_, [this] { return cutter_->findings().in_order(); }));
     }
     cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
     limits_.emplace(
@@ -147,8 +146,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     if (is_lathe() && driven_.tools() != plan_.driven) {
       better.driven = driven_.tools();
       better.cell_mm = job.cell_mm.value_or(cell_for_driven());
-      if (plan_.kind == StockModel::profile)
-        ask_for_dexels("a driven tool cuts", *driven_.first());
+      if (plan_.kind == StockModel::profile) ask_for_dexels("a driven tool cuts", *driven_.first());
       differs = true;
     }
     // Whether a tool that nobody describes is a drill, only a survey says.
@@ -196,8 +194,9 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.threads = threads_of(*model_, *cutter_);
     result.assumed = rack_->assumed();
     if (was_field() && plan_.kind == StockModel::tridexel) {
-      result.assumed.push_back({0, "the height field of the stock became dexels: its walls stand "
-                                   "half-way between its columns"});
+      result.assumed.push_back({0,
+                                "the height field of the stock became dexels: its walls stand "
+                                "half-way between its columns"});
     }
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;

@@ -66,9 +66,7 @@ class GcodeControl : public ProgramControl {
     return state_.coordinates.length();
   }
   [[nodiscard]] base::AxisSet commanded() const override { return state_.commanded; }
-  [[nodiscard]] std::optional<motion::Plane> plane() const override {
-    return state_.modal.plane();
-  }
+  [[nodiscard]] std::optional<motion::Plane> plane() const override { return state_.modal.plane(); }
   [[nodiscard]] WorkSystem work_system() const override { return state_.coordinates.work(); }
   [[nodiscard]] base::AxisVector work_origin() const override {
     return state_.coordinates.origin();

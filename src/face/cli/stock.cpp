@@ -80,7 +80,7 @@ ExitStatus stock(const StockOptions& options) {
   StockFiles files(options.files);
   for (const std::string* const input :
        {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
-         &options.run.table.set_up, &options.compare.design})
+        &options.run.table.set_up, &options.compare.design})
     files.keep_from(*input);
   for (const std::string& input : set_up->files()) files.keep_from(input);
   if (auto opened = files.open(*job); !opened) return fail(opened.error());
@@ -109,8 +109,7 @@ ExitStatus stock(const StockOptions& options) {
   if (options.run.diagnostics != DiagnosticFormat::json)
     std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
-  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings
-                                                                      : ended;
+  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings : ended;
 }
 
 }  // namespace kerf::cli

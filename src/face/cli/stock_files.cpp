@@ -2,8 +2,8 @@
 
 #include "face/cli/ready_run.hpp"
 #include "job/facts_of_run.hpp"
-#include "job/part_file.hpp"
 #include "job/part_comparison.hpp"
+#include "job/part_file.hpp"
 #include "job/stock_part.hpp"
 #include "output/part/part_picture.hpp"
 #include "output/part/part_solids.hpp"
@@ -111,8 +111,8 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
 }
 
 bool StockFiles::needs_ways() const {
-  return save_ != nullptr || stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr || picture_ != nullptr ||
-         profile_ != nullptr;
+  return save_ != nullptr || stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr ||
+         picture_ != nullptr || profile_ != nullptr;
 }
 
 Outcome<void> StockFiles::write_solids(const job::StockResult& result,

@@ -27,8 +27,7 @@ double cell_for(const StockJob& job, const SurveyedTools& tools) {
 }
 
 bool needs_survey(const StockJob& job) {
-  const bool needs_cell =
-      !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
+  const bool needs_cell = !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 

@@ -199,10 +199,12 @@ class SheetPass {
   }
 
   void watch(JobWatch& of) {
-    const auto like = [grid = sheet_->grid(), settings = sheet_->settings()] {
-      return std::make_unique<Sheet>(grid, settings);
+    const auto like = [grid = sheet_->grid(), settings = sheet_->settings(), plan = plan_] {
+      auto made = std::make_unique<Sheet>(grid, settings);
+      if (plan.before() != nullptr) static_cast<void>(plan.before()->restore(*made));
+      return made;
     };
-    watch_ = of.begins({{pass_.run(), plan_.origin, shape_of(plan_.sheet), model_facts(),
+    watch_ = of.begins({{pass_.run(), plan_.origin, shape_of(plan_), model_facts(),
                          [] { return std::vector<output::StockFacts::Told>(); }},
                         *sheet_,
                         like});
@@ -222,7 +224,8 @@ class SheetPass {
   void tell_motions(std::uint64_t before) {
     std::size_t i = 0;
     for (; i < open_motions_.size() && open_motions_[i] < before; ++i) {
-      const bool is_last = i + 1 == open_motions_.size() || open_motions_[i + 1] != open_motions_[i];
+      const bool is_last =
+          i + 1 == open_motions_.size() || open_motions_[i + 1] != open_motions_[i];
       if (is_last) clock_.take({.motion = open_motions_[i]});
     }
     open_motions_.erase(open_motions_.begin(),
@@ -333,8 +336,7 @@ Outcome<machine::StockSheet> around(const StockJob& job, double margin_mm, Vec3&
 std::shared_ptr<const stock::SavedPart> saved_sheet(const StockJob& job) {
   const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
   const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
-  const bool is_sheet =
-      saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::sheet;
+  const bool is_sheet = saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::sheet;
   return is_sheet ? saved->part : nullptr;
 }
 

@@ -157,8 +157,7 @@ double bytes_for(const StockPlan& plan, double cell_mm) {
                       stock::field::grid_of(box, cell_mm), is_box));
 }
 
-std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_mm,
-                                            unsigned jobs) {
+std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_mm, unsigned jobs) {
   using stock::turnmill::TurnMillPart;
   if (!is_about_spindle(plan.shape))
     return std::make_unique<TurnMillPart>(dexels_of(plan.shape), cell_mm, jobs);
@@ -209,7 +208,8 @@ double cell_of(const StockPlan& plan, const ModelSize& size) {
 
 MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
   if (plan.kind == StockModel::profile) return make_profile(plan.shape);
-  const unsigned jobs = size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned jobs =
+      size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
   MadeModel made;
   if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape)) {
     made.turning_tolerance_mm = std::max(kLeastTurning_mm, saved->part->cell_mm() / 50);

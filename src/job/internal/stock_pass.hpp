@@ -19,8 +19,8 @@ struct StockPlan {
   StockModel kind = StockModel::zmap;
   std::string reason;
   double cell_mm = 0;
-  bool is_compared = false;     ///< what that takes is kept beside the model
-  std::size_t lines_bytes = 0;  ///< of MotionLines, as far as they are known
+  bool is_compared = false;            ///< what that takes is kept beside the model
+  std::size_t lines_bytes = 0;         ///< of MotionLines, as far as they are known
   std::optional<stock::CutEnd> end{};  ///< none: all is cut
   bool is_stopped = false;             ///< `end` is that of the first finding
   std::vector<std::uint64_t> looks{};  ///< LoosePieces: motions behind which pieces are looked at

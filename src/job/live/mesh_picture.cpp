@@ -13,8 +13,8 @@ using stock::dexel::TriDexel;
 using stock::surface::Place;
 
 bool meet(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-         b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 /// Of the dexels of a tile, frame of the stock.
@@ -23,11 +23,10 @@ Bounds box_of(const TriDexel& model, int grid, std::size_t tile) {
   const auto across = static_cast<std::size_t>(lattice.tiles_b());
   const int b = static_cast<int>(tile % across) * Lattice::kTile;
   const int c = static_cast<int>(tile / across) * Lattice::kTile;
-  const Vec3 low = stock::dexel::along_axis(grid, -lattice.half_s,
-                                            lattice.b_of(b) - lattice.cell_b,
+  const Vec3 low = stock::dexel::along_axis(grid, -lattice.half_s, lattice.b_of(b) - lattice.cell_b,
                                             lattice.c_of(c) - lattice.cell_c);
-  const Vec3 high = stock::dexel::along_axis(
-      grid, lattice.half_s, lattice.b_of(b + Lattice::kTile), lattice.c_of(c + Lattice::kTile));
+  const Vec3 high = stock::dexel::along_axis(grid, lattice.half_s, lattice.b_of(b + Lattice::kTile),
+                                             lattice.c_of(c + Lattice::kTile));
   return {model.middle() + low, model.middle() + high};
 }
 

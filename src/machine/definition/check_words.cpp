@@ -11,17 +11,34 @@ namespace {
 using base::Code;
 
 /// Every check of stock.md §5 and §7.
-constexpr std::array kStockChecks{
-    Code::rapid_in_stock,      Code::spindle_stopped,  Code::spindle_direction,
-    Code::flute_length,        Code::shank_collision,  Code::holder_collision,
-    Code::fixture_collision,   Code::insert_collision, Code::not_centre_cutting,
-    Code::axial_tool_sideways, Code::probe_in_stock,   Code::overtravel_plus,
-    Code::overtravel_minus,    Code::tap_without_hole, Code::thread_pitch,
-    Code::feed_per_tooth,      Code::cut_depth,        Code::cut_width,
-    Code::cutting_speed,       Code::cutting_power,    Code::tool_length,
-    Code::stock_loose,         Code::tool_import,      Code::stock_zero_moved,
-    Code::stock_missed,        Code::cell_enlarged,    Code::gouge,
-    Code::excess};
+constexpr std::array kStockChecks{Code::rapid_in_stock,
+                                  Code::spindle_stopped,
+                                  Code::spindle_direction,
+                                  Code::flute_length,
+                                  Code::shank_collision,
+                                  Code::holder_collision,
+                                  Code::fixture_collision,
+                                  Code::insert_collision,
+                                  Code::not_centre_cutting,
+                                  Code::axial_tool_sideways,
+                                  Code::probe_in_stock,
+                                  Code::overtravel_plus,
+                                  Code::overtravel_minus,
+                                  Code::tap_without_hole,
+                                  Code::thread_pitch,
+                                  Code::feed_per_tooth,
+                                  Code::cut_depth,
+                                  Code::cut_width,
+                                  Code::cutting_speed,
+                                  Code::cutting_power,
+                                  Code::tool_length,
+                                  Code::stock_loose,
+                                  Code::tool_import,
+                                  Code::stock_zero_moved,
+                                  Code::stock_missed,
+                                  Code::cell_enlarged,
+                                  Code::gouge,
+                                  Code::excess};
 
 }  // namespace
 
@@ -39,9 +56,9 @@ base::Outcome<stock::CutMaterial> cut_material(const std::string& text, const st
 }
 
 base::Outcome<Code> stock_check(const std::string& text, const std::string& option) {
-  const auto* const known =
-      std::find_if(kStockChecks.begin(), kStockChecks.end(),
-                   [&](Code code) { return base::text_of(code).number == text; });
+  const auto* const known = std::find_if(kStockChecks.begin(), kStockChecks.end(), [&](Code code) {
+    return base::text_of(code).number == text;
+  });
   if (known == kStockChecks.end())
     return base::usage(option + " " + text + ": no check of stock has this code");
   return *known;

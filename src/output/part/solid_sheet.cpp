@@ -33,7 +33,7 @@ std::optional<Vec3> direction(const std::string& words) {
 }
 
 std::string about(const PartScene& scene, const PartView& view) {
-  const std::string seen = view.name == "iso" ? "isometric from the front right"
+  const std::string seen = view.name == "iso"     ? "isometric from the front right"
                            : view.name == "lathe" ? "Z to the right, C 0 up"
                            : view.name.find(',') != std::string::npos
                                ? "seen from " + view.name

@@ -17,7 +17,7 @@ using stock::compare::Region;
 using stock::compare::Side;
 
 /// Of a region that more lines have cut the others are counted.
-constexpr std::size_t kMostLines = 100;
+constexpr std::size_t kMostLinesOfRegion = 100;
 
 std::string total_json(const Comparison& found, Side side) {
   const Comparison::Total& total = found.of(side);
@@ -31,7 +31,7 @@ std::string total_json(const Comparison& found, Side side) {
 
 std::string lines_json(const std::vector<StockFacts::LineShare>& lines) {
   std::vector<std::string> items;
-  for (std::size_t i = 0; i < std::min(kMostLines, lines.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostLinesOfRegion, lines.size()); ++i) {
     items.push_back(JsonObject()
                         .text("file", lines[i].file)
                         .number("line", lines[i].line)
@@ -49,8 +49,8 @@ std::string region_json(const Region& region, const std::vector<StockFacts::Line
   object.number("volume_mm3", tidy(region.volume_mm3)).raw("at", point_json(region.at, turns));
   object.raw("centre", point_json(region.centre, turns));
   object.raw("extents", bounds_json(region.extents, turns)).raw("lines", lines_json(lines));
-  if (lines.size() > kMostLines)
-    object.number("more_lines", static_cast<double>(lines.size() - kMostLines));
+  if (lines.size() > kMostLinesOfRegion)
+    object.number("more_lines", static_cast<double>(lines.size() - kMostLinesOfRegion));
   return object.done();
 }
 

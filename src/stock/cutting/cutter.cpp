@@ -194,7 +194,8 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
     threads_.emplace(like.motion, motion.block);
   }
   add_ways(motion, like);
-  if (settings_.end && motions_ == settings_.end->motion) shorten(sweeps_, of.first, settings_.end->share);
+  if (settings_.end && motions_ == settings_.end->motion)
+    shorten(sweeps_, of.first, settings_.end->share);
   const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
   for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
     if (longer != 0 || lowered_mm_ != 0)

@@ -56,8 +56,8 @@ class DrivenTools {
   struct Signs {
     Seen surfaces;
     Seen planes;
-    Seen ways;                  ///< straight ones, along Z or along X, with nothing else moved
-    bool along_other = false;   ///< there were others
+    Seen ways;                      ///< straight ones, along Z or along X, with nothing else moved
+    bool along_other = false;       ///< there were others
     std::optional<Driven> first{};  ///< of those straight ones
     double first_z = 0;             ///< way of the first along Z
     double x_sign = 0;              ///< on which side of the centre the first move began

@@ -18,7 +18,8 @@ class SweepMaker {
       : frame_(frame), tolerance_mm_(tolerance_mm) {}
 
   /// Adds the sweeps of a curve that begins at `from` to `sweeps`. `like` has what they have in
-  /// common, its axis that of the tool in the machine; `reach_mm`: no point of the tool is farther than that from its tip.
+  /// common, its axis that of the tool in the machine; `reach_mm`: no point of the tool is farther
+  /// than that from its tip.
   void add(const base::TipPoint& from, const motion::Curve& curve, const Sweep& like,
            double reach_mm, std::vector<Sweep>& sweeps) const;
 

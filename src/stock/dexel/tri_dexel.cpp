@@ -29,7 +29,9 @@ constexpr int kHalvings = 40;
 
 bool any_motion(std::uint32_t) { return true; }
 
-double cells_along(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
+double cells_along(double length, double cell) {
+  return std::max(1.0, std::ceil(length / cell - 1e-9));
+}
 
 TriDexel::CellCounts cells_of(const Bounds& box, double cell) {
   const Vec3 size = box.high - box.low;

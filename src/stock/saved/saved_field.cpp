@@ -13,7 +13,6 @@ namespace kerf::stock::saved {
 namespace {
 
 using field::FieldState;
-using field::Grid;
 
 /// A column of the state, mm over the lowest place of the box.
 struct Post {
@@ -37,12 +36,13 @@ int cell_of(double place, double low, double cell, int count) {
 
 /// Along a column: as high as it is.
 void look_up(const FieldState& state, double x, double y, std::vector<dexel::Interval>& out) {
-  const Grid& grid = state.grid;
+  const field::Grid& grid = state.grid;
   const Post post = post_at(state, cell_of(x, grid.box.low.x, grid.cell_x(), grid.nx),
                             cell_of(y, grid.box.low.y, grid.cell_y(), grid.ny));
   if (post.top <= post.bottom) return;
   const double z = grid.box.low.z;
-  out.push_back({z + static_cast<double>(post.bottom), z + static_cast<double>(post.top),
+  out.push_back({z + static_cast<double>(post.bottom),
+                 z + static_cast<double>(post.top),
                  {0, 0, -1},
                  {0, 0, 1}});
 }
@@ -63,7 +63,7 @@ void look_across(int count, double low, double cell, Vec3 along, double height, 
 
 dexel::Shape shape_of(const FieldState& state, double volume_mm3) {
   const auto inside = [&state](int axis, double b, double c, std::vector<dexel::Interval>& out) {
-    const Grid& grid = state.grid;
+    const field::Grid& grid = state.grid;
     const Bounds& box = grid.box;
     if (axis == 2) return look_up(state, b, c, out);
     if (axis == 0) {
@@ -83,9 +83,9 @@ dexel::Shape shape_of(const FieldState& state, double volume_mm3) {
 /// Where a column of the turned grid was.
 struct FieldTurn {
   QuarterTurn turn;
-  Grid from;
+  field::Grid from;
 
-  [[nodiscard]] Grid grid(const Placing& placing) const {
+  [[nodiscard]] field::Grid grid(const Placing& placing) const {
     const std::array<int, 2> counts{from.nx, from.ny};
     return {placed_box(from.box, placing), counts[static_cast<std::size_t>(turn.from(0))],
             counts[static_cast<std::size_t>(turn.from(1))]};
@@ -125,7 +125,7 @@ FieldState turned_state(const FieldState& state, const FieldTurn& turn, const Pl
 
 /// Those of the grid, and as many layers as there are of their size.
 dexel::TriDexel::CellCounts cells_of(const SavedField& part) {
-  const Grid& grid = part.state().grid;
+  const field::Grid& grid = part.state().grid;
   const double layers = std::ceil((grid.box.high.z - grid.box.low.z) / part.cell_mm() - 1e-9);
   return {grid.nx, grid.ny, static_cast<int>(std::max(1.0, layers))};
 }
@@ -159,8 +159,8 @@ std::shared_ptr<const SavedPart> SavedField::placed(const Placing& placing) cons
     const dexel::TriDexel lying(shape_of(state_, volume_mm3_), cells_of(*this), 0);
     return SavedDexels(state_of(lying, volume_mm3_)).placed(placing);
   }
-  return std::make_shared<const SavedField>(
-      turned_state(state_, {*turn, state_.grid}, placing), volume_mm3_);
+  return std::make_shared<const SavedField>(turned_state(state_, {*turn, state_.grid}, placing),
+                                            volume_mm3_);
 }
 
 }  // namespace kerf::stock::saved

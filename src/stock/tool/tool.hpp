@@ -50,7 +50,8 @@ enum class Hand : std::uint8_t {
   left,   ///< cuts under M04
 };
 
-/// Where a driven tool of a lathe stands: along Z before the face of the part, or along X beside it.
+/// Where a driven tool of a lathe stands: along Z before the face of the part, or along X beside
+/// it.
 enum class Driven : std::uint8_t { face, side };
 
 /// Who has said what a tool is, the one that counts most first (stock.md §1.5).

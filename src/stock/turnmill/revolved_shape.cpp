@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "math/math.hpp"
-#include "stock/turnmill/half_plane_lines.hpp"
 #include "stock/turned/revolved.hpp"
+#include "stock/turnmill/half_plane_lines.hpp"
 
 namespace kerf::stock::turnmill {
 namespace {
@@ -126,7 +126,8 @@ dexel::InsideOf on_lattice(const std::shared_ptr<const Revolved>& body, const La
 
 dexel::Shape revolved_shape(const contour::Region& region, std::uint32_t first_motion) {
   const auto body = std::make_shared<const Revolved>(region, first_motion);
-  dexel::Shape shape{.box = turned::bounds(region), .inside = {}, .volume_mm3 = turned::volume(region)};
+  dexel::Shape shape{
+      .box = turned::bounds(region), .inside = {}, .volume_mm3 = turned::volume(region)};
   shape.on_lattice = [body](const Lattice& lattice, Vec3 middle) {
     return on_lattice(body, lattice, middle);
   };

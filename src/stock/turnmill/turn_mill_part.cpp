@@ -48,8 +48,8 @@ double farthest(const TriDexel& dexels) {
         const int b = column + static_cast<int>(i) % tile.columns();
         const int c = row + static_cast<int>(i) / tile.columns();
         // Y lies along b of the dexels along X, X along c of those along Y.
-        const double aside = grid == 0 ? dexels.middle().y + lattice.b_of(b)
-                                       : dexels.middle().x + lattice.c_of(c);
+        const double aside =
+            grid == 0 ? dexels.middle().y + lattice.b_of(b) : dexels.middle().x + lattice.c_of(c);
         const double zero = grid == 0 ? dexels.middle().x : dexels.middle().y;
         for (const dexel::DexelEnd& end : tile.ends(i))
           most = std::max(most, math::hypot(zero + double{end.at}, aside));
@@ -67,10 +67,7 @@ double size_of(const Sweep& sweep) {
 }  // namespace
 
 TurnMillPart::TurnMillPart(const Region& bar, double cell_mm, unsigned jobs)
-    : stock_(bar),
-      profile_(bar),
-      dexels_(revolved_shape(bar, 0), cell_mm, jobs),
-      is_bar_(true) {}
+    : stock_(bar), profile_(bar), dexels_(revolved_shape(bar, 0), cell_mm, jobs), is_bar_(true) {}
 
 TurnMillPart::TurnMillPart(const dexel::Shape& shape, double cell_mm, unsigned jobs)
     : stock_(around(shape.box)),

@@ -47,8 +47,9 @@ TEST(MotionLines, StartsOfLinesAreFoundInAnyOrderWhateverEndsThem) {
   const auto in = [](base::FileId file, std::uint32_t line) {
     return block_of(static_cast<std::uint32_t>(file), line);
   };
-  std::vector<base::BlockId> blocks{in(one, 6),   in(other, 2),           in(one, 2), in(one, 4),
-                                    in(one, 2),   block_of(0xffffffffU, 0), in(one, 1), in(other, 1)};
+  std::vector<base::BlockId> blocks{in(one, 6), in(other, 2), in(one, 2),
+                                    in(one, 4), in(one, 2),   block_of(0xffffffffU, 0),
+                                    in(one, 1), in(other, 1)};
   find_line_starts(sources, blocks);
   const std::vector<std::uint64_t> wanted{text.find("Z3"), 3, 4, text.find("X1"), 4, 0, 0, 0};
   for (std::size_t i = 0; i < blocks.size(); ++i) EXPECT_EQ(blocks[i].from, wanted[i]) << i;

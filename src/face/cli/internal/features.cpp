@@ -5,6 +5,7 @@
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "job/facts_of_features.hpp"
 #include "job/features_run.hpp"
 #include "output/features/feature_json.hpp"
@@ -22,6 +23,8 @@ std::string told(const FeaturesOptions& options, const output::FeatureFacts& fac
 }  // namespace
 
 ExitStatus features(const FeaturesOptions& options) {
+  const auto set_up = set_up_of(options.run.table);
+  if (!set_up) return fail(set_up.error());
   auto program = kept_program(options.run.program);
   if (!program) return fail(program.error());
   auto source = program->open();
@@ -29,7 +32,7 @@ ExitStatus features(const FeaturesOptions& options) {
   auto ordered = job_of(options.run, **source);
   if (!ordered) return fail(ordered.error());
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options.run, std::move(*ordered), std::move(*program), **source);
+  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
   auto result = job::recognise_features(*job);
   if (!result) return fail(result.error());

@@ -15,9 +15,8 @@ Json place_json(stock::Vec3 place) { return {place.x, place.y, place.z}; }
 
 Json level_json(const job::PartLevel& level) {
   if (!level.grid) return nullptr;
-  return {{"first", level.grid->first},
-          {"cell_mm", level.grid->cell_mm},
-          {"cells", level.grid->cells}};
+  return {
+      {"first", level.grid->first}, {"cell_mm", level.grid->cell_mm}, {"cells", level.grid->cells}};
 }
 
 Json finding_json(const Told& told, const base::SourceSet& sources) {
@@ -33,8 +32,8 @@ Json finding_json(const Told& told, const base::SourceSet& sources) {
 }
 
 Json thread_json(const Thread& thread) {
-  return {{"line", thread.line},   {"from", thread.from},   {"to", thread.to},
-          {"major", thread.major}, {"minor", thread.minor}, {"pitch", thread.pitch},
+  return {{"line", thread.line},    {"from", thread.from},   {"to", thread.to},
+          {"major", thread.major},  {"minor", thread.minor}, {"pitch", thread.pitch},
           {"starts", thread.starts}};
 }
 

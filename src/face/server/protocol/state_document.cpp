@@ -30,8 +30,8 @@ std::string StateDocument::event_since(std::uint64_t seen, const std::string& ma
     if (entry.revision > seen) text += ',' + Json(entry.key).dump() + ':' + entry.value;
   }
   for (const auto& [key, value] : more.items())
-    text += ',' + Json(key).dump() + ':' +
-            value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text +=
+        ',' + Json(key).dump() + ':' + value.dump(-1, ' ', false, Json::error_handler_t::replace);
   return text + '}';
 }
 

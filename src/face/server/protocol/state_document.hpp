@@ -9,7 +9,8 @@
 namespace kerf::server {
 
 /// The state of a machine, or of its part, as watchers get it: keys with values, each with the
-/// revision in which it changed last. So what one of them has not seen is found without knowing what he was sent.
+/// revision in which it changed last. So what one of them has not seen is found without knowing
+/// what he was sent.
 class StateDocument {
  public:
   /// Takes over the values of an object; what is as it was keeps its revision.

@@ -75,8 +75,8 @@ std::string operation_json(const FeatureFacts& facts, std::size_t place) {
   object.raw("lines", lines_json(first_lines_of(*facts.recording, rows)));
   object.raw("spindle_rpm", rounded(one.spindle_rpm));
   object.raw("feeds", JsonObject()
-                          .raw("cut", numbers_json(one.cut_feeds))
-                          .raw("entry", numbers_json(one.entry_feeds))
+                          .raw("cut", rounded_numbers_json(one.cut_feeds))
+                          .raw("entry", rounded_numbers_json(one.entry_feeds))
                           .done());
   object.raw("features", features_of_operation(*facts.tree, place));
   return object.raw("cut_mm", rounded(one.cut_mm)).raw("air_mm", rounded(one.air_mm)).done();

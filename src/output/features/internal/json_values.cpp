@@ -39,7 +39,7 @@ std::string contours_json(const std::vector<contour::Contour>& contours) {
   return json_array(items);
 }
 
-std::string numbers_json(const std::vector<double>& values) {
+std::string rounded_numbers_json(const std::vector<double>& values) {
   std::vector<std::string> items;
   items.reserve(values.size());
   for (const double value : values) items.push_back(rounded(value));

@@ -19,7 +19,7 @@ namespace kerf::output {
 /// [[x, y, bulge]…]
 [[nodiscard]] std::string contour_json(const contour::Contour& contour);
 [[nodiscard]] std::string contours_json(const std::vector<contour::Contour>& contours);
-[[nodiscard]] std::string numbers_json(const std::vector<double>& values);
+[[nodiscard]] std::string rounded_numbers_json(const std::vector<double>& values);
 /// [first, last]
 [[nodiscard]] std::string lines_json(const LineRange& lines);
 /// "F3", or null.

@@ -22,8 +22,8 @@ std::string layer_json(const FeatureFacts& facts, const LiteralLayer& layer) {
       .raw("z", rounded(layer.z))
       .raw("tool", rounded(layer.tool))
       .raw("loops", rounded(static_cast<double>(layer.loops.size())))
-      .raw("perimeters", numbers_json(perimeters))
-      .raw("areas", numbers_json(areas))
+      .raw("perimeters", rounded_numbers_json(perimeters))
+      .raw("areas", rounded_numbers_json(areas))
       .done();
 }
 
@@ -31,7 +31,8 @@ std::string feature_of_layers_json(const LiteralFeature& feature) {
   std::vector<double> layers;
   for (const std::size_t layer : feature.layers) layers.push_back(static_cast<double>(layer + 1));
   JsonObject object;
-  object.raw("layers", numbers_json(layers)).raw("type", word_json(word_of(feature.word.type)));
+  object.raw("layers", rounded_numbers_json(layers))
+      .raw("type", word_json(word_of(feature.word.type)));
   object.raw("kind", feature.word.kind == 0 ? "null" : rounded(feature.word.kind));
   return object.raw("order", word_json(word_of(feature.order))).done();
 }

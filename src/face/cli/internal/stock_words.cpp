@@ -1,4 +1,4 @@
-#include "face/cli/stock_words.hpp"
+#include "face/cli/internal/stock_words.hpp"
 
 #include <limits>
 

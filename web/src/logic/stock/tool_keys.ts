@@ -39,6 +39,9 @@ export const keys_of_tool = (type: ToolType): readonly string[] => [
   ...(is_turning(type) ? ['flute_length'] : COMMON),
 ];
 
+/** What the checks hold a tool against. */
+export const LIMIT_KEYS = ['fz', 'ap', 'ae', 'vc', 'ramp_deg'] as const;
+
 export const needs_number = (key: string): boolean => key !== 'insert';
 
 /** `12x60, 16x30`: diameter by height from below, cones as `30/40x25`; null: it is no such list. */

@@ -9,10 +9,10 @@
 namespace kerf::machine {
 namespace {
 
-SetUp read(const std::string& text) {
+machine::SetUp read(const std::string& text) {
   const auto set_up = read_set_up(text, "jobs/vice.toml");
   EXPECT_TRUE(set_up) << set_up.error().message;
-  return set_up.value_or(SetUp{});
+  return set_up.value_or(machine::SetUp{});
 }
 
 std::string wrong(const std::string& text) {
@@ -23,7 +23,7 @@ std::string wrong(const std::string& text) {
 }
 
 TEST(SetUp, SaysWhatItsTablesSay) {
-  const SetUp set_up = read(R"(
+  const machine::SetUp set_up = read(R"(
 [stock]
 shape = "box:0,0,-20,100,60,0"
 zero = "G55"
@@ -70,7 +70,7 @@ diameter = 6
 }
 
 TEST(SetUp, FilesLieBesideItAndHaveAUnit) {
-  const SetUp set_up = read(
+  const machine::SetUp set_up = read(
       "[stock]\nshape = \"raw.stl\"\nunit = \"inch\"\n[[fixture]]\nshape = \"/vices/jaw.stl\"\n");
   const auto& raw = std::get<StockFile>(set_up.stock->word);
   EXPECT_EQ(raw.path, "jobs/raw.stl");
@@ -83,7 +83,7 @@ TEST(SetUp, FilesLieBesideItAndHaveAUnit) {
 }
 
 TEST(SetUp, OfNothingIsNothing) {
-  const SetUp set_up = read("# nothing\n");
+  const machine::SetUp set_up = read("# nothing\n");
   EXPECT_FALSE(set_up.stock || set_up.zero || set_up.place || set_up.material || set_up.design);
   EXPECT_TRUE(set_up.fixtures.empty() && set_up.left_out.empty() && set_up.files().empty());
 }
@@ -126,13 +126,13 @@ TEST(SetUp, WhatIsWrongHasItsLineAndColumn) {
 }
 
 TEST(SetUp, WhatCountsMoreIsTakenOneThingAtATime) {
-  SetUp file = read(
+  machine::SetUp file = read(
       "[stock]\nshape = \"box:0,0,0,1,1,1\"\nzero = \"G56\"\n[[fixture]]\nshape = "
       "\"box:0,0,0,1,1,1\"\n[checks]\nno_check = [\"TOOL_LENGTH\"]\nfail_on = \"never\"\n");
-  SetUp words = read(
+  machine::SetUp words = read(
       "[stock]\nshape = \"box:0,0,0,2,2,2\"\n[[fixture]]\nshape = \"box:0,0,0,3,3,3\"\n[checks]\n"
       "no_check = [\"CUT_DEPTH\"]\n");
-  const SetUp both = joined(std::move(words), std::move(file));
+  const machine::SetUp both = joined(std::move(words), std::move(file));
   EXPECT_EQ(both.stock->said, "box:0,0,0,2,2,2");
   EXPECT_EQ(name_of(*both.zero), "G56");
   ASSERT_EQ(both.fixtures.size(), 2U);

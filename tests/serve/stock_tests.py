@@ -163,3 +163,258 @@ def _(place):
     part.wait(lambda p: p.head[1] == 1 and len(p.tiles) == math.prod((n + 63) // 64 for n in fine["cells"]), "all tiles")
     z, owner = part.height(35, 20)
     check(abs(z + 5) < 1e-3 and owner == [0, 7, 1], f"{z} {owner}")
+
+
+LATHE = (
+    "O2\nG50 S2000\nG97 S500 M03\nT0101\nG00 X52. Z2.\nG01 X40. F0.3\nZ-30.\nX52.\nG00 Z2.\nX30.\nG01 Z-10.\nX52.\nG00 X80. Z20.\nM30\n"
+)
+LATHE_SET_UP = '[stock]\nshape = "bar:50,-60,0"\n[[tool]]\nnumber = 1\ntype = "turning"\nnose_radius = 0\ntip = 3\nic = 40\nkapr = 95\ntip_angle = 80\n'
+
+
+def area(loops):
+    """Of closed lines without arcs, mm²."""
+    return sum(
+        (a[0] * b[1] - b[0] * a[1]) / 2 for loop in loops for a, b in zip(loop, loop[1:] + loop[:1])
+    )
+
+
+@test("the part of a lathe is its half section, and comes back")
+def _(place):
+    client = place.serve().client()
+    client.do("create", name="turner", definition="lathe2")
+    part = shown(client.watch("turner"), LATHE, "shaft.nc", LATHE_SET_UP).wait_for_end()
+    equal((part.facts["model"], part.kind, part.facts["levels"]), ("profile", 2, [None]), "facts")
+    whole, turned = 60 * 25, 60 * 25 - 30 * 5 - 10 * 5
+    check(abs(area(part.tiles[0]) - turned) < 1e-6, f"area {area(part.tiles[0])}")
+    volume = math.pi * (30 * (25**2 - 20**2) + 10 * (20**2 - 15**2))
+    check(abs(part.facts["removed_mm3"] - volume) < 1e-6 * volume, f"removed {part.facts['removed_mm3']}")
+    end = part.facts["done_s"]
+    part.at(0)
+    check(abs(area(part.tiles[0]) - whole) < 1e-9, "the bar")
+    equal(part.facts["removed_mm3"], 0, "removed at the beginning")
+    part.at(0.4 * end)
+    then = part.tiles[0]
+    check(turned < area(then) < whole, f"area {area(then)}")
+    part.at(end)
+    part.at(0.4 * end)
+    equal(part.tiles[0], then, "the same half section")
+
+
+TILTED = (
+    "O3\n(T1 D=10. CR=0. - flat end mill)\nT1 M06\nS3000 M03\nG00 A30. X0 Y0 Z30.\nG01 Z-5. F600\nX40.\nG00 Z30.\nM30\n"
+)
+
+
+@test("the part of a tilted cut is made of triangles, of which only those that change are sent")
+def _(place):
+    client = mill(place, "five", "mill5")
+    set_up = '[stock]\nshape = "box:-10,-30,-30,50,30,0"\n'
+    part = shown(client, TILTED, "tilted.nc", set_up).wait_for_end(60)
+    equal((part.facts["model"], part.kind, part.facts["error"]), ("tridexel", 1, None), "facts")
+    check(sum(f.bytes for f in client.part_frames) <= 4 << 20, "the first picture")
+    check(abs(part.facts["removed_mm3"] - 2392.69908) < 60, f"removed {part.facts['removed_mm3']}")
+    equal(mesh_volume(part.tiles.values()) > 0, True, "oriented outwards")
+    volume = mesh_volume(part.tiles.values())
+    check(abs(60 * 60 * 30 - volume - 2392.7) < 200, f"the triangles enclose {volume}")
+    equal({o for t in part.tiles.values() for o in t["owner"]}, {0, 1, 2}, "who cut them")
+    end = part.facts["done_s"]
+    at_half = part.at(0.7 * end) and part.picture()
+    part.at(0.5 * end)
+    part.at(0.7 * end)
+    equal(part.picture(), at_half, "the same triangles")
+    sent = len(client.part_frames)
+    part.at(0.7 * end + 0.01)
+    step = [tile["at"] for frame in client.part_frames[sent:] for tile in frame.tiles]
+    check(len(step) < len(part.tiles) / 2, f"{len(step)} of {len(part.tiles)} tiles")
+
+
+def mesh_volume(tiles):
+    six = 0
+    for tile in tiles:
+        p, index = tile["points"], tile["index"]
+        for a, b, c in zip(index[::3], index[1::3], index[2::3]):
+            (ax, ay, az), (bx, by, bz), (cx, cy, cz) = p[a], p[b], p[c]
+            six += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    return six / 6
+
+
+LASER = (
+    "G21 G90\nG00 X10 Y10\nM03 S1000\nG01 X30 F1200\nY30\nX10\nY10\nM05\nG00 X0 Y0\nM30\n"
+)
+
+
+@test("a sheet under a beam shows where it is cut, and its energy")
+def _(place):
+    client = place.serve().client()
+    client.do("create", name="beam", definition="laser3")
+    program = "LASER 100\nSPEED(20)\nPOWER(80)\nMOVE(10,10,0)\nLINE(30,10,0)\nLINE(30,30,0)\nLINE(10,30,0)\nLINE(10,10,0)\nEND\n"
+    part = shown(client.watch("beam"), program.replace("LASER 100\n", ""), "square.bas", '[stock]\nshape = "sheet:0,0,40,40,2"\n')
+    part.wait_for_end()
+    equal((part.facts["model"], part.kind, part.facts["error"]), ("sheet", 3, None), "facts")
+    cut = sum(sum(t["coverage"]) for t in part.tiles.values()) / 255
+    grid = part.facts["levels"][0]
+    kerf = cut * grid["cell_mm"][0] * grid["cell_mm"][1] / 80
+    check(0.01 < kerf < 1, f"the kerf is {kerf} wide")
+    check(abs(part.facts["removed_mm3"] - 2 * 80 * kerf) < 0.01 * 160 * kerf, f"removed {part.facts['removed_mm3']}")
+    check(all(max(t["energy"]) == 255 for t in part.tiles.values() if t["full"] > 0), "energy fills its scale")
+    whole = part.picture()
+    end = part.facts["done_s"]
+    part.at(end / 2)
+    half = part.facts["removed_mm3"]
+    check(0 < half < 0.8 * 160 * kerf, f"half of it: {half}")
+    part.at(end)
+    equal(part.picture(), whole, "the same sheet")
+
+
+CRASH = SLOT.replace("G00 Z5.\nX10. Y40.\n", "G00 Y40.\nZ5.\nX10.\n")
+
+
+@test("a finding has its line, its time and its place")
+def _(place):
+    part = shown(mill(place), CRASH, "crash.nc", SLOT_SET_UP).wait_for_end()
+    (finding,) = part.facts["findings"]
+    equal((finding["code"], finding["severity"], finding["file"], finding["line"], finding["tool"]),
+          ("RAPID_IN_STOCK", "error", "crash.nc", 8, 1), "the finding")
+    check(0 < finding["time_s"] < part.facts["done_s"], f"at {finding['time_s']} s")
+    x, y, z = finding["at"]
+    check(55 <= x <= 66 and 20 <= y <= 46 and -5.1 <= z <= 0, f"at {finding['at']}")
+    check(finding["count"] == 1 and finding["depth_mm"] > 4 and finding["volume_mm3"] > 100, f"{finding}")
+
+
+@test("what a set-up says is kept with the program, and one that is none is refused")
+def _(place):
+    server = place.serve()
+    client = server.client()
+    client.do("create", name="miller", definition="mill3")
+    client.watch("miller")
+    says(client.refused("stock", toml=""), "no program")
+    client.load(SLOT, "part.nc")
+    answer = client.do("stock")
+    equal((answer["toml"], answer["is_default"]), ("", True), "of nobody")
+    for toml, *words in (
+        ("[stock]\nshape = \n", "2"),
+        ("[stuck]\nshape = 'extents'\n", "stuck"),
+        ("[stock]\nshape = 'box:0,0'\n", "box"),
+        ("[stock]\nshape = 'ball:5'\n", "ball:5"),
+        ("[[fixture]]\nname = 'jaw'\n", "shape"),
+        ("[[tool]]\nnumber = 1\ntype = 'ball:5'\n", "ball:5"),
+        ("[[tool]]\nnumber = 1\ntype = 'bull'\ndiameter = 4\ncorner_radius = 3\n", "corner"),
+        ("[checks]\nno_check = ['NOTHING']\n", "NOTHING"),
+        ("[stock]\nshape = '../../machines/miller/machine.toml'\n", ".."),
+        ("[stock]\nshape = '/etc/passwd.stl'\n", "/etc/passwd.stl"),
+    ):
+        says(client.refused("stock", toml=toml), *words)
+    equal(client.do("stock")["toml"], "", "nothing was kept")
+    whole = SLOT_SET_UP + "zero = 'G54'\nplace = [0, 0, 0]\n[[fixture]]\nshape = 'box:-20,0,-20,-5,60,10'\nname = 'jaw'\n" \
+        "[material]\ngroup = 'P'\n[checks]\nno_check = ['RAPID_IN_STOCK']\n[[tool]]\nnumber = 1\ntype = 'flat'\ndiameter = 10\n"
+    equal(client.do("stock", toml=whole), {**client.do("stock")}, "what is kept") if False else client.do("stock", toml=whole)
+    equal((client.do("stock")["toml"], client.do("stock")["is_default"]), (whole, False), "what is kept")
+    client.load(CRASH, "other.nc")
+    equal(client.do("stock")["is_default"], True, "of another program")
+    server.stop()
+    again = place.serve().client().watch("miller")
+    again.load(CRASH, "part.nc")
+    equal(again.do("stock")["toml"], whole, "after the server has begun anew")
+    part = Part(again)
+    again.do("stock", shows=True)
+    part.wait_for_end()
+    equal(part.facts["findings"], [], "a check that is left out finds nothing")
+
+
+@test("a set-up given while the part is shown has it cut anew")
+def _(place):
+    client = mill(place)
+    part = shown(client, set_up=SLOT_SET_UP).wait_for_end()
+    run = part.facts["run"]
+    client.do("stock", toml='[stock]\nshape = "box:0,0,-4,70,60,0"\n')
+    part.wait(lambda p: p.facts["run"] != run and p.facts.get("done") and p.time_s == p.facts["done_s"], "the new part")
+    equal(part.facts["stock"]["low"], [0, 0, -4], "the new stock")
+    z, owner = part.height(35, 20)
+    equal((z, owner), (None, [0, 7, 1]), "the slot goes through")
+
+
+@test("a probe tells place, tool and line")
+def _(place):
+    client = mill(place)
+    shown(client, set_up=SLOT_SET_UP).wait_for_end()
+    answer = client.do("stock_probe", x=35, y=20, z=3)
+    equal(answer["owner"], {"file": 0, "line": 7, "tool": 1, "motion": answer["owner"]["motion"]}, "who cut there")
+    check(abs(answer["at"][2] + 5) < 1e-6, f"{answer['at']}")
+    equal(client.do("stock_probe", x=35, y=30, z=0)["owner"], None, "where nobody has cut")
+    equal(client.do("stock_probe", x=500, y=30, z=0)["at"], None, "beside the part")
+
+
+def relief(lines):
+    """So many short moves over a wave."""
+    text = ["O9", "(T1 D=6. CR=3. - ball end mill)", "T1 M06", "S6000 M03", "G00 X0 Y0 Z10.", "G01 Z0 F3000"]
+    for i in range(lines):
+        row, k = divmod(i, 400)
+        x = 0.25 * (k if row % 2 == 0 else 400 - k)
+        text.append(f"X{x:.3f} Y{0.4 * row:.3f} Z{-3 + 2 * math.sin(x / 8 + row / 9):.3f}")
+    return "\n".join(text + ["G00 Z20.", "M30", ""])
+
+
+@test("who takes slowly gets the newest state, not each, and nobody waits for him")
+def _(place):
+    server = place.serve()
+    client = server.client()
+    client.do("create", name="miller", definition="mill3")
+    client.watch("miller")
+    client.load(relief(40_000), "relief.nc")
+    slow = Client(server, receive_buffer=4096).watch("miller", operate=False)
+    slow.do("stock", shows=True)
+    quick = Part(client)
+    client.do("stock", shows=True)
+    quick.wait_for_end(60)
+    end = quick.facts["done_s"]
+    for i in range(30):
+        quick.at(end * (i % 7) / 7)  # the slow one takes nothing meanwhile
+    seen = Part(slow)
+    answer = slow.do("stock_at", time_s=end / 2)
+    equal(answer["time_s"], end / 2, "what the slow one asks for comes")
+    seen.take()
+    quick.at(end / 2)
+    equal(seen.picture(), quick.picture(), "both see the same")
+    check(len(slow.part_frames) < 40, f"{len(slow.part_frames)} frames for the slow one")
+
+
+@test("what is behind the machine says so, and comes")
+def _(place):
+    client = mill(place)
+    client.load(relief(60_000), "relief.nc")
+    part = Part(client)
+    client.do("stock", shows=True)
+    answer = client.do("stock_at", time_s=1e6)
+    part.take()
+    if not part.facts.get("done"):
+        check(answer["behind"], f"it is not cut as far: {answer}")
+    part.wait_for_end(60)
+    equal(part.facts["behind"], True, "nobody ever comes to a million seconds")
+    check(not client.do("stock_at", time_s=part.facts["done_s"] / 3)["behind"], "not behind")
+
+
+@test("who hides the part gets no more of it, and it ends with the last one who looks")
+def _(place):
+    client = mill(place)
+    shown(client, set_up=SLOT_SET_UP).wait_for_end()
+    client.do("stock", shows=False)
+    says(client.refused("stock_at", time_s=1), "nothing is shown")
+    frames = len(client.part_frames)
+    client.load(CRASH, "part.nc")
+    client.do("ping")
+    equal(len(client.part_frames), frames, "frames of what is hidden")
+    client.do("stock", shows=True)
+    part = Part(client)
+    part.wait_for_end()
+
+
+@test("a part that cannot be cut says why in a sentence")
+def _(place):
+    client = place.serve().client()
+    client.do("create", name="arm", definition="arm4")
+    client.watch("arm")
+    client.load("MOVE(10,10,0)\nEND\n", "arm.bas")
+    part = Part(client)
+    client.do("stock", shows=True)
+    part.wait(lambda p: p.facts.get("error"), "the sentence")
+    says(part.facts["error"]["message"], "stock is cut on mills, lathes and lasers")

@@ -1,7 +1,7 @@
 #include "job/live/mesh_picture.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 namespace kerf::job {
 namespace {
@@ -9,6 +9,7 @@ namespace {
 using stock::Bounds;
 using stock::Vec3;
 using stock::dexel::Lattice;
+using stock::dexel::on_axis;
 using stock::dexel::TriDexel;
 using stock::surface::Place;
 
@@ -42,6 +43,48 @@ std::size_t count_of(Place blocks) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Of the dexel that passes a place, from the middle of the stock, the end next to it.
+std::optional<PartPlace> nearest_end(const TriDexel& model, int grid, Vec3 place) {
+  const Lattice& lattice = model.lattice(grid);
+  const double b = on_axis(place, (grid + 1) % 3) / lattice.cell_b + lattice.columns / 2.0;
+  const double c = on_axis(place, (grid + 2) % 3) / lattice.cell_c + lattice.rows / 2.0;
+  if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return std::nullopt;
+  const int column = static_cast<int>(b);
+  const int row = static_cast<int>(c);
+  const auto number = static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
+                                               column / Lattice::kTile);
+  const stock::dexel::Tile& tile = model.tile(grid, number);
+  const double wanted = on_axis(place, grid);
+  const auto ends = tile.ends(tile.index(column % Lattice::kTile, row % Lattice::kTile));
+  const auto found = std::min_element(ends.begin(), ends.end(), [&](const auto& x, const auto& y) {
+    return std::fabs(double{x.at} - wanted) < std::fabs(double{y.at} - wanted);
+  });
+  if (found == ends.end()) return std::nullopt;
+  return PartPlace{stock::dexel::along_axis(grid, double{found->at}, lattice.b_of(column),
+                                            lattice.c_of(row)),
+                   found->motion};
+}
+
+}  // namespace
+
+std::optional<PartPlace> MeshPicture::nearest(Vec3 at) const {
+  const Vec3 place = at - model_.middle();
+  std::optional<PartPlace> best;
+  double least = 0;
+  for (int grid = 0; grid < 3; ++grid) {
+    const auto end = nearest_end(model_, grid, place);
+    if (!end) continue;
+    const double far = geometry::length(end->at - place);
+    if (best && far >= least) continue;
+    least = far;
+    best = end;
+  }
+  if (best) best->at = best->at + model_.middle();
+  return best;
+}
 
 MeshPicture::MeshPicture(const TriDexel& model, const stock::replay::Tiles& tiles,
                          const OwnerTable& owners)

@@ -23,6 +23,7 @@ class MeshPicture final : public Picture {
   [[nodiscard]] double removed_mm3() const override {
     return model_.stock_mm3() - model_.left_mm3();
   }
+  [[nodiscard]] std::optional<PartPlace> nearest(stock::Vec3 at) const override;
   void look() override;
 
  private:

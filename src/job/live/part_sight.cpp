@@ -15,18 +15,33 @@ std::uint64_t hash_of(const std::string& bytes) {
   return hash == 0 ? 1 : hash;
 }
 
+/// What somebody wants to see, as far as there is such a thing.
+struct Shown {
+  double time_s;
+  std::uint32_t level;
+
+  Shown(const Cutting& cutting, const PartWish& wish)
+      : time_s(std::min(wish.time_s.value_or(cutting.reached_s()), cutting.reached_s())),
+        level(std::min(wish.level, static_cast<std::uint32_t>(cutting.levels().size() - 1))) {}
+};
+
 }  // namespace
+
+std::optional<PartAnswer> answer_at(Cutting& cutting, const PartWish& wish, stock::Vec3 at) {
+  const Shown shown(cutting, wish);
+  const Picture* const picture = cutting.at(shown.time_s, shown.level, {});
+  const auto place = picture == nullptr ? std::nullopt : picture->nearest(at);
+  if (!place) return std::nullopt;
+  return PartAnswer{*place, cutting.owners().owner(place->motion)};
+}
 
 std::optional<PartLook> PartSight::look(const std::shared_ptr<Cutting>& cutting,
                                         const PartWish& wish, const std::stop_token& unwanted) {
-  const auto finest = static_cast<std::uint32_t>(cutting->levels().size() - 1);
-  const std::uint32_t level = std::min(wish.level, finest);
-  if (cutting != cutting_ || level != level_ || cutting->owners().edition() != edition_)
-    begin(cutting, level);
-  const double reached_s = cutting->reached_s();
-  PartLook look{.is_behind = wish.time_s && *wish.time_s > reached_s,
-                .time_s = std::min(wish.time_s.value_or(reached_s), reached_s)};
-  const Picture* const picture = cutting->at(look.time_s, level, unwanted);
+  const Shown shown(*cutting, wish);
+  if (cutting != cutting_ || shown.level != level_ || cutting->owners().edition() != edition_)
+    begin(cutting, shown.level);
+  PartLook look{.is_behind = wish.time_s && *wish.time_s > shown.time_s, .time_s = shown.time_s};
+  const Picture* const picture = cutting->at(shown.time_s, shown.level, unwanted);
   if (picture == nullptr) return std::nullopt;
   look.removed_mm3 = picture->removed_mm3();
   const Picture::Parts parts = changed(*picture, look);
@@ -36,7 +51,7 @@ std::optional<PartLook> PartSight::look(const std::shared_ptr<Cutting>& cutting,
   look.frame = output::part_frame({.kind = picture->kind(),
                                    .run = cutting->run(),
                                    .number = frames_++,
-                                   .level = level,
+                                   .level = shown.level,
                                    .time_s = look.time_s},
                                   parts.count, parts.bytes);
   return look;

@@ -19,6 +19,15 @@ struct PartWish {
   friend bool operator==(const PartWish&, const PartWish&) = default;
 };
 
+/// A place of the part with who left it.
+struct PartAnswer {
+  PartPlace place;
+  PartOwner owner;  ///< line 0: nobody
+};
+/// Of what somebody wants to see; none: nothing is there.
+[[nodiscard]] std::optional<PartAnswer> answer_at(Cutting& cutting, const PartWish& wish,
+                                                  stock::Vec3 at);
+
 /// What is there to see now.
 struct PartLook {
   std::string frame{};              ///< of what has changed since; empty: all is seen

@@ -1,8 +1,9 @@
 #include "job/live/picture.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 #include "job/live/mesh_picture.hpp"
+#include "math/math.hpp"
 #include "stock/field/height_field.hpp"
 #include "stock/turned/turned_part.hpp"
 
@@ -24,6 +25,20 @@ class HeightPicture final : public Picture {
   }
   [[nodiscard]] double removed_mm3() const override {
     return field_.stock_mm3() - field_.left_mm3();
+  }
+  [[nodiscard]] std::optional<PartPlace> nearest(stock::Vec3 at) const override {
+    const stock::field::Columns& columns = field_.columns();
+    const stock::field::Grid& grid = columns.grid();
+    const double i = std::floor((at.x - grid.box.low.x) / grid.cell_x());
+    const double j = std::floor((at.y - grid.box.low.y) / grid.cell_y());
+    if (!(i >= 0 && i < grid.nx && j >= 0 && j < grid.ny)) return std::nullopt;
+    const int column = static_cast<int>(i);
+    const int row = static_cast<int>(j);
+    const float height = columns.height(column, row);
+    if (height <= columns.bottom(column, row)) return std::nullopt;
+    return PartPlace{
+        {grid.x(column), grid.y(row), grid.box.low.z + static_cast<double>(height)},
+        columns.owner(column, row)};
   }
 
  private:
@@ -50,6 +65,20 @@ class ProfilePicture final : public Picture {
     return all;
   }
   [[nodiscard]] double removed_mm3() const override { return part_.stock_mm3() - part_.left_mm3(); }
+  [[nodiscard]] std::optional<PartPlace> nearest(stock::Vec3 at) const override {
+    const contour::Vec2 in_section{at.z, math::hypot(at.x, at.y)};
+    std::optional<PartPlace> best;
+    double least = 0;
+    for (const contour::Contour& loop : part_.region().loops) {
+      const contour::Place place = contour::nearest_place(loop, in_section);
+      const contour::Vec2 there = contour::point_at(loop, place);
+      const double far = length(there - in_section);
+      if (best && far >= least) continue;
+      least = far;
+      best = PartPlace{{there.v, 0, there.u}, loop.vertices[place.edge].owner};
+    }
+    return best;
+  }
 
  private:
   const stock::turned::TurnedPart& part_;

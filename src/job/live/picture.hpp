@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/interface.hpp"
@@ -11,6 +12,13 @@
 #include "stock/replay/player.hpp"
 
 namespace kerf::job {
+
+/// A place on a part.
+struct PartPlace {
+  stock::Vec3 at;  ///< frame of the stock
+  std::uint32_t motion = 0;  ///< that left it; 0: none
+  double energy_j_mm2 = 0;   ///< of a sheet
+};
 
 /// What is seen of a part as it stands, in tiles.
 class Picture : public base::Interface {
@@ -29,6 +37,9 @@ class Picture : public base::Interface {
   [[nodiscard]] virtual Parts parts(std::size_t tile) const = 0;
   /// Up to where the part stands.
   [[nodiscard]] virtual double removed_mm3() const = 0;
+  /// The place of the part's surface that is nearest, or stands over this one; none: nothing is
+  /// there.
+  [[nodiscard]] virtual std::optional<PartPlace> nearest(stock::Vec3 at) const = 0;
   /// The part may have changed.
   virtual void look() {}
 };

@@ -1,5 +1,8 @@
 #include "job/live/sheet_cutting.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "output/part/sheet_frame.hpp"
 
 namespace kerf::job {
@@ -24,11 +27,30 @@ class SheetPicture final : public Picture {
     return {output::sheet_part(sheet_, tile), 1, false};
   }
   [[nodiscard]] double removed_mm3() const override { return sheet_.cut_mm2() * thickness_mm_; }
+  [[nodiscard]] std::optional<PartPlace> nearest(stock::Vec3 at) const override;
 
  private:
   const Sheet& sheet_;
   double thickness_mm_;
 };
+
+std::optional<PartPlace> SheetPicture::nearest(stock::Vec3 at) const {
+  constexpr int kSide = stock::sheet::kTileSide;
+  const stock::sheet::Grid& grid = sheet_.grid();
+  const double x = std::floor((at.x - grid.box.low.u) / grid.cell_x());
+  const double y = std::floor((at.y - grid.box.low.v) / grid.cell_y());
+  if (!(x >= 0 && x < grid.nx && y >= 0 && y < grid.ny)) return std::nullopt;
+  const int i = static_cast<int>(x);
+  const int j = static_cast<int>(y);
+  PartPlace place{.at = {grid.x(i), grid.y(j), 0}};
+  const auto tile = static_cast<std::size_t>(j / kSide * grid.tiles_x() + i / kSide);
+  const auto cell = static_cast<std::size_t>(j % kSide * kSide + i % kSide);
+  const Sheet::Coverage* const covered = sheet_.coverage(tile);
+  if (covered != nullptr && (*covered)[cell] >= sheet_.cut_from()) return std::nullopt;
+  if (const Sheet::Energy* const energy = sheet_.energy(tile))
+    place.energy_j_mm2 = static_cast<double>((*energy)[cell]);
+  return place;
+}
 
 PartLevel level_of(const stock::sheet::Grid& grid) {
   return {

@@ -33,6 +33,7 @@ const Handlers& hub_handlers() {
       {"load", [](Hub& hub, const Request& r) { hub.programs().load(r); }},
       {"stock", [](Hub& hub, const Request& r) { hub.parts().stock(r); }},
       {"stock_at", [](Hub& hub, const Request& r) { hub.parts().stock_at(r); }},
+      {"stock_probe", [](Hub& hub, const Request& r) { hub.parts().stock_probe(r); }},
       {"set-settings", [](Hub& hub, const Request& r) { hub.machine_files().replace(r); }},
   };
   return handlers;

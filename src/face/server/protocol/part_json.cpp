@@ -11,7 +11,7 @@ namespace {
 using Told = output::StockFacts::Told;
 using Thread = output::StockFacts::Thread;
 
-Json place_json(stock::Vec3 place) { return {place.x, place.y, place.z}; }
+Json vector_json(stock::Vec3 place) { return {place.x, place.y, place.z}; }
 
 Json level_json(const job::PartLevel& level) {
   if (!level.grid) return nullptr;
@@ -24,7 +24,7 @@ Json finding_json(const Told& told, const base::SourceSet& sources) {
   json["time_s"] = told.finding.time_s;
   json["tool"] = told.finding.tool;
   json["motion"] = told.finding.motion;
-  json["at"] = place_json(told.finding.at);
+  json["at"] = vector_json(told.finding.at);
   json["depth_mm"] = told.finding.depth_mm;
   json["volume_mm3"] = told.finding.volume_mm3;
   json["count"] = told.finding.count;
@@ -41,9 +41,9 @@ void take_cutting(const job::Cutting& cutting, Json& json) {
   json["run"] = cutting.run();
   json["model"] = cutting.model();
   json["reason"] = output::printable(cutting.reason());
-  json["stock"] = {{"origin", place_json(cutting.origin())},
-                   {"low", place_json(cutting.box().low)},
-                   {"high", place_json(cutting.box().high)}};
+  json["stock"] = {{"origin", vector_json(cutting.origin())},
+                   {"low", vector_json(cutting.box().low)},
+                   {"high", vector_json(cutting.box().high)}};
   json["cell_mm"] = cutting.levels().front().cell_mm;
   json["levels"] = Json::array();
   for (const job::PartLevel& level : cutting.levels()) json["levels"].push_back(level_json(level));
@@ -83,6 +83,20 @@ Json sight_json(const job::PartLook& look) {
   for (const job::PartOwner& owner : look.owners)
     rows.push_back({owner.file, owner.line, owner.tool});
   json["owners"] = {{"from", look.first_owner}, {"rows", std::move(rows)}};
+  return json;
+}
+
+Json place_json(const std::optional<job::PartAnswer>& answer) {
+  if (!answer) return {{"at", nullptr}, {"owner", nullptr}};
+  Json json = {{"at", vector_json(answer->place.at)},
+               {"owner", nullptr},
+               {"energy_j_mm2", answer->place.energy_j_mm2}};
+  if (answer->owner.line > 0) {
+    json["owner"] = {{"file", answer->owner.file},
+                     {"line", answer->owner.line},
+                     {"tool", answer->owner.tool},
+                     {"motion", answer->place.motion}};
+  }
   return json;
 }
 

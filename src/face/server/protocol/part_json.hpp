@@ -15,4 +15,7 @@ inline constexpr std::size_t kMostPartFindings = 1000;
 /// What one who looks is told besides.
 [[nodiscard]] Json sight_json(const job::PartLook& look);
 
+/// The answer of `stock_probe`.
+[[nodiscard]] Json place_json(const std::optional<job::PartAnswer>& answer);
+
 }  // namespace kerf::server

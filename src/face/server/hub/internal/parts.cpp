@@ -179,4 +179,20 @@ void Parts::stock_at(const Request& request) {
   client.wake();
 }
 
+void Parts::stock_probe(const Request& request) {
+  const PartView& view = request.client->part();
+  const auto cutting = view.part() ? view.part()->live.cutting() : nullptr;
+  if (!cutting) return request.reply.no("stock_probe: nothing is shown; `stock` shows it");
+  const Arguments arguments = request.arguments();
+  const stock::Vec3 at{arguments.number("x"), arguments.number("y"), arguments.number("z")};
+  around_.looks.post({.work =
+                          [this, reply = request.reply, cutting, wish = view.wish(), at] {
+                            around_.answers.answer(reply, guarded([&]() -> Outcome<Json> {
+                              return place_json(job::answer_at(*cutting, wish, at));
+                            }));
+                          },
+                      .unwanted = request.unwanted(),
+                      .owner = view.part().get()});
+}
+
 }  // namespace kerf::server

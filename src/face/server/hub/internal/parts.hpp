@@ -39,6 +39,7 @@ class Parts {
 
   void stock(const Request& request);
   void stock_at(const Request& request);
+  void stock_probe(const Request& request);
 
   /// Has a look made for a client.
   [[nodiscard]] PartView::Look look_for(std::weak_ptr<Client> client);

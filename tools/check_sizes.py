@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Callable, Iterator, NamedTuple, Optional
 
 # A test tells its whole story in one place.
-FOLDERS = {"src": (5, 20), "tests": (8, 25), "tools": (7, 20), "web/src": (7, 21), "bench": (8, 25)}
+FOLDERS = {"src": (5, 20), "tests": (8, 25), "tools": (7, 20), "web/src": (6, 20), "bench": (8, 25)}
 MOST = 80
 MOST_OF_FILE = 450
 # What may be longer, with the reason.

@@ -157,7 +157,9 @@ output::StockFacts facts_of(StockResult& result) {
     facts.not_checked.push_back("G31: the stock is assumed, and no probe meets it");
   for (const stock::ToolRecord& did : result.tools) {
     const stock::CuttingTool& tool = result.rack->tool(did.tool);
-    facts.tools.push_back({did, std::string(tool.tool.type_name()), tool.diameter_mm(),
+    const double diameter_mm =
+        tool.tool.said(stock::Measure::diameter).value_or(tool.diameter_mm());
+    facts.tools.push_back({did, std::string(tool.tool.type_name()), diameter_mm,
                            std::string(word_of(tool.tool.source))});
     list_unchecked(tool, facts.not_checked);
     list_limits(result, tool, facts.not_checked);

@@ -267,8 +267,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
                  .detail = name_of(zero_.zero()) + " was changed: the stock stays",
                  .block = *zero_.moved()});
     }
-    if (cutter_->fed() && !cutter_->has_cut() && !plan_.end)
-      judge.add({.code = base::Code::stock_missed});
+    const bool is_whole = !plan_.end && status_ != machine::RunStatus::alarm;
+    if (is_whole && cutter_->fed() && !cutter_->has_cut()) judge.add({base::Code::stock_missed});
     if (cell_enlarged_) judge.add({.code = base::Code::cell_enlarged, .detail = *cell_enlarged_});
   }
 

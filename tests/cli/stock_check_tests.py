@@ -126,6 +126,26 @@ def turning(box):
     equal(box.json("r.json")["counts"], {"CUT_DEPTH": 1, "FEED_PER_TOOTH": 2}, "limits")
 
 
+@test("stock: under G96 a cut to the axis is as fast as it is where it is widest")
+def facing(box):
+    box.write("part.nc", "O1\nT0101\nG50S2500\nG96S180M03\nG00X64.Z0.\nG01X-1.6F.2\nG00X200.Z100.\nM30\n")
+    box.write("tools.toml", '[[tool]]\nnumber = 1\ntype = "turning"\ninsert = "CNMG120408"\ntip = 3\n'
+                            'limits = {vc = 180}\n')
+    status(box.kerf("stock", "part.nc", "--machine", "lathe2", "--tools", "tools.toml", "--stock", "bar:60,-80,1.5",
+                    "--report", "r.json"), 0)
+    near(box.json("r.json")["tools"][0]["max"]["vc_m_min"], 180, 1e-9, "speed")
+
+
+@test("stock: what a holder tears off is no chip of the tool")
+def torn(box):
+    tools = MILL + 'flute_length = 20\nstickout = 22\nholder = [ {height = 40, diameter = 40} ]\nlimits = {ap = 5}\n'
+    moves = "G00X35.Y20.Z5.\n" + "\n".join(f"G01Z-{z}.F300" for z in range(4, 25, 4))
+    report = cut(box, moves, stock="box:0,0,-30,70,40,0", tools=tools, wanted=1)
+    equal(found(report), [("HOLDER_COLLISION", 10)], "findings")
+    level = cut(box, moves.replace("G01Z-24.F300", ""), stock="box:0,0,-30,70,40,0", tools=tools)
+    equal(found(level), [], "above the holder")
+
+
 @test("stock: a tap wants a hole of its minor diameter, and the lead of its pitch")
 def tapping(box):
     tools = ('[[tool]]\nnumber = 1\ntype = "drill"\ndiameter = 6.8\n'
@@ -273,6 +293,24 @@ def early_alarm(box):
         report = box.json("r.json")
         equal((report["status"], report["findings"], report["removed_mm3"]), ("alarm", [], 0), machine)
         contains(" ".join(a["what"] for a in report["assumed"]), "before the first cut", "told")
+
+
+@test("stock: of a program that an alarm ends before it cuts nobody says that its stock stands wrong")
+def missed_before_alarm(box):
+    report = cut(box, "G00X10.Y20.Z5.\nG01Z2.F300\nG01X#9999999", wanted=1)
+    equal((report["status"], report["counts"], report["removed_mm3"]), ("alarm", {}, 0), "alarm")
+
+
+@test("stock: extents are those of what is cut with a tool, T0 too where it was changed to")
+def extents_of_tool_0(box):
+    for change in ("M06T0", ""):
+        box.write("part.nc", f"O1\n{change}\nS3000M03\nG90G54G00X0.Y0.Z5.\nG01Z-2.F300\nX60.\nM30\n")
+        status(box.kerf("stock", "part.nc", "--report", "r.json"), 0)
+        extents = box.json("r.json")["stock"]["extents"]
+        equal(extents, {"X": [-8, 68], "Y": [-8, 8], "Z": [-7, 0]}, change)
+    box.write("part.nc", "O1\nS3000M03\nG90G54G00X0.Y0.Z5.\nG01Z-9.F300\nZ5.\nM06T1\nZ-2.\nX60.\nM30\n")
+    status(box.kerf("stock", "part.nc", "--report", "r.json"), 0)
+    equal(box.json("r.json")["stock"]["extents"]["Z"], [-7, 0], "before the first change there is no tool")
 
 
 @test("stock: wrong words of checks are sentences")

@@ -6,20 +6,24 @@ usage: run_examples.py --kerf PATH [--update] [NAME ...]
 An example is a folder examples/NN_name/ with these files; each kind may also come in variants, with
 an ending _VARIANT before the point:
 
-  command        one line, as typed in the root of the repository: ./kerf run examples/...
-  expected.json  the stable part of the summary that --summary writes
+  command        one line, as typed in the root of the repository: ./kerf run examples/..., or
+                 ./kerf stock examples/...
+  expected.json  the stable part of the summary that --summary writes, of kerf stock of its --report
   picture.svg    what --plot wrote, where the command has it (or .png)
+  part.png       likewise of --picture
   pattern.svg    likewise of --pattern-plot
   printed.txt    what --dprnt wrote, where the command has it
   generate.py    writes the program of `command`, where a script made it
   README.md      quotes every command
 
-docs/command-line.md has a table of how long the plain commands take, which must be right too.
+docs/command-line.md has a table of how long the plain commands of kerf run take, which must be right
+too. Findings of the virtual part must be those that are expected, and make the exit status 1.
 
 --update rewrites expected files, pictures, printed texts and that table, but never accepts another ending: a
-new run must reach status end, and a run that used to end in an alarm must end in the same one. To
-expect an alarm, first write {"status": "alarm", "alarm": {"code": "PS0112"}} into
-expected_VARIANT.json.
+new run must reach status end without a finding, and a run that used to end in an alarm, or with
+findings, must end in the same one, with as many of the same. To expect an alarm or findings, first
+write {"status": "alarm", "alarm": {"code": "PS0112"}}, or {"status": "end", "counts":
+{"RAPID_IN_STOCK": 1}}, into expected_VARIANT.json.
 
 Exit status: 0 all well, 1 an example fails, 2 wrong usage.
 """
@@ -44,13 +48,25 @@ TIMES_HEAD = "| example | time s | without acceleration s | ratio |\n| --- | ---
 
 STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
           "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
-STABLE_IN_ALARM = ("code", "program", "line")
+# Where a part was cut, and of the report of kerf stock.
+STABLE_OF_PART = ("findings", "counts", "not_checked")
+STABLE_OF_REPORT = ("program", "status", "alarm", "time_s", "stock", "model", "removed_mm3",
+                    "left_mm3", "extents", "pieces", "tools", "threads", "sheet", "compare",
+                    "against", *STABLE_OF_PART)
+STABLE_WITHIN = {
+    "alarm": ("code", "program", "line"),
+    "findings": ("severity", "code", "line", "tool", "at", "depth_mm", "count"),
+    "model": ("kind", "cell_mm"),
+    "pieces": ("volume_mm3", "held"),
+    "tools": ("tool", "type", "diameter", "source", "cut_mm", "removed_mm3"),
+}
 RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
-SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt")
-PICTURES = {"--plot": "picture", "--pattern-plot": "pattern"}
-PICTURE_BYTES = (4_000, 250_000)
+SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt", ".stl", ".toml")
+PICTURES = {"--plot": "picture", "--picture": "part", "--pattern-plot": "pattern"}
+SUMMARIES = {"run": "--summary", "stock": "--report"}
+PICTURE_BYTES = (4_000, 450_000)
 PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
-EXIT_STATUS = {"end": 0, "alarm": 1}
+EXIT_STATUS = {"end": 0, "stopped": 0, "alarm": 1}
 SECONDS = 60
 
 
@@ -93,6 +109,10 @@ class Variant:
     def program(self) -> Path:
         return ROOT / self.words[2]
 
+    @property
+    def summary(self) -> str:
+        return self.option(SUMMARIES[self.words[1]])
+
     def picture(self, kind: str, suffix: str) -> Path:
         return self.folder / f"{kind}{self.ending}{suffix}"
 
@@ -105,12 +125,12 @@ class Variant:
         if text.count("\n") != 1 or not text.endswith("\n"):
             raise Failed(f"{self.command.name}: must be one line")
         self.words = shlex.split(text)
-        if self.words[:2] != ["./kerf", "run"]:
-            raise Failed(f"{self.command.name}: must begin with ./kerf run")
+        if self.words[0] != "./kerf" or self.words[1] not in SUMMARIES:
+            raise Failed(f"{self.command.name}: must begin with ./kerf run or ./kerf stock")
         if self.program.parent != self.folder or not self.program.is_file():
             raise Failed(f"{self.command.name}: {self.words[2]} is no program of this example")
-        if not self.option("--summary"):
-            raise Failed(f"{self.command.name}: needs --summary")
+        if not self.summary:
+            raise Failed(f"{self.command.name}: needs {SUMMARIES[self.words[1]]}")
         if text.strip() not in readme:
             raise Failed(f"README.md does not quote {self.command.name}")
 
@@ -124,15 +144,16 @@ def variants_of(folder: Path) -> list:
     found.sort(key=lambda variant: variant.ending)
     for variant in found:
         variant.read(readme.read_text())
-    if not found[0].option("--plot"):
-        raise Failed("command: needs --plot")
+    if not found[0].option("--plot") and not found[0].option("--picture"):
+        raise Failed("command: needs --plot or --picture")
     return found
 
 
 def check_no_orphans(folder: Path, variants: list) -> None:
-    """Programs, expectations and pictures that no command speaks of."""
+    """Programs, tools, expectations and pictures that no command speaks of."""
     known = {variant.program.name for variant in variants}
     for variant in variants:
+        known |= {Path(word).name for word in variant.words if (ROOT / word).parent == folder}
         known |= {variant.expected.name, variant.printed.name}
         known |= {variant.picture(kind, suffix).name
                   for kind in PICTURES.values() for suffix in PICTURE_HEADS}
@@ -155,7 +176,7 @@ def run(variant: Variant, kerf: Path, place: Path) -> Result:
     """Runs a command in `place`, a copy of the repository that holds only the examples."""
     done = subprocess.run([str(kerf), *variant.words[1:]], cwd=place, capture_output=True,
                           text=True, timeout=SECONDS)
-    summary = place / variant.option("--summary")
+    summary = place / variant.summary
     if not summary.is_file():
         raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary\n"
                      + done.stderr.rstrip())
@@ -170,15 +191,35 @@ def run(variant: Variant, kerf: Path, place: Path) -> Result:
 
 
 def stable(summary: dict) -> dict:
-    kept = {key: summary.get(key) for key in STABLE}
-    if kept["alarm"]:
-        kept["alarm"] = {key: kept["alarm"].get(key) for key in STABLE_IN_ALARM}
-    return kept
+    """What must be as expected, of a summary or of a report of kerf stock."""
+    if "stock" in summary:
+        kept = {key: summary[key] for key in STABLE_OF_REPORT if key in summary}
+    else:
+        kept = {key: summary.get(key) for key in STABLE}
+        kept |= {key: summary[key] for key in STABLE_OF_PART if key in summary}
+    return {key: stable_within(key, value) for key, value in kept.items()}
+
+
+def stable_within(key: str, value):
+    if isinstance(value, list):
+        return [stable_within(key, one) for one in value]
+    if key not in STABLE_WITHIN or not isinstance(value, dict):
+        return value
+    return {name: value.get(name) for name in STABLE_WITHIN[key]}
 
 
 def ending(summary: dict) -> str:
     alarm = summary.get("alarm")
-    return summary["status"] + (f" {alarm['code']}" if alarm else "")
+    found = [f"{count} {code}" for code, count in (summary.get("counts") or {}).items()]
+    return (summary["status"] + (f" {alarm['code']}" if alarm else "")
+            + (" with " + ", ".join(found) if found else ""))
+
+
+def wanted_exit_status(variant: Variant, summary: dict) -> int:
+    fails_on = variant.option("--fail-on") or "warning"
+    severities = [finding["severity"] for finding in summary.get("findings") or []]
+    fails = fails_on != "never" and (fails_on == "warning" and severities or "error" in severities)
+    return 1 if fails else EXIT_STATUS.get(summary["status"])
 
 
 def differences(expected, actual, path: str = "") -> list:
@@ -209,7 +250,7 @@ def check_ending(variant: Variant, result: Result) -> None:
     if ending(result.summary) != ending(before):
         raise Failed(f"{variant.command.name}: must reach {ending(before)}, "
                      f"reached {ending(result.summary)}\n" + result.errors.rstrip())
-    if result.exit_status != EXIT_STATUS.get(result.summary["status"]):
+    if result.exit_status != wanted_exit_status(variant, result.summary):
         raise Failed(f"{variant.command.name}: exit status {result.exit_status} "
                      f"with status {result.summary['status']}")
 
@@ -238,10 +279,19 @@ def compare(variant: Variant, result: Result) -> None:
         if result.printed.read_text() != before:
             found.append(f"{variant.printed.name}: expected\n{before}got\n"
                          + result.printed.read_text().rstrip())
-    found += [f"{picture.name} is missing; --update writes it"
-              for picture in result.pictures if not picture.is_file()]
+    found += [f"{picture.name} is {state}; --update writes it"
+              for picture, drawn in result.pictures.items()
+              if (state := state_of_picture(picture, drawn))]
     if found:
         raise Failed(f"{variant.command.name}: " + "\n".join(found))
+
+
+def state_of_picture(picture: Path, drawn: Path) -> str:
+    """"" if it may stay. Pixels are those of one processor, lines and letters are not."""
+    if not picture.is_file():
+        return "missing"
+    is_lines = picture.suffix == ".svg" and b"data:image/png" not in drawn.read_bytes()
+    return "old" if is_lines and picture.read_bytes() != drawn.read_bytes() else ""
 
 
 def update(variant: Variant, result: Result) -> None:
@@ -327,7 +377,8 @@ def main() -> int:
                 summaries = try_example(folder, options.kerf.resolve(), place, options.update)
                 count = len(summaries)
                 commands += count
-                times.append(times_row(folder.name, summaries[0]))
+                if "time_feed_s" in summaries[0]:
+                    times.append(times_row(folder.name, summaries[0]))
                 print(f"ok   {folder.name}: {count} run{'s' if count > 1 else ''}")
             except (Failed, subprocess.TimeoutExpired) as problem:
                 failures += 1

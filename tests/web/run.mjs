@@ -36,6 +36,7 @@ import { link } from './scenarios/link.mjs';
 import { cells } from './scenarios/cells.mjs';
 import { keys } from './scenarios/keys.mjs';
 import { marks } from './scenarios/marks.mjs';
+import { setup } from './scenarios/setup.mjs';
 import { training } from './scenarios/training.mjs';
 
 const ALL = [
@@ -51,6 +52,7 @@ const ALL = [
   ...link,
   ...files,
   ...patterns,
+  ...setup,
   ...part_scenarios.map((scenario) => ({ ...scenario, needs_part: true })),
   ...phone,
   ...training,

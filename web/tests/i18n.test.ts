@@ -11,6 +11,8 @@ import { refusal_words } from '../src/logic/i18n/refusals';
 import { REFUSALS_ZH_HANT } from '../src/logic/i18n/refusals_zh_hant';
 import { en } from '../src/logic/i18n/en';
 import { en_guide } from '../src/logic/i18n/en_guide';
+import { en_setup } from '../src/logic/i18n/en_setup';
+import { en_stock } from '../src/logic/i18n/en_stock';
 import { en_trust } from '../src/logic/i18n/en_trust';
 import { alarm_words } from '../src/logic/i18n/alarms';
 import { MODES } from '../src/logic/protocol';
@@ -32,7 +34,9 @@ describe.each(Object.entries(TABLES))('the table %s', (_, table) => {
 });
 
 it('no text stands in two tables', () => {
-  const tables = [en, en_guide, en_trust].flatMap((table) => Object.keys(table));
+  const tables = [en, en_guide, en_setup, en_stock, en_trust].flatMap((table) =>
+    Object.keys(table),
+  );
   expect(tables.filter((key, i) => tables.indexOf(key) !== i)).toEqual([]);
 });
 
@@ -62,7 +66,7 @@ describe('texts', () => {
     // A key may be put together: `mode.${mode}`.
     const heads = [
       ...sources.matchAll(
-        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of)-)?)\$\{/g,
+        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of|limit|lengths|fail-on|material)-)?)\$\{/g,
       ),
     ].map((match) => match[1]);
     const unused = keys.filter(

@@ -4,6 +4,7 @@ import {
   is_bad,
   read_setup,
   type Setup,
+  with_coordinate,
   with_key,
   written_setup,
 } from '../src/logic/stock/setup';
@@ -27,6 +28,7 @@ const TOML = `
 shape = "box:0,0,-20,100,60,0"
 zero = "G55"
 place = "0,0,5"
+unit = "inch"
 
 [[fixture]]
 shape = "box:-10,0,-20,0,60,5"
@@ -34,15 +36,19 @@ name = "left jaw"
 colour = "red"
 
 [material]
-name = "N"
+group = "N"
 energy_j_mm3 = 12.5
 
 [checks]
 touch_mm = 0.02
-off = ["STOCK_MISSED"]
+no_check = ["STOCK_MISSED"]
+fail_on = "error"
+lengths = "real"
 
 [design]
 file = "part.stl"
+place = [10, 0, 0, 0, 0, 90]
+tolerance = 0.1
 
 [[tool]]
 number = 5
@@ -62,10 +68,17 @@ describe('a set-up', () => {
     expect(read(TOML)).toMatchObject({
       stock: 'box:0,0,-20,100,60,0',
       zero: 'G55',
-      place: '0,0,5',
-      fixtures: [{ name: 'left jaw', shape: 'box:-10,0,-20,0,60,5' }],
-      material: 'N',
-      no_check: ['STOCK_MISSED'],
+      place: [0, 0, 5],
+      stock_unit: 'inch',
+      fixtures: [{ name: 'left jaw', shape: 'box:-10,0,-20,0,60,5', unit: '' }],
+      material: { group: 'N', kc11: null, mc: null, energy_j_mm3: 12.5 },
+      checks: {
+        touch_mm: 0.02,
+        no_check: ['STOCK_MISSED'],
+        fail_on: 'error',
+        lengths: 'real',
+      },
+      design: { file: 'part.stl', unit: '', place: [10, 0, 0, 0, 0, 90], tolerance: 0.1 },
       tools: [{ number: 5, type: 'bull', diameter: 12 }],
       holders: [{ name: 'ER32' }],
     });
@@ -75,8 +88,8 @@ describe('a set-up', () => {
     const again = read(written_setup({ ...read(TOML), stock: 'extents:2' }));
     expect(again.stock).toBe('extents:2');
     expect(again.whole).toMatchObject({
-      material: { name: 'N', energy_j_mm3: 12.5 },
-      checks: { touch_mm: 0.02, off: ['STOCK_MISSED'] },
+      material: { group: 'N', energy_j_mm3: 12.5 },
+      checks: { touch_mm: 0.02, no_check: ['STOCK_MISSED'] },
       design: { file: 'part.stl' },
       fixture: [{ colour: 'red' }],
       tool: [{ limits: { fz: 0.12 } }],
@@ -105,9 +118,36 @@ describe('a set-up', () => {
 
   it('of nonsense is read without a stumble', () => {
     const setup = read(
-      'stock = 3\nfixture = "x"\ntool = [{type = "flat"}, 5]\nchecks = {off = 7}\n',
+      'stock = 3\nfixture = "x"\ntool = [{type = "flat"}, 5]\nchecks = {no_check = 7, fail_on = "x"}\n' +
+        'design = {place = ["a"], tolerance = "wide"}\nmaterial = []\n',
     );
-    expect(setup).toMatchObject({ stock: '', fixtures: [], tools: [], no_check: [] });
+    expect(setup).toEqual({ ...EMPTY_SETUP, whole: setup.whole });
+  });
+
+  it('keeps what its forms could not read until they change it', () => {
+    const setup = read('[stock]\nplace = ["a"]\n[checks]\ntouch_mm = "wide"\nsplendid = 1\n');
+    const again = read(written_setup({ ...setup, stock: 'extents:1' }));
+    expect(again.whole).toEqual({
+      stock: { place: ['a'], shape: 'extents:1' },
+      checks: { touch_mm: 'wide', splendid: 1 },
+    });
+    const changed = { ...setup, checks: { ...setup.checks, touch_mm: 0.05 } };
+    expect(read(written_setup(changed)).whole.checks).toEqual({ touch_mm: 0.05, splendid: 1 });
+  });
+
+  it('writes places as lists, as short as they can be', () => {
+    expect(with_coordinate([], 2, 5)).toEqual([0, 0, 5]);
+    expect(with_coordinate([0, 0, 5], 5, 90)).toEqual([0, 0, 5, 0, 0, 90]);
+    expect(with_coordinate([0, 0, 5, 0, 0, 90], 5, null)).toEqual([0, 0, 5]);
+    expect(with_coordinate([0, 0, 5], 2, 0)).toEqual([]);
+    const text = written_setup({ ...EMPTY_SETUP, place: [0, 0, 5], stock: 'extents:5' });
+    expect(text).toMatch(/place = \[\s*0,\s*0,\s*5\s*\]/);
+  });
+
+  it('has own numbers of a material instead of a group', () => {
+    const own = { group: '', kc11: 850, mc: 0.24, energy_j_mm3: null };
+    const again = read(written_setup({ ...read(TOML), material: own }));
+    expect(again.whole.material).toEqual({ kc11: 850, mc: 0.24 });
   });
 });
 

@@ -73,7 +73,6 @@ Shape around(const machine::StockAround& word, const SurveyedTools& tools,
 
 SurveyedTools::SurveyedTools(const stock::Survey& survey, stock::ToolRack& rack, Vec3 origin) {
   for (const auto& [number, cut] : survey.tools()) {
-    if (number == 0 && survey.changes_tool()) continue;  // before the first tool change
     const stock::CuttingTool& tool = rack.tool(number);
     const double r = tool.diameter_mm() / 2;
     const Bounds widened{cut.low - origin - Vec3{r, r, 0}, cut.high - origin + Vec3{r, r, 0}};

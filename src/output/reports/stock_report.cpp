@@ -216,11 +216,11 @@ constexpr std::size_t kToldPieces = 5;
 
 std::string tool_line(const StockFacts::Tool& tool) {
   const bool assumed = tool.source == "assumed" || tool.source == "offset";
+  const std::string size = tool.diameter > 0 ? fmt::format(" D{:.4g}", tool.diameter) : "";
   return fmt::format(
-      "  T{} {} D{}{}: cuts {:.1f} mm in {:.1f} s, in air {:.1f} mm, removes {:.1f} mm³\n",
-      tool.did.tool, tool.type, number_text(tidy(tool.diameter)),
-      assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm, tool.did.cut_s, tool.did.air_mm,
-      tool.did.removed_mm3);
+      "  T{} {}{}{}: cuts {:.1f} mm in {:.1f} s, in air {:.1f} mm, removes {:.1f} mm³\n",
+      tool.did.tool, tool.type, size, assumed ? " (" + tool.source + ")" : "", tool.did.cut_mm,
+      tool.did.cut_s, tool.did.air_mm, tool.did.removed_mm3);
 }
 
 std::string sheet_lines(const StockFacts::Sheet& sheet) {
@@ -258,7 +258,7 @@ std::string finding_lines(const StockFacts& facts, const base::SourceSet& source
 std::string stock_report_text(const StockFacts& facts, const base::SourceSet& sources) {
   std::string text = summary_text(facts.run);
   const std::string cell =
-      facts.model.cell_mm.empty() ? "" : " of " + number_text(facts.model.cell_mm.front()) + " mm";
+      facts.model.cell_mm.empty() ? "" : fmt::format(" of {:.4g} mm", facts.model.cell_mm.front());
   text += fmt::format("  stock {} at {}, {:.1f} mm³; {}{} ({})\n", printable(facts.shape),
                       facts.zero, facts.stock_mm3, facts.model.kind, cell, facts.model.reason);
   text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);

@@ -180,8 +180,11 @@ Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint&
   const motion::Feed* const feed = feed_of(motion);
   of.has_feed = feed != nullptr;
   if (of.has_feed) of.feed = *feed;
-  if (of.spindle != Turning::stopped) of.rpm = motion::rpm_at(spindles_.told(spindle), to);
+  // Where the tip is widest the speed of the surface is highest, and a turn is slowest.
   of.radius_mm = std::max(std::fabs(from.x), std::fabs(of.cut.to.x));
+  const bool begins_wide = of.is_turned && std::fabs(from.x) > std::fabs(of.cut.to.x);
+  if (of.spindle != Turning::stopped)
+    of.rpm = motion::rpm_at(spindles_.told(spindle), begins_wide ? at_ : to);
   of.is_facing = std::fabs(of.cut.to.x - from.x) > std::fabs(of.cut.to.z - from.z);
   return of;
 }
@@ -369,7 +372,8 @@ void Cutter::settle(Waiting& of, const Outcome& outcome) {
                      tool, outcome);
     record(of, outcome);
     of.cut.removed_mm3 = outcome.removed.value();
-    if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3)
+    of.cut.cuts = of.cut.removed_mm3 > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
+    if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3 && !outcome.has_contact())
       of.cut.data = data_of(of, outcome);
   }
   if (settings_.cuts != nullptr) settings_.cuts->take(of.cut);

@@ -30,7 +30,7 @@ void take_most(const TimedCut& timed, ToolMost& most) {
 void LimitChecks::take(const TimedCut& timed) {
   const MotionCut& cut = timed.cut;
   if (cut.has_findings) findings_.set_time(cut.block, cut.motion, timed.end_s);
-  if (cut.move == MoveName::rapid || !(cut.removed_mm3 > kDust_mm3)) return;
+  if (cut.move == MoveName::rapid || !cut.cuts) return;
   const auto record = std::find_if(records_.begin(), records_.end(),
                                    [&](const ToolRecord& one) { return one.tool == cut.tool; });
   if (record == records_.end()) return;

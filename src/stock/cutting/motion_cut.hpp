@@ -24,10 +24,11 @@ struct MotionCut {
   MoveName move{};
   bool is_looked_at = false;  ///< the stock saw it: there was a tool, and the axes were placed
   bool has_findings = false;
+  bool cuts = false;  ///< removes something, or makes a thread
   double length_mm = 0;
   double removed_mm3 = 0;
-  Vec3 to{};  ///< where the tip ends
-  CuttingData data{};
+  Vec3 to{};           ///< where the tip ends
+  CuttingData data{};  ///< where nothing but the edges met the stock
 };
 
 /// A motion with its time, s of the run.

@@ -29,6 +29,7 @@ bool is_axial(const motion::Motion& motion, Vec3 way) {
 
 void Survey::take(const motion::Motion& motion) {
   if (const auto* const change = std::get_if<motion::ToolChange>(&motion.action)) {
+    if (!changes_tool_) tools_.clear();  // without a tool nothing is cut
     changes_tool_ = true;
     tool_ = change->tool;
     return;

@@ -30,7 +30,8 @@ class Survey final : public motion::MotionSink {
 
   void take(const motion::Motion& motion) override;
 
-  /// By tool number; 0: before the first tool change.
+  /// By tool number. Before the first tool change there is none, but where there is no change at
+  /// all: then it is 0.
   [[nodiscard]] const std::map<std::uint32_t, Extents>& tools() const { return tools_; }
   [[nodiscard]] bool changes_tool() const { return changes_tool_; }
   /// There was a move at feed.

@@ -197,9 +197,8 @@ Crossing HeightSamples::wall(const Line& line) const {
   const double middle = (along[index(edge)] + along[index(edge + 1)]) / 2;
   const double outwards = line.from_inside ? 1 : -1;
   const Place next = moved(line.from, line.axis, 1);
-  // Who took the material away beside it, whatever is left there.
-  const std::uint32_t beside = owner(line.from_inside ? next : line.from);
-  const std::uint32_t by = beside != 0 ? beside : owner(line.from_inside ? line.from : next);
+  // Who took the material away beside it, whatever is left there: nobody, if there was never any.
+  const std::uint32_t by = owner(line.from_inside ? next : line.from);
   Vec3 straight = line.axis == 0 ? Vec3{outwards, 0, 0} : Vec3{0, outwards, 0};
   if (is_border(line)) {
     const Bounds& box = columns_.grid().box;

@@ -40,4 +40,8 @@ void Outcome::add(const Outcome& other) {
   visited += other.visited;
 }
 
+bool Outcome::has_contact() const {
+  return std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.is_one(); });
+}
+
 }  // namespace kerf::stock

@@ -67,6 +67,8 @@ struct Outcome {
   std::uint64_t visited = 0;  ///< columns or dexels that were compared
 
   void add(const Outcome& other);
+  /// Something was met that should not have been.
+  [[nodiscard]] bool has_contact() const;
 };
 
 }  // namespace kerf::stock

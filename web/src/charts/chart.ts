@@ -71,8 +71,12 @@ export class Chart {
     }
     this.form = form;
     this.plot?.destroy();
-    const { series, axes, scales } = look();
-    const options: uPlot.Options = {
+    this.plot = new uPlot(this.options(look()), data as uPlot.AlignedData, this.host);
+    this.plot.over.append(this.readout);
+  }
+
+  private options({ series, axes, scales }: Look): uPlot.Options {
+    return {
       ...this.size(),
       series,
       axes,
@@ -80,15 +84,17 @@ export class Chart {
       legend: { show: false },
       padding: [8, 10, 0, 0],
       cursor: { y: false, drag: { x: true, y: false, setScale: false } },
-      hooks: {
-        draw: [(plot) => this.mark_lines(plot), (plot) => this.draw_cursor(plot)],
-        setCursor: [(plot) => this.read_out(plot)],
-        ready: [(plot) => this.listen(plot)],
-        setSelect: [(plot) => this.select(plot)],
-      },
+      hooks: this.hooks(),
     };
-    this.plot = new uPlot(options, data as uPlot.AlignedData, this.host);
-    this.plot.over.append(this.readout);
+  }
+
+  private hooks(): uPlot.Hooks.Arrays {
+    return {
+      draw: [(plot) => this.mark_lines(plot), (plot) => this.draw_cursor(plot)],
+      setCursor: [(plot) => this.read_out(plot)],
+      ready: [(plot) => this.listen(plot)],
+      setSelect: [(plot) => this.select(plot)],
+    };
   }
 
   private lane(index: number, count: number): uPlot.Series {
@@ -143,16 +149,13 @@ export class Chart {
 
   private draw_cursor(plot: uPlot): void {
     const x = plot.valToPos(this.cursor_s, 'x', true);
-    const { left, top, width, height } = plot.bbox;
+    const { left, width } = plot.bbox;
     if (x < left || x > left + width) return;
     const pen = plot.ctx;
     pen.save();
     pen.strokeStyle = colours(this.host).hold;
     pen.lineWidth = 2 * devicePixelRatio;
-    pen.beginPath();
-    pen.moveTo(x, top);
-    pen.lineTo(x, top + height);
-    pen.stroke();
+    upright(plot, x);
     pen.restore();
   }
 
@@ -198,26 +201,36 @@ function colours(host: HTMLElement) {
 /** Where one NC line ends and the next begins, with their numbers, as far as they have room. */
 function mark_lines(plot: uPlot, waves: Waves, colour: string): void {
   const pen = plot.ctx;
-  const { left, top, width, height } = plot.bbox;
+  const { left, width } = plot.bbox;
   let free_from = left;
   pen.save();
+  dress(pen, colour);
+  for (const { from_s, line } of waves.lines) {
+    const x = plot.valToPos(from_s, 'x', true);
+    if (x < left || x > left + width) continue;
+    upright(plot, x);
+    if (x >= free_from) free_from = written(plot, String(line), x);
+  }
+  pen.restore();
+}
+
+function dress(pen: CanvasRenderingContext2D, colour: string): void {
   pen.fillStyle = colour;
   pen.strokeStyle = colour;
   pen.font = `${11 * devicePixelRatio}px "IBM Plex Mono", monospace`;
   pen.globalAlpha = 0.8;
-  for (const span of waves.lines) {
-    const x = plot.valToPos(span.from_s, 'x', true);
-    if (x < left || x > left + width) continue;
-    pen.setLineDash([3, 4]);
-    pen.beginPath();
-    pen.moveTo(x, top);
-    pen.lineTo(x, top + height);
-    pen.stroke();
-    if (x >= free_from) {
-      const text = String(span.line);
-      pen.fillText(text, x + 4, top + 11 * devicePixelRatio);
-      free_from = x + pen.measureText(text).width + 14;
-    }
-  }
-  pen.restore();
+  pen.setLineDash([3, 4]);
+}
+
+function upright({ ctx: pen, bbox }: uPlot, x: number): void {
+  pen.beginPath();
+  pen.moveTo(x, bbox.top);
+  pen.lineTo(x, bbox.top + bbox.height);
+  pen.stroke();
+}
+
+/** Beside a line; the next text has room from the returned place on. */
+function written({ ctx: pen, bbox }: uPlot, text: string, x: number): number {
+  pen.fillText(text, x + 4, bbox.top + 11 * devicePixelRatio);
+  return x + pen.measureText(text).width + 14;
 }

@@ -1,7 +1,7 @@
 /** Errors while typing: the machine's own check, with alarm text, cause and remedy on hover. */
 import { linter, lintGutter, type Diagnostic as Mark } from '@codemirror/lint';
 import { type Extension, StateEffect, type Text } from '@codemirror/state';
-import { type EditorView, tooltips } from '@codemirror/view';
+import { type EditorView, tooltips, type ViewUpdate } from '@codemirror/view';
 import { mark_range } from '../logic/mark_range';
 import { MOST_TEXT_BYTES } from '../logic/message_size';
 import type { Diagnostic } from '../logic/protocol';
@@ -21,22 +21,18 @@ export interface Checker {
 }
 
 export function checking(checker: Checker): Extension {
-  const source = linter(
-    async (view) => {
-      const { doc } = view.state;
-      const found = await checker.check(
-        doc.length <= MOST_TEXT_BYTES ? view.state.sliceDoc() : null,
-      );
-      return found.map((diagnostic) => mark(doc, diagnostic, checker));
-    },
-    {
-      delay: DELAY_MS,
-      needsRefresh: ({ transactions }) =>
-        transactions.some(({ effects }) => effects.some((effect) => effect.is(other_errors))),
-    },
-  );
+  const source = linter((view) => marks_of(view, checker), { delay: DELAY_MS, needsRefresh });
   return [source, lintGutter(), tooltips({ tooltipSpace: below_the_bars })];
 }
+
+async function marks_of({ state }: EditorView, checker: Checker): Promise<Mark[]> {
+  const { doc } = state;
+  const found = await checker.check(doc.length <= MOST_TEXT_BYTES ? state.sliceDoc() : null);
+  return found.map((diagnostic) => mark(doc, diagnostic, checker));
+}
+
+const needsRefresh = ({ transactions }: ViewUpdate): boolean =>
+  transactions.some(({ effects }) => effects.some((effect) => effect.is(other_errors)));
 
 /** A card stands in the text, below its line: the buttons above it and below it stay free. */
 function below_the_bars(view: EditorView) {
@@ -65,16 +61,19 @@ function card(diagnostic: Diagnostic, checker: Checker): HTMLElement {
   const words = checker.words(diagnostic);
   const element = document.createElement('div');
   element.className = 'cm-alarm-card';
-  const head = add(element, 'b', diagnostic.code);
-  const book = document.createElement('button');
-  book.type = 'button';
-  book.textContent = checker.manual_caption();
-  book.onclick = () => checker.open_manual(diagnostic);
-  head.append(' ', book);
+  add(element, 'b', diagnostic.code).append(' ', book(diagnostic, checker));
   add(element, 'p', words.message).className = 'message';
   if (words.cause) add(element, 'p', words.cause);
   if (words.remedy) add(element, 'p', `${checker.remedy_caption()} ${words.remedy}`);
   return element;
+}
+
+function book(diagnostic: Diagnostic, checker: Checker): HTMLButtonElement {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = checker.manual_caption();
+  button.onclick = () => checker.open_manual(diagnostic);
+  return button;
 }
 
 function add(parent: HTMLElement, tag: string, text: string): HTMLElement {

@@ -8,7 +8,7 @@ import {
   type Text,
   type Transaction,
 } from '@codemirror/state';
-import { Decoration, EditorView, GutterMarker, gutter } from '@codemirror/view';
+import { type BlockInfo, Decoration, EditorView, GutterMarker, gutter } from '@codemirror/view';
 import type { Breakpoint } from '../logic/protocol';
 
 export interface Marks {
@@ -116,23 +116,27 @@ export function marks_extension(wishes: GutterWishes): Extension {
       markers: (view) => dots(view.state.doc, view.state.field(marks)),
       lineMarkerChange: (update) => update.startState.field(marks) !== update.state.field(marks),
       initialSpacer: () => new Dot('', false, false),
-      domEventHandlers: {
-        mousedown(view, block, event) {
-          const line = view.state.doc.lineAt(block.from).number;
-          const mouse = event as MouseEvent;
-          if (mouse.button === 2 || mouse.shiftKey) wishes.condition(line);
-          else wishes.toggle(line);
-          mouse.preventDefault();
-          return true;
-        },
-        contextmenu(_view, _block, event) {
-          event.preventDefault();
-          return true;
-        },
-      },
+      domEventHandlers: { mousedown: pressed(wishes), contextmenu: prevented },
     }),
   ];
 }
+
+type GutterHandler = (view: EditorView, block: BlockInfo, event: Event) => boolean;
+
+const pressed =
+  (wishes: GutterWishes): GutterHandler =>
+  (view, block, event) => {
+    const line = view.state.doc.lineAt(block.from).number;
+    const mouse = event as MouseEvent;
+    if (mouse.button === 2 || mouse.shiftKey) wishes.condition(line);
+    else wishes.toggle(line);
+    return prevented(view, block, event);
+  };
+
+const prevented: GutterHandler = (_view, _block, event) => {
+  event.preventDefault();
+  return true;
+};
 
 export function show_marks(view: EditorView, value: Marks): void {
   const before = view.state.field(marks);

@@ -9,6 +9,7 @@ import {
 import { Compartment, EditorState, type Extension, Text } from '@codemirror/state';
 import {
   EditorView,
+  type ViewUpdate,
   drawSelection,
   highlightActiveLine,
   highlightActiveLineGutter,
@@ -29,6 +30,23 @@ export interface EditorWishes extends GutterWishes {
   /** A line was clicked or gone to with the keys. */
   chosen(line: number): void;
 }
+
+/** What every text has, whatever its language. */
+const OF_ANY_TEXT: Extension = [
+  history(),
+  drawSelection(),
+  highlightActiveLine(),
+  highlightActiveLineGutter(),
+  highlightSelectionMatches(),
+  search({ top: true }),
+  keymap.of(free_keys([...defaultKeymap, ...historyKeymap, ...searchKeymap])),
+];
+
+const attributes = (label: string): Record<string, string> => ({
+  'aria-label': label,
+  spellcheck: 'false',
+  tabindex: '0',
+});
 
 const EDITED_AFTER_MS = 120;
 const EDGE_PX = 44;
@@ -138,28 +156,20 @@ export class ProgramEditor {
     return [
       lineNumbers(),
       marks_extension(this.wishes),
-      history(),
-      drawSelection(),
-      highlightActiveLine(),
-      highlightActiveLineGutter(),
-      highlightSelectionMatches(),
-      search({ top: true }),
-      keymap.of(free_keys([...defaultKeymap, ...historyKeymap, ...searchKeymap])),
-      this.words.of(EditorState.phrases.of(this.phrases())),
+      OF_ANY_TEXT,
       colouring(language),
       checking(this.checker),
       theme,
+      this.words.of(EditorState.phrases.of(this.phrases())),
       this.read_only.of(EditorState.readOnly.of(this.is_read_only)),
-      EditorView.contentAttributes.of({
-        'aria-label': this.label(),
-        spellcheck: 'false',
-        tabindex: '0',
-      }),
-      EditorView.updateListener.of((update) => {
-        if (update.docChanged) this.tell_later();
-        if (update.selectionSet || update.docChanged) this.tell_cursor(update.docChanged);
-      }),
+      EditorView.contentAttributes.of(attributes(this.label())),
+      EditorView.updateListener.of((update) => this.follow_update(update)),
     ];
+  }
+
+  private follow_update({ docChanged, selectionSet }: ViewUpdate): void {
+    if (docChanged) this.tell_later();
+    if (selectionSet || docChanged) this.tell_cursor(docChanged);
   }
 
   private tell_later(): void {

@@ -54,13 +54,15 @@ export const scale_stops = (scheme: Scheme): Rgb[] => STOPS[scheme];
 
 /** Colour of `share`, 0 to 1, of a scale; beyond it the end's. */
 export function scale_colour(share: number, scheme: Scheme): Rgb {
-  const stops = STOPS[scheme];
+  return between_stops(STOPS[scheme], share);
+}
+
+/** Of colours that stand at equal distances from 0 to 1. */
+export function between_stops(stops: readonly Rgb[], share: number): Rgb {
   const place = Math.min(1, Math.max(0, share)) * (stops.length - 1);
   const below = Math.min(stops.length - 2, Math.floor(place));
-  const part = place - below;
-  return [0, 1, 2].map(
-    (i) => stops[below][i] + part * (stops[below + 1][i] - stops[below][i]),
-  ) as Rgb;
+  const [a, b] = [stops[below], stops[below + 1]];
+  return a.map((value, i) => value + (place - below) * (b[i] - value)) as Rgb;
 }
 
 /** Round numbers that a legend writes beside its scale, at most `count`, the ends among them. */

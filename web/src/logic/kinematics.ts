@@ -130,23 +130,30 @@ function arm_joints(k: Kinematics, tip: Point, rotary: Axes, before: Axes): Axes
   const fore = length_of(k, 'forearm');
   const r = Math.hypot(tip[0], tip[1]);
   if (r > upper + fore + 1e-6 || r < Math.abs(upper - fore) - 1e-6) return before;
-  const elbow_before = k.forearm_absolute
-    ? axis(before, 'T1') - axis(before, 'T2')
-    : axis(before, 'T1');
-  const sine = Math.sin(rad(elbow_before));
-  const is_minus = Math.abs(sine) < 1e-12 ? k.elbow === 'minus' : sine < 0;
-  const side = is_minus ? -1 : 1;
-  const sum = upper + fore;
-  const difference = upper - fore;
-  const opening = Math.sqrt(Math.max(0, (sum - r) * (sum + r)));
-  const closing = Math.sqrt(Math.max(0, (r - difference) * (r + difference)));
-  const elbow = 2 * Math.atan2(side * opening, closing);
+  const elbow = elbow_side(k, before) * elbow_angle(upper, fore, r);
   const shoulder =
     Math.atan2(tip[1], tip[0]) - Math.atan2(fore * Math.sin(elbow), upper + fore * Math.cos(elbow));
   const t2 = nearest_turn(deg(shoulder), axis(before, 'T2'), 360);
   const t1 = k.forearm_absolute ? deg(shoulder + elbow) : deg(elbow);
   const heading = axis(rotary, 'C') - deg(shoulder + elbow);
   return { T1: t1, T2: t2, T3: nearest_turn(heading, axis(before, 'T3'), 180), Z: tip[2] };
+}
+
+/** As it is bent; where the arm is straight, as the machine says. */
+function elbow_side(k: Kinematics, before: Axes): 1 | -1 {
+  const t1 = axis(before, 'T1');
+  const sine = Math.sin(rad(k.forearm_absolute ? t1 - axis(before, 'T2') : t1));
+  const is_minus = Math.abs(sine) < 1e-12 ? k.elbow === 'minus' : sine < 0;
+  return is_minus ? -1 : 1;
+}
+
+/** At which the wrist is so far from the shoulder; by halves, which stay exact where the arm is nearly straight. */
+function elbow_angle(upper: number, fore: number, r: number): number {
+  const sum = upper + fore;
+  const difference = upper - fore;
+  const opening = Math.sqrt(Math.max(0, (sum - r) * (sum + r)));
+  const closing = Math.sqrt(Math.max(0, (r - difference) * (r + difference)));
+  return 2 * Math.atan2(opening, closing);
 }
 
 const nearest_turn = (angle: number, to: number, turn: number): number =>

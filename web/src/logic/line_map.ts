@@ -58,26 +58,30 @@ function moved(hunks: Hunk[], line: number): number | null {
 
 /** From 0 on, in order. */
 export function hunks_of(a: readonly string[], b: readonly string[]): Hunk[] {
-  let head = 0;
-  while (head < a.length && head < b.length && a[head] === b[head]) head++;
-  let tail = 0;
-  while (
-    tail < a.length - head &&
-    tail < b.length - head &&
-    a[a.length - 1 - tail] === b[b.length - 1 - tail]
-  )
-    tail++;
+  const head = equal_from_start(a, b);
+  const tail = equal_from_end(a, b, head);
   const removed = a.length - head - tail;
   const added = b.length - head - tail;
   if (removed === 0 && added === 0) return [];
   const whole = { from: head, removed, to: head, added };
   if (removed === 0 || added === 0) return [whole];
-  const script = shortest_script(
-    a.slice(head, a.length - tail),
-    b.slice(head, b.length - tail),
-    MOST_CHANGES,
-  );
+  const between = (lines: readonly string[]) => lines.slice(head, lines.length - tail);
+  const script = shortest_script(between(a), between(b), MOST_CHANGES);
   return script?.map((h) => ({ ...h, from: h.from + head, to: h.to + head })) ?? [whole];
+}
+
+function equal_from_start(a: readonly string[], b: readonly string[]): number {
+  let head = 0;
+  while (head < a.length && head < b.length && a[head] === b[head]) head++;
+  return head;
+}
+
+/** But for those that are equal from the start. */
+function equal_from_end(a: readonly string[], b: readonly string[], head: number): number {
+  const most = Math.min(a.length, b.length) - head;
+  let tail = 0;
+  while (tail < most && a[a.length - 1 - tail] === b[b.length - 1 - tail]) tail++;
+  return tail;
 }
 
 /** Myers' O(ND) algorithm: the fewest lines removed and added. Null: more than `most`. */

@@ -77,23 +77,22 @@ export function plain_text(html: string): string {
 export function search_manual(pages: readonly ManualPage[], question: string): Passage[] {
   const words = question.toLowerCase().split(/\s+/).filter(Boolean);
   if (!words.length) return [];
-  const phrase = words.join(' ');
-  const found: { passage: Passage; rank: number }[] = [];
-  for (const page of pages) {
-    for (const part of parts_of(page)) {
-      const text = part.text.toLowerCase();
-      const heading = `${page.title} ${part.heading} ${part.anchor}`.toLowerCase();
-      if (!words.every((word) => text.includes(word) || heading.includes(word))) continue;
-      const in_heading = words.filter((word) => heading.includes(word)).length;
-      const excerpt = around(part.text, words);
-      found.push({
-        passage: { ...part, title: page.title, page: page.name, text: excerpt },
-        rank: in_heading + (text.includes(phrase) ? words.length : 0),
-      });
-    }
-  }
+  const found = pages.flatMap((page) =>
+    parts_of(page).flatMap((part) => ranked(page, part, words)),
+  );
   found.sort((a, b) => b.rank - a.rank);
   return found.slice(0, MOST_PASSAGES).map(({ passage }) => passage);
+}
+
+/** None where a word is missing. */
+function ranked({ title, name }: ManualPage, part: Part, words: readonly string[]) {
+  const text = part.text.toLowerCase();
+  const heading = `${title} ${part.heading} ${part.anchor}`.toLowerCase();
+  const in_heading = words.filter((word) => heading.includes(word));
+  if (!words.every((word) => text.includes(word) || in_heading.includes(word))) return [];
+  const passage: Passage = { ...part, title, page: name, text: around(part.text, words) };
+  const is_phrase = text.includes(words.join(' '));
+  return [{ passage, rank: in_heading.length + (is_phrase ? words.length : 0) }];
 }
 
 interface Part {

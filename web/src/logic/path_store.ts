@@ -90,20 +90,7 @@ export class PathStore {
     const chunk = this.chunks[index];
     const first = Math.max(1, last_not_above(chunk.motion, motion - 1) + 1);
     const last = Math.min(chunk.vertices - 1, last_not_above(chunk.motion, motion));
-    let best: PathPlace = {
-      chunk: index,
-      vertex: Math.min(first - 1, chunk.vertices - 1),
-      fraction: 0,
-    };
-    let nearest = Infinity;
-    for (let vertex = first; vertex <= last; vertex++) {
-      const { distance, fraction } = foot(chunk.xyz, 3 * (vertex - 1), tip);
-      if (distance < nearest) {
-        nearest = distance;
-        best = { chunk: index, vertex: vertex - 1, fraction };
-      }
-    }
-    return best;
+    return { chunk: index, ...nearest_place(chunk, first, last, tip) };
   }
 
   /** The last vertex that a motion and those before it have made; null: there is no path. */
@@ -116,19 +103,15 @@ export class PathStore {
 
   point_at(place: PathPlace): [number, number, number] {
     const { xyz, vertices } = this.chunks[place.chunk];
-    const a = 3 * place.vertex;
-    const b = 3 * Math.min(place.vertex + 1, vertices - 1);
-    const along = (i: number) => xyz[a + i] + place.fraction * (xyz[b + i] - xyz[a + i]);
-    return [along(0), along(1), along(2)];
+    const at = (i: number): number => value_at(xyz, 3, i, vertices, place);
+    return [at(0), at(1), at(2)];
   }
 
   rotary_at(place: PathPlace): [number, number] | null {
     const { rotary, vertices } = this.chunks[place.chunk];
     if (!rotary) return null;
-    const a = 2 * place.vertex;
-    const b = 2 * Math.min(place.vertex + 1, vertices - 1);
-    const along = (i: number) => rotary[a + i] + place.fraction * (rotary[b + i] - rotary[a + i]);
-    return [along(0), along(1)];
+    const at = (i: number): number => value_at(rotary, 2, i, vertices, place);
+    return [at(0), at(1)];
   }
 
   seconds_at(place: PathPlace): number {
@@ -172,14 +155,10 @@ export class PathStore {
     const facts = this.facts;
     const tools = new Set(facts.tools);
     for (let i = 1; i < chunk.vertices; i++) {
-      const is_cut = chunk.kind[i] === Kind.cut || chunk.kind[i] === Kind.thread;
-      if (!is_cut) continue;
-      const a = 3 * i;
-      grow(facts.cuts, chunk.xyz[a - 3], chunk.xyz[a - 2], chunk.xyz[a - 1]);
-      grow(facts.cuts, chunk.xyz[a], chunk.xyz[a + 1], chunk.xyz[a + 2]);
-      widen(facts.feed, chunk.feed_mm_min[i]);
-      widen(facts.speed, chunk.speed_mm_min[i]);
-      if (chunk.kind[i] === Kind.thread) facts.threads = true;
+      const { [i]: kind } = chunk.kind;
+      if (kind !== Kind.cut && kind !== Kind.thread) continue;
+      take_cut(facts, chunk, i);
+      if (kind === Kind.thread) facts.threads = true;
       else tools.add(chunk.tool[i]);
     }
     for (const block of this.blocks) if (block.chunk === chunk) join(facts.bounds, block.box);
@@ -188,6 +167,18 @@ export class PathStore {
     facts.end_s = chunk.time_base_s + (chunk.vertices ? chunk.time_s[chunk.vertices - 1] : 0);
     this.facts = { ...facts };
   }
+}
+
+/** Number i of the `width` that each vertex has, between a vertex and the next one. */
+function value_at(
+  values: Float32Array,
+  width: number,
+  i: number,
+  vertices: number,
+  { vertex, fraction }: PathPlace,
+): number {
+  const from = values[width * vertex + i];
+  return from + fraction * (values[width * Math.min(vertex + 1, vertices - 1) + i] - from);
 }
 
 function no_facts(): Facts {
@@ -203,9 +194,36 @@ function no_facts(): Facts {
   };
 }
 
+/** The segment that ends at a vertex. */
+function take_cut(facts: Facts, { xyz, feed_mm_min, speed_mm_min }: Chunk, vertex: number): void {
+  const a = 3 * vertex;
+  grow(facts.cuts, xyz[a - 3], xyz[a - 2], xyz[a - 1]);
+  grow(facts.cuts, xyz[a], xyz[a + 1], xyz[a + 2]);
+  widen(facts.feed, feed_mm_min[vertex]);
+  widen(facts.speed, speed_mm_min[vertex]);
+}
+
 function widen(range: [number, number], value: number): void {
   if (value < range[0]) range[0] = value;
   if (value > range[1]) range[1] = value;
+}
+
+/** Of the segments that end at vertices `first` to `last`; where there are none, the vertex before them. */
+function nearest_place(
+  { xyz, vertices }: Chunk,
+  first: number,
+  last: number,
+  tip: number[],
+): Omit<PathPlace, 'chunk'> {
+  let best = { vertex: Math.min(first - 1, vertices - 1), fraction: 0 };
+  let nearest = Infinity;
+  for (let vertex = first; vertex <= last; vertex++) {
+    const { distance, fraction } = foot(xyz, 3 * (vertex - 1), tip);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    best = { vertex: vertex - 1, fraction };
+  }
+  return best;
 }
 
 /** How far `tip` is from the segment that begins at `a`, and where its foot is: 0 to 1. */
@@ -220,9 +238,8 @@ function foot(xyz: Float32Array, a: number, tip: number[]): { distance: number; 
 
 function box_of(chunk: Chunk, first: number, last: number): Box {
   const box = empty_box();
-  for (let a = 3 * first; a <= 3 * last; a += 3) {
+  for (let a = 3 * first; a <= 3 * last; a += 3)
     grow(box, chunk.xyz[a], chunk.xyz[a + 1], chunk.xyz[a + 2]);
-  }
   return box;
 }
 

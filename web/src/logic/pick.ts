@@ -84,18 +84,15 @@ function point_to_segment(aim: Aim, a: Spot, b: Spot): { distance: number; depth
 }
 
 function may_touch(box: Box, aim: Aim): boolean {
-  let left = Infinity;
-  let right = -Infinity;
-  let top = Infinity;
-  let bottom = -Infinity;
-  for (let corner = 0; corner < 8; corner++) {
-    const point = [0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max[i] : box.min[i]));
-    const [x, y] = to_screen(point, 0, aim);
-    left = Math.min(left, x);
-    right = Math.max(right, x);
-    top = Math.min(top, y);
-    bottom = Math.max(bottom, y);
-  }
-  const r = aim.reach_px;
-  return aim.x >= left - r && aim.x <= right + r && aim.y >= top - r && aim.y <= bottom + r;
+  const spots = corners_of(box).map((corner) => to_screen(corner, 0, aim));
+  const reaches = (i: 0 | 1, at: number): boolean =>
+    at >= Math.min(...spots.map((spot) => spot[i])) - aim.reach_px &&
+    at <= Math.max(...spots.map((spot) => spot[i])) + aim.reach_px;
+  return reaches(0, aim.x) && reaches(1, aim.y);
+}
+
+function corners_of({ min, max }: Box): number[][] {
+  return Array.from({ length: 8 }, (_, corner) =>
+    [0, 1, 2].map((i) => ((corner >> i) & 1 ? max[i] : min[i])),
+  );
 }

@@ -61,9 +61,11 @@ export function problem_beside(
   if (!placed.length) return null;
   const ordered = way > 0 ? placed : [...placed].reverse();
   const here = ordered.filter((one) => one.file === file);
-  const beside = here.find((one) => way * (one.line - line) > 0);
-  if (beside) return beside;
-  // Behind the last one of this file comes the first of the next file.
+  return here.find((one) => way * (one.line - line) > 0) ?? behind(here, ordered);
+}
+
+/** Behind the last one of a file comes the first of the next file. */
+function behind(here: readonly Problem[], ordered: readonly Problem[]): Problem {
   const last = here.length ? ordered.indexOf(here[here.length - 1]) : -1;
   return ordered[(last + 1) % ordered.length];
 }
@@ -89,21 +91,8 @@ function put(list: Problem[], problem: Problem): void {
   } else list.push(problem);
 }
 
-function of_text(found: Diagnostic, file: string): Problem {
-  const { severity, code, message, line, column, cause, remedy } = found;
-  return {
-    source: 'text',
-    severity,
-    code,
-    message,
-    file,
-    line,
-    column,
-    cause,
-    remedy,
-    stops: false,
-  };
-}
+const of_text = (found: Diagnostic, file: string): Problem =>
+  of_alarm({ ...found, file }, 'text', false);
 
 function of_alarm(alarm: Alarm, source: ProblemSource, stops: boolean): Problem {
   const { severity = 'error', code, message, file, line, column, cause, remedy } = alarm;

@@ -5,8 +5,6 @@ const OF_THE_FRAME = new Set(['event', 'machine']);
 
 export function patched(state: MachineState, event: Record<string, unknown>): MachineState {
   const next: Record<string, unknown> = { ...state };
-  for (const key of Object.keys(event)) {
-    if (!OF_THE_FRAME.has(key)) next[key] = event[key];
-  }
+  for (const key of Object.keys(event)) if (!OF_THE_FRAME.has(key)) next[key] = event[key];
   return next as unknown as MachineState;
 }

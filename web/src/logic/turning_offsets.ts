@@ -70,29 +70,31 @@ const CORNER_DEG = { across: 80, along: 55 };
  * directions 0 and 9, whose tip is the centre of the nose, a round one.
  */
 export function insert_shape({ tip, radius_mm }: Nose, edge_mm: number): InsertShape {
-  const [z, x] = tip_way(tip);
+  const way = tip_way(tip);
+  const [z, x] = way;
   const centre: Flat = [-z * radius_mm || 0, -x * radius_mm || 0];
   if (z === 0 && x === 0) {
-    const radius = radius_mm || edge_mm / 2;
-    return { outline: circle(centre, radius, 0, 2 * Math.PI), centre, radius_mm, inwards: [0, 1] };
+    const outline = circle(centre, radius_mm || edge_mm / 2, 0, 2 * Math.PI);
+    return { outline, centre, radius_mm, inwards: [0, 1] };
   }
   const inwards: Flat = [-z / Math.hypot(z, x) || 0, -x / Math.hypot(z, x) || 0];
-  const half = ((z !== 0 && x !== 0 ? CORNER_DEG.across : CORNER_DEG.along) * Math.PI) / 360;
   const heading = Math.atan2(inwards[1], inwards[0]);
-  // The nose goes from the one edge round the corner to the other.
-  const nose = circle(centre, radius_mm, heading + half + Math.PI / 2, Math.PI - 2 * half);
-  const far = (from: Flat, angle: number): Flat => [
-    from[0] + edge_mm * Math.cos(angle),
-    from[1] + edge_mm * Math.sin(angle),
+  const outline = rhomb(centre, radius_mm, heading, half_corner(way), edge_mm);
+  return { outline, centre, radius_mm, inwards };
+}
+
+const half_corner = ([z, x]: readonly [number, number]): number =>
+  ((z !== 0 && x !== 0 ? CORNER_DEG.across : CORNER_DEG.along) * Math.PI) / 360;
+
+/** The nose goes from the one edge round the corner to the other. */
+function rhomb(centre: Flat, radius: number, heading: number, half: number, edge: number): Flat[] {
+  const nose = circle(centre, radius, heading + half + Math.PI / 2, Math.PI - 2 * half);
+  const far = ([z, x]: Flat, angle: number): Flat => [
+    z + edge * Math.cos(angle),
+    x + edge * Math.sin(angle),
   ];
   const right = far(nose[nose.length - 1], heading - half);
-  const left = far(nose[0], heading + half);
-  return {
-    outline: [...nose, right, far(right, heading + half), left],
-    centre,
-    radius_mm,
-    inwards,
-  };
+  return [...nose, right, far(right, heading + half), far(nose[0], heading + half)];
 }
 
 function circle(centre: Flat, radius: number, from: number, angle: number): Flat[] {

@@ -41,19 +41,17 @@ export function waves(
   to_s: number,
   columns: number,
 ): Waves {
-  const names = Object.keys(axes);
-  const time_s = Float64Array.from(
-    { length: columns + 1 },
-    (_, i) => from_s + ((to_s - from_s) * i) / columns,
-  );
-  const signed = names.map((name) => rates(axes[name], from_s, to_s, columns));
-  const lanes = names.map((name, i) => ({
-    name,
-    steps: steps_of(axes[name]),
-    peak_hz: Math.max(0, ...signed[i].map(Math.abs)),
-  }));
-  const curves = signed.map((rate, i) => in_lane(rate, lanes[i].peak_hz, names.length - 1 - i));
+  const time = (_: unknown, i: number): number => from_s + ((to_s - from_s) * i) / columns;
+  const time_s = Float64Array.from({ length: columns + 1 }, time);
+  const named = Object.entries(axes);
+  const signed = named.map(([, edges]) => rates(edges, from_s, to_s, columns));
+  const lanes = named.map(([name, edges], i) => lane_of(name, edges, signed[i]));
+  const curves = signed.map((rate, i) => in_lane(rate, lanes[i].peak_hz, named.length - 1 - i));
   return { time_s, curves, lanes, lines };
+}
+
+function lane_of(name: string, edges: Edges, rate: Float64Array): Lane {
+  return { name, steps: steps_of(edges), peak_hz: Math.max(0, ...rate.map(Math.abs)) };
 }
 
 /** Steps a second in each column, negative backwards; one value more than columns, the last repeated. */

@@ -15,11 +15,15 @@ const CORNER_PX = 92;
 const BOTTOM_PX = 38;
 
 export function add_lights(scene: Scene): void {
-  const key = new DirectionalLight(0xffffff, 2.4);
-  key.position.set(-0.6, -0.9, 1.6);
-  const fill = new DirectionalLight(0xffffff, 0.9);
-  fill.position.set(1, 0.5, 0.4);
+  const key = light(2.4, -0.6, -0.9, 1.6);
+  const fill = light(0.9, 1, 0.5, 0.4);
   scene.add(new AmbientLight(0xffffff, 1.1), key, fill);
+}
+
+function light(strength: number, x: number, y: number, z: number): DirectionalLight {
+  const from = new DirectionalLight(0xffffff, strength);
+  from.position.set(x, y, z);
+  return from;
 }
 
 export class AxesCorner {

@@ -40,30 +40,20 @@ export class FieldBody {
   ) {
     this.materials = looks_of?.materials ?? new StockMaterials(table, 'cell');
     if (looks_of) return;
-    const { nx, ny, cell, corner, top } = field.grid;
+    const { nx, ny } = field.grid;
     this.owners = owner_texture(field.owners as Uint16Array<ArrayBuffer>, nx, ny);
     this.ambient = ambient_texture();
-    const looks = this.materials.field;
-    looks.owners.value = this.owners;
-    looks.ambient.value = this.ambient;
-    looks.corner.value.set(...corner);
-    looks.far.value.set(corner[0] + nx * cell[0], corner[1] + ny * cell[1], top);
-    looks.cell.value.set(...cell);
+    this.materials.set_field(field.grid, this.owners, this.ambient);
   }
 
   /** Brings the tiles up to date, but no longer than that. True: all are. */
   update(most_ms: number): boolean {
-    const { field } = this;
+    const { changed, tiles_x } = this.field;
     this.looks_of?.update_looks();
     this.update_looks();
-    const began = performance.now();
-    for (const key of field.changed) {
-      field.changed.delete(key);
-      const [x, y] = [key % field.tiles_x, Math.floor(key / field.tiles_x)];
-      this.put(key, this.mesher.mesh(field, x, y));
-      if (performance.now() - began > most_ms) break;
-    }
-    const is_done = field.changed.size === 0;
+    const is_done = take_some(changed, most_ms, (key) =>
+      this.put(key, this.mesher.mesh(this.field, key % tiles_x, Math.floor(key / tiles_x))),
+    );
     this.is_whole ||= is_done;
     return is_done;
   }
@@ -98,8 +88,7 @@ export class FieldBody {
   }
 
   private put(key: number, mesh: TileMesh): void {
-    const old = this.tiles.get(key);
-    if (old) forget(old);
+    forget(this.tiles.get(key));
     const tile = this.made(mesh);
     this.tiles.set(key, tile);
     this.group.add(tile.group);
@@ -107,13 +96,22 @@ export class FieldBody {
 
   private made(mesh: TileMesh): Tile {
     const geometry = surface_geometry(mesh.positions, mesh.normals, mesh.indices);
-    const lines = new BufferGeometry();
-    lines.setAttribute('position', new BufferAttribute(mesh.lines, 3));
-    lines.boundingSphere = geometry.boundingSphere;
+    const lines = line_geometry(mesh.lines, geometry.boundingSphere);
     const group = new Group();
     group.add(...body_meshes(geometry, lines, this.materials));
     return { group, geometry, lines };
   }
+}
+
+/** Takes from a set what it can in that time. True: all of it. */
+export function take_some<T>(keys: Set<T>, most_ms: number, take: (key: T) => void): boolean {
+  const began = performance.now();
+  for (const key of keys) {
+    keys.delete(key);
+    take(key);
+    if (performance.now() - began > most_ms) break;
+  }
+  return keys.size === 0;
 }
 
 /** A body as it is drawn: outer side, inner side where a section opens it, edges. */
@@ -144,6 +142,14 @@ export function surface_geometry(
   return geometry;
 }
 
+/** Within the ball of the body whose edges they are. */
+export function line_geometry(points: Float32Array, ball: Sphere | null): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(points, 3));
+  geometry.boundingSphere = ball;
+  return geometry;
+}
+
 function ball_around(positions: Float32Array): Sphere {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
@@ -157,8 +163,8 @@ function ball_around(positions: Float32Array): Sphere {
   return new Sphere(middle, middle.distanceTo(new Vector3(...high)));
 }
 
-function forget({ group, geometry, lines }: Tile): void {
-  geometry.dispose();
-  lines.dispose();
-  group.removeFromParent();
+function forget(tile: Tile | undefined): void {
+  tile?.geometry.dispose();
+  tile?.lines.dispose();
+  tile?.group.removeFromParent();
 }

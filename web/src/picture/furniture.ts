@@ -44,37 +44,29 @@ export interface Palette {
 
 export function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean): LineSegments {
   const [x, y, z] = size(box);
-  const solid = new BoxGeometry(Math.max(x, 1e-6), Math.max(y, 1e-6), Math.max(z, 1e-6));
   const material = dashed
-    ? new LineDashedMaterial({
-        color: colour,
-        dashSize: Math.hypot(x, y) / 90,
-        gapSize: Math.hypot(x, y) / 120,
-      })
+    ? dashed_line(colour, Math.hypot(x, y))
     : new LineBasicMaterial({ color: colour });
-  const edges = new LineSegments(new EdgesGeometry(solid), material);
-  edges.position.set(
-    (box.min[0] + box.max[0]) / 2,
-    (box.min[1] + box.max[1]) / 2,
-    (box.min[2] + box.max[2]) / 2,
-  );
+  const edges = new LineSegments(new EdgesGeometry(solid_box(x, y, z, 1e-6)), material);
+  const [cx, cy, cz] = box.min.map((low, i) => (low + box.max[i]) / 2);
+  edges.position.set(cx, cy, cz);
   if (dashed) edges.computeLineDistances();
   return edges;
 }
+
+const dashed_line = (color: ColorRepresentation, long: number): LineDashedMaterial =>
+  new LineDashedMaterial({ color, dashSize: long / 90, gapSize: long / 120 });
+
+/** No side of it is less than that. */
+const solid_box = (x: number, y: number, z: number, least: number): BoxGeometry =>
+  new BoxGeometry(Math.max(x, least), Math.max(y, least), Math.max(z, least));
 
 /** The stock: edges and a breath of body, so that its top reads as a face. */
 export function stock_box(box: Box, palette: Palette): Group {
   const group = new Group();
   const [x, y, z] = size(box);
-  const body = new Mesh(
-    new BoxGeometry(Math.max(x, 0.01), Math.max(y, 0.01), Math.max(z, 0.01)),
-    new MeshBasicMaterial({
-      color: palette.stock,
-      transparent: true,
-      opacity: 0.07,
-      depthWrite: false,
-    }),
-  );
+  const looks = { color: palette.stock, transparent: true, opacity: 0.07, depthWrite: false };
+  const body = new Mesh(solid_box(x, y, z, 0.01), new MeshBasicMaterial(looks));
   const edges = box_edges(box, palette.stock, false);
   body.position.copy(edges.position);
   group.add(body, edges);
@@ -108,31 +100,38 @@ export function lines(points: number[], colour: ColorRepresentation): LineSegmen
   return new LineSegments(geometry, new LineBasicMaterial({ color: colour }));
 }
 
+/** Of the drawing of a text: pixels for one of its pixels on the screen. */
+const SHARPNESS = 3;
+const FONT = `600 ${13 * SHARPNESS}px "IBM Plex Sans", sans-serif`;
+
 /** Text that keeps its size on the screen; `height` is the share of the picture's height. */
 export function label(text: string, colour: string, pixels: number): Sprite {
-  const scale = 3;
+  const canvas = written(text, colour);
+  const map = new CanvasTexture(canvas);
+  const looks = { map, depthTest: false, sizeAttenuation: false, toneMapped: false };
+  const sprite = new Sprite(new SpriteMaterial(looks));
+  sprite.userData = { aspect: canvas.width / canvas.height, pixels };
+  sprite.renderOrder = 10;
+  return sprite;
+}
+
+function written(text: string, colour: string): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
-  const font = `600 ${13 * scale}px "IBM Plex Sans", sans-serif`;
-  const measure = canvas.getContext('2d')!;
-  measure.font = font;
-  canvas.width = Math.ceil(measure.measureText(text).width) + 4 * scale;
-  canvas.height = 18 * scale;
-  const pen = canvas.getContext('2d')!;
-  pen.font = font;
+  canvas.width = Math.ceil(width_of(text, canvas)) + 4 * SHARPNESS;
+  canvas.height = 18 * SHARPNESS;
+  const pen = canvas.getContext('2d')!; // its looks went with the new size
+  pen.font = FONT;
   pen.fillStyle = colour;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
   pen.fillText(text, canvas.width / 2, canvas.height / 2);
-  const material = new SpriteMaterial({
-    map: new CanvasTexture(canvas),
-    depthTest: false,
-    sizeAttenuation: false,
-    toneMapped: false,
-  });
-  const sprite = new Sprite(material);
-  sprite.userData = { aspect: canvas.width / canvas.height, pixels };
-  sprite.renderOrder = 10;
-  return sprite;
+  return canvas;
+}
+
+function width_of(text: string, canvas: HTMLCanvasElement): number {
+  const pen = canvas.getContext('2d')!;
+  pen.font = FONT;
+  return pen.measureText(text).width;
 }
 
 /** Sprites of label() as large as their pixels ask for, in a picture of this scale. */
@@ -151,15 +150,18 @@ export function axes_corner(palette: Palette): Group {
     ['Y', palette.y, [0, 1, 0]],
     ['Z', palette.z, [0, 0, 1]],
   ];
-  for (const [name, colour, way] of arrows) {
-    group.add(lines([0, 0, 0, ...way], colour));
-    const text = label(name, colour, 1);
-    text.userData = {};
-    text.scale.set(0.5, 0.5, 1);
-    text.position.set(way[0] * 1.3, way[1] * 1.3, way[2] * 1.3);
-    group.add(text);
-  }
+  for (const [name, colour, way] of arrows)
+    group.add(lines([0, 0, 0, ...way], colour), name_of_axis(name, colour, way));
   return group;
+}
+
+/** Of one size with its arrow. */
+function name_of_axis(name: string, colour: string, [x, y, z]: [number, number, number]): Sprite {
+  const text = label(name, colour, 1);
+  text.userData = {};
+  text.scale.set(0.5, 0.5, 1);
+  text.position.set(x * 1.3, y * 1.3, z * 1.3);
+  return text;
 }
 
 export function dispose(root: Group | null): void {

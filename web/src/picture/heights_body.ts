@@ -2,7 +2,7 @@
 import { Group, type Texture } from 'three';
 import { hit_of_field } from '../logic/stock/field_ray';
 import { CoarseField } from '../logic/stock/coarse_field';
-import type { HeightField } from '../logic/stock/height_field';
+import { far_corner, type HeightField } from '../logic/stock/height_field';
 import type { Body, BodyHit, Section, Vec } from './body';
 import { FieldBody } from './field_body';
 import { plane_of, SectionPlane } from './section_plane';
@@ -46,11 +46,7 @@ export class HeightsBody implements Body {
 
   set_section(section: Section | null): void {
     this.section = section;
-    const plane = section && plane_of(section);
-    this.fine.materials.set_section(plane?.normal ?? null, plane?.at ?? 0);
-    const { corner, nx, ny, cell, top } = this.field.grid;
-    const far = [corner[0] + nx * cell[0], corner[1] + ny * cell[1], top];
-    this.plane.set(section, [...corner], far);
+    this.plane.set(section, this.field.grid.corner, far_corner(this.field.grid));
   }
 
   hit(from: Vec, way: Vec): BodyHit | null {

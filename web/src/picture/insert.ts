@@ -2,21 +2,10 @@
  * The tool of a lathe: an insert in the plane of Z and X that touches the path with its imaginary tip, its holder behind it,
  * and the circle of the nose, which is what really cuts. As large as it is, and larger where it could not be seen.
  */
-import {
-  ExtrudeGeometry,
-  Group,
-  type LineSegments,
-  Matrix4,
-  Shape,
-  Vector2,
-  type BufferGeometry,
-} from 'three';
+import { Group, type LineSegments } from 'three';
 import { type Flat, type InsertShape, type Nose, insert_shape } from '../logic/turning_offsets';
 import { type Palette, dispose, lines } from './furniture';
-import { type Model, type Pose, part } from './parts';
-
-/** Of a shape the first coordinate goes along Z, the second along X, the third towards who looks at it. */
-const INTO_SCENE = new Matrix4().set(0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1);
+import { type Model, type Pose, part, plate } from './parts';
 
 const EDGE_MM = 12;
 const THICK_MM = 3;
@@ -51,15 +40,6 @@ export class InsertModel implements Model {
     holder.position.y = -THICK_MM;
     this.group.add(holder, insert, tip_cross(this.palette), nose_circle(shape, this.palette));
   }
-}
-
-/** An outline in Z and X as a plate that ends at the plane of the path. */
-function plate(outline: Flat[], thick_mm: number): BufferGeometry {
-  const shape = new Shape(outline.map(([z, x]) => new Vector2(z, x)));
-  const geometry = new ExtrudeGeometry(shape, { depth: thick_mm, bevelEnabled: false });
-  // Its plane of Z and X becomes that of the scene, what is thick goes to -Y.
-  geometry.translate(0, 0, -thick_mm);
-  return geometry.applyMatrix4(INTO_SCENE);
 }
 
 function holder_of({ centre, inwards: [z, x] }: InsertShape): Flat[] {

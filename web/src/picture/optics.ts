@@ -21,7 +21,7 @@ export class OpticsModel implements Model {
   private readonly nozzle: NozzleModel;
   private readonly light: MeshBasicMaterial;
   private readonly legs: Mesh[];
-  private readonly mirrors: Mesh[];
+  private readonly mirrors: readonly Mesh[];
   private readonly gantry: Mesh;
   private readonly source: Mesh;
   private readonly low: number[];
@@ -33,19 +33,11 @@ export class OpticsModel implements Model {
     this.low = axes.map((axis) => axis?.min ?? 0);
     this.high = axes.map((axis, i) => axis?.max ?? this.low[i] + DEFAULT_TRAVEL_MM);
     this.nozzle = new NozzleModel(palette);
-    this.light = new MeshBasicMaterial({
-      color: palette.beam,
-      transparent: true,
-      depthWrite: false,
-    });
-    this.legs = [0, 1, 2].map(() => new Mesh(new BoxGeometry(1, 1, 1), this.light));
-    const plate = () => part(new BoxGeometry(10, 1, 10), palette.metal);
-    this.mirrors = [plate(), plate(), plate()];
-    this.mirrors[0].rotation.z = Math.PI / 4;
-    this.mirrors[1].rotation.z = Math.PI / 4;
-    this.mirrors[2].rotation.set(Math.PI / 2, Math.PI / 4, 0);
-    this.gantry = part(new BoxGeometry(1, 1, 1), palette.metal_dark, 0.5);
-    this.source = part(new BoxGeometry(1, 1, 1), palette.metal_dark);
+    this.light = new MeshBasicMaterial({ color: palette.beam, ...SEEN_THROUGH });
+    this.legs = [0, 1, 2].map(() => new Mesh(unit_box(), this.light));
+    this.mirrors = mirrors(palette);
+    this.gantry = part(unit_box(), palette.metal_dark, 0.5);
+    this.source = part(unit_box(), palette.metal_dark);
     const all = [...this.legs, ...this.mirrors, this.gantry, this.source];
     this.group.add(this.nozzle.group, ...all);
   }
@@ -64,27 +56,45 @@ export class OpticsModel implements Model {
 
   private place(): void {
     const unit = this.nozzle.group.scale.z;
-    const [x, y] = this.tip;
     const z = this.tip[2] + LIGHT_ABOVE_TIP * unit;
-    const [x0, y0] = this.low;
-    const [x1, y1] = this.high;
-    const left = x0 - MARGIN * (x1 - x0);
-    const back = y1 + MARGIN * (y1 - y0);
-    const corners: Point[] = [
-      [x0 + 0.25 * (x1 - x0), back, z],
-      [left, back, z],
-      [left, y, z],
-      [x, y, z],
-    ];
+    const corners = this.way_of_light(z);
     this.legs.forEach((leg, i) => stretch(leg, corners[i], corners[i + 1], WIDTH * unit));
     this.mirrors.forEach((mirror, i) => {
       mirror.position.set(...corners[i + 1]);
       mirror.scale.setScalar(unit);
     });
-    stretch(this.source, corners[0], [x1, back, z], 9 * unit);
+    const [, left, carriage] = corners;
+    const right = this.high[0];
+    stretch(this.source, corners[0], [right, left[1], z], 9 * unit);
     const below = z - 6 * unit;
-    stretch(this.gantry, [left, y, below], [x1, y, below], 3 * unit);
+    stretch(this.gantry, [left[0], carriage[1], below], [right, carriage[1], below], 3 * unit);
   }
+
+  /** From the source over the mirrors to above the tip. */
+  private way_of_light(z: number): [source: Point, left: Point, carriage: Point, tip: Point] {
+    const [x0, y0] = this.low;
+    const [x1, y1] = this.high;
+    const left = x0 - MARGIN * (x1 - x0);
+    const back = y1 + MARGIN * (y1 - y0);
+    const [x, y] = this.tip;
+    return [
+      [x0 + 0.25 * (x1 - x0), back, z],
+      [left, back, z],
+      [left, y, z],
+      [x, y, z],
+    ];
+  }
+}
+
+const SEEN_THROUGH = { transparent: true, depthWrite: false };
+const unit_box = (): BoxGeometry => new BoxGeometry(1, 1, 1);
+
+/** Each turns the light by a right angle. */
+function mirrors(palette: Palette): Mesh[] {
+  const all = [0, 1, 2].map(() => part(new BoxGeometry(10, 1, 10), palette.metal));
+  all[0].rotation.z = all[1].rotation.z = Math.PI / 4;
+  all[2].rotation.set(Math.PI / 2, Math.PI / 4, 0);
+  return all;
 }
 
 /** Lays a unit box along X or Y from a to b. */

@@ -1,30 +1,37 @@
 /** The picture's colours are those of the page's style sheet. */
 import type { Palette } from './furniture';
 
+/** By which custom property each is called there. */
+const PROPERTIES: Record<keyof Palette, string> = {
+  ground: 'picture-2',
+  grid: 'grid',
+  grid_strong: 'grid-strong',
+  travel: 'travel',
+  stock: 'stock',
+  text: 'text',
+  x: 'axis-x',
+  y: 'axis-y',
+  z: 'axis-z',
+  metal: 'metal',
+  metal_dark: 'metal-dark',
+  tool: 'tool',
+  beam: 'beam',
+  mark: 'mark',
+  blank: 'blank',
+  face: 'face',
+  hatch: 'hatch',
+  edge: 'edge',
+  fixture: 'fixture',
+  alarm: 'alarm',
+  hold: 'hold',
+};
+const MISSING = '#888888';
+
 export function palette_of(root: HTMLElement): Palette {
   const style = getComputedStyle(root);
-  const colour = (name: string): string => style.getPropertyValue(`--${name}`).trim() || '#888888';
-  return {
-    ground: colour('picture-2'),
-    grid: colour('grid'),
-    grid_strong: colour('grid-strong'),
-    travel: colour('travel'),
-    stock: colour('stock'),
-    text: colour('text'),
-    x: colour('axis-x'),
-    y: colour('axis-y'),
-    z: colour('axis-z'),
-    metal: colour('metal'),
-    metal_dark: colour('metal-dark'),
-    tool: colour('tool'),
-    beam: colour('beam'),
-    mark: colour('mark'),
-    blank: colour('blank'),
-    face: colour('face'),
-    hatch: colour('hatch'),
-    edge: colour('edge'),
-    fixture: colour('fixture'),
-    alarm: colour('alarm'),
-    hold: colour('hold'),
-  };
+  const colours = Object.entries(PROPERTIES).map(([key, name]) => [
+    key,
+    style.getPropertyValue(`--${name}`).trim() || MISSING,
+  ]);
+  return Object.fromEntries(colours) as Palette;
 }

@@ -2,10 +2,14 @@
 import {
   BoxGeometry,
   CylinderGeometry,
+  ExtrudeGeometry,
   Group,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshStandardMaterial,
+  Shape,
+  Vector2,
   Vector3,
   type BufferGeometry,
 } from 'three';
@@ -56,6 +60,20 @@ export function pillar(
     .translate(0, 0, bottom + height / 2);
 }
 
+/** Of a shape the first coordinate goes along Z, the second along X, the third towards who looks at it. */
+const INTO_SCENE = new Matrix4().set(0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1);
+
+/** An outline in Z and X as a plate: from the plane of the path, or from so far behind it, on to -Y. */
+export function plate(
+  outline: readonly (readonly [z: number, x: number])[],
+  depth: number,
+  behind = 0,
+): BufferGeometry {
+  const shape = new Shape(outline.map(([z, x]) => new Vector2(z, x)));
+  const geometry = new ExtrudeGeometry(shape, { depth, bevelEnabled: false });
+  return geometry.translate(0, 0, -depth - behind).applyMatrix4(INTO_SCENE);
+}
+
 /** A bar along X with round ends, lying on `z`. */
 export function link(
   length: number,
@@ -65,19 +83,10 @@ export function link(
   colour: string,
 ): Group {
   const group = new Group();
-  const bar = part(
-    new BoxGeometry(length, width, thick).translate(length / 2, 0, z + thick / 2),
-    colour,
-  );
-  const ends = [0, length].map((x) =>
-    part(
-      new CylinderGeometry(width / 2, width / 2, thick, 28)
-        .rotateX(Math.PI / 2)
-        .translate(x, 0, z + thick / 2),
-      colour,
-    ),
-  );
-  group.add(bar, ...ends);
+  const middle = z + thick / 2;
+  const bar = new BoxGeometry(length, width, thick).translate(length / 2, 0, middle);
+  const ends = [0, length].map((x) => pillar(width / 2, width / 2, z, thick).translate(x, 0, 0));
+  group.add(...[bar, ...ends].map((geometry) => part(geometry, colour)));
   return group;
 }
 

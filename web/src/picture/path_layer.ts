@@ -52,9 +52,8 @@ export class PathLayer {
   }
 
   clear(): void {
-    for (const view of this.views) {
-      for (const mesh of new Set(view.levels.filter(Boolean))) dispose_path_mesh(mesh);
-    }
+    for (const { levels } of this.views)
+      for (const mesh of new Set(levels.filter(Boolean))) dispose_path_mesh(mesh);
     this.views = [];
     this.group.clear();
   }
@@ -73,10 +72,8 @@ export class PathLayer {
 
   private exact(view: BlockView): Mesh {
     const { first, last } = view.block;
-    return this.make(
-      view,
-      Uint32Array.from({ length: last - first + 1 }, (_, i) => first + i),
-    );
+    const all = Uint32Array.from({ length: last - first + 1 }, (_, i) => first + i);
+    return this.make(view, all);
   }
 
   /** The exact mesh where thinning saves little. */

@@ -106,6 +106,25 @@ void main() {
 
 const vector = (rgb: readonly number[]): Vector3 => new Vector3(rgb[0], rgb[1], rgb[2]);
 
+const uniforms_at_first = () => ({
+  path: { value: null },
+  viewport: { value: new Vector2(1, 1) },
+  colouring: { value: 0 },
+  range: { value: new Vector2(0, 1) },
+  tools: { value: [] as Vector3[] },
+  stops: { value: [] as Vector3[] },
+  rapid: { value: new Vector3() },
+  thread: { value: new Vector3() },
+  mirrored: { value: 0 },
+  ground: { value: new Vector3() },
+  done: { value: -1 },
+  stop: { value: -1 },
+  chunk_start: { value: 0 },
+  show_rapids: { value: 1 },
+  width: { value: 1.8 },
+  part: { value: new Vector2(0, 1) },
+});
+
 export class PathMaterial extends RawShaderMaterial {
   constructor() {
     super({
@@ -113,24 +132,7 @@ export class PathMaterial extends RawShaderMaterial {
       vertexShader: vertex,
       fragmentShader: fragment,
       side: DoubleSide,
-      uniforms: {
-        path: { value: null },
-        viewport: { value: new Vector2(1, 1) },
-        colouring: { value: 0 },
-        range: { value: new Vector2(0, 1) },
-        tools: { value: [] as Vector3[] },
-        stops: { value: [] as Vector3[] },
-        rapid: { value: new Vector3() },
-        thread: { value: new Vector3() },
-        mirrored: { value: 0 },
-        ground: { value: new Vector3() },
-        done: { value: -1 },
-        stop: { value: -1 },
-        chunk_start: { value: 0 },
-        show_rapids: { value: 1 },
-        width: { value: 1.8 },
-        part: { value: new Vector2(0, 1) },
-      },
+      uniforms: uniforms_at_first(),
     });
     this.set_scheme('dark', '#101418');
   }

@@ -39,12 +39,8 @@ export function path_mesh(
   start: number,
   material: PathMaterial,
 ): Mesh {
-  const geometry = new BufferGeometry();
-  geometry.setIndex(QUADS);
-  geometry.setDrawRange(0, 6 * (vertices.length - 1));
-  geometry.boundingSphere = sphere_of(box);
   const texture = texture_of(chunk, vertices);
-  const mesh = new Mesh(geometry, material);
+  const mesh = new Mesh(quads(vertices.length - 1, box), material);
   mesh.matrixAutoUpdate = false;
   mesh.userData = { texture };
   mesh.onBeforeRender = () => {
@@ -55,6 +51,14 @@ export function path_mesh(
   return mesh;
 }
 
+function quads(count: number, box: Box): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setIndex(QUADS);
+  geometry.setDrawRange(0, 6 * count);
+  geometry.boundingSphere = sphere_of(box);
+  return geometry;
+}
+
 export function dispose_path_mesh(mesh: Mesh): void {
   (mesh.userData.texture as DataTexture).dispose();
   mesh.geometry.dispose();
@@ -63,20 +67,20 @@ export function dispose_path_mesh(mesh: Mesh): void {
 function texture_of(chunk: Chunk, vertices: Uint32Array): DataTexture {
   const rows = Math.ceil((2 * vertices.length) / TEXTURE_WIDTH);
   const values = new Float32Array(4 * TEXTURE_WIDTH * rows);
-  const { xyz, feed_mm_min, speed_mm_min, kind, tool, power_percent } = chunk;
-  for (let i = 0, at = 0; i < vertices.length; i++, at += FLOATS) {
-    const v = vertices[i];
-    values[at] = xyz[3 * v];
-    values[at + 1] = xyz[3 * v + 1];
-    values[at + 2] = xyz[3 * v + 2];
-    values[at + 3] = v;
-    values[at + 4] = feed_mm_min[v];
-    values[at + 5] = speed_mm_min[v];
-    values[at + 6] = kind[v] | (tool[v] << 3) | (power_percent[v] << 11);
-  }
+  vertices.forEach((vertex, i) => put_vertex(values, FLOATS * i, chunk, vertex));
   const texture = new DataTexture(values, TEXTURE_WIDTH, rows, RGBAFormat, FloatType);
   texture.needsUpdate = true;
   return texture;
+}
+
+function put_vertex(values: Float32Array, at: number, chunk: Chunk, v: number): void {
+  values[at] = chunk.xyz[3 * v];
+  values[at + 1] = chunk.xyz[3 * v + 1];
+  values[at + 2] = chunk.xyz[3 * v + 2];
+  values[at + 3] = v;
+  values[at + 4] = chunk.feed_mm_min[v];
+  values[at + 5] = chunk.speed_mm_min[v];
+  values[at + 6] = chunk.kind[v] | (chunk.tool[v] << 3) | (chunk.power_percent[v] << 11);
 }
 
 function sphere_of(box: Box): Sphere {

@@ -78,16 +78,7 @@ export class Picture {
     readonly canvas: HTMLCanvasElement,
     private readonly calm: () => boolean,
   ) {
-    this.renderer = new WebGLRenderer({
-      canvas,
-      antialias: true,
-      alpha: true,
-      stencil: true, // cut faces of the part
-      preserveDrawingBuffer: true, // a picture at rest is drawn in slices
-      powerPreference: 'high-performance',
-    });
-    this.renderer.setClearColor(0, 0);
-    this.renderer.autoClear = false;
+    this.renderer = renderer_of(canvas);
     this.eye = new Eye(
       canvas,
       () => this.request(),
@@ -250,16 +241,9 @@ export class Picture {
 
   /** What lies under a place of the canvas, in CSS pixels. */
   hit(x: number, y: number): Hit | null {
-    if (!this.store) return null;
-    const aim = {
-      matrix: this.eye.matrix(),
-      width: this.width,
-      height: this.height,
-      x,
-      y,
-      reach_px: PICK_REACH_PX,
-    };
-    return pick(this.store, aim);
+    const { store, width, height } = this;
+    const matrix = this.eye.matrix();
+    return store && pick(store, { matrix, width, height, x, y, reach_px: PICK_REACH_PX });
   }
 
   /** Draws with the next frame, and never before the last one is there. */
@@ -426,6 +410,20 @@ export class Picture {
     box.min[2] = Math.max(box.min[2], work.min[2]);
     return box;
   }
+}
+
+function renderer_of(canvas: HTMLCanvasElement): WebGLRenderer {
+  const renderer = new WebGLRenderer({
+    canvas,
+    antialias: true,
+    alpha: true,
+    stencil: true, // cut faces of the part
+    preserveDrawingBuffer: true, // a picture at rest is drawn in slices
+    powerPreference: 'high-performance',
+  });
+  renderer.setClearColor(0, 0);
+  renderer.autoClear = false;
+  return renderer;
 }
 
 function vertices_before(store: PathStore, place: PathPlace): number {

@@ -21,6 +21,14 @@ export function plane_of({ axis, at, from_above }: Section): {
   return { normal, at: way * at };
 }
 
+/** Of a rectangle, one corner behind the other: 0 the low end of a side, 1 the high one. */
+const ROUND = [
+  [0, 0],
+  [1, 0],
+  [1, 1],
+  [0, 1],
+] as const;
+
 /** Bodies, their inner sides, the plane, then everything else. */
 export const ORDER = { surface: -4, inside: -3, plane: -2, lines: -1 };
 
@@ -28,7 +36,7 @@ export class SectionPlane {
   readonly mesh: Mesh;
   private readonly corners = new BufferAttribute(new Float32Array(12), 3);
 
-  constructor(materials: StockMaterials) {
+  constructor(private readonly materials: StockMaterials) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', this.corners);
     geometry.setIndex([0, 1, 2, 0, 2, 3]);
@@ -38,22 +46,20 @@ export class SectionPlane {
     this.mesh.visible = false;
   }
 
-  /** Over all of a box; null: there is no section. */
-  set(section: Section | null, low: number[], high: number[]): void {
+  /** Opens the body, and lies over all of its box; null: there is no section. */
+  set(section: Section | null, low: readonly number[], high: readonly number[]): void {
+    const plane = section && plane_of(section);
+    this.materials.set_section(plane?.normal ?? null, plane?.at ?? 0);
     this.mesh.visible = section !== null;
-    if (!section) return;
-    const { axis, at } = section;
+    if (section) this.lay(section, [low, high]);
+  }
+
+  private lay({ axis, at }: Section, box: readonly [readonly number[], readonly number[]]): void {
     const [u, v] = [0, 1, 2].filter((i) => i !== axis);
-    [
-      [low[u], low[v]],
-      [high[u], low[v]],
-      [high[u], high[v]],
-      [low[u], high[v]],
-    ].forEach((place, i) => {
-      const corner = [0, 0, 0];
-      corner[axis] = at;
-      [corner[u], corner[v]] = place;
-      this.corners.setXYZ(i, corner[0], corner[1], corner[2]);
+    ROUND.forEach(([along, across], i) => {
+      this.corners.setComponent(i, axis, at);
+      this.corners.setComponent(i, u, box[along][u]);
+      this.corners.setComponent(i, v, box[across][v]);
     });
     this.corners.needsUpdate = true;
   }

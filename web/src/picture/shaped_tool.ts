@@ -1,20 +1,15 @@
 /** The tool as its set-up describes it, in its true size: cutter, neck, shank and holder, or insert with its holder. */
-import {
-  DoubleSide,
-  ExtrudeGeometry,
-  Group,
-  LatheGeometry,
-  Matrix4,
-  Mesh,
-  MeshStandardMaterial,
-  Shape,
-  Vector2,
-} from 'three';
+import { DoubleSide, Group, LatheGeometry, Mesh, MeshStandardMaterial, Vector2 } from 'three';
 import type { PartKind, Point2, ToolShape } from '../logic/stock/tool_shape';
 import { type Palette, dispose } from './furniture';
+import { plate } from './parts';
 
-/** Z of the part goes along Z of the scene, the radius along X, what is thick towards -Y. */
-const INTO_SCENE = new Matrix4().set(0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1);
+const COLOURS: Record<PartKind, 'tool' | 'metal' | 'metal_dark'> = {
+  cutting: 'tool',
+  neck: 'metal',
+  shank: 'metal',
+  holder: 'metal_dark',
+};
 const THICK_MM = 3;
 const SIDES = 40;
 
@@ -25,10 +20,8 @@ export class ShapedTool {
     readonly shape: ToolShape,
     palette: Palette,
   ) {
-    for (const { kind, outline } of shape.parts)
-      this.group.add(
-        shape.turning ? plate(outline, kind, palette) : turned(outline, kind, palette),
-      );
+    const body = shape.turning ? flat : turned;
+    for (const { kind, outline } of shape.parts) this.group.add(body(outline, kind, palette));
   }
 
   dispose(): void {
@@ -44,23 +37,16 @@ function turned(outline: Point2[], kind: PartKind, palette: Palette): Mesh {
   return new Mesh(geometry, material_of(kind, palette));
 }
 
-function plate(outline: Point2[], kind: PartKind, palette: Palette): Mesh {
-  const shape = new Shape(outline.map(([z, r]) => new Vector2(z, r)));
-  const depth = kind === 'holder' ? 2 * THICK_MM : THICK_MM;
-  const geometry = new ExtrudeGeometry(shape, { depth, bevelEnabled: false });
-  geometry.translate(0, 0, kind === 'holder' ? -depth - THICK_MM : -depth);
-  return new Mesh(geometry.applyMatrix4(INTO_SCENE), material_of(kind, palette));
+/** The holder lies behind the insert. */
+function flat(outline: Point2[], kind: PartKind, palette: Palette): Mesh {
+  const geometry =
+    kind === 'holder' ? plate(outline, 2 * THICK_MM, THICK_MM) : plate(outline, THICK_MM);
+  return new Mesh(geometry, material_of(kind, palette));
 }
 
 function material_of(kind: PartKind, palette: Palette): MeshStandardMaterial {
-  const colours: Record<PartKind, string> = {
-    cutting: palette.tool,
-    neck: palette.metal,
-    shank: palette.metal,
-    holder: palette.metal_dark,
-  };
   return new MeshStandardMaterial({
-    color: colours[kind],
+    color: palette[COLOURS[kind]],
     roughness: kind === 'cutting' ? 0.32 : 0.5,
     metalness: 0.35,
     side: DoubleSide,

@@ -1,8 +1,8 @@
 /** A sheet under a beam: a plate with what is burnt and what is cut, out of which pieces fall. */
 import { Group, type DataTexture, MathUtils } from 'three';
-import { scale_colour, type Rgb, type Scheme } from '../logic/colour_scale';
+import { between_stops, scale_colour, type Rgb, type Scheme } from '../logic/colour_scale';
 import { hit_of_field } from '../logic/stock/field_ray';
-import { type Grid, HeightField, VOID } from '../logic/stock/height_field';
+import { far_corner, type Grid, HeightField, VOID } from '../logic/stock/height_field';
 import type { SheetField, SheetPiece } from '../logic/stock/sheet_field';
 import type { Body, BodyHit, Section, Vec } from './body';
 import { FieldBody } from './field_body';
@@ -76,10 +76,7 @@ export class SheetBody implements Body {
 
   set_section(section: Section | null): void {
     this.section = section;
-    const plane = section && plane_of(section);
-    this.main.materials.set_section(plane?.normal ?? null, plane?.at ?? 0);
-    const { corner, nx, ny, cell, top } = this.field.grid;
-    this.plane.set(section, [...corner], [corner[0] + nx * cell[0], corner[1] + ny * cell[1], top]);
+    this.plane.set(section, this.field.grid.corner, far_corner(this.field.grid));
   }
 
   hit(from: Vec, way: Vec): BodyHit | null {
@@ -98,6 +95,15 @@ export class SheetBody implements Body {
   /** Takes over energy and cuts; what has come loose gets a body of its own, what is whole again goes back. */
   private follow(): void {
     this.seen = this.sheet.version;
+    const heights = this.take_cells();
+    const loose = this.sheet.pieces().filter(({ falls }) => falls);
+    for (const { cells } of loose) for (const cell of cells) heights[cell] = VOID;
+    this.let_go(new Map(loose.slice(0, MOST_PIECES).map((piece) => [key_of(piece), piece])));
+    this.field.take_heights(heights);
+  }
+
+  /** The colours of all cells; the heights of those that are not cut. */
+  private take_cells(): Float32Array {
     const { grid, energy, peak } = this.sheet;
     const heights = new Float32Array(grid.nx * grid.ny).fill(grid.top);
     for (let cell = 0; cell < heights.length; cell++) {
@@ -105,49 +111,41 @@ export class SheetBody implements Body {
       this.field.owners[cell] = peak > 0 ? 1 + Math.round((254 * energy[cell]) / peak) : 1;
     }
     this.field.repainted.add(0);
-    const loose = this.sheet.pieces().filter(({ falls }) => falls);
-    const there = new Set<string>();
-    for (const piece of loose.slice(0, MOST_PIECES)) {
-      const key = `${piece.cells[0]} ${piece.cells.length}`;
-      there.add(key);
-      for (const cell of piece.cells) heights[cell] = VOID;
+    return heights;
+  }
+
+  /** These have come loose, no others. */
+  private let_go(loose: Map<string, SheetPiece>): void {
+    for (const [key, piece] of loose)
       if (!this.falling.has(key)) this.falling.set(key, this.begins_to_fall(piece));
-    }
-    for (const piece of loose.slice(MOST_PIECES))
-      for (const cell of piece.cells) heights[cell] = VOID;
     for (const [key, { body }] of this.falling) {
-      if (there.has(key)) continue;
+      if (loose.has(key)) continue;
       body.dispose();
       this.falling.delete(key);
     }
-    this.field.take_heights(heights);
   }
 
-  private begins_to_fall({ cells }: SheetPiece): Falling {
-    const { grid } = this.sheet;
-    const { nx, cell, corner, top } = grid;
-    const box = box_of(cells, nx);
-    const [i0, j0] = [box.i0 - FRAME, box.j0 - FRAME];
-    const own: Grid = {
-      nx: box.i1 - i0 + 1 + FRAME,
-      ny: box.j1 - j0 + 1 + FRAME,
-      cell,
-      corner: [corner[0] + i0 * cell[0], corner[1] + j0 * cell[1], corner[2]],
-      top,
-    };
-    const field = new HeightField(own);
+  private begins_to_fall(piece: SheetPiece): Falling {
+    const body = new FieldBody(this.field_of(piece), this.table);
+    if (this.colours) body.materials.set_colours(this.colours);
+    this.group.add(body.group);
+    const tilt = (piece.cells[0] % 2 ? 1 : -1) * TILT_RAD;
+    return { body, began: this.is_calm() ? -Infinity : performance.now(), tilt };
+  }
+
+  /** A piece alone, with its colours. */
+  private field_of({ cells }: SheetPiece): HeightField {
+    const { nx, top } = this.sheet.grid;
+    const { i0, j0, grid } = framed(cells, this.sheet.grid);
+    const field = new HeightField(grid);
     field.heights.fill(VOID);
     for (const at of cells) {
-      const to = (Math.floor(at / nx) - j0) * own.nx + (at % nx) - i0;
+      const to = (Math.floor(at / nx) - j0) * grid.nx + (at % nx) - i0;
       field.heights[to] = top;
       field.owners[to] = this.field.owners[at];
     }
     field.repainted.add(0);
-    const body = new FieldBody(field, this.table);
-    if (this.colours) body.materials.set_colours(this.colours);
-    this.group.add(body.group);
-    const tilt = (cells[0] % 2 ? 1 : -1) * TILT_RAD;
-    return { body, began: this.is_calm() ? -Infinity : performance.now(), tilt };
+    return field;
   }
 
   /** True: it still falls. */
@@ -169,6 +167,22 @@ export class SheetBody implements Body {
   }
 }
 
+const key_of = ({ cells }: SheetPiece): string => `${cells[0]} ${cells.length}`;
+
+/** The columns of a piece and a frame of nothing around it, from column i0, j0 of the sheet on. */
+function framed(cells: Int32Array, { nx, cell, corner, top }: Grid) {
+  const box = box_of(cells, nx);
+  const [i0, j0] = [box.i0 - FRAME, box.j0 - FRAME];
+  const grid: Grid = {
+    nx: box.i1 - i0 + 1 + FRAME,
+    ny: box.j1 - j0 + 1 + FRAME,
+    cell,
+    corner: [corner[0] + i0 * cell[0], corner[1] + j0 * cell[1], corner[2]],
+    top,
+  };
+  return { i0, j0, grid };
+}
+
 function box_of(cells: Int32Array, nx: number) {
   const box = { i0: Infinity, i1: -1, j0: Infinity, j1: -1 };
   for (const at of cells) {
@@ -187,10 +201,4 @@ const CHARRED: Rgb[] = [
   [0.24, 0.12, 0.06],
   [0.07, 0.05, 0.05],
 ];
-function burnt(share: number): Rgb {
-  const place = Math.min(1, share * 1.6) * (CHARRED.length - 1);
-  const below = Math.min(CHARRED.length - 2, Math.floor(place));
-  return [0, 1, 2].map(
-    (i) => CHARRED[below][i] + (place - below) * (CHARRED[below + 1][i] - CHARRED[below][i]),
-  ) as Rgb;
-}
+const burnt = (share: number): Rgb => between_stops(CHARRED, 1.6 * share);

@@ -3,7 +3,9 @@ import {
   BufferAttribute,
   BufferGeometry,
   Group,
+  type Intersection,
   LessEqualDepth,
+  type Matrix4,
   Mesh,
   Raycaster,
   ShapeUtils,
@@ -14,9 +16,15 @@ import {
 import type { MeshTile, ProfileLoop } from '../logic/stock/stock_frame';
 import { octahedral } from '../logic/stock/stock_frame';
 import type { Thread } from '../logic/stock/part_store';
-import { type OutlinePiece, outline_of, revolved, ring_of } from '../logic/stock/turned_solid';
+import {
+  type OutlinePiece,
+  is_in_ring,
+  outline_of,
+  revolved,
+  ring_of,
+} from '../logic/stock/turned_solid';
 import type { Body, BodyHit, Section, Vec } from './body';
-import { body_meshes, surface_geometry } from './field_body';
+import { body_meshes, line_geometry, surface_geometry, take_some } from './field_body';
 import { ORDER, plane_of, SectionPlane } from './section_plane';
 import { StockMaterials, type SurfaceColours } from './stock_material';
 
@@ -41,24 +49,18 @@ export class MeshBody implements Body {
   }
 
   update(most_ms: number): boolean {
-    const began = performance.now();
-    for (const key of this.changed) {
-      this.changed.delete(key);
+    return take_some(this.changed, most_ms, (key) => {
       forget(this.drawn.get(key));
       this.drawn.delete(key);
       const tile = this.tiles.get(key);
       if (tile) this.put(key, tile);
-      if (performance.now() - began > most_ms) break;
-    }
-    return this.changed.size === 0;
+    });
   }
   set_colours(colours: SurfaceColours): void {
     this.materials.set_colours(colours);
   }
   set_section(section: Section | null): void {
     this.section = section;
-    const plane = section && plane_of(section);
-    this.materials.set_section(plane?.normal ?? null, plane?.at ?? 0);
     this.plane.set(section, this.box.low, this.box.high);
   }
 
@@ -79,23 +81,27 @@ export class MeshBody implements Body {
     this.group.removeFromParent();
   }
 
-  private put(key: string, { position, normal, origin, scale, owner, index }: MeshTile): void {
-    const count = owner.length;
-    const places = new Float32Array(3 * count);
-    const normals = new Int8Array(4 * count);
-    for (let v = 0; v < count; v++) {
-      const [x, y, z] = octahedral(normal[2 * v], normal[2 * v + 1]);
-      normals.set([127 * x, 127 * y, 127 * z], 4 * v);
-      for (let i = 0; i < 3; i++) places[3 * v + i] = origin[i] + scale * position[3 * v + i];
-    }
-    const geometry = surface_geometry(places, normals, index);
-    geometry.setAttribute('owner', new BufferAttribute(owner, 1));
+  private put(key: string, tile: MeshTile): void {
+    const [places, normals] = unpacked(tile);
+    const geometry = surface_geometry(places, normals, tile.index);
+    geometry.setAttribute('owner', new BufferAttribute(tile.owner, 1));
     const group = new Group();
     const [outside, inside] = body_meshes(geometry, new BufferGeometry(), this.materials);
     group.add(outside, inside);
     this.drawn.set(key, group);
     this.group.add(group);
   }
+}
+
+/** Places and normals as the triangles need them. */
+function unpacked({ position, normal, origin, scale, owner }: MeshTile): [Float32Array, Int8Array] {
+  const places = Float32Array.from(position, (value, i) => origin[i % 3] + scale * value);
+  const normals = new Int8Array(4 * owner.length);
+  for (let v = 0; v < owner.length; v++) {
+    const [x, y, z] = octahedral(normal[2 * v], normal[2 * v + 1]);
+    normals.set([127 * x, 127 * y, 127 * z], 4 * v);
+  }
+  return [places, normals];
 }
 
 /** A half section turned about its axis, with a sector cut out. */
@@ -158,10 +164,8 @@ export class TurnedBody implements Body {
       this.open_rad,
       this.threads(),
     );
-    const edges = new BufferGeometry();
-    edges.setAttribute('position', new BufferAttribute(lines, 3));
     const geometry = surface_geometry(positions, normals, indices);
-    edges.boundingSphere = geometry.boundingSphere;
+    const edges = line_geometry(lines, geometry.boundingSphere);
     const [outside, , line] = body_meshes(geometry, edges, this.materials);
     this.faces = this.open_rad > 0 ? [this.face(0), this.face(this.open_rad)] : [];
     this.solid.add(outside, line, ...this.faces);
@@ -169,18 +173,8 @@ export class TurnedBody implements Body {
 
   /** The half section in the plane of an angle. */
   private face(angle: number): Mesh {
-    const rings = this.outline.map(ring_of).filter((ring) => ring.length > 2);
-    const points = rings.map((ring) => ring.map(([z, rho]) => new Vector2(z, rho)));
-    const outer = points.filter((ring) => !ShapeUtils.isClockWise(ring));
-    const holes = points.filter((ring) => ShapeUtils.isClockWise(ring));
-    const places: number[] = [];
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    for (const ring of outer) {
-      const inside = holes.filter((hole) => is_in(hole[0], ring));
-      const all = [ring, ...inside].flat();
-      for (const triangle of ShapeUtils.triangulateShape(ring, inside))
-        for (const i of triangle) places.push(all[i].y * c, all[i].y * s, all[i].x);
-    }
+    const places = half_section(this.outline).flatMap(({ x: z, y: rho }) => [rho * c, rho * s, z]);
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(places), 3));
     const mesh = new Mesh(geometry, this.materials.plane_face);
@@ -189,17 +183,31 @@ export class TurnedBody implements Body {
   }
 }
 
-function is_in(point: Vector2, ring: Vector2[]): boolean {
-  let inside = false;
-  ring.forEach((a, i) => {
-    const b = ring[(i + 1) % ring.length];
-    if (
-      a.y > point.y !== b.y > point.y &&
-      point.x < a.x + ((point.y - a.y) / (b.y - a.y)) * (b.x - a.x)
-    )
-      inside = !inside;
-  });
-  return inside;
+/** Corners of its triangles. */
+function half_section(outline: readonly OutlinePiece[][]): Vector2[] {
+  const rings = outline.map(ring_of).filter((ring) => ring.length > 2);
+  const is_hole = (ring: Ring): boolean => ShapeUtils.isClockWise(vectors(ring));
+  const holes = rings.filter(is_hole);
+  return rings
+    .filter((ring) => !is_hole(ring))
+    .flatMap((ring) =>
+      filled(
+        ring,
+        holes.filter(([first]) => is_in_ring(first, ring)),
+      ),
+    );
+}
+
+type Ring = [z: number, rho: number][];
+const vectors = (ring: Ring): Vector2[] => ring.map(([z, rho]) => new Vector2(z, rho));
+
+/** As triangles, corner by corner. */
+function filled(ring: Ring, holes: Ring[]): Vector2[] {
+  const [outer, ...inner] = [ring, ...holes].map(vectors);
+  const all = [outer, ...inner].flat();
+  return ShapeUtils.triangulateShape(outer, inner)
+    .flat()
+    .map((i) => all[i]);
 }
 
 /** All meetings with surfaces, the nearest first, in the frame of the body. */
@@ -213,16 +221,16 @@ function hits_of(group: Group, from: Vec, way: Vec): BodyHit[] {
   return ray
     .intersectObject(group, true)
     .filter(({ object }) => object instanceof Mesh && object.renderOrder !== ORDER.inside)
-    .map(({ point, face, object }) => {
-      const owners = (object as Mesh).geometry.getAttribute('owner');
-      const at = point.applyMatrix4(inverse);
-      const n = face?.normal ?? new Vector3(0, 0, 1);
-      return {
-        at: [at.x, at.y, at.z] as Vec,
-        normal: [n.x, n.y, n.z] as Vec,
-        owner: owners && face ? owners.getX(face.c) : 0,
-      };
-    });
+    .map((meeting) => body_hit(meeting, inverse));
+}
+
+function body_hit({ point, face, object }: Intersection, into_body: Matrix4): BodyHit {
+  const owners = (object as Mesh).geometry.getAttribute('owner');
+  return {
+    at: point.applyMatrix4(into_body).toArray(),
+    normal: (face?.normal ?? new Vector3(0, 0, 1)).toArray(),
+    owner: owners && face ? owners.getX(face.c) : 0,
+  };
 }
 
 function forget(root: Group | undefined): void {

@@ -25,9 +25,7 @@ type Vec = [number, number, number];
 
 export function fixtures_group(solids: readonly Solid[], palette: Palette): Group {
   const group = new Group();
-  for (const solid of solids) {
-    group.add(...clamp(geometry_of(solid), palette));
-  }
+  for (const solid of solids) group.add(...clamp(geometry_of(solid), palette));
   return group;
 }
 
@@ -38,30 +36,37 @@ function clamp(geometry: BufferGeometry, palette: Palette): [Mesh, LineSegments]
   return [body, new LineSegments(new EdgesGeometry(geometry, 30), line)];
 }
 
-function geometry_of(solid: Solid): BufferGeometry {
-  if (solid.kind === 'box') {
-    const size = solid.high.map((value, i) => value - solid.low[i]);
-    const middle = solid.high.map((value, i) => (value + solid.low[i]) / 2);
-    return new BoxGeometry(...(size as Vec)).translate(...(middle as Vec));
-  }
-  const { axis, centre, from, to, radius, bore } = solid;
+const geometry_of = (solid: Solid): BufferGeometry =>
+  solid.kind === 'box' ? block(solid) : standing(round(solid), solid);
+
+function block({ low, high }: Solid & { kind: 'box' }): BufferGeometry {
+  const size = high.map((value, i) => value - low[i]);
+  const middle = high.map((value, i) => (value + low[i]) / 2);
+  return new BoxGeometry(...(size as Vec)).translate(...(middle as Vec));
+}
+
+type Round = Solid & { kind: 'round' };
+
+/** About Z. */
+function round({ from, to, radius, bore }: Round): BufferGeometry {
   const long = to - from;
-  let geometry: BufferGeometry;
-  if (bore > 0) {
-    const ring = new Shape().absarc(0, 0, radius, 0, 2 * Math.PI);
-    ring.holes.push(new Path().absarc(0, 0, bore, 0, 2 * Math.PI, true));
-    geometry = new ExtrudeGeometry(ring, { depth: long, bevelEnabled: false, curveSegments: 32 });
-    geometry.translate(0, 0, from);
-  } else {
-    geometry = new CylinderGeometry(radius, radius, long, 64)
-      .rotateX(Math.PI / 2)
-      .translate(0, 0, from + long / 2);
-  }
-  // The other two coordinates in alphabetical order.
-  if (axis === 0) geometry.rotateY(Math.PI / 2).translate(0, centre[0], centre[1]);
-  else if (axis === 1) geometry.rotateX(-Math.PI / 2).translate(centre[0], 0, centre[1]);
-  else geometry.translate(centre[0], centre[1], 0);
-  return geometry;
+  if (bore > 0) return tube(radius, bore, long).translate(0, 0, from);
+  return new CylinderGeometry(radius, radius, long, 64)
+    .rotateX(Math.PI / 2)
+    .translate(0, 0, from + long / 2);
+}
+
+function tube(radius: number, bore: number, depth: number): BufferGeometry {
+  const ring = new Shape().absarc(0, 0, radius, 0, 2 * Math.PI);
+  ring.holes.push(new Path().absarc(0, 0, bore, 0, 2 * Math.PI, true));
+  return new ExtrudeGeometry(ring, { depth, bevelEnabled: false, curveSegments: 32 });
+}
+
+/** Turned from Z to its axis; the other two coordinates in alphabetical order. */
+function standing(geometry: BufferGeometry, { axis, centre: [u, v] }: Round): BufferGeometry {
+  if (axis === 0) return geometry.rotateY(Math.PI / 2).translate(0, u, v);
+  if (axis === 1) return geometry.rotateX(-Math.PI / 2).translate(u, 0, v);
+  return geometry.translate(u, v, 0);
 }
 
 export interface FindingMark {
@@ -75,39 +80,54 @@ const CHOSEN_PX = 30;
 
 export function findings_group(marks: readonly FindingMark[], palette: Palette): Group {
   const group = new Group();
-  for (const { at, severity, chosen } of marks) {
-    const colour = severity === 'error' ? palette.alarm : palette.hold;
-    const sprite = triangle(colour, palette.ground);
-    sprite.position.set(...at);
-    sprite.userData = { aspect: 1, pixels: chosen ? CHOSEN_PX : MARK_PX };
-    sprite.renderOrder = chosen ? 21 : 20;
-    group.add(sprite);
-  }
+  for (const mark of marks) group.add(finding_sign(mark, palette));
   return group;
+}
+
+function finding_sign({ at, severity, chosen }: FindingMark, palette: Palette): Sprite {
+  const sprite = triangle(severity === 'error' ? palette.alarm : palette.hold, palette.ground);
+  sprite.position.set(...at);
+  sprite.userData = { aspect: 1, pixels: chosen ? CHOSEN_PX : MARK_PX };
+  sprite.renderOrder = chosen ? 21 : 20;
+  return sprite;
 }
 
 /** The sign of an alarm, its tip at the place. */
 function triangle(colour: string, ground: string): Sprite {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext('2d')!;
-  pen.lineJoin = 'round';
+  const pen = pen_of(64);
   pen.beginPath();
   pen.moveTo(32, 60);
   pen.lineTo(6, 12);
   pen.lineTo(58, 12);
   pen.closePath();
-  pen.strokeStyle = ground;
-  pen.lineWidth = 8;
-  pen.stroke();
-  pen.fillStyle = colour;
-  pen.fill();
+  outlined(pen, colour, ground, 8);
   pen.fillStyle = ground;
   pen.fillRect(29, 18, 6, 18);
   pen.fillRect(29, 40, 6, 6);
-  const sprite = flat(canvas);
+  const sprite = flat(pen.canvas);
   sprite.center.set(0.5, 0.06);
   return sprite;
+}
+
+function pen_of(pixels: number): CanvasRenderingContext2D {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = pixels;
+  return canvas.getContext('2d')!;
+}
+
+/** The outline lies below: half of it is seen. */
+function outlined(
+  pen: CanvasRenderingContext2D,
+  colour: string,
+  ground: string,
+  width: number,
+): void {
+  pen.lineJoin = 'round';
+  pen.lineWidth = width;
+  pen.strokeStyle = ground;
+  pen.stroke();
+  pen.fillStyle = colour;
+  pen.fill();
 }
 
 const PLACE_PX = 9;
@@ -120,14 +140,16 @@ export function measure_group(
   palette: Palette,
 ): Group {
   const group = new Group();
-  for (const place of places) {
-    const dot = round_dot(palette.mark, palette.ground);
-    dot.position.set(...place);
-    dot.userData = { aspect: 1, pixels: PLACE_PX };
-    group.add(dot);
-  }
+  for (const place of places) group.add(dot_at(place, palette));
   if (line.length) group.add(drawn(line, palette), words_at(line, text, palette));
   return group;
+}
+
+function dot_at(place: Vec, palette: Palette): Sprite {
+  const dot = round_dot(palette.mark, palette.ground);
+  dot.position.set(...place);
+  dot.userData = { aspect: 1, pixels: PLACE_PX };
+  return dot;
 }
 
 function drawn(line: readonly Vec[], palette: Palette): Line {
@@ -149,17 +171,11 @@ function words_at(line: readonly Vec[], text: string, palette: Palette): Sprite 
 }
 
 function round_dot(colour: string, ground: string): Sprite {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = 32;
-  const pen = canvas.getContext('2d')!;
+  const pen = pen_of(32);
   pen.beginPath();
-  pen.arc(16, 16, 12, 0, 2 * Math.PI);
-  pen.fillStyle = colour;
-  pen.fill();
-  pen.lineWidth = 4;
-  pen.strokeStyle = ground;
-  pen.stroke();
-  const sprite = flat(canvas);
+  pen.arc(16, 16, 10, 0, 2 * Math.PI);
+  outlined(pen, colour, ground, 8);
+  const sprite = flat(pen.canvas);
   sprite.renderOrder = 23;
   return sprite;
 }

@@ -1,5 +1,6 @@
 /** The alarms that this page has seen of its machine, the newest first; kept by the browser. */
 import type { Alarm } from '../logic/protocol';
+import { keep, kept_value } from './browser_memory';
 import { panel } from './panel.svelte';
 
 export interface Seen {
@@ -32,14 +33,9 @@ class AlarmLog {
 
   private open(machine: string): void {
     this.machine = machine;
-    this.last = '';
-    try {
-      this.list = JSON.parse(localStorage.getItem(key_of(machine)) ?? '[]') as Seen[];
-    } catch {
-      this.list = [];
-    }
+    this.list = kept_value<Seen[]>(key_of(machine), []);
     // One that stood when the page was left and still stands is the same.
-    if (this.list[0]) this.last = JSON.stringify(this.list[0].alarm);
+    this.last = this.list[0] ? JSON.stringify(this.list[0].alarm) : '';
   }
 
   private add(alarm: Alarm): void {
@@ -48,11 +44,7 @@ class AlarmLog {
   }
 
   private keep(): void {
-    try {
-      localStorage.setItem(key_of(this.machine), JSON.stringify(this.list));
-    } catch {
-      // A browser that keeps nothing shows those of this visit.
-    }
+    keep(key_of(this.machine), JSON.stringify(this.list));
   }
 }
 

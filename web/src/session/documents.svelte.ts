@@ -57,7 +57,7 @@ class Documents {
   cursor = $state(1);
 
   get document(): TextDocument | undefined {
-    return this.open.find((d) => d.name === this.current);
+    return this.named(this.current);
   }
   get is_dirty(): boolean {
     return this.document !== undefined && is_edited(this.document);
@@ -87,10 +87,13 @@ class Documents {
     return this.map_of(name)?.back(text_line) ?? (this.is_open(name) ? null : text_line);
   }
   private is_open(name: string): boolean {
-    return this.open.some((d) => d.name === name);
+    return this.named(name) !== undefined;
+  }
+  private named(name: string): TextDocument | undefined {
+    return this.open.find((d) => d.name === name);
   }
   private map_of(name: string): LineMap | undefined {
-    const document = this.open.find((d) => d.name === name);
+    const document = this.named(name);
     if (!document) return undefined;
     const first = machine_text(document);
     const known = this.maps.get(name);
@@ -132,16 +135,9 @@ class Documents {
 
   /** Asks where something would be lost. */
   async close(name: string): Promise<void> {
-    const document = this.open.find((d) => d.name === name);
+    const document = this.named(name);
     if (document && is_edited(document)) {
-      const answer = await question.ask(
-        t('program.close-edited', { name }),
-        t('program.close-why'),
-        [
-          { answer: 'discard', label: t('program.discard'), tone: 'danger' },
-          { answer: 'save', label: t('program.save'), tone: 'main' },
-        ],
-      );
+      const answer = await ask_before_closing(name);
       if (answer === null) return;
       if (answer === 'save' && !(await this.write(document))) return;
       drafts.keep(name, null);
@@ -172,15 +168,9 @@ class Documents {
     const is_file = revision === undefined && !is_listing(languages.dialects, name);
     const found = is_file ? await get_text(name, begins) : await this.asked(name, revision);
     if (!found) return false;
-    const { text, read_as } = found;
-    const known = this.open.find((d) => d.name === name);
-    this.put({
-      name,
-      text,
-      saved: revision === undefined ? text : (known?.saved ?? null),
-      loaded: known?.loaded ?? null,
-      read_as,
-    });
+    const known = this.named(name);
+    const saved = revision === undefined ? found.text : (known?.saved ?? null);
+    this.put({ name, ...found, saved, loaded: known?.loaded ?? null });
     this.show(name);
     tell_reading(name, found);
     await this.offer_draft(name);
@@ -208,7 +198,7 @@ class Documents {
 
   private async offer_draft(name: string): Promise<void> {
     const draft = await drafts.of(name);
-    const document = this.open.find((d) => d.name === name);
+    const document = this.named(name);
     if (!draft || !document || is_edited(document)) return;
     if (draft.text === document.text) drafts.keep(name, null);
     else this.change(name, { draft });
@@ -245,7 +235,7 @@ class Documents {
   /** What the machine has loaded, when the page comes to it. */
   async show_what_is_loaded(): Promise<void> {
     const { file } = panel.state;
-    if (!file || this.open.some((d) => d.name === file)) return;
+    if (!file || this.is_open(file)) return;
     const { current } = this;
     // Whoever opens another program meanwhile wants to see that.
     if (!(await this.put_what_runs(file, () => this.current === current))) return;
@@ -255,7 +245,7 @@ class Documents {
 
   /** A file that the machine executes and that is not open yet. */
   async follow(file: string): Promise<void> {
-    if (!this.open.some((d) => d.name === file) && !(await this.put_what_runs(file))) return;
+    if (!this.is_open(file) && !(await this.put_what_runs(file))) return;
     if (this.current !== file) this.show(file);
   }
 
@@ -311,7 +301,7 @@ class Documents {
 
   /** The text of the machine, as teaching writes it. */
   taught(name: string, text: string, line: number): void {
-    const known = this.open.find((d) => d.name === name);
+    const known = this.named(name);
     const { saved, loaded } = known ?? { saved: null, loaded: null };
     this.put({ name, text, saved, loaded, read_as: 'utf-8' });
     this.show(name);
@@ -338,12 +328,7 @@ class Documents {
     if (is_listing(languages.dialects, name))
       return this.keep(name, text, await put_listing(name, text));
     const made = encoded(text, read_as);
-    if ('missing' in made) {
-      const { missing: character } = made;
-      const encoding = ENCODING_NAMES[read_as];
-      notices.say(t('notice.not-in', { character, encoding }), 'refused');
-      return false;
-    }
+    if ('missing' in made) return refuse_character(made.missing, read_as);
     const is_utf_8 = read_as === 'utf-8' || !is_kept(read_as);
     const is_written =
       is_utf_8 && text_fits(text)
@@ -358,7 +343,7 @@ class Documents {
   private async keep(name: string, text: string, saved: string | null): Promise<boolean> {
     if (saved === null) return false;
     this.rebase(name, { saved });
-    if (saved !== text && this.open.some((d) => d.name === name && d.text === text)) {
+    if (saved !== text && this.named(name)?.text === text) {
       this.change(name, { text: saved });
       this.revision++;
     }
@@ -392,16 +377,16 @@ class Documents {
   }
 
   private mark_loaded(name: string, text?: string): void {
-    const document = this.open.find((d) => d.name === name);
+    const document = this.named(name);
     this.rebase(name, { loaded: text ?? document?.text ?? null });
     this.open = this.open.map((d) => (d.name === name ? d : { ...d, loaded: null }));
   }
 
   /** The machine has another text of a program: its breakpoints move with their lines. */
   private rebase(name: string, change: Partial<TextDocument>): void {
-    const before = this.open.find((d) => d.name === name);
+    const before = this.named(name);
     this.change(name, change);
-    const now = this.open.find((d) => d.name === name);
+    const now = this.named(name);
     if (!before || !now || !panel.operates) return;
     const map = line_map(machine_text(before), machine_text(now));
     const list = moved(panel.breakpoints, name, map.forth);
@@ -417,6 +402,20 @@ class Documents {
   private change(name: string, change: Partial<TextDocument>): void {
     this.open = this.open.map((d) => (d.name === name ? { ...d, ...change } : d));
   }
+}
+
+/** Null: it stays open. */
+const ask_before_closing = (name: string): Promise<string | null> =>
+  question.ask(t('program.close-edited', { name }), t('program.close-why'), [
+    { answer: 'discard', label: t('program.discard'), tone: 'danger' },
+    { answer: 'save', label: t('program.save'), tone: 'main' },
+  ]);
+
+/** False: nothing is written. */
+function refuse_character(character: string, encoding: Encoding): false {
+  const name = ENCODING_NAMES[encoding];
+  notices.say(t('notice.not-in', { character, encoding: name }), 'refused');
+  return false;
 }
 
 /** What saving would change in a file beside what is edited. */

@@ -30,6 +30,10 @@ import { teaching } from './teaching.svelte';
 
 const colourings = (): Colouring[] =>
   panel.definition?.laser ? ['power', 'feed', 'speed'] : ['tool', 'feed', 'speed'];
+function next_colouring(): void {
+  const choices = colourings();
+  preferences.colouring = choices[(choices.indexOf(preferences.colouring) + 1) % choices.length];
+}
 const SLIDER_STEP_S = 1;
 
 const feed = (by: number): unknown =>
@@ -82,10 +86,7 @@ const ACTIONS: Record<CommandName, () => unknown> = {
   'view-front': look('front'),
   'view-right': look('right'),
   fit: () => picture_keys.picture?.fit_all(),
-  colouring: () => {
-    const choices = colourings();
-    preferences.colouring = choices[(choices.indexOf(preferences.colouring) + 1) % choices.length];
-  },
+  colouring: next_colouring,
   'slider-back': () => slide(-SLIDER_STEP_S),
   'slider-forward': () => slide(SLIDER_STEP_S),
   'slider-now': () => slider.now(),

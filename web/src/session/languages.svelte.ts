@@ -2,6 +2,7 @@
 import { line_comment } from '../logic/dialects';
 import type { Dialect } from '../logic/protocol';
 import type { LineTokens, TextLanguage } from '../logic/token_store';
+import { after } from './after';
 
 type Ask = (name: string, args: Record<string, unknown>) => Promise<Record<string, unknown>>;
 
@@ -29,10 +30,7 @@ class Languages {
     return {
       kind: (number) => this.kinds[number] ?? '',
       line_comment: () => line_comment(this.find(dialect)),
-      after: (ms, action) => {
-        const timer = setTimeout(action, ms);
-        return () => clearTimeout(timer);
-      },
+      after,
       cut: async (lines) => {
         dialect ||= String((await ask('dialect', { name, text: head })).dialect);
         const answer = await ask('tokens', { dialect, lines: lines.join('\n') });

@@ -8,9 +8,14 @@ const address = (name: string): string => `library/${encodeURIComponent(name)}${
 /** Into the library as it is, byte by byte. False: refused, and the sentence is told. */
 export async function put_file(name: string, body: Blob | string): Promise<boolean> {
   const answer = await fetch(address(name), { method: 'PUT', body }).catch(() => null);
-  if (answer?.ok) return true;
+  if (!answer?.ok) await tell_refusal(answer);
+  return answer?.ok ?? false;
+}
+
+/** In the words of the server, where it has answered. */
+async function tell_refusal(answer: Response | null): Promise<null> {
   notices.say((await answer?.text()) || t('connection.refused'), 'refused');
-  return false;
+  return null;
 }
 
 /** `begins`: told the first bytes, while the others are still on their way. Null: refused, and told. */
@@ -19,18 +24,12 @@ export async function get_bytes(
   begins: (first: Uint8Array) => void = () => {},
 ): Promise<Uint8Array | null> {
   const answer = await fetch(address(name)).catch(() => null);
-  if (!answer?.ok || !answer.body) {
-    notices.say((await answer?.text()) || t('connection.refused'), 'refused');
-    return null;
-  }
+  if (!answer?.ok || !answer.body) return tell_refusal(answer);
   const pieces: Uint8Array[] = [];
   const reader = answer.body.getReader();
   for (;;) {
     const piece = await reader.read().catch(() => null);
-    if (!piece) {
-      notices.say(t('connection.refused'), 'refused');
-      return null;
-    }
+    if (!piece) return tell_refusal(null);
     if (pieces.length === 0) begins(piece.value ?? new Uint8Array());
     if (piece.done) return joined(pieces);
     pieces.push(piece.value);

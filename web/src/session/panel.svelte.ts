@@ -28,6 +28,8 @@ import {
   type PathEvent,
 } from '../logic/protocol';
 import { UndoStack } from '../logic/undo';
+import { after } from './after';
+import { keep, kept } from './browser_memory';
 import { languages } from './languages.svelte';
 import { link } from './link.svelte';
 import { notices } from './notices.svelte';
@@ -74,7 +76,7 @@ class Panel {
   private heard_at = Date.now();
   private readonly connection = new Connection(
     () => new WebSocket(socket_address()) as Socket,
-    { now: () => performance.now(), after: (ms, action) => after(ms, action) },
+    { now: () => performance.now(), after },
     {
       line: (state, retry_in_s, reason) => this.on_line(state, retry_in_s, reason),
       event: (event) => this.on_event(event),
@@ -243,21 +245,14 @@ class Panel {
 }
 
 /** That of this tab, then that of this browser. */
-function kept_machines(): (string | null)[] {
-  try {
-    return [sessionStorage.getItem(FIRST_MACHINE_KEY), localStorage.getItem(LAST_MACHINE_KEY)];
-  } catch {
-    return [];
-  }
-}
+const kept_machines = (): (string | null)[] => [
+  kept(FIRST_MACHINE_KEY, 'tab'),
+  kept(LAST_MACHINE_KEY),
+];
 
 function keep_machine(name: string): void {
-  try {
-    sessionStorage.setItem(FIRST_MACHINE_KEY, name);
-    localStorage.setItem(LAST_MACHINE_KEY, name);
-  } catch {
-    // A browser that keeps nothing begins with the mill each time.
-  }
+  keep(FIRST_MACHINE_KEY, name, 'tab');
+  keep(LAST_MACHINE_KEY, name);
 }
 
 /** In the language of the page. */
@@ -270,11 +265,6 @@ function socket_address(): string {
   address.search = location.search;
   address.hash = '';
   return address.href;
-}
-
-function after(milliseconds: number, action: () => void): () => void {
-  const timer = setTimeout(action, milliseconds);
-  return () => clearTimeout(timer);
 }
 
 export const panel = new Panel();

@@ -1,6 +1,7 @@
 /** What a person has set for himself, kept by his browser. */
 import { type Language, chosen_language } from '../logic/i18n';
 import type { Colouring, Scheme } from '../logic/colour_scale';
+import { keep, kept_value } from './browser_memory';
 
 export type Theme = 'system' | Scheme;
 
@@ -31,38 +32,35 @@ interface Stored {
 
 const KEY = 'kerf.preferences';
 
-function defaults(): Stored {
-  return {
-    theme: 'system',
-    language: chosen_language(navigator.languages),
-    colouring: 'tool',
-    show_rapids: true,
-    show_travel: true,
-    show_stock: true,
-    show_path: false,
-    stock_fine: true,
-    follow: true,
-    editor_share: 0.34,
-    dock_px: 208,
-    jog_mm_min: 1000,
-    jog_step: 0,
-    watches: [],
-    ask_above: 10,
-    person: '',
-    scores: {},
-  };
-}
+/** Of a browser that has chosen nothing yet; its language is asked for as well. */
+const AT_FIRST: Omit<Stored, 'language'> = {
+  theme: 'system',
+  colouring: 'tool',
+  show_rapids: true,
+  show_travel: true,
+  show_stock: true,
+  show_path: false,
+  stock_fine: true,
+  follow: true,
+  editor_share: 0.34,
+  dock_px: 208,
+  jog_mm_min: 1000,
+  jog_step: 0,
+  watches: [],
+  ask_above: 10,
+  person: '',
+  scores: {},
+};
 
-function read(): Stored {
-  try {
-    const stored = JSON.parse(localStorage.getItem(KEY) ?? '{}') as Partial<Stored>;
-    return { ...defaults(), ...stored };
-  } catch {
-    return defaults();
-  }
-}
+const defaults = (): Stored => ({
+  ...structuredClone(AT_FIRST),
+  language: chosen_language(navigator.languages),
+});
 
-export const preferences = $state<Stored>(read());
+export const preferences = $state<Stored>({
+  ...defaults(),
+  ...kept_value<Partial<Stored>>(KEY, {}),
+});
 
 const asks_for_light = matchMedia('(prefers-color-scheme: light)');
 let system_scheme = $state<Scheme>(asks_for_light.matches ? 'light' : 'dark');
@@ -73,12 +71,5 @@ export const scheme = (): Scheme =>
 
 /** Keeps what changes; called once by the page. */
 export function keep_preferences(): void {
-  $effect(() => {
-    const text = JSON.stringify(preferences);
-    try {
-      localStorage.setItem(KEY, text);
-    } catch {
-      // A browser that keeps nothing still runs the panel.
-    }
-  });
+  $effect(() => keep(KEY, JSON.stringify(preferences)));
 }

@@ -1,6 +1,7 @@
 /** The set-up of the loaded program: as the server keeps it, and as it is being changed in the forms. */
 import { Refusal } from '../logic/connection';
 import { EMPTY_SETUP, is_bad, read_setup, type Setup, written_setup } from '../logic/stock/setup';
+import { type Wrong, wrong_in } from '../logic/stock/setup_rules';
 import { notices } from './notices.svelte';
 import { panel, said } from './panel.svelte';
 import { t } from './words.svelte';
@@ -24,6 +25,14 @@ class SetupForms {
   }
   get is_changed(): boolean {
     return this.draft !== null;
+  }
+  /** What cannot be, of all that the forms have. */
+  wrong = $derived(wrong_in(this.shown));
+  wrong_of(part: string): Wrong[] {
+    return this.wrong.filter(({ field }) => field.split(' ')[0] === part);
+  }
+  is_wrong(field: string): boolean {
+    return this.wrong.some((one) => one.field === field);
   }
 
   /** Asks for the set-up of the program that is loaded now. */

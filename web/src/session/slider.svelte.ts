@@ -1,4 +1,5 @@
 /** The time slider: now, or an instant of the run, with position, modal codes and variables of that instant. */
+import type { Chunk } from '../logic/chunk';
 import { Refusal } from '../logic/connection';
 import { joints_of } from '../logic/kinematics';
 import type { Axes, Instant, MachineState, Variable } from '../logic/protocol';
@@ -69,15 +70,18 @@ class Slider {
     while (this.wanted !== null) {
       const time_s = this.wanted;
       this.wanted = null;
-      try {
-        const answer = await panel.ask('instant', { time_s });
-        if (this.time_s !== null) this.instant = answer as unknown as Instant;
-        this.refused = '';
-      } catch (reason) {
-        this.refused = reason instanceof Refusal ? said(reason) : String(reason);
-      }
+      await this.ask_for(time_s);
     }
     this.asking = false;
+  }
+  private async ask_for(time_s: number): Promise<void> {
+    try {
+      const answer = await panel.ask('instant', { time_s });
+      if (this.time_s !== null) this.instant = answer as unknown as Instant;
+      this.refused = '';
+    } catch (reason) {
+      this.refused = reason instanceof Refusal ? said(reason) : String(reason);
+    }
   }
 
   /** At once, from the path's vertices: where tip and joints are, and which line moves them. */
@@ -86,17 +90,11 @@ class Slider {
     const place = preview.place_at(progress.path_seconds(time_s));
     if (!place || !definition) return {};
     const tip = preview.point_at(place);
-    const chunk = preview.chunks[place.chunk];
-    const end = Math.min(place.vertex + 1, chunk.vertices - 1);
     const rotary = rotary_axes(preview.rotary_at(place));
     return {
       position: this.instant?.position ?? panel.state.position,
       joints: joints_of(definition.kinematics, tip, rotary, panel.state.joints),
-      line: chunk.line[end],
-      file: panel.path?.files[chunk.file[end]] ?? panel.state.file,
-      tool: chunk.tool[end],
-      power_percent: chunk.power_percent[end],
-      motion: chunk.motion[end],
+      ...facts_of(preview.chunks[place.chunk], place.vertex),
     };
   }
 
@@ -109,6 +107,18 @@ class Slider {
     const { feed, spindle, tool, coolant } = instant;
     return { position, joints, modal, file, line, text, stack, feed, spindle, tool, coolant };
   }
+}
+
+/** Of the segment behind a vertex. */
+function facts_of(chunk: Chunk, vertex: number): Partial<MachineState> {
+  const end = Math.min(vertex + 1, chunk.vertices - 1);
+  return {
+    line: chunk.line[end],
+    file: panel.path?.files[chunk.file[end]] ?? panel.state.file,
+    tool: chunk.tool[end],
+    power_percent: chunk.power_percent[end],
+    motion: chunk.motion[end],
+  };
 }
 
 function rotary_axes(values: [number, number] | null): Axes {

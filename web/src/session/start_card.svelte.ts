@@ -1,4 +1,6 @@
 /** The card that greets a newcomer, until he sends it away. */
+import { keep, kept } from './browser_memory';
+
 const KEY = 'kerf.start-card';
 const AWAY = 'away';
 
@@ -12,24 +14,12 @@ const SAMPLES: Record<string, string> = {
 
 export const sample_of = (definition: string): string => SAMPLES[definition] ?? 'flanges.nc';
 
-function is_away(): boolean {
-  try {
-    return localStorage.getItem(KEY) === AWAY;
-  } catch {
-    return false;
-  }
-}
-
 class StartCard {
-  shown = $state(!is_away());
+  shown = $state(kept(KEY) !== AWAY);
 
   send_away(): void {
     this.shown = false;
-    try {
-      localStorage.setItem(KEY, AWAY);
-    } catch {
-      // A browser that keeps nothing is greeted each time.
-    }
+    keep(KEY, AWAY);
   }
 }
 

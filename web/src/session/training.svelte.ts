@@ -83,11 +83,7 @@ class Training {
     }
     const name = fitting ?? free_name(panel.machines, definition);
     if (fitting === null && !(await panel.act('create', { name, definition }))) return false;
-    slider.now();
-    documents.close_all();
-    await panel.watch(name);
-    await panel.refresh_machines();
-    await documents.show_what_is_loaded();
+    await turn_to(name);
     notices.say(t('training.at-machine', { name }));
     return panel.machine === name;
   }
@@ -96,10 +92,8 @@ class Training {
   private async set_zero(exercise: Exercise): Promise<void> {
     const answer = await panel.act('offsets');
     const rows = (answer?.offsets as OffsetRow[] | undefined) ?? [];
-    const before = (axis: string) =>
-      rows.find((row) => row.offset === 'G54' && row.axis === axis)?.value;
     const moved = AXES.filter((axis, i) => {
-      const value = before(axis);
+      const value = rows.find((row) => row.offset === 'G54' && row.axis === axis)?.value;
       return value !== undefined && value !== exercise.zero_mm[i];
     });
     for (const axis of moved) {
@@ -118,6 +112,15 @@ class Training {
     this.found = { exercise: exercise.name, text, assessment };
     preferences.scores = with_score(preferences.scores, exercise.name, assessment.score);
   }
+}
+
+/** To another machine, whose program is shown. */
+async function turn_to(name: string): Promise<void> {
+  slider.now();
+  documents.close_all();
+  await panel.watch(name);
+  await panel.refresh_machines();
+  await documents.show_what_is_loaded();
 }
 
 export const training = new Training();

@@ -1,4 +1,4 @@
-/** Files from this computer into the library: never over a program without a question, never what is no text. */
+/** Files from this computer into the library: never over another one without a question, as programs never what is no text. */
 import type { ProgramEntry } from '../logic/protocol';
 import { is_listing } from '../logic/dialects';
 import { free_name, mended_name } from '../logic/program_name';
@@ -8,15 +8,22 @@ import { notices } from './notices.svelte';
 import { question } from './question.svelte';
 import { t } from './words.svelte';
 
-/** The name under which a file went into the library; null: it did not. */
+/** The name under which a program went into the library; null: it did not. */
 export async function upload(
   file: File,
   programs: readonly ProgramEntry[],
 ): Promise<string | null> {
-  if (!is_listing(languages.dialects, file.name) && !(await is_text_file(file))) {
-    notices.say(t('notice.no-text', { name: file.name }), 'refused');
-    return null;
-  }
+  if (is_listing(languages.dialects, file.name) || (await is_text_file(file)))
+    return upload_shape(file, programs);
+  notices.say(t('notice.no-text', { name: file.name }), 'refused');
+  return null;
+}
+
+/** The same of any bytes, as those of a part. */
+export async function upload_shape(
+  file: File,
+  programs: readonly ProgramEntry[],
+): Promise<string | null> {
   if (await is_there_already(file, programs)) return file.name;
   const taken = programs.map((program) => program.name);
   const name = await name_for(file.name, taken);

@@ -43,6 +43,13 @@ class Variables {
       .catch(() => null);
   }
 
+  /** Among those that are watched, or no longer. */
+  watch(name: string, is_watched: boolean): void {
+    const others = preferences.watches.filter((watched) => watched !== name);
+    preferences.watches = is_watched ? [...others, name] : others;
+    this.refresh();
+  }
+
   private async ask(): Promise<void> {
     const args = this.level === null ? {} : { level: this.level };
     const answer = await panel.ask('variables', args).catch(() => null);

@@ -323,6 +323,39 @@ TEST(SurfaceOfHeights, RoundWallsAreSmootherThanTheirCells) {
   EXPECT_LT(std::sqrt(square / count), 0.12 * kCell);
 }
 
+TEST(SurfaceOfHeights, WallsBelongToWhoMadeThem) {
+  // A disc of 40 that is faced: its mantle is the stock's own. A plunge of 12: the wall is its.
+  const auto disc = [](double x, double y) -> field::Column {
+    return std::hypot(x, y) < 20 ? field::Column{-10, 0} : field::Column{};
+  };
+  field::HeightField model(field::grid_of({{-21, -21, -10}, {21, 21, 0}}, kCell), disc, 1);
+  const BodyId face = model.add_body(field::flat(60));
+  const BodyId mill = model.add_body(field::flat(12));
+  const std::array<Sweep, 2> sweeps{
+      {{.way = StraightWay{{0, 0, 1}, {0, 0, -1}}, .body = face, .motion = 1},
+       {.way = StraightWay{{0, 0, 1}, {0, 0, -6}}, .body = mill, .motion = 2}}};
+  std::array<Outcome, 2> outcomes;
+  model.cut(sweeps, outcomes);
+  const Surface surface = surface_of(model);
+  int mantle = 0, wall = 0;
+  for (std::size_t i = 0; i < surface.owners.size(); ++i) {
+    const mesh::Triangle& t = surface.mesh.triangles[i];
+    const Vec3 middle = (1.0 / 3) * (surface.mesh.points[t[0]] + surface.mesh.points[t[1]] +
+                                     surface.mesh.points[t[2]]);
+    const double r = std::hypot(middle.x, middle.y);
+    if (middle.z > -8 && middle.z < -2.5 && r > 18) {
+      EXPECT_EQ(surface.owners[i], 0U) << r;
+      ++mantle;
+    }
+    if (middle.z > -4.5 && middle.z < -2.5 && r < 8) {
+      EXPECT_EQ(surface.owners[i], 2U) << r;
+      ++wall;
+    }
+  }
+  EXPECT_GT(mantle, 100);
+  EXPECT_GT(wall, 30);
+}
+
 TEST(SurfaceOfHeights, RandomCutsAreSound) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);

@@ -1,16 +1,18 @@
 /** The page's texts: one table a language, the same keys in each (a test holds that). */
 import { en as en_panel } from './en';
 import { en_guide } from './en_guide';
+import { en_setup } from './en_setup';
 import { en_stock } from './en_stock';
 import { en_trust } from './en_trust';
 import { en_turning } from './en_turning';
 import { zh_hant } from './zh_hant';
 import { zh_hant_guide } from './zh_hant_guide';
+import { zh_hant_setup } from './zh_hant_setup';
 import { zh_hant_stock } from './zh_hant_stock';
 import { zh_hant_trust } from './zh_hant_trust';
 import { zh_hant_turning } from './zh_hant_turning';
 
-const en = { ...en_panel, ...en_guide, ...en_stock, ...en_trust, ...en_turning };
+const en = { ...en_panel, ...en_guide, ...en_setup, ...en_stock, ...en_trust, ...en_turning };
 export type TextKey = keyof typeof en;
 export type Language = 'en' | 'zh-Hant';
 
@@ -19,6 +21,7 @@ export const TABLES: Record<Language, Record<TextKey, string>> = {
   'zh-Hant': {
     ...zh_hant,
     ...zh_hant_guide,
+    ...zh_hant_setup,
     ...zh_hant_stock,
     ...zh_hant_trust,
     ...zh_hant_turning,
@@ -41,9 +44,6 @@ export function text_of(
 
 /** The first language of the browser that there is a table for. Any Chinese reads the Chinese table. */
 export function chosen_language(wishes: readonly string[]): Language {
-  for (const wish of wishes) {
-    if (/^zh/i.test(wish)) return 'zh-Hant';
-    if (/^en/i.test(wish)) return 'en';
-  }
-  return 'en';
+  const first = wishes.find((wish) => /^(zh|en)/i.test(wish)) ?? 'en';
+  return /^zh/i.test(first) ? 'zh-Hant' : 'en';
 }

@@ -6,23 +6,26 @@ import { type HeightField, VOID } from './height_field';
 
 export const AMBIENT_SIZE = 96;
 const BLUR_ROUNDS = 3;
+const RADIUS = 4;
 
-export function mean_heights({ grid, heights }: HeightField): Uint8Array<ArrayBuffer> {
+export function mean_heights(field: HeightField): Uint8Array<ArrayBuffer> {
+  const n = AMBIENT_SIZE;
+  let values = samples(field);
+  for (let round = 0; round < BLUR_ROUNDS; round++)
+    values = blurred(blurred(values, 1, n, RADIUS), n, 1, RADIUS);
+  return Uint8Array.from(values, (value) => Math.round(255 * Math.min(1, Math.max(0, value))));
+}
+
+/** Heights at places of the small picture: 0 the bottom, 1 the top. */
+function samples({ grid, heights }: HeightField): Float32Array<ArrayBuffer> {
   const n = AMBIENT_SIZE;
   const { nx, ny, corner, top } = grid;
   const span = Math.max(1e-9, top - corner[2]);
-  let values = new Float32Array(n * n);
-  for (let j = 0; j < n; j++) {
-    const row = Math.floor(((j + 0.5) / n) * ny) * nx;
-    for (let i = 0; i < n; i++) {
-      const height = heights[row + Math.floor(((i + 0.5) / n) * nx)];
-      values[j * n + i] = height === VOID ? 0 : (height - corner[2]) / span;
-    }
-  }
-  const radius = 4;
-  for (let round = 0; round < BLUR_ROUNDS; round++)
-    values = blurred(blurred(values, 1, n, radius), n, 1, radius);
-  return Uint8Array.from(values, (value) => Math.round(255 * Math.min(1, Math.max(0, value))));
+  const at = (i: number, count: number): number => Math.floor(((i + 0.5) / n) * count);
+  return Float32Array.from({ length: n * n }, (_, k) => {
+    const height = heights[at(Math.floor(k / n), ny) * nx + at(k % n, nx)];
+    return height === VOID ? 0 : (height - corner[2]) / span;
+  });
 }
 
 /** The mean of 2 radius + 1 values along lines; beyond their ends they go on as there. */

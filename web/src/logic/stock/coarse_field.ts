@@ -1,5 +1,5 @@
 /** A height field in fewer columns: of each square of columns the one in its middle. */
-import { HeightField } from './height_field';
+import { type Grid, HeightField } from './height_field';
 
 /** From so many columns along a side on it is worth while. */
 const WORTH_WHILE = 260;
@@ -13,16 +13,7 @@ export class CoarseField {
     private readonly of: HeightField,
     private readonly stride: number,
   ) {
-    const { nx, ny, cell, corner, top } = of.grid;
-    const [columns, rows] = [Math.floor(nx / stride), Math.floor(ny / stride)];
-    // Over the same box: what the stride leaves over widens each cell a little.
-    this.field = new HeightField({
-      nx: columns,
-      ny: rows,
-      cell: [(nx * cell[0]) / columns, (ny * cell[1]) / rows],
-      corner,
-      top,
-    });
+    this.field = new HeightField(coarse_grid(of.grid, stride));
     this.seen = -1;
     this.follow();
   }
@@ -52,4 +43,11 @@ export class CoarseField {
   get is_coarser_by(): number {
     return this.stride;
   }
+}
+
+/** Over the same box: what the stride leaves over widens each cell a little. */
+function coarse_grid({ nx, ny, cell, corner, top }: Grid, stride: number): Grid {
+  const [columns, rows] = [Math.floor(nx / stride), Math.floor(ny / stride)];
+  const wide: Grid['cell'] = [(nx * cell[0]) / columns, (ny * cell[1]) / rows];
+  return { nx: columns, ny: rows, cell: wide, corner, top };
 }

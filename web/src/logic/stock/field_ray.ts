@@ -1,5 +1,5 @@
 /** Where a line of sight first meets a height field, column by column. */
-import { type HeightField, VOID } from './height_field';
+import { far_corner, type HeightField, VOID } from './height_field';
 
 type Vec = [number, number, number];
 
@@ -25,44 +25,99 @@ export function hit_of_field(
   way: Vec,
   plane: Plane | null = null,
 ): FieldHit | null {
-  const { nx, ny, cell, corner, top } = field.grid;
-  const high: Vec = [corner[0] + nx * cell[0], corner[1] + ny * cell[1], top];
-  const span = span_in_box(from, way, corner, high, plane);
-  if (!span) return null;
-  let { begin, normal } = span;
-  const at = (t: number): Vec => [from[0] + t * way[0], from[1] + t * way[1], from[2] + t * way[2]];
-  const entry = at(begin);
-  const index = (value: number, i: number, count: number): number =>
-    Math.min(count - 1, Math.max(0, Math.floor((value - corner[i]) / cell[i])));
-  let [i, j] = [index(entry[0] + 1e-9 * way[0], 0, nx), index(entry[1] + 1e-9 * way[1], 1, ny)];
-  const step = [Math.sign(way[0]), Math.sign(way[1])];
-  const border = (k: number, axis: 0 | 1): number => {
-    if (!step[axis]) return Infinity;
-    const side = corner[axis] + (k + (step[axis] > 0 ? 1 : 0)) * cell[axis];
-    return (side - from[axis]) / way[axis];
-  };
-  for (let rounds = nx + ny + 2; rounds > 0 && begin <= span.end; rounds--) {
-    const height = field.heights[j * nx + i];
-    const leave = Math.min(border(i, 0), border(j, 1), span.end);
-    const z = from[2] + begin * way[2];
-    const owner = field.owners[j * nx + i];
-    if (height !== VOID) {
-      if (z <= height && z >= corner[2]) return { at: at(begin), normal, owner };
-      const t = (height - from[2]) / way[2];
-      if (way[2] < 0 && t >= begin && t <= leave) return { at: at(t), normal: [0, 0, 1], owner };
-      const low = (corner[2] - from[2]) / way[2];
-      if (way[2] > 0 && low >= begin && low <= leave)
-        return { at: at(low), normal: [0, 0, -1], owner };
-    }
-    const axis = border(i, 0) <= border(j, 1) ? 0 : 1;
-    begin = leave;
-    if (leave >= span.end) break;
-    if (axis === 0) i += step[0];
-    else j += step[1];
-    if (i < 0 || j < 0 || i >= nx || j >= ny) break;
-    normal = axis === 0 ? [-step[0], 0, 0] : [0, -step[1], 0];
+  const span = span_in_box(from, way, field.grid.corner, far_corner(field.grid), plane);
+  return span && new Walk(field, from, way, span).first_hit();
+}
+
+/** Along a line from column to column, as long as it is within the part. */
+class Walk {
+  private readonly column: [number, number];
+  private readonly step: readonly [number, number];
+  /** Where along the line the column begins, and the side of it through which the line comes. */
+  private begin: number;
+  private normal: Vec;
+  private readonly end: number;
+
+  constructor(
+    private readonly field: HeightField,
+    private readonly from: Vec,
+    private readonly way: Vec,
+    span: Span,
+  ) {
+    this.begin = span.begin;
+    this.end = span.end;
+    this.normal = span.normal;
+    this.step = [Math.sign(way[0]), Math.sign(way[1])];
+    this.column = [this.index_at(0), this.index_at(1)];
   }
-  return null;
+
+  first_hit(): FieldHit | null {
+    const { nx, ny } = this.field.grid;
+    for (let rounds = nx + ny + 2; rounds > 0 && this.begin <= this.end; rounds--) {
+      const found = this.hit_in_column();
+      if (found) return found;
+      if (!this.go_on()) break;
+    }
+    return null;
+  }
+
+  private hit_in_column(): FieldHit | null {
+    const [i, j] = this.column;
+    const k = j * this.field.grid.nx + i;
+    const height = this.field.heights[k];
+    const owner = this.field.owners[k];
+    const found = height === VOID ? null : this.meets(height);
+    return found && { ...found, owner };
+  }
+
+  /** The side of a column of this height, or its top, or its bottom. */
+  private meets(height: number): Omit<FieldHit, 'owner'> | null {
+    const { way, begin, normal } = this;
+    const bottom = this.field.grid.corner[2];
+    const z = this.from[2] + begin * way[2];
+    if (z <= height && z >= bottom) return { at: this.at(begin), normal };
+    if (way[2] < 0) return this.meets_level(height, [0, 0, 1]);
+    return way[2] > 0 ? this.meets_level(bottom, [0, 0, -1]) : null;
+  }
+
+  private meets_level(z: number, normal: Vec): Omit<FieldHit, 'owner'> | null {
+    const t = (z - this.from[2]) / this.way[2];
+    return t >= this.begin && t <= this.leave() ? { at: this.at(t), normal } : null;
+  }
+
+  /** Into the next column; false: it is none of the part, or beyond the end. */
+  private go_on(): boolean {
+    const { nx, ny } = this.field.grid;
+    const axis = this.border(0) <= this.border(1) ? 0 : 1;
+    this.begin = this.leave();
+    if (this.begin >= this.end) return false;
+    this.column[axis] += this.step[axis];
+    this.normal = [0, 0, 0];
+    this.normal[axis] = -this.step[axis];
+    const [i, j] = this.column;
+    return i >= 0 && j >= 0 && i < nx && j < ny;
+  }
+
+  private leave(): number {
+    return Math.min(this.border(0), this.border(1), this.end);
+  }
+  /** Where along the line the column ends in this axis. */
+  private border(axis: 0 | 1): number {
+    if (!this.step[axis]) return Infinity;
+    const { corner, cell } = this.field.grid;
+    const side = corner[axis] + (this.column[axis] + (this.step[axis] > 0 ? 1 : 0)) * cell[axis];
+    return (side - this.from[axis]) / this.way[axis];
+  }
+  private at(t: number): Vec {
+    return this.from.map((value, i) => value + t * this.way[i]) as Vec;
+  }
+  /** The first column in this axis: a little inside of where the line comes in. */
+  private index_at(axis: 0 | 1): number {
+    const { nx, ny, corner, cell } = this.field.grid;
+    const place = this.at(this.begin)[axis] + 1e-9 * this.way[axis];
+    const index = Math.floor((place - corner[axis]) / cell[axis]);
+    return Math.min((axis ? ny : nx) - 1, Math.max(0, index));
+  }
 }
 
 /** Where the line is within the box and not beyond the plane, and through which face it comes. */
@@ -73,25 +128,23 @@ interface Span {
 }
 
 function span_in_box(from: Vec, way: Vec, low: Vec, high: Vec, plane: Plane | null): Span | null {
-  let begin = -FAR_MM;
-  let end = FAR_MM;
-  let normal: Vec = [0, 0, 1];
+  const span: Span = { begin: -FAR_MM, end: FAR_MM, normal: [0, 0, 1] };
   for (const axis of [0, 1, 2] as const) {
-    if (way[axis] === 0) {
-      if (from[axis] < low[axis] || from[axis] > high[axis]) return null;
-      continue;
-    }
-    const a = (low[axis] - from[axis]) / way[axis];
-    const b = (high[axis] - from[axis]) / way[axis];
-    if (Math.min(a, b) > begin) {
-      begin = Math.min(a, b);
-      normal = [0, 0, 0];
-      normal[axis] = -Math.sign(way[axis]);
-    }
-    end = Math.min(end, Math.max(a, b));
+    if (way[axis] !== 0)
+      narrow(span, axis, way[axis], low[axis] - from[axis], high[axis] - from[axis]);
+    else if (from[axis] < low[axis] || from[axis] > high[axis]) return null;
   }
-  const span = { begin, end, normal };
   return plane ? before_plane(span, from, way, plane) : whole(span);
+}
+
+/** To what lies between two sides of the box, which are so far from the line's first point. */
+function narrow(span: Span, axis: 0 | 1 | 2, way: number, low: number, high: number): void {
+  const begin = Math.min(low / way, high / way);
+  span.end = Math.min(span.end, Math.max(low / way, high / way));
+  if (begin <= span.begin) return;
+  span.begin = begin;
+  span.normal = [0, 0, 0];
+  span.normal[axis] = -Math.sign(way);
 }
 
 const whole = (span: Span): Span | null => (span.begin <= span.end ? span : null);

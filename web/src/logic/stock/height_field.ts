@@ -18,6 +18,13 @@ export interface Grid {
   top: number;
 }
 
+/** The corner of the stock opposite to `corner`. */
+export const far_corner = ({ nx, ny, cell, corner, top }: Grid): [number, number, number] => [
+  corner[0] + nx * cell[0],
+  corner[1] + ny * cell[1],
+  top,
+];
+
 /** How far beside a tile its triangles look: a change there changes them as well. */
 export const APRON = 8;
 
@@ -51,23 +58,26 @@ export class HeightField {
     const j0 = tile.y * TILE_CELLS;
     if (i0 < 0 || j0 < 0 || i0 >= nx || j0 >= ny) return false;
     const box = new ChangedBox();
-    const columns = Math.min(tile.nx, nx - i0);
     const rows = Math.min(tile.ny, ny - j0);
-    for (let j = 0; j < rows; j++) {
-      const from = j * tile.nx;
-      const to = (j0 + j) * nx + i0;
-      for (let i = 0; i < columns; i++) {
-        const raw = tile.height[from + i];
-        const height = Math.fround(raw === NOTHING_LEFT ? VOID : tile.z0 + tile.dz * raw);
-        if (this.heights[to + i] !== height) {
-          this.heights[to + i] = height;
-          box.add(i0 + i, j0 + j);
-        }
-        this.owners[to + i] = tile.owner[from + i];
-      }
-    }
+    for (let j = 0; j < rows; j++) this.put_row(tile, j, [i0, j0 + j], box);
     this.repainted.add(this.key_of_cell(i0, j0));
     this.mark(box);
+    return true;
+  }
+
+  private put_row(tile: HeightTile, row: number, [i0, j]: [number, number], box: ChangedBox): void {
+    const from = row * tile.nx;
+    const to = j * this.grid.nx + i0;
+    const columns = Math.min(tile.nx, this.grid.nx - i0);
+    for (let i = 0; i < columns; i++) {
+      if (this.put_height(to + i, height_in(tile, from + i))) box.add(i0 + i, j);
+      this.owners[to + i] = tile.owner[from + i];
+    }
+  }
+  /** True: it was another one. */
+  private put_height(cell: number, height: number): boolean {
+    if (this.heights[cell] === height) return false;
+    this.heights[cell] = height;
     return true;
   }
 
@@ -76,18 +86,25 @@ export class HeightField {
     const { nx, ny } = this.grid;
     for (let y = 0; y < this.tiles_y; y++) {
       for (let x = 0; x < this.tiles_x; x++) {
-        const box = new ChangedBox();
-        const [i1, j1] = [this.end_of(x, this.tiles_x, nx), this.end_of(y, this.tiles_y, ny)];
-        for (let j = y * TILE_CELLS; j < j1; j++)
-          for (let i = x * TILE_CELLS; i < i1; i++) {
-            const k = j * nx + i;
-            if (this.heights[k] === heights[k]) continue;
-            this.heights[k] = heights[k];
-            box.add(i, j);
-          }
-        this.mark(box);
+        const end: [number, number] = [
+          this.end_of(x, this.tiles_x, nx),
+          this.end_of(y, this.tiles_y, ny),
+        ];
+        this.mark(this.take_tile(heights, [x * TILE_CELLS, y * TILE_CELLS], end));
       }
     }
+  }
+  private take_tile(
+    heights: Float32Array,
+    [i0, j0]: [number, number],
+    [i1, j1]: [number, number],
+  ): ChangedBox {
+    const { nx } = this.grid;
+    const box = new ChangedBox();
+    for (let j = j0; j < j1; j++)
+      for (let i = i0; i < i1; i++)
+        if (this.put_height(j * nx + i, heights[j * nx + i])) box.add(i, j);
+    return box;
   }
   private end_of = (tile: number, tiles: number, count: number): number =>
     tile === tiles - 1 ? count : (tile + 1) * TILE_CELLS;
@@ -139,6 +156,11 @@ export class HeightField {
       for (let x = low % this.tiles_x; x <= high % this.tiles_x; x++)
         this.changed.add(this.tile_key(x, y));
   }
+}
+
+function height_in({ z0, dz, height }: HeightTile, at: number): number {
+  const raw = height[at];
+  return Math.fround(raw === NOTHING_LEFT ? VOID : z0 + dz * raw);
 }
 
 class ChangedBox {

@@ -78,22 +78,19 @@ export class HeightMesher {
 
   private smooth_square(k: number, place: number): void {
     const { heights: h } = this.walls;
-    const a = h[k];
-    const b = h[k + 1];
-    const c = h[k + WINDOW + 1];
-    const d = h[k + WINDOW];
-    if (a === VOID) return;
-    if (a === b && b === c && c === d) {
-      this.flat[place] = a;
-      return;
-    }
-    const va = this.column_vertex(k);
-    const vb = this.column_vertex(k + 1);
-    const vc = this.column_vertex(k + WINDOW + 1);
-    const vd = this.column_vertex(k + WINDOW);
-    // Along the diagonal that bends less.
-    if (Math.abs(a - c) <= Math.abs(b - d)) this.out.two(va, vb, vc, vd);
-    else this.out.two(vb, vc, vd, va);
+    if (h[k] === VOID) return;
+    const is_flat = STEP.every((step) => h[k + step] === h[k]);
+    if (is_flat) this.flat[place] = h[k];
+    else this.slope_square(k);
+  }
+
+  /** Cut along the diagonal that bends less. */
+  private slope_square(k: number): void {
+    const { heights: h } = this.walls;
+    const [a, b, c, d] = STEP.map((step) => this.column_vertex(k + step));
+    const bends = (first: number, second: number): number => Math.abs(h[k + first] - h[k + second]);
+    if (bends(0, WINDOW + 1) <= bends(1, WINDOW)) this.out.two(a, b, c, d);
+    else this.out.two(b, c, d, a);
   }
 
   /** A wall goes through it: what lies on each side of it, and the wall. */
@@ -135,23 +132,19 @@ export class HeightMesher {
 
   private wall(k: number, side_a: Corner, side_b: Corner, ring: number[]): void {
     const { normal } = this.walls;
-    const [edge_a, edge_b] = [edges_of(k)[side_a], edges_of(k)[side_b]];
-    const upright = (vertex: number, edge: number): number =>
-      this.out.copy(vertex, null, normal[2 * edge], normal[2 * edge + 1], 0);
-    const quad = [
-      upright(ring[0], edge_a),
-      upright(ring[1], edge_a),
-      upright(ring[2], edge_b),
-      upright(ring[3], edge_b),
-    ];
-    const x = normal[2 * edge_a] + normal[2 * edge_b];
-    const y = normal[2 * edge_a + 1] + normal[2 * edge_b + 1];
-    if (
-      this.out.faces(quad[0], quad[1], quad[2], x, y) ||
-      this.out.faces(quad[0], quad[2], quad[3], x, y)
-    )
-      this.out.two(quad[0], quad[1], quad[2], quad[3]);
+    const [a, b] = [edges_of(k)[side_a], edges_of(k)[side_b]];
+    const quad = ring.map((vertex, i) => this.upright(vertex, i < 2 ? a : b));
+    const x = normal[2 * a] + normal[2 * b];
+    const y = normal[2 * a + 1] + normal[2 * b + 1];
+    const faces = (v: number, w: number): boolean =>
+      this.out.faces(quad[0], quad[v], quad[w], x, y);
+    if (faces(1, 2) || faces(2, 3)) this.out.two(quad[0], quad[1], quad[2], quad[3]);
     else this.out.two(quad[3], quad[2], quad[1], quad[0]);
+  }
+  /** At the same place, with the normal of the wall across an edge. */
+  private upright(vertex: number, edge: number): number {
+    const { normal } = this.walls;
+    return this.out.copy(vertex, null, normal[2 * edge], normal[2 * edge + 1], 0);
   }
 
   /** A wall that becomes a slope within this square. */
@@ -239,25 +232,26 @@ export class HeightMesher {
   // Rectangles
 
   /** Joins squares of one value to rectangles; NaN is none. */
-  private rectangles(
-    values: Float32Array,
-    take: (x0: number, y0: number, x1: number, y1: number, value: number) => void,
-  ): void {
+  private rectangles(values: Float32Array, take: TakeRectangle): void {
     this.covered.fill(0);
-    for (let j = 0; j < this.height; j++) {
+    for (let j = 0; j < this.height; j++)
       for (let i = 0; i < this.width; i++) {
-        const value = values[j * TILE_CELLS + i];
-        if (value !== value || this.covered[j * TILE_CELLS + i]) continue;
-        const fits = (x: number, y: number): boolean =>
-          values[y * TILE_CELLS + x] === value && !this.covered[y * TILE_CELLS + x];
-        let x1 = i + 1;
-        while (x1 < this.width && fits(x1, j)) x1++;
-        let y1 = j + 1;
-        while (y1 < this.height && this.row_fits(fits, i, x1, y1)) y1++;
-        for (let y = j; y < y1; y++) this.covered.fill(1, y * TILE_CELLS + i, y * TILE_CELLS + x1);
-        take(i, j, x1, y1, value);
+        const at = j * TILE_CELLS + i;
+        if (values[at] === values[at] && !this.covered[at]) this.rectangle(values, i, j, take);
       }
-    }
+  }
+
+  /** From its first square as far along x as it goes, then along y. */
+  private rectangle(values: Float32Array, i: number, j: number, take: TakeRectangle): void {
+    const value = values[j * TILE_CELLS + i];
+    const fits = (x: number, y: number): boolean =>
+      values[y * TILE_CELLS + x] === value && !this.covered[y * TILE_CELLS + x];
+    let x1 = i + 1;
+    while (x1 < this.width && fits(x1, j)) x1++;
+    let y1 = j + 1;
+    while (y1 < this.height && this.row_fits(fits, i, x1, y1)) y1++;
+    for (let y = j; y < y1; y++) this.covered.fill(1, y * TILE_CELLS + i, y * TILE_CELLS + x1);
+    take(i, j, x1, y1, value);
   }
   private row_fits(fits: (x: number, y: number) => boolean, x0: number, x1: number, y: number) {
     for (let x = x0; x < x1; x++) if (!fits(x, y)) return false;
@@ -288,20 +282,22 @@ export class HeightMesher {
 
   private bottom(): void {
     const bottom = this.field.grid.corner[2];
-    if (!this.walls.any_void) {
-      this.out.plate(...this.plate_box(0, 0, this.width, this.height), bottom, -1);
-      return;
-    }
+    const plate: TakeRectangle = (x0, y0, x1, y1) =>
+      this.out.plate(...this.plate_box(x0, y0, x1, y1), bottom, -1);
+    if (this.walls.any_void) this.rectangles(this.full_squares(), plate);
+    else plate(0, 0, this.width, this.height, 1);
+  }
+
+  /** 1 where all corners have material below them; in the place of the flat tops, which are done. */
+  private full_squares(): Float32Array {
     const full = this.flat.fill(NaN);
     for (let j = 0; j < this.height; j++)
       for (let i = 0; i < this.width; i++) {
         const k = (j + APRON) * WINDOW + i + APRON;
-        if (CORNERS.every((corner) => this.corner_height(k, corner) !== VOID))
-          full[j * TILE_CELLS + i] = 1;
+        const is_full = CORNERS.every((corner) => this.corner_height(k, corner) !== VOID);
+        if (is_full) full[j * TILE_CELLS + i] = 1;
       }
-    this.rectangles(full, (x0, y0, x1, y1) =>
-      this.out.plate(...this.plate_box(x0, y0, x1, y1), bottom, -1),
-    );
+    return full;
   }
 
   private sides(): void {
@@ -317,21 +313,27 @@ export class HeightMesher {
   private side(from: Flat, way: Flat, count: number, normal: Flat): void {
     let run = this.side_point(from);
     const outline: SidePoint[] = [run];
-    for (let n = 0; n < count; n++) {
-      const next = this.side_point([from[0] + way[0] * (n + 1), from[1] + way[1] * (n + 1)]);
-      const place = Math.min(run.k, next.k);
-      const edge = 2 * place + (way[0] ? 0 : 1);
-      if (this.walls.is_wall[edge]) {
-        const share = this.walls.share[edge];
-        const along = run.k === place ? share : 1 - share;
-        const x = run.x + along * (next.x - run.x);
-        const y = run.y + along * (next.y - run.y);
-        outline.push({ ...run, x, y }, { ...next, x, y });
-      }
-      outline.push(next);
+    for (let n = 1; n <= count; n++) {
+      const next = this.side_point([from[0] + way[0] * n, from[1] + way[1] * n]);
+      outline.push(...this.side_step(run, next, way[0] ? 0 : 1), next);
       run = next;
     }
     this.side_faces(outline, normal);
+  }
+
+  /** Where a wall crosses the side between two columns: a point at the height of each. */
+  private side_step(run: SidePoint, next: SidePoint, axis: 0 | 1): SidePoint[] {
+    const place = Math.min(run.k, next.k);
+    const edge = 2 * place + axis;
+    if (!this.walls.is_wall[edge]) return [];
+    const share = this.walls.share[edge];
+    const along = run.k === place ? share : 1 - share;
+    const x = run.x + along * (next.x - run.x);
+    const y = run.y + along * (next.y - run.y);
+    return [
+      { ...run, x, y },
+      { ...next, x, y },
+    ];
   }
 
   private side_point([i, j]: Flat): SidePoint {
@@ -339,28 +341,29 @@ export class HeightMesher {
     return { k, x: this.x_of(k), y: this.y_of(k), z: this.walls.heights[k] };
   }
 
-  private side_faces(outline: SidePoint[], [nx, ny]: Flat): void {
-    const bottom = this.field.grid.corner[2];
+  private side_faces(outline: SidePoint[], normal: Flat): void {
     let begin = outline[0];
     outline.forEach((point, n) => {
       const behind = outline[n + 1];
       const goes_on = behind && behind.z === point.z && point.z === begin.z;
       if (n === 0 || goes_on) return;
-      if (begin.z !== VOID && point.z !== VOID) {
-        const out = this.out;
-        const quad = [
-          out.vertex(begin.x, begin.y, begin.z, nx, ny, 0),
-          out.vertex(begin.x, begin.y, bottom, nx, ny, 0),
-          out.vertex(point.x, point.y, bottom, nx, ny, 0),
-          out.vertex(point.x, point.y, point.z, nx, ny, 0),
-        ];
-        out.two(quad[0], quad[1], quad[2], quad[3]);
-        out.line_if(quad[0], quad[3], true);
-        out.line_if(quad[1], quad[2], true);
-        if (this.is_corner(begin)) out.line_if(quad[0], quad[1], true);
-      }
+      if (begin.z !== VOID && point.z !== VOID) this.side_face(begin, point, normal);
       begin = point;
     });
+  }
+
+  /** From the top of two points down to the bottom. */
+  private side_face(begin: SidePoint, end: SidePoint, [nx, ny]: Flat): void {
+    const { out } = this;
+    const bottom = this.field.grid.corner[2];
+    const a = out.vertex(begin.x, begin.y, begin.z, nx, ny, 0);
+    const b = out.vertex(begin.x, begin.y, bottom, nx, ny, 0);
+    const c = out.vertex(end.x, end.y, bottom, nx, ny, 0);
+    const d = out.vertex(end.x, end.y, end.z, nx, ny, 0);
+    out.two(a, b, c, d);
+    out.line_if(a, d, true);
+    out.line_if(b, c, true);
+    out.line_if(a, b, this.is_corner(begin));
   }
   private is_corner({ k }: SidePoint): boolean {
     const { nx, ny } = this.field.grid;
@@ -387,6 +390,7 @@ export class HeightMesher {
 }
 
 type Flat = [number, number];
+type TakeRectangle = (x0: number, y0: number, x1: number, y1: number, value: number) => void;
 interface SidePoint {
   k: number;
   x: number;

@@ -1,5 +1,6 @@
 /** What is measured on the part, from places that were clicked. Millimetres. */
 export type Place = [number, number, number];
+type Pair = [number, number];
 export type MeasureKind = 'distance' | 'diameter' | 'depth';
 
 export interface Measure {
@@ -35,24 +36,31 @@ export function measure(
   return { kind, value: Math.abs(along[axis]), along, line: [a, foot, b] };
 }
 
+/** In the two coordinates that count; the third one is that of the first place. */
 function circle([a, b, c]: readonly Place[], axis: 0 | 1 | 2): Measure | null {
   const [u, v] = [0, 1, 2].filter((i) => i !== axis);
-  const [bu, bv, cu, cv] = [b[u] - a[u], b[v] - a[v], c[u] - a[u], c[v] - a[v]];
+  const middle = middle_of([b[u] - a[u], b[v] - a[v]], [c[u] - a[u], c[v] - a[v]]);
+  if (!middle) return null;
+  const moved = (du: number, dv: number): Place => {
+    const place: Place = [...a];
+    place[u] += du;
+    place[v] += dv;
+    return place;
+  };
+  const radius = Math.hypot(...middle);
+  const line = Array.from({ length: CHORDS + 1 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / CHORDS;
+    return moved(middle[0] + radius * Math.cos(angle), middle[1] + radius * Math.sin(angle));
+  });
+  return { kind: 'diameter', value: 2 * radius, centre: moved(...middle), line };
+}
+
+/** Of the circle through the origin and two places; null: all three lie on one line. */
+function middle_of([bu, bv]: Pair, [cu, cv]: Pair): Pair | null {
   const area = 2 * (bu * cv - bv * cu);
   const size = Math.max(Math.hypot(bu, bv), Math.hypot(cu, cv));
   if (Math.abs(area) <= 1e-6 * size * size) return null;
-  const mu = (cv * (bu * bu + bv * bv) - bv * (cu * cu + cv * cv)) / area;
-  const mv = (bu * (cu * cu + cv * cv) - cu * (bu * bu + bv * bv)) / area;
-  const radius = Math.hypot(mu, mv);
-  const at = (angle: number): Place => {
-    const place: Place = [...a];
-    place[u] += mu + radius * Math.cos(angle);
-    place[v] += mv + radius * Math.sin(angle);
-    return place;
-  };
-  const centre: Place = [...a];
-  centre[u] += mu;
-  centre[v] += mv;
-  const line = Array.from({ length: CHORDS + 1 }, (_, i) => at((2 * Math.PI * i) / CHORDS));
-  return { kind: 'diameter', value: 2 * radius, centre, line };
+  const b2 = bu * bu + bv * bv;
+  const c2 = cu * cu + cv * cv;
+  return [(cv * b2 - bv * c2) / area, (bu * c2 - cu * b2) / area];
 }

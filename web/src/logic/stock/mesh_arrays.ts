@@ -35,8 +35,8 @@ export class MeshArrays {
   vertex(x: number, y: number, z: number, nx: number, ny: number, nz: number): number {
     const at = this.vertices++;
     if (3 * at + 3 > this.positions.length) {
-      this.positions = grown(this.positions, new Float32Array(2 * this.positions.length));
-      this.normals = grown(this.normals, new Int8Array(2 * this.normals.length));
+      this.positions = grown(this.positions);
+      this.normals = grown(this.normals);
     }
     this.positions[3 * at] = x;
     this.positions[3 * at + 1] = y;
@@ -52,8 +52,7 @@ export class MeshArrays {
     return this.vertex(p[3 * vertex], p[3 * vertex + 1], z ?? p[3 * vertex + 2], nx, ny, nz);
   }
   triangle(a: number, b: number, c: number): void {
-    if (this.corners + 3 > this.indices.length)
-      this.indices = grown(this.indices, new Uint32Array(2 * this.indices.length));
+    if (this.corners + 3 > this.indices.length) this.indices = grown(this.indices);
     this.indices[this.corners++] = a;
     this.indices[this.corners++] = b;
     this.indices[this.corners++] = c;
@@ -72,8 +71,7 @@ export class MeshArrays {
   }
   line_if(a: number, b: number, is_drawn: boolean): void {
     if (!is_drawn) return;
-    if (this.points + 6 > this.lines.length)
-      this.lines = grown(this.lines, new Float32Array(2 * this.lines.length));
+    if (this.points + 6 > this.lines.length) this.lines = grown(this.lines);
     for (const vertex of [a, b])
       for (let i = 0; i < 3; i++) this.lines[this.points++] = this.positions[3 * vertex + i];
   }
@@ -87,7 +85,9 @@ export class MeshArrays {
   }
 }
 
-function grown<T extends Float32Array | Int8Array | Uint32Array>(from: T, to: T): T {
-  to.set(from as never);
+/** Twice as long. */
+function grown<T extends Float32Array | Int8Array | Uint32Array>(from: T): T {
+  const to = new (from.constructor as new (length: number) => T)(2 * from.length);
+  to.set(from);
   return to;
 }

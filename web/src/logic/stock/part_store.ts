@@ -179,15 +179,18 @@ function put(shape: Shape, frame: StockFrame): void {
   if (shape.kind === 'profile' && frame.kind === 'profile') {
     if (frame.loops.length) shape.loops = frame.loops;
   } else if (shape.kind === 'mesh' && frame.kind === 'mesh') {
-    for (const tile of frame.tiles) {
-      const key = `${tile.x} ${tile.y} ${tile.z}`;
-      if (tile.index.length) shape.tiles.set(key, tile);
-      else shape.tiles.delete(key);
-      shape.changed.add(key);
-    }
+    for (const tile of frame.tiles) put_triangles(shape, tile);
   } else if (shape.kind === 'sheet' && frame.kind === 'sheet') {
     for (const tile of frame.tiles) shape.field.put(tile);
   } else if (shape.kind === 'heights' && frame.kind === 'heights') {
     for (const tile of frame.tiles) shape.field.put(tile);
   }
+}
+
+/** They replace what the tile was; none: nothing is left there. */
+function put_triangles({ tiles, changed }: Shape & { kind: 'mesh' }, tile: MeshTile): void {
+  const key = `${tile.x} ${tile.y} ${tile.z}`;
+  if (tile.index.length) tiles.set(key, tile);
+  else tiles.delete(key);
+  changed.add(key);
 }

@@ -45,12 +45,10 @@ export function finding_marks(
   for (const finding of findings) {
     const share = Math.min(1, Math.max(0, on_slider(finding.time_s) / end_s));
     const place = Math.round(share * PLACES);
-    const mark = places.get(place);
-    if (!mark) places.set(place, { share, severity: finding.severity, findings: [finding] });
-    else {
-      mark.findings.push(finding);
-      if (finding.severity === 'error') mark.severity = 'error';
-    }
+    const mark = places.get(place) ?? { share, severity: finding.severity, findings: [] };
+    mark.findings.push(finding);
+    if (finding.severity === 'error') mark.severity = 'error';
+    places.set(place, mark);
   }
   return [...places.values()].sort((a, b) => a.share - b.share);
 }

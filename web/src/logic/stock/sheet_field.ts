@@ -50,33 +50,55 @@ export class SheetField {
 
   /** The largest first; crumbs are left out. */
   pieces(): SheetPiece[] {
-    const { nx, ny } = this.grid;
-    const seen = new Uint8Array(nx * ny);
-    const queue = new Int32Array(nx * ny);
+    const search = new PieceSearch(this.grid, this.is_cut);
     const pieces: SheetPiece[] = [];
-    for (let start = 0; start < seen.length; start++) {
-      if (seen[start] || this.is_cut(start)) continue;
-      let [head, tail] = [0, 0];
-      let falls = true;
-      queue[tail++] = start;
-      seen[start] = 1;
-      const visit = (cell: number): void => {
-        if (seen[cell] || this.is_cut(cell)) return;
-        seen[cell] = 1;
-        queue[tail++] = cell;
-      };
-      while (head < tail) {
-        const cell = queue[head++];
-        const i = cell % nx;
-        const j = (cell - i) / nx;
-        if (i === 0 || j === 0 || i === nx - 1 || j === ny - 1) falls = false;
-        if (i > 0) visit(cell - 1);
-        if (i < nx - 1) visit(cell + 1);
-        if (j > 0) visit(cell - nx);
-        if (j < ny - 1) visit(cell + nx);
-      }
-      if (tail >= LEAST_PIECE_CELLS) pieces.push({ cells: queue.slice(0, tail), falls });
+    for (let cell = 0; cell < this.coverage.length; cell++) {
+      const piece = search.piece_of(cell);
+      if (piece && piece.cells.length >= LEAST_PIECE_CELLS) pieces.push(piece);
     }
     return pieces.sort((a, b) => b.cells.length - a.cells.length);
+  }
+}
+
+/** From a cell to its neighbours, each cell once. */
+class PieceSearch {
+  private readonly seen: Uint8Array;
+  private readonly queue: Int32Array;
+  private tail = 0;
+
+  constructor(
+    private readonly grid: Grid,
+    private readonly is_cut: (cell: number) => boolean,
+  ) {
+    this.seen = new Uint8Array(grid.nx * grid.ny);
+    this.queue = new Int32Array(grid.nx * grid.ny);
+  }
+
+  /** Null: the cell is cut, or of a piece that is known. */
+  piece_of(start: number): SheetPiece | null {
+    this.tail = 0;
+    this.visit(start);
+    if (this.tail === 0) return null;
+    let falls = true;
+    for (let head = 0; head < this.tail; head++) if (this.spread(this.queue[head])) falls = false;
+    return { cells: this.queue.slice(0, this.tail), falls };
+  }
+
+  /** True: the cell lies at the border of the sheet. */
+  private spread(cell: number): boolean {
+    const { nx, ny } = this.grid;
+    const i = cell % nx;
+    const j = (cell - i) / nx;
+    if (i > 0) this.visit(cell - 1);
+    if (i < nx - 1) this.visit(cell + 1);
+    if (j > 0) this.visit(cell - nx);
+    if (j < ny - 1) this.visit(cell + nx);
+    return i === 0 || j === 0 || i === nx - 1 || j === ny - 1;
+  }
+
+  private visit(cell: number): void {
+    if (this.seen[cell] || this.is_cut(cell)) return;
+    this.seen[cell] = 1;
+    this.queue[this.tail++] = cell;
   }
 }

@@ -39,25 +39,23 @@ export const keys_of_tool = (type: ToolType): readonly string[] => [
   ...(is_turning(type) ? ['flute_length'] : COMMON),
 ];
 
+/** What the checks hold a tool against. */
+export const LIMIT_KEYS = ['fz', 'ap', 'ae', 'vc', 'ramp_deg'] as const;
+
 export const needs_number = (key: string): boolean => key !== 'insert';
 
 /** `12x60, 16x30`: diameter by height from below, cones as `30/40x25`; null: it is no such list. */
 export function read_segments(text: string): Record<string, number>[] | null {
-  const list: Record<string, number>[] = [];
-  for (const part of text
-    .split(',')
-    .map((one) => one.trim())
-    .filter(Boolean)) {
-    const found = /^(\d*\.?\d+)(?:\s*\/\s*(\d*\.?\d+))?\s*[x×*]\s*(\d*\.?\d+)$/i.exec(part);
-    if (!found) return null;
-    const [, lower, upper, height] = found;
-    list.push(
-      upper === undefined
-        ? { height: Number(height), diameter: Number(lower) }
-        : { height: Number(height), lower: Number(lower), upper: Number(upper) },
-    );
-  }
-  return list;
+  const parts = text.split(',').map((one) => one.trim());
+  const list = parts.filter(Boolean).map(read_segment);
+  return list.every((one) => one !== null) ? list : null;
+}
+
+function read_segment(text: string): Record<string, number> | null {
+  const found = /^(\d*\.?\d+)(?:\s*\/\s*(\d*\.?\d+))?\s*[x×*]\s*(\d*\.?\d+)$/i.exec(text);
+  if (!found) return null;
+  const [lower, upper, height] = found.slice(1).map(Number);
+  return found[2] === undefined ? { height, diameter: lower } : { height, lower, upper };
 }
 
 export function written_segments(value: unknown): string {

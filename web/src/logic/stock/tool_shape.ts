@@ -18,71 +18,64 @@ import {
 
 export * from './tool_table';
 
+type Holders = readonly { name: string; segments: unknown }[];
+
 /** Null: it says too little to be drawn. */
-export function tool_shape(
-  tool: ToolTable,
-  holders: readonly { name: string; segments: unknown }[] = [],
-): ToolShape | null {
+export function tool_shape(tool: ToolTable, holders: Holders = []): ToolShape | null {
   const type = type_of(tool);
   if (is_turning(type)) return { turning: true, parts: turning_parts(tool, type) };
   const diameter = number_of(tool, 'diameter', type === 'form' ? 2 * widest(tool) : 0);
   if (!(diameter > 0)) return null;
-  const cutting = cutting_outline(tool, type, diameter / 2);
-  const top = cutting[cutting.length - 1];
-  const flutes = number_of(tool, 'flute_length', top[1] + (is_headed(type) ? 0 : 2.5 * diameter));
-  const parts: ToolPart[] = [];
-  if (is_headed(type)) {
-    parts.push({ kind: 'cutting', outline: cutting });
-    const neck = number_of(tool, 'neck_diameter', 0.6 * diameter) / 2;
-    const up = Math.max(top[1] + 0.5 * diameter, number_of(tool, 'flute_length', 0));
-    parts.push({
-      kind: 'neck',
-      outline: stack([
-        [neck, top[1]],
-        [neck, up],
-      ]),
-    });
-    return { turning: false, parts: with_holder(tool, parts, up, neck, holders) };
-  }
-  const height = Math.max(flutes, top[1]);
-  parts.push({
-    kind: 'cutting',
-    outline: height > top[1] ? [...cutting, [top[0], height]] : cutting,
-  });
-  return { turning: false, parts: with_holder(tool, parts, height, top[0], holders) };
+  const cutter = HEADED.includes(type) ? headed : straight;
+  const parts = cutter(tool, cutting_outline(tool, type, diameter / 2), diameter);
+  return { turning: false, parts: [...parts, ...above(tool, parts, holders)] };
 }
 
-const is_headed = (type: ToolType): boolean =>
-  ['t-slot', 'saw', 'dovetail', 'lollipop', 'thread-mill', 'probe'].includes(type);
+/** What cuts is wider than the neck that carries it. */
+const HEADED: readonly ToolType[] = [
+  't-slot', 'saw', 'dovetail', 'lollipop', 'thread-mill', 'probe',
+]; // prettier-ignore
 
-function with_holder(
-  tool: ToolTable,
-  parts: ToolPart[],
-  from: number,
-  radius: number,
-  holders: readonly { name: string; segments: unknown }[],
-): ToolPart[] {
-  const shank = segments_of(tool.shank);
+function headed(tool: ToolTable, cutting: Point2[], diameter: number): ToolPart[] {
+  const top = end_of(cutting)[1];
+  const neck = number_of(tool, 'neck_diameter', 0.6 * diameter) / 2;
+  const up = Math.max(top + 0.5 * diameter, number_of(tool, 'flute_length', 0));
+  return [
+    { kind: 'cutting', outline: cutting },
+    { kind: 'neck', outline: tube(neck, top, up) },
+  ];
+}
+
+/** Its flutes go on above the profile. */
+function straight(tool: ToolTable, cutting: Point2[], diameter: number): ToolPart[] {
+  const [wide, top] = end_of(cutting);
+  const flutes = number_of(tool, 'flute_length', top + 2.5 * diameter);
+  const outline: Point2[] = flutes > top ? [...cutting, [wide, flutes]] : cutting;
+  return [{ kind: 'cutting', outline }];
+}
+
+/** Shank and holder; what is between is as wide as what is below it. */
+function above(tool: ToolTable, below: ToolPart[], holders: Holders): ToolPart[] {
+  const from = end_of(below[below.length - 1].outline);
+  const shank = segment_outline(segments_of(tool.shank), from[1]);
   const named = holders.find(({ name }) => name === tool.holder_name)?.segments;
   const holder = segments_of(tool.holder ?? named);
   const stickout = number_of(tool, 'stickout', 0);
-  const above = shank.length ? segment_outline(shank, from) : null;
-  const reach = above ? above[above.length - 1][1] : from;
-  if (above) parts.push({ kind: 'shank', outline: above });
-  const wide = above ? above[above.length - 1][0] : radius;
-  // What is between is as wide as what is below it.
-  if (stickout > reach)
-    parts.push({
-      kind: 'shank',
-      outline: [
-        [wide, reach],
-        [wide, stickout],
-      ],
-    });
-  if (holder.length)
-    parts.push({ kind: 'holder', outline: segment_outline(holder, Math.max(stickout, from)) });
-  return parts;
+  const [wide, reach] = end_of([from, ...shank]);
+  const between = stickout > reach ? tube(wide, reach, stickout) : [];
+  const parts: ToolPart[] = [
+    { kind: 'shank', outline: shank },
+    { kind: 'shank', outline: between },
+    { kind: 'holder', outline: segment_outline(holder, Math.max(stickout, from[1])) },
+  ];
+  return parts.filter(({ outline }) => outline.length);
 }
+
+const end_of = (outline: readonly Point2[]): Point2 => outline[outline.length - 1];
+const tube = (radius: number, from: number, to: number): Point2[] => [
+  [radius, from],
+  [radius, to],
+];
 
 interface Segment {
   height: number;
@@ -92,16 +85,18 @@ interface Segment {
 
 export function segments_of(value: unknown): Segment[] {
   if (!Array.isArray(value)) return [];
-  return value.flatMap((raw) => {
-    const table = raw as ToolTable;
-    const diameter = number_of(table, 'diameter', 0);
-    const segment = {
-      height: number_of(table, 'height', 0),
-      lower: number_of(table, 'lower', diameter),
-      upper: number_of(table, 'upper', diameter),
-    };
-    return segment.height > 0 && segment.lower + segment.upper > 0 ? [segment] : [];
-  });
+  return value
+    .map((raw) => segment_of(raw as ToolTable))
+    .filter(({ height, lower, upper }) => height > 0 && lower + upper > 0);
+}
+
+function segment_of(table: ToolTable): Segment {
+  const diameter = number_of(table, 'diameter', 0);
+  return {
+    height: number_of(table, 'height', 0),
+    lower: number_of(table, 'lower', diameter),
+    upper: number_of(table, 'upper', diameter),
+  };
 }
 
 function segment_outline(segments: readonly Segment[], from: number): Point2[] {
@@ -113,5 +108,3 @@ function segment_outline(segments: readonly Segment[], from: number): Point2[] {
   }
   return outline;
 }
-
-const stack = (outline: Point2[]): Point2[] => outline;

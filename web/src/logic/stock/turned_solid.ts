@@ -6,10 +6,12 @@
 import type { Thread } from './part_store';
 import type { ProfileLoop } from './stock_frame';
 
+type Flat = [z: number, rho: number];
+
 /** A piece of the outline: its points, and of each the normal that points out of the material. */
 export interface OutlinePiece {
-  points: [z: number, rho: number][];
-  normals: [z: number, rho: number][];
+  points: Flat[];
+  normals: Flat[];
 }
 
 export interface TurnedSolid {
@@ -38,58 +40,69 @@ export function outline_of(loops: readonly ProfileLoop[]): OutlinePiece[][] {
 export const ring_of = (pieces: readonly OutlinePiece[]): [number, number][] =>
   pieces.flatMap(({ points }) => points.slice(0, -1));
 
+/** Ways from the axis at which the solid has a row of points: all round, but for the sector. */
+type Ways = readonly (readonly [cosine: number, sine: number])[];
+
 export function revolved(
   outline: readonly OutlinePiece[][],
   open_rad: number,
   threads: readonly Thread[] = [],
 ): TurnedSolid {
-  const from = open_rad;
-  const steps = Math.max(3, Math.ceil((TURN_STEPS * (2 * Math.PI - open_rad)) / (2 * Math.PI)));
-  const angles = Array.from(
-    { length: steps + 1 },
-    (_, i) => from + ((2 * Math.PI - from) * i) / steps,
-  );
-  const ways = angles.map((angle) => [Math.cos(angle), Math.sin(angle)]);
-  const positions: number[] = [];
-  const normals: number[] = [];
-  const indices: number[] = [];
+  const ways = ways_round(open_rad);
+  const surface = new Surface(ways);
   const lines: number[] = [];
-  for (const piece of outline.flat()) turn(piece, ways, positions, normals, indices);
+  for (const piece of outline.flat()) surface.turn(piece);
   for (const pieces of outline) edge_lines(pieces, ways, open_rad > 0, lines);
-  for (const thread of threads) helix(thread, from, lines);
-  return {
-    positions: new Float32Array(positions),
-    normals: Int8Array.from(normals, Math.round),
-    indices: new Uint32Array(indices),
-    lines: new Float32Array(lines),
-  };
+  for (const thread of threads) helix(thread, open_rad, lines);
+  return { ...surface.made(), lines: new Float32Array(lines) };
 }
 
-/** The surface of a piece, as many rows as it has points. */
-function turn(
-  piece: OutlinePiece,
-  ways: number[][],
-  positions: number[],
-  normals: number[],
-  indices: number[],
-): void {
-  if (piece.points.every(([, rho]) => rho <= 0)) return;
-  const first = positions.length / 3;
-  piece.points.forEach(([z, rho], i) => {
-    const [nz, nr] = piece.normals[i];
-    for (const [c, s] of ways) {
-      positions.push(rho * c, rho * s, z);
-      normals.push(127 * nr * c, 127 * nr * s, 127 * nz, 0);
-    }
+function ways_round(open_rad: number): Ways {
+  const round = 2 * Math.PI - open_rad;
+  const steps = Math.max(3, Math.ceil((TURN_STEPS * round) / (2 * Math.PI)));
+  return Array.from({ length: steps + 1 }, (_, i) => {
+    const angle = open_rad + (round * i) / steps;
+    return [Math.cos(angle), Math.sin(angle)] as const;
   });
-  for (let i = 0; i + 1 < piece.points.length; i++)
-    stitch(first + i * ways.length, ways.length, indices);
 }
 
-/** Two rows of points that begin at `a`. */
-function stitch(a: number, row: number, indices: number[]): void {
-  for (let k = a; k + 1 < a + row; k++)
-    indices.push(k, k + row + 1, k + 1, k, k + row, k + row + 1);
+/** Triangles of the pieces that have been turned. */
+class Surface {
+  private readonly positions: number[] = [];
+  private readonly normals: number[] = [];
+  private readonly indices: number[] = [];
+
+  constructor(private readonly ways: Ways) {}
+
+  made(): Omit<TurnedSolid, 'lines'> {
+    return {
+      positions: new Float32Array(this.positions),
+      normals: Int8Array.from(this.normals, Math.round),
+      indices: new Uint32Array(this.indices),
+    };
+  }
+
+  /** As many rows as the piece has points. */
+  turn({ points, normals }: OutlinePiece): void {
+    if (points.every(([, rho]) => rho <= 0)) return;
+    const first = this.positions.length / 3;
+    points.forEach((point, i) => this.row(point, normals[i]));
+    for (let i = 0; i + 1 < points.length; i++) this.stitch(first + i * this.ways.length);
+  }
+
+  private row([z, rho]: Flat, [nz, nr]: Flat): void {
+    for (const [c, s] of this.ways) {
+      this.positions.push(rho * c, rho * s, z);
+      this.normals.push(127 * nr * c, 127 * nr * s, 127 * nz, 0);
+    }
+  }
+
+  /** The row of points that begins at `a` and the next one. */
+  private stitch(a: number): void {
+    const row = this.ways.length;
+    for (let k = a; k + 1 < a + row; k++)
+      this.indices.push(k, k + row + 1, k + 1, k, k + row, k + row + 1);
+  }
 }
 
 function pieces_of({ z, rho, bulge }: ProfileLoop): OutlinePiece[] {
@@ -119,80 +132,82 @@ function line(z0: number, r0: number, z1: number, r1: number): OutlinePiece {
 /** Counterclockwise where the bulge is positive; z goes to the right and the radius up. */
 function arc(z0: number, r0: number, z1: number, r1: number, bulge: number): OutlinePiece {
   const sweep = 4 * Math.atan(bulge);
-  const [dz, dr] = [z1 - z0, r1 - r0];
-  // From the middle of the chord to the centre, on its left.
-  const off = (1 - bulge * bulge) / (4 * bulge);
-  const centre = [(z0 + z1) / 2 - off * dr, (r0 + r1) / 2 + off * dz];
-  const radius = Math.hypot(z0 - centre[0], r0 - centre[1]);
-  const begin = Math.atan2(r0 - centre[1], z0 - centre[0]);
+  const [z, rho] = centre_of(z0, r0, z1, r1, bulge);
+  const radius = Math.hypot(z0 - z, r0 - rho);
+  const begin = Math.atan2(r0 - rho, z0 - z);
   const chords = Math.max(1, Math.ceil(Math.abs(sweep) / CHORD_RAD));
-  const points: [number, number][] = [];
-  const normals: [number, number][] = [];
-  const out = Math.sign(bulge);
-  for (let k = 0; k <= chords; k++) {
+  const ways = Array.from({ length: chords + 1 }, (_, k): Flat => {
     const angle = begin + (sweep * k) / chords;
-    const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    points.push([centre[0] + radius * c, centre[1] + radius * s]);
-    normals.push([out * c, out * s]);
-  }
+    return [Math.cos(angle), Math.sin(angle)];
+  });
+  const points = ways.map(([c, s]): Flat => [z + radius * c, rho + radius * s]);
   points[0] = [z0, r0];
   points[chords] = [z1, r1];
-  return { points, normals };
+  const out = Math.sign(bulge);
+  return { points, normals: ways.map(([c, s]): Flat => [out * c, out * s]) };
+}
+
+/** From the middle of the chord so far to its left. */
+function centre_of(z0: number, r0: number, z1: number, r1: number, bulge: number): Flat {
+  const off = (1 - bulge * bulge) / (4 * bulge);
+  return [(z0 + z1) / 2 - off * (r1 - r0), (r0 + r1) / 2 + off * (z1 - z0)];
 }
 
 /** Round the solid where two pieces meet in an edge, and the outline on both faces of the sector. */
-function edge_lines(
-  pieces: OutlinePiece[],
-  ways: number[][],
-  is_open: boolean,
-  lines: number[],
-): void {
+function edge_lines(pieces: OutlinePiece[], ways: Ways, is_open: boolean, lines: number[]): void {
   pieces.forEach((piece, i) => {
     const before = pieces[(i + pieces.length - 1) % pieces.length];
-    const [az, ar] = before.normals[before.normals.length - 1];
-    const [bz, br] = piece.normals[0];
-    const [z, rho] = piece.points[0];
-    if (az * bz + ar * br < EDGE && rho > 1e-6)
-      for (let k = 0; k + 1 < ways.length; k++)
-        lines.push(
-          ...[rho * ways[k][0], rho * ways[k][1], z],
-          ...[rho * ways[k + 1][0], rho * ways[k + 1][1], z],
-        );
+    if (has_edge(before, piece)) lines.push(...ring_lines(piece.points[0], ways));
     if (!is_open) return;
-    for (const [c, s] of [ways[0], ways[ways.length - 1]])
-      for (let k = 0; k + 1 < piece.points.length; k++) {
-        const [[z0, r0], [z1, r1]] = [piece.points[k], piece.points[k + 1]];
-        lines.push(r0 * c, r0 * s, z0, r1 * c, r1 * s, z1);
-      }
+    for (const way of [ways[0], ways[ways.length - 1]]) lines.push(...face_lines(piece, way));
   });
+}
+
+function has_edge(before: OutlinePiece, piece: OutlinePiece): boolean {
+  const [az, ar] = before.normals[before.normals.length - 1];
+  const [bz, br] = piece.normals[0];
+  return az * bz + ar * br < EDGE && piece.points[0][1] > 1e-6;
+}
+
+/** Of the circle that a point goes along. */
+function ring_lines([z, rho]: Flat, ways: Ways): number[] {
+  const at = ([c, s]: Ways[number]): number[] => [rho * c, rho * s, z];
+  return ways.slice(1).flatMap((way, k) => [...at(ways[k]), ...at(way)]);
+}
+
+/** The outline itself, in the plane of a way. */
+function face_lines({ points }: OutlinePiece, [c, s]: Ways[number]): number[] {
+  const at = ([z, rho]: Flat): number[] => [rho * c, rho * s, z];
+  return points.slice(1).flatMap((point, k) => [...at(points[k]), ...at(point)]);
 }
 
 const HELIX_STEPS = 48;
 const MOST_TURNS = 400;
 
 /** The crest of each start; so fine that they would be one face it is left out. */
-function helix(
-  { from, to, major, minor, pitch, starts }: Thread,
-  open_rad: number,
-  lines: number[],
-) {
-  const lead = pitch * Math.max(1, starts);
-  const turns = Math.abs(to - from) / lead;
-  if (!(pitch > 0) || turns > MOST_TURNS) return;
-  const way = Math.sign(to - from);
-  const rho = Math.max(major, minor) / 2;
-  for (let start = 0; start < Math.max(1, starts); start++) {
+function helix(thread: Thread, open_rad: number, lines: number[]): void {
+  const starts = Math.max(1, thread.starts);
+  const turns = Math.abs(thread.to - thread.from) / (thread.pitch * starts);
+  if (!(thread.pitch > 0) || turns > MOST_TURNS) return;
+  for (let start = 0; start < starts; start++) {
     let before: number[] | null = null;
     for (let k = 0; k <= turns * HELIX_STEPS; k++) {
-      const angle = 2 * Math.PI * (k / HELIX_STEPS + start / Math.max(1, starts));
-      const place = angle % (2 * Math.PI);
-      const z = from + (way * lead * k) / HELIX_STEPS;
-      const is_there = place >= open_rad - 1e-9 && way * (to - z) >= 0;
-      const point = [rho * Math.cos(angle), rho * Math.sin(angle), z];
-      if (before && is_there) lines.push(...before, ...point);
-      before = is_there ? point : null;
+      const point = crest(thread, k / HELIX_STEPS, start / starts, open_rad);
+      if (before && point) lines.push(...before, ...point);
+      before = point;
     }
   }
+}
+
+/** Behind so many turns of a start that begins at a share of one; null: in the open sector, or beyond the end. */
+function crest(thread: Thread, turns: number, share: number, open_rad: number): number[] | null {
+  const { from, to, major, minor, pitch, starts } = thread;
+  const way = Math.sign(to - from);
+  const angle = 2 * Math.PI * (turns + share);
+  const z = from + way * pitch * Math.max(1, starts) * turns;
+  if (angle % (2 * Math.PI) < open_rad - 1e-9 || way * (to - z) < 0) return null;
+  const rho = Math.max(major, minor) / 2;
+  return [rho * Math.cos(angle), rho * Math.sin(angle), z];
 }
 
 function reversed({ z, rho, bulge }: ProfileLoop): ProfileLoop {
@@ -219,12 +234,14 @@ function signed_area({ z, rho, bulge }: ProfileLoop): number {
 
 /** Whether the first corner of a loop lies within another one. */
 function holds(outer: ProfileLoop, inner: ProfileLoop): boolean {
-  const ring = ring_of(pieces_of(outer));
-  const [z, rho] = [inner.z[0], inner.rho[0]];
-  let is_in = false;
-  ring.forEach(([z0, r0], i) => {
+  return is_in_ring([inner.z[0], inner.rho[0]], ring_of(pieces_of(outer)));
+}
+
+/** Whether a line from the point on meets the ring an odd number of times. */
+export function is_in_ring([z, rho]: Flat, ring: readonly Flat[]): boolean {
+  const crossed = ring.filter(([z0, r0], i) => {
     const [z1, r1] = ring[(i + 1) % ring.length];
-    if (r0 > rho !== r1 > rho && z < z0 + ((rho - r0) / (r1 - r0)) * (z1 - z0)) is_in = !is_in;
+    return r0 > rho !== r1 > rho && z < z0 + ((rho - r0) / (r1 - r0)) * (z1 - z0);
   });
-  return is_in;
+  return crossed.length % 2 === 1;
 }

@@ -79,42 +79,43 @@ export class Walls {
   /** Columns beside the part are copies of its border, so no step lies there. */
   private find_steps(field: HeightField, i0: number, j0: number): void {
     const { nx, ny, cell } = field.grid;
-    const { heights } = this;
-    const h = (k: number): number => heights[Math.min(heights.length - 1, Math.max(0, k))];
-    for (let j = 0; j < WINDOW; j++) {
-      for (let i = 0; i < WINDOW; i++) {
-        const k = j * WINDOW + i;
-        for (const way of [0, 1] as const) {
-          if ((way ? j : i) + 1 >= WINDOW) continue;
-          const by = way ? WINDOW : 1;
-          if (heights[k] === heights[k + by]) continue;
-          const at = way ? j0 + j - APRON : i0 + i - APRON;
-          const before = at > 0 ? h(k) - h(k - by) : 0;
-          const behind = at + 2 < (way ? ny : nx) ? h(k + 2 * by) - h(k + by) : 0;
-          if (!is_wall(before, h(k + by) - h(k), behind, cell[way])) continue;
-          const edge = 2 * k + way;
-          this.is_wall[edge] = 1;
-          this.share[edge] = 0.5;
-          this.walls.push(edge);
-        }
-      }
+    for (let k = 0; k < WINDOW * WINDOW; k++) {
+      if (column(k) + 1 < WINDOW && this.is_step(k, 1, i0 + column(k) - APRON, nx, cell[0]))
+        this.add_wall(2 * k);
+      if (row(k) + 1 < WINDOW && this.is_step(k, WINDOW, j0 + row(k) - APRON, ny, cell[1]))
+        this.add_wall(2 * k + 1);
     }
+  }
+
+  /** From column k of the window to the one `by` behind it; `at` of `count` is its place in the field. */
+  private is_step(k: number, by: number, at: number, count: number, cell: number): boolean {
+    const { heights } = this;
+    if (heights[k] === heights[k + by]) return false;
+    const h = (i: number): number => heights[Math.min(heights.length - 1, Math.max(0, i))];
+    const before = at > 0 ? h(k) - h(k - by) : 0;
+    const behind = at + 2 < count ? h(k + 2 * by) - h(k + by) : 0;
+    return is_wall(before, h(k + by) - h(k), behind, cell);
+  }
+
+  private add_wall(edge: number): void {
+    this.is_wall[edge] = 1;
+    this.share[edge] = 0.5;
+    this.walls.push(edge);
   }
 
   private find_pairs(): void {
     this.pairs = [];
     const seen = new Uint8Array(WINDOW * WINDOW);
-    for (const edge of this.walls) {
-      const k = edge >> 1;
-      // The two squares on both sides of the edge.
-      for (const square of [k, edge & 1 ? k - 1 : k - WINDOW]) {
+    for (const edge of this.walls)
+      for (const square of squares_beside(edge)) {
         if (square < 0 || seen[square]) continue;
         seen[square] = 1;
-        if (square % WINDOW === WINDOW - 1 || square >= WINDOW * (WINDOW - 1)) continue;
-        const crossed = edges_of(square).filter((side) => this.is_wall[side]);
-        if (crossed.length === 2) this.pairs.push(crossed[0], crossed[1]);
+        if (is_whole(square)) this.add_pair(square);
       }
-    }
+  }
+  private add_pair(square: number): void {
+    const crossed = edges_of(square).filter((side) => this.is_wall[side]);
+    if (crossed.length === 2) this.pairs.push(crossed[0], crossed[1]);
   }
 
   private smooth(): void {
@@ -143,15 +144,11 @@ export class Walls {
   }
 
   private find_normals(): void {
-    const { normal, heights } = this;
+    const { normal } = this;
     for (const edge of this.walls) normal[2 * edge] = normal[2 * edge + 1] = 0;
     for (let i = 0; i < this.pairs.length; i += 2) {
       const [a, b] = [this.pairs[i], this.pairs[i + 1]];
-      let x = this.place(b, 1) - this.place(a, 1);
-      let y = this.place(a, 0) - this.place(b, 0);
-      const k = a >> 1;
-      const falls = heights[k] > heights[k + (a & 1 ? WINDOW : 1)] ? 1 : -1;
-      if ((a & 1 ? y : x) * falls < 0) [x, y] = [-x, -y];
+      const [x, y] = this.across(a, b);
       for (const edge of [a, b]) {
         normal[2 * edge] += x;
         normal[2 * edge + 1] += y;
@@ -159,30 +156,37 @@ export class Walls {
     }
     this.make_unit();
   }
+  /** The line between two crossings, and towards the lower side. */
+  private across(a: number, b: number): [x: number, y: number] {
+    const x = this.place(b, 1) - this.place(a, 1);
+    const y = this.place(a, 0) - this.place(b, 0);
+    const k = a >> 1;
+    const falls = this.heights[k] > this.heights[k + (a & 1 ? WINDOW : 1)] ? 1 : -1;
+    return (a & 1 ? y : x) * falls < 0 ? [-x, -y] : [x, y];
+  }
 
   private smooth_normals(): void {
     const { normal, sums } = this;
-    for (const edge of this.walls) {
-      sums[2 * edge] = normal[2 * edge];
-      sums[2 * edge + 1] = normal[2 * edge + 1];
-    }
+    this.copy_normals(normal, sums);
     for (let i = 0; i < this.pairs.length; i += 2) {
       const [a, b] = [this.pairs[i], this.pairs[i + 1]];
       const turn = normal[2 * a] * normal[2 * b] + normal[2 * a + 1] * normal[2 * b + 1];
       if (turn < CORNER) continue;
-      for (const [edge, other] of [
-        [a, b],
-        [b, a],
-      ]) {
-        sums[2 * edge] += normal[2 * other];
-        sums[2 * edge + 1] += normal[2 * other + 1];
-      }
+      this.add_normal(a, b);
+      this.add_normal(b, a);
     }
-    for (const edge of this.walls) {
-      normal[2 * edge] = sums[2 * edge];
-      normal[2 * edge + 1] = sums[2 * edge + 1];
-    }
+    this.copy_normals(sums, normal);
     this.make_unit();
+  }
+  private copy_normals(from: Float32Array, to: Float32Array): void {
+    for (const edge of this.walls) {
+      to[2 * edge] = from[2 * edge];
+      to[2 * edge + 1] = from[2 * edge + 1];
+    }
+  }
+  private add_normal(edge: number, other: number): void {
+    this.sums[2 * edge] += this.normal[2 * other];
+    this.sums[2 * edge + 1] += this.normal[2 * other + 1];
   }
 
   private make_unit(): void {
@@ -198,6 +202,16 @@ export class Walls {
 
 const column = (k: number): number => k % WINDOW;
 const row = (k: number): number => Math.floor(k / WINDOW);
+
+/** Those on both sides of an edge. */
+function squares_beside(edge: number): [number, number] {
+  const k = edge >> 1;
+  return [k, edge & 1 ? k - 1 : k - WINDOW];
+}
+/** All its sides are in the window. */
+function is_whole(square: number): boolean {
+  return column(square) < WINDOW - 1 && square < WINDOW * (WINDOW - 1);
+}
 
 /** The sides of the square from column k on: below, right, above, left. */
 export const edges_of = (k: number): [number, number, number, number] => [

@@ -1,0 +1,162 @@
+/**
+ * How the part is lit: from over the left shoulder of who looks at it, pockets in shade, each place in the colour of the motion
+ * that cut it. stock_material.ts says what is drawn with which of these.
+ */
+
+/** Motions of the table of colours: its texture is a square. */
+export const TABLE_SIDE = 256;
+
+export const surface_vertex = /* glsl */ `
+precision highp float;
+precision highp int;
+uniform mat4 modelViewMatrix, projectionMatrix;
+in vec3 position;
+in vec4 normal;
+#ifdef OWNER_OF_VERTEX
+in float owner;
+flat out int v_owner;
+#endif
+out vec3 place;
+out vec3 place_seen;
+out vec3 upright;
+out vec3 seen;
+void main() {
+  vec4 at = modelViewMatrix * vec4(position, 1.0);
+  place = position;
+  place_seen = at.xyz;
+  upright = normal.xyz;
+  seen = mat3(modelViewMatrix) * normal.xyz;
+#ifdef OWNER_OF_VERTEX
+  v_owner = int(owner + 0.5);
+#endif
+  gl_Position = projectionMatrix * at;
+}`;
+
+export const surface_fragment = /* glsl */ `
+precision highp float;
+precision highp int;
+precision highp usampler2D;
+uniform sampler2D table;     // of a motion: its colour; how far it hides that of the stock
+uniform vec3 stock;
+uniform vec4 plane;          // what lies beyond it is left out
+uniform vec3 face;
+#ifdef OWNER_OF_CELL
+uniform usampler2D owners;
+uniform sampler2D ambient;   // mean heights around a place
+uniform vec3 corner, far;
+uniform vec2 cell;
+#endif
+#ifdef OWNER_OF_VERTEX
+flat in int v_owner;
+#endif
+in vec3 place;
+in vec3 place_seen;
+in vec3 upright;
+in vec3 seen;
+out vec4 pixel;
+
+const vec3 KEY = vec3(-0.42, 0.56, 0.71);
+const vec3 FILL = vec3(0.80, 0.05, 0.60);
+const vec3 HALF = vec3(-0.227, 0.303, 0.925);
+
+vec4 entry(int motion) {
+  return texelFetch(table, ivec2(motion % ${TABLE_SIDE}, motion / ${TABLE_SIDE}), 0);
+}
+
+#ifdef OWNER_OF_CELL
+/** On the bottom or on a side of the part. */
+bool is_outside() {
+  vec2 gap = min(place.xy - corner.xy, far.xy - place.xy) / cell;
+  return upright.z < -0.5 || (abs(upright.z) < 0.5 && min(gap.x, gap.y) < 0.02);
+}
+#endif
+
+vec4 cut() {
+#ifdef OWNER_OF_CELL
+  if (is_outside()) return vec4(0.0);
+  // A wall belongs to what was cut at its foot.
+  ivec2 last = textureSize(owners, 0) - 1;
+  vec2 at = (place.xy + upright.xy * 0.6 * cell - corner.xy) / cell;
+  uint motion = texelFetch(owners, clamp(ivec2(floor(at)), ivec2(0), last), 0).r;
+  return motion == 0u ? vec4(0.0) : entry(int(motion));
+#elif defined(OWNER_OF_VERTEX)
+  return v_owner == 0 ? vec4(0.0) : entry(v_owner);
+#else
+  return vec4(0.0);
+#endif
+}
+
+float shade() {
+#ifdef OWNER_OF_CELL
+  if (is_outside()) return 1.0;
+  vec2 at = (place.xy - corner.xy) / (far.xy - corner.xy);
+  float mean = texture(ambient, at).r * (far.z - corner.z) + corner.z;
+  float below = (mean - place.z) / (0.06 * length(far.xy - corner.xy));
+  return 1.0 - 0.42 * clamp(below, 0.0, 1.0) + 0.05 * clamp(-below, 0.0, 1.0);
+#else
+  return 1.0;
+#endif
+}
+
+void main() {
+#ifdef SECTION
+  if (dot(plane.xyz, place) > plane.w) discard;
+#endif
+#ifdef CUT_FACE
+  pixel = vec4(face, 1.0);      // the plane is drawn over it
+#else
+  vec3 n = normalize(seen);
+  vec4 motion = cut();
+  vec3 colour = mix(stock, motion.rgb, motion.a);
+  float key = max(dot(n, KEY), 0.0);
+  float fill = max(dot(n, FILL), 0.0);
+  float light = 0.38 + 0.08 * n.y + 0.56 * key + 0.20 * fill;
+  float gleam = max(dot(n, HALF), 0.0);
+  gleam *= gleam;
+  gleam *= gleam;
+  gleam *= gleam;
+  gleam *= gleam;
+  gleam *= gleam;
+  float aslant = 1.0 - clamp(n.z, 0.0, 1.0);
+  float rim = 1.0 - 0.22 * aslant * aslant * aslant;
+  pixel = vec4((colour * light * rim + 0.22 * gleam) * shade(), 1.0);
+#endif
+}`;
+
+export const plane_vertex = /* glsl */ `
+precision highp float;
+uniform mat4 modelViewMatrix, projectionMatrix;
+in vec3 position;
+void main() {
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+export const plane_fragment = /* glsl */ `
+precision highp float;
+uniform vec3 face, hatch;
+out vec4 pixel;
+void main() {
+  float line = abs(mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) - 6.0);
+  pixel = vec4(mix(hatch, face, smoothstep(0.5, 1.3, line)), 1.0);
+}`;
+
+export const line_vertex = /* glsl */ `
+precision highp float;
+uniform mat4 modelViewMatrix, projectionMatrix;
+in vec3 position;
+out vec3 place;
+void main() {
+  place = position;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+export const line_fragment = /* glsl */ `
+precision highp float;
+uniform vec4 plane;
+uniform vec3 colour;
+in vec3 place;
+out vec4 pixel;
+void main() {
+#ifdef SECTION
+  if (dot(plane.xyz, place) > plane.w) discard;
+#endif
+  pixel = vec4(colour, 0.62);
+}`;

@@ -54,8 +54,8 @@ std::optional<PartPlace> nearest_end(const TriDexel& model, int grid, Vec3 place
   if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return std::nullopt;
   const int column = static_cast<int>(b);
   const int row = static_cast<int>(c);
-  const auto number = static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
-                                               column / Lattice::kTile);
+  const auto number =
+      static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() + column / Lattice::kTile);
   const stock::dexel::Tile& tile = model.tile(grid, number);
   const double wanted = on_axis(place, grid);
   const auto ends = tile.ends(tile.index(column % Lattice::kTile, row % Lattice::kTile));
@@ -63,9 +63,9 @@ std::optional<PartPlace> nearest_end(const TriDexel& model, int grid, Vec3 place
     return std::fabs(double{x.at} - wanted) < std::fabs(double{y.at} - wanted);
   });
   if (found == ends.end()) return std::nullopt;
-  return PartPlace{stock::dexel::along_axis(grid, double{found->at}, lattice.b_of(column),
-                                            lattice.c_of(row)),
-                   found->motion};
+  return PartPlace{
+      stock::dexel::along_axis(grid, double{found->at}, lattice.b_of(column), lattice.c_of(row)),
+      found->motion};
 }
 
 }  // namespace

@@ -187,9 +187,10 @@ void Parts::stock_probe(const Request& request) {
   const stock::Vec3 at{arguments.number("x"), arguments.number("y"), arguments.number("z")};
   around_.looks.post({.work =
                           [this, reply = request.reply, cutting, wish = view.wish(), at] {
-                            around_.answers.answer(reply, guarded([&]() -> Outcome<Json> {
-                              return place_json(job::answer_at(*cutting, wish, at));
-                            }));
+                            around_.answers.answer(
+                                reply, guarded([&]() -> Outcome<Json> {
+                                  return place_json(job::answer_at(*cutting, wish, at));
+                                }));
                           },
                       .unwanted = request.unwanted(),
                       .owner = view.part().get()});

@@ -23,9 +23,9 @@ Body flat(double diameter) {
 using Made = std::function<std::unique_ptr<Model>()>;
 
 /// A run of random moves with two tools, a second each, with pauses of half a second between.
-class Run {
+class PlayedRun {
  public:
-  Run(const Made& made, unsigned seed, std::size_t memory_bytes)
+  PlayedRun(const Made& made, unsigned seed, std::size_t memory_bytes)
       : model_(made()), recording_(*model_, {.memory_bytes = memory_bytes, .interval_s = 0}) {
     for (const double diameter : {4.0, 7.0}) {
       static_cast<void>(model_->add_body(flat(diameter)));
@@ -116,11 +116,11 @@ std::vector<std::uint32_t> fresh(const Made& made, const Recording& recording, d
 }
 
 void there_and_back(const Made& made) {
-  Run run(made, 7, std::size_t{64} << 20U);
+  PlayedRun run(made, 7, std::size_t{64} << 20U);
   ModelPlayer player(made(), run.recording(), {});
   std::mt19937 random(3);
   for (int i = 0; i < 40; ++i) {
-    const double time_s = Run::kLasts_s * static_cast<double>(random()) / 4294967296.0;
+    const double time_s = PlayedRun::kLasts_s * static_cast<double>(random()) / 4294967296.0;
     ASSERT_TRUE(player.go_to(time_s, {}));
     ASSERT_EQ(bits_of(player.model()), fresh(made, run.recording(), time_s)) << time_s << " s";
   }
@@ -132,8 +132,8 @@ TEST(Player, ThereAndBackAHeightFieldHasTheSameBits) { there_and_back(height_fie
 TEST(Player, ThereAndBackDexelsHaveTheSameBits) { there_and_back(tri_dexel); }
 
 TEST(Player, FewerCheckpointsMakeTheSameBits) {
-  Run many(height_field, 11, std::size_t{64} << 20U);
-  Run few(height_field, 11, std::size_t{2} << 20U);
+  PlayedRun many(height_field, 11, std::size_t{64} << 20U);
+  PlayedRun few(height_field, 11, std::size_t{2} << 20U);
   ModelPlayer a(height_field(), many.recording(), {});
   ModelPlayer b(height_field(), few.recording(), {});
   for (const double time_s : {80.3, 12.25, 55.0, 3.75}) {
@@ -172,7 +172,7 @@ TEST(Player, ATurnedPartComesBack) {
 }
 
 TEST(Player, WhoIsNoLongerWantedStopsAndGoesOnLater) {
-  Run run(height_field, 5, std::size_t{64} << 20U);
+  PlayedRun run(height_field, 5, std::size_t{64} << 20U);
   ModelPlayer player(height_field(), run.recording(), {.is_alike = false});
   std::stop_source unwanted;
   unwanted.request_stop();
@@ -197,7 +197,7 @@ TEST(SweepLog, GivesBackWhatItGot) {
   const std::vector<Sweep> some{
       {.way = StraightWay{{0, 0, 0}, {1, 2, 3}}, .motion = 1},
       {.way = StraightWay{{1, 2, 3}, {4, 5, 6}}, .motion = 2},
-      {.way = ArcWay{.radius = 3, .turn_rad = 1}, .body = 2, .kind = SweepKind::rapid, .motion = 4},
+      {.way = ArcWay{{}, {}, {1, 0, 0}, {0, 1, 0}, 3, 0, 0, 1}, .body = 2, .kind = SweepKind::rapid, .motion = 4},
       {.way = TurningWay{{1, 1, 1}, {2, 2, 2}, {0, 1, 0}}, .axis = {1, 0, 0}, .motion = 5},
       {.way = StraightWay{{9, 2, 3}, {4, 5, 6}}, .motion = 6, .lead_mm = 2, .start_deg = 90}};
   for (const Sweep& sweep : some) log.add(sweep);

@@ -27,7 +27,7 @@ void cut(SheetRecording& recording, Sheet& sheet) {
   };
   for (std::uint32_t i = 1; i <= kMoves; ++i) {
     const sheet::Vec2 to{draw(60), draw(40)};
-    const Trace way = i % 4 == 0 ? round(to, 3, draw(6), 0.5 + draw(5))
+    const Trace way = i % 4 == 0 ? sheet::round(to, 3, draw(6), 0.5 + draw(5))
                                  : sheet::straight({draw(60), draw(40)}, to);
     const std::vector<Trace> traces{way};
     const std::vector<std::uint32_t> motions{i};

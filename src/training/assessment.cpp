@@ -51,10 +51,10 @@ double distance(const Cut& cut, Vec3 at) {
 }
 
 // Holds one run against the other.
-class Comparison {
+class PathJudge {
  public:
-  Comparison(const Exercise& exercise, const std::string& program, const std::string& dialect,
-             const Trial& run, const Trial& solution)
+  PathJudge(const Exercise& exercise, const std::string& program, const std::string& dialect,
+            const Trial& run, const Trial& solution)
       : exercise_(exercise),
         run_(run),
         solution_(solution),
@@ -260,7 +260,7 @@ base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& pr
   }
   const Trial run =
       trial_of(exercise, *definition, program, most_fed_mm(solution.cut_mm), unwanted);
-  return Comparison(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
+  return PathJudge(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
 }
 
 }  // namespace kerf::training

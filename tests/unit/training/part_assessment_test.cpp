@@ -125,8 +125,8 @@ TEST(AssessPart, ACrashFailsThoughThePartIsRight) {
 }
 
 TEST(AssessPart, ARapidThroughTheStockIsFoundAndMoreAreCounted) {
-  const Criterion one = criterion(
-      judged(slot(), kHead + "G01 Z-4. F300.\nX29.\nG00 X30.\n" + kFoot), Kind::checks);
+  const Criterion one =
+      criterion(judged(slot(), kHead + "G01 Z-4. F300.\nX29.\nG00 X30.\n" + kFoot), Kind::checks);
   EXPECT_EQ(one.finding, Finding::found);
   EXPECT_EQ(one.line, 7U);
   const Assessment got = judged(slot(), kHead + "G01 Z-4. F300.\nX30.\nG00 X35.\nY8.\n" + kFoot);

@@ -79,7 +79,7 @@ ROOMS = {
     "engraver": ["machine/run", "output/picture", "output/reports"],
     "job": ["machine/run", "output/features", "output/records", "output/reports", "output/part", "output/solid", "stock/field", "stock/dexel", "stock/turned", "stock/turnmill", "stock/sheet", "stock/saved"],
     "job/live": ["job", "stock/replay"],
-    "training": ["job"],
+    "training": ["job", "stock/compare"],
     "face/server/protocol": ["machine/panel", "output/writing", "job/live"],
     "face/server/store": ["face/server/protocol"],
     "face/server/hub": ["face/server/store", "training"],

@@ -183,7 +183,7 @@ class SheetPass {
       return std::make_unique<Sheet>(grid, settings);
     };
     watch_ = of.begins({{pass_.run(), plan_.origin, shape_of(plan_.sheet), model_facts(),
-                         [] { return std::vector<output::StockFacts::Told>(); }},
+                         [](std::size_t) { return FoundSoFar{}; }},
                         *sheet_,
                         like});
     if (!watch_) return;

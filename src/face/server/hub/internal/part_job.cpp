@@ -27,7 +27,8 @@ Outcome<void> check_set_up(const std::string& toml) {
   return base::usage("set-ups cannot be read yet: the stock lies around what is cut");
 }
 
-Outcome<job::StockJob> part_job(const PartSource& source, const std::string& /*set_up*/) {
+Outcome<job::StockJob> part_job(const PartSource& source, const std::string& /*set_up*/,
+                                const std::string& /*folder*/) {
   auto text = source.text();
   if (!text) return tl::unexpected(text.error());
   auto tools = tools_of(source.job.definition, *text);

@@ -66,8 +66,7 @@ class SheetWatch : public base::Interface {
   virtual void cut(std::span<const stock::sheet::Trace> traces,
                    std::span<const std::uint32_t> motions) = 0;
   /// These have been burnt, each up to its time, s of the run, rising.
-  virtual void burn(std::span<const stock::sheet::Burn> burns,
-                    std::span<const double> until_s) = 0;
+  virtual void burn(std::span<const stock::sheet::Burn> burns, std::span<const double> until_s) = 0;
   /// Gets the motions that were cut with their times.
   [[nodiscard]] virtual stock::TimedCutSink& times() = 0;
 };

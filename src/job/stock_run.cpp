@@ -64,9 +64,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     model_ = std::move(made.model);
     cell_enlarged_ = made.cell_enlarged;
     if (job.watch != nullptr) {
-      watch_ = job.watch->begins(begin_of(job, plan_, *run_, *model_, [this] {
-        return cutter_->findings().in_order();
-      }));
+      watch_ = job.watch->begins(
+          begin_of(job, plan_, *run_, *model_, [this] { return cutter_->findings().in_order(); }));
     }
     cutter_.emplace(axes(), frame_, *model_, *rack_, settings(job, made.turning_tolerance_mm));
     limits_.emplace(

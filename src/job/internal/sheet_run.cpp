@@ -202,7 +202,8 @@ class SheetPass {
   void tell_motions(std::uint64_t before) {
     std::size_t i = 0;
     for (; i < open_motions_.size() && open_motions_[i] < before; ++i) {
-      const bool is_last = i + 1 == open_motions_.size() || open_motions_[i + 1] != open_motions_[i];
+      const bool is_last =
+          i + 1 == open_motions_.size() || open_motions_[i + 1] != open_motions_[i];
       if (is_last) clock_.take({.motion = open_motions_[i]});
     }
     open_motions_.erase(open_motions_.begin(),

@@ -173,7 +173,8 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
   if (plan.kind == StockModel::profile)
     return make_profile(std::get<stock::CylinderShape>(plan.shape));
-  const unsigned jobs = size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned jobs =
+      size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
   double cell = fitting_cell(plan, size.memory_bytes);
   MadeModel made;
   if (cell > plan.cell_mm) {

@@ -14,8 +14,8 @@ using stock::dexel::TriDexel;
 using stock::surface::Place;
 
 bool meet(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y &&
-         b.low.y <= a.high.y && a.low.z <= b.high.z && b.low.z <= a.high.z;
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
 /// Of the dexels of a tile, frame of the stock.
@@ -24,11 +24,10 @@ Bounds box_of(const TriDexel& model, int grid, std::size_t tile) {
   const auto across = static_cast<std::size_t>(lattice.tiles_b());
   const int b = static_cast<int>(tile % across) * Lattice::kTile;
   const int c = static_cast<int>(tile / across) * Lattice::kTile;
-  const Vec3 low = stock::dexel::along_axis(grid, -lattice.half_s,
-                                            lattice.b_of(b) - lattice.cell_b,
+  const Vec3 low = stock::dexel::along_axis(grid, -lattice.half_s, lattice.b_of(b) - lattice.cell_b,
                                             lattice.c_of(c) - lattice.cell_c);
-  const Vec3 high = stock::dexel::along_axis(
-      grid, lattice.half_s, lattice.b_of(b + Lattice::kTile), lattice.c_of(c + Lattice::kTile));
+  const Vec3 high = stock::dexel::along_axis(grid, lattice.half_s, lattice.b_of(b + Lattice::kTile),
+                                             lattice.c_of(c + Lattice::kTile));
   return {model.middle() + low, model.middle() + high};
 }
 
@@ -55,8 +54,8 @@ std::optional<PartPlace> nearest_end(const TriDexel& model, int grid, Vec3 place
   if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return std::nullopt;
   const int column = static_cast<int>(b);
   const int row = static_cast<int>(c);
-  const auto number = static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
-                                               column / Lattice::kTile);
+  const auto number =
+      static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() + column / Lattice::kTile);
   const stock::dexel::Tile& tile = model.tile(grid, number);
   const double wanted = on_axis(place, grid);
   const auto ends = tile.ends(tile.index(column % Lattice::kTile, row % Lattice::kTile));
@@ -64,9 +63,9 @@ std::optional<PartPlace> nearest_end(const TriDexel& model, int grid, Vec3 place
     return std::fabs(double{x.at} - wanted) < std::fabs(double{y.at} - wanted);
   });
   if (found == ends.end()) return std::nullopt;
-  return PartPlace{stock::dexel::along_axis(grid, double{found->at}, lattice.b_of(column),
-                                            lattice.c_of(row)),
-                   found->motion};
+  return PartPlace{
+      stock::dexel::along_axis(grid, double{found->at}, lattice.b_of(column), lattice.c_of(row)),
+      found->motion};
 }
 
 }  // namespace

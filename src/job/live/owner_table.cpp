@@ -6,8 +6,7 @@ namespace kerf::job {
 
 void OwnerTable::add(std::uint32_t motion, const PartOwner& owner) {
   const std::unique_lock lock(mutex_);
-  const auto [known, is_new] =
-      known_.try_emplace(owner, static_cast<std::uint32_t>(rows_.size()));
+  const auto [known, is_new] = known_.try_emplace(owner, static_cast<std::uint32_t>(rows_.size()));
   if (is_new) rows_.push_back(owner);
   while (rows_.size() > kMostNumbers << shift_) ++shift_;
   if (of_motion_.size() <= motion) of_motion_.resize(motion + 1);

@@ -30,11 +30,11 @@ struct PartAnswer {
 
 /// What is there to see now.
 struct PartLook {
-  std::string frame{};     ///< of what has changed since; empty: all is seen
-  bool has_more = false;   ///< it did not fit into one frame
-  bool is_behind = false;  ///< the part is not cut as far as was asked for
-  double time_s = 0;       ///< that is shown
-  double removed_mm3 = 0;  ///< up to then
+  std::string frame{};              ///< of what has changed since; empty: all is seen
+  bool has_more = false;            ///< it did not fit into one frame
+  bool is_behind = false;           ///< the part is not cut as far as was asked for
+  double time_s = 0;                ///< that is shown
+  double removed_mm3 = 0;           ///< up to then
   std::vector<PartOwner> owners{};  ///< numbers that are new, from `first_owner` on
   std::size_t first_owner = 0;
 };
@@ -47,8 +47,8 @@ class PartSight {
 
   /// None: `unwanted` came first.
   [[nodiscard]] std::optional<PartLook> look(const std::shared_ptr<Cutting>& cutting,
-                                             const PartWish& wish,
-                                             const std::stop_token& unwanted);
+                                             const PartWish& wish, const std::stop_token& unwanted);
+
  private:
   /// Of a tile of the picture.
   struct Seen {

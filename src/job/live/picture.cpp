@@ -36,9 +36,8 @@ class HeightPicture final : public Picture {
     const int row = static_cast<int>(j);
     const float height = columns.height(column, row);
     if (height <= columns.bottom(column, row)) return std::nullopt;
-    return PartPlace{
-        {grid.x(column), grid.y(row), grid.box.low.z + static_cast<double>(height)},
-        columns.owner(column, row)};
+    return PartPlace{{grid.x(column), grid.y(row), grid.box.low.z + static_cast<double>(height)},
+                     columns.owner(column, row)};
   }
 
  private:

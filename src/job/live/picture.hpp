@@ -15,7 +15,7 @@ namespace kerf::job {
 
 /// A place on a part.
 struct PartPlace {
-  stock::Vec3 at;  ///< frame of the stock
+  stock::Vec3 at;            ///< frame of the stock
   std::uint32_t motion = 0;  ///< that left it; 0: none
   double energy_j_mm2 = 0;   ///< of a sheet
 };

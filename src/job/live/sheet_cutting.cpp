@@ -26,9 +26,7 @@ class SheetPicture final : public Picture {
     if (is_untouched) return {.is_empty = true};
     return {output::sheet_part(sheet_, tile), 1, false};
   }
-  [[nodiscard]] double removed_mm3() const override {
-    return sheet_.cut_mm2() * thickness_mm_;
-  }
+  [[nodiscard]] double removed_mm3() const override { return sheet_.cut_mm2() * thickness_mm_; }
   [[nodiscard]] std::optional<PartPlace> nearest(stock::Vec3 at) const override;
 
  private:
@@ -55,9 +53,9 @@ std::optional<PartPlace> SheetPicture::nearest(stock::Vec3 at) const {
 }
 
 PartLevel level_of(const stock::sheet::Grid& grid) {
-  return {.cell_mm = std::max(grid.cell_x(), grid.cell_y()),
-          .grid = PartGrid{{grid.x(0), grid.y(0)}, {grid.cell_x(), grid.cell_y()},
-                           {grid.nx, grid.ny}}};
+  return {
+      .cell_mm = std::max(grid.cell_x(), grid.cell_y()),
+      .grid = PartGrid{{grid.x(0), grid.y(0)}, {grid.cell_x(), grid.cell_y()}, {grid.nx, grid.ny}}};
 }
 
 }  // namespace
@@ -75,8 +73,7 @@ const Picture* SheetCutting::at(double time_s, std::uint32_t /*level*/,
                                 const std::stop_token& unwanted) {
   if (!player_) {
     player_ = std::make_unique<stock::replay::SheetPlayer>(like_(), recording_);
-    picture_ =
-        std::make_unique<SheetPicture>(player_->sheet(), box().high.z - box().low.z);
+    picture_ = std::make_unique<SheetPicture>(player_->sheet(), box().high.z - box().low.z);
   }
   return player_->go_to(time_s, unwanted) ? picture_.get() : nullptr;
 }

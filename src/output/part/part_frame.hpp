@@ -31,8 +31,8 @@ using OwnerOf = std::function<std::uint16_t(std::uint32_t motion)>;
                                       const OwnerOf& owner);
 /// Of a block of a surface. Where it has more points than a part can number, those that are too
 /// many are left out with their triangles.
-[[nodiscard]] std::string mesh_part(stock::surface::Place block,
-                                    const stock::surface::Patch& patch, const OwnerOf& owner);
+[[nodiscard]] std::string mesh_part(stock::surface::Place block, const stock::surface::Patch& patch,
+                                    const OwnerOf& owner);
 /// Of a closed contour in (Z, ρ).
 [[nodiscard]] std::string loop_part(const contour::Contour& loop);
 

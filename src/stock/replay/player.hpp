@@ -30,8 +30,7 @@ class Player {
 
  private:
   void begin(const Record& record, std::size_t steps);
-  [[nodiscard]] std::optional<Checkpoint> checkpoint(const Record& record,
-                                                     std::size_t steps) const;
+  [[nodiscard]] std::optional<Checkpoint> checkpoint(const Record& record, std::size_t steps) const;
 
   Redo redo_;
   Settings settings_;

@@ -31,12 +31,10 @@ SheetPlayer::SheetPlayer(std::unique_ptr<sheet::Sheet> sheet, const SheetRecordi
       recording_(recording),
       coverage_(coverage_tiles(*sheet_)),
       energy_(energy_tiles(*sheet_)),
-      cuts_(
-          *coverage_, [this](std::size_t a, std::size_t b, double share) { cut(a, b, share); },
-          {}),
-      burns_(
-          *energy_, [this](std::size_t a, std::size_t b, double share) { burn(a, b, share); },
-          {}) {}
+      cuts_(*coverage_, [this](std::size_t a, std::size_t b, double share) { cut(a, b, share); },
+            {}),
+      burns_(*energy_, [this](std::size_t a, std::size_t b, double share) { burn(a, b, share); },
+             {}) {}
 
 bool SheetPlayer::go_to(double time_s, const std::stop_token& unwanted) {
   return cuts_.go_to(recording_.cuts(), recording_.cuts().at(time_s), unwanted) &&

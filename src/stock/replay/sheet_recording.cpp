@@ -58,9 +58,7 @@ void SheetRecording::finish(double time_s) {
   burns_.finish(time_s);
 }
 
-double SheetRecording::reached_s() const {
-  return std::min(cuts_.reached_s(), burns_.reached_s());
-}
+double SheetRecording::reached_s() const { return std::min(cuts_.reached_s(), burns_.reached_s()); }
 
 std::vector<sheet::Trace> SheetRecording::traces(std::size_t from, std::size_t to) const {
   const std::shared_lock lock(mutex_);

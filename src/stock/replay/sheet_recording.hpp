@@ -46,7 +46,7 @@ class SheetRecording {
   mutable std::shared_mutex mutex_;  // of what follows
   std::deque<Cut> traces_;
   std::deque<sheet::Burn> burnt_;
-  std::size_t told_ = 0;       // traces whose times are known
+  std::size_t told_ = 0;  // traces whose times are known
   double burnt_until_s_ = 0;
 };
 

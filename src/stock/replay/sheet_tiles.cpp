@@ -55,8 +55,9 @@ class TilesOfSheet final : public Tiles {
 }  // namespace
 
 std::unique_ptr<Tiles> coverage_tiles(Sheet& sheet) {
-  return std::make_unique<TilesOfSheet<Sheet::Coverage, &Sheet::coverage, &Sheet::cuts_of,
-                                       &Sheet::restore_coverage>>(sheet);
+  return std::make_unique<
+      TilesOfSheet<Sheet::Coverage, &Sheet::coverage, &Sheet::cuts_of, &Sheet::restore_coverage>>(
+      sheet);
 }
 
 std::unique_ptr<Tiles> energy_tiles(Sheet& sheet) {

@@ -5,8 +5,7 @@
 namespace kerf::stock::replay {
 
 void Timeline::add(double start_s, double end_s, std::size_t end) {
-  motions_.push_back(
-      {end_s, static_cast<float>(end_s - start_s), static_cast<std::uint32_t>(end)});
+  motions_.push_back({end_s, static_cast<float>(end_s - start_s), static_cast<std::uint32_t>(end)});
   reached_s_ = std::max(reached_s_, end_s);
 }
 

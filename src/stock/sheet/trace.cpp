@@ -108,7 +108,8 @@ Box extents(const Trace& trace) {
 }
 
 Trace part(const Trace& trace, double share) {
-  if (!(trace.radius > 0)) return straight(trace.from, trace.from + share * (trace.to - trace.from));
+  if (!(trace.radius > 0))
+    return straight(trace.from, trace.from + share * (trace.to - trace.from));
   const Vec2 out = trace.from - trace.centre;
   return round(trace.centre, trace.radius, math::atan2(out.v, out.u), share * trace.turn_rad);
 }

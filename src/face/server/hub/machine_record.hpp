@@ -49,8 +49,8 @@ class MachineRecord {
   std::shared_ptr<Preview> preview;
   std::optional<PreviewState> path;
   std::uint32_t preview_run = 0;
-  double preview_began_ms = 0;          ///< of the server's clock
-  bool is_preview_out_of_date = false;  ///< inputs were given since
+  double preview_began_ms = 0;            ///< of the server's clock
+  bool is_preview_out_of_date = false;    ///< inputs were given since
   std::optional<PartSource> part_source;  ///< none: nothing is loaded
   std::shared_ptr<Part> part;             ///< null: nobody has asked to see it
   std::uint32_t part_number = 0;          ///< of the last one

@@ -59,12 +59,12 @@ class PartView {
   std::shared_ptr<Part> part_;
   std::shared_ptr<job::PartSight> sight_;
   job::PartWish wish_;
-  std::vector<Reply> replies_;  // to those who want it
+  std::vector<Reply> replies_;                   // to those who want it
   std::vector<std::pair<Reply, Json>> answers_;  // to be sent behind what is ready
-  std::stop_source changed_;    // the wish, since the look began
+  std::stop_source changed_;                     // the wish, since the look began
   bool is_looking_ = false;
   bool is_new_ = false;
-  std::uint64_t seen_ = 0;  // revision of the document
+  std::uint64_t seen_ = 0;      // revision of the document
   Json told_ = Json::object();  // besides
   std::deque<Outgoing> ready_;
 };

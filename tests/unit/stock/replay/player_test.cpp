@@ -1,6 +1,4 @@
 // A part at any time of its run is the same to the last bit, however one comes there.
-#include "stock/replay/model_player.hpp"
-
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -9,6 +7,7 @@
 
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
+#include "stock/replay/model_player.hpp"
 #include "stock/turned/turned_part.hpp"
 
 namespace kerf::stock::replay {
@@ -147,9 +146,7 @@ TEST(Player, FewerCheckpointsMakeTheSameBits) {
 
 // The same job as a lathe: what is left is one region.
 TEST(Player, ATurnedPartComesBack) {
-  const Made made = [] {
-    return std::make_unique<turned::TurnedPart>(turned::bar(40, -60, 0));
-  };
+  const Made made = [] { return std::make_unique<turned::TurnedPart>(turned::bar(40, -60, 0)); };
   const auto model = made();
   Recording recording(*model, {.interval_s = 0});
   static_cast<void>(model->add_body(flat(10)));

@@ -22,7 +22,9 @@ constexpr std::uint32_t kMoves = 50;
 /// A way a second, with a burn each quarter of it.
 void cut(SheetRecording& recording, Sheet& sheet) {
   std::mt19937 random(9);
-  const auto draw = [&](double high) { return high * static_cast<double>(random()) / 4294967296.0; };
+  const auto draw = [&](double high) {
+    return high * static_cast<double>(random()) / 4294967296.0;
+  };
   for (std::uint32_t i = 1; i <= kMoves; ++i) {
     const sheet::Vec2 to{draw(60), draw(40)};
     const Trace way = i % 4 == 0 ? round(to, 3, draw(6), 0.5 + draw(5))

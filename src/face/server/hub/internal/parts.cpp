@@ -12,9 +12,7 @@ namespace {
 
 using base::Outcome;
 
-Json set_up_json(const std::string& toml) {
-  return {{"toml", toml}, {"is_default", toml.empty()}};
-}
+Json set_up_json(const std::string& toml) { return {{"toml", toml}, {"is_default", toml.empty()}}; }
 
 bool is_wanted(const MachineRecord& machine) {
   return std::any_of(machine.watchers.begin(), machine.watchers.end(),
@@ -60,8 +58,7 @@ void Parts::cut_again(MachineRecord& machine) {
     auto toml = guarded([&] { return around_.library.set_up(program); });
     around_.answers.to_sockets([this, name, number, toml] {
       MachineRecord* const found = around_.machines.find(name);
-      if (found != nullptr && found->part_source && found->part_number == number)
-        cut(*found, toml);
+      if (found != nullptr && found->part_source && found->part_number == number) cut(*found, toml);
     });
   });
 }
@@ -77,8 +74,7 @@ void Parts::cut(MachineRecord& machine, const Outcome<std::string>& set_up) {
   for (Client* const watcher : machine.watchers) {
     if (watcher->wants_part) show(*watcher, machine);
   }
-  around_.cuts.post(
-      [this, name = machine.name, part = machine.part] { run(name, part); });
+  around_.cuts.post([this, name = machine.name, part = machine.part] { run(name, part); });
 }
 
 void Parts::show(Client& client, MachineRecord& machine) {
@@ -118,8 +114,8 @@ void Parts::heard(const std::string& name, const std::shared_ptr<Part>& part, co
 
 PartView::Look Parts::look_for(std::weak_ptr<Client> client) {
   return [this, client = std::move(client)](const PartLooking& looking) {
-    around_.looks.post({.work = [this, client, looking] { make(client, looking); },
-                        .owner = looking.part.get()});
+    around_.looks.post(
+        {.work = [this, client, looking] { make(client, looking); }, .owner = looking.part.get()});
   };
 }
 
@@ -166,16 +162,16 @@ void Parts::stock(const Request& request) {
 
 void Parts::answer_set_up(const Request& request) {
   if (!request.machine->part_source) return request.reply.no(base::Refusal::no_program);
-  around_.disk.post({.work =
-                         [this, reply = request.reply,
-                          program = request.machine->part_source->program] {
-                           around_.answers.answer(reply, guarded([&]() -> Outcome<Json> {
-                             auto toml = around_.library.set_up(program);
-                             if (!toml) return tl::unexpected(toml.error());
-                             return set_up_json(*toml);
-                           }));
-                         },
-                     .unwanted = request.unwanted()});
+  around_.disk.post(
+      {.work =
+           [this, reply = request.reply, program = request.machine->part_source->program] {
+             around_.answers.answer(reply, guarded([&]() -> Outcome<Json> {
+                                      auto toml = around_.library.set_up(program);
+                                      if (!toml) return tl::unexpected(toml.error());
+                                      return set_up_json(*toml);
+                                    }));
+           },
+       .unwanted = request.unwanted()});
 }
 
 void Parts::keep_set_up(const Request& request, const std::string& toml) {
@@ -213,9 +209,10 @@ void Parts::stock_probe(const Request& request) {
   const stock::Vec3 at{arguments.number("x"), arguments.number("y"), arguments.number("z")};
   around_.looks.post({.work =
                           [this, reply = request.reply, cutting, wish = view.wish(), at] {
-                            around_.answers.answer(reply, guarded([&]() -> Outcome<Json> {
-                              return place_json(job::answer_at(*cutting, wish, at));
-                            }));
+                            around_.answers.answer(
+                                reply, guarded([&]() -> Outcome<Json> {
+                                  return place_json(job::answer_at(*cutting, wish, at));
+                                }));
                           },
                       .unwanted = request.unwanted(),
                       .owner = view.part().get()});

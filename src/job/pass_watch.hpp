@@ -17,6 +17,12 @@ namespace kerf::job {
 
 class Run;
 
+/// What has been found so far, the first of it.
+struct FoundSoFar {
+  std::vector<output::StockFacts::Told> first;
+  std::size_t count = 0;  ///< of all
+};
+
 /// A pass over a program that is about to cut, for whoever looks on. What it refers to is there
 /// until the pass is over.
 struct PassBegin {
@@ -24,8 +30,8 @@ struct PassBegin {
   stock::Vec3 origin;  ///< of the stock's zero, machine coordinates
   stock::Workpiece shape;
   output::StockFacts::Model facts;
-  /// What has been found so far. On the thread that cuts.
-  std::function<std::vector<output::StockFacts::Told>()> findings;
+  /// At most so many. On the thread that cuts.
+  std::function<FoundSoFar(std::size_t most)> findings;
 };
 
 /// One that cuts a model.

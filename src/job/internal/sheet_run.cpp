@@ -205,7 +205,7 @@ class SheetPass {
       return made;
     };
     watch_ = of.begins({{pass_.run(), plan_.origin, shape_of(plan_), model_facts(),
-                         [] { return std::vector<output::StockFacts::Told>(); }},
+                         [](std::size_t) { return FoundSoFar{}; }},
                         *sheet_,
                         like});
     if (!watch_) return;

@@ -1,12 +1,12 @@
 #include "job/internal/watched_pass.hpp"
 
+#include <algorithm>
+
 #include "job/facts_of_stock.hpp"
 #include "job/internal/stock_models.hpp"
 
 namespace kerf::job {
 namespace {
-
-using Told = output::StockFacts::Told;
 
 std::function<std::unique_ptr<stock::Model>(double)> maker_of(const StockJob& job,
                                                               const StockPlan& plan) {
@@ -25,10 +25,12 @@ std::function<std::unique_ptr<stock::Model>(double)> maker_of(const StockJob& jo
 
 ModelBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run, stock::Model& model,
                     std::function<std::vector<stock::Finding>()> findings) {
-  const auto told_findings = [findings = std::move(findings), &run] {
-    std::vector<Told> all;
-    for (const stock::Finding& each : findings()) all.push_back(told(each, run.machine()));
-    return all;
+  const auto told_findings = [findings = std::move(findings), &run](std::size_t most) {
+    std::vector<stock::Finding> all = findings();
+    FoundSoFar found{.first = {}, .count = all.size()};
+    all.resize(std::min(most, all.size()));
+    for (const stock::Finding& each : all) found.first.push_back(told(each, run.machine()));
+    return found;
   };
   return {{run, plan.origin, plan.shape, facts_of(plan, model), told_findings},
           model,

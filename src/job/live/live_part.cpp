@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "job/facts_of_stock.hpp"
@@ -22,17 +23,19 @@ class LivePart::Teller final : public stock::TimedCutSink {
     cutting_->take(cut);
     if (cutting_->is_full()) part_.over_.request_stop();
     const std::chrono::duration<double> passed = Clock::now() - told_;
-    if (passed.count() >= kTell_s) tell(pass_.findings());
+    if (passed.count() >= kTell_s) tell(pass_.findings(kMostFindings));
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void tell(std::vector<output::StockFacts::Told> findings) {
+  void tell(FoundSoFar found) {
     told_ = Clock::now();
+    const std::size_t more = found.count - found.first.size();
     (*part_.observer_)({.cutting = cutting_,
                         .sources = &pass_.run.machine().sources(),
-                        .findings = std::move(findings)});
+                        .findings = std::move(found.first),
+                        .more_findings = more});
   }
 
   LivePart& part_;
@@ -104,6 +107,7 @@ std::unique_ptr<SheetWatch> LivePart::begins(const SheetBegin& pass) {
 void LivePart::prepare(StockJob& job) {
   job.job.budget.seconds = kSeconds;
   job.job.budget.unwanted = over_.get_token();
+  job.job.budget.input_waits = false;
   job.most_along = kMostAlong;
   job.memory_bytes = order_.memory_bytes;
   job.watch = this;
@@ -124,11 +128,17 @@ void LivePart::cut(const Observer& observer) {
 void LivePart::tell_end(StockResult& result) const {
   const auto cutting = this->cutting();
   if (cutting) cutting->finish(result.run->machine().time_s());
-  const output::StockFacts facts = facts_of(result);
+  output::StockFacts facts = facts_of(result);
+  const std::size_t told = std::min(facts.findings.size(), kMostFindings);
+  const std::size_t more = facts.findings.size() - told;
+  facts.findings.resize(told);
   (*observer_)({.cutting = cutting,
                 .sources = &result.run->machine().sources(),
-                .findings = facts.findings,
-                .threads = facts.threads,
+                .findings = std::move(facts.findings),
+                .more_findings = more,
+                .threads = std::move(facts.threads),
+                .assumed = std::move(facts.assumed),
+                .not_checked = std::move(facts.not_checked),
                 .is_done = true,
                 .error = why_over(result)});
 }

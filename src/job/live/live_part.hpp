@@ -18,10 +18,13 @@ namespace kerf::job {
 
 /// How far a part is, told on the thread that cuts it. What it refers to is there meanwhile.
 struct PartProgress {
-  std::shared_ptr<Cutting> cutting{};        ///< null: no pass has begun
-  const base::SourceSet* sources = nullptr;  ///< of the findings; null: there are none
-  std::vector<output::StockFacts::Told> findings{};
+  std::shared_ptr<Cutting> cutting{};                 ///< null: no pass has begun
+  const base::SourceSet* sources = nullptr;           ///< of the findings; null: there are none
+  std::vector<output::StockFacts::Told> findings{};   ///< the first kMostFindings of them
+  std::size_t more_findings = 0;                      ///< besides them
   std::vector<output::StockFacts::Thread> threads{};  ///< known at the end
+  std::vector<control::Assumption> assumed{};         ///< likewise
+  std::vector<std::string> not_checked{};             ///< likewise
   bool is_done = false;
   std::string error{};  ///< why there is no more; empty: nothing is wrong
 };
@@ -37,9 +40,10 @@ class LivePart final : private JobWatch {
     std::size_t memory_bytes = std::size_t{256} << 20U;
   };
   static constexpr std::uint32_t kMostRuns = 16;
-  static constexpr double kSeconds = 600;  ///< of computing
-  static constexpr double kTell_s = 0.2;   ///< so often progress is told
-  static constexpr int kMostAlong = 400;   ///< cells of the first level along the longest side
+  static constexpr double kSeconds = 600;             ///< of computing
+  static constexpr double kTell_s = 0.2;              ///< so often progress is told
+  static constexpr std::size_t kMostFindings = 1000;  ///< that are told
+  static constexpr int kMostAlong = 400;  ///< cells of the first level along the longest side
 
   using Observer = std::function<void(const PartProgress&)>;
 

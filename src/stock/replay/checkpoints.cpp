@@ -30,8 +30,8 @@ std::size_t Checkpoints::bytes_behind(std::size_t number) const {
 
 // The first one stays, or times before the next one could not be gone to.
 void Checkpoints::thin() {
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < list_.size(); i += 2) list_[left++] = std::move(list_[i]);
+  std::size_t left = 1;
+  for (std::size_t i = 2; i < list_.size(); i += 2) list_[left++] = std::move(list_[i]);
   list_.resize(left);
   settings_.interval_s *= 2;
   bytes_ = 0;

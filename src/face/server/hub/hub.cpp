@@ -106,6 +106,7 @@ void Hub::tick() {
   thread_.here();
   attendance_.tick();
   previews_.tick();
+  parts_.tick();
 }
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {

@@ -13,7 +13,6 @@ void PartView::show(std::shared_ptr<Part> part) {
   ready_.clear();
   is_new_ = part_ != nullptr;
   if (part_) return;
-  wish_ = {};
   for (const Reply& reply : replies_) reply.yes();
   replies_.clear();
 }

@@ -40,6 +40,8 @@ class PartView {
   void show(std::shared_ptr<Part> part);
   [[nodiscard]] const std::shared_ptr<Part>& part() const { return part_; }
   [[nodiscard]] const job::PartWish& wish() const { return wish_; }
+  /// He wants nothing yet.
+  void forget() { wish_ = {}; }
   /// He wants to see something else; answered when it is made.
   void want(const job::PartWish& wish, const Reply& reply);
   /// There may be something new to see.

@@ -84,7 +84,7 @@ input signal. `set-input` renews the preview of a program that reads inputs, at 
 `stock`: of the part of what is loaded, to who has it shown, with the keys whose value has changed; of another `run` all are new.
 `{"event":"stock","machine","run","model":"zmap|tridexel|profile|sheet","reason","stock":{"origin","low","high"},"cell_mm",
 "levels":[null|{"first":[x,y],"cell_mm":[x,y],"cells":[nx,ny]},…],"files":["O1.nc",…],"done_s","done","removed_mm3",
-"findings":[{…},…],"more_findings","threads":[{…},…],"behind","error":null|{"message"},"owners":{"from","rows":[[file,line,tool],…]}}`.
+"findings":[{…},…],"more_findings","threads":[{…},…],"assumed":[{"line","what"},…],"not_checked":[…],"behind","error":null|{"message"},"owners":{"from","rows":[[file,line,tool],…]}}`.
 Places and lengths count from the zero of the stock, mm, X of a lathe as a radius; `origin` is that zero in machine coordinates, `low` and
 `high` are the box of the stock. A level tells the middle of its first column; one that is no grid of columns is null. `done_s`: up to
 this second of the program the part is cut. `removed_mm3` is up to the time that is shown; `behind`: it is not cut as far as was

@@ -1,7 +1,5 @@
 #include "face/server/protocol/part_json.hpp"
 
-#include <algorithm>
-
 #include "face/server/protocol/diagnostic_json.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -56,10 +54,18 @@ void take_sources(const job::PartProgress& progress, Json& json) {
   for (std::uint32_t i = 0; sources.contains(base::FileId{i}); ++i)
     json["files"].push_back(file_label(sources[base::FileId{i}].name()));
   json["findings"] = Json::array();
-  const std::size_t count = std::min(progress.findings.size(), kMostPartFindings);
-  for (std::size_t i = 0; i < count; ++i)
-    json["findings"].push_back(finding_json(progress.findings[i], sources));
-  json["more_findings"] = progress.findings.size() - count;
+  for (const Told& told : progress.findings)
+    json["findings"].push_back(finding_json(told, sources));
+  json["more_findings"] = progress.more_findings;
+}
+
+void take_doubts(const job::PartProgress& progress, Json& json) {
+  json["assumed"] = Json::array();
+  for (const control::Assumption& each : progress.assumed)
+    json["assumed"].push_back({{"line", each.line}, {"what", output::printable(each.what)}});
+  json["not_checked"] = Json::array();
+  for (const std::string& each : progress.not_checked)
+    json["not_checked"].push_back(output::printable(each));
 }
 
 }  // namespace
@@ -71,6 +77,7 @@ Json part_json(const job::PartProgress& progress) {
   if (progress.is_done) {
     json["threads"] = Json::array();
     for (const Thread& thread : progress.threads) json["threads"].push_back(thread_json(thread));
+    take_doubts(progress, json);
   }
   if (!progress.error.empty()) json["error"] = {{"message", output::printable(progress.error)}};
   return json;

@@ -6,9 +6,6 @@
 
 namespace kerf::server {
 
-/// Findings of a part that are told; the others are counted.
-inline constexpr std::size_t kMostPartFindings = 1000;
-
 /// What all who look at a part are told of it, for the event `stock`. On the thread that cuts it.
 [[nodiscard]] Json part_json(const job::PartProgress& progress);
 

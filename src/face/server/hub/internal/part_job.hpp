@@ -11,8 +11,10 @@ namespace kerf::server {
 /// Whether a text is a set-up (docs/set-up.md). Failure (usage): a sentence with its line.
 [[nodiscard]] base::Outcome<void> check_set_up(const std::string& toml);
 
-/// The job that cuts a part as it is set up; empty: as nobody has. Waits for the disk.
+/// The job that cuts a part as it is set up; empty: as nobody has. Files that the set-up names are
+/// those of `folder`. Waits for the disk.
 [[nodiscard]] base::Outcome<job::StockJob> part_job(const PartSource& source,
-                                                    const std::string& set_up);
+                                                    const std::string& set_up,
+                                                    const std::string& folder);
 
 }  // namespace kerf::server

@@ -14,6 +14,11 @@ using base::Outcome;
 
 Json set_up_json(const std::string& toml) { return {{"toml", toml}, {"is_default", toml.empty()}}; }
 
+bool is_wanted(const MachineRecord& machine) {
+  return std::any_of(machine.watchers.begin(), machine.watchers.end(),
+                     [](const Client* client) { return client->wants_part; });
+}
+
 }  // namespace
 
 // What machines have loaded
@@ -22,14 +27,25 @@ void Parts::begin(MachineRecord& machine, PartSource source) {
   thread_.here();
   end(machine);
   machine.part_source = std::move(source);
-  const auto looks = [](const Client* client) { return client->wants_part; };
-  if (std::any_of(machine.watchers.begin(), machine.watchers.end(), looks)) cut_again(machine);
+  if (is_wanted(machine)) cut_again(machine);
 }
 
 void Parts::end(MachineRecord& machine) {
+  hide(machine);
+  machine.part_source.reset();
+}
+
+void Parts::hide(MachineRecord& machine) {
   machine.cancel_part();
   machine.part.reset();
-  machine.part_source.reset();
+  for (Client* const watcher : machine.watchers) watcher->part().show(nullptr);
+}
+
+// A part that nobody wants to see any more is not kept.
+void Parts::tick() {
+  for (const auto& [name, machine] : around_.machines.records()) {
+    if (machine->part && !is_wanted(*machine)) hide(*machine);
+  }
 }
 
 void Parts::cancel() const {
@@ -40,17 +56,20 @@ void Parts::cut_again(MachineRecord& machine) {
   around_.disk.post([this, name = machine.name, program = machine.part_source->program,
                      number = ++machine.part_number] {
     auto toml = guarded([&] { return around_.library.set_up(program); });
-    around_.answers.to_sockets([this, name, number, toml = toml.value_or("")] {
+    around_.answers.to_sockets([this, name, number, toml] {
       MachineRecord* const found = around_.machines.find(name);
       if (found != nullptr && found->part_source && found->part_number == number) cut(*found, toml);
     });
   });
 }
 
-void Parts::cut(MachineRecord& machine, const std::string& set_up) {
+void Parts::cut(MachineRecord& machine, const Outcome<std::string>& set_up) {
   machine.cancel_part();
   machine.part = std::make_shared<Part>(job::LivePart::Order{
-      .job = [source = *machine.part_source, set_up] { return part_job(source, set_up); },
+      .job = [this, source = *machine.part_source, set_up]() -> Outcome<job::StockJob> {
+        if (!set_up) return tl::unexpected(set_up.error());
+        return part_job(source, *set_up, around_.library.folder());
+      },
       .first_run = machine.part_number * job::LivePart::kMostRuns});
   for (Client* const watcher : machine.watchers) {
     if (watcher->wants_part) show(*watcher, machine);
@@ -130,6 +149,7 @@ void Parts::stock(const Request& request) {
   if (!arguments.has("shows")) return answer_set_up(request);
   Client& client = *request.client;
   client.wants_part = arguments.flag("shows");
+  client.part().forget();
   if (!client.wants_part) {
     client.part().show(nullptr);
   } else if (machine.part) {
@@ -155,10 +175,12 @@ void Parts::answer_set_up(const Request& request) {
 }
 
 void Parts::keep_set_up(const Request& request, const std::string& toml) {
-  if (auto checked = check_set_up(toml); !checked) return request.reply.no(checked.error());
   around_.disk.post([this, reply = request.reply, name = request.machine->name, toml,
                      program = request.machine->part_source->program] {
-    const auto kept = guarded([&] { return around_.library.keep_set_up(program, toml); });
+    const auto kept = guarded([&]() -> Outcome<void> {
+      if (auto checked = check_set_up(toml); !checked) return checked;
+      return around_.library.keep_set_up(program, toml);
+    });
     if (!kept) return around_.answers.answer(reply, tl::unexpected(kept.error()));
     around_.answers.answer(reply, set_up_json(toml));
     around_.answers.to_sockets([this, name] {

@@ -34,6 +34,8 @@ class Parts {
   /// The machine has nothing loaded any more.
   void end(MachineRecord& machine);
   void cancel() const;
+  /// What time brings: parts that nobody wants to see any more.
+  void tick();
 
   // Commands
 
@@ -50,7 +52,8 @@ class Parts {
   void keep_set_up(const Request& request, const std::string& toml);
   /// Reads the set-up, then cuts.
   void cut_again(MachineRecord& machine);
-  void cut(MachineRecord& machine, const std::string& set_up);
+  void cut(MachineRecord& machine, const base::Outcome<std::string>& set_up);
+  void hide(MachineRecord& machine);
   void run(const std::string& name, const std::shared_ptr<Part>& part);
   void heard(const std::string& name, const std::shared_ptr<Part>& part, const Json& facts);
   void make(const std::weak_ptr<Client>& client, const PartLooking& looking);

@@ -214,8 +214,6 @@ def _(place):
     check(sum(f.bytes for f in client.part_frames) <= 4 << 20, "the first picture")
     check(abs(part.facts["removed_mm3"] - 2392.69908) < 60, f"removed {part.facts['removed_mm3']}")
     equal(mesh_volume(part.tiles.values()) > 0, True, "oriented outwards")
-    volume = mesh_volume(part.tiles.values())
-    check(abs(60 * 60 * 30 - volume - 2392.7) < 200, f"the triangles enclose {volume}")
     equal({o for t in part.tiles.values() for o in t["owner"]}, {0, 1, 2}, "who cut them")
     end = part.facts["done_s"]
     at_half = part.at(0.7 * end) and part.picture()
@@ -381,7 +379,7 @@ def _(place):
 @test("what is behind the machine says so, and comes")
 def _(place):
     client = mill(place)
-    client.load(relief(60_000), "relief.nc")
+    client.load(relief(25_000), "relief.nc")
     part = Part(client)
     client.do("stock", shows=True)
     answer = client.do("stock_at", time_s=1e6)
@@ -411,8 +409,8 @@ def _(place):
 @test("a part that cannot be cut says why in a sentence")
 def _(place):
     client = place.serve().client()
-    client.do("create", name="arm", definition="arm4")
-    client.watch("arm")
+    client.do("create", name="engraver-arm", definition="arm4")
+    client.watch("engraver-arm")
     client.load("MOVE(10,10,0)\nEND\n", "arm.bas")
     part = Part(client)
     client.do("stock", shows=True)

@@ -51,7 +51,7 @@ def _(place):
     left = found(answer, "all")
     equal((left["met"], left["finding"]), (False, "excess"), "finding")
     says(left["sentence"], "mm³ too much are left")
-    check(abs(left["values"]["max_mm"] - 20) < 1, left["values"])
+    check(abs(left["values"]["max_mm"] - 6) < 1, left["values"])
     check(found(answer, "checks")["met"] and answer["score"] < 60, answer)
     crash = plate["start"].replace("(HERE THE POCKET, THEN THE HOLES WITH TOOL 3)", "G00 X40. Y30.\nG43 H2 Z-3.")
     checks = found(client.do("assess", exercise="12_pocket_plate", text=crash), "checks")

@@ -197,7 +197,10 @@ TEST(SweepLog, GivesBackWhatItGot) {
   const std::vector<Sweep> some{
       {.way = StraightWay{{0, 0, 0}, {1, 2, 3}}, .motion = 1},
       {.way = StraightWay{{1, 2, 3}, {4, 5, 6}}, .motion = 2},
-      {.way = ArcWay{{}, {}, {1, 0, 0}, {0, 1, 0}, 3, 0, 0, 1}, .body = 2, .kind = SweepKind::rapid, .motion = 4},
+      {.way = ArcWay{{}, {}, {1, 0, 0}, {0, 1, 0}, 3, 0, 0, 1},
+       .body = 2,
+       .kind = SweepKind::rapid,
+       .motion = 4},
       {.way = TurningWay{{1, 1, 1}, {2, 2, 2}, {0, 1, 0}}, .axis = {1, 0, 0}, .motion = 5},
       {.way = StraightWay{{9, 2, 3}, {4, 5, 6}}, .motion = 6, .lead_mm = 2, .start_deg = 90}};
   for (const Sweep& sweep : some) log.add(sweep);

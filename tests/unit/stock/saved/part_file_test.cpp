@@ -194,9 +194,8 @@ TEST(PartFile, TheMotionsOfOneProgramAreNotThoseOfTheNext) {
   cut_all(model, level_sweeps(1, 20));
   const auto again = part_of(file_of({.zero = "G54", .volume_mm3 = 1}, model)).part->model(1);
   EXPECT_EQ(again->error_mm3(), 0);
-  for (const dexel::DexelEnd& end :
-       state_of(dynamic_cast<const dexel::TriDexel&>(*again), 0).tiles[2][0].ends)
-    EXPECT_EQ(end.motion, 0U);
+  const auto kept = state_of(dynamic_cast<const dexel::TriDexel&>(*again), 0);
+  for (const dexel::DexelEnd& end : kept.tiles[2][0].ends) EXPECT_EQ(end.motion, 0U);
   field::HeightField field(field::grid_of(kBox, 0.5), 1);
   ASSERT_EQ(field.add_body(mill(5)), 0U);
   cut_all(field, level_sweeps(1, 20));

@@ -24,7 +24,8 @@ def in_two_programs(box):
         report = second(box, SECOND, "--stl", "parts.stl", *words)
         near(report["stock"]["volume_mm3"], first["left_mm3"], 0, "volume of the stock")
         equal(report["extents"], whole["extents"], "extents")
-        near(report["left_mm3"], whole["left_mm3"], 1e-6, "left")
+        within = 1e-6 if model == "zmap" else whole["model"]["error_mm3"]  # each run counts by its best grid
+        near(report["left_mm3"], whole["left_mm3"], within, "left")
         near(report["removed_mm3"], first["left_mm3"] - report["left_mm3"], 1e-6, "removed by this run")
         equal(report["model"]["kind"], model, "model")
         equal(report["model"]["cell_mm"], whole["model"]["cell_mm"], "cells")
@@ -73,14 +74,14 @@ def other_places(box):
 
 @test("saved part: a T-slot cutter makes dexels of a height field, and says so")
 def converted(box):
-    cut(box, FIRST, "--cell", "0.25", "--save", "p.kstock", stock=BOX)
+    through = "G00X-15.Y20.Z5.\nG01Z-5.F300\nX85.F600\nG00Z5."
+    cut(box, through, "--cell", "0.25", "--save", "p.kstock", stock=BOX)
     tools = FLAT + '[[tool]]\nnumber = 2\ntype = "t-slot"\ndiameter = 16\nwidth = 2\nneck_diameter = 7\n'
     moves = "G00Z50.\nT2M06\nS1000M03\nG00X-15.Y20.Z5.\nG01Z-5.F300\nX85.F600"
     report = cut(box, moves, stock="p.kstock", tools=tools)
     equal(report["model"]["kind"], "tridexel", "model")
     contains(" ".join(a["what"] for a in report["assumed"]), "became dexels", "told")
-    # Beside the slot of 10 the cutter takes 3 on either side, 2 high, and all of its way before and behind the slot.
-    near(report["removed_mm3"], 2 * 16 * 70 - 2 * (500 + math.pi * 25), 12, "removed")
+    near(report["removed_mm3"], 2 * 2 * 3 * 70, 1e-3, "3 on either side of the slot, 2 high")
 
 
 @test("saved part: smaller cells are sampled anew, larger ones are not asked for")

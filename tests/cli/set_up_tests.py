@@ -33,7 +33,7 @@ def one_file(box):
     words = ("stock", "part.nc", "--tools", "tools.toml", "--cell", "0.2", "--report", "r.json")
     status(box.kerf(*words, "--setup", "vice.toml"), 1)
     report = box.json("r.json")
-    equal(found(report), [("FIXTURE_COLLISION", 8)], "findings")
+    equal(found(report), [("FIXTURE_COLLISION", 7)], "findings")
     contains(report["findings"][0]["message"], "the rear jaw", "message")
     equal(report["stock"]["shape"], "box:0,0,-20,70,40,0", "shape")
     near(report["stock"]["volume_mm3"], 56000, 1e-6, "volume")
@@ -85,7 +85,7 @@ def meshes(box):
             near(report["stock"]["volume_mm3"], 56000, 0.1, "stock")
             near(report["removed_mm3"], SLOT_MM3, 0.01 * SLOT_MM3, model)
     report = cut(box, PAST_CLAMP, "--cell", "0.5", "--fixture", "jaw.stl", wanted=1)
-    equal(found(report), [("FIXTURE_COLLISION", 8)], "clamp")
+    equal(found(report), [("FIXTURE_COLLISION", 7)], "clamp")
     contains(report["findings"][0]["message"], "jaw.stl", "message")
 
 
@@ -128,9 +128,7 @@ def start(box):
     moves = "G00Z-5.\nX10.Y20.\nG01X60.F600"
     equal(found(cut(box, moves, "--cell", "0.2")), [], "nobody knows where the axes were")
     report = cut(box, moves, "--cell", "0.2", "--start", "10,20,30", wanted=1)
-    equal([f[1] for f in found(report)], [5], "from above into the stock")
-    equal(found(cut(box, moves, "--cell", "0.2", "--start", "-10,20,30")), [("RAPID_IN_STOCK", 6)], "from the side") \
-        if False else None
+    equal(found(report), [("RAPID_IN_STOCK", 4)], "from above into the stock")
     box.write("part.nc", "O1\nT0101\nG97S1000M03\nG00X60.Z2.\nM30\n")
     refused(box.kerf("stock", "part.nc", "--machine", "lathe2", "--stock", "bar:50,-80,0", "--start", "1,2,3"), 2, "X,Z")
 
@@ -145,7 +143,6 @@ def comments(box):
     report = box.json("r.json")
     equal(report["stock"]["shape"], "box:0,0,-20,70,40,0", "shape")
     near(report["removed_mm3"], SLOT_MM3, 16, "removed")
-    contains(" ".join(report["not_checked"]) + ".", ".", "told")
     equal([t for t in report["not_checked"] if t.startswith("RAPID_IN_STOCK")], [], "the stock is said")
     status(box.kerf(*words, "--stock", "box:0,0,-30,70,40,0"), 0)
     near(box.json("r.json")["stock"]["volume_mm3"], 84000, 1e-6, "the option counts more")
@@ -156,11 +153,12 @@ def comments(box):
 
 @test("set-up: the touch tolerance of a set-up is that of the checks")
 def touch(box):
-    moves = SLOT + "\nG00X10.Y20.03"  # 0.03 mm into the wall, at rapid
     box.write("fine.toml", "[checks]\ntouch_mm = 0.002\n")
     box.write("coarse.toml", "[checks]\ntouch_mm = 0.5\n")
-    cut(box, SLOT + "\nG00X58.Y20.Z-5.1", "--cell", "0.1", "--setup", "fine.toml", wanted=1)
-    equal(found(cut(box, moves + "\nX60.Z-5.1", "--cell", "0.1", "--setup", "coarse.toml")), [], "coarse")
+    deeper = SLOT + "\nG00X58.Y20.Z-5.1"  # 0.1 mm into the floor, at rapid
+    report = cut(box, deeper, "--cell", "0.1", "--setup", "fine.toml", wanted=1)
+    equal(found(report), [("RAPID_IN_STOCK", 7)], "fine")
+    equal(found(cut(box, deeper, "--cell", "0.1", "--setup", "coarse.toml")), [], "coarse")
 
 
 @test("set-up: wrong usage is told as such")

@@ -11,13 +11,12 @@
 namespace kerf::stock::saved {
 namespace {
 
-using sheet::Grid;
 using sheet::kTileCells;
 using sheet::kTileSide;
 using sheet::Trace;
 using sheet::Vec2;
 
-constexpr double kChord_mm = 0.001;
+constexpr double kOutlineChord_mm = 0.001;
 
 contour::Region whole(const sheet::Box& box) {
   return {{{.vertices = {{{box.low.u, box.low.v}},
@@ -29,7 +28,7 @@ contour::Region whole(const sheet::Box& box) {
 /// Tiles of a grid that come to be as cells are put into them.
 class SheetTiles {
  public:
-  SheetTiles(const Grid& grid, bool has_energy) : grid_(grid), has_energy_(has_energy) {}
+  SheetTiles(const sheet::Grid& grid, bool has_energy) : grid_(grid), has_energy_(has_energy) {}
 
   /// The cell `from` of a tile comes to stand at i, j.
   void put(const SheetState::Tile& tile, std::size_t from, int i, int j) {
@@ -55,7 +54,7 @@ class SheetTiles {
     return place->second;
   }
 
-  const Grid& grid_;
+  const sheet::Grid& grid_;
   bool has_energy_;
   std::map<std::uint32_t, SheetState::Tile> tiles_;
 };
@@ -63,7 +62,7 @@ class SheetTiles {
 /// A cell of the old grid as it lies in the new one.
 struct CellTurn {
   QuarterTurn turn;
-  const Grid& from;
+  const sheet::Grid& from;
 
   [[nodiscard]] std::array<int, 2> operator()(int i, int j) const {
     const int x = turn.sign[0] > 0 ? i : from.nx - 1 - i;
@@ -75,7 +74,7 @@ struct CellTurn {
   }
 };
 
-std::vector<SheetState::Tile> turned_tiles_of(const SheetState& state, const Grid& to,
+std::vector<SheetState::Tile> turned_tiles_of(const SheetState& state, const sheet::Grid& to,
                                               const QuarterTurn& turn) {
   const bool has_energy = !state.tiles.empty() && state.tiles.front().energy != nullptr;
   SheetTiles tiles(to, has_energy);
@@ -142,7 +141,7 @@ std::size_t SavedSheet::bytes() const {
 MeshShape SavedSheet::solid() const {
   contour::Region left = whole(state_.grid.box);
   if (!state_.cuts.empty()) left = contour::subtract(left, outline_of(state_.cuts));
-  return mesh_shape(surface::plate(left, -state_.thickness_mm, 0, kChord_mm).mesh, volume_mm3_);
+  return mesh_shape(surface::plate(left, -state_.thickness_mm, 0, kOutlineChord_mm).mesh, volume_mm3_);
 }
 
 std::shared_ptr<const SavedPart> SavedSheet::placed(const Placing& placing) const {

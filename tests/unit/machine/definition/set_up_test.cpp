@@ -22,8 +22,8 @@ std::string wrong(const std::string& text) {
   return set_up.error().message;
 }
 
-TEST(SetUp, SaysWhatItsTablesSay) {
-  const SetUp set_up = read(R"(
+TEST(SetUpFile, SaysWhatItsTablesSay) {
+  const auto set_up = read(R"(
 [stock]
 shape = "box:0,0,-20,100,60,0"
 zero = "G55"
@@ -69,8 +69,8 @@ diameter = 6
   EXPECT_EQ(set_up.design->tolerance_mm, 0.1);
 }
 
-TEST(SetUp, FilesLieBesideItAndHaveAUnit) {
-  const SetUp set_up = read(
+TEST(SetUpFile, FilesLieBesideItAndHaveAUnit) {
+  const auto set_up = read(
       "[stock]\nshape = \"raw.stl\"\nunit = \"inch\"\n[[fixture]]\nshape = \"/vices/jaw.stl\"\n");
   const auto& raw = std::get<StockFile>(set_up.stock->word);
   EXPECT_EQ(raw.path, "jobs/raw.stl");
@@ -82,13 +82,13 @@ TEST(SetUp, FilesLieBesideItAndHaveAUnit) {
   EXPECT_EQ(set_up.files(), (std::vector<std::string>{"jobs/raw.stl", "/vices/jaw.stl"}));
 }
 
-TEST(SetUp, OfNothingIsNothing) {
-  const SetUp set_up = read("# nothing\n");
+TEST(SetUpFile, OfNothingIsNothing) {
+  const auto set_up = read("# nothing\n");
   EXPECT_FALSE(set_up.stock || set_up.zero || set_up.place || set_up.material || set_up.design);
   EXPECT_TRUE(set_up.fixtures.empty() && set_up.left_out.empty() && set_up.files().empty());
 }
 
-TEST(SetUp, WhatIsWrongHasItsLineAndColumn) {
+TEST(SetUpFile, WhatIsWrongHasItsLineAndColumn) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"[stock]\nshape = \"box:0,0,0\"\n",
        "vice.toml:2:9: shape box:0,0,0: box:X0,Y0,Z0,X1,Y1,Z1 takes six numbers"},
@@ -124,14 +124,14 @@ TEST(SetUp, WhatIsWrongHasItsLineAndColumn) {
   EXPECT_TRUE(wrong("[stock\n").starts_with("vice.toml:1:7: ")) << wrong("[stock\n");
 }
 
-TEST(SetUp, WhatCountsMoreIsTakenOneThingAtATime) {
-  SetUp file = read(
+TEST(SetUpFile, WhatCountsMoreIsTakenOneThingAtATime) {
+  auto file = read(
       "[stock]\nshape = \"box:0,0,0,1,1,1\"\nzero = \"G56\"\n[[fixture]]\nshape = "
       "\"box:0,0,0,1,1,1\"\n[checks]\nno_check = [\"TOOL_LENGTH\"]\nfail_on = \"never\"\n");
-  SetUp words = read(
+  auto words = read(
       "[stock]\nshape = \"box:0,0,0,2,2,2\"\n[[fixture]]\nshape = \"box:0,0,0,3,3,3\"\n[checks]\n"
       "no_check = [\"CUT_DEPTH\"]\n");
-  const SetUp both = joined(std::move(words), std::move(file));
+  const auto both = joined(std::move(words), std::move(file));
   EXPECT_EQ(both.stock->said, "box:0,0,0,2,2,2");
   EXPECT_EQ(name_of(*both.zero), "G56");
   ASSERT_EQ(both.fixtures.size(), 2U);

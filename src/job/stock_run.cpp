@@ -8,6 +8,7 @@
 #include "job/internal/cut_end.hpp"
 #include "job/internal/fixture.hpp"
 #include "job/internal/loose_pieces.hpp"
+#include "job/internal/round_fixture.hpp"
 #include "job/internal/run_rack.hpp"
 #include "job/internal/set_point_path.hpp"
 #include "job/internal/sheet_run.hpp"
@@ -16,6 +17,7 @@
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/survey_pass.hpp"
+#include "job/stock_part.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
@@ -199,10 +201,18 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   [[nodiscard]] std::vector<stock::Obstacle*> obstacles_of(const StockJob& job) {
     std::vector<stock::Obstacle*> obstacles;
     for (const StockJob::NamedShape& one : job.fixtures) {
-      fixtures_.push_back(std::make_unique<Fixture>(one.name, one.shape, plan_.cell_mm));
+      fixtures_.push_back(obstacle_of(one, job.job.definition.turns()));
       obstacles.push_back(fixtures_.back().get());
     }
     return obstacles;
+  }
+  [[nodiscard]] std::unique_ptr<stock::Obstacle> obstacle_of(const StockJob::NamedShape& one,
+                                                             bool turns) const {
+    auto section = turns ? profile_of(one.shape) : std::nullopt;
+    if (section)
+      return std::make_unique<RoundFixture>(one.name, one.shape, std::move(*section),
+                                            plan_.cell_mm);
+    return std::make_unique<Fixture>(one.name, one.shape, plan_.cell_mm);
   }
   /// stock.md §2.5.
   [[nodiscard]] std::function<bool()> placed_when(const StockJob& job) const {
@@ -299,7 +309,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   StrokeWatch strokes_;
   std::unique_ptr<RunRack> rack_;
   std::unique_ptr<stock::Model> model_;
-  std::vector<std::unique_ptr<Fixture>> fixtures_;
+  std::vector<std::unique_ptr<stock::Obstacle>> fixtures_;
   stock::CutClock clock_;
   std::optional<stock::Cutter> cutter_;
   std::optional<stock::LimitChecks> limits_;

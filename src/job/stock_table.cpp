@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "job/part_file.hpp"
+#include "job/stock_part.hpp"
 #include "machine/definition/stock_comment.hpp"
 #include "motion/feed.hpp"
 #include "stock/cutting/placement.hpp"
@@ -156,6 +157,9 @@ Outcome<void> lay_fixture(const SetUp::Piece& fixture, StockJob& job) {
                        ": a box, a cylinder, a tube or a mesh is expected, on a lathe also a bar");
   if (std::holds_alternative<stock::SavedShape>(**piece))
     return base::usage("--fixture " + fixture.said + ": a part that was cut is a stock");
+  if (job.job.definition.turns() && !profile_of(**piece))
+    job.notes.push_back("fixture " + fixture.title() +
+                        " is not round about the spindle: no insert is compared with it");
   job.fixtures.push_back({fixture.title(), std::move(**piece)});
   return {};
 }

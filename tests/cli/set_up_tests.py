@@ -161,6 +161,25 @@ def touch(box):
     equal(found(cut(box, deeper, "--cell", "0.1", "--setup", "coarse.toml")), [], "coarse")
 
 
+@test("set-up: a lathe's insert and drill meet its chuck, and not its bore")
+def chuck(box):
+    box.write("tools.toml", '[[tool]]\nnumber = 1\ntype = "turning"\ninsert = "CNMG120408"\ntip = 3\n'
+                            '[[tool]]\nnumber = 2\ntype = "drill"\ndiameter = 10\n')
+    words = ("stock", "part.nc", "--machine", "lathe2", "--tools", "tools.toml", "--stock", "bar:50,-80,0", "--report",
+             "r.json", "--fixture", "bar:120,-100,-70,30")
+    head = "O1\nT{0}\nG97S1000M03\nG00X{1}Z2.\n"
+    for tool, x, z, wanted in (("0101", "40.", "-60.", []), ("0101", "40.", "-75.", [("FIXTURE_COLLISION", 5)]),
+                               ("0202", "0", "-90.", [])):
+        box.write("part.nc", head.format(tool, x) + f"G01Z{z}F.2\nG00Z2.\nM30\n")
+        status(box.kerf(*words), 1 if wanted else 0)
+        equal(found(box.json("r.json")), wanted, f"T{tool} to Z{z}")
+    box.write("part.nc", head.format("0202", "0") + "G01Z-90.F.2\nG00Z2.\nM30\n")
+    status(box.kerf(*words[:-1], "bar:120,-100,-70"), 1)
+    equal(found(box.json("r.json")), [("FIXTURE_COLLISION", 5)], "a chuck without a bore")
+    status(box.kerf(*words, "--fixture", "box:-100,-100,-200,-90,-90,0"), 0)
+    contains(" ".join(a["what"] for a in box.json("r.json")["assumed"]), "not round about the spindle", "told")
+
+
 @test("set-up: wrong usage is told as such")
 def wrong_words(box):
     box.write("part.nc", HEAD + SLOT + TAIL)

@@ -35,8 +35,7 @@ PartLabel label_of(const StockJob& job, const StockResult& result,
 std::vector<SheetCut> cuts_of(const StockResult& result) {
   std::vector<SheetCut> cuts;
   if (const auto* const saved = std::get_if<stock::SavedShape>(&result.shape)) {
-    if (const auto* const sheet =
-            dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
+    if (const auto* const sheet = dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
       cuts = sheet->state().cuts;
   }
   for (const stock::sheet::Trace& way : result.ways)

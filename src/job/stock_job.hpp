@@ -51,15 +51,15 @@ struct StockJob {
   bool checks_start = false;                ///< the axes begin where the machine says
   machine::ToolChoice tools{};              ///< that somebody describes
   std::vector<machine::ImportRemark> remarks{};  ///< what their file has and nobody understood
-  std::vector<std::string> made_by{};  ///< programs that have cut the stock before
+  std::vector<std::string> made_by{};            ///< programs that have cut the stock before
   std::vector<stock::turned::TurnedThread> threads{};  ///< that it has from them
   std::vector<std::string> notes{};              ///< what was taken otherwise than it was said
   std::optional<stock::CutMaterial> material{};  ///< of the stock; none: no forces are told
   std::vector<base::Code> left_out{};            ///< checks that are not made
-  double touch_mm = 0.01;         ///< what may meet nothing is smaller by so much (stock.md §5)
-  bool has_real_lengths = false;  ///< Cutter::Settings
-  bool stops_at_finding = false;                 ///< the first one is the end of what is cut
-  bool follows_set_points = false;               ///< cuts where the axes go, corners rounded
+  double touch_mm = 0.01;           ///< what may meet nothing is smaller by so much (stock.md §5)
+  bool has_real_lengths = false;    ///< Cutter::Settings
+  bool stops_at_finding = false;    ///< the first one is the end of what is cut
+  bool follows_set_points = false;  ///< cuts where the axes go, corners rounded
   std::optional<CutUntil> until{};
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};

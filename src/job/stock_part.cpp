@@ -100,8 +100,7 @@ std::optional<contour::Region> pieces_of(const StockResult& result) {
   if (!result.sheet) return {};
   contour::Region sheet = rectangle(stock::bounds(result.shape));
   if (const auto* const saved = std::get_if<stock::SavedShape>(&result.shape)) {
-    if (const auto* const before =
-            dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
+    if (const auto* const before = dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
       sheet = contour::subtract(sheet, stock::saved::outline_of(before->state().cuts));
   }
   if (result.ways.empty()) return sheet;

@@ -162,8 +162,9 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.threads = threads();
     result.assumed = rack_->assumed();
     if (was_field() && plan_.kind == StockModel::tridexel) {
-      result.assumed.push_back({0, "the height field of the stock became dexels: its walls stand "
-                                   "half-way between its columns"});
+      result.assumed.push_back({0,
+                                "the height field of the stock became dexels: its walls stand "
+                                "half-way between its columns"});
     }
     result.skips = std::move(skips_);
     result.has_probed = has_probed_;
@@ -337,8 +338,7 @@ double cell_for(const StockJob& job, const SurveyedTools& tools) {
 }
 
 bool needs_survey(const StockJob& job) {
-  const bool needs_cell =
-      !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
+  const bool needs_cell = !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
   return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
 }
 

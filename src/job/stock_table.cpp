@@ -25,8 +25,7 @@ std::size_t bytes_of(const mesh::TriangleMesh& mesh) {
          mesh.triangles.size() * sizeof(mesh.triangles[0]);
 }
 
-Outcome<Workpiece> read_solid(const base::SourceFile& file, machine::MeshUnit unit,
-                              StockJob& job) {
+Outcome<Workpiece> read_solid(const base::SourceFile& file, machine::MeshUnit unit, StockJob& job) {
   auto solid = machine::mesh_in(file, unit, job.memory_for_model());
   if (!solid) return tl::unexpected(solid.error());
   job.mesh_bytes += bytes_of(solid->mesh);
@@ -44,7 +43,8 @@ Outcome<Workpiece> read_saved(const base::SourceFile& file, StockJob& job) {
   job.made_by = std::move(read->label.made_by);
   job.threads = std::move(read->label.threads);
   if (!job.threads.empty())
-    job.notes.push_back(file.name() + ": of its threads only the measures are known, a tool that "
+    job.notes.push_back(file.name() +
+                        ": of its threads only the measures are known, a tool that "
                         "goes into one of them meets material");
   return Workpiece(stock::SavedShape{std::move(read->part)});
 }
@@ -52,17 +52,14 @@ Outcome<Workpiece> read_saved(const base::SourceFile& file, StockJob& job) {
 /// What is in a file, which takes its part of the memory.
 Outcome<Workpiece> read_shape(const machine::StockFile& file, StockJob& job) {
   constexpr std::uint64_t kLargestPipe = std::uint64_t{4} << 30U;
-  const auto open =
-      base::SourceFile::open(file.path, {.most_bytes = kLargestPipe, .seconds = 60});
+  const auto open = base::SourceFile::open(file.path, {.most_bytes = kLargestPipe, .seconds = 60});
   if (!open) return tl::unexpected(open.error());
   return is_part(**open) ? read_saved(**open, job) : read_solid(**open, file.unit, job);
 }
 
 stock::CylinderShape round_of(const machine::StockBar& bar) {
-  return {.from = bar.z0,
-          .to = bar.z1,
-          .diameter = bar.diameter,
-          .inner_diameter = bar.inner_diameter};
+  return {
+      .from = bar.z0, .to = bar.z1, .diameter = bar.diameter, .inner_diameter = bar.inner_diameter};
 }
 
 /// The word as a piece of material, where it is one on this machine.
@@ -167,12 +164,12 @@ Outcome<void> lay_fixture(const SetUp::Piece& fixture, StockJob& job) {
 /// What the program itself says lies there; nothing: it does not, or not so that it is understood.
 std::optional<SetUp::Piece> commented_stock(const base::SourceFile& program, StockJob& job) {
   const bool in_inches = job.job.definition.parameters.power_on_inch;
-  const auto stock = machine::stock_in_comments(
-      program, in_inches ? motion::kMillimetresPerInch : 1);
+  const auto stock =
+      machine::stock_in_comments(program, in_inches ? motion::kMillimetresPerInch : 1);
   if (!stock) return std::nullopt;
   if (!stock->word) {
-    job.notes.push_back(fmt::format("the comment of line {} is no stock: {}", stock->line,
-                                    stock->wrong));
+    job.notes.push_back(
+        fmt::format("the comment of line {} is no stock: {}", stock->line, stock->wrong));
     return std::nullopt;
   }
   return SetUp::Piece{*stock->word, stock->said, {}};
@@ -186,7 +183,8 @@ void choose_checks(const SetUp& set_up, StockJob& job) {
 }
 
 void note_what_is_left_out(const SetUp& set_up, StockJob& job) {
-  if (set_up.design) job.notes.push_back("the part is not compared with " + set_up.design->file.path);
+  if (set_up.design)
+    job.notes.push_back("the part is not compared with " + set_up.design->file.path);
   if (set_up.energy_j_mm3 && job.job.definition.axes.beam)
     job.notes.emplace_back("energy_j_mm3 of the material is not used");
 }
@@ -201,7 +199,8 @@ Outcome<void> lay(const SetUp& set_up, const base::SourceFile& program, StockJob
   job.knows_stock = stock.has_value();
   const SetUp::Piece assumed{machine::StockAround{}, "extents", {}};
   if (is_around && set_up.place)
-    return base::usage("--stock-place: what lies around the cuts has its place; --stock says another shape");
+    return base::usage(
+        "--stock-place: what lies around the cuts has its place; --stock says another shape");
   if (auto laid = lay_stock(stock.value_or(assumed), set_up.place, job); !laid) return laid;
   for (const SetUp::Piece& fixture : set_up.fixtures) {
     if (auto laid = lay_fixture(fixture, job); !laid) return laid;

@@ -1,6 +1,7 @@
-// Any bytes as a .kstock: a sentence, or a part whose model can be made and cut, which is saved as the same bytes again.
-// The first byte says what the others are: a file; or a head and unpacked records, each behind its length in two bytes,
-// which become a file with the right frame and sum, so that what is looked at lies behind them.
+// Any bytes as a .kstock: a sentence, or a part whose model can be made and cut, which is saved as
+// the same bytes again. The first byte says what the others are: a file; or a head and unpacked
+// records, each behind its length in two bytes, which become a file with the right frame and sum,
+// so that what is looked at lies behind them.
 #include <zlib.h>
 
 #include <algorithm>
@@ -43,7 +44,9 @@ std::string packed(std::string_view bytes) {
 /// The next part of the input: its length in two bytes, at most what is left.
 std::string_view next_part(std::string_view& rest) {
   if (rest.size() < 2) return std::exchange(rest, {});
-  const auto byte = [&](std::size_t i) { return static_cast<std::size_t>(static_cast<unsigned char>(rest[i])); };
+  const auto byte = [&](std::size_t i) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(rest[i]));
+  };
   const std::size_t size = std::min(byte(0) | byte(1) << 8U, rest.size() - 2);
   const std::string_view part = rest.substr(2, size);
   rest.remove_prefix(2 + size);
@@ -67,8 +70,8 @@ std::string framed(std::string_view rest) {
     put_word(file, static_cast<std::uint32_t>(record.size()));
     file += record;
   }
-  put_word(file, static_cast<std::uint32_t>(
-                     crc32(0, reinterpret_cast<const Bytef*>(file.data()), static_cast<uInt>(file.size()))));
+  put_word(file, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(file.data()),
+                                                  static_cast<uInt>(file.size()))));
   return file;
 }
 
@@ -94,8 +97,8 @@ std::string saved(const ReadPart& part, const stock::Model& model) {
 void cut(stock::Model& model, const stock::Bounds& box) {
   stock::Body body;
   const double r = std::max(0.5, (box.high.x - box.low.x) / 8);
-  body.profile = stock::Profile({{{0, 0}, {r, 0}, 0, stock::ToolPart::edge},
-                                 {{r, 0}, {r, 1e4}, 0, stock::ToolPart::edge}});
+  body.profile = stock::Profile(
+      {{{0, 0}, {r, 0}, 0, stock::ToolPart::edge}, {{r, 0}, {r, 1e4}, 0, stock::ToolPart::edge}});
   const stock::Vec3 middle = 0.5 * (box.low + box.high);
   const stock::Sweep sweep{.way = stock::StraightWay{middle, {box.high.x, middle.y, middle.z}},
                            .body = model.add_body(body),

@@ -1,5 +1,5 @@
-// Any bytes as a set-up, as words of --stock, --stock-zero and --stock-place, one a line, and as a program with a WORKPIECE
-// comment: a sentence, or shapes that have a volume and a box.
+// Any bytes as a set-up, as words of --stock, --stock-zero and --stock-place, one a line, and as a
+// program with a WORKPIECE comment: a sentence, or shapes that have a volume and a box.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

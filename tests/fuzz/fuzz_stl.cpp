@@ -1,5 +1,5 @@
-// Any bytes as an STL: a sentence, or a solid whose volume is above 0, whose dexels and columns can be made, and which is
-// the same however the bytes came.
+// Any bytes as an STL: a sentence, or a solid whose volume is above 0, whose dexels and columns can
+// be made, and which is the same however the bytes came.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

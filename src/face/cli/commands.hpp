@@ -38,10 +38,10 @@ struct TableOptions {
   std::string start;   ///< X,Y,Z; empty: nobody knows
   std::vector<std::string> fixtures;
   std::string model = "auto";
-  std::string cell;    ///< mm; empty: by the tools, or the kerf
-  std::string kerf;    ///< mm; empty: as the machine has it
-  std::string memory;  ///< MiB; empty: 1024
-  unsigned jobs = 0;   ///< threads; 0: one a processor
+  std::string cell;      ///< mm; empty: by the tools, or the kerf
+  std::string kerf;      ///< mm; empty: as the machine has it
+  std::string memory;    ///< MiB; empty: 1024
+  unsigned jobs = 0;     ///< threads; 0: one a processor
   std::string fail_on;   ///< empty: as the set-up has it, else warning
   std::string material;  ///< a group, or kc11,mc; empty: as the set-up has it, else not known
   std::string lengths;   ///< programmed or real; empty: as the set-up has it, else programmed
@@ -88,10 +88,10 @@ struct StockFileOptions {
   std::string stl;
   std::string glb;
   std::string three_mf;
-  std::string profile;  ///< .svg, .dxf or .csv
-  std::string picture;  ///< .png or .svg
-  std::string view;     ///< empty: as the part is mostly shown
-  std::string save;     ///< .kstock
+  std::string profile;        ///< .svg, .dxf or .csv
+  std::string picture;        ///< .png or .svg
+  std::string view;           ///< empty: as the part is mostly shown
+  std::string save;           ///< .kstock
   bool keep_partial = false;  ///< also of a run that did not reach its end
   std::string mesh = "smooth";
 };

@@ -229,9 +229,8 @@ Outcome<void> Outputs::open_summary() {
 }
 
 Outcome<void> Outputs::open() {
-  for (const std::string* const input :
-       {&options_.program, &options_.tools, &options_.offsets, &options_.state,
-        &options_.table.set_up})
+  for (const std::string* const input : {&options_.program, &options_.tools, &options_.offsets,
+                                         &options_.state, &options_.table.set_up})
     files_.keep_from(*input);
   if (options_.machine.ends_with(".toml")) files_.keep_from(options_.machine);
   constexpr std::array kSteps = {

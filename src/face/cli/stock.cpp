@@ -118,8 +118,7 @@ ExitStatus stock(const StockOptions& options) {
   if (options.run.diagnostics != DiagnosticFormat::json)
     std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
-  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings
-                                                                      : ended;
+  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings : ended;
 }
 
 }  // namespace kerf::cli

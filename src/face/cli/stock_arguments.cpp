@@ -13,11 +13,12 @@ void add_shapes(CLI::App& app, TableOptions& o) {
                  "stock, fixtures, material, checks and design as a TOML file; the other options "
                  "count more")
       ->type_name("FILE");
-  app.add_option("--stock", o.stock,
-                 "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
-                 "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, an STL or a .kstock, or "
-                 "extents[:M], around what is cut; default a WORKPIECE comment of the program, "
-                 "else extents:5")
+  app.add_option(
+         "--stock", o.stock,
+         "box:X0,Y0,Z0,X1,Y1,Z1, cylinder:AXIS,U,V,W0,W1,D, tube:AXIS,U,V,W0,W1,D,DI, "
+         "bar:D,Z0,Z1[,DI] on a lathe, sheet:X0,Y0,X1,Y1,T under a laser, an STL or a .kstock, or "
+         "extents[:M], around what is cut; default a WORKPIECE comment of the program, "
+         "else extents:5")
       ->type_name("SHAPE");
   app.add_option("--stock-unit", o.unit, "unit of STL files: mm or inch; default mm")
       ->type_name("UNIT")

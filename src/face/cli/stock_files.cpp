@@ -110,8 +110,8 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
 }
 
 bool StockFiles::needs_ways() const {
-  return save_ != nullptr || stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr || picture_ != nullptr ||
-         profile_ != nullptr;
+  return save_ != nullptr || stl_ != nullptr || glb_ != nullptr || three_mf_ != nullptr ||
+         picture_ != nullptr || profile_ != nullptr;
 }
 
 Outcome<void> StockFiles::write_solids(const job::StockResult& result,

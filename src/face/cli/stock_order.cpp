@@ -66,7 +66,8 @@ Outcome<job::StockJob> stock_job(const RunOptions& run, const machine::SetUp& se
   job.job.program = std::move(program);
   if (auto taken = take_means(run.table, job); !taken) return tl::unexpected(taken.error());
   if (auto laid = job::lay(set_up, source, job); !laid) return tl::unexpected(laid.error());
-  if (auto taken = take_tools(run, set_up, source, job); !taken) return tl::unexpected(taken.error());
+  if (auto taken = take_tools(run, set_up, source, job); !taken)
+    return tl::unexpected(taken.error());
   return job;
 }
 

@@ -44,7 +44,8 @@ Outcome<void> take_shapes(const TableOptions& options, SetUp& set_up) {
     if (!fixture) return tl::unexpected(fixture.error());
     set_up.fixtures.push_back(std::move(*fixture));
   }
-  if (auto taken = take_word(options.zero, "--stock-zero", set_up.zero, machine::stock_zero); !taken)
+  if (auto taken = take_word(options.zero, "--stock-zero", set_up.zero, machine::stock_zero);
+      !taken)
     return taken;
   return take_word(options.place, "--stock-place", set_up.place, machine::stock_place);
 }
@@ -56,7 +57,8 @@ Outcome<void> take_checks(const TableOptions& options, SetUp& set_up) {
     set_up.left_out.push_back(*check);
   }
   if (!options.lengths.empty()) set_up.has_real_lengths = options.lengths == "real";
-  if (auto taken = take_word(options.fail_on, "--fail-on", set_up.fail_on, machine::fail_on); !taken)
+  if (auto taken = take_word(options.fail_on, "--fail-on", set_up.fail_on, machine::fail_on);
+      !taken)
     return taken;
   return take_word(options.material, "--material", set_up.material, machine::cut_material);
 }

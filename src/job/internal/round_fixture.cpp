@@ -4,8 +4,8 @@
 
 namespace kerf::job {
 
-RoundFixture::RoundFixture(std::string name, const stock::Workpiece& shape,
-                           contour::Region section, double cell_mm)
+RoundFixture::RoundFixture(std::string name, const stock::Workpiece& shape, contour::Region section,
+                           double cell_mm)
     : dexels_(std::move(name), shape, cell_mm), whole_(std::move(section)) {
   put_back();
 }

@@ -275,8 +275,7 @@ Outcome<machine::StockSheet> around(const StockJob& job, double margin_mm, Vec3&
 std::shared_ptr<const stock::SavedPart> saved_sheet(const StockJob& job) {
   const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
   const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
-  const bool is_sheet =
-      saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::sheet;
+  const bool is_sheet = saved != nullptr && saved->part->kind() == stock::SavedPart::Kind::sheet;
   return is_sheet ? saved->part : nullptr;
 }
 

@@ -174,8 +174,7 @@ std::unique_ptr<stock::Model> model_of(const StockPlan& plan, double cell_mm, un
 }  // namespace
 
 MadeModel make_model(const StockPlan& plan, const StockJob& job) {
-  if (plan.kind == StockModel::profile)
-    return make_profile(plan.shape);
+  if (plan.kind == StockModel::profile) return make_profile(plan.shape);
   const unsigned jobs = job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
   MadeModel made;
   if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape)) {

@@ -38,9 +38,9 @@ base::Outcome<stock::CutMaterial> cut_material(const std::string& text, const st
 }
 
 base::Outcome<Code> stock_check(const std::string& text, const std::string& option) {
-  const auto* const known =
-      std::find_if(kStockChecks.begin(), kStockChecks.end(),
-                   [&](Code code) { return base::text_of(code).number == text; });
+  const auto* const known = std::find_if(kStockChecks.begin(), kStockChecks.end(), [&](Code code) {
+    return base::text_of(code).number == text;
+  });
   if (known == kStockChecks.end())
     return base::usage(option + " " + text + ": no check of stock has this code");
   return *known;

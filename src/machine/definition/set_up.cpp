@@ -55,9 +55,9 @@ SetUp joined(SetUp more, SetUp less) {
 
 base::Outcome<SetUp> read_set_up(const std::string& text, const std::string& source) {
   const auto failure = [&](toml::source_position at, const std::string& what) {
-    return tl::unexpected(base::Failure{base::Failure::Kind::input,
-                                        source + ":" + std::to_string(at.line) + ":" +
-                                            std::to_string(at.column) + ": " + what});
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::input,
+        source + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " + what});
   };
   try {
     const toml::table file = toml::parse(text, source);

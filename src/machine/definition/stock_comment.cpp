@@ -54,7 +54,8 @@ class StockWords {
 
   std::string number(const std::string& key) {
     const auto found = values_.find(key);
-    const auto value = found == values_.end() ? base::read_number("") : base::read_number(found->second);
+    const auto value =
+        found == values_.end() ? base::read_number("") : base::read_number(found->second);
     if (value) return base::number_text(base::tidy(*value * mm_per_unit_));
     if (wrong_.empty()) wrong_ = "WORKPIECE needs a number for " + key;
     return {};

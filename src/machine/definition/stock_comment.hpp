@@ -12,9 +12,9 @@ namespace kerf::machine {
 /// What a comment of a program says of its stock (stock.md §2.1).
 struct CommentedStock {
   std::uint32_t line = 0;
-  std::string said{};              ///< as a word of `--stock`
+  std::string said{};               ///< as a word of `--stock`
   std::optional<StockWord> word{};  ///< none: it is no stock
-  std::string wrong{};             ///< why; else empty
+  std::string wrong{};              ///< why; else empty
 };
 
 /// The first comment of a program that begins with WORKPIECE, in the program's own unit;

@@ -41,8 +41,9 @@ Word round(const Text& text, bool is_tube) {
   const std::size_t comma = std::min(text.values.find(','), text.values.size());
   const std::string_view axis = text.values.substr(0, comma);
   const std::size_t count = is_tube ? 6 : 5;
-  const auto n = comma < text.values.size() ? numbers_in(text.values.substr(comma + 1), count, count)
-                                            : std::nullopt;
+  const auto n = comma < text.values.size()
+                     ? numbers_in(text.values.substr(comma + 1), count, count)
+                     : std::nullopt;
   if (!n || axis.size() != 1 || axis < "X" || axis > "Z") return wrong(text, form);
   CylinderShape shape{axis[0] - 'X', (*n)[0], (*n)[1], (*n)[2], (*n)[3], (*n)[4]};
   if (is_tube) shape.inner_diameter = (*n)[5];

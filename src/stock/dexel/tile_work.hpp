@@ -35,8 +35,8 @@ struct AsideContact {
   Contact contact;
 };
 
-/// Adds to the outcomes, of the contacts of each sweep and part, those that stand: of the first rank
-/// that has any, where the main axis has none.
+/// Adds to the outcomes, of the contacts of each sweep and part, those that stand: of the first
+/// rank that has any, where the main axis has none.
 void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes);
 
 /// What one thread counts of the sweeps of a call.

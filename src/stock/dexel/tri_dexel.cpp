@@ -25,7 +25,9 @@ constexpr std::size_t kSweepsAtOnce = 4096;
 constexpr double kMostLooks = 1e6;
 constexpr int kHalvings = 40;
 
-double cells_along(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }
+double cells_along(double length, double cell) {
+  return std::max(1.0, std::ceil(length / cell - 1e-9));
+}
 
 TriDexel::CellCounts cells_of(const Bounds& box, double cell) {
   const Vec3 size = box.high - box.low;

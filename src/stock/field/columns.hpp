@@ -23,8 +23,8 @@ struct TileState {
   std::vector<std::uint32_t> owners;
 };
 
-/// All columns of a field as plain values, by rows along X: heights and bottoms over the lowest place
-/// of the grid's box, without the motions that cut them.
+/// All columns of a field as plain values, by rows along X: heights and bottoms over the lowest
+/// place of the grid's box, without the motions that cut them.
 struct FieldState {
   Grid grid;
   std::vector<float> heights;

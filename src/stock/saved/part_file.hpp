@@ -32,8 +32,8 @@ namespace kerf::stock::saved {
 
 /// What is told of a part besides its material.
 struct PartLabel {
-  std::string zero{};     ///< of the stock, where it was cut
-  double volume_mm3 = 0;  ///< as it was told
+  std::string zero{};                           ///< of the stock, where it was cut
+  double volume_mm3 = 0;                        ///< as it was told
   std::vector<std::string> made_by{};           ///< programs, the first one first; names, no paths
   std::vector<turned::TurnedThread> threads{};  ///< on a turned part
 };

@@ -134,7 +134,8 @@ Part read_turned(const PartHead&, double volume_mm3, PartUnpacker& unpacker) {
   contour::Region region;
   for (std::uint32_t i = 0; i < loops; ++i) {
     const auto vertices = Unpacker(record.take(4)).word<std::uint32_t>();
-    unpacker.hold(static_cast<double>(vertices) * sizeof(contour::Vertex) + sizeof(contour::Contour));
+    unpacker.hold(static_cast<double>(vertices) * sizeof(contour::Vertex) +
+                  sizeof(contour::Contour));
     region.loops.push_back(read_loop(vertices, record));
   }
   record.finish();

@@ -171,9 +171,8 @@ std::shared_ptr<const SavedPart> SavedDexels::placed(const Placing& placing) con
   const DexelTurn turned(*turn, state_.cells);
   State out{placed_box(state_.box, placing), turned.cells(), {}, state_.volume_mm3};
   for (int axis = 0; axis < 3; ++axis) {
-    out.tiles[static_cast<std::size_t>(axis)] =
-        turned_tiles(state_, turned, GridLayout(state_.cells, turn->from(axis)),
-                     GridLayout(out.cells, axis));
+    out.tiles[static_cast<std::size_t>(axis)] = turned_tiles(
+        state_, turned, GridLayout(state_.cells, turn->from(axis)), GridLayout(out.cells, axis));
   }
   return std::make_shared<const SavedDexels>(std::move(out));
 }

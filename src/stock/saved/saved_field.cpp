@@ -42,7 +42,8 @@ void look_up(const FieldState& state, double x, double y, std::vector<dexel::Int
                             cell_of(y, grid.box.low.y, grid.cell_y(), grid.ny));
   if (post.top <= post.bottom) return;
   const double z = grid.box.low.z;
-  out.push_back({z + static_cast<double>(post.bottom), z + static_cast<double>(post.top),
+  out.push_back({z + static_cast<double>(post.bottom),
+                 z + static_cast<double>(post.top),
                  {0, 0, -1},
                  {0, 0, 1}});
 }
@@ -159,8 +160,8 @@ std::shared_ptr<const SavedPart> SavedField::placed(const Placing& placing) cons
     const dexel::TriDexel lying(shape_of(state_, volume_mm3_), cells_of(*this), 0);
     return SavedDexels(state_of(lying, volume_mm3_)).placed(placing);
   }
-  return std::make_shared<const SavedField>(
-      turned_state(state_, {*turn, state_.grid}, placing), volume_mm3_);
+  return std::make_shared<const SavedField>(turned_state(state_, {*turn, state_.grid}, placing),
+                                            volume_mm3_);
 }
 
 }  // namespace kerf::stock::saved

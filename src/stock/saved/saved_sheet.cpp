@@ -141,7 +141,8 @@ std::size_t SavedSheet::bytes() const {
 MeshShape SavedSheet::solid() const {
   contour::Region left = whole(state_.grid.box);
   if (!state_.cuts.empty()) left = contour::subtract(left, outline_of(state_.cuts));
-  return mesh_shape(surface::plate(left, -state_.thickness_mm, 0, kOutlineChord_mm).mesh, volume_mm3_);
+  return mesh_shape(surface::plate(left, -state_.thickness_mm, 0, kOutlineChord_mm).mesh,
+                    volume_mm3_);
 }
 
 std::shared_ptr<const SavedPart> SavedSheet::placed(const Placing& placing) const {

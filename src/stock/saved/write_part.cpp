@@ -35,8 +35,7 @@ std::string head_of(const PartLabel& label, const Json& model) {
   Json head = model;
   head["zero"] = label.zero;
   head["volume_mm3"] = label.volume_mm3;
-  const std::size_t dropped =
-      label.made_by.size() - std::min(label.made_by.size(), kMostPrograms);
+  const std::size_t dropped = label.made_by.size() - std::min(label.made_by.size(), kMostPrograms);
   head["made_by"] = Json::array();
   for (std::size_t i = dropped; i < label.made_by.size(); ++i)
     head["made_by"].push_back(label.made_by[i]);
@@ -66,9 +65,11 @@ void write_field(const PartLabel& label, const Columns& columns, PartPacker& pac
   std::string bytes;
   for (std::size_t tile = 0; tile < grid.tiles(); ++tile) {
     bytes.clear();
-    put_tile(grid, tile, [&](int i, int j) { return columns.height(i, j); }, bytes);
+    put_tile(
+        grid, tile, [&](int i, int j) { return columns.height(i, j); }, bytes);
     if (columns.has_bottoms())
-      put_tile(grid, tile, [&](int i, int j) { return columns.bottom(i, j); }, bytes);
+      put_tile(
+          grid, tile, [&](int i, int j) { return columns.bottom(i, j); }, bytes);
     packer.record(bytes);
   }
 }
@@ -87,9 +88,8 @@ void put_dexels(const dexel::Tile& tile, std::string& bytes) {
 }
 
 void write_dexels(const PartLabel& label, const dexel::TriDexel& model, PartPacker& packer) {
-  packer.head(head_of(label, {{"model", "tridexel"},
-                              {"box", box_json(model.box())},
-                              {"cells", model.cells()}}));
+  packer.head(head_of(
+      label, {{"model", "tridexel"}, {"box", box_json(model.box())}, {"cells", model.cells()}}));
   std::string bytes;
   for (int grid = 0; grid < 3; ++grid) {
     for (std::size_t tile = 0; tile < model.tiles(grid); ++tile) {
@@ -139,13 +139,13 @@ void write_part(const PartLabel& label, const SheetPart& part, const TakeBytes& 
   const sheet::Grid& grid = part.sheet.grid();
   const bool has_energy = part.sheet.settings().spot_mm > 0;
   PartPacker packer(take);
-  packer.head(head_of(
-      label, {{"model", "sheet"},
-              {"box", {grid.box.low.u, grid.box.low.v, grid.box.high.u, grid.box.high.v}},
-              {"thickness_mm", part.thickness_mm},
-              {"cells", {grid.nx, grid.ny}},
-              {"energy", has_energy},
-              {"ways", part.cuts.size()}}));
+  packer.head(
+      head_of(label, {{"model", "sheet"},
+                      {"box", {grid.box.low.u, grid.box.low.v, grid.box.high.u, grid.box.high.v}},
+                      {"thickness_mm", part.thickness_mm},
+                      {"cells", {grid.nx, grid.ny}},
+                      {"energy", has_energy},
+                      {"ways", part.cuts.size()}}));
   std::string bytes;
   for (std::size_t tile = 0; tile < grid.tiles(); ++tile) {
     const sheet::Sheet::Coverage* const coverage = part.sheet.coverage(tile);

@@ -99,10 +99,8 @@ struct ShapeTable {
 
 constexpr std::array<SetUpKey<ShapeTable>, 4> kStockKeys = {{
     {"shape", [](const toml::node& v, ShapeTable& t) { take_shape(v, t.piece); }},
-    {"zero",
-     [](const toml::node& v, ShapeTable& t) {
-       t.zero = worth(stock_zero(word_of(v, "zero"), "zero"), v);
-     }},
+    {"zero", [](const toml::node& v,
+                ShapeTable& t) { t.zero = worth(stock_zero(word_of(v, "zero"), "zero"), v); }},
     {"place", [](const toml::node& v, ShapeTable& t) { t.place = place_in(v); }},
     {"unit", [](const toml::node& v, ShapeTable& t) { t.unit = unit_in(v); }},
 }};
@@ -204,20 +202,16 @@ constexpr std::array<SetUpKey<SetUp>, 4> kCheckKeys = {{
     {"touch_mm",
      [](const toml::node& v, SetUp& s) { s.touch_mm = number_in(v, 0.001, 1, "touch_mm"); }},
     {"no_check", take_left_out},
-    {"fail_on",
-     [](const toml::node& v, SetUp& s) {
-       s.fail_on = worth(fail_on(word_of(v, "fail_on"), "fail_on"), v);
-     }},
+    {"fail_on", [](const toml::node& v,
+                   SetUp& s) { s.fail_on = worth(fail_on(word_of(v, "fail_on"), "fail_on"), v); }},
     {"lengths", take_lengths},
 }};
 
 constexpr std::array<SetUpKey<SetUp::Design>, 4> kDesignKeys = {{
     {"file", [](const toml::node& v, SetUp::Design& d) { d.file.path = word_of(v, "file"); }},
     {"place", [](const toml::node& v, SetUp::Design& d) { d.place = place_in(v); }},
-    {"tolerance",
-     [](const toml::node& v, SetUp::Design& d) {
-       d.tolerance_mm = number_in(v, 1e-6, 1000, "tolerance");
-     }},
+    {"tolerance", [](const toml::node& v,
+                     SetUp::Design& d) { d.tolerance_mm = number_in(v, 1e-6, 1000, "tolerance"); }},
     {"unit", [](const toml::node& v, SetUp::Design& d) { d.file.unit = unit_in(v); }},
 }};
 

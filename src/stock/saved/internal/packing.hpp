@@ -17,7 +17,9 @@ void put_word(std::string& out, Word word) {
   for (std::size_t i = 0; i < sizeof word; ++i)
     out += static_cast<char>(static_cast<std::uint64_t>(word) >> (8 * i) & 0xFFU);
 }
-inline void put(std::string& out, float value) { put_word(out, std::bit_cast<std::uint32_t>(value)); }
+inline void put(std::string& out, float value) {
+  put_word(out, std::bit_cast<std::uint32_t>(value));
+}
 inline void put(std::string& out, double value) {
   put_word(out, std::bit_cast<std::uint64_t>(value));
 }

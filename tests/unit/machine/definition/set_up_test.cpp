@@ -106,7 +106,8 @@ TEST(SetUpFile, WhatIsWrongHasItsLineAndColumn) {
        "vice.toml:2:16: each of place is a number from -100000 to 100000"},
       {"[stock]\nshape = \"extents\"\nunit = \"inch\"\n",
        "vice.toml:3:8: unit is that of an STL file"},
-      {"[fixture]\nshape = \"box:0,0,0,1,1,1\"\n", "vice.toml:1:1: [[fixture]] tables are expected"},
+      {"[fixture]\nshape = \"box:0,0,0,1,1,1\"\n",
+       "vice.toml:1:1: [[fixture]] tables are expected"},
       {"[[fixture]]\nname = \"jaw\"\n", "vice.toml:1:1: a fixture needs its shape"},
       {"[material]\ngroup = \"X\"\n",
        "vice.toml:2:9: group X: one of P, M, K, N, S, H is expected, or kc11,mc: N/mm² above 0 and "

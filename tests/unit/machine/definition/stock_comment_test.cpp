@@ -21,8 +21,7 @@ TEST(StockComment, SaysWhatTheOptionWouldSay) {
        "cylinder:Z,1,2,-20,0,50"},
       {"(WORKPIECE,CYLINDER,AXIS=X,XMIN=0,XMAX=80,Y=3,Z=-10,DIAMETER=20)",
        "cylinder:X,3,-10,0,80,20"},
-      {"(WORKPIECE,TUBE,ZMIN=-20,ZMAX=0,DIAMETER=50,INNER_DIAMETER=20)",
-       "tube:Z,0,0,-20,0,50,20"},
+      {"(WORKPIECE,TUBE,ZMIN=-20,ZMAX=0,DIAMETER=50,INNER_DIAMETER=20)", "tube:Z,0,0,-20,0,50,20"},
       {"G20\n(WORKPIECE,BOX,XMIN=0,YMIN=0,ZMIN=-1,XMAX=4,YMAX=2,ZMAX=0)",
        "box:0,0,-25.4,101.6,50.8,0"},
       {"(WORKPIECE,BOX,XMIN=0,YMIN=0,ZMIN=-1,XMAX=4,YMAX=2,ZMAX=0)\nG20\n",
@@ -62,7 +61,8 @@ TEST(StockComment, WhatIsNoneSaysWhy) {
 }
 
 TEST(StockComment, OtherCommentsAreNone) {
-  for (const char* const text : {"", "(ATTACH THE WORKPIECE)", "(WORKPIECES,BOX)", "WORKPIECE,BOX", "(WORKPIECE)"})
+  for (const char* const text :
+       {"", "(ATTACH THE WORKPIECE)", "(WORKPIECES,BOX)", "WORKPIECE,BOX", "(WORKPIECE)"})
     EXPECT_FALSE(stock_in(text)) << text;
 }
 

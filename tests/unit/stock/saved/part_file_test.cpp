@@ -1,5 +1,5 @@
-// A part that was saved is read back to the last bit, is cut on as if it had never been saved, and a file that is damaged
-// is a sentence.
+// A part that was saved is read back to the last bit, is cut on as if it had never been saved, and
+// a file that is damaged is a sentence.
 #include "stock/saved/part_file.hpp"
 
 #include <gtest/gtest.h>
@@ -57,11 +57,12 @@ TEST(PartFile, AHeightFieldIsReadBackToTheLastBitAndCutOn) {
   };
   const field::Grid grid = field::grid_of(kBox, kCell);
   for (const bool is_box : {true, false}) {
-    field::HeightField model = is_box ? field::HeightField(grid, 1) : field::HeightField(grid, round, 1);
+    field::HeightField model =
+        is_box ? field::HeightField(grid, 1) : field::HeightField(grid, round, 1);
     ASSERT_EQ(model.add_body(mill(5)), 0U);
     cut_all(model, level_sweeps(1, 60));
-    const ReadPart read =
-        part_of(file_of({.zero = "G55", .volume_mm3 = 123.4567890123456, .made_by = {"O1", "É"}}, model));
+    const ReadPart read = part_of(
+        file_of({.zero = "G55", .volume_mm3 = 123.4567890123456, .made_by = {"O1", "É"}}, model));
     EXPECT_EQ(read.label.zero, "G55");
     EXPECT_EQ(read.label.volume_mm3, 123.4567890123456);
     EXPECT_EQ(read.label.made_by, (std::vector<std::string>{"O1", "É"}));
@@ -74,8 +75,9 @@ TEST(PartFile, AHeightFieldIsReadBackToTheLastBitAndCutOn) {
 }
 
 TEST(PartFile, DexelsAreReadBackToTheLastBitAndCutOn) {
-  dexel::TriDexel model(dexel::round_shape({.axis = 0, .b = 0.4, .c = -2, .low = -10, .high = 11, .radius_mm = 4}),
-                        0.3, 1);
+  dexel::TriDexel model(
+      dexel::round_shape({.axis = 0, .b = 0.4, .c = -2, .low = -10, .high = 11, .radius_mm = 4}),
+      0.3, 1);
   ASSERT_EQ(model.add_body(mill(5)), 0U);
   cut_all(model, level_sweeps(1, 40));
   const ReadPart read = part_of(file_of({.zero = "G54", .volume_mm3 = model.left_mm3()}, model));
@@ -89,10 +91,15 @@ TEST(PartFile, DexelsAreReadBackToTheLastBitAndCutOn) {
 TEST(PartFile, ATurnedPartIsReadBackToTheLastBitAndCutOn) {
   turned::Job job(50, -80, 0);
   job.with(turned::turning(0.8)).at(60, 2).rapid(40, 2).to(40, -60).to(52, -66);
-  const turned::TurnedThread thread{
-      .axis = 'Z', .from = 0, .to = -30, .major = 30, .minor = 27.4, .pitch = 2, .volume_mm3 = 1339.5};
-  const ReadPart read = part_of(
-      file_of({.zero = "G54", .volume_mm3 = job.part().left_mm3(), .threads = {thread}}, job.part()));
+  const turned::TurnedThread thread{.axis = 'Z',
+                                    .from = 0,
+                                    .to = -30,
+                                    .major = 30,
+                                    .minor = 27.4,
+                                    .pitch = 2,
+                                    .volume_mm3 = 1339.5};
+  const ReadPart read = part_of(file_of(
+      {.zero = "G54", .volume_mm3 = job.part().left_mm3(), .threads = {thread}}, job.part()));
   ASSERT_EQ(read.label.threads.size(), 1U);
   EXPECT_EQ(read.label.threads[0].minor, 27.4);
   const std::unique_ptr<Model> again = read.part->model(1);
@@ -107,11 +114,13 @@ TEST(PartFile, ATurnedPartIsReadBackToTheLastBitAndCutOn) {
 TEST(PartFile, ASheetIsReadBackToTheLastBit) {
   const sheet::Grid grid = sheet::grid_of({{-10, -10}, {31, 30}}, 0.1);
   sheet::Sheet cut(grid, {.kerf_mm = 0.4, .spot_mm = 0.2});
-  const std::vector<sheet::Trace> ways{sheet::straight({0, 0}, {20, 3}), sheet::round({5, 5}, 4, 0, 5)};
+  const std::vector<sheet::Trace> ways{sheet::straight({0, 0}, {20, 3}),
+                                       sheet::round({5, 5}, 4, 0, 5)};
   cut.cut(ways);
   cut.burn(std::vector<sheet::Burn>{{{0, 0}, {20, 3}, 12.5}});
   const std::vector<SheetCut> cuts{{ways[0], 0.4}, {ways[1], 0.3}};
-  const ReadPart read = part_of(file_of({.zero = "G54", .volume_mm3 = 7}, SheetPart{cut, cuts, 1.5}));
+  const ReadPart read =
+      part_of(file_of({.zero = "G54", .volume_mm3 = 7}, SheetPart{cut, cuts, 1.5}));
   const auto& part = dynamic_cast<const SavedSheet&>(*read.part);
   EXPECT_EQ(part.box(), (Bounds{{-10, -10, -1.5}, {31, 30, 0}}));
   ASSERT_EQ(part.state().cuts.size(), 2U);
@@ -185,7 +194,8 @@ TEST(PartFile, TheMotionsOfOneProgramAreNotThoseOfTheNext) {
   cut_all(model, level_sweeps(1, 20));
   const auto again = part_of(file_of({.zero = "G54", .volume_mm3 = 1}, model)).part->model(1);
   EXPECT_EQ(again->error_mm3(), 0);
-  for (const dexel::DexelEnd& end : state_of(dynamic_cast<const dexel::TriDexel&>(*again), 0).tiles[2][0].ends)
+  for (const dexel::DexelEnd& end :
+       state_of(dynamic_cast<const dexel::TriDexel&>(*again), 0).tiles[2][0].ends)
     EXPECT_EQ(end.motion, 0U);
   field::HeightField field(field::grid_of(kBox, 0.5), 1);
   ASSERT_EQ(field.add_body(mill(5)), 0U);

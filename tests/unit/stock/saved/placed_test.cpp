@@ -76,7 +76,8 @@ std::vector<Sweep> turned_sweeps(std::vector<Sweep> sweeps, const Placing& placi
 
 TEST(PlacedPart, TurnedDexelsAreThoseOfTheTurnedJob) {
   const auto part = dexels_of(0.4);
-  for (const Vec3 by : {Vec3{90, 0, 0}, Vec3{0, 90, 0}, Vec3{0, 0, 90}, Vec3{180, 0, 0}, Vec3{90, 0, 270}}) {
+  for (const Vec3 by :
+       {Vec3{90, 0, 0}, Vec3{0, 90, 0}, Vec3{0, 0, 90}, Vec3{180, 0, 0}, Vec3{90, 0, 270}}) {
     const Placing placing = turn(by.x, by.y, by.z);
     const auto turned = part->placed(placing);
     dexel::TriDexel model(dexel::box_shape(turned->box()), 0.4, 1);
@@ -110,7 +111,8 @@ TEST(PlacedPart, AFieldStaysOneAboutZAndUpsideDown) {
   EXPECT_EQ(over->box(), (Bounds{{-10.5, -8.5, -2}, {11, 7.25, 6}}));
   EXPECT_NEAR(over->model(1)->left_mm3(), part->model(1)->left_mm3(), 1e-3);
   const auto& again = dynamic_cast<const SavedField&>(*over->placed(turn(-180, 0, 0))).state();
-  for (std::size_t i = 0; i < was.heights.size(); ++i) ASSERT_NEAR(again.heights[i], was.heights[i], 1e-6);
+  for (std::size_t i = 0; i < was.heights.size(); ++i)
+    ASSERT_NEAR(again.heights[i], was.heights[i], 1e-6);
 }
 
 TEST(PlacedPart, AFieldOnItsSideIsItsColumnsAsDexels) {
@@ -148,7 +150,8 @@ TEST(PlacedPart, OtherAnglesAskForTheSolid) {
 TEST(PlacedPart, ATurnedPartIsTurnedRoundAndMovedAlongItsAxis) {
   turned::Job job(50, -80, 0);
   job.with(turned::turning(0.8)).at(60, 2).rapid(40, 2).to(40, -60).to(52, -66);
-  const auto part = part_of(file_of({.zero = "G54", .volume_mm3 = job.part().left_mm3()}, job.part())).part;
+  const auto part =
+      part_of(file_of({.zero = "G54", .volume_mm3 = job.part().left_mm3()}, job.part())).part;
   const auto round = part->placed(Placing({{0, 0, -80}, {180, 0, 0}}));
   ASSERT_TRUE(round);
   EXPECT_NEAR(round->box().low.z, -80, 1e-12);
@@ -167,10 +170,12 @@ TEST(PlacedPart, ATurnedPartIsTurnedRoundAndMovedAlongItsAxis) {
 TEST(PlacedPart, ASheetIsTurnedInItsPlane) {
   const sheet::Grid grid = sheet::grid_of({{-10, -5}, {31, 30}}, 0.1);
   sheet::Sheet cut(grid, {.kerf_mm = 0.4});
-  const std::vector<sheet::Trace> ways{sheet::straight({0, 0}, {20, 3}), sheet::round({5, 5}, 4, 0, 5)};
+  const std::vector<sheet::Trace> ways{sheet::straight({0, 0}, {20, 3}),
+                                       sheet::round({5, 5}, 4, 0, 5)};
   cut.cut(ways);
   const std::vector<SheetCut> cuts{{ways[0], 0.4}, {ways[1], 0.4}};
-  const auto part = part_of(file_of({.zero = "G54", .volume_mm3 = 7}, SheetPart{cut, cuts, 1})).part;
+  const auto part =
+      part_of(file_of({.zero = "G54", .volume_mm3 = 7}, SheetPart{cut, cuts, 1})).part;
   for (const double degrees : {90.0, 180.0, 270.0}) {
     const auto there = part->placed(Placing({{3, 4, 0}, {0, 0, degrees}}));
     ASSERT_TRUE(there);

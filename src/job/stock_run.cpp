@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "job/internal/cut_end.hpp"
+#include "job/internal/first_plan.hpp"
 #include "job/internal/fixture.hpp"
 #include "job/internal/loose_pieces.hpp"
 #include "job/internal/round_fixture.hpp"
@@ -16,7 +17,6 @@
 #include "job/internal/stock_pass.hpp"
 #include "job/internal/stock_shape.hpp"
 #include "job/internal/stroke_watch.hpp"
-#include "job/internal/survey_pass.hpp"
 #include "job/stock_part.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
@@ -323,84 +323,6 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   machine::RunStatus status_{};
 };
 
-/// A part that was cut before, with cells of its own; null: something else lies there.
-const stock::SavedPart* saved_part(const StockJob& job) {
-  const auto* const piece = std::get_if<stock::Workpiece>(&job.shape);
-  const auto* const saved = piece != nullptr ? std::get_if<stock::SavedShape>(piece) : nullptr;
-  return saved != nullptr ? saved->part.get() : nullptr;
-}
-
-/// The cells of a plan: of what was cut before its own.
-double cell_for(const StockJob& job, const SurveyedTools& tools) {
-  const stock::SavedPart* const saved = saved_part(job);
-  if (saved != nullptr && saved->cell_mm() > 0) return saved->cell_mm();
-  return job.cell_mm.value_or(tools.usual_cell());
-}
-
-bool needs_survey(const StockJob& job) {
-  const bool needs_cell = !job.cell_mm && !job.job.definition.turns() && saved_part(job) == nullptr;
-  return std::holds_alternative<machine::StockAround>(job.shape) || needs_cell;
-}
-
-/// What probes meet, found with cells of a usual size.
-Outcome<machine::Skips> skips_of(const StockJob& job) {
-  StockJob rough = job;
-  rough.cell_mm = SurveyedTools{}.usual_cell();
-  auto cut = cut_stock(rough);
-  if (!cut) return tl::unexpected(cut.error());
-  return std::move(cut->skips);
-}
-
-/// Nothing was cut before the alarm, which is what there is to tell.
-stock::Workpiece shape_before_alarm(bool turns, std::vector<control::Assumption>& assumed) {
-  assumed.push_back({0, "the alarm comes before the first cut: the stock is 1 mm of material"});
-  if (turns) return stock::CylinderShape{.from = -1, .to = 0, .diameter = 1};
-  return stock::BoxShape{{0, 0, -1}, {1, 1, 0}};
-}
-
-// A program that measures the part goes on by what it has found.
-Outcome<StockPlan> plan_by_survey(const StockJob& job, std::vector<control::Assumption>& assumed) {
-  auto run = Run::of(job.job);
-  if (!run) return tl::unexpected(run.error());
-  SurveyPass pass(job, **run);
-  const machine::RunStatus status = (*run)->go();
-  const bool is_said = job.knows_stock && !std::holds_alternative<machine::StockAround>(job.shape);
-  if (pass.has_probed() && is_said) {
-    auto skips = skips_of(job);
-    if (!skips) return tl::unexpected(skips.error());
-    StockJob probed = job;
-    probed.job.skips = std::move(*skips);
-    if (!probed.job.skips.empty()) return plan_by_survey(probed, assumed);
-  }
-  StockPlan plan;
-  plan.is_surveyed = true;
-  for (const auto& [number, cut] : pass.survey().tools()) plan.axial[number] = cut.axial;
-  RunRack rack(job, (*run)->machine(), plan.axial);
-  plan.origin = pass.origin();
-  plan.without_changes = !pass.survey().changes_tool();
-  const SurveyedTools tools(pass.survey(), rack, plan.origin);
-  auto shape = shape_of(job.shape, job.job.definition.turns(), tools, assumed);
-  if (!shape && status == machine::RunStatus::alarm && !pass.survey().has_begun())
-    shape = shape_before_alarm(job.job.definition.turns(), assumed);
-  if (!shape) return tl::unexpected(shape.error());
-  plan.shape = *shape;
-  plan.cell_mm = cell_for(job, tools);
-  choose_model(job, tools, plan);
-  return plan;
-}
-
-Outcome<StockPlan> plan_by_guess(const StockJob& job, const Run& run) {
-  StockPlan plan;
-  plan.origin = ZeroWatch(run.machine(), job.zero).at_start();
-  std::vector<control::Assumption> none;
-  auto shape = shape_of(job.shape, job.job.definition.turns(), SurveyedTools{}, none);
-  if (!shape) return tl::unexpected(shape.error());
-  plan.shape = *shape;
-  plan.cell_mm = cell_for(job, SurveyedTools{});
-  choose_model(job, SurveyedTools{}, plan);
-  return plan;
-}
-
 /// Nothing is asked for that only a beam has.
 Outcome<void> without_beam(const StockJob& job) {
   if (std::holds_alternative<machine::StockSheet>(job.shape))
@@ -438,34 +360,23 @@ Outcome<StockResult> cut_stock(const StockJob& job) {
   if (has_beam(job)) return cut_sheet(job);
   if (auto suited = without_beam(job); !suited) return tl::unexpected(suited.error());
   std::vector<control::Assumption> assumed;
-  std::optional<StockPlan> plan;
-  if (needs_survey(job)) {
-    auto surveyed = plan_by_survey(job, assumed);
-    if (!surveyed) return tl::unexpected(surveyed.error());
-    plan = *surveyed;
-  }
-  std::optional<stock::CutEnd> end;
+  auto plan = first_plan(job, assumed);
+  if (!plan) return tl::unexpected(plan.error());
   if (job.until) {
     auto found = find_end(job);
     if (!found) return tl::unexpected(found.error());
-    end = found->end;
+    plan->end = found->end;
     if (!found->remark.empty()) assumed.push_back({0, found->remark});
   }
   for (int passes = 1;; ++passes) {
     auto run = Run::of(job.job);
     if (!run) return tl::unexpected(run.error());
-    if (!plan) {
-      auto guess = plan_by_guess(job, **run);
-      if (!guess) return tl::unexpected(guess.error());
-      plan = *guess;
-    }
-    if (passes == 1) plan->end = end;
     if (auto suited = suits(job, *plan); !suited) return tl::unexpected(suited.error());
     Pass pass(job, *plan, std::move(*run));
     pass.go(job);
     const auto better = pass.better_plan(job);
     if (better && passes < kMostPasses) {
-      plan = better;
+      *plan = *better;
       continue;
     }
     StockResult result = pass.result(job);

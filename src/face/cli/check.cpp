@@ -13,7 +13,7 @@
 #include "face/cli/failure.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/stock_table.hpp"
+#include "face/cli/stock_words.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 

@@ -9,7 +9,7 @@
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/stock_table.hpp"
+#include "face/cli/stock_words.hpp"
 #include "machine/definition/state_file.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/reports/summary.hpp"

@@ -12,7 +12,6 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/stock_table.hpp"
 #include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_run.hpp"

@@ -6,7 +6,7 @@
 
 #include "base/output_file.hpp"
 #include "face/cli/operator_input.hpp"
-#include "face/cli/stock_table.hpp"
+#include "face/cli/stock_words.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/tools/tool_comment.hpp"

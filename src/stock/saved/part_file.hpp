@@ -26,7 +26,7 @@ namespace kerf::stock::saved {
 //     profile   one: u32 loops; of each u32 n, then f64 z, rho, bulge [n]
 //     sheet     u32 number of the tile before its record: u8 coverage, f32 energy where it is kept;
 //               0xffffffff ends them; then one record of ways, f64 [12] each
-//   u32 CRC-32 of everything before
+//   u32 CRC of 32 bits of everything before
 //
 // The motions that cut the faces are not written: for the next program all of it is stock.
 

@@ -88,6 +88,7 @@ struct StockFileOptions {
   std::string picture;  ///< .png or .svg
   std::string view;     ///< empty: as the part is mostly shown
   std::string mesh = "smooth";
+  std::size_t triangles = 0;  ///< at most; 0: as many as there are
 };
 
 /// A run that cuts the virtual part: RunOptions::table says what lies there.

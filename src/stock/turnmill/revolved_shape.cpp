@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "math/math.hpp"
-#include "stock/turnmill/half_plane_lines.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 #include "stock/turned/revolved.hpp"
 
 namespace kerf::stock::turnmill {
@@ -14,6 +14,7 @@ namespace {
 
 using dexel::Interval;
 using dexel::Lattice;
+using turned::Crossing;
 
 /// One end of a dexel's way through the body.
 struct End {
@@ -91,7 +92,7 @@ class Revolved {
     out.push_back(interval(end(inner, near), end(outer, far)));
   }
 
-  HalfPlaneLines lines_;
+  turned::HalfPlaneLines lines_;
   std::uint32_t first_motion_;
 };
 
@@ -126,7 +127,8 @@ dexel::InsideOf on_lattice(const std::shared_ptr<const Revolved>& body, const La
 
 dexel::Shape revolved_shape(const contour::Region& region, std::uint32_t first_motion) {
   const auto body = std::make_shared<const Revolved>(region, first_motion);
-  dexel::Shape shape{.box = turned::bounds(region), .inside = {}, .volume_mm3 = turned::volume(region)};
+  dexel::Shape shape{
+      .box = turned::bounds(region), .inside = {}, .volume_mm3 = turned::volume(region)};
   shape.on_lattice = [body](const Lattice& lattice, Vec3 middle) {
     return on_lattice(body, lattice, middle);
   };

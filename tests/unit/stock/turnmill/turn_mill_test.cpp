@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "geometry/contour/boolean.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 #include "stock/turned/turned_job.hpp"
-#include "stock/turnmill/half_plane_lines.hpp"
 #include "stock/turnmill/revolved_shape.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
 
@@ -15,13 +15,14 @@ namespace kerf::stock::turnmill {
 namespace {
 
 using std::numbers::pi;
+using turned::Crossing;
+using turned::HalfPlaneLines;
 using turned::M;
 
 constexpr double kCell_mm = 0.25;
 
 Body mill(double diameter) {
-  return turned::body_of(
-      test::tool_of("flat", {{M::diameter, diameter}, {M::flute_length, 200}}));
+  return turned::body_of(test::tool_of("flat", {{M::diameter, diameter}, {M::flute_length, 200}}));
 }
 
 /// A part, and sweeps of it: turned ones as in the plane of (X, Z), driven ones in space.
@@ -198,7 +199,8 @@ TEST(TurnMill, NeitherThreadsNorCallsChangeABit) {
   }
 }
 
-// A line across arcs, holes and islands: what is inside of it adds up to what a grid of points says.
+// A line across arcs, holes and islands: what is inside of it adds up to what a grid of points
+// says.
 TEST(HalfPlaneLines, SayWhatPointsSay) {
   contour::Region region = contour::region_of(
       std::vector<contour::Contour>{{{{{-20, 2}}, {{-3, 2}, 0.6}, {{-3, 9}, -0.4}, {{-20, 9}}}}});
@@ -211,7 +213,8 @@ TEST(HalfPlaneLines, SayWhatPointsSay) {
       is_along_u ? lines.along_u(at, found) : lines.along_v(at, found);
       ASSERT_EQ(found.size() % 2, 0U);
       for (double place = -25.013; place < 15; place += 0.173) {
-        const contour::Vec2 point = is_along_u ? contour::Vec2{place, at} : contour::Vec2{at, place};
+        const contour::Vec2 point =
+            is_along_u ? contour::Vec2{place, at} : contour::Vec2{at, place};
         if (contour::distance_to_border(region, point) < 1e-3) continue;
         const auto before = std::count_if(found.begin(), found.end(),
                                           [&](const Crossing& c) { return c.at < place; });

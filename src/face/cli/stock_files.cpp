@@ -1,7 +1,5 @@
 #include "face/cli/stock_files.hpp"
 
-#include <utility>
-
 #include "job/facts_of_run.hpp"
 #include "job/stock_part.hpp"
 #include "output/part/part_picture.hpp"
@@ -12,7 +10,6 @@
 #include "output/solid/glb_writer.hpp"
 #include "output/solid/stl_writer.hpp"
 #include "output/solid/three_mf_writer.hpp"
-#include "stock/surface/simplify.hpp"
 
 namespace kerf::cli {
 namespace {

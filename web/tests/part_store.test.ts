@@ -70,7 +70,9 @@ describe('what is known of the part', () => {
       },
     });
     part.take_event({ owners: { from: 2, rows: [[0, 9, 2]] } });
-    expect(part.owners[2]).toEqual({ file: 0, line: 9, tool: 2 });
+    expect(part.owners[2]).toEqual({ file: 0, line: 9, tool: 2, engagement_deg: null });
+    part.take_event({ owners: { from: 2, rows: [[0, 9, 2, 53.1]] } });
+    expect(part.owners[2].engagement_deg).toBe(53.1);
     part.take_event({ owners: { from: 0, rows: [[0, 0, 0]] } });
     expect(part.owners.length).toBe(1);
   });

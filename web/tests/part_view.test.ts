@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { scale_colour } from '../src/logic/colour_scale';
 import { fill_table } from '../src/logic/stock/owner_colours';
 import type { Finding } from '../src/logic/stock/part_store';
 import { PartStore } from '../src/logic/stock/part_store';
@@ -85,11 +86,19 @@ describe('the word in the head', () => {
 
 describe('colours of what was cut', () => {
   const owners = [
-    { file: 0, line: 0, tool: 0 },
-    { file: 0, line: 7, tool: 1 },
-    { file: 0, line: 9, tool: 2 },
-    { file: 1, line: 9, tool: 2 },
+    { file: 0, line: 0, tool: 0, engagement_deg: null },
+    { file: 0, line: 7, tool: 1, engagement_deg: 180 },
+    { file: 0, line: 9, tool: 2, engagement_deg: 0 },
+    { file: 1, line: 9, tool: 2, engagement_deg: null },
   ];
+  it('are on a scale of engagement, and what is not known keeps that of the stock', () => {
+    const table = new Uint8Array(16);
+    fill_table(table, owners, 'engagement', 'dark', null);
+    const on_scale = (share: number) => scale_colour(share, 'dark').map((c) => Math.round(255 * c));
+    expect(row(table, 1).slice(0, 3)).toEqual(on_scale(1));
+    expect(row(table, 2).slice(0, 3)).toEqual(on_scale(0));
+    expect([table[4 + 3] > 200, table[12 + 3]]).toEqual([true, 0]);
+  });
   const row = (table: Uint8Array, i: number) => [...table.slice(4 * i, 4 * i + 4)];
   it('are those of the tools, and the stock keeps its own', () => {
     const table = new Uint8Array(16);

@@ -2,7 +2,9 @@ import { describe, expect, it } from 'vitest';
 import {
   BadStockFrame,
   decode_stock_frame,
+  deviations_of,
   is_stock_frame,
+  NO_DEVIATION,
   NOTHING_LEFT,
   octahedral,
 } from '../src/logic/stock/stock_frame';
@@ -46,6 +48,21 @@ const profile = new StockBytes(2, {})
   .part()
   .made();
 
+const facts = new StockBytes(4)
+  .words(1, 2, -3)
+  .halves(0, 0)
+  .words(3)
+  .floats(0.25)
+  .halves(4, -2, -32768)
+  .part()
+  .words(0, 0, 0)
+  .halves(1, 0)
+  .words(2)
+  .floats(1)
+  .halves(7, 65535)
+  .part()
+  .made();
+
 describe('a frame of the part', () => {
   it('of heights has tiles with their places, heights and owners', () => {
     const frame = decode_stock_frame(heights);
@@ -84,6 +101,15 @@ describe('a frame of the part', () => {
     expect([...frame.tiles[0].coverage]).toEqual([255, 0, 100]);
   });
 
+  it('of facts says what is known of places: how far off they are, and who has cut them', () => {
+    const frame = decode_stock_frame(facts);
+    if (frame.kind !== 'facts') throw new Error(frame.kind);
+    const [off, owners] = frame.tiles;
+    expect(off).toMatchObject({ x: 1, y: 2, z: -3, what: 'deviation', scale: 0.25 });
+    expect([...deviations_of(off)]).toEqual([1, -0.5, NO_DEVIATION]);
+    expect(owners.what).toBe('owner');
+    expect([...owners.value]).toEqual([7, -1]);
+  });
   it('is told from a chunk of a path by its first letters', () => {
     expect(is_stock_frame(heights)).toBe(true);
     expect(is_stock_frame(new TextEncoder().encode('KPTH').buffer as ArrayBuffer)).toBe(false);
@@ -92,7 +118,7 @@ describe('a frame of the part', () => {
 });
 
 describe('a frame is refused that', () => {
-  const all = { heights, mesh, sheet, profile };
+  const all = { heights, mesh, sheet, profile, facts };
   it.each(Object.entries(all))('is cut short anywhere: %s', (_, whole) => {
     for (let bytes = 0; bytes < whole.byteLength; bytes++)
       expect(() => decode_stock_frame(whole.slice(0, bytes)), String(bytes)).toThrow(BadStockFrame);
@@ -111,7 +137,7 @@ describe('a frame is refused that', () => {
   };
   it.each([
     ['is of another version', changed(heights, (v) => v.setUint16(4, 2, true))],
-    ['is of an unknown kind', changed(heights, (v) => v.setUint16(6, 4, true))],
+    ['is of an unknown kind', changed(heights, (v) => v.setUint16(6, 5, true))],
     [
       'says that it has four milliards of parts',
       changed(heights, (v) => v.setUint32(20, 2 ** 32 - 1, true)),
@@ -129,6 +155,9 @@ describe('a frame is refused that', () => {
       'says that it has four milliards of vertices',
       changed(mesh, (v) => v.setUint32(44, 2 ** 32 - 1, true)),
     ],
+    ['has facts of an unknown kind', changed(facts, (v) => v.setUint16(44, 2, true))],
+    ['has a scale that is no number', changed(facts, (v) => v.setFloat32(52, NaN, true))],
+    ['has facts of too many places', changed(facts, (v) => v.setUint32(48, 2 ** 31, true))],
     ['has a corner that is no number', changed(profile, (v) => v.setFloat64(36, NaN, true))],
     ['has a loop of too many corners', changed(profile, (v) => v.setUint32(32, 2 ** 31, true))],
   ])('%s', (_, bytes) => expect(() => decode_stock_frame(bytes)).toThrow(BadStockFrame));

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { ProfileLoop } from '../src/logic/stock/stock_frame';
+import { NO_DEVIATION, type ProfileLoop } from '../src/logic/stock/stock_frame';
 import { outline_of, revolved, ring_of } from '../src/logic/stock/turned_solid';
 
 const loop = (...corners: [number, number, number?][]): ProfileLoop => ({
@@ -95,5 +95,31 @@ describe('a turned solid', () => {
     expect(outline_of([loop()])).toEqual([]);
     expect(revolved([], 0).indices.length).toBe(0);
     expect(ring_of(outline_of([bar])[0]).length).toBe(4);
+  });
+
+  it('tells of each place who has cut it and how far off it is, whichever way the loop turns', () => {
+    const facts = (l: ProfileLoop, owner: number[], deviation: number[]): ProfileLoop => ({
+      ...l,
+      owner: Uint16Array.from(owner),
+      deviation: Float32Array.from(deviation),
+    });
+    const there = facts(bar, [1, 2, 3, 4], [0, 0.5, 1, NO_DEVIATION]);
+    const back = facts(
+      loop([-40, 10], [0, 10], [0, 0], [-40, 0]),
+      [3, 2, 1, 4],
+      [NO_DEVIATION, 1, 0.5, 0],
+    );
+    for (const one of [there, back]) {
+      const solid = revolved(outline_of([one]), 0);
+      const seen = new Map<number, Set<number>>();
+      solid.owners.forEach((owner, i) => {
+        if (!seen.has(owner)) seen.set(owner, new Set());
+        seen.get(owner)!.add(solid.deviations[i]);
+      });
+      // The line along the axis is no surface; the face at Z0 runs from its middle to its rim.
+      expect([...seen.keys()].sort()).toEqual([2, 3, 4]);
+      expect([...seen.get(2)!].sort()).toEqual([0.5, 1]);
+      expect([...seen.get(3)!]).toEqual([NO_DEVIATION]);
+    }
   });
 });

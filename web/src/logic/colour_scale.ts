@@ -65,6 +65,17 @@ export function between_stops(stops: readonly Rgb[], share: number): Rgb {
   return a.map((value, i) => value + (place - below) * (b[i] - value)) as Rgb;
 }
 
+/** What is cut away too deep is blue, what is left is red, and what is as it shall be has no colour; the same on both grounds. */
+const DEVIATION: Rgb[] = [
+  hex('#1f4fd0'),
+  hex('#7fa8ee'),
+  hex('#c6cbd0'),
+  hex('#f2a285'),
+  hex('#c8281a'),
+];
+
+export const deviation_stops = (): Rgb[] => DEVIATION;
+
 /** Round numbers that a legend writes beside its scale, at most `count`, the ends among them. */
 export function ticks(low: number, high: number, count: number): number[] {
   if (!(high > low)) return [low];

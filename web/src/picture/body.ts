@@ -12,6 +12,8 @@ export interface BodyHit {
   normal: Vec;
   /** 0: not cut, or not known. */
   owner: number;
+  /** As deviations_of() has it. */
+  deviation: number;
 }
 
 export interface Body {
@@ -19,6 +21,8 @@ export interface Body {
   /** Brings what is drawn up to date, for at most so long. True: it is. `coarse`: a picture that moves, on a slow computer. */
   update(most_ms: number, coarse: boolean): boolean;
   set_colours(colours: SurfaceColours): void;
+  /** Colours by deviation, on a scale to so many millimetres; 0: by the motions that have cut. */
+  set_deviation(most_mm: number): void;
   set_section(section: Section | null): void;
   hit(from: Vec, way: Vec): BodyHit | null;
   dispose(): void;

@@ -14,7 +14,12 @@ import { mean_heights } from '../logic/stock/ambient';
 import type { HeightField } from '../logic/stock/height_field';
 import { HeightMesher, type TileMesh } from '../logic/stock/height_mesh';
 import { ORDER } from './section_plane';
-import { ambient_texture, owner_texture, StockMaterials } from './stock_material';
+import {
+  ambient_texture,
+  deviation_texture,
+  owner_texture,
+  StockMaterials,
+} from './stock_material';
 
 interface Tile {
   group: Group;
@@ -31,6 +36,7 @@ export class FieldBody {
   is_whole = false;
   private readonly owners: DataTexture | null = null;
   private readonly ambient: DataTexture | null = null;
+  private deviations: DataTexture | null = null;
 
   /** `looks_of`: another one of the same part, whose colours and shade it has. */
   constructor(
@@ -64,12 +70,21 @@ export class FieldBody {
     if (this.owners && field.repainted.size) {
       field.repainted.clear();
       this.owners.needsUpdate = true;
+      this.update_deviations();
     }
     if (this.ambient && this.shaded !== field.version) {
       this.shaded = field.version;
       this.ambient.image.data = mean_heights(field);
       this.ambient.needsUpdate = true;
     }
+  }
+
+  private update_deviations(): void {
+    const { deviation, grid } = this.field;
+    if (!deviation) return;
+    this.deviations ??= deviation_texture(deviation, grid.nx, grid.ny);
+    this.deviations.needsUpdate = true;
+    this.materials.set_deviations(this.deviations);
   }
 
   get triangles(): number {
@@ -83,6 +98,7 @@ export class FieldBody {
     this.tiles.clear();
     this.owners?.dispose();
     this.ambient?.dispose();
+    this.deviations?.dispose();
     if (!this.looks_of) this.materials.dispose();
     this.group.removeFromParent();
   }

@@ -44,6 +44,10 @@ export class HeightsBody implements Body {
     this.fine.materials.set_colours(colours);
   }
 
+  set_deviation(most_mm: number): void {
+    this.fine.materials.set_deviation(most_mm);
+  }
+
   set_section(section: Section | null): void {
     this.section = section;
     this.plane.set(section, this.field.grid.corner, far_corner(this.field.grid));

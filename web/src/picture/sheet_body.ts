@@ -74,6 +74,8 @@ export class SheetBody implements Body {
     for (const { body } of this.falling.values()) body.materials.set_colours(colours);
   }
 
+  set_deviation(): void {}
+
   set_section(section: Section | null): void {
     this.section = section;
     this.plane.set(section, this.field.grid.corner, far_corner(this.field.grid));

@@ -14,7 +14,7 @@ import {
   Vector3,
 } from 'three';
 import type { MeshTile, ProfileLoop } from '../logic/stock/stock_frame';
-import { octahedral } from '../logic/stock/stock_frame';
+import { NO_DEVIATION, octahedral } from '../logic/stock/stock_frame';
 import type { Thread } from '../logic/stock/part_store';
 import {
   type OutlinePiece,
@@ -59,6 +59,9 @@ export class MeshBody implements Body {
   set_colours(colours: SurfaceColours): void {
     this.materials.set_colours(colours);
   }
+  set_deviation(most_mm: number): void {
+    this.materials.set_deviation(most_mm);
+  }
   set_section(section: Section | null): void {
     this.section = section;
     this.plane.set(section, this.box.low, this.box.high);
@@ -84,13 +87,20 @@ export class MeshBody implements Body {
   private put(key: string, tile: MeshTile): void {
     const [places, normals] = unpacked(tile);
     const geometry = surface_geometry(places, normals, tile.index);
-    geometry.setAttribute('owner', new BufferAttribute(tile.owner, 1));
+    set_facts(geometry, tile.owner, tile.deviation);
     const group = new Group();
     const [outside, inside] = body_meshes(geometry, new BufferGeometry(), this.materials);
     group.add(outside, inside);
     this.drawn.set(key, group);
     this.group.add(group);
   }
+}
+
+/** Of each vertex: who has cut there, and how far off it is. */
+function set_facts(geometry: BufferGeometry, owners: Uint16Array, deviations?: Float32Array): void {
+  const known = deviations ?? new Float32Array(owners.length).fill(NO_DEVIATION);
+  geometry.setAttribute('owner', new BufferAttribute(owners, 1));
+  geometry.setAttribute('deviation', new BufferAttribute(known, 1));
 }
 
 /** Places and normals as the triangles need them. */
@@ -119,7 +129,7 @@ export class TurnedBody implements Body {
     table: Texture,
     private readonly threads: () => readonly Thread[],
   ) {
-    this.materials = new StockMaterials(table, 'nobody');
+    this.materials = new StockMaterials(table, 'vertex');
     this.materials.plane_face.stencilWrite = false;
     this.materials.plane_face.depthFunc = LessEqualDepth;
     this.group.add(this.solid);
@@ -134,6 +144,9 @@ export class TurnedBody implements Body {
   }
   set_colours(colours: SurfaceColours): void {
     this.materials.set_colours(colours);
+  }
+  set_deviation(most_mm: number): void {
+    this.materials.set_deviation(most_mm);
   }
   /** The sector is as large as the section lies far: 0 to 180 degrees. */
   set_section(section: Section | null): void {
@@ -159,13 +172,10 @@ export class TurnedBody implements Body {
     for (const face of this.faces) face.geometry.dispose();
     this.solid.clear();
     this.group.add(this.solid);
-    const { positions, normals, indices, lines } = revolved(
-      this.outline,
-      this.open_rad,
-      this.threads(),
-    );
-    const geometry = surface_geometry(positions, normals, indices);
-    const edges = line_geometry(lines, geometry.boundingSphere);
+    const solid = revolved(this.outline, this.open_rad, this.threads());
+    const geometry = surface_geometry(solid.positions, solid.normals, solid.indices);
+    set_facts(geometry, solid.owners, solid.deviations);
+    const edges = line_geometry(solid.lines, geometry.boundingSphere);
     const [outside, , line] = body_meshes(geometry, edges, this.materials);
     this.faces = this.open_rad > 0 ? [this.face(0), this.face(this.open_rad)] : [];
     this.solid.add(outside, line, ...this.faces);
@@ -225,11 +235,13 @@ function hits_of(group: Group, from: Vec, way: Vec): BodyHit[] {
 }
 
 function body_hit({ point, face, object }: Intersection, into_body: Matrix4): BodyHit {
-  const owners = (object as Mesh).geometry.getAttribute('owner');
+  const of_vertex = (name: string, otherwise: number): number =>
+    (face && (object as Mesh).geometry.getAttribute(name)?.getX(face.c)) ?? otherwise;
   return {
     at: point.applyMatrix4(into_body).toArray(),
     normal: (face?.normal ?? new Vector3(0, 0, 1)).toArray(),
-    owner: owners && face ? owners.getX(face.c) : 0,
+    owner: of_vertex('owner', 0),
+    deviation: of_vertex('deviation', NO_DEVIATION),
   };
 }
 

@@ -2,7 +2,7 @@
 import { type DataTexture, Group, Matrix4, Vector3 } from 'three';
 import type { Box } from '../logic/box';
 import type { Scheme } from '../logic/colour_scale';
-import { fill_table, type StockColouring } from '../logic/stock/owner_colours';
+import { fill_table, most_deviation, type StockColouring } from '../logic/stock/owner_colours';
 import type { PartStore, Shape } from '../logic/stock/part_store';
 import type { Solid } from '../logic/stock/setup_words';
 import type { Body, BodyHit, Section, Vec } from './body';
@@ -31,7 +31,7 @@ export class StockLayer {
   private fixtures: Group | null = null;
   private findings: Group | null = null;
   private measured: Group | null = null;
-  private by_energy = false;
+  private colouring: StockColouring = 'tool';
 
   constructor(private readonly is_calm: () => boolean) {}
 
@@ -66,17 +66,19 @@ export class StockLayer {
   }
 
   set_colours(colouring: StockColouring, chosen: { file: number; line: number } | null): void {
-    this.by_energy = colouring === 'energy';
-    if (this.part)
-      fill_table(
-        this.table.image.data as Uint8Array,
-        this.part.owners,
-        colouring,
-        this.scheme,
-        chosen,
-      );
+    this.colouring = colouring;
+    const table = this.table.image.data as Uint8Array;
+    if (this.part) fill_table(table, this.part.owners, colouring, this.scheme, chosen);
     this.table.needsUpdate = true;
-    if (this.body instanceof SheetBody) this.body.set_scheme(this.scheme, this.by_energy);
+    this.paint();
+  }
+
+  /** What of the colours is not in the table. */
+  private paint(): void {
+    const by_deviation = this.colouring === 'deviation' && this.part;
+    this.body?.set_deviation(by_deviation ? most_deviation(this.part!.facts) : 0);
+    if (this.body instanceof SheetBody)
+      this.body.set_scheme(this.scheme, this.colouring === 'energy');
   }
 
   set_section(section: Section | null): void {
@@ -144,7 +146,7 @@ export class StockLayer {
       edge: palette.edge,
     });
     body.set_section(this.section);
-    if (body instanceof SheetBody) body.set_scheme(this.scheme, this.by_energy);
+    this.paint();
   }
 
   private replaced(old: Group | null, make: (palette: Palette) => Group): Group | null {

@@ -13,6 +13,7 @@ import {
   DataTexture,
   DoubleSide,
   EqualStencilFunc,
+  FloatType,
   FrontSide,
   GLSL3,
   type IUniform,
@@ -29,8 +30,10 @@ import {
   Vector3,
   Vector4,
 } from 'three';
+import { deviation_stops } from '../logic/colour_scale';
 import { AMBIENT_SIZE } from '../logic/stock/ambient';
 import { far_corner, type Grid } from '../logic/stock/height_field';
+import { NO_DEVIATION } from '../logic/stock/stock_frame';
 import {
   line_fragment,
   line_vertex,
@@ -41,7 +44,7 @@ import {
   TABLE_SIDE,
 } from './stock_shaders';
 
-export type OwnerOf = 'cell' | 'vertex' | 'nobody';
+export type OwnerOf = 'cell' | 'vertex';
 export interface SurfaceColours {
   stock: string;
   face: string;
@@ -56,7 +59,6 @@ type Defines = Record<string, number>;
 const DEFINES: Record<OwnerOf, Defines> = {
   cell: { OWNER_OF_CELL: 1 },
   vertex: { OWNER_OF_VERTEX: 1 },
-  nobody: {},
 };
 
 /** Pushed back a little, so that edges lie before it; marks in the stencil whether its inner side is seen. */
@@ -129,9 +131,11 @@ export class StockMaterials {
     hatch: { value: new Vector3() },
   };
   private readonly edge = { value: new Vector3() };
+  private readonly most = { value: 0 };
   private readonly field = {
     owners: { value: null as Texture | null },
     ambient: { value: null as Texture | null },
+    deviations: { value: null as Texture | null },
     corner: { value: new Vector3() },
     far: { value: new Vector3(1, 1, 1) },
     cell: { value: new Vector2(1, 1) },
@@ -141,7 +145,9 @@ export class StockMaterials {
     table: Texture,
     readonly owner_of: OwnerOf,
   ) {
-    const uniforms = { table: { value: table }, plane: this.plane, ...this.looks, ...this.field };
+    const scale = { value: deviation_stops().map((rgb) => new Vector3(...rgb)) };
+    const of_places = { table: { value: table }, most: this.most, scale };
+    const uniforms = { ...of_places, plane: this.plane, ...this.looks, ...this.field };
     this.surface = surface_material(uniforms, DEFINES[owner_of]);
     this.cut_face = inside_material(uniforms, DEFINES[owner_of]);
     this.plane_face = plane_material(this.looks);
@@ -155,10 +161,19 @@ export class StockMaterials {
     this.edge.value.copy(rgb(colours.edge));
   }
 
+  /** Colours of places by their deviation, on a scale to so many millimetres; 0: by the motions that cut them. */
+  set_deviation(most_mm: number): void {
+    this.most.value = most_mm;
+  }
+  set_deviations(deviations: Texture): void {
+    this.field.deviations.value = deviations;
+  }
+
   /** Of a height field: whose colour its cells have, and how much shade. */
   set_field(grid: Grid, owners: Texture, ambient: Texture): void {
     this.field.owners.value = owners;
     this.field.ambient.value = ambient;
+    this.field.deviations.value = no_deviations();
     this.field.corner.value.set(...grid.corner);
     this.field.far.value.set(...far_corner(grid));
     this.field.cell.value.set(...grid.cell);
@@ -203,6 +218,15 @@ export function ambient_texture(): DataTexture {
   const light = new Uint8Array(n * n).fill(255);
   return ready(new DataTexture(light, n, n, RedFormat, UnsignedByteType), LinearFilter, 1);
 }
+
+/** Of each column, as deviations_of() has it. */
+export const deviation_texture = (
+  values: Float32Array<ArrayBuffer>,
+  nx: number,
+  ny: number,
+): DataTexture => ready(new DataTexture(values, nx, ny, RedFormat, FloatType), NearestFilter, 4);
+
+const no_deviations = (): DataTexture => deviation_texture(new Float32Array([NO_DEVIATION]), 1, 1);
 
 function ready(
   texture: DataTexture,

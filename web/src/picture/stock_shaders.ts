@@ -3,6 +3,8 @@
  * that cut it. stock_material.ts says what is drawn with which of these.
  */
 
+import { NO_DEVIATION } from '../logic/stock/stock_frame';
+
 /** Motions of the table of colours: its texture is a square. */
 export const TABLE_SIDE = 256;
 
@@ -13,8 +15,9 @@ uniform mat4 modelViewMatrix, projectionMatrix;
 in vec3 position;
 in vec4 normal;
 #ifdef OWNER_OF_VERTEX
-in float owner;
+in float owner, deviation;
 flat out int v_owner;
+out float v_deviation;
 #endif
 out vec3 place;
 out vec3 place_seen;
@@ -28,6 +31,7 @@ void main() {
   seen = mat3(modelViewMatrix) * normal.xyz;
 #ifdef OWNER_OF_VERTEX
   v_owner = int(owner + 0.5);
+  v_deviation = deviation;
 #endif
   gl_Position = projectionMatrix * at;
 }`;
@@ -37,17 +41,21 @@ precision highp float;
 precision highp int;
 precision highp usampler2D;
 uniform sampler2D table;     // of a motion: its colour; how far it hides that of the stock
+uniform float most;          // of a deviation: where the scale ends, mm; 0: colours are those of motions
+uniform vec3 scale[5];
 uniform vec3 stock;
 uniform vec4 plane;          // what lies beyond it is left out
 uniform vec3 face;
 #ifdef OWNER_OF_CELL
 uniform usampler2D owners;
 uniform sampler2D ambient;   // mean heights around a place
+uniform sampler2D deviations;
 uniform vec3 corner, far;
 uniform vec2 cell;
 #endif
 #ifdef OWNER_OF_VERTEX
 flat in int v_owner;
+in float v_deviation;
 #endif
 in vec3 place;
 in vec3 place_seen;
@@ -63,6 +71,18 @@ vec4 entry(int motion) {
   return texelFetch(table, ivec2(motion % ${TABLE_SIDE}, motion / ${TABLE_SIDE}), 0);
 }
 
+vec4 on_scale(float deviation) {
+  if (deviation < ${NO_DEVIATION / 2}.0) return vec4(0.0);
+  float at = clamp(0.5 + 0.5 * deviation / most, 0.0, 1.0) * 4.0;
+  int below = int(min(3.0, floor(at)));
+  return vec4(mix(scale[below], scale[below + 1], at - float(below)), 0.92);
+}
+
+vec4 look_of(int motion, float deviation) {
+  if (most > 0.0) return on_scale(deviation);
+  return motion == 0 ? vec4(0.0) : entry(motion);
+}
+
 #ifdef OWNER_OF_CELL
 /** On the bottom or on a side of the part. */
 bool is_outside() {
@@ -76,13 +96,11 @@ vec4 cut() {
   if (is_outside()) return vec4(0.0);
   // A wall belongs to what was cut at its foot.
   ivec2 last = textureSize(owners, 0) - 1;
-  vec2 at = (place.xy + upright.xy * 0.6 * cell - corner.xy) / cell;
-  uint motion = texelFetch(owners, clamp(ivec2(floor(at)), ivec2(0), last), 0).r;
-  return motion == 0u ? vec4(0.0) : entry(int(motion));
-#elif defined(OWNER_OF_VERTEX)
-  return v_owner == 0 ? vec4(0.0) : entry(v_owner);
+  vec2 at = (place.xy + upright.xy * 0.85 * cell - corner.xy) / cell;
+  ivec2 column = clamp(ivec2(floor(at)), ivec2(0), last);
+  return look_of(int(texelFetch(owners, column, 0).r), texelFetch(deviations, column, 0).r);
 #else
-  return vec4(0.0);
+  return look_of(v_owner, v_deviation);
 #endif
 }
 

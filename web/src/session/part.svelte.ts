@@ -1,6 +1,7 @@
 /** The part that is cut: what the server is asked to show of it, what it has told, and how a person looks at it. */
 import type { Breakpoint } from '../logic/protocol';
 import type { Finding } from '../logic/stock/part_store';
+import { colourings_of } from '../logic/stock/part_colours';
 import { asks_for_fine, finding_marks, wanted_time } from '../logic/stock/part_view';
 import type { MeasureKind, Place } from '../logic/stock/measure';
 import type { StockColouring } from '../logic/stock/owner_colours';
@@ -45,6 +46,16 @@ class Part {
   /** Of the state that is shown, seconds of the program. */
   shown_s = $derived((void panel.part_version, panel.part.time_s));
   findings = $derived(this.facts.findings);
+  private owners_version = $derived((void panel.part_version, panel.part.owners_version));
+  /** What it can be coloured by. */
+  colourings = $derived.by(() => {
+    void [this.owners_version, this.is_shown, this.facts];
+    return colourings_of(panel.part);
+  });
+  /** By what it is coloured: as chosen, where that can be. */
+  coloured = $derived(
+    this.colourings.includes(this.colouring) ? this.colouring : this.colourings[0],
+  );
   marks = $derived(finding_marks(this.findings, slider.end_s, (s) => this.run_seconds(s)));
   /** Seconds of the program that are to be shown; null: as far as it is cut. */
   wanted_s = $derived(
@@ -78,7 +89,8 @@ class Part {
   want(): void {
     const level = asks_for_fine(this.facts, preferences.stock_fine && this.rests) ? 1 : 0;
     const time = this.wanted_s === null ? {} : { time_s: this.wanted_s };
-    const wish = JSON.stringify({ ...time, level });
+    const deviation = this.coloured === 'deviation' ? { deviation: true } : {};
+    const wish = JSON.stringify({ ...time, level, ...deviation });
     if (wish === this.told) return;
     if (!this.is_same_time(wish)) this.stir();
     this.wish = wish;

@@ -1,5 +1,6 @@
 /** Where a line of sight first meets a height field, column by column. */
 import { far_corner, type HeightField, VOID } from './height_field';
+import { NO_DEVIATION } from './stock_frame';
 
 type Vec = [number, number, number];
 
@@ -8,7 +9,11 @@ export interface FieldHit {
   /** Out of the material. */
   normal: Vec;
   owner: number;
+  /** As deviations_of() has it. */
+  deviation: number;
 }
+
+type Meeting = Pick<FieldHit, 'at' | 'normal'>;
 
 /** What lies beyond the plane is not there. */
 export interface Plane {
@@ -65,13 +70,13 @@ class Walk {
     const [i, j] = this.column;
     const k = j * this.field.grid.nx + i;
     const height = this.field.heights[k];
-    const owner = this.field.owners[k];
     const found = height === VOID ? null : this.meets(height);
-    return found && { ...found, owner };
+    const deviation = this.field.deviation?.[k] ?? NO_DEVIATION;
+    return found && { ...found, owner: this.field.owners[k], deviation };
   }
 
   /** The side of a column of this height, or its top, or its bottom. */
-  private meets(height: number): Omit<FieldHit, 'owner'> | null {
+  private meets(height: number): Meeting | null {
     const { way, begin, normal } = this;
     const bottom = this.field.grid.corner[2];
     const z = this.from[2] + begin * way[2];
@@ -80,7 +85,7 @@ class Walk {
     return way[2] > 0 ? this.meets_level(bottom, [0, 0, -1]) : null;
   }
 
-  private meets_level(z: number, normal: Vec): Omit<FieldHit, 'owner'> | null {
+  private meets_level(z: number, normal: Vec): Meeting | null {
     const t = (z - this.from[2]) / this.way[2];
     return t >= this.begin && t <= this.leave() ? { at: this.at(t), normal } : null;
   }

@@ -2,7 +2,7 @@
  * The part as heights over its zero, put together from the tiles that have come. Column i, j stands in the middle of its cell;
  * cells fill the box of the stock exactly.
  */
-import { type HeightTile, NOTHING_LEFT, TILE_CELLS } from './stock_frame';
+import { type HeightTile, NO_DEVIATION, NOTHING_LEFT, TILE_CELLS } from './stock_frame';
 
 /** The height of a column where nothing is left. */
 export const VOID = -Infinity;
@@ -31,6 +31,8 @@ export const APRON = 8;
 export class HeightField {
   readonly heights: Float32Array;
   readonly owners: Uint16Array;
+  /** Of each column, as deviations_of() has it; null: nothing was ever known. */
+  deviation: Float32Array<ArrayBuffer> | null = null;
   /** Tiles whose triangles are old, by `tile_key`. */
   readonly changed = new Set<number>();
   /** Tiles whose owners are others. */
@@ -73,6 +75,21 @@ export class HeightField {
       if (this.put_height(to + i, height_in(tile, from + i))) box.add(i0 + i, j);
       this.owners[to + i] = tile.owner[from + i];
     }
+    this.deviation?.fill(NO_DEVIATION, to, to + columns);
+  }
+
+  /** Of the columns of a tile; of those beside the part nothing is kept. */
+  put_deviation(x: number, y: number, values: Float32Array): void {
+    const { nx, ny } = this.grid;
+    const [i0, j0] = [x * TILE_CELLS, y * TILE_CELLS];
+    if (x < 0 || y < 0 || i0 >= nx || j0 >= ny) return;
+    const columns = Math.min(TILE_CELLS + 1, nx - i0);
+    const rows = Math.min(TILE_CELLS + 1, ny - j0);
+    if (values.length !== columns * rows) return;
+    this.deviation ??= new Float32Array(nx * ny).fill(NO_DEVIATION);
+    for (let j = 0; j < rows; j++)
+      this.deviation.set(values.subarray(j * columns, (j + 1) * columns), (j0 + j) * nx + i0);
+    this.repainted.add(this.key_of_cell(i0, j0));
   }
   /** True: it was another one. */
   private put_height(cell: number, height: number): boolean {

@@ -1,6 +1,7 @@
 /** What is known of the part: what the event `stock` has told, and what its frames show. */
 import type { Diagnostic } from '../protocol';
 import { type Grid, HeightField } from './height_field';
+import { put_facts } from './part_facts';
 import type { MeshTile, ProfileLoop, StockFrame } from './stock_frame';
 import { SheetField } from './sheet_field';
 
@@ -51,6 +52,8 @@ export interface PartFacts {
   findings: Finding[];
   more_findings: number;
   threads: Thread[];
+  /** What it is compared with; null: with nothing. */
+  design: { file: string; tolerance_mm: number } | null;
   behind: boolean;
   error: { message: string; code?: string; values?: Record<string, string> } | null;
 }
@@ -59,6 +62,8 @@ export interface Owner {
   file: number;
   line: number;
   tool: number;
+  /** The largest angle over which the tool was in the material; null: it is not known. */
+  engagement_deg: number | null;
 }
 
 const NOTHING: PartFacts = {
@@ -74,6 +79,7 @@ const NOTHING: PartFacts = {
   findings: [],
   more_findings: 0,
   threads: [],
+  design: null,
   behind: false,
   error: null,
 };
@@ -84,6 +90,20 @@ export type Shape =
   | { kind: 'mesh'; tiles: Map<string, MeshTile>; changed: Set<string> }
   | { kind: 'profile'; loops: ProfileLoop[] }
   | { kind: 'sheet'; field: SheetField };
+
+interface OwnerRows {
+  from: number;
+  rows: (number | null)[][];
+}
+
+function owner_of([file, line, tool, engagement_deg]: (number | null)[]): Owner {
+  return {
+    file: file ?? 0,
+    line: line ?? 0,
+    tool: tool ?? 0,
+    engagement_deg: engagement_deg ?? null,
+  };
+}
 
 export class PartStore {
   facts: PartFacts = NOTHING;
@@ -117,11 +137,12 @@ export class PartStore {
     for (const key of Object.keys(NOTHING) as (keyof PartFacts)[])
       if (key in told) (facts as Record<string, unknown>)[key] = told[key];
     this.facts = facts;
-    if (owners) this.take_owners(owners as { from: number; rows: number[][] });
+    if (owners) this.take_owners(owners as OwnerRows);
   }
 
   /** False: it shows nothing of this part. */
   take_frame(frame: StockFrame): boolean {
+    if (frame.kind === 'facts') return this.take_facts(frame);
     const is_new =
       frame.number === 0 || frame.run !== this.run || frame.level !== this.level || !this.shape;
     if (is_new || this.shape?.kind !== frame.kind) {
@@ -137,9 +158,18 @@ export class PartStore {
     return true;
   }
 
-  private take_owners({ from, rows }: { from: number; rows: number[][] }): void {
+  /** They speak of the tiles that are there: not of another run, nor of another level. */
+  private take_facts(frame: StockFrame & { kind: 'facts' }): boolean {
+    const { shape } = this;
+    if (!shape || frame.run !== this.run || frame.level !== this.level) return false;
+    for (const tile of frame.tiles) put_facts(shape, tile);
+    this.version++;
+    return true;
+  }
+
+  private take_owners({ from, rows }: OwnerRows): void {
     if (from === 0) this.owners = [];
-    rows.forEach(([file, line, tool], i) => (this.owners[from + i] = { file, line, tool }));
+    rows.forEach((row, i) => (this.owners[from + i] = owner_of(row)));
     this.owners_version++;
   }
 

@@ -38,6 +38,8 @@ export interface MeshTile {
   normal: Int8Array;
   owner: Uint16Array;
   index: Uint16Array;
+  /** Of the vertices, as deviations_of() has it. */
+  deviation?: Float32Array;
 }
 
 /** A closed line of the half section: from each corner a line or arc leads to the next. */
@@ -47,6 +49,10 @@ export interface ProfileLoop {
   rho: Float64Array;
   /** The tangent of a quarter of the angle of the arc; 0: a line. */
   bulge: Float64Array;
+  /** Of the pieces that begin at the corners: the motion that cut each last. */
+  owner?: Uint16Array;
+  /** At the corners, as deviations_of() has it. */
+  deviation?: Float32Array;
 }
 
 export interface SheetTile {
@@ -61,17 +67,31 @@ export interface SheetTile {
   coverage: Uint8Array;
 }
 
+/** What is known of the places of a tile besides, in the order of its columns, its vertices or its corners. */
+export interface FactTile {
+  x: number;
+  y: number;
+  z: number;
+  what: 'deviation' | 'owner';
+  /** Of a deviation: millimetres a unit. */
+  scale: number;
+  value: Int16Array;
+}
+
 export type StockFrame = StockHeader &
   (
     | { kind: 'heights'; tiles: HeightTile[] }
     | { kind: 'mesh'; tiles: MeshTile[] }
     | { kind: 'profile'; loops: ProfileLoop[] }
     | { kind: 'sheet'; tiles: SheetTile[] }
+    | { kind: 'facts'; tiles: FactTile[] }
   );
 
 export class BadStockFrame extends Error {}
 
 export const NOTHING_LEFT = 65535;
+/** Of a place: no deviation is known. */
+const UNKNOWN = -32768;
 /** Columns from one tile to the next; a tile may have one row and column of its neighbours besides. */
 export const TILE_CELLS = 64;
 
@@ -116,6 +136,7 @@ function body(reader: Reader, kind: number, parts: number) {
   if (kind === 1) return { kind: 'mesh' as const, tiles: each(mesh_tile) };
   if (kind === 2) return { kind: 'profile' as const, loops: each(profile_loop) };
   if (kind === 3) return { kind: 'sheet' as const, tiles: each(sheet_tile) };
+  if (kind === 4) return { kind: 'facts' as const, tiles: each(fact_tile) };
   throw new BadStockFrame(`a frame of the part of kind ${kind}`);
 }
 
@@ -175,6 +196,24 @@ function sheet_tile(reader: Reader): SheetTile {
     coverage: reader.bytes(nx * ny),
   };
 }
+
+const FACTS = ['deviation', 'owner'] as const;
+
+function fact_tile(reader: Reader): FactTile {
+  const [x, y, z] = [tile_place(reader), tile_place(reader), tile_place(reader)];
+  const what = FACTS[reader.half()];
+  if (!what) throw new BadStockFrame('facts that nobody knows');
+  reader.skip(2);
+  const n = reader.word();
+  return { x, y, z, what, scale: finite(reader.float(), 'scale'), value: reader.signed_halves(n) };
+}
+
+/** Where nothing is known of a place; no number, so that a texture can hold it. */
+export const NO_DEVIATION = -1e9;
+
+/** Millimetres: above 0 material is left, below 0 it is cut away; NO_DEVIATION: it is not known. */
+export const deviations_of = ({ value, scale }: FactTile): Float32Array =>
+  Float32Array.from(value, (raw) => (raw === UNKNOWN ? NO_DEVIATION : scale * raw));
 
 function tile_place(reader: Reader): number {
   const place = reader.signed_word();

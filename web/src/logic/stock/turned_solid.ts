@@ -4,7 +4,7 @@
  * stock: Z along the axis, the sector opens from +X on towards +Y.
  */
 import type { Thread } from './part_store';
-import type { ProfileLoop } from './stock_frame';
+import { NO_DEVIATION, type ProfileLoop } from './stock_frame';
 
 type Flat = [z: number, rho: number];
 
@@ -12,11 +12,20 @@ type Flat = [z: number, rho: number];
 export interface OutlinePiece {
   points: Flat[];
   normals: Flat[];
+  /** The motion that has cut it; 0: none, or not known. */
+  owner: number;
+  /** Where it begins and where it ends, as deviations_of() has it. */
+  deviation: [from: number, to: number];
 }
+
+/** A piece as its corners say. */
+type Form = Pick<OutlinePiece, 'points' | 'normals'>;
 
 export interface TurnedSolid {
   positions: Float32Array;
   normals: Int8Array;
+  owners: Uint16Array;
+  deviations: Float32Array;
   indices: Uint32Array;
   lines: Float32Array;
 }
@@ -70,6 +79,8 @@ function ways_round(open_rad: number): Ways {
 class Surface {
   private readonly positions: number[] = [];
   private readonly normals: number[] = [];
+  private readonly owners: number[] = [];
+  private readonly deviations: number[] = [];
   private readonly indices: number[] = [];
 
   constructor(private readonly ways: Ways) {}
@@ -78,15 +89,24 @@ class Surface {
     return {
       positions: new Float32Array(this.positions),
       normals: Int8Array.from(this.normals, Math.round),
+      owners: new Uint16Array(this.owners),
+      deviations: new Float32Array(this.deviations),
       indices: new Uint32Array(this.indices),
     };
   }
 
   /** As many rows as the piece has points. */
-  turn({ points, normals }: OutlinePiece): void {
+  turn(piece: OutlinePiece): void {
+    const { points, normals, owner } = piece;
     if (points.every(([, rho]) => rho <= 0)) return;
     const first = this.positions.length / 3;
-    points.forEach((point, i) => this.row(point, normals[i]));
+    points.forEach((point, i) => {
+      this.row(point, normals[i]);
+      for (let k = 0; k < this.ways.length; k++) {
+        this.owners.push(owner);
+        this.deviations.push(deviation_at(piece, i));
+      }
+    });
     for (let i = 0; i + 1 < points.length; i++) this.stitch(first + i * this.ways.length);
   }
 
@@ -105,19 +125,36 @@ class Surface {
   }
 }
 
-function pieces_of({ z, rho, bulge }: ProfileLoop): OutlinePiece[] {
+/** Along a piece it runs evenly; where an end has none there is none. */
+function deviation_at({ deviation: [from, to], points }: OutlinePiece, i: number): number {
+  if (from === NO_DEVIATION || to === NO_DEVIATION) return NO_DEVIATION;
+  return from + ((to - from) * i) / (points.length - 1);
+}
+
+function pieces_of(loop: ProfileLoop): OutlinePiece[] {
+  const { z, rho } = loop;
   const pieces: OutlinePiece[] = [];
   for (let i = 0; i < z.length; i++) {
     const j = (i + 1) % z.length;
-    if (z[i] === z[j] && rho[i] === rho[j]) continue;
-    pieces.push(
-      bulge[i] === 0 ? line(z[i], rho[i], z[j], rho[j]) : arc(z[i], rho[i], z[j], rho[j], bulge[i]),
-    );
+    if (z[i] !== z[j] || rho[i] !== rho[j]) pieces.push(piece_of(loop, i, j));
   }
   return pieces;
 }
 
-function line(z0: number, r0: number, z1: number, r1: number): OutlinePiece {
+function piece_of(
+  { z, rho, bulge, owner, deviation }: ProfileLoop,
+  i: number,
+  j: number,
+): OutlinePiece {
+  const ends = [z[i], rho[i], z[j], rho[j]] as const;
+  return {
+    ...(bulge[i] === 0 ? line(...ends) : arc(...ends, bulge[i])),
+    owner: owner?.[i] ?? 0,
+    deviation: [deviation?.[i] ?? NO_DEVIATION, deviation?.[j] ?? NO_DEVIATION],
+  };
+}
+
+function line(z0: number, r0: number, z1: number, r1: number): Form {
   const length = Math.hypot(z1 - z0, r1 - r0);
   const normal: [number, number] = [(r1 - r0) / length, -(z1 - z0) / length];
   return {
@@ -130,7 +167,7 @@ function line(z0: number, r0: number, z1: number, r1: number): OutlinePiece {
 }
 
 /** Counterclockwise where the bulge is positive; z goes to the right and the radius up. */
-function arc(z0: number, r0: number, z1: number, r1: number, bulge: number): OutlinePiece {
+function arc(z0: number, r0: number, z1: number, r1: number, bulge: number): Form {
   const sweep = 4 * Math.atan(bulge);
   const [z, rho] = centre_of(z0, r0, z1, r1, bulge);
   const radius = Math.hypot(z0 - z, r0 - rho);
@@ -210,12 +247,16 @@ function crest(thread: Thread, turns: number, share: number, open_rad: number): 
   return [rho * Math.cos(angle), rho * Math.sin(angle), z];
 }
 
-function reversed({ z, rho, bulge }: ProfileLoop): ProfileLoop {
+function reversed({ z, rho, bulge, owner, deviation }: ProfileLoop): ProfileLoop {
   const n = z.length;
+  // The piece that began at a corner now ends there.
+  const of_piece = (i: number): number => (2 * n - 2 - i) % n;
   return {
     z: z.slice().reverse(),
     rho: rho.slice().reverse(),
-    bulge: Float64Array.from({ length: n }, (_, i) => -bulge[(2 * n - 2 - i) % n]),
+    bulge: bulge.map((_, i) => -bulge[of_piece(i)]),
+    owner: owner?.map((_, i) => owner[of_piece(i)]),
+    deviation: deviation?.slice().reverse(),
   };
 }
 

@@ -76,16 +76,21 @@ def measure(place, options):
     client.do("stock", shows=True)
     client.do("stock_at", time_s=facts["done_s"])
     print(f"a whole picture: {sum(f.bytes for f in client.part_frames) / 2**20:.2f} MiB in {len(client.part_frames)} frames")
+    go_about(client, facts["done_s"], options)
+    print(f"the server has {server.memory_mib():.0f} MiB, {server.memory_mib('VmHWM'):.0f} MiB at most")
+
+
+def go_about(client, end_s, options):
+    """To instants anywhere, then forwards as during play."""
     dice = random.Random(1)
     times = []
     for _ in range(options.looks):
         begin = time.monotonic()
-        client.do("stock_at", time_s=dice.uniform(0, facts["done_s"]))
+        client.do("stock_at", time_s=dice.uniform(0, end_s))
         times.append(1000 * (time.monotonic() - begin))
-        take()
     times.sort()
     print(f"stock_at: median {times[len(times) // 2]:.0f} ms, 95 % {times[int(0.95 * len(times))]:.0f} ms, worst {times[-1]:.0f} ms")
-    at = 0.4 * facts["done_s"]
+    at = 0.4 * end_s
     client.do("stock_at", time_s=at)
     client.part_frames.clear()
     steps, begin = round(5 / options.step_s), time.monotonic()
@@ -94,7 +99,6 @@ def measure(place, options):
     spent = time.monotonic() - begin
     play = sum(f.bytes for f in client.part_frames)
     print(f"5 s of play in {steps} steps: {1000 * spent / steps:.1f} ms a step, {play / 5 / 2**10:.0f} KiB a second")
-    print(f"the server has {server.memory_mib():.0f} MiB, {server.memory_mib('VmHWM'):.0f} MiB at most")
 
 
 def main():

@@ -320,7 +320,8 @@ double TriDexel::left_mm3() const {
 }
 
 double TriDexel::stock_mm3() const { return volume_; }
-
+Trail TriDexel::trail() const { return *trail_; }
+void TriDexel::restore_trail(const Trail& trail) { *trail_ = trail; }
 double TriDexel::error_mm3() const { return 0.5 * cell_ * alongside()[best_grid()]; }
 
 Bounds TriDexel::extents() const {
@@ -446,8 +447,5 @@ bool TriDexel::restore(int grid, std::size_t number, const TileState& state) {
   to.mark_changed();
   return true;
 }
-
-Trail TriDexel::trail() const { return *trail_; }
-void TriDexel::restore_trail(const Trail& trail) { *trail_ = trail; }
 
 }  // namespace kerf::stock::dexel

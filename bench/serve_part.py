@@ -43,9 +43,24 @@ def run(options):
             place.clear()
 
 
-def measure(place, options):
-    server = place.serve()
-    client = server.client()
+class Told:
+    """What the events of the part have told, newest last; the rest of what comes is let go of."""
+
+    def __init__(self, client):
+        self.client = client
+        self.facts = {}
+
+    def take(self):
+        for event in self.client.events:
+            if event["event"] == "stock":
+                self.facts.update(event)
+        self.client.events.clear()
+        self.client.chunks.clear()
+        return self.facts
+
+
+def load(place, options):
+    client = place.serve().client()
     client.do("create", name="bench", definition=options.machine)
     client.watch("bench")
     text = Path(options.program).read_text() if options.program else surface(options.moves)
@@ -53,30 +68,26 @@ def measure(place, options):
     (place.data / "library" / "bench.nc").write_text(text)
     client.do("load", program="bench.nc")
     client.do("stock", toml=set_up)
+    return client
+
+
+def measure(place, options):
+    client = load(place, options)
+    told = Told(client)
     begin = time.monotonic()
     client.do("stock", shows=True)
-    told = {"event": {}}
-
-    def take():
-        for event in client.events:
-            if event["event"] == "stock":
-                told["event"].update(event)
-        client.events.clear()
-        client.chunks.clear()
-        return told["event"]
-
-    client.wait_for(lambda: take() is not None and any(f.tiles for f in client.part_frames), "a picture", 120)
+    client.wait_for(lambda: told.take() is not None and any(f.tiles for f in client.part_frames), "a picture", 120)
     print(f"first picture after {time.monotonic() - begin:.2f} s")
-    client.wait_for(lambda: take().get("done"), "the end", 600)
-    facts = take()
-    print(f"all of {facts['done_s']:.0f} s of the program is cut after {time.monotonic() - begin:.2f} s, {facts['model']}, "
-          f"levels {facts['levels']}, error {facts.get('error')}")
-    client.part_frames.clear()
+    client.wait_for(lambda: told.take().get("done"), "the end", 600)
+    facts = told.facts
+    print(f"all of {facts['done_s']:.0f} s of the program is cut after {time.monotonic() - begin:.2f} s, {facts['model']}")
     client.do("stock", shows=False)
+    client.part_frames.clear()
     client.do("stock", shows=True)
     client.do("stock_at", time_s=facts["done_s"])
     print(f"a whole picture: {sum(f.bytes for f in client.part_frames) / 2**20:.2f} MiB in {len(client.part_frames)} frames")
     go_about(client, facts["done_s"], options)
+    server = place.servers[0]
     print(f"the server has {server.memory_mib():.0f} MiB, {server.memory_mib('VmHWM'):.0f} MiB at most")
 
 

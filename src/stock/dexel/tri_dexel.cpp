@@ -20,8 +20,7 @@ namespace kerf::stock::dexel {
 namespace {
 
 constexpr std::size_t kSweepsAtOnce = 4096;
-// Of a probe thinner than a cell.
-constexpr double kMostLooks = 1e6;
+constexpr double kMostLooks = 1e6;  // of a probe thinner than a cell
 constexpr int kHalvings = 40;
 
 double cells(double length, double cell) { return std::max(1.0, std::ceil(length / cell - 1e-9)); }

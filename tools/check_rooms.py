@@ -75,7 +75,7 @@ ROOMS = {
     "output/part": ["output/picture/solid", "output/reports", "output/solid"],
     "engraver": ["machine/run", "output/picture", "output/reports"],
     "job": ["machine/run", "output/features", "output/records", "output/reports", "output/part", "output/solid", "stock/field", "stock/dexel", "stock/turned", "stock/sheet"],
-    "training": ["job"],
+    "training": ["job", "stock/compare"],
     "face/server/protocol": ["machine/panel", "output/writing"],
     "face/server/store": ["face/server/protocol"],
     "face/server/hub": ["face/server/store", "training"],

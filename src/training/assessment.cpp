@@ -5,119 +5,24 @@
 #include <limits>
 #include <optional>
 
-#include "job/run.hpp"
-#include "machine/dialect/registry.hpp"
 #include "math/math.hpp"
 #include "training/code_lines.hpp"
 #include "training/cut_grid.hpp"
-#include "training/cut_recorder.hpp"
+#include "training/judging.hpp"
+#include "training/part_assessment.hpp"
+#include "training/trial.hpp"
 
 namespace kerf::training {
 namespace {
 
 using geometry::Vec3;
-using machine::BatchRun;
 using Finding = Criterion::Finding;
 using Kind = Criterion::Kind;
-using Status = machine::RunStatus;
 
-// A program of an exercise is done in a part of these.
-machine::Budget budget_of_run(const std::stop_token& unwanted) {
-  return {.seconds = 5, .motions = 200'000, .steps = 5'000'000, .unwanted = unwanted};
-}
-
-// Who cuts many times as much as the solution does not come nearer to it.
-constexpr double kMostTimesCut = 20;
-constexpr double kMostFedAnyway_mm = 2000;
-constexpr double kMostSolutionCut_mm = 20'000;
 // Of power in percent, and of rotary axes in degrees.
 constexpr double kSamePower = 0.5;
 constexpr double kSameSlant_deg = 1;
 constexpr double kLeast_mm = 1e-6;
-
-constexpr int kPointsOfEnd = 15;
-constexpr int kPointsOfOnly = 20;
-constexpr int kPointsOfOthers = 10;
-constexpr int kAllPoints = 100;
-
-// Twice as slow as is well is worth nothing.
-constexpr double kWorthless = 2;
-
-// What a run did.
-struct Run {
-  Status status{};
-  bool fed_too_far = false;
-  std::string code;  // of its alarm
-  std::string message;
-  std::string file;  // where the alarm, or the limit, is
-  std::uint32_t line = 0;
-  double time_s = 0;
-  std::vector<Cut> cuts;
-  std::vector<Stroke> strokes;
-  double cut_mm = 0;
-  double fed_mm = 0;
-};
-
-CutRecorder::Process process_of(const Exercise& exercise) {
-  if (exercise.bar_mm) return CutRecorder::Process::turning;
-  return exercise.clearance_z_mm ? CutRecorder::Process::milling : CutRecorder::Process::beam;
-}
-
-CutRecorder::Work work_of(const Exercise& exercise) {
-  const auto& [x, y, z] = exercise.zero_mm;
-  return {process_of(exercise), Vec3{x, y, z}, exercise.bar_mm.value_or(0) / 2};
-}
-
-std::string dialect_of(const Exercise& exercise, const machine::MachineDefinition& machine) {
-  const auto* const dialect = machine::dialect_by_ending(exercise.file);
-  return dialect != nullptr ? std::string(dialect->name) : machine.dialect;
-}
-
-control::Memory memory_of(const Exercise& exercise, const machine::MachineDefinition& machine) {
-  control::Memory memory(machine.parameters.n_offsets);
-  constexpr std::array<char, 3> kLetters = {'X', 'Y', 'Z'};
-  for (std::size_t i = 0; i < kLetters.size(); ++i) {
-    if (const auto axis = machine.axes.find(kLetters[i]))
-      memory.work[0][*axis] = exercise.zero_mm[i];
-  }
-  return memory;
-}
-
-void keep_diagnostic(Run& run, const std::optional<base::Diagnostic>& told) {
-  if (!told) return;
-  run.code = told->number;
-  run.message = told->message;
-  run.line = told->place.line;
-}
-
-Run run_of(const Exercise& exercise, const machine::MachineDefinition& definition,
-           const std::string& program, double most_mm, const std::stop_token& unwanted) {
-  job::Job job{.definition = definition, .memory = memory_of(exercise, definition)};
-  job.settings.dialect = dialect_of(exercise, definition);
-  job.program = base::ProgramText::of(exercise.file, program);
-  job.budget = budget_of_run(unwanted);
-  const auto made = job::Run::of(job);
-  Run run;
-  if (!made) {
-    run.status = Status::alarm;
-    run.message = made.error().message;
-    return run;
-  }
-  BatchRun& machine = (*made)->machine();
-  CutRecorder recorder(definition, work_of(exercise), most_mm,
-                       [&] { machine.raise(base::make_error(base::Code::budget_spent, {})); });
-  machine.add_sink(recorder);
-  run.status = (*made)->go();
-  run.fed_too_far = recorder.is_full();
-  keep_diagnostic(run, run.status == Status::alarm ? machine.alarm() : machine.notice());
-  if (run.line > 0) run.file = exercise.file;
-  run.time_s = machine.time_s();
-  run.cuts = recorder.cuts();
-  run.strokes = recorder.strokes();
-  run.cut_mm = recorder.length();
-  run.fed_mm = recorder.fed();
-  return run;
-}
 
 double slant_between(const CutWith& a, const CutWith& b) {
   constexpr double kTurn_deg = 360;
@@ -146,10 +51,10 @@ double distance(const Cut& cut, Vec3 at) {
 }
 
 // Holds one run against the other.
-class Comparison {
+class PathJudge {
  public:
-  Comparison(const Exercise& exercise, const std::string& program, const std::string& dialect,
-             const Run& run, const Run& solution)
+  PathJudge(const Exercise& exercise, const std::string& program, const std::string& dialect,
+            const Trial& run, const Trial& solution)
       : exercise_(exercise),
         run_(run),
         solution_(solution),
@@ -160,10 +65,10 @@ class Comparison {
   Assessment assess() {
     Assessment result;
     auto& list = result.criteria;
-    list = {ends(), all(), only()};
+    list = {judge_end(exercise_, run_), all(), only()};
     if (is_solid()) list.push_back(rapids());
-    list.push_back(time());
-    if (exercise_.most_lines) list.push_back(lines());
+    list.push_back(judge_time(exercise_, run_, solution_));
+    if (exercise_.most_lines) list.push_back(judge_lines(exercise_, lines_));
     set_points(list);
     return result;
   }
@@ -184,56 +89,13 @@ class Comparison {
     return {{"x", 2 * at.z + *exercise_.bar_mm}, {"z", at.x}};
   }
 
-  // What is left over belongs to the cuts.
-  static void set_points(std::vector<Criterion>& list) {
-    int rest = kAllPoints;
-    for (const Criterion& criterion : list) rest -= criterion.most;
-    list[1].most = rest;
-    const double done = list[1].quality;
-    for (Criterion& criterion : list) {
-      const bool counts_anyway = criterion.kind == Kind::ends || criterion.kind == Kind::all;
-      const double worth = criterion.quality * (counts_anyway ? 1 : done);
-      criterion.points = static_cast<int>(std::floor(criterion.most * worth));
-    }
-  }
-
-  static Criterion make(Kind kind, int most, Finding finding, double quality) {
-    Criterion criterion;
-    criterion.kind = kind;
-    criterion.most = most;
-    criterion.finding = finding;
-    criterion.quality = quality;
-    return criterion;
-  }
-
   void put_at(Criterion& criterion, std::uint32_t line) const {
     criterion.file = exercise_.file;
     criterion.line = line;
   }
 
-  [[nodiscard]] bool has_ended() const {
-    return (run_.status == Status::end || run_.status == Status::stopped) && !run_.fed_too_far;
-  }
-
-  [[nodiscard]] Criterion ends() const {
-    Criterion criterion = make(Kind::ends, kPointsOfEnd, Finding::well, 1);
-    if (has_ended()) return criterion;
-    criterion.quality = 0;
-    if (run_.fed_too_far) {
-      criterion.finding = Finding::too_long;
-      criterion.values = {{"mm", run_.fed_mm}};
-      return criterion;
-    }
-    criterion.finding = run_.status == Status::alarm ? Finding::alarm : Finding::no_end;
-    criterion.code = run_.code;
-    criterion.message = run_.message;
-    criterion.file = run_.file;
-    criterion.line = run_.line;
-    return criterion;
-  }
-
   [[nodiscard]] Criterion all() const {
-    Criterion criterion = make(Kind::all, 0, Finding::well, 1);
+    Criterion criterion = criterion_of(Kind::all, 0, Finding::well, 1);
     double missing_mm = 0;
     const Cut* first = nullptr;
     for (const Cut& cut : solution_.cuts) {
@@ -288,7 +150,7 @@ class Comparison {
   }
 
   [[nodiscard]] Criterion only() const {
-    Criterion criterion = make(Kind::only, kPointsOfOnly, Finding::well, 1);
+    Criterion criterion = criterion_of(Kind::only, kPointsOfOnly, Finding::well, 1);
     double wrong_mm = 0;
     const Cut* first = nullptr;
     for (const Cut& cut : run_.cuts) {
@@ -316,9 +178,10 @@ class Comparison {
   [[nodiscard]] Criterion rapids() const {
     const auto wrong = std::find_if(run_.strokes.begin(), run_.strokes.end(),
                                     [&](const Stroke& s) { return finding_of(s).has_value(); });
-    if (wrong == run_.strokes.end()) return make(Kind::rapids, kPointsOfOthers, Finding::well, 1);
+    if (wrong == run_.strokes.end())
+      return criterion_of(Kind::rapids, kPointsOfOthers, Finding::well, 1);
     const auto [finding, values] = *finding_of(*wrong);
-    Criterion criterion = make(Kind::rapids, kPointsOfOthers, finding, 0);
+    Criterion criterion = criterion_of(Kind::rapids, kPointsOfOthers, finding, 0);
     criterion.values = values;
     put_at(criterion, wrong->line);
     return criterion;
@@ -367,30 +230,9 @@ class Comparison {
     return made_.takes_away(at, [&](std::size_t number) { return number < cuts_before; });
   }
 
-  [[nodiscard]] Criterion time() const {
-    if (!has_ended()) return make(Kind::time, kPointsOfOthers, Finding::not_timed, 0);
-    Criterion criterion = make(Kind::time, kPointsOfOthers, Finding::well, 1);
-    const double most_s = exercise_.time_factor * solution_.time_s;
-    criterion.values = {{"got_s", run_.time_s}, {"most_s", most_s}};
-    if (run_.time_s <= most_s) return criterion;
-    criterion.finding = Finding::too_slow;
-    criterion.quality = std::clamp(kWorthless - run_.time_s / most_s, 0.0, 1.0);
-    return criterion;
-  }
-
-  [[nodiscard]] Criterion lines() const {
-    Criterion criterion = make(Kind::lines, kPointsOfOthers, Finding::well, 1);
-    const int most = *exercise_.most_lines;
-    criterion.values = {{"got", lines_}, {"most", most}};
-    if (lines_ <= most) return criterion;
-    criterion.finding = Finding::too_many_lines;
-    criterion.quality = 0;
-    return criterion;
-  }
-
   const Exercise& exercise_;
-  const Run& run_;
-  const Run& solution_;
+  const Trial& run_;
+  const Trial& solution_;
   int lines_;
   CutGrid made_;
   CutGrid wanted_;
@@ -408,16 +250,17 @@ base::Outcome<Assessment> assess(const Exercise& exercise, const std::string& pr
                                  const std::stop_token& unwanted) {
   const auto definition = machine::find_machine(exercise.machine);
   if (!definition) return tl::unexpected(definition.error());
-  const Run solution =
-      run_of(exercise, *definition, exercise.solution, kMostSolutionCut_mm, unwanted);
-  if (solution.status != Status::end || solution.cuts.empty()) {
+  if (exercise.part) return assess_part(exercise, *definition, program, unwanted);
+  const Trial solution =
+      trial_of(exercise, *definition, exercise.solution, kMostSolutionFed_mm, unwanted);
+  if (solution.status != machine::RunStatus::end || solution.cuts.empty()) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::input,
                       "the solution of " + exercise.name + " is no solution: " + solution.message});
   }
-  const double most_mm = kMostTimesCut * solution.cut_mm + kMostFedAnyway_mm;
-  const Run run = run_of(exercise, *definition, program, most_mm, unwanted);
-  return Comparison(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
+  const Trial run =
+      trial_of(exercise, *definition, program, most_fed_mm(solution.cut_mm), unwanted);
+  return PathJudge(exercise, program, dialect_of(exercise, *definition), run, solution).assess();
 }
 
 }  // namespace kerf::training

@@ -12,14 +12,14 @@ namespace {
 using Kind = Criterion::Kind;
 using Finding = Criterion::Finding;
 
-constexpr std::array<std::string_view, 6> kKinds = {"ends",   "all",  "only",
-                                                    "rapids", "time", "lines"};
+constexpr std::array<std::string_view, 7> kKinds = {"ends",   "all",  "only", "rapids",
+                                                    "checks", "time", "lines"};
 // In the order of the enum: the name, and the sentence with its values.
 struct Text {
   std::string_view name;
   std::string_view sentence;
 };
-constexpr std::array<Text, 16> kFindings = {{
+constexpr std::array<Text, 22> kFindings = {{
     {"well", ""},
     {"alarm", "The alarm {code} ends the program: {message}."},
     {"no-end", "The program does not end: {message}."},
@@ -36,12 +36,19 @@ constexpr std::array<Text, 16> kFindings = {{
     {"too-slow", "It takes {got_s} s; {most_s} s are enough."},
     {"not-timed", "The time is not counted, since the program does not end."},
     {"too-many-lines", "It has {got} lines of code; {most} are enough."},
+    {"excess", "{mm3} mm³ too much are left, {max_mm} mm at {place}."},
+    {"gouge", "{mm3} mm³ too much are cut away, {max_mm} mm deep at {place}."},
+    {"found", "{code} at {place}: {message}."},
+    {"found-more", "{code} at {place}: {message}, and {more} more."},
+    {"no-tool", "There is no tool {got} in this exercise."},
+    {"no-part", "The part cannot be cut here: {message}."},
 }};
-constexpr std::array<std::string_view, 6> kWell = {
+constexpr std::array<std::string_view, 7> kWell = {
     "The program ends without an alarm.",
     "All that is to be cut is cut.",
     "Nothing else is cut.",
     "No rapid goes through the work.",
+    "Nothing is met that should not be.",
     "It takes {got_s} s, at most {most_s} s are asked for.",
     "It has {got} lines of code, at most {most} are asked for."};
 

@@ -15,6 +15,7 @@ struct Criterion {
     all,     ///< it cuts what is to be cut
     only,    ///< and nothing else
     rapids,  ///< none goes through the work
+    checks,  ///< of the part: nothing is met that should not be
     time,
     lines
   };
@@ -35,7 +36,13 @@ struct Criterion {
     plunge,          ///< rapid into the work at x y z, of a turned part x (a diameter) and z
     too_slow,        ///< got_s, most_s
     not_timed,       ///< since it does not end
-    too_many_lines   ///< got, most
+    too_many_lines,  ///< got, most
+    excess,          ///< mm3 too much are left, max_mm at x y z
+    gouge,           ///< mm3 too much are cut away, max_mm deep at x y z
+    found,           ///< `code`, `message`: a finding, at x y z
+    found_more,      ///< likewise, and more of them
+    no_tool,         ///< got: it is none of the exercise
+    no_part          ///< `message`: it cannot be cut here
   };
   using Values = std::vector<std::pair<std::string_view, double>>;
 

@@ -7,9 +7,10 @@
 namespace kerf::training {
 namespace {
 
-constexpr std::array<std::string_view, 11> kKeys = {
+constexpr std::array<std::string_view, 12> kKeys = {
     "file",       "machine",     "tolerance_mm", "zero_mm", "clearance_z_mm", "bar_mm",
-    "most_lines", "time_factor", "title",        "task",    "program"};
+    "most_lines", "time_factor", "title",        "task",    "program",        "part"};
+constexpr std::array<std::string_view, 4> kPartKeys = {"stock", "fixtures", "tools", "cell_mm"};
 
 // A line break behind the last word is none of the text's.
 std::string trimmed(std::string text) {
@@ -42,6 +43,7 @@ class Reader {
     e.most_lines = if_there<int>("most_lines");
     read_zero(e.zero_mm);
     check_bar(e);
+    read_part(e);
     if (!wrong_.empty()) return tl::unexpected(base::Failure{base::Failure::Kind::input, wrong_});
     return e;
   }
@@ -97,6 +99,33 @@ class Reader {
       complain(file_["bar_mm"].node(), "what is turned from a bar has no clearance_z_mm");
     if (e.zero_mm[0] != 0 || e.zero_mm[1] != 0)
       complain(file_["zero_mm"].node(), "what is turned has its zero on the axis");
+  }
+
+  void read_part(Exercise& e) {
+    if (!file_.contains("part")) return;
+    const toml::node_view part = file_["part"];
+    if (!part.is_table()) return complain(part.node(), "part must be a table");
+    for (const auto& [key, node] : *part.as_table()) {
+      if (std::find(kPartKeys.begin(), kPartKeys.end(), key.str()) == kPartKeys.end())
+        complain(&node, "a part has no key " + std::string(key.str()));
+    }
+    if (e.clearance_z_mm || e.bar_mm)
+      complain(part.node(), "what is judged by its part has no clearance_z_mm and no bar_mm");
+    e.part = PartWork{.stock = text(part["stock"], "part.stock"),
+                      .fixtures = fixtures(part["fixtures"]),
+                      .tools = text(part["tools"], "part.tools"),
+                      .cell_mm = part["cell_mm"].value<double>().value_or(0)};
+    if (!(e.part->cell_mm >= PartWork::kLeastCell_mm))
+      complain(part["cell_mm"].node(), "part.cell_mm must be a number, large enough");
+  }
+
+  std::vector<std::string> fixtures(const toml::node_view<const toml::node>& list) {
+    std::vector<std::string> words;
+    if (!list) return words;
+    if (!list.is_array()) complain(list.node(), "part.fixtures must be a list of texts");
+    for (std::size_t i = 0; list.is_array() && i < list.as_array()->size(); ++i)
+      words.push_back(text(list[i], "each of part.fixtures"));
+    return words;
   }
 
   const toml::table& file_;

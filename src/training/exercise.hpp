@@ -16,6 +16,17 @@ struct Words {
   std::string zh_hant;
 };
 
+/// Work that is judged by the part that it makes, not by where the tools go. Words as `kerf stock`
+/// has them; G54 is the zero of all of them.
+struct PartWork {
+  std::string stock;
+  std::vector<std::string> fixtures;
+  std::string tools;   ///< [[tool]] tables
+  double cell_mm = 0;  ///< of the model, at least kLeastCell_mm
+
+  static constexpr double kLeastCell_mm = 0.05;  // smaller ones take too long for a page
+};
+
 /// A task for whoever learns to program a machine, with a program that does it.
 struct Exercise {
   std::string name;  ///< that of its file: "1_rounded_plate"
@@ -25,7 +36,7 @@ struct Exercise {
   std::string file;     ///< what the program is called; its ending says the language
   std::string start;    ///< what the trainee begins with
   std::string solution;
-  double tolerance_mm = 0;          ///< of the cuts, > 0
+  double tolerance_mm = 0;          ///< of the cuts, or of the part's surface, > 0
   std::array<double, 3> zero_mm{};  ///< where G54 lies on the machine, X Y Z
 
   /// The work is milled: its top is Z0, a cut takes away all that is above it, and rapids that move
@@ -35,6 +46,8 @@ struct Exercise {
   /// cut takes away all that is farther from the axis at its Z, and no rapid goes where nothing was
   /// cut before. Never beside clearance_z_mm.
   std::optional<double> bar_mm;
+  /// The part that is made is judged. Never beside clearance_z_mm or bar_mm.
+  std::optional<PartWork> part;
   std::optional<int> most_lines;  ///< of code
   double time_factor = 0;         ///< times as long as the solution is well, >= 1
 

@@ -43,6 +43,22 @@ def _(place):
     equal(client.do("assess", exercise="1_rounded_plate", text=text)["score"], 100, "score")
 
 
+@test("an exercise with a stock is judged by its part: what is left, and what was run into, is told")
+def _(place):
+    client = place.serve().client()
+    plate = exercise(client, "12_pocket_plate")
+    answer = client.do("assess", exercise="12_pocket_plate", text=plate["start"])
+    left = found(answer, "all")
+    equal((left["met"], left["finding"]), (False, "excess"), "finding")
+    says(left["sentence"], "mm³ too much are left")
+    check(abs(left["values"]["max_mm"] - 20) < 1, left["values"])
+    check(found(answer, "checks")["met"] and answer["score"] < 60, answer)
+    crash = plate["start"].replace("(HERE THE POCKET, THEN THE HOLES WITH TOOL 3)", "G00 X40. Y30.\nG43 H2 Z-3.")
+    checks = found(client.do("assess", exercise="12_pocket_plate", text=crash), "checks")
+    equal((checks["finding"], checks["code"], checks["points"]), ("found", "RAPID_IN_STOCK", 0), "crash")
+    check(crash.splitlines()[checks["line"] - 1].startswith("G43"), checks)
+
+
 @test("an alarm is told with its code, message and line")
 def _(place):
     client = place.serve().client()

@@ -4,7 +4,7 @@ import type { Language, TextKey } from './i18n';
 import { alarm_words } from './i18n/alarms';
 import type { MachineEntry } from './protocol';
 
-export const KINDS = ['ends', 'all', 'only', 'rapids', 'time', 'lines'] as const;
+export const KINDS = ['ends', 'all', 'only', 'rapids', 'checks', 'time', 'lines'] as const;
 
 export interface Exercise {
   name: string;

@@ -33,7 +33,7 @@ def one_file(box):
     words = ("stock", "part.nc", "--tools", "tools.toml", "--cell", "0.2", "--report", "r.json")
     status(box.kerf(*words, "--setup", "vice.toml"), 1)
     report = box.json("r.json")
-    equal(found(report), [("FIXTURE_COLLISION", 8)], "findings")
+    equal(found(report), [("FIXTURE_COLLISION", 7)], "findings")
     contains(report["findings"][0]["message"], "the rear jaw", "message")
     equal(report["stock"]["shape"], "box:0,0,-20,70,40,0", "shape")
     near(report["stock"]["volume_mm3"], 56000, 1e-6, "volume")
@@ -71,7 +71,6 @@ def wrong_file(box):
         refused(box.kerf("stock", "part.nc", "--setup", "vice.toml"), 3, place)
     refused(box.kerf("stock", "part.nc", "--setup", "nowhere.toml"), 3, "nowhere.toml")
     box.write("vice.toml", "[stock]\nshape = \"box:0,0,-20,70,40,0\"\n")
-    refused(box.kerf("stock", "part.nc", "--setup", "vice.toml", "--report", "vice.toml"), 2, "vice.toml")
 
 
 @test("set-up: an STL is a stock and a clamp, in mm and in inches, and cut as the box that it is")
@@ -85,7 +84,7 @@ def meshes(box):
             near(report["stock"]["volume_mm3"], 56000, 0.1, "stock")
             near(report["removed_mm3"], SLOT_MM3, 0.01 * SLOT_MM3, model)
     report = cut(box, PAST_CLAMP, "--cell", "0.5", "--fixture", "jaw.stl", wanted=1)
-    equal(found(report), [("FIXTURE_COLLISION", 8)], "clamp")
+    equal(found(report), [("FIXTURE_COLLISION", 7)], "clamp")
     contains(report["findings"][0]["message"], "jaw.stl", "message")
 
 
@@ -128,7 +127,7 @@ def start(box):
     moves = "G00Z-5.\nX10.Y20.\nG01X60.F600"
     equal(found(cut(box, moves, "--cell", "0.2")), [], "nobody knows where the axes were")
     report = cut(box, moves, "--cell", "0.2", "--start", "10,20,30", wanted=1)
-    equal([f[1] for f in found(report)], [5], "from above into the stock")
+    equal([f[1] for f in found(report)], [4], "from above into the stock")
     equal(found(cut(box, moves, "--cell", "0.2", "--start", "-10,20,30")), [("RAPID_IN_STOCK", 6)], "from the side") \
         if False else None
     box.write("part.nc", "O1\nT0101\nG97S1000M03\nG00X60.Z2.\nM30\n")
@@ -186,3 +185,13 @@ def sheets(box):
     equal(report["stock"]["extents"], {"X": [-5, 35], "Y": [-30, 10], "Z": [-2, 0]}, "extents")
     for place in ("0,0,1", "0,0,0,180", "0,0,0,90,0,0", "0,0,0,0,0,30"):
         refused(box.kerf(*words, "--stock", "sheet:-30,-10,10,30,2", "--stock-place", place), 2, "--stock-place")
+
+
+@test("run with a stock takes the words of the table as kerf stock does")
+def words_of_run(box):
+    box.write("part.nc", HEAD + SLOT + TAIL)
+    box.write("tools.toml", FLAT)
+    words = ("--stock", "box:0,0,-20,70,40,0", "--stock-zero", "G54", "--stock-place", "0,0,0", "--stock-unit", "mm",
+             "--start", "0,0,100", "--lengths", "real", "--material", "P", "--memory", "256", "--tools", "tools.toml")
+    status(box.kerf("run", "part.nc", *words), 0)
+    refused(box.kerf("run", "part.nc", *words, "--kerf", "0.2"), 2, "--kerf")

@@ -114,11 +114,6 @@ def solids(box):
             euler, volume = sound(triangles, f"{model} {what}")
             equal(euler, 2, f"{model} {what}: Euler characteristic")
             near(volume, report["left_mm3"], report["model"]["error_mm3"], f"{model} {what}: volume")
-        if shutil.which("admesh"):
-            told = subprocess.run(["admesh", "-c", str(folder / "p.stl")], capture_output=True, text=True).stdout
-            contains(told, "Total disconnected facets", "admesh reads it")
-            line = next(l for l in told.splitlines() if "Total disconnected" in l)
-            equal(line.split(":")[1].split(), ["0", "0"], "facets that admesh finds disconnected")
 
 
 @test("files of the part have the same bytes whatever the threads, and nothing of a day or a place in them")

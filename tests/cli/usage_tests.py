@@ -153,7 +153,7 @@ def help_of_kerf(box):
     status(result, 0)
     equal(result.err, "", "standard error")
     commands = re.findall(r"^  ([a-z]+) {3,}", result.text, re.MULTILINE)
-    equal(sorted(commands), ["check", "machines", "notices", "pattern", "replay", "run", "serve", "stock",
+    equal(sorted(commands), ["check", "features", "machines", "notices", "pattern", "replay", "run", "serve", "stock",
                                "time", "tools"], "commands in the help")
 
 

@@ -196,6 +196,8 @@ describe('refusals', () => {
 describe('refusals that stand in the code', () => {
   // What the page never sends: a mistake of who writes another client, or of the command line.
   const OF_OTHER_CLIENTS = [
+    'stock_at: nothing is shown; `stock` shows it',
+    'stock_probe: nothing is shown; `stock` shows it',
     'load: either `program` or `text` is needed',
     'speeds: `to_s` comes before `from_s`',
     'there is no exercise ',

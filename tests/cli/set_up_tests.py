@@ -195,3 +195,5 @@ def words_of_run(box):
              "--start", "0,0,100", "--lengths", "real", "--material", "P", "--memory", "256", "--tools", "tools.toml")
     status(box.kerf("run", "part.nc", *words), 0)
     refused(box.kerf("run", "part.nc", *words, "--kerf", "0.2"), 2, "--kerf")
+    box.write("sheet.bas", "END\n")
+    status(box.kerf("run", "sheet.bas", "--machine", "laser3", "--stock", "sheet:0,0,10,10,1", "--kerf", "0.2"), 0)

@@ -80,9 +80,9 @@ stock::Finding finding_of(const Region& region, const std::vector<Blame>& lines,
   const bool is_nobodys = lines.empty() || lacks_stock(region, lines);
   stock::Finding finding;
   finding.code = is_gouge ? base::Code::gouge : base::Code::excess;
-  finding.detail = fmt::format("{:.4g} mm at most, {:.4g} mm³ over {:.4g} mm²{}", region.max_mm,
-                               region.volume_mm3, region.area_mm2,
-                               is_nobodys ? ", where nothing was cut" : "");
+  finding.detail =
+      fmt::format("{:.4g} mm at most, {:.4g} mm³ over {:.4g} mm²{}", region.max_mm,
+                  region.volume_mm3, region.area_mm2, is_nobodys ? ", where nothing was cut" : "");
   finding.at = region.at;
   finding.depth_mm = region.max_mm;
   finding.volume_mm3 = region.volume_mm3;

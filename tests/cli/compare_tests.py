@@ -186,7 +186,7 @@ def after_alarm(box):
 def for_people(box):
     compared(box, faced("1.2"), wanted=1)
     err = box.kerf("stock", "part.nc", "--stock", STOCK, "--tools", "tools.toml", "--design", "design.stl").err
-    contains(err, "against the design: too much is cut 0.200 mm at most, 240.0 mm³ in 1 region beyond 0.05 mm", "summary")
+    contains(err, "against the design: too deep 0.200 mm at most, 240.0 mm³ in 1 region beyond 0.05; too high 0.000 mm at most, within 0.05", "summary")
     contains(err, "part.nc:6: cut into the design: 0.2 mm at most, 240 mm³ over 1200 mm²", "summary")
 
 

@@ -43,7 +43,7 @@ int nearest(double at, double cell, int count) {
 struct DexelSolid::Seen {
   std::uint32_t disc = Hint::kNone;
   double square = std::numeric_limits<double>::infinity();  ///< of the distance
-  double height = 0;                                         ///< over its plane
+  double height = 0;                                        ///< over its plane
 };
 
 DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {

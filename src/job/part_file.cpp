@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "job/facts_of_run.hpp"
+#include "job/internal/stock_models.hpp"
 #include "stock/turned/turned_part.hpp"
+#include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -25,7 +27,10 @@ PartLabel label_of(const StockJob& job, const StockResult& result,
                   .made_by = job.made_by,
                   .threads = job.threads};
   label.made_by.push_back(title_of(result.run->machine()));
-  const auto* const part = dynamic_cast<const stock::turned::TurnedPart*>(result.model.get());
+  const auto* part = dynamic_cast<const stock::turned::TurnedPart*>(result.model.get());
+  if (const auto* const milled =
+          dynamic_cast<const stock::turnmill::TurnMillPart*>(result.model.get()))
+    part = &milled->profile();
   if (part == nullptr) return label;
   for (const stock::turned::TurnedThread& thread : part->threads()) label.threads.push_back(thread);
   return label;
@@ -81,7 +86,8 @@ Outcome<void> save_part(const StockJob& job, const StockResult& result,
   const auto take = [&](std::string_view bytes) { into.write(bytes); };
   const PartLabel label = label_of(job, result, facts);
   if (result.model) {
-    stock::saved::write_part(label, *result.model, take);
+    const stock::dexel::TriDexel* const dexels = dexels_of(*result.model);
+    stock::saved::write_part(label, dexels != nullptr ? *dexels : *result.model, take);
     return {};
   }
   const std::vector<SheetCut> cuts = cuts_of(result);

@@ -9,6 +9,7 @@
 #include "job/internal/first_plan.hpp"
 #include "job/internal/fixture.hpp"
 #include "job/internal/loose_pieces.hpp"
+#include "job/internal/round_fixture.hpp"
 #include "job/internal/run_rack.hpp"
 #include "job/internal/set_point_path.hpp"
 #include "job/internal/sheet_run.hpp"
@@ -19,6 +20,7 @@
 #include "job/internal/stroke_watch.hpp"
 #include "job/internal/threads_of.hpp"
 #include "job/internal/watched_pass.hpp"
+#include "job/stock_part.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/work_turns.hpp"
 #include "stock/cutting/cut_clock.hpp"
@@ -236,10 +238,16 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   [[nodiscard]] std::vector<stock::Obstacle*> obstacles_of(const StockJob& job) {
     std::vector<stock::Obstacle*> obstacles;
     for (const StockJob::NamedShape& one : job.fixtures) {
-      fixtures_.push_back(std::make_unique<Fixture>(one.name, one.shape, plan_.cell_mm));
+      fixtures_.push_back(obstacle_of(one));
       obstacles.push_back(fixtures_.back().get());
     }
     return obstacles;
+  }
+  [[nodiscard]] std::unique_ptr<stock::Obstacle> obstacle_of(
+      const StockJob::NamedShape& one) const {
+    auto section = is_lathe() ? profile_of(one.shape) : std::nullopt;
+    if (!section) return std::make_unique<Fixture>(one.name, one.shape, plan_.cell_mm);
+    return std::make_unique<RoundFixture>(one.name, one.shape, std::move(*section), plan_.cell_mm);
   }
   /// stock.md §2.5.
   [[nodiscard]] std::function<bool()> placed_when(const StockJob& job) const {
@@ -327,7 +335,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   std::unique_ptr<RunRack> rack_;
   stock::DrivenTools driven_;
   std::unique_ptr<stock::Model> model_;
-  std::vector<std::unique_ptr<Fixture>> fixtures_;
+  std::vector<std::unique_ptr<stock::Obstacle>> fixtures_;
   stock::CutClock clock_;
   std::optional<stock::Cutter> cutter_;
   std::optional<stock::LimitChecks> limits_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "job/part_file.hpp"
+#include "job/stock_part.hpp"
 #include "machine/definition/stock_comment.hpp"
 #include "motion/feed.hpp"
 #include "stock/cutting/placement.hpp"
@@ -100,9 +101,10 @@ void sample_anew(StockJob& job) {
   const stock::SavedPart& part = *saved->part;
   const machine::MachineDefinition& machine = job.job.definition;
   const bool is_finer = job.cell_mm && *job.cell_mm < part.cell_mm() * (1 - 1e-9);
-  const bool is_other = (part.kind() == Kind::sheet && !machine.axes.beam) ||
-                        (part.kind() == Kind::turned && !machine.turns());
-  if (!is_other && !(is_finer && part.kind() != Kind::sheet)) return;
+  const bool is_sheet = part.kind() == Kind::sheet;
+  const bool is_other =
+      is_sheet ? !machine.axes.beam : (part.kind() == Kind::turned) != machine.turns();
+  if (!is_other && (is_sheet || !is_finer)) return;
   job.notes.push_back(job.said + ": its surface is sampled anew, with other cells");
   job.shape = Workpiece(part.solid());
 }
@@ -153,6 +155,9 @@ Outcome<void> lay_fixture(const SetUp::Piece& fixture, StockJob& job) {
                        ": a box, a cylinder, a tube or a mesh is expected, on a lathe also a bar");
   if (std::holds_alternative<stock::SavedShape>(**piece))
     return base::usage("--fixture " + fixture.said + ": a part that was cut is a stock");
+  if (job.job.definition.turns() && !profile_of(**piece))
+    job.notes.push_back("fixture " + fixture.title() +
+                        " is not round about the spindle: no insert is compared with it");
   job.fixtures.push_back({fixture.title(), std::move(**piece)});
   return {};
 }

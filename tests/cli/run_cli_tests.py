@@ -26,6 +26,7 @@ import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401
 import engraving_tests  # noqa: F401
 import feature_tests  # noqa: F401
+import hostile_stock_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import lathe_point_tests  # noqa: F401
@@ -48,6 +49,7 @@ import reader_tests  # noqa: F401
 import journal_tests  # noqa: F401
 import replay_tests  # noqa: F401
 import row_tests  # noqa: F401
+import saved_part_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import set_up_tests  # noqa: F401
 import sheet_tests  # noqa: F401

@@ -1,11 +1,14 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/output_file.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
 #include "face/cli/internal/stock_words.hpp"
+#include "face/cli/output_files.hpp"
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
@@ -38,6 +41,28 @@ base::Outcome<void> take_design(const CompareOptions& options, job::StockJob& jo
   job.tolerance = *tolerance;
   if (options.design.empty()) return {};
   return job::read_design(options.design, {}, job);
+}
+
+/// What a command reads, none of which may be written.
+std::vector<std::string> inputs_of(const StockOptions& options, const machine::SetUp& set_up) {
+  std::vector<std::string> inputs = set_up.files();
+  for (const std::string* const input :
+       {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
+        &options.run.table.set_up, &options.compare.design})
+    inputs.push_back(*input);
+  return inputs;
+}
+
+/// Failure (usage): a file that is written by itself is one of those.
+base::Outcome<void> keep_apart(const StockOptions& options,
+                               const std::vector<std::string>& inputs) {
+  for (const std::string* const output : {&options.report, &options.blocks}) {
+    for (const std::string& input : inputs) {
+      if (!output->empty() && is_same_file(*output, input))
+        return base::usage(*output + ": is read by this command, and cannot be its output");
+    }
+  }
+  return {};
 }
 
 /// Rows of `--blocks` for each pass over the program: the file begins anew.
@@ -78,11 +103,9 @@ ExitStatus stock(const StockOptions& options) {
   if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
   if (auto taken = take_design(options.compare, *job); !taken) return fail(taken.error());
   StockFiles files(options.files);
-  for (const std::string* const input :
-       {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
-        &options.run.table.set_up, &options.compare.design})
-    files.keep_from(*input);
-  for (const std::string& input : set_up->files()) files.keep_from(input);
+  const std::vector<std::string> inputs = inputs_of(options, *set_up);
+  if (auto apart = keep_apart(options, inputs); !apart) return fail(apart.error());
+  for (const std::string& input : inputs) files.keep_from(input);
   if (auto opened = files.open(*job); !opened) return fail(opened.error());
   job->keeps_ways = files.needs_ways();
   std::optional<base::Failure> no_rows;

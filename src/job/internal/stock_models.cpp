@@ -12,6 +12,7 @@
 #include "stock/cutting/saved_part.hpp"
 #include "stock/dexel/tri_dexel.hpp"
 #include "stock/field/height_field.hpp"
+#include "stock/saved/saved_turned.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
 
 namespace kerf::job {
@@ -52,18 +53,17 @@ bool becomes_profile(const StockJob& job, const stock::Workpiece& shape) {
   return is_wanted && job.job.definition.turns() && is_about_spindle(shape);
 }
 
-contour::Region bar_of(const stock::CylinderShape& bar) {
+/// What is_about_spindle() is, as its half section.
+contour::Region section_of(const stock::Workpiece& shape) {
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&shape))
+    return dynamic_cast<const stock::saved::SavedTurned&>(*saved->part).region();
+  const auto& bar = std::get<stock::CylinderShape>(shape);
   return stock::turned::bar(bar.diameter, bar.from, bar.to, bar.inner_diameter);
 }
 
 MadeModel make_profile(const stock::Workpiece& shape) {
   MadeModel made;
-  if (const auto* const saved = std::get_if<stock::SavedShape>(&shape)) {
-    made.model = saved->part->model(1);
-    return made;
-  }
-  const auto& bar = std::get<stock::CylinderShape>(shape);
-  made.model = std::make_unique<stock::turned::TurnedPart>(bar_of(bar));
+  made.model = std::make_unique<stock::turned::TurnedPart>(section_of(shape));
   return made;
 }
 
@@ -161,8 +161,7 @@ std::unique_ptr<stock::Model> part_of_lathe(const StockPlan& plan, double cell_m
   using stock::turnmill::TurnMillPart;
   if (!is_about_spindle(plan.shape))
     return std::make_unique<TurnMillPart>(dexels_of(plan.shape), cell_mm, jobs);
-  return std::make_unique<TurnMillPart>(bar_of(std::get<stock::CylinderShape>(plan.shape)), cell_mm,
-                                        jobs);
+  return std::make_unique<TurnMillPart>(section_of(plan.shape), cell_mm, jobs);
 }
 
 double longest_side(const StockPlan& plan) {
@@ -211,7 +210,8 @@ MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
   const unsigned jobs =
       size.jobs > 0 ? size.jobs : std::max(1U, std::thread::hardware_concurrency());
   MadeModel made;
-  if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape)) {
+  if (const auto* const saved = std::get_if<stock::SavedShape>(&plan.shape);
+      saved != nullptr && !size.turns) {
     made.turning_tolerance_mm = std::max(kLeastTurning_mm, saved->part->cell_mm() / 50);
     made.model = model_again(*saved->part, plan.kind, jobs);
     if (made.model) return made;

@@ -86,7 +86,7 @@ Outcome<void> save_part(const StockJob& job, const StockResult& result,
   const auto take = [&](std::string_view bytes) { into.write(bytes); };
   const PartLabel label = label_of(job, result, facts);
   if (result.model) {
-    const stock::dexel::TriDexel* const dexels = dexels_of(*result.model);
+    const stock::Model* const dexels = dexels_of(*result.model);
     stock::saved::write_part(label, dexels != nullptr ? *dexels : *result.model, take);
     return {};
   }

@@ -168,14 +168,14 @@ def chuck(box):
     words = ("stock", "part.nc", "--machine", "lathe2", "--tools", "tools.toml", "--stock", "bar:50,-80,0", "--report",
              "r.json", "--fixture", "bar:120,-100,-70,30")
     head = "O1\nT{0}\nG97S1000M03\nG00X{1}Z2.\n"
-    for tool, x, z, wanted in (("0101", "40.", "-60.", []), ("0101", "40.", "-75.", [("FIXTURE_COLLISION", 5)]),
+    for tool, x, z, wanted in (("0101", "40.", "-60.", []), ("0101", "40.", "-75.", [("FIXTURE_COLLISION", 5), ("FIXTURE_COLLISION", 6)]),
                                ("0202", "0", "-90.", [])):
         box.write("part.nc", head.format(tool, x) + f"G01Z{z}F.2\nG00Z2.\nM30\n")
         status(box.kerf(*words), 1 if wanted else 0)
         equal(found(box.json("r.json")), wanted, f"T{tool} to Z{z}")
     box.write("part.nc", head.format("0202", "0") + "G01Z-90.F.2\nG00Z2.\nM30\n")
     status(box.kerf(*words[:-1], "bar:120,-100,-70"), 1)
-    equal(found(box.json("r.json")), [("FIXTURE_COLLISION", 5)], "a chuck without a bore")
+    equal(found(box.json("r.json")), [("FIXTURE_COLLISION", 5), ("FIXTURE_COLLISION", 6)], "a chuck without a bore")
     status(box.kerf(*words, "--fixture", "box:-100,-100,-200,-90,-90,0"), 0)
     contains(" ".join(a["what"] for a in box.json("r.json")["assumed"]), "not round about the spindle", "told")
 

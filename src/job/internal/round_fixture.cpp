@@ -27,7 +27,7 @@ stock::Obstacle::Contacts RoundFixture::meet(std::span<const stock::Sweep> sweep
   bool is_met = false;
   for (stock::Sweep sweep : sweeps) {
     sweep.body = known(sweep.body, body);
-    if (!section_->can_cut(sweep)) return dexels_.meet(sweeps, body);
+    if (!sweep.is_turned || !section_->can_cut(sweep)) return dexels_.meet(sweeps, body);
     sweep.kind = stock::SweepKind::rapid;
     sweep.lead_mm = 0;
     stock::Outcome outcome;

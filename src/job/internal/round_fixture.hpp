@@ -10,8 +10,8 @@
 
 namespace kerf::job {
 
-/// A chuck or a centre: round about the axis of the spindle. What inserts and tools on that axis
-/// meet of it is told by its section, what other tools meet by dexels.
+/// A chuck or a centre: round about the axis of the spindle. What tools meet of it while the work
+/// turns is told by its section, what driven ones meet by dexels.
 class RoundFixture final : public stock::Obstacle {
  public:
   /// `section`: that of the shape, (Z, ρ).

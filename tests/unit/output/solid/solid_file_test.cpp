@@ -13,7 +13,7 @@ TEST(DeviationColor, GoesFromBlueByGreyToRedAndStaysThere) {
   double last = -1;
   for (double share = -1; share <= 1; share += 0.125) {
     const auto color = deviation_color(share);
-    const double redder = int{color[0]} - int{color[2]};
+    const double redder = 1.0 * color[0] - color[2];
     EXPECT_GT(redder, last == -1 ? -256 : last) << share;
     last = redder;
   }

@@ -116,6 +116,22 @@ def solids(box):
             near(volume, report["left_mm3"], report["model"]["error_mm3"], f"{model} {what}: volume")
 
 
+@test("with --triangles the part has no more of them, and stays closed, whatever the model")
+def triangles(box):
+    for words in (("--model", "zmap"), ("--model", "zmap", "--mesh", "exact"), ("--model", "tridexel")):
+        for most in (3000, 400):
+            report = cut(box, PART, *BLOCK, *words, "--triangles", str(most), "--stl", "p.stl", "--glb", "p.glb", "--fail-on", "never")
+            for what, listed in (("STL", stl_triangles((folder_of(box) / "p.stl").read_bytes())),
+                                 ("GLB", glb_triangles((folder_of(box) / "p.glb").read_bytes()))):
+                listed = list(listed)
+                check(len(listed) <= most, f"{what}: {len(listed)} triangles")
+                euler, volume = sound(listed, f"{words} {what}")
+                equal(euler, 2, "Euler characteristic")
+                near(volume, report["left_mm3"], 2 * report["model"]["error_mm3"], f"{words} {most} {what}: volume")
+    refused(box.kerf("stock", "part.nc", *BLOCK, "--triangles", "100"), 2, "without --stl")
+    refused(box.kerf("stock", "part.nc", *BLOCK, "--triangles", "3", "--stl", "p.stl"), 2, "--triangles")
+
+
 @test("files of the part have the same bytes whatever the threads, and nothing of a day or a place in them")
 def same_bytes(box):
     names = ("p.stl", "p.glb", "p.3mf", "p.png")
@@ -158,7 +174,7 @@ def turned(box):
                  "--profile", "p.csv", "--picture", "p.svg", "--fail-on", "never")
     euler, volume = sound(stl_triangles((folder_of(box) / "p.stl").read_bytes()), "turned")
     equal(euler, 2, "Euler characteristic")
-    near(volume, report["left_mm3"], 3e-4 * report["left_mm3"], "volume")
+    near(volume, report["left_mm3"], 1e-6 * report["left_mm3"], "volume: that of the profile, but for float32")
     rows = box.read("p.csv").decode().splitlines()
     equal(rows[0], "z,x,bulge", "head of the contour")
     contains(rows, "0,40,0", "the corner at the front has its diameter")

@@ -94,6 +94,7 @@ struct StockFileOptions {
   std::string save;           ///< .kstock
   bool keep_partial = false;  ///< also of a run that did not reach its end
   std::string mesh = "smooth";
+  std::size_t triangles = 0;  ///< at most; 0: as many as there are
 };
 
 /// What a part is compared with; empty: with nothing.

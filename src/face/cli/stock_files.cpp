@@ -22,6 +22,9 @@ using base::Outcome;
 using base::OutputFile;
 
 constexpr auto kRecord = OutputFiles::Kind::record;
+// Of a solid that can be looked at, and of what a file can count.
+constexpr std::size_t kFewestTriangles = 4;
+constexpr std::size_t kMostTriangles = 1'000'000'000;
 // More points than these along an axis show nothing more in a picture.
 constexpr std::size_t kPicturePoints = 900;
 constexpr double kPictureChord_mm = 0.01;
@@ -45,6 +48,12 @@ void add_stock_files(CLI::App& stock, StockFileOptions& o) {
                   "smooth")
       ->type_name("KIND")
       ->check(CLI::IsMember({"exact", "smooth"}));
+  stock
+      .add_option("--triangles", o.triangles,
+                  "at most so many triangles in these files: edges are drawn together where it "
+                  "changes the part least")
+      ->type_name("N")
+      ->check(CLI::Range(kFewestTriangles, kMostTriangles));
   stock
       .add_option("--profile", o.profile,
                   "of a lathe the contour of the part, of a sheet what is left: exact lines and "
@@ -99,6 +108,8 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
       return base::usage(
           "--profile: only parts of lathes and sheets under a laser have an outline");
   }
+  if (options_.triangles > 0 && stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr)
+    return base::usage("--triangles: without --stl, --glb or --3mf there are none");
   if (auto opened =
           files_.open(options_.profile, kRecord, [&](OutputFile& file) { profile_ = &file; });
       !opened)
@@ -118,8 +129,10 @@ bool StockFiles::needs_ways() const {
 Outcome<void> StockFiles::write_solids(const job::StockResult& result,
                                        const output::StockFacts& facts, const job::StockJob& job) {
   if (stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr) return {};
-  const stock::surface::Surface part =
+  stock::surface::Surface part =
       job::surface_of(result, {.steps = options_.mesh == "exact", .jobs = job.jobs});
+  if (options_.triangles > 0)
+    part = stock::surface::simplified(std::move(part), options_.triangles);
   if (stl_ != nullptr)
     output::write_stl(part.mesh, [&](std::string_view bytes) { stl_->write(bytes); });
   if (glb_ == nullptr && three_mf_ == nullptr) return {};

@@ -110,14 +110,16 @@ class HalfSection {
     sheet.add(std::move(outline), {Color{70, 78, 88}, 1.3, false, {}});
   }
 
-  /// Edges that nothing hides, and a line to the axis at each of their corners.
+  /// Edges that nothing hides, and a line to the axis at each corner that is seen, also where the
+  /// wall that ends there is hidden, because it leans over.
   void add_seen(const contour::Contour& loop, Outline& outline) const {
     const std::size_t count = contour::edge_count(loop);
     for (std::size_t i = 0; i < count; ++i) {
       const contour::Edge edge = contour::edge_of(loop, i);
-      if (is_hidden(contour::point_at(edge, 0.5))) continue;
-      outline.move_to(above(edge.from));
-      follow(outline, edge, up());
+      if (!is_hidden(contour::point_at(edge, 0.5))) {
+        outline.move_to(above(edge.from));
+        follow(outline, edge, up());
+      }
       const contour::Edge next = contour::edge_of(loop, (i + 1) % count);
       if (!is_hidden(edge.to) && is_corner(edge, next))
         outline.segment(above(edge.to), above({edge.to.u, 0}));
@@ -177,7 +179,7 @@ class HalfSection {
     }
   }
 
-  /// A thin line at the minor diameter, and where the thread ends a line across it.
+  /// A thin line at the bottom of the groove, and where the thread ends a line across it.
   void draw_threads(DisplayList& sheet) const {
     Outline lines;
     for (const StockFacts::Thread& thread : scene_.facts->threads) {
@@ -186,7 +188,8 @@ class HalfSection {
         const auto at = [&](double z, double d) {
           return is_above ? above({z, d / 2}) : below({z, d / 2});
         };
-        lines.segment(at(thread.from, thread.minor), at(thread.to, thread.minor));
+        const double bottom = thread.is_inside ? thread.major : thread.minor;
+        lines.segment(at(thread.from, bottom), at(thread.to, bottom));
         lines.segment(at(thread.to, thread.minor), at(thread.to, thread.major));
       }
     }
@@ -255,6 +258,7 @@ PartScene opened(const PartScene& scene) {
   open.facts = scene.facts;
   open.tools = scene.tools;
   open.jobs = scene.jobs;
+  open.is_opened = true;
   open.part = stock::surface::turned_open(*scene.profile, kChord_mm, kQuarter, 3 * kQuarter);
   for (const Region& fixture : scene.fixture_profiles) {
     open.fixtures.push_back(

@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "math/math.hpp"
 #include "stock/surface/internal/flat_loop.hpp"
 #include "stock/surface/internal/polygon_triangles.hpp"
+#include "stock/turned/revolved.hpp"
 
 namespace kerf::stock::surface {
 namespace {
 
 using geometry::Vec3;
 
+/// On a round arc so much of the way outwards makes up for what chords leave.
+constexpr double kUsualShare = 2.0 / 3;
+constexpr int kMostTries = 4;
 constexpr double kOnAxis_mm = 1e-9;
 constexpr double kFewest = 96;  // around
 constexpr double kMost = 1440;
@@ -24,9 +29,18 @@ std::size_t parts_around(double radius, double tolerance_mm) {
   return static_cast<std::size_t>(std::clamp(std::ceil(std::numbers::pi / half), kFewest, kMost));
 }
 
+constexpr double kWhole = 2 * std::numbers::pi;
+
 /// Turns loops about the axis, all with the same angles.
 class Lathe {
  public:
+  /// Polygons as large as the circles.
+  Lathe(std::size_t count, Surface& into) : Lathe(count, 0, kWhole, false, into) {
+    const double step = kWhole / static_cast<double>(count);
+    const double scale = std::sqrt(step / math::sin(step));
+    for (double& sine : sines_) sine *= scale;
+    for (double& cosine : cosines_) cosine *= scale;
+  }
   /// `sections`: at the ends of what is no whole turn.
   Lathe(std::size_t count, double begin, double sweep, bool sections, Surface& into)
       : bands_(count), into_(into) {
@@ -111,16 +125,53 @@ class Lathe {
   std::vector<std::vector<Ring>> rings_;  // of loops
 };
 
-constexpr double kWhole = 2 * std::numbers::pi;
+/// What loops of straight edges go through in a turn.
+double volume(const std::vector<FlatLoop>& loops) {
+  contour::Region region;
+  for (const FlatLoop& loop : loops) {
+    region.loops.emplace_back();
+    for (const FlatPoint& point : loop) region.loops.back().vertices.push_back({point.place});
+  }
+  return turned::volume(region);
+}
+
+/// Points on arcs go outwards by this share of what chords are off.
+std::vector<FlatLoop> filled(std::vector<FlatLoop> loops, double share) {
+  for (FlatLoop& loop : loops) {
+    for (FlatPoint& point : loop) {
+      const geometry::Vec2 to = point.place + share * point.outwards;
+      if (to.v > 0) point.place = to;
+    }
+  }
+  return loops;
+}
+
+/// They go through the volume that their arcs would: the share is found by the secant.
+std::vector<FlatLoop> with_volume(const std::vector<FlatLoop>& loops, double wanted) {
+  double last = 0;
+  double last_off = volume(loops) - wanted;
+  double share = kUsualShare;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    const double off = volume(filled(loops, share)) - wanted;
+    if (off == last_off) break;
+    const double next = std::clamp(share - off * (share - last) / (off - last_off), 0.0, 1.0);
+    last = std::exchange(share, next);
+    last_off = off;
+  }
+  return filled(loops, share);
+}
 
 }  // namespace
 
+// A point may go outwards by two thirds of what chords are off, along and around.
 Surface turned(const contour::Region& region, double tolerance_mm) {
   Surface surface;
   if (region.is_empty()) return surface;
-  const std::size_t count = parts_around(contour::extents(region).high.v, tolerance_mm);
-  Lathe lathe(count, 0, kWhole, false, surface);
-  for (const FlatLoop& loop : flat_loops(region, tolerance_mm)) lathe.turn(loop);
+  const double chord_mm = 0.75 * tolerance_mm;
+  const std::size_t count = parts_around(contour::extents(region).high.v, chord_mm);
+  Lathe lathe(count, surface);
+  const std::vector<FlatLoop> loops = flat_loops(region, chord_mm);
+  for (const FlatLoop& loop : with_volume(loops, turned::volume(region))) lathe.turn(loop);
   return surface;
 }
 

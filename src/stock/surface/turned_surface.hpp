@@ -6,8 +6,9 @@
 namespace kerf::stock::surface {
 
 /// A region of the half plane (u = Z, v = ρ >= 0) turned about Z: as TurnedPart holds it, so X is
-/// along its radius at the angle 0. All points lie on the true surface; its chords are off it by no
-/// more than `tolerance_mm` > 0, along and around. Edges keep their owners.
+/// along its radius at the angle 0. No point of it is farther from the true surface than
+/// `tolerance_mm` > 0, and it holds the same volume: chords go as much beyond that as they stay
+/// behind. Edges keep their owners.
 [[nodiscard]] Surface turned(const contour::Region& region, double tolerance_mm);
 
 /// The owner of the faces that show the inside.

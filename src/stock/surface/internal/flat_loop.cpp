@@ -25,6 +25,11 @@ double chords(const contour::Edge& edge, double tolerance_mm) {
   return std::clamp(std::ceil(std::fabs(contour::sweep_rad(edge)) / step), 1.0, kMostChords);
 }
 
+Vec2 outwards(const contour::Edge& edge, Vec2 at, double chords) {
+  const double quarter = math::sin(contour::sweep_rad(edge) / chords / 4);
+  return (2 * quarter * quarter) * (at - contour::centre(edge));
+}
+
 FlatLoop flat(const contour::Contour& loop, double tolerance_mm) {
   FlatLoop out;
   for (std::size_t i = 0; i < contour::edge_count(loop); ++i) {
@@ -34,7 +39,7 @@ FlatLoop flat(const contour::Contour& loop, double tolerance_mm) {
       const Vec2 at = k == 0 ? edge.from : contour::point_at(edge, k / count);
       const bool is_new = out.empty() || length(at - out.back().place) > kSame_mm;
       if (is_new)
-        out.push_back({at, edge.owner});
+        out.push_back({at, edge.owner, k == 0 ? Vec2{} : outwards(edge, at, count)});
       else
         out.back().owner = edge.owner;
     }

@@ -11,6 +11,8 @@ namespace kerf::stock::surface {
 struct FlatPoint {
   geometry::Vec2 place;
   std::uint32_t owner = 0;
+  /// Of a place on an arc: away from its centre, as long as the chords there are off.
+  geometry::Vec2 outwards{};
 };
 using FlatLoop = std::vector<FlatPoint>;
 

@@ -1,6 +1,7 @@
 #include "job/stock_part.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/contour/boolean.hpp"
 #include "job/internal/stock_models.hpp"
@@ -12,6 +13,7 @@
 #include "stock/surface/height_samples.hpp"
 #include "stock/surface/height_steps.hpp"
 #include "stock/surface/plate_surface.hpp"
+#include "stock/surface/simplify.hpp"
 #include "stock/surface/turned_surface.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
 
@@ -84,7 +86,9 @@ Surface surface_of(const stock::Workpiece& shape, double chord_mm) {
   return stock::surface::plate(rectangle(box), box.low.z, box.high.z, chord_mm);
 }
 
-Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
+namespace {
+
+Surface whole_surface_of(const StockResult& result, const SurfaceWish& wish) {
   const stock::Model* const model = result.model.get();
   const stock::dexel::TriDexel* const dexels = model == nullptr ? nullptr : dexels_of(*model);
   if (dexels != nullptr) return surface_of(*dexels, wish);
@@ -94,6 +98,13 @@ Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
     return stock::surface::turned(*profile, wish.chord_mm);
   const stock::Bounds sheet = stock::bounds(result.shape);
   return stock::surface::plate(*pieces_of(result), sheet.low.z, sheet.high.z, wish.chord_mm);
+}
+
+}  // namespace
+
+Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
+  Surface whole = whole_surface_of(result, wish);
+  return wish.triangles > 0 ? stock::surface::simplified(std::move(whole), wish.triangles) : whole;
 }
 
 std::optional<contour::Region> pieces_of(const StockResult& result) {

@@ -13,8 +13,9 @@ struct SurfaceWish {
   bool steps = false;  ///< of a height field: its own steps instead of a smooth surface
   /// At most so many points of the lattice along an axis, for pictures: larger cells; 0: all.
   std::size_t most_along = 0;
-  double chord_mm = 0.002;  ///< how far chords may lie from arcs
-  unsigned jobs = 0;        ///< threads; 0: one a processor
+  double chord_mm = 0.002;    ///< how far chords may lie from arcs
+  std::size_t triangles = 0;  ///< at most; 0: as many as there are
+  unsigned jobs = 0;          ///< threads; 0: one a processor
 };
 
 /// What is left, frame of the stock; nothing is left: empty. Of a sheet its pieces, for which the

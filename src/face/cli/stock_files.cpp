@@ -129,10 +129,9 @@ bool StockFiles::needs_ways() const {
 Outcome<void> StockFiles::write_solids(const job::StockResult& result,
                                        const output::StockFacts& facts, const job::StockJob& job) {
   if (stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr) return {};
-  stock::surface::Surface part =
-      job::surface_of(result, {.steps = options_.mesh == "exact", .jobs = job.jobs});
-  if (options_.triangles > 0)
-    part = stock::surface::simplified(std::move(part), options_.triangles);
+  const stock::surface::Surface part = job::surface_of(
+      result,
+      {.steps = options_.mesh == "exact", .triangles = options_.triangles, .jobs = job.jobs});
   if (stl_ != nullptr)
     output::write_stl(part.mesh, [&](std::string_view bytes) { stl_->write(bytes); });
   if (glb_ == nullptr && three_mf_ == nullptr) return {};

@@ -320,3 +320,28 @@ def wrong(box):
                   ("--until", "-3s"), ("--until", "0"), ("--no-check", "NOTHING"), ("--lengths", "x"), ("--path", "x")):
         refused(box.kerf("stock", "part.nc", *words), 2, words[0])
     refused(box.kerf("stock", "part.nc", "--blocks", "no/such/b.csv"), 3, "b.csv")
+
+
+@test("stock: threads of a tap and of a thread mill are told with their measures, and drawn")
+def threads(box):
+    tools = ('[[tool]]\nnumber = 1\ntype = "drill"\ndiameter = 8.5\n[[tool]]\nnumber = 2\ntype = "tap"\ndiameter = 10\npitch = 1.5\n'
+             '[[tool]]\nnumber = 3\ntype = "flat"\ndiameter = 16\n'
+             '[[tool]]\nnumber = 4\ntype = "thread-mill"\ndiameter = 12\npitch = 2\nneck_diameter = 9\nflute_length = 3\n')
+    bore = "".join(f"G01Z-{z}.\nG03I-5.\n" for z in (5, 10, 15, 20, 25))
+    moves = ("G00X15.Y20.Z5.\nG81Z-26.R2.F150\nG80\nT2M06\nS400M03\nM29S400\nG84X15.Y20.Z-20.R5.F600\nG80\n"
+             f"T3M06\nS3000M03\nG00X50.Y20.Z5.\nG01Z0F400\n{bore}G00X45.Z5.\n"
+             "T4M06\nS3000M03\nG00X45.Y20.Z-20.\nG01X52.5F300\nG03I-7.5Z-18.\nI-7.5Z-16.\nI-7.5Z-14.\nG01X45.\nG00Z5.")
+    report = cut(box, moves, "--picture", "p.svg", tools=tools, stock="box:0,0,-30,70,40,0")
+    equal(found(report), [], "findings")
+    tap, mill = report["threads"]
+    equal([tap[key] for key in ("axis", "hand", "starts", "pitch", "major")], ["Z", "right", 1, 1.5, 10], "the tap")
+    near(tap["from"], 0, 1e-4, "from")
+    near(tap["to"], -17, 1e-4, "to, two pitches above the tip")
+    near(tap["minor"], 10 - 1.082531755 * 1.5, 1e-6, "minor")
+    depth = 1.082531755 * 0.75
+    middle = tap["minor"] / 2 + depth / 3 * (0.75 + 2 * 0.125) / 0.875
+    near(tap["volume_mm3"], 0.4375 * 1.5 * depth * 2 * math.pi * middle * 17 / 1.5, 1e-3, "volume")
+    equal([mill[key] for key in ("axis", "hand", "starts", "pitch", "major")], ["Z", "right", 1, 2, 27], "the mill")
+    near(mill["to"] - mill["from"], -6, 1e-4, "three turns")
+    milled = next(t for t in report["tools"] if t["tool"] == 4)
+    near(mill["volume_mm3"], milled["removed_mm3"], 0.01 * milled["removed_mm3"], "what it removed")

@@ -20,6 +20,7 @@ struct PartScene {
   const StockFacts* facts = nullptr;
   std::vector<stock::ToolSpan> tools;  ///< which motion is whose
   stock::surface::Surface part;
+  bool is_opened = false;  ///< of a lathe: the quarter between +X and +Y is cut out of it
   std::vector<stock::surface::Surface> fixtures;
   /// Of a lathe: the region in (Z, ρ), and half sections of the fixtures.
   const contour::Region* profile = nullptr;

@@ -9,6 +9,7 @@
 #include "base/diagnostic.hpp"
 #include "output/reports/run_facts.hpp"
 #include "stock/compare/comparison.hpp"
+#include "stock/cutting/cut_thread.hpp"
 #include "stock/cutting/finding.hpp"
 #include "stock/cutting/tool_record.hpp"
 #include "stock/sweep/piece.hpp"
@@ -38,17 +39,23 @@ struct StockFacts {
     std::string reason;
   };
 
-  /// On a turned part; major and minor are diameters.
+  /// Major and minor are diameters.
   struct Thread {
     std::uint32_t line = 0;
-    char axis = 'Z';
-    double from = 0;
+    char axis = 'Z';  ///< along which it is, as nearly as it can be said
+    double from = 0;  ///< along that
     double to = 0;
+    stock::Vec3 begin;  ///< on the axis of the thread
+    stock::Vec3 end;
     double major = 0;
     double minor = 0;
     double pitch = 0;
     int starts = 1;
+    stock::Hand hand = stock::Hand::right;
+    bool is_inside = false;  ///< in a hole
+    bool is_milled = false;  ///< its groove is cut into the part, and is in removed_mm3
     double volume_mm3 = 0;
+    std::uint32_t motion = 0;  ///< that began it
   };
 
   /// Of a sheet under a beam.
@@ -93,7 +100,7 @@ struct StockFacts {
   double left_mm3 = 0;
   stock::Bounds extents;             ///< of what is left; low > high: nothing is
   std::vector<stock::Piece> pieces;  ///< the largest first
-  std::vector<Thread> threads;       ///< their material is not part of removed_mm3
+  std::vector<Thread> threads;       ///< but of milled ones, their material is not in removed_mm3
   bool turns = false;                ///< X is told as a diameter, and there is no Y
   std::vector<Tool> tools;
   std::vector<Told> findings;

@@ -122,6 +122,7 @@ std::string threads_json(const StockFacts& facts) {
     object.number("from", tidy(thread.from)).number("to", tidy(thread.to));
     object.number("major", tidy(thread.major)).number("minor", tidy(thread.minor));
     object.number("pitch", tidy(thread.pitch)).number("starts", thread.starts);
+    object.text("hand", thread.hand == stock::Hand::right ? "right" : "left");
     items.push_back(object.number("volume_mm3", tidy(thread.volume_mm3)).done());
   }
   return json_array(items);

@@ -191,7 +191,7 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   if (const auto* const thread = std::get_if<motion::Thread>(&motion.action)) {
     like.lead_mm = of.lead_mm = std::fabs(thread->lead);
     like.start_deg = thread->angle_deg;
-    threads_.emplace(like.motion, motion.block);
+    threads_.emplace(like.motion, ThreadBegin{motion.block, of.spindle});
   }
   add_ways(motion, like);
   if (settings_.end && motions_ == settings_.end->motion)
@@ -348,6 +348,14 @@ void Cutter::settle(Waiting& of, const Outcome& outcome) {
                       .outcomes = {outcomes_.data() + of.first, of.end - of.first}},
                      tool, outcome);
     record(of, outcome);
+    if (of.kind == SweepKind::cut) {
+      thread_watch_.take({.tool = tool,
+                          .block = of.cut.block,
+                          .motion = of.cut.motion,
+                          .spindle = of.spindle,
+                          .sweeps = {sweeps_.data() + of.first, of.end - of.first},
+                          .outcomes = {outcomes_.data() + of.first, of.end - of.first}});
+    }
     of.cut.removed_mm3 = outcome.removed.value();
     of.cut.cuts = of.cut.removed_mm3 > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
     if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3 && !outcome.has_contact())

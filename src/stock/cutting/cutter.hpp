@@ -16,6 +16,7 @@
 #include "stock/cutting/motion_cut.hpp"
 #include "stock/cutting/obstacle.hpp"
 #include "stock/cutting/sweep_maker.hpp"
+#include "stock/cutting/thread_watch.hpp"
 #include "stock/cutting/tool_record.hpp"
 #include "stock/cutting/tool_span.hpp"
 #include "stock/sweep/cut_watch.hpp"
@@ -91,8 +92,17 @@ class Cutter final : public motion::MotionSink {
   /// Moves at feed that there were, and those that removed material.
   [[nodiscard]] bool fed() const { return fed_; }
   [[nodiscard]] bool has_cut() const { return has_cut_; }
-  /// The blocks of threads by their motions, as far as sweeps can name them.
-  [[nodiscard]] const std::map<std::uint32_t, base::BlockId>& threads() const { return threads_; }
+  /// A thread of a turning tool begins: where, and how the work turns.
+  struct ThreadBegin {
+    base::BlockId block{};
+    Turning spindle = Turning::stopped;
+  };
+  /// By their motions, as far as sweeps can name them.
+  [[nodiscard]] const std::map<std::uint32_t, ThreadBegin>& threads() const { return threads_; }
+  /// Those of taps and thread mills, as far as the part still has them.
+  [[nodiscard]] std::vector<CutThread> cut_threads() const {
+    return thread_watch_.threads(model_, rack_);
+  }
   /// Of each tool that was fed whether it only ever went along its axis.
   [[nodiscard]] const std::map<std::uint32_t, bool>& axial_tools() const { return axial_tools_; }
 
@@ -162,7 +172,8 @@ class Cutter final : public motion::MotionSink {
   bool changed_tool_ = false;
   bool fed_ = false;
   bool has_cut_ = false;
-  std::map<std::uint32_t, base::BlockId> threads_;
+  std::map<std::uint32_t, ThreadBegin> threads_;
+  ThreadWatch thread_watch_;
   std::map<std::uint32_t, bool> axial_tools_;
   double lowered_mm_ = 0;  // the tip against its programmed place, by its real length
   std::size_t next_look_ = 0;

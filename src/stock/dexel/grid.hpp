@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/tile.hpp"
 #include "stock/dexel/tile_work.hpp"
+#include "stock/sweep/stretch.hpp"
 
 namespace kerf::stock::dexel {
 
@@ -34,18 +36,39 @@ struct Grid {
   [[nodiscard]] TileWork work(std::size_t tile, Vec3 middle) {
     return {lattice, tiles[tile], first_column(tile), first_row(tile), middle};
   }
-  /// Whether the dexel of the cell that a place lies in has material there.
-  [[nodiscard]] bool holds(Vec3 place) const {
+  /// A dexel in its tile.
+  struct Place {
+    const Tile* tile;
+    std::size_t dexel;
+  };
+  /// That of the cell that a place lies in.
+  [[nodiscard]] std::optional<Place> dexel_at(Vec3 place) const {
     const double b =
         on_axis(place, (lattice.axis + 1) % 3) / lattice.cell_b + lattice.columns / 2.0;
     const double c = on_axis(place, (lattice.axis + 2) % 3) / lattice.cell_c + lattice.rows / 2.0;
-    if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return false;
+    if (!(b >= 0 && b < lattice.columns && c >= 0 && c < lattice.rows)) return {};
     const int column = static_cast<int>(b);
     const int row = static_cast<int>(c);
     const Tile& tile = tiles[static_cast<std::size_t>(row / Lattice::kTile * lattice.tiles_b() +
                                                       column / Lattice::kTile)];
-    return tile.holds(tile.index(column % Lattice::kTile, row % Lattice::kTile),
-                      static_cast<float>(on_axis(place, lattice.axis)));
+    return Place{&tile, tile.index(column % Lattice::kTile, row % Lattice::kTile)};
+  }
+  /// Whether it has material there.
+  [[nodiscard]] bool holds(Vec3 place) const {
+    const auto at = dexel_at(place);
+    return at && at->tile->holds(at->dexel, static_cast<float>(on_axis(place, lattice.axis)));
+  }
+  /// From where to where the dexel has material, on a line along it; the line is from the middle.
+  [[nodiscard]] Stretch material_on(const StraightWay& line) const {
+    const auto at = dexel_at(line.from);
+    if (!at || at->tile->ends(at->dexel).empty()) return {};
+    const auto ends = at->tile->ends(at->dexel);
+    Stretch all;
+    for (std::size_t i = 0; i < ends.size(); i += 2) {
+      all.add(shares(on_axis(line.from, lattice.axis), on_axis(line.to, lattice.axis),
+                     double{ends[i].at}, double{ends[i + 1].at}));
+    }
+    return all;
   }
   /// act(tile) for each that has dexels in the box, which is from the middle of the stock.
   template <class Act>

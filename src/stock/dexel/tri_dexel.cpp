@@ -340,6 +340,24 @@ std::optional<double> TriDexel::first_touch(const BallWay& ball) const {
   return between ? limit * *between : contact.first();
 }
 
+Stretch TriDexel::material_on(const StraightWay& line) const {
+  constexpr double kAside_mm = 1e-9;
+  const StraightWay own{line.from - middle_, line.to - middle_};
+  const Vec3 way = line.to - line.from;
+  for (const auto& grid : grids_) {
+    const int a = grid->lattice.axis;
+    const bool is_along = std::fabs(on_axis(way, (a + 1) % 3)) <= kAside_mm &&
+                          std::fabs(on_axis(way, (a + 2) % 3)) <= kAside_mm;
+    if (is_along) return grid->material_on(own);
+  }
+  Stretch all;
+  const double steps = std::clamp(std::ceil(4 * length(way) / cell_), 1.0, kMostLooks);
+  for (double i = 0; i <= steps; ++i) {
+    if (holds(point_at(own, i / steps))) all.add(i / steps);
+  }
+  return all;
+}
+
 const Lattice& TriDexel::lattice(int grid) const {
   return grids_[static_cast<std::size_t>(grid)]->lattice;
 }

@@ -64,6 +64,9 @@ class TriDexel final : public Model {
   /// As BallContact has it. A ball thinner than a cell is looked for between dexels, too.
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
 
+  /// Exact on lines along X, Y or Z; on others to a quarter of a cell.
+  [[nodiscard]] Stretch material_on(const StraightWay& line) const override;
+
   /// What is left, by each grid: along X, Y, Z.
   [[nodiscard]] std::array<double, 3> grids_mm3() const;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "stock/field/first_touch.hpp"
 
@@ -63,6 +64,20 @@ void HeightField::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes
     sweeps = sweeps.subspan(n);
     outcomes = outcomes.subspan(n);
   }
+}
+
+Stretch HeightField::material_on(const StraightWay& line) const {
+  constexpr double kAside_mm = 1e-9;
+  const Grid& grid = columns_.grid();
+  const Vec3 way = line.to - line.from;
+  if (std::fabs(way.x) > kAside_mm || std::fabs(way.y) > kAside_mm) return {};
+  const double i = std::floor((line.from.x - grid.box.low.x) / grid.cell_x());
+  const double j = std::floor((line.from.y - grid.box.low.y) / grid.cell_y());
+  if (!(i >= 0 && i < grid.nx && j >= 0 && j < grid.ny)) return {};
+  const double low = double{columns_.bottom(static_cast<int>(i), static_cast<int>(j))};
+  const double high = double{columns_.height(static_cast<int>(i), static_cast<int>(j))};
+  const double zero = grid.box.low.z;
+  return low < high ? shares(line.from.z, line.to.z, zero + low, zero + high) : Stretch{};
 }
 
 std::optional<double> HeightField::first_touch(const BallWay& ball) const {

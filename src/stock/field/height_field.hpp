@@ -35,6 +35,8 @@ class HeightField final : public Model {
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
+  /// Of lines along Z.
+  [[nodiscard]] Stretch material_on(const StraightWay& line) const override;
 
   [[nodiscard]] double left_mm3() const override { return columns_.volume_mm3(); }
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }

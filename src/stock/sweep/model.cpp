@@ -2,6 +2,8 @@
 
 namespace kerf::stock {
 
+Stretch Model::material_on(const StraightWay& /*line*/) const { return {}; }
+
 std::vector<Piece> Model::pieces() const {
   if (!(left_mm3() > 0)) return {};
   return {{left_mm3(), extents(), true}};

@@ -10,6 +10,7 @@
 #include "stock/sweep/body.hpp"
 #include "stock/sweep/outcome.hpp"
 #include "stock/sweep/piece.hpp"
+#include "stock/sweep/stretch.hpp"
 #include "stock/sweep/sweep.hpp"
 
 namespace kerf::stock {
@@ -32,6 +33,10 @@ class Model : public base::Interface {
   /// material, 0 where it begins in it; nullopt: nowhere. What it leaves does not stop it
   /// (kLeft_mm). Cuts nothing.
   [[nodiscard]] virtual std::optional<double> first_touch(const BallWay& ball) const = 0;
+
+  /// From where to where there is material along a line, all pieces of it together, in [0, 1] of
+  /// its way; empty: there is none, or the model cannot tell along such a line.
+  [[nodiscard]] virtual Stretch material_on(const StraightWay& line) const;
 
   /// mm³ of what is left, and of what there was before the first cut.
   [[nodiscard]] virtual double left_mm3() const = 0;

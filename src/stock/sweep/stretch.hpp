@@ -24,4 +24,13 @@ struct Stretch {
   friend bool operator==(const Stretch&, const Stretch&) = default;
 };
 
+/// On the way from one number to another what lies in [low, high], in [0, 1] of the way.
+[[nodiscard]] inline Stretch shares(double from, double to, double low, double high) {
+  if (from == to || low > high) return {};
+  const double a = (low - from) / (to - from);
+  const double b = (high - from) / (to - from);
+  Stretch part{std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
+  return part.is_empty() ? Stretch{} : part;
+}
+
 }  // namespace kerf::stock

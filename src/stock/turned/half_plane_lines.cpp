@@ -1,4 +1,4 @@
-#include "stock/turnmill/half_plane_lines.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "math/math.hpp"
 
-namespace kerf::stock::turnmill {
+namespace kerf::stock::turned {
 namespace {
 
 using contour::Edge;
@@ -134,4 +134,4 @@ void HalfPlaneLines::along_v(double u, std::vector<Crossing>& out) const {
   cross(by_u_, u, kU, kV, out);
 }
 
-}  // namespace kerf::stock::turnmill
+}  // namespace kerf::stock::turned

@@ -5,7 +5,7 @@
 
 #include "geometry/contour/region.hpp"
 
-namespace kerf::stock::turnmill {
+namespace kerf::stock::turned {
 
 /// Where a line across the half plane enters a region, or leaves it.
 struct Crossing {
@@ -59,4 +59,4 @@ class HalfPlaneLines {
   Buckets by_v_;
 };
 
-}  // namespace kerf::stock::turnmill
+}  // namespace kerf::stock::turned

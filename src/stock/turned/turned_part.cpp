@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "geometry/contour/boolean.hpp"
+#include "math/math.hpp"
 #include "stock/turned/ball_touch.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 #include "stock/turned/met.hpp"
 #include "stock/turned/revolved.hpp"
 #include "stock/turned/tip_path.hpp"
@@ -197,6 +199,16 @@ double TurnedPart::groove_mm3(const TurnedTool& tool, const ThreadPass& pass) co
 
 std::optional<double> TurnedPart::first_touch(const BallWay& ball) const {
   return turned::first_touch(region(), ball);
+}
+
+Stretch TurnedPart::material_on(const StraightWay& line) const {
+  constexpr double kAside_mm = 1e-9;
+  const Vec3 way = line.to - line.from;
+  if (std::fabs(way.x) > kAside_mm || std::fabs(way.y) > kAside_mm) return {};
+  std::vector<Crossing> crossings;
+  HalfPlaneLines(region()).along_u(math::hypot(line.from.x, line.from.y), crossings);
+  if (crossings.empty()) return {};
+  return shares(line.from.z, line.to.z, crossings.front().at, crossings.back().at);
 }
 
 double TurnedPart::left_mm3() const { return turned::volume(region()); }

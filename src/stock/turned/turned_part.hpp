@@ -36,6 +36,8 @@ class TurnedPart final : public Model {
   /// nothing is.
   void cut(const Sweep& sweep, Outcome& outcome, std::vector<TurnedCut>& cuts);
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
+  /// Of lines along Z.
+  [[nodiscard]] Stretch material_on(const StraightWay& line) const override;
 
   [[nodiscard]] double left_mm3() const override;
   [[nodiscard]] double stock_mm3() const override { return stock_mm3_; }

@@ -6,14 +6,15 @@
 #include <vector>
 
 #include "math/math.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 #include "stock/turned/revolved.hpp"
-#include "stock/turnmill/half_plane_lines.hpp"
 
 namespace kerf::stock::turnmill {
 namespace {
 
 using dexel::Interval;
 using dexel::Lattice;
+using turned::Crossing;
 
 /// One end of a dexel's way through the body.
 struct End {
@@ -91,7 +92,7 @@ class Revolved {
     out.push_back(interval(end(inner, near), end(outer, far)));
   }
 
-  HalfPlaneLines lines_;
+  turned::HalfPlaneLines lines_;
   std::uint32_t first_motion_;
 };
 

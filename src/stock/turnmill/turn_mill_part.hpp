@@ -31,6 +31,9 @@ class TurnMillPart final : public Model {
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
+  [[nodiscard]] Stretch material_on(const StraightWay& line) const override {
+    return is_abreast_ ? dexels_.material_on(line) : profile_.material_on(line);
+  }
 
   [[nodiscard]] double left_mm3() const override;
   [[nodiscard]] double stock_mm3() const override;

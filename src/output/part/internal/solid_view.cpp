@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
 
+#include "math/math.hpp"
 #include "output/part/internal/sheet_parts.hpp"
 #include "output/picture/solid/renderer.hpp"
 
@@ -13,6 +17,11 @@ namespace {
 constexpr double kMargin = 56;
 constexpr double kPixelsPerUnit = 1.5;
 constexpr double kArrow = 36;
+constexpr Color kThreadInk{52, 58, 66};
+/// Surfaces between points of dexels are chords: pixels.
+constexpr double kThreadSlack = 5;
+constexpr double kPointsATurn = 48;
+constexpr double kMostTurns = 2000;
 
 Body body_of(const stock::surface::Surface& surface, const Paints& paints) {
   Body body{&surface.mesh, {}};
@@ -25,6 +34,27 @@ Body body_of(const stock::surface::Surface& surface, const Paints& paints) {
     body.paints.push_back(paint);
   }
   return body;
+}
+
+/// On the wall of the hole, or round the bolt.
+std::vector<Vec3> helix_of(const StockFacts::Thread& thread) {
+  const Vec3 way = thread.end - thread.begin;
+  const double size = length(way);
+  if (!(size > 0) || !(thread.pitch > 0)) return {};
+  const Vec3 along = (1 / size) * way;
+  const Vec3 u = unit(cross(along, std::fabs(along.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 v = cross(along, u);
+  const double radius = (thread.is_inside ? thread.minor : thread.major) / 2;
+  // Seen along the way a right-handed one turns clockwise.
+  const double sense = thread.hand == stock::Hand::right ? 1 : -1;
+  const double turns = std::min(size / thread.pitch, kMostTurns);
+  const double count = std::ceil(turns * kPointsATurn);
+  std::vector<Vec3> points;
+  for (double i = 0; i <= count; ++i) {
+    const auto [sine, cosine] = math::sine_cosine(sense * 2 * std::numbers::pi * turns * i / count);
+    points.push_back(thread.begin + (i / count) * way + radius * (cosine * u + sine * v));
+  }
+  return points;
 }
 
 void arrow(DisplayList& sheet, Point from, Point to, const char* name, Color color) {
@@ -83,13 +113,35 @@ void SolidView::draw(DisplayList& sheet, const Rect& frame) const {
     marks.push_back({mark, {frame.left + place.x, frame.top + place.y}, hidden});
   }
   rendering.image.at = frame;
-  sheet.add(std::move(rendering.image));
+  sheet.add(plot::Image(rendering.image));
+  draw_threads(sheet, frame, rendering, projector);
   Outline border;
   border.rectangle(frame);
   sheet.add(std::move(border), {kGrid, 1, false, {}});
   draw_axes(sheet, {frame.left + 60, frame.bottom() - 56});
   draw_scale_bar(sheet, {frame.right() - 24, frame.bottom() - 20}, projector.pixels_per_mm());
   draw_marks(sheet, marks, frame);
+}
+
+/// Of threads whose groove is not in the part a helix on its face, where that is seen.
+void SolidView::draw_threads(DisplayList& sheet, const Rect& frame, const Rendering& rendering,
+                             const Projector& projector) const {
+  const Projector pixels = projector.scaled(kPixelsPerUnit);
+  const double slack = kThreadSlack / projector.pixels_per_mm();
+  Outline lines;
+  for (const StockFacts::Thread& thread : scene_.facts->threads) {
+    if (thread.is_milled) continue;
+    std::optional<Point> last;
+    for (const Vec3& at : helix_of(thread)) {
+      const Point place = projector.map(at);
+      const bool is_there = !scene_.is_opened || at.x <= 0 || at.y <= 0;
+      const bool is_seen = is_there && !rendering.hides(pixels.map(at), pixels.depth(at), slack);
+      const Point here{frame.left + place.x, frame.top + place.y};
+      if (is_seen && last) lines.segment(*last, here);
+      last = is_seen ? std::optional(here) : std::nullopt;
+    }
+  }
+  sheet.add(std::move(lines), {kThreadInk, 0.7, false, {}});
 }
 
 /// The ones that point away first.

@@ -2,6 +2,7 @@
 
 #include "output/part/internal/paints.hpp"
 #include "output/part/part_picture.hpp"
+#include "output/picture/solid/renderer.hpp"
 #include "output/picture/solid/scene.hpp"
 
 namespace kerf::output::plot {
@@ -17,6 +18,8 @@ class SolidView {
   void draw(DisplayList& sheet, const Rect& frame) const;
 
  private:
+  void draw_threads(DisplayList& sheet, const Rect& frame, const Rendering& rendering,
+                    const Projector& projector) const;
   void draw_axes(DisplayList& sheet, Point origin) const;
 
   const PartScene& scene_;

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "geometry/contour/boolean.hpp"
+#include "stock/turned/half_plane_lines.hpp"
 #include "stock/turned/turned_job.hpp"
-#include "stock/turnmill/half_plane_lines.hpp"
 #include "stock/turnmill/revolved_shape.hpp"
 #include "stock/turnmill/turn_mill_part.hpp"
 
@@ -15,6 +15,8 @@ namespace kerf::stock::turnmill {
 namespace {
 
 using std::numbers::pi;
+using turned::Crossing;
+using turned::HalfPlaneLines;
 using turned::M;
 
 constexpr double kCell_mm = 0.25;

@@ -167,7 +167,7 @@ std::vector<FlatLoop> with_volume(const std::vector<FlatLoop>& loops, double wan
 Surface turned(const contour::Region& region, double tolerance_mm) {
   Surface surface;
   if (region.is_empty()) return surface;
-  const double chord_mm = 0.75 * tolerance_mm;
+  const double chord_mm = 0.7 * tolerance_mm;
   const std::size_t count = parts_around(contour::extents(region).high.v, chord_mm);
   Lathe lathe(count, surface);
   const std::vector<FlatLoop> loops = flat_loops(region, chord_mm);

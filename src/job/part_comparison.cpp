@@ -67,18 +67,26 @@ std::vector<Blame> blame(const Region& region, const MotionLines& lines) {
   return sorted;
 }
 
+/// Too little is there because the stock ends, not because a line has cut it.
+bool lacks_stock(const Region& region, const std::vector<Blame>& lines) {
+  double cut = 0;
+  for (const Blame& one : lines) cut += one.share;
+  return region.side == Side::gouge && 1 - cut > (lines.empty() ? 0 : lines.front().share);
+}
+
 stock::Finding finding_of(const Region& region, const std::vector<Blame>& lines,
                           const StockResult& result) {
   const bool is_gouge = region.side == Side::gouge;
+  const bool is_nobodys = lines.empty() || lacks_stock(region, lines);
   stock::Finding finding;
   finding.code = is_gouge ? base::Code::gouge : base::Code::excess;
-  finding.detail = fmt::format("{:.4g} mm at most, {:.4g} mm³ over {:.4g} mm²{}", region.max_mm,
-                               region.volume_mm3, region.area_mm2,
-                               lines.empty() ? ", where nothing was cut" : "");
+  finding.detail =
+      fmt::format("{:.4g} mm at most, {:.4g} mm³ over {:.4g} mm²{}", region.max_mm,
+                  region.volume_mm3, region.area_mm2, is_nobodys ? ", where nothing was cut" : "");
   finding.at = region.at;
   finding.depth_mm = region.max_mm;
   finding.volume_mm3 = region.volume_mm3;
-  if (lines.empty()) return finding;
+  if (is_nobodys) return finding;
   finding.block = lines.front().block;
   finding.motion = lines.front().motion;
   finding.tool = tool_at(result.tool_spans, lines.front().motion).value_or(0);

@@ -46,6 +46,26 @@ def codes(report):
     return [f["code"] for f in report["findings"]]
 
 
+@test("design: a face that is cut too deep is a gouge of its depth, area and volume, whatever holds the part")
+def gouge(box):
+    for model in ("zmap", "tridexel"):
+        report = compared(box, faced("1.2"), "--model", model, wanted=1)
+        equal(codes(report), ["GOUGE"], model)
+        found = report["findings"][0]
+        equal((found["severity"], found["program"], found["tool"]), ("error", "O0001", 1), model)
+        near(found["depth_mm"], 0.2, 1e-5, model)
+        gouge = report["compare"]["gouge"]
+        near(gouge["max_mm"], 0.2, 1e-5, model)
+        near(gouge["volume_mm3"], 240, 1e-3, model)
+        equal(gouge["regions"], 1, model)
+        equal(report["compare"]["excess"], {"tolerance_mm": 0.05, "max_mm": 0, "volume_mm3": 0, "regions": 0}, model)
+        region = report["compare"]["regions"][0]
+        near(region["area_mm2"], 1200, 0.01, model)
+        equal(sorted(line["line"] for line in region["lines"]), [6, 8], model)
+        near(sum(line["share"] for line in region["lines"]), 1, 1e-6, model)
+        equal(found["line"], region["lines"][0]["line"], model)
+
+
 @test("design: a part as it shall be has no finding, and one that is not deep enough has material left")
 def right_and_left(box):
     for model in ("zmap", "tridexel"):
@@ -67,6 +87,20 @@ def tolerances(box):
         near(report["compare"]["gouge"]["max_mm"], 0.2, 1e-5, "told in any case")
 
 
+@test("design: the histogram is the part's area by its deviation, the middle bin about 0")
+def histogram(box):
+    report = compared(box, faced("1.2"), "--tolerance", "0.15", wanted=1)
+    bins = report["compare"]["histogram"]
+    equal(len(bins), HISTOGRAM_BINS, "bins")
+    width = 4 * 0.15 / HISTOGRAM_BINS
+    # Columns 0.1 from a wall of the design are no farther from its surface than that.
+    beside_walls = (2 * (200 + 150) - 4) * 0.2 ** 2
+    near(bins[20 - round(0.2 / width)], 1200 - beside_walls, 0.01, "the face")
+    near(bins[20 - round(0.1 / width)], beside_walls, 0.01, "beside the walls")
+    near(bins[20], 1200, 0.01, "the bottom")
+    near(sum(bins), 2400, 0.01, "all of it")
+
+
 HOLE = "G00Z5.\nT2M06\nM03\nG00X20.Y15.\nZ5.\nG01Z-{}F300\nG00Z5.\n"
 
 
@@ -85,6 +119,26 @@ def names_its_block(box):
     equal(report["compare"]["regions"][0]["lines"][0]["file"], found["file"], "file of the line")
 
 
+@test("design: places apart are regions of their own, the largest first")
+def regions(box):
+    moves = "\nT2M06\nM03\nG00X10.Y15.\nZ5.\nG01Z-1.5F300\nG00Z5.\nX30.\nG01Z-2.F300\n"
+    report = compared(box, moves, design=((0, 0, -20), (40, 30, 0)), wanted=1)
+    equal([f["line"] for f in report["findings"]], [9, 12], "in the order of the motions")
+    both = report["compare"]["regions"]
+    equal([region["lines"][0]["line"] for region in both], [12, 9], "the larger one first")
+    near(both[0]["centre"]["X"], 30, 0.01, "centre")
+    equal({axis: [round(v) for v in both[1]["extents"][axis]] for axis in "XY"}, {"X": [5, 15], "Y": [10, 20]}, "extents")
+
+
+@test("design: where it is larger than the stock no line is to blame")
+def larger(box):
+    report = compared(box, faced("1."), design=((-5, 0, -20), (40, 30, -1)), wanted=1)
+    equal([(f["code"], f["line"]) for f in report["findings"]], [("GOUGE", 0)], "found")
+    contains(report["findings"][0]["message"], "where nothing was cut", "message")
+    near(report["compare"]["gouge"]["max_mm"], 5, 0.01, "deep")
+    report = compared(box, faced("1."), design=((0, 0, -500), (1000, 750, -25.4)), wanted=3)
+
+
 @test("design: threads share the work and change no byte, of the coloured part neither")
 def threads(box):
     for model in ("zmap", "tridexel"):
@@ -101,10 +155,39 @@ def accessor(document, binary, number, form):
     return list(struct.iter_unpack(form, binary[begin:begin + struct.calcsize(form) * of["count"]]))
 
 
+@test("design: the GLB has the deviation of every point, its colour, and their scale")
+def colours(box):
+    compared(box, faced("1.2"), "--glb", "part.glb", wanted=1)
+    data = box.read("part.glb")
+    size = struct.unpack_from("<I", data, 12)[0]
+    document, binary = json.loads(data[20:20 + size]), data[20 + size + 8:]
+    mesh = document["meshes"][0]
+    equal(mesh["extras"]["deviation_mm"], {"blue": -0.1, "grey": 0, "red": 0.1}, "scale")
+    has = mesh["primitives"][0]["attributes"]
+    points = accessor(document, binary, has["POSITION"], "<3f")
+    deviations = accessor(document, binary, has["_DEVIATION"], "<f")
+    colours = accessor(document, binary, has["COLOR_0"], "<4B")
+    for (x, y, z), (deviation,), (red, _, blue, _) in zip(points, deviations, colours, strict=True):
+        if z > -1.3 and 1 < x < 39 and 1 < y < 29:
+            near(deviation, -0.2, 1e-4, "the face")
+            check(blue > 2 * red, "the face is blue")
+        elif z < -19.9:
+            near(deviation, 0, 1e-4, "the bottom")
+            equal(red, blue, "the bottom is grey")
+
+
 @test("design: after an alarm the part up to it is compared")
 def after_alarm(box):
     report = compared(box, faced("1.2") + "G02X1.R0.1\n", wanted=1)
     equal((report["status"], codes(report)), ("alarm", ["GOUGE"]), "ended")
+
+
+@test("design: the summary for people has a line of it")
+def for_people(box):
+    compared(box, faced("1.2"), wanted=1)
+    err = box.kerf("stock", "part.nc", "--stock", STOCK, "--tools", "tools.toml", "--design", "design.stl").err
+    contains(err, "against the design: too deep 0.200 mm at most, 240.0 mm³ in 1 region beyond 0.05; too high 0.000 mm at most, within 0.05", "summary")
+    contains(err, "part.nc:6: cut into the design: 0.2 mm at most, 240 mm³ over 1200 mm²", "summary")
 
 
 @test("design: files that are none, designs elsewhere and tolerances that are none are sentences")

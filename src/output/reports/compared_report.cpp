@@ -71,16 +71,17 @@ std::string compared_json(const StockFacts::Compared& compared, bool turns) {
 }
 
 std::string compared_text(const StockFacts::Compared& compared) {
-  std::string text = "  against the design:";
-  for (const Side side : {Side::gouge, Side::excess}) {
-    const Comparison::Total& total = compared.found.of(side);
-    text += fmt::format("{} {} {:.3f} mm at most, {:.1f} mm³ in {} {} beyond {:.4g} mm",
-                        side == Side::gouge ? "" : ";",
-                        side == Side::gouge ? "too much is cut" : "material is left", total.max_mm,
-                        total.volume_mm3, total.regions, total.regions == 1 ? "region" : "regions",
-                        compared.found.tolerance.of(side));
-  }
-  return text + "\n";
+  const Comparison& found = compared.found;
+  const auto side = [&](Side of, const char* what) {
+    const Comparison::Total& total = found.of(of);
+    const std::string most = fmt::format("{} {:.3f} mm at most", what, total.max_mm);
+    if (total.regions == 0) return most + fmt::format(", within {:.4g}", found.tolerance.of(of));
+    return most + fmt::format(", {:.1f} mm³ in {} {} beyond {:.4g}", total.volume_mm3,
+                              total.regions, total.regions == 1 ? "region" : "regions",
+                              found.tolerance.of(of));
+  };
+  return fmt::format("  against the design: {}; {}\n", side(Side::gouge, "too deep"),
+                     side(Side::excess, "too high"));
 }
 
 }  // namespace kerf::output

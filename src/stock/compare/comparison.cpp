@@ -120,11 +120,12 @@ class PartRow {
     if (has_part && one.high.at - one.low.at <= tolerance) return false;
     const Vec3 at = place(line, border);
     const Near near = part_.near(at, part_hint_);
-    const double deviation = without_dust(-near.distance_mm);
-    result_.sums.see(deviation);
-    if (!(positive(one.side, deviation) > tolerance)) return false;
+    // On which side of the part it is, the line says: it may lie just beside an edge.
+    const double far = without_dust(std::fabs(near.distance_mm));
+    result_.sums.see(one.side == Side::gouge ? -far : far);
+    if (!(far > tolerance)) return false;
     const SurfacePoint point{at, along_axis(line.axis, 1, 0, 0), 0, near.motion};
-    result_.found.add_point(one.side, point, std::fabs(deviation), true);
+    result_.found.add_point(one.side, point, far, true);
     return true;
   }
 

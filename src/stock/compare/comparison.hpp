@@ -23,7 +23,7 @@ struct MotionShare {
 struct Region {
   Side side = Side::gouge;
   double max_mm = 0;  ///< the largest deviation, > 0
-  Vec3 at;            ///< of it
+  Vec3 at;            ///< of it; where several are as large to a thousandth, nearest to the centre
   Vec3 centre;        ///< of the area
   Bounds extents;
   double area_mm2 = 0;               ///< of the part; where it has none, of the design

@@ -17,8 +17,11 @@ constexpr double kRadius = 0.87;
 
 /// Planes of neighbours that differ by no more than this are one face, cells.
 constexpr double kFlat = 0.02;
-/// Squares of distances that differ by no more than this share are equal.
-constexpr double kAsFar = 1e-9;
+/// Squares of distances that differ by no more than this share may be equal: ends are rounded.
+constexpr double kAsFar = 1e-3;
+/// A place that is so much over the plane of the nearest disc, as a share of the square of its
+/// distance, is on the side that this says.
+constexpr double kClear = 0.9;
 
 /// Act on each dexel of a tile: act(number in it, b, c), from the middle of the stock.
 void each_dexel(const Lattice& lattice, const Tile& tile, std::size_t number, const auto& act) {
@@ -36,10 +39,11 @@ int nearest(double at, double cell, int count) {
 
 }  // namespace
 
-struct DexelSolid::Best {
+/// A disc as it is seen from a place.
+struct DexelSolid::Seen {
   std::uint32_t disc = Hint::kNone;
-  double height = 0;  ///< over its plane
-  double steep = -1;  ///< the same, without its sign
+  double square = std::numeric_limits<double>::infinity();  ///< of the distance
+  double height = 0;                                        ///< over its plane
 };
 
 DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {
@@ -99,38 +103,55 @@ double DexelSolid::share_left(std::uint32_t number, Vec3 way) const {
   return share;
 }
 
+// No nearer than `most`, if the whole of its circle were there: not looked at closer.
+DexelSolid::Seen DexelSolid::seen_from(Vec3 place, std::uint32_t number, double most) const {
+  const Disc& disc = discs_[number];
+  const Vec3 away = place - disc.at;
+  const Vec3 normal = dexel::direction(disc.normal);
+  const double height = dot(away, normal);
+  const Vec3 in_plane = away - height * normal;
+  const double beside = std::sqrt(dot(in_plane, in_plane));
+  double out = std::max(0.0, beside - radius_mm_);
+  if (height * height + out * out > most) return {};
+  double share = beside > radius_mm_ ? radius_mm_ / beside : 1;
+  if (beside > 0) {
+    share *= share_left(number, share * in_plane);
+    out = (1 - share) * beside;
+  }
+  return {number, height * height + out * out, height};
+}
+
+// Beside an edge several discs are as far, as near as rounding knows: the side is that of which
+// looks most towards the place.
+double DexelSolid::height_beside_edge(Vec3 place, const Seen& nearest) const {
+  Seen steepest = nearest;
+  double most = nearest.square * (1 + kAsFar);
+  tree_.search(place, most, [&](std::uint32_t number, double& bound) {
+    const Seen one = seen_from(place, number, bound);
+    if (!(one.square <= bound)) return;
+    const double more = std::fabs(one.height) - std::fabs(steepest.height);
+    if (more > 0 || (more == 0 && number < steepest.disc)) steepest = one;
+  });
+  return steepest.height;
+}
+
 Near DexelSolid::near(Vec3 place, Hint& hint) const {
-  Best best;
+  Seen best;
   double square = std::numeric_limits<double>::infinity();
   const auto look = [&](std::uint32_t number, double& least) {
-    const Disc& disc = discs_[number];
-    const Vec3 away = place - disc.at;
-    const Vec3 normal = dexel::direction(disc.normal);
-    const double height = dot(away, normal);
-    const Vec3 in_plane = away - height * normal;
-    const double beside = std::sqrt(dot(in_plane, in_plane));
-    double out = std::max(0.0, beside - radius_mm_);
-    if (height * height + out * out > least || number == best.disc) return;
-    double share = beside > radius_mm_ ? radius_mm_ / beside : 1;
-    if (beside > 0) {
-      share *= share_left(number, share * in_plane);
-      out = (1 - share) * beside;
-    }
-    // Of equals that which looks most towards the place.
-    const double far = height * height + out * out;
-    const double steep = std::fabs(height);
-    const bool is_as_far = std::fabs(far - least) <= kAsFar * least;
-    if (is_as_far ? steep < best.steep || (steep == best.steep && number > best.disc) : far > least)
-      return;
-    best = {number, height, steep};
-    least = std::min(far, least);
+    const Seen one = seen_from(place, number, least);
+    if (one.square > least || (one.square == least && one.disc >= best.disc)) return;
+    best = one;
+    least = one.square;
   };
   if (hint.thing < discs_.size()) look(hint.thing, square);
   tree_.search(place, square, look);
   if (best.disc == Hint::kNone) return {};
   hint.thing = best.disc;
   const double distance = std::sqrt(square);
-  const bool is_inside = distance <= cell_mm_ ? best.height < 0 : holds(place);
+  const bool is_clear = best.height * best.height >= kClear * square;
+  const double height = is_clear ? best.height : height_beside_edge(place, best);
+  const bool is_inside = distance <= cell_mm_ ? height < 0 : holds(place);
   return {is_inside ? -distance : distance, discs_[best.disc].motion};
 }
 

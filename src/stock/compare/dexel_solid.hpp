@@ -34,7 +34,7 @@ class DexelSolid final : public Part {
     dexel::Octahedral normal;
     std::uint32_t motion;
   };
-  struct Best;
+  struct Seen;
   /// Where a row is: a tile of a grid.
   struct Place {
     int grid;
@@ -43,6 +43,8 @@ class DexelSolid final : public Part {
 
   /// As much of the way from the middle of a disc to a point of its plane as neighbours leave.
   [[nodiscard]] double share_left(std::uint32_t disc, Vec3 way) const;
+  [[nodiscard]] Seen seen_from(Vec3 place, std::uint32_t disc, double most) const;
+  [[nodiscard]] double height_beside_edge(Vec3 place, const Seen& nearest) const;
   [[nodiscard]] Place place_of(std::size_t row) const;
   [[nodiscard]] bool holds(Vec3 place) const;
 

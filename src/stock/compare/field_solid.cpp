@@ -67,6 +67,10 @@ FieldSolid::Corners FieldSolid::corners(Cell cell) const {
           node(cell.i + 1, cell.j + 1)};
 }
 
+bool FieldSolid::is_side(Cell cell) const {
+  return cell.i == 0 || cell.j == 0 || cell.i + 2 == x_.size() || cell.j + 2 == y_.size();
+}
+
 bool FieldSolid::is_slope(const Corners& corners) const {
   HeightRange range;
   for (const Node& node : corners) {
@@ -122,6 +126,10 @@ void FieldSolid::look_at_tops(Cell cell, Vec3 place, double& square, Best& best)
   }
   if (found >= square) return;
   square = found;
+  if (is_side(cell) && place.z < double{tops(cell).high}) {
+    best.motion = 0;
+    return;
+  }
   // What cut deepest made the surface here, whatever made the other side of a wall.
   const auto lowest =
       std::min_element(around.begin(), around.end(), [](const Node& a, const Node& b) {

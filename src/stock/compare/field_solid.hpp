@@ -45,6 +45,8 @@ class FieldSolid final : public Part {
   [[nodiscard]] HeightRange bottoms(Cell cell) const;
   /// Their tops are a slope, and no wall.
   [[nodiscard]] bool is_slope(const Corners& corners) const;
+  /// The border of the box, which nothing has cut.
+  [[nodiscard]] bool is_side(Cell cell) const;
   [[nodiscard]] Vec3 corner_point(Cell cell, std::size_t which, double z) const;
   void look_at_tops(Cell cell, Vec3 place, double& square, Best& best) const;
   void look_at_bottoms(Cell cell, Vec3 place, double& square, Best& best) const;

@@ -1,30 +1,10 @@
-/** What every picture has: light, and in a corner the axes as they lie. */
-import {
-  AmbientLight,
-  DirectionalLight,
-  type Camera,
-  type Group,
-  OrthographicCamera,
-  Scene,
-  type WebGLRenderer,
-} from 'three';
+/** What every picture has in a corner: the axes as they lie. */
+import { type Camera, type Group, OrthographicCamera, Scene, type WebGLRenderer } from 'three';
 import { axes_corner, dispose, type Palette } from './furniture';
 
 const CORNER_PX = 92;
 /** Above the tools of the part, which lie along the lower border. */
 const BOTTOM_PX = 38;
-
-export function add_lights(scene: Scene): void {
-  const key = light(2.4, -0.6, -0.9, 1.6);
-  const fill = light(0.9, 1, 0.5, 0.4);
-  scene.add(new AmbientLight(0xffffff, 1.1), key, fill);
-}
-
-function light(strength: number, x: number, y: number, z: number): DirectionalLight {
-  const from = new DirectionalLight(0xffffff, strength);
-  from.position.set(x, y, z);
-  return from;
-}
 
 export class AxesCorner {
   private readonly scene = new Scene();

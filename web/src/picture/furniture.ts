@@ -38,6 +38,7 @@ export interface Palette {
   hatch: string;
   edge: string;
   fixture: string;
+  shadow: string;
   alarm: string;
   hold: string;
 }

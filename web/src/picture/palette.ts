@@ -22,6 +22,7 @@ const PROPERTIES: Record<keyof Palette, string> = {
   hatch: 'hatch',
   edge: 'edge',
   fixture: 'fixture',
+  shadow: 'part-shadow',
   alarm: 'alarm',
   hold: 'hold',
 };

@@ -7,7 +7,6 @@ import {
   Matrix4,
   Mesh,
   MeshBasicMaterial,
-  MeshStandardMaterial,
   Shape,
   Vector2,
   Vector3,
@@ -17,6 +16,7 @@ import type { Point } from '../logic/kinematics';
 import type { Axes } from '../logic/protocol';
 import type { Nose } from '../logic/turning_offsets';
 import type { Palette } from './furniture';
+import { metal } from './metal';
 
 export interface Pose {
   tip: Point;
@@ -37,15 +37,7 @@ export interface Model {
 }
 
 export function part(geometry: BufferGeometry, colour: string, opacity = 1): Mesh {
-  const material = new MeshStandardMaterial({
-    color: colour,
-    roughness: 0.55,
-    metalness: 0.25,
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: opacity === 1,
-  });
-  return new Mesh(geometry, material);
+  return new Mesh(geometry, metal({ colour, opacity }));
 }
 
 /** A cylinder along Z from `bottom` up. */

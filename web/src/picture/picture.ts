@@ -14,7 +14,7 @@ import type { MachineDefinition } from '../logic/protocol';
 import type { ToolShape } from '../logic/stock/tool_shape';
 import type { BodyHit } from './body';
 import { ViewKeeper } from '../logic/view_keeper';
-import { add_lights, AxesCorner } from './corner';
+import { AxesCorner } from './corner';
 import { Eye } from './eye';
 import { type Palette, box_edges, dispose, ground_grid, size_labels, stock_box } from './furniture';
 import { when_drawn } from './frame_fence';
@@ -84,7 +84,6 @@ export class Picture {
       () => this.request(),
       () => this.view.hand(),
     );
-    add_lights(this.scene);
     this.path_scene.add(this.path.group);
     this.stock = new StockLayer(calm);
     this.scene.add(this.highlight.group, this.stock.group);

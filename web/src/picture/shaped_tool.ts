@@ -1,7 +1,8 @@
 /** The tool as its set-up describes it, in its true size: cutter, neck, shank and holder, or insert with its holder. */
-import { DoubleSide, Group, LatheGeometry, Mesh, MeshStandardMaterial, Vector2 } from 'three';
+import { Group, LatheGeometry, Mesh, type RawShaderMaterial, Vector2 } from 'three';
 import type { PartKind, Point2, ToolShape } from '../logic/stock/tool_shape';
 import { type Palette, dispose } from './furniture';
+import { metal } from './metal';
 import { plate } from './parts';
 
 const COLOURS: Record<PartKind, 'tool' | 'metal' | 'metal_dark'> = {
@@ -44,13 +45,11 @@ function flat(outline: Point2[], kind: PartKind, palette: Palette): Mesh {
   return new Mesh(geometry, material_of(kind, palette));
 }
 
-function material_of(kind: PartKind, palette: Palette): MeshStandardMaterial {
-  return new MeshStandardMaterial({
-    color: palette[COLOURS[kind]],
-    roughness: kind === 'cutting' ? 0.32 : 0.5,
-    metalness: 0.35,
-    side: DoubleSide,
-    transparent: kind === 'holder',
-    opacity: kind === 'holder' ? 0.55 : 1,
+/** Through a holder the part below it is seen. */
+const material_of = (kind: PartKind, palette: Palette): RawShaderMaterial =>
+  metal({
+    colour: palette[COLOURS[kind]],
+    polish: kind === 'cutting' ? 1.1 : 0.8,
+    opacity: kind === 'holder' ? 0.62 : 1,
+    both_sides: kind !== 'holder',
   });
-}

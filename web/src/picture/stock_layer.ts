@@ -7,6 +7,7 @@ import type { PartStore, Shape } from '../logic/stock/part_store';
 import type { Solid } from '../logic/stock/setup_words';
 import type { Body, BodyHit, Section, Vec } from './body';
 import { dispose, type Palette } from './furniture';
+import { ground_shadow } from './ground_shadow';
 import { HeightsBody } from './heights_body';
 import { SheetBody } from './sheet_body';
 import { MeshBody, TurnedBody } from './solid_bodies';
@@ -18,6 +19,9 @@ export interface Measured {
   line: readonly Vec[];
   text: string;
 }
+
+/** How dark the shadow is under the part. */
+const SHADOW: Record<Scheme, number> = { dark: 0.62, light: 0.34 };
 
 export class StockLayer {
   readonly group = new Group();
@@ -31,6 +35,7 @@ export class StockLayer {
   private fixtures: Group | null = null;
   private findings: Group | null = null;
   private measured: Group | null = null;
+  private shadow: Group | null = null;
   private colouring: StockColouring = 'tool';
 
   constructor(private readonly is_calm: () => boolean) {}
@@ -42,12 +47,24 @@ export class StockLayer {
     if (origin) this.group.position.set(origin[0], origin[1], origin[2]);
     const shape = part?.shape ?? null;
     if (shape === this.shape) return;
+    this.shade_ground(shape);
     this.shape = shape;
     this.body?.dispose();
     this.body = shape && part ? this.made(shape, part) : null;
     if (!this.body) return;
     this.group.add(this.body.group);
     this.dress();
+  }
+
+  /** Of a part that stands on a table. */
+  private shade_ground(shape: Shape | null): void {
+    const stock = this.part?.facts.stock;
+    const stands = shape && shape.kind !== 'profile' && stock;
+    this.shadow = this.replaced(this.shadow, ({ shadow }) => {
+      const group = new Group();
+      if (stands) group.add(ground_shadow(stock.low, stock.high, shadow, SHADOW[this.scheme]));
+      return group;
+    });
   }
 
   get is_shown(): boolean {
@@ -62,6 +79,7 @@ export class StockLayer {
   set_palette(palette: Palette, scheme: Scheme): void {
     this.palette = palette;
     this.scheme = scheme;
+    this.shade_ground(this.shape);
     this.dress();
   }
 
@@ -123,7 +141,7 @@ export class StockLayer {
   dispose(): void {
     this.body?.dispose();
     this.table.dispose();
-    for (const group of [this.fixtures, this.findings, this.measured]) dispose(group);
+    for (const group of [this.fixtures, this.findings, this.measured, this.shadow]) dispose(group);
     this.group.removeFromParent();
   }
 

@@ -12,7 +12,6 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
-  MeshStandardMaterial,
   Path,
   Shape,
   Sprite,
@@ -20,6 +19,7 @@ import {
 } from 'three';
 import type { Solid } from '../logic/stock/setup_words';
 import { label, type Palette } from './furniture';
+import { metal } from './metal';
 
 type Vec = [number, number, number];
 
@@ -30,9 +30,8 @@ export function fixtures_group(solids: readonly Solid[], palette: Palette): Grou
 }
 
 function clamp(geometry: BufferGeometry, palette: Palette): [Mesh, LineSegments] {
-  const looks = { color: palette.fixture, roughness: 0.7, metalness: 0.15, opacity: 0.62 };
-  const body = new Mesh(geometry, new MeshStandardMaterial({ ...looks, transparent: true }));
-  const line = new LineBasicMaterial({ color: palette.fixture });
+  const body = new Mesh(geometry, metal({ colour: palette.fixture, polish: 0.35 }));
+  const line = new LineBasicMaterial({ color: palette.edge });
   return [body, new LineSegments(new EdgesGeometry(geometry, 30), line)];
 }
 

@@ -22,6 +22,7 @@ import {
   RawShaderMaterial,
   RedFormat,
   RedIntegerFormat,
+  RGFormat,
   ReplaceStencilOp,
   type Texture,
   UnsignedByteType,
@@ -43,6 +44,7 @@ import {
   surface_vertex,
   TABLE_SIDE,
 } from './stock_shaders';
+import { STUDIO } from './studio';
 
 export type OwnerOf = 'cell' | 'vertex';
 export interface SurfaceColours {
@@ -147,7 +149,8 @@ export class StockMaterials {
   ) {
     const scale = { value: deviation_stops().map((rgb) => new Vector3(...rgb)) };
     const of_places = { table: { value: table }, most: this.most, scale };
-    const uniforms = { ...of_places, plane: this.plane, ...this.looks, ...this.field };
+    const of_body = { plane: this.plane, ...this.looks, ...this.field };
+    const uniforms = { studio: STUDIO, ...of_places, ...of_body };
     this.surface = surface_material(uniforms, DEFINES[owner_of]);
     this.cut_face = inside_material(uniforms, DEFINES[owner_of]);
     this.plane_face = plane_material(this.looks);
@@ -215,8 +218,8 @@ export function owner_texture(
 
 export function ambient_texture(): DataTexture {
   const n = AMBIENT_SIZE;
-  const light = new Uint8Array(n * n).fill(255);
-  return ready(new DataTexture(light, n, n, RedFormat, UnsignedByteType), LinearFilter, 1);
+  const light = new Uint8Array(2 * n * n).fill(255);
+  return ready(new DataTexture(light, n, n, RGFormat, UnsignedByteType), LinearFilter, 2);
 }
 
 /** Of each column, as deviations_of() has it. */

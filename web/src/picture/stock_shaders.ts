@@ -3,6 +3,7 @@
  * that cut it. stock_material.ts says what is drawn with which of these.
  */
 
+import { studio_glsl } from './studio';
 import { NO_DEVIATION } from '../logic/stock/stock_frame';
 
 /** Motions of the table of colours: its texture is a square. */
@@ -20,13 +21,12 @@ flat out int v_owner;
 out float v_deviation;
 #endif
 out vec3 place;
-out vec3 place_seen;
+out vec2 on_screen;
 out vec3 upright;
 out vec3 seen;
 void main() {
   vec4 at = modelViewMatrix * vec4(position, 1.0);
   place = position;
-  place_seen = at.xyz;
   upright = normal.xyz;
   seen = mat3(modelViewMatrix) * normal.xyz;
 #ifdef OWNER_OF_VERTEX
@@ -34,6 +34,7 @@ void main() {
   v_deviation = deviation;
 #endif
   gl_Position = projectionMatrix * at;
+  on_screen = gl_Position.xy;
 }`;
 
 export const surface_fragment = /* glsl */ `
@@ -58,14 +59,12 @@ flat in int v_owner;
 in float v_deviation;
 #endif
 in vec3 place;
-in vec3 place_seen;
+in vec2 on_screen;
 in vec3 upright;
 in vec3 seen;
 out vec4 pixel;
 
-const vec3 KEY = vec3(-0.42, 0.56, 0.71);
-const vec3 FILL = vec3(0.80, 0.05, 0.60);
-const vec3 HALF = vec3(-0.227, 0.303, 0.925);
+${studio_glsl}
 
 vec4 entry(int motion) {
   return texelFetch(table, ivec2(motion % ${TABLE_SIDE}, motion / ${TABLE_SIDE}), 0);
@@ -104,13 +103,16 @@ vec4 cut() {
 #endif
 }
 
-float shade() {
+/** How much of the light comes to the place: 1 all of it, above 1 to what stands out. */
+float open() {
 #ifdef OWNER_OF_CELL
   if (is_outside()) return 1.0;
   vec2 at = (place.xy - corner.xy) / (far.xy - corner.xy);
-  float mean = texture(ambient, at).r * (far.z - corner.z) + corner.z;
-  float below = (mean - place.z) / (0.06 * length(far.xy - corner.xy));
-  return 1.0 - 0.42 * clamp(below, 0.0, 1.0) + 0.05 * clamp(-below, 0.0, 1.0);
+  vec2 below = (texture(ambient, at).rg * (far.z - corner.z) + corner.z - place.z) / length(far.xy - corner.xy);
+  vec2 deep = clamp(below / vec2(0.06, 0.018), -1.0, 1.0);
+  vec2 shade = max(deep, 0.0);
+  vec2 high = max(-deep, 0.0);
+  return 1.0 - 0.34 * shade.x - 0.3 * shade.y + 0.03 * high.x + 0.05 * high.y;
 #else
   return 1.0;
 #endif
@@ -123,21 +125,8 @@ void main() {
 #ifdef CUT_FACE
   pixel = vec4(face, 1.0);      // the plane is drawn over it
 #else
-  vec3 n = normalize(seen);
   vec4 motion = cut();
-  vec3 colour = mix(stock, motion.rgb, motion.a);
-  float key = max(dot(n, KEY), 0.0);
-  float fill = max(dot(n, FILL), 0.0);
-  float light = 0.38 + 0.08 * n.y + 0.56 * key + 0.20 * fill;
-  float gleam = max(dot(n, HALF), 0.0);
-  gleam *= gleam;
-  gleam *= gleam;
-  gleam *= gleam;
-  gleam *= gleam;
-  gleam *= gleam;
-  float aslant = 1.0 - clamp(n.z, 0.0, 1.0);
-  float rim = 1.0 - 0.22 * aslant * aslant * aslant;
-  pixel = vec4((colour * light * rim + 0.22 * gleam) * shade(), 1.0);
+  pixel = vec4(lit(mix(stock, motion.rgb, motion.a), normalize(seen), on_screen, open(), 0.55), 1.0);
 #endif
 }`;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -17,6 +18,9 @@ constexpr Key kOneX = 1;
 constexpr Key kOneY = Key{1} << kBits;
 constexpr Key kOneZ = Key{1} << (2 * kBits);
 constexpr Key kMask = kOneY - 1;
+
+/// Deviations of this share of the largest are as large.
+constexpr double kAsLarge = 0.999;
 
 Key cell_along(double at, double low, double cell) {
   return static_cast<Key>(std::clamp(std::floor((at - low) / cell), 0.0, kLast));
@@ -217,8 +221,28 @@ std::vector<Region> RegionFinder::find() {
   }
   std::vector<Region> regions;
   for (std::size_t i = 0; i < sums.size(); ++i) regions.push_back(region_of(sides[i], sums[i]));
+  place_extremes(regions, region_of_cell);
   add_motions(regions, region_of_cell, sums);
   return regions;
+}
+
+// A floor that is too deep is so everywhere: it is shown in its middle.
+void RegionFinder::place_extremes(std::vector<Region>& regions,
+                                  const std::vector<std::uint32_t>& region_of) const {
+  const auto square_to_centre = [](Vec3 at, const Region& region) {
+    const Vec3 away = at - region.centre;
+    return dot(away, away);
+  };
+  std::vector<double> nearest(regions.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const CellFound& found = cells_[i].second;
+    Region& region = regions[region_of[i]];
+    if (found.max_mm < kAsLarge * region.max_mm) continue;
+    const double square = square_to_centre(found.at, region);
+    if (square >= nearest[region_of[i]]) continue;
+    nearest[region_of[i]] = square;
+    region.at = found.at;
+  }
 }
 
 // By what the part shows; where it shows nothing that was cut, by what is nearest to the design.

@@ -80,6 +80,8 @@ class RegionFinder {
   [[nodiscard]] std::size_t root(std::size_t cell);
   void unite(std::size_t one, std::size_t other);
   void join_neighbours();
+  void place_extremes(std::vector<Region>& regions,
+                      const std::vector<std::uint32_t>& region_of) const;
   void add_motions(std::vector<Region>& regions, const std::vector<std::uint32_t>& region_of,
                    const std::vector<CellFound>& of_regions) const;
 

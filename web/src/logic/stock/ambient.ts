@@ -1,19 +1,34 @@
 /**
  * How open the sky is over a place of a height field, nearly: a place far below the mean height around it is a pocket and lies in
- * shade. The mean heights are a small picture of the part, 0 the bottom and 255 the top.
+ * shade. Of the mean heights there are two, of a wide neighbourhood and of a near one, as a small picture of the part: 0 is the
+ * bottom and 255 the top.
  */
 import { type HeightField, VOID } from './height_field';
 
-export const AMBIENT_SIZE = 96;
-const BLUR_ROUNDS = 3;
-const RADIUS = 4;
+export const AMBIENT_SIZE = 160;
+const WIDE = { radius: 7, rounds: 3 };
+const NEAR = { radius: 2, rounds: 2 };
 
+/** Two numbers a place: the wide mean, the near one. */
 export function mean_heights(field: HeightField): Uint8Array<ArrayBuffer> {
-  const n = AMBIENT_SIZE;
-  let values = samples(field);
-  for (let round = 0; round < BLUR_ROUNDS; round++)
-    values = blurred(blurred(values, 1, n, RADIUS), n, 1, RADIUS);
-  return Uint8Array.from(values, (value) => Math.round(255 * Math.min(1, Math.max(0, value))));
+  const heights = samples(field);
+  const wide = smoothed(heights, WIDE);
+  const near = smoothed(heights, NEAR);
+  const means = new Uint8Array(2 * heights.length);
+  for (let k = 0; k < heights.length; k++) {
+    means[2 * k] = Math.round(255 * within(wide[k]));
+    means[2 * k + 1] = Math.round(255 * within(near[k]));
+  }
+  return means;
+}
+
+const within = (share: number): number => Math.min(1, Math.max(0, share));
+
+function smoothed(heights: Float32Array, { radius, rounds }: typeof WIDE): Float32Array {
+  let values = heights;
+  for (let round = 0; round < rounds; round++)
+    values = blurred(blurred(values, 1, AMBIENT_SIZE, radius), AMBIENT_SIZE, 1, radius);
+  return values;
 }
 
 /** Heights at places of the small picture: 0 the bottom, 1 the top. */

@@ -8,9 +8,9 @@ import type { Owner, PartFacts } from './part_store';
 export type StockColouring = 'tool' | 'line' | 'engagement' | 'deviation' | 'stock' | 'energy';
 export const MOST_OWNERS = 65536;
 
-const TOOL_HIDES = 0.5;
+const TOOL_HIDES = 0.68;
 const LINE_HIDES = 0.94;
-const REST_HIDES = 0.2;
+const REST_HIDES = 0.22;
 const SCALE_HIDES = 0.86;
 /** Degrees: a full slot. */
 export const MOST_ENGAGEMENT = 180;

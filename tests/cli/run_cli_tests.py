@@ -38,6 +38,7 @@ import machine_tests  # noqa: F401
 import name_tests  # noqa: F401
 import offset_tests  # noqa: F401
 import option_tests  # noqa: F401
+import part_check_tests  # noqa: F401
 import output_tests  # noqa: F401
 import pattern_tests  # noqa: F401
 import plot_tests  # noqa: F401

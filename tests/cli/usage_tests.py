@@ -298,7 +298,7 @@ def unknown_machine_twice(box):
 
 @last_test("every option that the help names was used by a test")
 def options_are_tested(box, commands):
-    for command in ("run", "check", "machines", "decode", "encode", "replay"):
+    for command in ("run", "time", "stock", "features", "check", "tools", "machines", "decode", "encode", "replay"):
         room = ["pattern"] if command in ("decode", "encode", "replay") else []
         named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", box.kerf(*room, command, "--help").text))
         used = {word.split("=")[0] for words in commands

@@ -32,6 +32,7 @@ class Part:
         for event in stock[self.events :]:
             if event.get("run", self.facts.get("run")) != self.facts.get("run"):
                 self.facts, self.owners = {}, []
+                self.time_s = None  # what is seen is of the run before
             self.facts.update(event)
             told = event.get("owners")
             if told:
@@ -41,7 +42,8 @@ class Part:
             if frame.number == 0 or (frame.run, frame.level) != self.head:
                 equal(frame.number, 0, "the first frame of a picture")
                 self.tiles = {}
-            self.head, self.kind, self.time_s = (frame.run, frame.level), frame.kind, frame.time_s
+            self.head, self.kind = (frame.run, frame.level), frame.kind
+            self.time_s = frame.time_s if frame.run == self.facts.get("run") else None
             if frame.kind == 2:
                 if frame.tiles:
                     self.tiles = {0: frame.tiles}
@@ -156,7 +158,8 @@ def _(place):
 
 @test("finer cells are there when they are asked for")
 def _(place):
-    part = shown(mill(place), set_up=SLOT_SET_UP).wait_for_end()
+    wide = '[stock]\nshape = "box:0,0,-20,400,60,0"\n'
+    part = shown(mill(place), set_up=wide).wait_for_end()
     coarse, fine = part.facts["levels"]
     check(max(coarse["cells"]) <= 400 and fine["cell_mm"][0] < coarse["cell_mm"][0], f"{coarse} {fine}")
     part.at(part.facts["done_s"], level=1)

@@ -50,7 +50,7 @@ std::vector<Diagnostic> find_all(const ReadyRun& ready, double max_seconds) {
   return found;
 }
 
-// What the stock says of the program: findings that count by --fail-on.
+// What the stock says of the program; --fail-on says what of it counts.
 base::Outcome<void> check_table(const std::string& path, const CheckOptions& options,
                                 FileReport& report) {
   const auto on_table = has_table(options.table);
@@ -60,10 +60,9 @@ base::Outcome<void> check_table(const std::string& path, const CheckOptions& opt
   of_file.table.jobs = options.jobs > 1 ? 1 : 0;
   const auto table = run_on_table(of_file);
   if (!table) return tl::unexpected(table.error());
-  for (const output::StockFacts::Told& told : table->facts.findings) {
-    if (counts(table->set_up, told))
-      report.add(told.diagnostic, table->cut.run->machine().sources());
-  }
+  const base::SourceSet& sources = table->cut.run->machine().sources();
+  for (const output::StockFacts::Told& told : table->facts.findings)
+    report.add(told.diagnostic, sources, counts(table->set_up, told));
   return {};
 }
 
@@ -119,7 +118,8 @@ ExitStatus status_of_all(const std::vector<FileReport>& reports) {
   if (failed != reports.end()) return status_of(*failed->failure);
   const auto mistakes = [](const FileReport& r) {
     return std::any_of(r.findings.begin(), r.findings.end(), [](const Finding& finding) {
-      return finding.object["code"] != base::text_of(base::Code::budget_spent).number;
+      return finding.counts &&
+             finding.object["code"] != base::text_of(base::Code::budget_spent).number;
     });
   };
   if (any(mistakes)) return ExitStatus::findings;

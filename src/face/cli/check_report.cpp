@@ -96,14 +96,15 @@ std::string test_case(const FileReport& report) {
       "  <testcase classname=\"kerf check\" name=\"" + xml(output::printable(report.file)) + "\"";
   if (report.findings.empty() && !report.failure) return head + "/>\n";
   const std::string text = report.failure ? report.failure->message : text_of(report);
+  if (!report.fails())
+    return head + ">\n    <system-out>" + xml(text) + "</system-out>\n  </testcase>\n";
   return head + ">\n    <failure message=\"" + xml(text.substr(0, text.find('\n'))) + "\">" +
          xml(text) + "</failure>\n  </testcase>\n";
 }
 
 std::string junit(const std::vector<FileReport>& reports) {
-  const auto failed = std::count_if(reports.begin(), reports.end(), [](const FileReport& report) {
-    return report.failure || !report.findings.empty();
-  });
+  const auto failed = std::count_if(reports.begin(), reports.end(),
+                                    [](const FileReport& report) { return report.fails(); });
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"kerf check\" tests=\"" +
       std::to_string(reports.size()) + "\" failures=\"" + std::to_string(failed) + "\">\n";
@@ -113,10 +114,16 @@ std::string junit(const std::vector<FileReport>& reports) {
 
 }  // namespace
 
-void FileReport::add(const base::Diagnostic& diagnostic, const base::SourceSet& sources) {
+void FileReport::add(const base::Diagnostic& diagnostic, const base::SourceSet& sources,
+                     bool counts) {
   findings.push_back({output::file_name(diagnostic, sources),
                       output::diagnostic_text(diagnostic, sources),
-                      Json::parse(output::diagnostic_json(diagnostic, sources))});
+                      Json::parse(output::diagnostic_json(diagnostic, sources)), counts});
+}
+
+bool FileReport::fails() const {
+  const auto counts = [](const Finding& finding) { return finding.counts; };
+  return failure || std::any_of(findings.begin(), findings.end(), counts);
 }
 
 std::string in_format(const std::vector<FileReport>& reports, const std::string& format) {

@@ -16,6 +16,7 @@ struct Finding {
   std::string file;  ///< its name, whatever bytes that has
   std::string text;  ///< a diagnostic with its source line and caret
   nlohmann::ordered_json object;
+  bool counts = true;  ///< makes the exit status 1; false: --fail-on lets it pass
 };
 
 /// What is wrong with one of the files that are checked.
@@ -25,7 +26,9 @@ struct FileReport {
   bool budget_spent = false;             ///< its program did not come to an end
   std::optional<base::Failure> failure;  ///< why it could not be checked
 
-  void add(const base::Diagnostic& diagnostic, const base::SourceSet& sources);
+  void add(const base::Diagnostic& diagnostic, const base::SourceSet& sources, bool counts = true);
+  /// Whether any of it counts, or it could not be checked at all.
+  [[nodiscard]] bool fails() const;
 };
 
 /// The reports in one of the formats `text`, `json` (one object a line), `sarif` (2.1.0), `junit`.

@@ -124,7 +124,7 @@ void Parts::make(const std::weak_ptr<Client>& client, const PartLooking& looking
   std::optional<job::PartLook> look;
   try {
     look = looking.cutting ? looking.sight->look(looking.cutting, looking.wish, looking.unwanted)
-                           : job::PartLook{};
+                           : job::PartLook{.is_behind = looking.wish.time_s > 0.0};
   } catch (const std::exception& fault) {
     tell_console(std::string("a look at the part: fault of Kerf itself: ") + fault.what());
     look = job::PartLook{};

@@ -37,7 +37,7 @@ STOCK = ("--stock", PLATE, "--cell", "0.5")
 RISEN = "\nG00Z5.\nY30."  # beside the slot
 by_option("--fixture", SLOT, STOCK, (*STOCK, "--fixture", "box:62,10,-4,70,30,15"), ["FIXTURE_COLLISION"])
 by_option("--stock-place", SLOT + RISEN, STOCK, (*STOCK, "--stock-place", "0,0,8"), ["RAPID_IN_STOCK"])
-by_option("--stock-zero", "G10L2P1X0Y0Z-8.\n" + SLOT + RISEN, STOCK, (*STOCK, "--stock-zero", "machine"), ["RAPID_IN_STOCK"],
+by_option("--stock-zero", "\nG10L2P1X0Y0Z-8.\n" + SLOT + RISEN, STOCK, (*STOCK, "--stock-zero", "machine"), ["RAPID_IN_STOCK"],
           rest=("--no-check", "OT0500"))
 by_option("--start", SLOT, STOCK, (*STOCK, "--start", "10,20,-30"), ["RAPID_IN_STOCK"])
 by_option("--tools-unit", SLOT.replace("Z-5.", "Z-5.000"), STOCK,

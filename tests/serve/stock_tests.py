@@ -216,7 +216,9 @@ def _(place):
     equal((part.facts["model"], part.kind, part.facts["error"]), ("tridexel", 1, None), "facts")
     check(sum(f.bytes for f in client.part_frames) <= 4 << 20, "the first picture")
     check(abs(part.facts["removed_mm3"] - 2392.69908) < 60, f"removed {part.facts['removed_mm3']}")
-    equal(mesh_volume(part.tiles.values()) > 0, True, "oriented outwards")
+    part.at(part.facts["done_s"])  # all of it: a picture may take more than one frame
+    check(abs(mesh_volume(part.tiles.values()) - (60 * 60 * 30 - part.facts["removed_mm3"])) < 60,
+          f"the triangles enclose {mesh_volume(part.tiles.values())} mm³")
     equal({o for t in part.tiles.values() for o in t["owner"]}, {0, 1, 2}, "who cut them")
     end = part.facts["done_s"]
     at_half = part.at(0.7 * end) and part.picture()

@@ -57,6 +57,7 @@ import sheet_tests  # noqa: F401
 import signal_tests  # noqa: F401
 import state_tests  # noqa: F401
 import stock_files_tests  # noqa: F401
+import stock_run_tests  # noqa: F401
 import stock_check_tests  # noqa: F401
 import stock_tests  # noqa: F401
 import teach_conversion_tests  # noqa: F401

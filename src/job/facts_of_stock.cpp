@@ -131,6 +131,11 @@ output::StockFacts::Told told(const stock::Finding& finding, const machine::Batc
   return {std::move(diagnostic), finding};
 }
 
+std::string title_of(const StockResult& result) {
+  const machine::BatchRun& machine = result.run->machine();
+  return title_of(machine) + " on " + machine.definition().name;
+}
+
 output::StockFacts facts_of(StockResult& result) {
   output::StockFacts facts;
   facts.run = facts_of(result.run->machine());

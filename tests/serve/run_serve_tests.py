@@ -29,6 +29,7 @@ import library_tests  # noqa: F401
 import link_tests  # noqa: F401
 import machine_tests  # noqa: F401
 import memory_tests  # noqa: F401
+import part_export_tests  # noqa: F401
 import pattern_tests  # noqa: F401
 import stock_tests  # noqa: F401
 import training_tests  # noqa: F401

@@ -100,8 +100,9 @@ void add_preparation(CLI::App& run, RunOptions& o, Patterns patterns) {
       ->type_name("UNIT")
       ->check(CLI::IsMember({"mm", "inch"}));
   run.add_option("--offsets", o.offsets, "offsets as TOML or G10 blocks")->type_name("FILE");
-  run.add_option("--state", o.state,
-                 "permanent memory of the control, read before the run; kerf run writes it behind that")
+  run.add_option(
+         "--state", o.state,
+         "permanent memory of the control, read before the run; kerf run writes it behind that")
       ->type_name("FILE");
   run.add_option("--block-skip", o.block_skip, "block skip levels that are on: 1,3 or all")
       ->type_name("LIST");

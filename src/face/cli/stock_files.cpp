@@ -1,7 +1,7 @@
 #include "face/cli/stock_files.hpp"
 
 #include "face/cli/ready_run.hpp"
-#include "job/facts_of_run.hpp"
+#include "job/facts_of_stock.hpp"
 #include "job/part_comparison.hpp"
 #include "job/part_file.hpp"
 #include "job/stock_part.hpp"
@@ -28,11 +28,6 @@ constexpr std::size_t kMostTriangles = 1'000'000'000;
 // More points than these along an axis show nothing more in a picture.
 constexpr std::size_t kPicturePoints = 900;
 constexpr double kPictureChord_mm = 0.01;
-
-std::string title_of(const job::StockResult& result) {
-  const machine::BatchRun& machine = result.run->machine();
-  return job::title_of(machine) + " on " + machine.definition().name;
-}
 
 }  // namespace
 
@@ -135,7 +130,8 @@ Outcome<void> StockFiles::write_solids(const job::StockResult& result,
   if (stl_ != nullptr)
     output::write_stl(part.mesh, [&](std::string_view bytes) { stl_->write(bytes); });
   if (glb_ == nullptr && three_mf_ == nullptr) return {};
-  output::SolidFile file = output::solid_file(title_of(result), facts, result.tool_spans, part);
+  output::SolidFile file =
+      output::solid_file(job::title_of(result), facts, result.tool_spans, part);
   if (job.design) {
     for (output::SolidPiece& piece : file.pieces)
       piece.deviations = output::Deviations{job::deviations_mm(job, piece.surface.mesh.points),
@@ -163,7 +159,7 @@ output::PartScene StockFiles::scene_of(const job::StockResult& result,
                                        const output::StockFacts& facts,
                                        const job::StockJob& job) const {
   output::PartScene scene;
-  scene.title = title_of(result);
+  scene.title = job::title_of(result);
   scene.facts = &facts;
   scene.tools = result.tool_spans;
   scene.jobs = job.jobs;

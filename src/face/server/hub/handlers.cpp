@@ -34,6 +34,7 @@ const Handlers& hub_handlers() {
       {"stock", [](Hub& hub, const Request& r) { hub.parts().stock(r); }},
       {"stock_at", [](Hub& hub, const Request& r) { hub.parts().stock_at(r); }},
       {"stock_probe", [](Hub& hub, const Request& r) { hub.parts().stock_probe(r); }},
+      {"stock_export", [](Hub& hub, const Request& r) { hub.parts().stock_export(r); }},
       {"set-settings", [](Hub& hub, const Request& r) { hub.machine_files().replace(r); }},
   };
   return handlers;

@@ -218,4 +218,52 @@ void Parts::stock_probe(const Request& request) {
                       .owner = view.part().get()});
 }
 
+// What is kept: begun on the disk, cut where parts are cut, finished on the disk.
+
+void Parts::stock_export(const Request& request) {
+  if (!request.machine->part_source) return request.reply.no(base::Refusal::no_program);
+  const PartExport part{*request.machine->part_source,
+                        {},
+                        around_.library.folder(),
+                        request.arguments().text("format"),
+                        request.unwanted()};
+  around_.disk.post({.work = [this, reply = request.reply, part] { begin_export(reply, part); },
+                     .unwanted = part.unwanted});
+}
+
+void Parts::begin_export(const Reply& reply, PartExport part) {
+  auto file = guarded([&]() -> Outcome<ExportFile> {
+    auto toml = around_.library.set_up(part.source.program);
+    if (!toml) return tl::unexpected(toml.error());
+    part.set_up = std::move(*toml);
+    auto begun = around_.library.begin_upload(part_name(part.source.program, part.format));
+    if (!begun) return tl::unexpected(begun.error());
+    return ExportFile(std::move(*begun));
+  });
+  if (!file) return around_.answers.answer(reply, tl::unexpected(file.error()));
+  around_.answers.to_sockets([this, reply, part = std::move(part), file = std::move(*file)] {
+    cut_export(reply, part, file);
+  });
+}
+
+void Parts::cut_export(const Reply& reply, const PartExport& part, const ExportFile& file) {
+  const auto work = [this, reply, part, file] {
+    const auto cut = guarded([&] { return export_part(part, *file); });
+    if (!cut) return around_.answers.answer(reply, tl::unexpected(cut.error()));
+    around_.answers.to_sockets([this, reply, part, file] { keep_export(reply, part, file); });
+  };
+  around_.cuts.post({.work = work, .unwanted = part.unwanted});
+}
+
+void Parts::keep_export(const Reply& reply, const PartExport& part, const ExportFile& file) {
+  around_.disk.post([this, reply, name = part_name(part.source.program, part.format), file] {
+    around_.answers.answer(
+        reply, guarded([&]() -> Outcome<Json> {
+          const auto kept = around_.library.finish_upload(name, *file);
+          if (!kept) return tl::unexpected(kept.error());
+          return Json{{"name", name}, {"bytes", kept->bytes}, {"revision", kept->number}};
+        }));
+  });
+}
+
 }  // namespace kerf::server

@@ -5,6 +5,7 @@
 
 #include "face/server/hub/internal/answers.hpp"
 #include "face/server/hub/internal/machine_table.hpp"
+#include "face/server/hub/internal/part_export.hpp"
 #include "face/server/hub/part.hpp"
 #include "face/server/hub/part_view.hpp"
 #include "face/server/store/library.hpp"
@@ -42,6 +43,7 @@ class Parts {
   void stock(const Request& request);
   void stock_at(const Request& request);
   void stock_probe(const Request& request);
+  void stock_export(const Request& request);
 
   /// Has a look made for a client.
   [[nodiscard]] PartView::Look look_for(std::weak_ptr<Client> client);
@@ -49,6 +51,10 @@ class Parts {
  private:
   void show(Client& client, MachineRecord& machine);
   void answer_set_up(const Request& request);
+  using ExportFile = std::shared_ptr<base::OutputFile>;
+  void begin_export(const Reply& reply, PartExport part);
+  void cut_export(const Reply& reply, const PartExport& part, const ExportFile& file);
+  void keep_export(const Reply& reply, const PartExport& part, const ExportFile& file);
   void keep_set_up(const Request& request, const std::string& toml);
   /// Reads the set-up, then cuts.
   void cut_again(MachineRecord& machine);

@@ -2,9 +2,9 @@
 
 import collections
 import json
+import re
 import struct
 import subprocess
-import shutil
 import xml.etree.ElementTree as xml
 import zipfile
 from pathlib import Path
@@ -99,6 +99,13 @@ def cut(box, program, *words, exit_status=0):
     return json.loads(box.read("report.json"))
 
 
+def faults_of(path):
+    """What another mesh library says of the edges as they are, none of them mended."""
+    told = subprocess.run(["admesh", "--exact", str(path)], capture_output=True, text=True, check=True).stdout
+    found = dict(re.findall(r"^(Total disconnected facets|Degenerate facets|Backwards edges|Facets reversed) *: *(\d+)", told, re.M))
+    return {name: int(count) for name, count in found.items()}
+
+
 BLOCK = ("--stock", "box:0,0,-20,70,40,0", "--cell", "0.5")
 
 
@@ -114,6 +121,8 @@ def solids(box):
             euler, volume = sound(triangles, f"{model} {what}")
             equal(euler, 2, f"{model} {what}: Euler characteristic")
             near(volume, report["left_mm3"], report["model"]["error_mm3"], f"{model} {what}: volume")
+        equal(faults_of(folder / "p.stl"), {"Total disconnected facets": 0, "Degenerate facets": 0, "Backwards edges": 0,
+                                            "Facets reversed": 0}, f"{model}: what admesh finds")
 
 
 @test("with --triangles the part has no more of them, and stays closed, whatever the model")

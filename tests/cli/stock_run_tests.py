@@ -58,6 +58,17 @@ def state(box):
     equal(second, facts(box, "run", ran, "s.json"), "a run behind the first one")
 
 
+@test("stock: the summary of the run stands above what is said of the part, once")
+def once(box):
+    box.write("tools.toml", FLAT)
+    box.write("part.nc", HEAD + SLOT + TAIL)
+    for command in ("run", "stock"):
+        told = box.kerf(command, "part.nc", "--tools", "tools.toml", "--stock", PLATE, "--cell", "0.5").err
+        for words in ("blocks,", "extents X", "  stock box:", "no findings"):
+            equal(told.count(words), 1, f"{command}: {words}")
+        check(told.index("extents X") < told.index("  stock box:"), command)
+
+
 @test("stock: a run that takes longer than --max-seconds ends with what is cut by then")
 def seconds(box):
     box.write("tools.toml", FLAT)

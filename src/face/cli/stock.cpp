@@ -19,6 +19,7 @@
 #include "job/stock_run.hpp"
 #include "output/reports/stock_report.hpp"
 #include "output/reports/stock_rows.hpp"
+#include "output/reports/summary.hpp"
 
 namespace kerf::cli {
 namespace {
@@ -128,9 +129,10 @@ ExitStatus stock(const StockOptions& options) {
     if (auto committed = (*file)->commit(); !committed) return fail(committed.error());
   }
   report_diagnostics(ready, options.run.diagnostics);
+  const bool for_people = options.run.diagnostics != DiagnosticFormat::json;
+  if (for_people) std::fputs(output::summary_text(facts.run).c_str(), stderr);
   report_stock(options.run, facts, sources);
-  if (options.run.diagnostics != DiagnosticFormat::json)
-    std::fputs(files.remarks().c_str(), stderr);
+  if (for_people) std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
   return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings : ended;
 }

@@ -226,11 +226,11 @@ std::string finding_lines(const StockFacts& facts, const base::SourceSet& source
 }  // namespace
 
 std::string stock_report_text(const StockFacts& facts, const base::SourceSet& sources) {
-  std::string text = summary_text(facts.run);
   const std::string cell =
       facts.model.cell_mm.empty() ? "" : fmt::format(" of {:.4g} mm", facts.model.cell_mm.front());
-  text += fmt::format("  stock {} at {}, {:.1f} mm³; {}{} ({})\n", printable(facts.shape),
-                      facts.zero, facts.stock_mm3, facts.model.kind, cell, facts.model.reason);
+  std::string text =
+      fmt::format("  stock {} at {}, {:.1f} mm³; {}{} ({})\n", printable(facts.shape), facts.zero,
+                  facts.stock_mm3, facts.model.kind, cell, facts.model.reason);
   text += fmt::format("  removed {:.1f} mm³, left {:.1f} mm³\n", facts.removed_mm3, facts.left_mm3);
   for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
   if (facts.sheet) text += sheet_lines(*facts.sheet);

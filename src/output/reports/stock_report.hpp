@@ -15,7 +15,7 @@ namespace kerf::output {
 /// What its checks have found and could not look at, for the summary of a run.
 [[nodiscard]] CheckedStock checked_stock(const StockFacts& facts, const base::SourceSet& sources);
 
-/// The same for people.
+/// The same for people; the summary of the run stands above it.
 [[nodiscard]] std::string stock_report_text(const StockFacts& facts,
                                             const base::SourceSet& sources);
 

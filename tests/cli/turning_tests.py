@@ -72,6 +72,16 @@ def speeds(box):
     equal(told["spindle"], {"max_rpm_used": 700, "css": False, "clamped": False}, "constant speed")
 
 
+@test("G50 S limits what G96 asks for, and the run takes as long: 200 mm at 0.02 mm a turn")
+def clamped(box):
+    cut = "G96S200M03\nG00X50.Z0\nG01Z-200.F.02\nM30\n"  # 200 m/min on a diameter of 50 mm: 1273.24 rpm
+    limited = summary(box, "O1\nG50S1000\n" + cut)
+    near(limited["time_s"], 600, 0.5, "10,000 turns at 1000 rpm, and a rapid")
+    free = summary(box, "O1\nG50S4000\n" + cut)
+    near(free["time_s"] - 471.24, limited["time_s"] - 600, 0.01, "at 1273.24 rpm")
+    equal((limited["spindle"]["clamped"], free["spindle"]["clamped"]), (True, False), "told")
+
+
 @test("the summary of a lathe counts the passes of its threads")
 def threads(box):
     text = ("O1\nG97S500M03\nG00X34.Z5.\nG76P011000Q100R.05\nG76X27.4Z-25.P1300Q400F2.\n"

@@ -41,7 +41,9 @@ class TilesOfSheet final : public Tiles {
     return cells == nullptr ? nothing_ : std::make_shared<SheetContent<Cells>>(cells);
   }
   void bring_back(std::size_t tile, const Content& kept) override {
-    (sheet_.*kRestore)(tile, static_cast<const SheetContent<Cells>&>(kept).cells());
+    // It held this before: the memory holds it again.
+    static_cast<void>(
+        (sheet_.*kRestore)(tile, static_cast<const SheetContent<Cells>&>(kept).cells()));
   }
   [[nodiscard]] Kept keep_trail() const override { return trail_; }
   void bring_back_trail(const Content& /*kept*/) override {}

@@ -122,7 +122,8 @@ contour::Region outline_of(std::span<const SheetCut> cuts) {
 
 bool SavedSheet::restore(sheet::Sheet& sheet) const {
   return std::all_of(state_.tiles.begin(), state_.tiles.end(), [&](const SheetState::Tile& tile) {
-    return sheet.restore(tile.number, tile.coverage, tile.energy.get());
+    return sheet.restore_coverage(tile.number, &tile.coverage) &&
+           sheet.restore_energy(tile.number, tile.energy.get());
   });
 }
 

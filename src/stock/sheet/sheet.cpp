@@ -148,27 +148,22 @@ std::uint64_t Sheet::burns_of(std::size_t tile) const {
   return known == nullptr ? 0 : known->burns;
 }
 
-void Sheet::restore_coverage(std::size_t tile, const Coverage* cells) {
-  if (cells == nullptr && touched(tile) == nullptr) return;
+bool Sheet::restore_coverage(std::size_t tile, const Coverage* cells) {
+  if (cells == nullptr && touched(tile) == nullptr) return true;
   Tile* const known = touch(tile);
-  if (known == nullptr) return;
+  if (known == nullptr) return false;
   known->coverage = cells == nullptr ? Coverage{} : *cells;
   ++known->cuts;
+  return true;
 }
 
-void Sheet::restore_energy(std::size_t tile, const Energy* cells) {
-  if (cells == nullptr && touched(tile) == nullptr) return;
+bool Sheet::restore_energy(std::size_t tile, const Energy* cells) {
+  if (cells == nullptr && touched(tile) == nullptr) return true;
   Tile* const known = touch(tile);
-  if (known == nullptr || !known->energy) return;
+  if (known == nullptr) return false;
+  if (!known->energy) return true;
   *known->energy = cells == nullptr ? Energy{} : *cells;
   ++known->burns;
-}
-
-bool Sheet::restore(std::size_t tile, const Coverage& coverage, const Energy* energy) {
-  Tile* const to = touch(tile);
-  if (to == nullptr) return false;
-  to->coverage = coverage;
-  if (to->energy && energy != nullptr) *to->energy = *energy;
   return true;
 }
 

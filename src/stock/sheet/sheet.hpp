@@ -64,16 +64,13 @@ class Sheet {
   [[nodiscard]] const Coverage* coverage(std::size_t tile) const;
   /// J/mm²; null: nothing came to it, or energy is not kept.
   [[nodiscard]] const Energy* energy(std::size_t tile) const;
-  /// Puts back what a tile of an equal grid had, both as coverage() and energy() told; energy goes
-  /// where none is kept. False: the memory does not hold it.
-  [[nodiscard]] bool restore(std::size_t tile, const Coverage& coverage, const Energy* energy);
-
   /// How often a tile was cut, or burnt; restoring counts as once.
   [[nodiscard]] std::uint64_t cuts_of(std::size_t tile) const;
   [[nodiscard]] std::uint64_t burns_of(std::size_t tile) const;
-  /// What coverage() or energy() told of the tile; null: nothing came to it.
-  void restore_coverage(std::size_t tile, const Coverage* cells);
-  void restore_energy(std::size_t tile, const Energy* cells);
+  /// Puts back what coverage() or energy() told of a tile of an equal grid; null: nothing came to
+  /// it. Energy goes where none is kept. False: the memory does not hold it.
+  [[nodiscard]] bool restore_coverage(std::size_t tile, const Coverage* cells);
+  [[nodiscard]] bool restore_energy(std::size_t tile, const Energy* cells);
 
   /// A cell counts as cut from so much: half of what one in the middle of a kerf has.
   [[nodiscard]] std::uint8_t cut_from() const;

@@ -66,7 +66,7 @@ describe('texts', () => {
     // A key may be put together: `mode.${mode}`.
     const heads = [
       ...sources.matchAll(
-        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of|limit|lengths|fail-on|material)-)?)\$\{/g,
+        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of|limit|lengths|fail-on|material|keep)-)?)\$\{/g,
       ),
     ].map((match) => match[1]);
     const unused = keys.filter(

@@ -91,7 +91,7 @@ void StraightLeg::leave_out_behind(const LowerEnvelope& tool, const BlockValues&
       const Lanes out = larger(root(u2) - behind.core, Lanes{});
       after = after + root(behind.lean2 - behind.lean * out * out);
     }
-    store((a < all(behind.before)) | (a > after) ? far : u2, &across2[i]);
+    store(((a < all(behind.before)) | (a > after)) ? far : u2, &across2[i]);
   }
 }
 

@@ -86,7 +86,7 @@ void lower_by_ball(const StraightSlope& way, const EnvelopePiece& piece, const B
     const Lanes x = (at_begin | at_end) ? at : depth * way.slope;
     const Lanes z = base + way.slope * (begin - x) - depth;
     const Lanes before = load(&low[i]);
-    store((depth2 >= none) & (z < before) ? z : before, &low[i]);
+    store(((depth2 >= none) & (z < before)) ? z : before, &low[i]);
   }
 }
 

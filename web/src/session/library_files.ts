@@ -3,7 +3,9 @@ import { type Decoded, decoded, is_text } from '../logic/text_bytes';
 import { notices } from './notices.svelte';
 import { t } from './words.svelte';
 
-const address = (name: string): string => `library/${encodeURIComponent(name)}${location.search}`;
+/** Where a file of the library is had. */
+export const address = (name: string): string =>
+  `library/${encodeURIComponent(name)}${location.search}`;
 
 /** Into the library as it is, byte by byte. False: refused, and the sentence is told. */
 export async function put_file(name: string, body: Blob | string): Promise<boolean> {

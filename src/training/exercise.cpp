@@ -1,5 +1,6 @@
 #include "training/exercise.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -165,6 +166,13 @@ const Exercise* find_exercise(std::string_view name) {
   const auto found = std::find_if(exercises().begin(), exercises().end(),
                                   [&](const Exercise& e) { return e.name == name; });
   return found == exercises().end() ? nullptr : &*found;
+}
+
+std::string PartWork::set_up() const {
+  std::string toml = fmt::format("[stock]\nshape = \"{}\"\nzero = \"G54\"\n", stock);
+  for (const std::string& fixture : fixtures)
+    toml += fmt::format("\n[[fixture]]\nshape = \"{}\"\n", fixture);
+  return toml + "\n" + tools;
 }
 
 }  // namespace kerf::training

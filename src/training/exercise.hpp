@@ -24,6 +24,9 @@ struct PartWork {
   std::string tools;   ///< [[tool]] tables
   double cell_mm = 0;  ///< of the model, at least kLeastCell_mm
 
+  /// The same as a set-up, docs/set-up.md: what a panel keeps with the program.
+  [[nodiscard]] std::string set_up() const;
+
   static constexpr double kLeastCell_mm = 0.05;  // smaller ones take too long for a page
 };
 

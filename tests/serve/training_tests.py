@@ -3,6 +3,7 @@
 import time
 
 from harness import *  # noqa: F403
+from stock_tests import Part
 
 
 def exercise(client, name):
@@ -24,6 +25,22 @@ def _(place):
         check(each["machine"] in definitions, each["machine"])
         check("solution" not in each, "the solution is told")
         equal(len(each["zero_mm"]), 3, "zero")
+
+
+@test("what is on the table of an exercise that is judged by its part can be set up, and its part is cut from that")
+def _(place):
+    client = place.serve().client()
+    client.do("create", name="mill", definition="mill3")
+    client.watch("mill")
+    told = [each for each in client.do("exercises")["exercises"] if each["set_up"] is not None]
+    equal([each["name"] for each in told], ["12_pocket_plate"], "judged by the part")
+    client.load(told[0]["start"], told[0]["file"])
+    client.do("stock", toml=told[0]["set_up"])
+    part = Part(client)
+    client.do("stock", shows=True)
+    part.wait_for_end()
+    equal((part.facts["stock"]["low"], part.facts["stock"]["high"]), ([0, 0, -20], [80, 60, 1]), "the stock")
+    check(part.facts["removed_mm3"] > 4000, "the start faces it")
 
 
 @test("the start of an exercise is not enough, and what is missing is told with its place")

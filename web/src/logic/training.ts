@@ -13,6 +13,8 @@ export interface Exercise {
   machine: string;
   file: string;
   start: string;
+  /** What is on the table and in the magazine, of an exercise that is judged by its part. */
+  set_up: string | null;
   zero_mm: number[];
 }
 

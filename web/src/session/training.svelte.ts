@@ -11,6 +11,7 @@ import { documents } from './documents.svelte';
 import { notices } from './notices.svelte';
 import { panel } from './panel.svelte';
 import { preferences } from './preferences.svelte';
+import { setup } from './setup.svelte';
 import { slider } from './slider.svelte';
 import { t } from './words.svelte';
 
@@ -72,6 +73,15 @@ class Training {
     if (documents.programs.some((program) => program.name === exercise.file))
       await documents.open_and_load(exercise.file);
     else await documents.create(exercise.file, exercise.start);
+    await this.set_up(exercise);
+  }
+
+  /** Puts the stock of the exercise on the table, unless somebody has set the program up. */
+  private async set_up(exercise: Exercise): Promise<void> {
+    if (exercise.set_up === null) return;
+    const kept = await panel.ask('stock', {}).catch(() => null);
+    if (kept?.is_default !== true) return;
+    if (await panel.act('stock', { toml: exercise.set_up })) await setup.refresh();
   }
 
   private async come_to_machine(definition: string): Promise<boolean> {

@@ -21,6 +21,7 @@ Json exercise_json(const Exercise& exercise) {
           {"machine", exercise.machine},
           {"file", exercise.file},
           {"start", exercise.start},
+          {"set_up", exercise.part ? Json(exercise.part->set_up()) : Json()},
           {"zero_mm", exercise.zero_mm}};
 }
 

@@ -30,7 +30,6 @@ def _(place):
 @test("what is on the table of an exercise that is judged by its part can be set up, and its part is cut from that")
 def _(place):
     client = place.serve().client()
-    client.do("create", name="mill", definition="mill3")
     client.watch("mill")
     told = [each for each in client.do("exercises")["exercises"] if each["set_up"] is not None]
     equal([each["name"] for each in told], ["12_pocket_plate"], "judged by the part")

@@ -108,6 +108,20 @@ export class PanelPage {
       limit_ms,
     );
   }
+  /** All of the program has been cut, and some of it is seen. */
+  async has_part(model = 'zmap') {
+    await this.until((wanted) => {
+      const { part, partDone } = document.querySelector('#picture').dataset;
+      return part === wanted && partDone === 'true';
+    }, model);
+  }
+  /** One of what the picture can show, as a box has it. */
+  async shows(what, is_shown) {
+    const tools = this.page.locator('.picture .tools');
+    await tools.getByRole('button', { name: 'Show' }).click();
+    await this.page.getByRole('checkbox', { name: what, exact: true }).setChecked(is_shown);
+    await this.page.keyboard.press('Escape');
+  }
   status() {
     return this.page.locator('header .status').innerText();
   }

@@ -12,14 +12,6 @@ const picture = (panel) => panel.page.locator('#picture');
 const dock = (panel) => panel.page.locator('#dock-setup');
 const part_time = async (panel) => Number(await picture(panel).getAttribute('data-part-time'));
 
-/** All of the program has been cut, and some of it is seen. */
-async function has_part(panel, model = 'zmap') {
-  await panel.until((wanted) => {
-    const { part, partDone } = document.querySelector('#picture').dataset;
-    return part === wanted && partDone === 'true';
-  }, model);
-}
-
 async function shows_instant(panel, time_s) {
   await panel.until(
     (wanted) =>
@@ -99,7 +91,7 @@ const at_size = (size) => ({
     await open_clamped(panel);
     await set_up(panel);
     await shot(panel, shots, 'part-set-up', size);
-    await has_part(panel);
+    await panel.has_part();
     await panel.page.locator('header .problems.findings').waitFor();
     await panel.tab('Problems');
     const rows = panel.page.locator('#dock-problems tbody tr');
@@ -164,7 +156,7 @@ export const part = [
       await panel.fresh();
       await panel.run_text('relief.nc', RELIEF);
       await panel.has_path();
-      await has_part(panel);
+      await panel.has_part();
       const end = await part_time(panel);
       await panel.press('Cycle start');
       await panel.has_status('RUNNING');
@@ -186,7 +178,7 @@ export const part = [
       const panel = await open(DESK);
       await open_clamped(panel);
       await set_up(panel);
-      await has_part(panel);
+      await panel.has_part();
       const { page } = panel;
       await page.locator('#picture').focus();
       await page.keyboard.press('1'); // from above: the middle of the picture is the middle of what is seen
@@ -240,7 +232,7 @@ export const part = [
       const panel = await open({ ...DESK, scheme });
       await open_clamped(panel);
       await set_up(panel);
-      await has_part(panel);
+      await panel.has_part();
       await panel.page.evaluate(AXE);
       assert.deepEqual(await findings(panel, 'set-up'), []);
       await panel.tab('Problems');

@@ -311,7 +311,6 @@ export class Picture {
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
     size_labels(this.stock.group, pixel_mm);
-    this.highlight.group.visible = !this.stock.is_shown || this.shown.path_with_part;
     this.renderer.clear();
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);

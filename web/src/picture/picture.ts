@@ -23,7 +23,9 @@ import { type Model, type Pose, model_of } from './models';
 import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
+import { PIXELS } from './pixels';
 import { ShapedTool } from './shaped_tool';
+import { draws_by_software, MOST_SMOOTH_SEGMENTS, SMOOTH_BY } from './software';
 import { StockLayer } from './stock_layer';
 import { travel_of, with_linkage } from './subject';
 import { type WorkZero, turning_sheet, with_mirrored } from './turning_sheet';
@@ -32,8 +34,10 @@ import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 const PICK_REACH_PX = 7;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
-/** Of a frame: so long triangles of the part are made. */
+/** So long triangles of the part are made at a stretch. */
 const STOCK_MS = 9;
+/** While it takes longer, what is done is drawn so often. */
+const SHOWN_MS = 120;
 
 export interface Shown {
   rapids: boolean;
@@ -45,6 +49,7 @@ export interface Shown {
 
 export class Picture {
   private readonly renderer: WebGLRenderer;
+  private readonly by_software = draws_by_software();
   private readonly scene = new Scene();
   private readonly path_scene = new Scene();
   private readonly eye: Eye;
@@ -68,6 +73,8 @@ export class Picture {
   private wanted = false;
   private in_work = false;
   private rest_timer = 0;
+  private make_timer = 0;
+  private drawn_at = 0;
   private readonly detail = new Detail();
   private closed = false;
   private readonly view = new ViewKeeper();
@@ -78,14 +85,14 @@ export class Picture {
     readonly canvas: HTMLCanvasElement,
     private readonly calm: () => boolean,
   ) {
-    this.renderer = renderer_of(canvas);
+    this.renderer = renderer_of(canvas, !this.by_software);
     this.eye = new Eye(
       canvas,
       () => this.request(),
       () => this.view.hand(),
     );
     this.path_scene.add(this.path.group);
-    this.stock = new StockLayer(calm);
+    this.stock = new StockLayer(calm, this.by_software);
     this.scene.add(this.highlight.group, this.stock.group);
     this.look('iso');
   }
@@ -93,6 +100,7 @@ export class Picture {
   dispose(): void {
     this.closed = true;
     clearTimeout(this.rest_timer);
+    clearTimeout(this.make_timer);
     this.path.clear();
     this.stock.dispose();
     this.tool?.dispose();
@@ -204,7 +212,6 @@ export class Picture {
   resize(width: number, height: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(this.width, this.height, false);
     this.material.uniforms.viewport.value.set(this.width, this.height);
     this.eye.resize(this.width, this.height);
@@ -263,7 +270,8 @@ export class Picture {
         const was_coarse = this.detail.is_coarse;
         this.detail.took(cost_ms);
         if (!was_coarse && this.stock.is_shown) this.detail.took_whole(cost_ms);
-        if (this.next_frame() || (level === FINE && !was_coarse)) return;
+        const is_final = level === FINE && !was_coarse && !this.by_software;
+        if (this.next_frame() || is_final) return;
         this.rest_timer = window.setTimeout(() => this.rest(level), REST_AFTER_MS);
       },
     );
@@ -275,13 +283,18 @@ export class Picture {
     const one_of = slices_at_rest(last);
     const slice = (part: number) =>
       this.draw_and_wait(
-        (now) => (part ? this.draw_path(part, one_of) : this.draw(now, { ...FINE, one_of })),
+        (now) => (part ? this.draw_path(part, one_of) : this.draw_at_rest(now, one_of)),
         (cost_ms) => {
           if (part === 0 && this.stock.is_shown) this.detail.took_whole(cost_ms);
           if (!this.next_frame() && part + 1 < one_of && !this.closed) slice(part + 1);
         },
       );
     slice(0);
+  }
+
+  private draw_at_rest(now: number, one_of: number): void {
+    const segments = this.store?.facts.segments ?? 0;
+    this.draw(now, { ...FINE, one_of }, false, this.by_software && segments < MOST_SMOOTH_SEGMENTS);
   }
 
   private level(): Level {
@@ -303,9 +316,10 @@ export class Picture {
     });
   }
 
-  private draw(now: number, { slack_px, one_of }: Level, coarse = false): void {
+  private draw(now: number, { slack_px, one_of }: Level, coarse = false, smooth = false): void {
     const glides = this.pose_model(now);
-    const is_whole = this.stock.update(STOCK_MS, coarse);
+    this.make_part(coarse);
+    this.set_pixels(Math.min(2, devicePixelRatio) * (smooth ? SMOOTH_BY : 1));
     const pixel_mm = this.eye.pixel_mm();
     this.path.choose_detail(pixel_mm, slack_px);
     this.model?.scale(pixel_mm);
@@ -315,7 +329,26 @@ export class Picture {
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);
     this.corner.draw(this.renderer, this.eye.camera, this.width, this.height);
-    if (glides || !is_whole) this.request();
+    this.drawn_at = now;
+    if (glides || this.stock.moves) this.request();
+  }
+
+  /** At a stretch what is quickly done, and what is not between frames, of which those are left out that show nothing new. */
+  private make_part(coarse: boolean): void {
+    clearTimeout(this.make_timer);
+    this.make_timer = 0;
+    if (this.stock.update(STOCK_MS, coarse)) return;
+    this.make_timer = window.setTimeout(() => {
+      if (this.closed) return;
+      this.make_part(coarse);
+      if (performance.now() - this.drawn_at > SHOWN_MS || !this.make_timer) this.request();
+    });
+  }
+
+  private set_pixels(ratio: number): void {
+    if (ratio === this.renderer.getPixelRatio()) return;
+    PIXELS.value = ratio;
+    this.renderer.setPixelRatio(ratio); // the canvas is empty then, until something is drawn
   }
 
   private draw_path(part: number, one_of: number): void {
@@ -410,10 +443,10 @@ export class Picture {
   }
 }
 
-function renderer_of(canvas: HTMLCanvasElement): WebGLRenderer {
+function renderer_of(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
   const renderer = new WebGLRenderer({
     canvas,
-    antialias: true,
+    antialias,
     alpha: true,
     stencil: true, // cut faces of the part
     preserveDrawingBuffer: true, // a picture at rest is drawn in slices

@@ -38,7 +38,10 @@ export class StockLayer {
   private shadow: Group | null = null;
   private colouring: StockColouring = 'tool';
 
-  constructor(private readonly is_calm: () => boolean) {}
+  constructor(
+    private readonly is_calm: () => boolean,
+    private readonly by_software: boolean,
+  ) {}
 
   /** What is drawn of the part; null: nothing. */
   set_part(part: PartStore | null): void {
@@ -74,6 +77,10 @@ export class StockLayer {
   /** Triangles are made for at most so long. True: all is as it should be. */
   update(most_ms: number, coarse: boolean): boolean {
     return this.body?.update(most_ms, coarse) ?? true;
+  }
+
+  get moves(): boolean {
+    return this.body?.moves ?? false;
   }
 
   set_palette(palette: Palette, scheme: Scheme): void {
@@ -147,7 +154,7 @@ export class StockLayer {
 
   private made(shape: Shape, part: PartStore): Body {
     const { low, high } = part.facts.stock ?? { low: [0, 0, 0], high: [0, 0, 0] };
-    if (shape.kind === 'heights') return new HeightsBody(shape.field, this.table);
+    if (shape.kind === 'heights') return new HeightsBody(shape.field, this.table, this.by_software);
     if (shape.kind === 'sheet') return new SheetBody(shape.field, this.is_calm);
     if (shape.kind === 'profile')
       return new TurnedBody(shape, this.table, () => this.part?.facts.threads ?? []);

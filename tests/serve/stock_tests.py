@@ -158,7 +158,7 @@ def _(place):
 def _(place):
     part = shown(mill(place), set_up=SLOT_SET_UP).wait_for_end()
     coarse, fine = part.facts["levels"]
-    check(max(coarse["cells"]) <= 400 and fine["cell_mm"][0] < coarse["cell_mm"][0], f"{coarse} {fine}")
+    check(max(coarse["cells"]) <= 500 and fine["cell_mm"][0] < coarse["cell_mm"][0], f"{coarse} {fine}")
     part.at(part.facts["done_s"], level=1)
     part.wait(lambda p: p.head[1] == 1 and len(p.tiles) == math.prod((n + 63) // 64 for n in fine["cells"]), "all tiles")
     z, owner = part.height(35, 20)

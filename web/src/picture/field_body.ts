@@ -24,6 +24,9 @@ import {
 /** Tiles that were made anew come all at once, so that neighbours fit each other; or after so long. */
 const MOST_APART_MS = 250;
 
+/** The shade of pockets may be so old. */
+const SHADED_MS = 150;
+
 interface Tile {
   group: Group;
   geometry: BufferGeometry;
@@ -71,6 +74,7 @@ export class FieldBody {
   }
 
   private shaded = -1;
+  private shaded_at = -Infinity;
   private update_looks(): void {
     const { field } = this;
     if (this.owners && field.repainted.size) {
@@ -78,8 +82,10 @@ export class FieldBody {
       this.owners.needsUpdate = true;
       this.update_deviations();
     }
-    if (this.ambient && this.shaded !== field.version) {
+    const now = performance.now();
+    if (this.ambient && this.shaded !== field.version && now - this.shaded_at > SHADED_MS) {
       this.shaded = field.version;
+      this.shaded_at = now;
       this.ambient.image.data = mean_heights(field);
       this.ambient.needsUpdate = true;
     }

@@ -270,7 +270,8 @@ export class Picture {
         const was_coarse = this.detail.is_coarse;
         this.detail.took(cost_ms);
         if (!was_coarse && this.stock.is_shown) this.detail.took_whole(cost_ms);
-        const is_final = level === FINE && !was_coarse && !this.by_software;
+        const has_rest = this.by_software || this.stock.is_shown;
+        const is_final = level === FINE && !was_coarse && !has_rest;
         if (this.next_frame() || is_final) return;
         this.rest_timer = window.setTimeout(() => this.rest(level), REST_AFTER_MS);
       },
@@ -452,6 +453,7 @@ function renderer_of(canvas: HTMLCanvasElement, antialias: boolean): WebGLRender
     preserveDrawingBuffer: true, // a picture at rest is drawn in slices
     powerPreference: 'high-performance',
   });
+  renderer.debug.checkShaderErrors = false; // to ask for them takes as long as they take to be made
   renderer.setClearColor(0, 0);
   renderer.autoClear = false;
   return renderer;

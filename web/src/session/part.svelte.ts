@@ -44,7 +44,15 @@ class Part {
     void panel.part_version;
     return preferences.show_stock && panel.part.shape !== null;
   });
-  private owners_version = $derived((void panel.part_version, panel.part.owners_version));
+  /** Whoever takes only what he needs of the facts does not begin anew with each of them. */
+  stock = $derived(this.facts.stock);
+  design = $derived(this.facts.design);
+  owners_version = $derived((void panel.part_version, panel.part.owners_version));
+  /** Of what is shown, along both ways; empty: it is no grid. */
+  cells = $derived.by(() => {
+    void panel.part_version;
+    return this.facts.levels[panel.part.level]?.cells.join(' × ') ?? '';
+  });
   findings = $derived(this.facts.findings);
   /** With the part, as long as it is asked for, or nothing is cut: its path says more of such a program. */
   shows_path = $derived(
@@ -56,7 +64,7 @@ class Part {
   shown_s = $derived((void panel.part_version, panel.part.time_s));
   /** What it can be coloured by. */
   colourings = $derived.by(() => {
-    void [this.owners_version, this.is_shown, this.facts];
+    void [this.owners_version, this.is_shown, this.design, this.facts.run];
     return colourings_of(panel.part);
   });
   /** By what it is coloured: as chosen, where that can be. */

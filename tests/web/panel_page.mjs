@@ -330,7 +330,12 @@ export class PanelPage {
       input.value = String(value);
       input.dispatchEvent(new Event('input', { bubbles: true }));
     }, time_s);
-    await this.page.locator('.instant').waitFor();
+    await this.page.locator('.instant').waitFor({ state: 'attached' });
+  }
+  /** On a phone one pane is seen at a time. */
+  async pane(name) {
+    if (this.page.viewportSize().width > 640) return;
+    await this.page.locator('.panes').getByRole('button', { name, exact: true }).click();
   }
   /** Puts a text into the library as an upload does, and opens it. */
   async run_text(name, text) {

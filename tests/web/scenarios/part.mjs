@@ -5,7 +5,6 @@ import { CLAMPED, RELIEF } from '../programs.mjs';
 import { AXE, findings } from './accessibility.mjs';
 
 const DESK = { width: 1440, height: 900 };
-const TABLET = { width: 820, height: 1180 };
 const PHONE = { width: 390, height: 844, touch: true };
 
 const picture = (panel) => panel.page.locator('#picture');
@@ -28,6 +27,7 @@ async function fill(panel, name, value) {
 
 /** A block with a clamp, an end mill in its holder and a drill, entered in the forms. */
 async function set_up(panel) {
+  await panel.pane('More');
   await panel.tab('Set-up');
   await dock(panel).getByRole('combobox', { name: 'Stock: Shape' }).selectOption('box');
   for (const [field, value] of [
@@ -52,9 +52,12 @@ async function set_up(panel) {
 /** The set-up of an earlier scenario is another one. */
 async function open_clamped(panel) {
   await panel.operates();
+  await panel.pane('More');
   await panel.fresh();
+  await panel.pane('Program');
   await panel.run_text('clamped.nc', CLAMPED);
   await panel.has_path();
+  await panel.pane('More');
   await panel.tab('Set-up');
   await dock(panel).getByRole('button', { name: 'Text', exact: true }).click();
   const text = dock(panel).getByRole('textbox', { name: 'Set-up' });
@@ -64,7 +67,8 @@ async function open_clamped(panel) {
   await dock(panel).getByRole('button', { name: 'Forms' }).click();
 }
 
-const opaque_pixels = (panel) =>
+/** Of the picture, so much is not seen through. */
+const opaque_share = (panel) =>
   panel.page.evaluate(() => {
     const canvas = document.querySelector('#picture');
     const copy = document.createElement('canvas');
@@ -74,7 +78,7 @@ const opaque_pixels = (panel) =>
     const { data } = pen.getImageData(0, 0, copy.width, copy.height);
     let sum = 0;
     for (let i = 3; i < data.length; i += 4) if (data[i] > 200) sum++;
-    return sum;
+    return (4 * sum) / data.length;
   });
 
 async function shot(panel, shots, name, { width, height }) {
@@ -92,7 +96,8 @@ const at_size = (size) => ({
     await set_up(panel);
     await shot(panel, shots, 'part-set-up', size);
     await panel.has_part();
-    await panel.page.locator('header .problems.findings').waitFor();
+    await panel.page.locator('header .problems.findings').waitFor({ state: 'attached' });
+    await panel.pane('More');
     await panel.tab('Problems');
     const rows = panel.page.locator('#dock-problems tbody tr');
     const count = await rows.count();
@@ -102,14 +107,19 @@ const at_size = (size) => ({
     const row = rows.filter({ hasText: 'FIXTURE_COLLISION' }).first();
     const line = Number(await row.locator('.line').innerText());
     await row.locator('.sentence').click();
+    await panel.pane('Position');
     await panel.page.locator('.instant').waitFor();
+    await panel.pane('Program');
     await panel.page
       .locator('.cm-activeLine', { hasText: CLAMPED.split('\n')[line - 1] })
       .waitFor();
+    await panel.pane('Picture');
+    await panel.page.locator('#picture').waitFor();
     const first = await part_time(panel);
     await shot(panel, shots, 'part-finding', size);
     assert.ok((await panel.page.locator('.track .mark').count()) >= 2, 'marks on the slider');
     const here = () => document.querySelector('#dock-problems tr.here .line')?.textContent;
+    await panel.pane('More');
     const from = await panel.page.evaluate(here);
     await panel.page.keyboard.press('F3');
     await panel.until((before) => {
@@ -124,6 +134,7 @@ const at_size = (size) => ({
     await shows_instant(panel, first);
 
     // Forwards and backwards.
+    await panel.pane('Picture');
     for (const time_s of [20, 3, 12]) {
       await panel.go_to_instant(time_s);
       await shows_instant(panel, time_s);
@@ -134,28 +145,33 @@ const at_size = (size) => ({
 
     // A section takes away what lies before it.
     await panel.page.waitForTimeout(1000);
-    const whole = await opaque_pixels(panel);
+    const whole = await opaque_share(panel);
     const section = panel.page.getByRole('radiogroup', { name: 'Section' });
     await section.getByRole('radio', { name: 'Y' }).click();
     await panel.page.getByRole('slider', { name: 'Section at Y' }).fill('0.34');
     await panel.page.waitForTimeout(1000);
-    assert.ok((await opaque_pixels(panel)) < whole, 'less is seen of an opened part');
+    assert.ok((await opaque_share(panel)) < whole, 'less is seen of an opened part');
     await shot(panel, shots, 'part-section', size);
     await section.getByRole('radio', { name: 'Whole' }).click();
+    const wide = await panel.page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= size.width, `the page is ${wide} px wide`);
   },
 });
 
 export const part = [
   at_size(DESK),
-  at_size(TABLET),
-  {
-    name: 'the part is as the machine has made it, and the picture stays fluent',
+  at_size(PHONE),
+  ...[DESK, PHONE].map((size) => ({
+    name: `the part is as the machine has made it, and the picture stays fluent (${size.width} px)`,
     async run({ open, shots }) {
-      const panel = await open(DESK);
+      const panel = await open(size);
       const bytes = await bytes_received(panel);
       await panel.operates();
+      await panel.pane('More');
       await panel.fresh();
+      await panel.pane('Program');
       await panel.run_text('relief.nc', RELIEF);
+      await panel.pane('Picture');
       await panel.has_path();
       await panel.has_part();
       const end = Number(await picture(panel).getAttribute('data-part-end'));
@@ -173,7 +189,7 @@ export const part = [
       const behind = await panel.page.evaluate(
         () => document.querySelector('.says.behind')?.textContent ?? '',
       );
-      await shot(panel, shots, 'part-run', DESK);
+      await shot(panel, shots, 'part-run', size);
       await panel.press('Reset');
       const cells = await picture(panel).getAttribute('data-part-cells');
       assert.equal(behind, '', 'the model keeps up with the machine');
@@ -181,7 +197,7 @@ export const part = [
       assert.ok(kib_s < MOST_KIB_S, `${kib_s.toFixed(0)} KiB/s`);
       return `${cells} cells: median frame ${median.toFixed(1)} ms, slowest ${times.at(-1).toFixed(0)} ms, ${kib_s.toFixed(0)} KiB/s to the page`;
     },
-  },
+  })),
   {
     name: 'places of the part are measured, and a click tells the line that cut it',
     async run({ open }) {
@@ -250,19 +266,6 @@ export const part = [
       assert.deepEqual(await findings(panel, 'findings of the part'), []);
     },
   })),
-  {
-    name: 'on a phone the part is seen and opened',
-    async run({ open, shots }) {
-      const panel = await open(PHONE);
-      await panel.page.getByRole('button', { name: 'Picture', exact: true }).click();
-      await panel.until(() => document.querySelector('#picture').dataset.part === 'zmap');
-      const section = panel.page.getByRole('radiogroup', { name: 'Section' });
-      await section.getByRole('radio', { name: 'X' }).click();
-      await shot(panel, shots, 'part-section', PHONE);
-      const wide = await panel.page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= PHONE.width, `the page is ${wide} px wide`);
-    },
-  },
 ];
 
 /** 33 is the goal on a quiet computer; beside other tests a frame waits for its turn. */

@@ -173,9 +173,10 @@ export const part = [
       await panel.run_text('relief.nc', RELIEF);
       await panel.pane('Picture');
       await panel.has_path();
+      // Until then the part of the program before may be there.
+      await panel.until(() => Number(document.querySelector('#picture').dataset.partEnd) > 200);
       await panel.has_part();
       const end = Number(await picture(panel).getAttribute('data-part-end'));
-      assert.ok(end > 100, `the part is cut up to ${end} s`);
       await panel.press('Cycle start');
       await panel.has_status('RUNNING');
       await panel.until((all) => {

@@ -16,7 +16,14 @@ import type { BodyHit } from './body';
 import { ViewKeeper } from '../logic/view_keeper';
 import { AxesCorner } from './corner';
 import { Eye } from './eye';
-import { type Palette, box_edges, dispose, ground_grid, size_labels, stock_box } from './furniture';
+import {
+  type Palette,
+  dispose,
+  ground_grid,
+  size_labels,
+  stock_box,
+  travel_edges,
+} from './furniture';
 import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
@@ -34,10 +41,13 @@ import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 const PICK_REACH_PX = 7;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
+/** The part is what the picture is about: rapids and tool are seen with it where they are near. */
+const LEAST_OF_PART = 0.95;
 /** So long triangles of the part are made at a stretch. */
 const STOCK_MS = 9;
 /** While it takes longer, what is done is drawn so often. */
 const SHOWN_MS = 120;
+const MOST_HIDDEN_MS = 1500;
 
 export interface Shown {
   rapids: boolean;
@@ -226,7 +236,7 @@ export class Picture {
 
   /** The path, or the travel when there is none, in the middle and as large as it may be, with what is not far off. */
   fit(): void {
-    this.fit_to(this.subject(LEAST_CUTS));
+    this.fit_to(this.subject(this.stock.is_shown ? LEAST_OF_PART : LEAST_CUTS));
   }
 
   /** With the last rapid and the tool. */
@@ -342,8 +352,17 @@ export class Picture {
     this.make_timer = window.setTimeout(() => {
       if (this.closed) return;
       this.make_part(coarse);
-      if (performance.now() - this.drawn_at > SHOWN_MS || !this.make_timer) this.request();
+      this.show_made(!coarse && this.detail.is_coarse);
     });
+  }
+
+  /** A picture at rest, which takes longer to draw, is seen when all of it is there. */
+  private show_made(at_rest: boolean): void {
+    const is_whole = !this.make_timer;
+    const waited_ms = performance.now() - this.drawn_at;
+    if (!is_whole && waited_ms < (at_rest ? MOST_HIDDEN_MS : SHOWN_MS)) return;
+    if (at_rest) this.rest(this.level());
+    else this.request();
   }
 
   private set_pixels(ratio: number): void {
@@ -396,10 +415,12 @@ export class Picture {
     // An arm reaches from its base to the tool wherever that is.
     if (this.definition?.kinematics.kind === 'arm') least_cuts = 0;
     const { rapids } = this.shown;
-    const work = this.definition?.lathe ? with_mirrored(cuts, this.zero) : cuts;
+    const is_lathe = this.definition?.lathe === true;
+    const work = structuredClone(is_lathe ? with_mirrored(cuts, this.zero) : cuts);
+    const stock = this.stock.box_with_fixtures();
+    if (stock) join(work, stock);
     const box = fit_box(work, bounds, { rapids, tip: this.tip, least_cuts });
-    const stock = this.stock.box();
-    if (stock) join(box, stock);
+    if (stock && least_cuts > 0) return box;
     return with_linkage(box, this.definition, this.store);
   }
 
@@ -419,7 +440,7 @@ export class Picture {
     this.furniture = new Group();
     if (!is_empty(this.travel)) {
       this.furniture.add(this.ground(this.palette));
-      if (this.shown.travel) this.furniture.add(box_edges(this.travel, this.palette.travel, true));
+      if (this.shown.travel) this.furniture.add(travel_edges(this.travel, this.palette));
     }
     const cuts = this.store?.facts.cuts;
     const has_outline = this.shown.stock && !this.stock.is_shown && !this.definition?.lathe;

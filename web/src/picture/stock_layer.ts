@@ -1,6 +1,6 @@
 /** The part in the picture, in the frame of the machine: body, clamps, findings, measures. */
-import { type DataTexture, Group, Matrix4, Vector3 } from 'three';
-import type { Box } from '../logic/box';
+import { Box3, type DataTexture, Group, Matrix4, Vector3 } from 'three';
+import { type Box, diagonal, join } from '../logic/box';
 import type { Scheme } from '../logic/colour_scale';
 import { fill_table, most_deviation, type StockColouring } from '../logic/stock/owner_colours';
 import type { PartStore, Shape } from '../logic/stock/part_store';
@@ -22,6 +22,9 @@ export interface Measured {
 
 /** How dark the shadow is under the part. */
 const SHADOW: Record<Scheme, number> = { dark: 0.62, light: 0.34 };
+
+/** Clamps that make the picture larger by this stay outside of it. */
+const MOST_AROUND = 1.8;
 
 export class StockLayer {
   readonly group = new Group();
@@ -130,6 +133,17 @@ export class StockLayer {
     const start = new Vector3(...from).applyMatrix4(inverse);
     const along = new Vector3(...way).transformDirection(inverse);
     return this.body.hit([start.x, start.y, start.z], [along.x, along.y, along.z]);
+  }
+
+  /** Of the stock and of what holds it, unless that is much larger, in machine coordinates. */
+  box_with_fixtures(): Box | null {
+    const box = this.box();
+    if (!box || !this.fixtures?.children.length) return box;
+    this.group.updateWorldMatrix(false, true);
+    const { min, max } = new Box3().setFromObject(this.fixtures);
+    const all = { min: min.toArray(), max: max.toArray() };
+    join(all, box);
+    return diagonal(all) < MOST_AROUND * diagonal(box) ? all : box;
   }
 
   /** Of the stock, in machine coordinates. */

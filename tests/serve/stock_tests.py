@@ -161,7 +161,7 @@ def _(place):
     wide = '[stock]\nshape = "box:0,0,-20,400,60,0"\n'
     part = shown(mill(place), set_up=wide).wait_for_end()
     coarse, fine = part.facts["levels"]
-    check(max(coarse["cells"]) <= 400 and fine["cell_mm"][0] < coarse["cell_mm"][0], f"{coarse} {fine}")
+    check(max(coarse["cells"]) <= 500 and fine["cell_mm"][0] < coarse["cell_mm"][0], f"{coarse} {fine}")
     part.at(part.facts["done_s"], level=1)
     part.wait(lambda p: p.head[1] == 1 and len(p.tiles) == math.prod((n + 63) // 64 for n in fine["cells"]), "all tiles")
     z, owner = part.height(35, 20)

@@ -108,6 +108,20 @@ export class PanelPage {
       limit_ms,
     );
   }
+  /** All of the program has been cut, and some of it is seen. */
+  async has_part(model = 'zmap') {
+    await this.until((wanted) => {
+      const { part, partDone } = document.querySelector('#picture').dataset;
+      return part === wanted && partDone === 'true';
+    }, model);
+  }
+  /** One of what the picture can show, as a box has it. */
+  async shows(what, is_shown) {
+    const tools = this.page.locator('.picture .tools');
+    await tools.getByRole('button', { name: 'Show' }).click();
+    await this.page.getByRole('checkbox', { name: what, exact: true }).setChecked(is_shown);
+    await this.page.keyboard.press('Escape');
+  }
   status() {
     return this.page.locator('header .status').innerText();
   }
@@ -316,7 +330,12 @@ export class PanelPage {
       input.value = String(value);
       input.dispatchEvent(new Event('input', { bubbles: true }));
     }, time_s);
-    await this.page.locator('.instant').waitFor();
+    await this.page.locator('.instant').waitFor({ state: 'attached' });
+  }
+  /** On a phone one pane is seen at a time. */
+  async pane(name) {
+    if (this.page.viewportSize().width > 640) return;
+    await this.page.locator('.panes').getByRole('button', { name, exact: true }).click();
   }
   /** Puts a text into the library as an upload does, and opens it. */
   async run_text(name, text) {

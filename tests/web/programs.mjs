@@ -46,6 +46,21 @@ M30
 %
 `;
 
+/** A groove that is cut, four millimetres deep. */
+export const GROOVE = `%
+O0201 (A GROOVE)
+G90 G54 G00 X0. Y0. Z5.
+S3000 M03
+G01 Z-4. F600.
+X100.
+Y50.
+X0.
+Y0.
+G00 Z5.
+M30
+%
+`;
+
 /** Two hours of rectangles. */
 export const RUNS_FOR_HOURS = `%
 O0250 (RECTANGLES)

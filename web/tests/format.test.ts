@@ -8,6 +8,7 @@ import {
   thousands,
   typed_number,
   variable,
+  volume,
 } from '../src/logic/format';
 
 describe('numbers', () => {
@@ -71,6 +72,16 @@ describe('variables', () => {
     expect(typed_number('  ')).toBeNull();
     expect(['1.2.3', 'x', '--1', '1e'].map(typed_number)).toEqual(Array(4).fill(undefined));
   });
+});
+
+it('volumes have the unit that fits', () => {
+  expect([0, 4.23456, 999, 1000, 260720].map(volume)).toEqual([
+    '0 mm³',
+    '4.23 mm³',
+    '999 mm³',
+    '1.00 cm³',
+    '260.72 cm³',
+  ]);
 });
 
 it('sizes have the unit that fits', () => {

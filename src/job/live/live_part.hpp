@@ -43,7 +43,7 @@ class LivePart final : private JobWatch {
   static constexpr double kSeconds = 600;             ///< of computing
   static constexpr double kTell_s = 0.2;              ///< so often progress is told
   static constexpr std::size_t kMostFindings = 1000;  ///< that are told
-  static constexpr int kMostAlong = 400;  ///< cells of the first level along the longest side
+  static constexpr int kMostAlong = 500;  ///< cells of the first level along the longest side
 
   using Observer = std::function<void(const PartProgress&)>;
 

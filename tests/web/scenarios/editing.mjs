@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync, mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { LONG } from '../programs.mjs';
+import { GROOVE, LONG } from '../programs.mjs';
 
 /** More than a mebibyte, which is as long as a message may be; nearly all of it comments, so that its path is there at once. */
 const LARGE = `%
@@ -180,6 +180,25 @@ export const editing = [
       await panel.page.mouse.click(x, y);
       const line = told.split(':')[1];
       await panel.page.locator('.program footer', { hasText: `line ${line}` }).waitFor();
+      await panel.page.locator('.cm-chosen').waitFor();
+    },
+  },
+  {
+    name: 'the path is picked over a part that is cut, too',
+    async run({ open }) {
+      const panel = await open();
+      await panel.fresh();
+      await panel.run_text('groove.nc', GROOVE);
+      await panel.has_path(4);
+      await panel.has_part();
+      await panel.shows('Path over the part', true);
+      await panel.go_to_line(7);
+      const { x, y } = await spot_on_path(panel);
+      const told = await panel.page.locator('.hover b').innerText();
+      await panel.page.mouse.click(x, y);
+      await panel.page
+        .locator('.program footer', { hasText: `line ${told.split(':')[1]}` })
+        .waitFor();
       await panel.page.locator('.cm-chosen').waitFor();
     },
   },

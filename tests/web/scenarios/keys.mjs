@@ -2,6 +2,9 @@
 import assert from 'node:assert/strict';
 import { LONG } from '../programs.mjs';
 
+/** Cut by a tool that does not turn: each block of it is a finding of the part. */
+const TEXT = LONG.replace('G01 X150.', 'G01 Z-1. X150.');
+
 /** What each key does, as it can be seen: `begin` brings the machine where the key can do it. */
 const KEYS = {
   'Cycle start': { begin: idle, does: (p) => p.has_status('RUNNING') },
@@ -51,6 +54,11 @@ const KEYS = {
   'Load the text into the machine': { begin: idle, does: (p) => p.says('keys.nc is loaded.') },
   'Next problem (F8 too, while nothing moves)': { begin: mistaken, does: (p) => stands_at(p, 5) },
   'Previous problem': { begin: mistaken, does: (p) => stands_at(p, 5) },
+  'Next finding of the part: line, instant and place': {
+    begin: met,
+    does: (p) => goes_to_finding(p, 1),
+  },
+  'Previous finding of the part': { begin: met, does: (p) => goes_to_finding(p, -1) },
   'Manual: what is wrong here, or all of it': { begin: idle, does: dialog_opens },
   'To the program': {
     begin: idle,
@@ -61,7 +69,7 @@ const KEYS = {
     does: (p) => p.until(() => document.activeElement?.id === 'picture'),
   },
   'Next tab': { begin: idle, does: (p) => tab_is(p, 'Stepping') },
-  'Previous tab': { begin: idle, does: (p) => tab_is(p, 'Problems') },
+  'Previous tab': { begin: idle, does: (p) => tab_is(p, 'Set-up') },
   'Become the operator, or ask for it': {
     begin: async (p) => {
       await p.page.locator('header .badge').click();
@@ -112,7 +120,7 @@ export const keys = [
     async run({ open }) {
       const panel = await open();
       await panel.fresh();
-      await panel.upload('keys.nc', LONG);
+      await panel.upload('keys.nc', TEXT);
       await panel.open_program('keys.nc');
       for (const { words, keys } of await advertised(panel)) {
         const known = KEYS[words] ?? OUTSIDE[words];
@@ -132,7 +140,7 @@ export const keys = [
             panel.line_before = before;
             await known.does(panel, press).catch(failed);
             await panel.page.keyboard.press('Escape');
-            if (![edited, mistaken].includes(known.begin)) await text_is(panel, LONG).catch(failed);
+            if (![edited, mistaken].includes(known.begin)) await text_is(panel, TEXT).catch(failed);
           }
         }
       }
@@ -162,6 +170,33 @@ async function mistaken(p) {
   await p.page.keyboard.press('End');
   await p.page.keyboard.type('5.5');
   await p.page.locator('.cm-lintRange-error').first().waitFor();
+}
+/** Which of the findings stands out, from 0; -1: none. */
+const finding_now = (p) =>
+  p.page
+    .locator('#dock-problems tbody tr')
+    .evaluateAll((rows) => rows.findIndex((row) => row.classList.contains('here')));
+async function met(p) {
+  await p.has_part();
+  await p.tab('Problems');
+  await p.page.locator('#dock-problems tbody tr').nth(3).waitFor();
+  p.finding_before = await finding_now(p);
+}
+/** The next one or the one before, around the end: line, instant and place. */
+async function goes_to_finding(p, way) {
+  const rows = p.page.locator('#dock-problems tbody tr');
+  const count = await rows.count();
+  const before = p.finding_before < 0 && way < 0 ? count : p.finding_before;
+  const wanted = (before + way + count) % count;
+  await p.page.locator(`#dock-problems tbody tr:nth-child(${wanted + 1}).here`).waitFor();
+  const words = await rows.nth(wanted).innerText();
+  await stands_at(p, Number(await rows.nth(wanted).locator('.line').innerText()));
+  const [minutes, seconds] = /(\d+):(\d+\.\d)/.exec(words).slice(1).map(Number);
+  await p.until(
+    (time_s) =>
+      Math.abs(Number(document.querySelector('#picture').dataset.partTime) - time_s) < 0.2,
+    60 * minutes + seconds,
+  );
 }
 function stands_at(p, line) {
   return p.page
@@ -344,9 +379,9 @@ async function prepare(panel) {
   await now.click();
   await panel.tab('Variables');
   const is_shown = await panel.page.locator('.file.current', { hasText: 'keys.nc' }).count();
-  if (!is_shown || (await shown_text(panel)) !== LONG.trimEnd()) {
+  if (!is_shown || (await shown_text(panel)) !== TEXT.trimEnd()) {
     await drop_edits(panel);
-    await panel.upload('keys.nc', LONG);
+    await panel.upload('keys.nc', TEXT);
     await panel.open_program('keys.nc');
   }
   await panel.has_path(4);

@@ -186,6 +186,11 @@ export const lathe = [
       await offsets_of_the_shaft(panel);
       await panel.run_text('shaft.nc', SHAFT);
       await panel.has_path(100);
+      await panel.has_part('profile');
+      assert.equal(await panel.page.locator('.legend').count(), 0, 'no path, no legend of it');
+      await panel.shows('Path over the part', true);
+      await panel.page.locator('.legend', { hasText: 'thread' }).waitFor();
+      await panel.shows('Part', false);
       await panel.page.locator('.legend', { hasText: 'thread' }).waitFor();
       await panel.page.waitForTimeout(800);
       const [above, below] = await inked(panel);
@@ -244,8 +249,10 @@ export const lathe = [
       await take('position');
       await show('Picture');
       await panel.has_path(100);
-      await panel.page.locator('.legend', { hasText: 'thread' }).waitFor();
+      await panel.has_part('profile');
       await take('picture');
+      await panel.shows('Path over the part', true);
+      await panel.page.locator('.legend', { hasText: 'thread' }).waitFor();
       await show('More');
       await panel.tab('Tools');
       await cell(panel, 'T1 Geometry XØ').waitFor();

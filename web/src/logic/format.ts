@@ -68,3 +68,7 @@ export function typed_number(text: string): number | null | undefined {
   if (plain === '') return null;
   return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : undefined;
 }
+
+/** Of a part: small ones in mm³. */
+export const volume = (mm3: number): string =>
+  mm3 < 1000 ? `${Number(mm3.toPrecision(3))} mm³` : `${(mm3 / 1000).toFixed(2)} cm³`;

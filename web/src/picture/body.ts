@@ -20,6 +20,8 @@ export interface Body {
   readonly group: Object3D;
   /** Brings what is drawn up to date, for at most so long. True: it is. `coarse`: a picture that moves, on a slow computer. */
   update(most_ms: number, coarse: boolean): boolean;
+  /** Something of it moves by itself, and is to be drawn again. */
+  readonly moves?: boolean;
   set_colours(colours: SurfaceColours): void;
   /** Colours by deviation, on a scale to so many millimetres; 0: by the motions that have cut. */
   set_deviation(most_mm: number): void;

@@ -6,6 +6,10 @@ import { ON_THE_TABLE, type Standing, type ViewName } from './views';
 
 const FAR_MM = 1000;
 const MARGIN = 1.14;
+/** Above and below, in CSS pixels: keys of the picture and of the part stand there. */
+const BAR_PX = 50;
+/** A low picture keeps so much of its height. */
+const LEAST_HEIGHT = 0.7;
 
 export class Eye {
   readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1e5, 1e5);
@@ -131,14 +135,16 @@ export class Eye {
   private half_height_for(box: Box): number {
     const inverse = this.camera.matrixWorldInverse.copy(this.camera.matrixWorld).invert();
     const aspect = this.width / this.height;
+    const free = Math.max(LEAST_HEIGHT, 1 - (2 * BAR_PX) / this.height);
     let half = 1;
     for (let corner = 0; corner < 8; corner++) {
       const point = new Vector3(
         ...[0, 1, 2].map((i) => ((corner >> i) & 1 ? box.max : box.min)[i]),
       );
       point.applyMatrix4(inverse);
-      half = Math.max(half, Math.abs(point.y), Math.abs(point.x) / aspect);
+      const upright = Math.abs(point.y) / Math.min(free, 1 / MARGIN);
+      half = Math.max(half, upright, (MARGIN * Math.abs(point.x)) / aspect);
     }
-    return half * MARGIN;
+    return half;
   }
 }

@@ -21,6 +21,12 @@ import {
   StockMaterials,
 } from './stock_material';
 
+/** Tiles that were made anew come all at once, so that neighbours fit each other; or after so long. */
+const MOST_APART_MS = 250;
+
+/** The shade of pockets may be so old. */
+const SHADED_MS = 150;
+
 interface Tile {
   group: Group;
   geometry: BufferGeometry;
@@ -32,6 +38,8 @@ export class FieldBody {
   readonly materials: StockMaterials;
   private readonly mesher = new HeightMesher();
   private readonly tiles = new Map<number, Tile>();
+  private readonly made_anew = new Map<number, Tile>();
+  private since = 0;
   /** All tiles have been there. */
   is_whole = false;
   private readonly owners: DataTexture | null = null;
@@ -58,13 +66,15 @@ export class FieldBody {
     this.looks_of?.update_looks();
     this.update_looks();
     const is_done = take_some(changed, most_ms, (key) =>
-      this.put(key, this.mesher.mesh(this.field, key % tiles_x, Math.floor(key / tiles_x))),
+      this.make(key, this.mesher.mesh(this.field, key % tiles_x, Math.floor(key / tiles_x))),
     );
+    if (is_done || performance.now() - this.since > MOST_APART_MS) this.put_all();
     this.is_whole ||= is_done;
     return is_done;
   }
 
   private shaded = -1;
+  private shaded_at = -Infinity;
   private update_looks(): void {
     const { field } = this;
     if (this.owners && field.repainted.size) {
@@ -72,8 +82,10 @@ export class FieldBody {
       this.owners.needsUpdate = true;
       this.update_deviations();
     }
-    if (this.ambient && this.shaded !== field.version) {
+    const now = performance.now();
+    if (this.ambient && this.shaded !== field.version && now - this.shaded_at > SHADED_MS) {
       this.shaded = field.version;
+      this.shaded_at = now;
       this.ambient.image.data = mean_heights(field);
       this.ambient.needsUpdate = true;
     }
@@ -94,7 +106,8 @@ export class FieldBody {
   }
 
   dispose(): void {
-    for (const tile of this.tiles.values()) forget(tile);
+    for (const tile of [...this.tiles.values(), ...this.made_anew.values()]) forget(tile);
+    this.made_anew.clear();
     this.tiles.clear();
     this.owners?.dispose();
     this.ambient?.dispose();
@@ -103,11 +116,18 @@ export class FieldBody {
     this.group.removeFromParent();
   }
 
-  private put(key: number, mesh: TileMesh): void {
-    forget(this.tiles.get(key));
-    const tile = this.made(mesh);
-    this.tiles.set(key, tile);
-    this.group.add(tile.group);
+  private make(key: number, mesh: TileMesh): void {
+    if (!this.made_anew.size) this.since = performance.now();
+    forget(this.made_anew.get(key));
+    this.made_anew.set(key, this.made(mesh));
+  }
+  private put_all(): void {
+    for (const [key, tile] of this.made_anew) {
+      forget(this.tiles.get(key));
+      this.tiles.set(key, tile);
+      this.group.add(tile.group);
+    }
+    this.made_anew.clear();
   }
 
   private made(mesh: TileMesh): Tile {

@@ -16,6 +16,7 @@ import {
   type ColorRepresentation,
 } from 'three';
 import { type Box, size } from '../logic/box';
+import { ORDER } from './section_plane';
 
 export interface Palette {
   ground: string;
@@ -43,7 +44,7 @@ export interface Palette {
   hold: string;
 }
 
-export function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean): LineSegments {
+function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean): LineSegments {
   const [x, y, z] = size(box);
   const material = dashed
     ? dashed_line(colour, Math.hypot(x, y))
@@ -52,6 +53,14 @@ export function box_edges(box: Box, colour: ColorRepresentation, dashed: boolean
   const [cx, cy, cz] = box.min.map((low, i) => (low + box.max[i]) / 2);
   edges.position.set(cx, cy, cz);
   if (dashed) edges.computeLineDistances();
+  return edges;
+}
+
+/** Behind all that is drawn over it: a line through the part says nothing of it. */
+export function travel_edges(box: Box, { travel }: Palette): LineSegments {
+  const edges = box_edges(box, travel, true);
+  edges.renderOrder = ORDER.behind;
+  (edges.material as LineDashedMaterial).depthWrite = false;
   return edges;
 }
 

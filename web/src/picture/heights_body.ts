@@ -8,6 +8,10 @@ import { FieldBody } from './field_body';
 import { plane_of, SectionPlane } from './section_plane';
 import type { SurfaceColours } from './stock_material';
 
+/** Along the longer side, of what moves. */
+const COLUMNS = 180;
+const SOFTWARE_COLUMNS = 110;
+
 export class HeightsBody implements Body {
   readonly group = new Group();
   private readonly fine: FieldBody;
@@ -19,9 +23,10 @@ export class HeightsBody implements Body {
   constructor(
     readonly field: HeightField,
     table: Texture,
+    by_software: boolean,
   ) {
     this.fine = new FieldBody(field, table);
-    this.coarse_field = CoarseField.of(field);
+    this.coarse_field = CoarseField.of(field, by_software ? SOFTWARE_COLUMNS : COLUMNS);
     this.coarse = this.coarse_field && new FieldBody(this.coarse_field.field, table, this.fine);
     this.plane = new SectionPlane(this.fine.materials);
     this.group.add(this.fine.group, this.plane.mesh);

@@ -16,7 +16,13 @@ export class Highlight {
     transparent: true,
     opacity: 0.55,
   });
-  private readonly core = new LineMaterial({ color: 0xffffff, linewidth: 3, depthTest: false });
+  /** Drawn behind the edge, as what is transparent is. */
+  private readonly core = new LineMaterial({
+    color: 0xffffff,
+    linewidth: 3,
+    depthTest: false,
+    transparent: true,
+  });
 
   set_colour(colour: string): void {
     this.core.color = new Color(colour);

@@ -53,5 +53,9 @@ export function metal({ colour, polish = 0.8, opacity = 1, both_sides }: Looks):
     side: both_sides ? DoubleSide : FrontSide,
     transparent: opacity < 1,
     depthWrite: opacity === 1,
+    // Where it touches the part it lies behind that.
+    polygonOffset: true,
+    polygonOffsetFactor: 2,
+    polygonOffsetUnits: 2,
   });
 }

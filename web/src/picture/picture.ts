@@ -16,14 +16,23 @@ import type { BodyHit } from './body';
 import { ViewKeeper } from '../logic/view_keeper';
 import { AxesCorner } from './corner';
 import { Eye } from './eye';
-import { type Palette, box_edges, dispose, ground_grid, size_labels, stock_box } from './furniture';
+import {
+  type Palette,
+  dispose,
+  ground_grid,
+  size_labels,
+  stock_box,
+  travel_edges,
+} from './furniture';
 import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
 import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
+import { PIXELS } from './pixels';
 import { ShapedTool } from './shaped_tool';
+import { draws_by_software, MOST_SMOOTH_SEGMENTS, SMOOTH_BY } from './software';
 import { StockLayer } from './stock_layer';
 import { travel_of, with_linkage } from './subject';
 import { type WorkZero, turning_sheet, with_mirrored } from './turning_sheet';
@@ -32,8 +41,13 @@ import { IN_THE_CHUCK, ON_THE_TABLE, type ViewName } from './views';
 const PICK_REACH_PX = 7;
 /** Of the diagonal of what is seen, unless all of it is asked for. */
 const LEAST_CUTS = 0.4;
-/** Of a frame: so long triangles of the part are made. */
+/** The part is what the picture is about: rapids and tool are seen with it where they are near. */
+const LEAST_OF_PART = 0.95;
+/** So long triangles of the part are made at a stretch. */
 const STOCK_MS = 9;
+/** While it takes longer, what is done is drawn so often. */
+const SHOWN_MS = 120;
+const MOST_HIDDEN_MS = 1500;
 
 export interface Shown {
   rapids: boolean;
@@ -45,6 +59,7 @@ export interface Shown {
 
 export class Picture {
   private readonly renderer: WebGLRenderer;
+  private readonly by_software = draws_by_software();
   private readonly scene = new Scene();
   private readonly path_scene = new Scene();
   private readonly eye: Eye;
@@ -68,6 +83,8 @@ export class Picture {
   private wanted = false;
   private in_work = false;
   private rest_timer = 0;
+  private make_timer = 0;
+  private drawn_at = 0;
   private readonly detail = new Detail();
   private closed = false;
   private readonly view = new ViewKeeper();
@@ -78,14 +95,14 @@ export class Picture {
     readonly canvas: HTMLCanvasElement,
     private readonly calm: () => boolean,
   ) {
-    this.renderer = renderer_of(canvas);
+    this.renderer = renderer_of(canvas, !this.by_software);
     this.eye = new Eye(
       canvas,
       () => this.request(),
       () => this.view.hand(),
     );
     this.path_scene.add(this.path.group);
-    this.stock = new StockLayer(calm);
+    this.stock = new StockLayer(calm, this.by_software);
     this.scene.add(this.highlight.group, this.stock.group);
     this.look('iso');
   }
@@ -93,6 +110,7 @@ export class Picture {
   dispose(): void {
     this.closed = true;
     clearTimeout(this.rest_timer);
+    clearTimeout(this.make_timer);
     this.path.clear();
     this.stock.dispose();
     this.tool?.dispose();
@@ -204,7 +222,6 @@ export class Picture {
   resize(width: number, height: number): void {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.renderer.setSize(this.width, this.height, false);
     this.material.uniforms.viewport.value.set(this.width, this.height);
     this.eye.resize(this.width, this.height);
@@ -219,7 +236,7 @@ export class Picture {
 
   /** The path, or the travel when there is none, in the middle and as large as it may be, with what is not far off. */
   fit(): void {
-    this.fit_to(this.subject(LEAST_CUTS));
+    this.fit_to(this.subject(this.stock.is_shown ? LEAST_OF_PART : LEAST_CUTS));
   }
 
   /** With the last rapid and the tool. */
@@ -263,7 +280,9 @@ export class Picture {
         const was_coarse = this.detail.is_coarse;
         this.detail.took(cost_ms);
         if (!was_coarse && this.stock.is_shown) this.detail.took_whole(cost_ms);
-        if (this.next_frame() || (level === FINE && !was_coarse)) return;
+        const has_rest = this.by_software || this.stock.is_shown;
+        const is_final = level === FINE && !was_coarse && !has_rest;
+        if (this.next_frame() || is_final) return;
         this.rest_timer = window.setTimeout(() => this.rest(level), REST_AFTER_MS);
       },
     );
@@ -275,13 +294,18 @@ export class Picture {
     const one_of = slices_at_rest(last);
     const slice = (part: number) =>
       this.draw_and_wait(
-        (now) => (part ? this.draw_path(part, one_of) : this.draw(now, { ...FINE, one_of })),
+        (now) => (part ? this.draw_path(part, one_of) : this.draw_at_rest(now, one_of)),
         (cost_ms) => {
           if (part === 0 && this.stock.is_shown) this.detail.took_whole(cost_ms);
           if (!this.next_frame() && part + 1 < one_of && !this.closed) slice(part + 1);
         },
       );
     slice(0);
+  }
+
+  private draw_at_rest(now: number, one_of: number): void {
+    const segments = this.store?.facts.segments ?? 0;
+    this.draw(now, { ...FINE, one_of }, false, this.by_software && segments < MOST_SMOOTH_SEGMENTS);
   }
 
   private level(): Level {
@@ -303,20 +327,48 @@ export class Picture {
     });
   }
 
-  private draw(now: number, { slack_px, one_of }: Level, coarse = false): void {
+  private draw(now: number, { slack_px, one_of }: Level, coarse = false, smooth = false): void {
     const glides = this.pose_model(now);
-    const is_whole = this.stock.update(STOCK_MS, coarse);
+    this.make_part(coarse);
+    this.set_pixels(Math.min(2, devicePixelRatio) * (smooth ? SMOOTH_BY : 1));
     const pixel_mm = this.eye.pixel_mm();
     this.path.choose_detail(pixel_mm, slack_px);
     this.model?.scale(pixel_mm);
     if (this.furniture) size_labels(this.furniture, pixel_mm);
     size_labels(this.stock.group, pixel_mm);
-    this.highlight.group.visible = !this.stock.is_shown || this.shown.path_with_part;
     this.renderer.clear();
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);
     this.corner.draw(this.renderer, this.eye.camera, this.width, this.height);
-    if (glides || !is_whole) this.request();
+    this.drawn_at = now;
+    if (glides || this.stock.moves) this.request();
+  }
+
+  /** At a stretch what is quickly done, and what is not between frames, of which those are left out that show nothing new. */
+  private make_part(coarse: boolean): void {
+    clearTimeout(this.make_timer);
+    this.make_timer = 0;
+    if (this.stock.update(STOCK_MS, coarse)) return;
+    this.make_timer = window.setTimeout(() => {
+      if (this.closed) return;
+      this.make_part(coarse);
+      this.show_made(!coarse && this.detail.is_coarse);
+    });
+  }
+
+  /** A picture at rest, which takes longer to draw, is seen when all of it is there. */
+  private show_made(at_rest: boolean): void {
+    const is_whole = !this.make_timer;
+    const waited_ms = performance.now() - this.drawn_at;
+    if (!is_whole && waited_ms < (at_rest ? MOST_HIDDEN_MS : SHOWN_MS)) return;
+    if (at_rest) this.rest(this.level());
+    else this.request();
+  }
+
+  private set_pixels(ratio: number): void {
+    if (ratio === this.renderer.getPixelRatio()) return;
+    PIXELS.value = ratio;
+    this.renderer.setPixelRatio(ratio); // the canvas is empty then, until something is drawn
   }
 
   private draw_path(part: number, one_of: number): void {
@@ -363,10 +415,12 @@ export class Picture {
     // An arm reaches from its base to the tool wherever that is.
     if (this.definition?.kinematics.kind === 'arm') least_cuts = 0;
     const { rapids } = this.shown;
-    const work = this.definition?.lathe ? with_mirrored(cuts, this.zero) : cuts;
+    const is_lathe = this.definition?.lathe === true;
+    const work = structuredClone(is_lathe ? with_mirrored(cuts, this.zero) : cuts);
+    const stock = this.stock.box_with_fixtures();
+    if (stock) join(work, stock);
     const box = fit_box(work, bounds, { rapids, tip: this.tip, least_cuts });
-    const stock = this.stock.box();
-    if (stock) join(box, stock);
+    if (stock && least_cuts > 0) return box;
     return with_linkage(box, this.definition, this.store);
   }
 
@@ -386,7 +440,7 @@ export class Picture {
     this.furniture = new Group();
     if (!is_empty(this.travel)) {
       this.furniture.add(this.ground(this.palette));
-      if (this.shown.travel) this.furniture.add(box_edges(this.travel, this.palette.travel, true));
+      if (this.shown.travel) this.furniture.add(travel_edges(this.travel, this.palette));
     }
     const cuts = this.store?.facts.cuts;
     const has_outline = this.shown.stock && !this.stock.is_shown && !this.definition?.lathe;
@@ -411,15 +465,16 @@ export class Picture {
   }
 }
 
-function renderer_of(canvas: HTMLCanvasElement): WebGLRenderer {
+function renderer_of(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
   const renderer = new WebGLRenderer({
     canvas,
-    antialias: true,
+    antialias,
     alpha: true,
     stencil: true, // cut faces of the part
     preserveDrawingBuffer: true, // a picture at rest is drawn in slices
     powerPreference: 'high-performance',
   });
+  renderer.debug.checkShaderErrors = false; // to ask for them takes as long as they take to be made
   renderer.setClearColor(0, 0);
   renderer.autoClear = false;
   return renderer;

@@ -30,7 +30,7 @@ const ROUND = [
 ] as const;
 
 /** Bodies, their inner sides, the plane, then everything else. */
-export const ORDER = { surface: -4, inside: -3, plane: -2, lines: -1 };
+export const ORDER = { behind: -5, surface: -4, inside: -3, plane: -2, lines: -1 };
 
 export class SectionPlane {
   readonly mesh: Mesh;

@@ -26,6 +26,7 @@ interface Falling {
 
 export class SheetBody implements Body {
   readonly group = new Group();
+  moves = false;
   private readonly field: HeightField;
   private readonly main: FieldBody;
   private readonly plane: SectionPlane;
@@ -60,12 +61,12 @@ export class SheetBody implements Body {
   update(most_ms: number): boolean {
     if (this.seen !== this.sheet.version) this.follow();
     const is_done = this.main.update(most_ms);
-    let moves = false;
+    this.moves = false;
     for (const piece of this.falling.values()) {
       piece.body.update(most_ms);
-      moves = this.let_fall(piece) || moves;
+      this.moves = this.let_fall(piece) || this.moves;
     }
-    return is_done && !moves;
+    return is_done;
   }
 
   set_colours(colours: SurfaceColours): void {

@@ -1,6 +1,6 @@
 /** The part in the picture, in the frame of the machine: body, clamps, findings, measures. */
-import { type DataTexture, Group, Matrix4, Vector3 } from 'three';
-import type { Box } from '../logic/box';
+import { Box3, type DataTexture, Group, Matrix4, Vector3 } from 'three';
+import { type Box, diagonal, join } from '../logic/box';
 import type { Scheme } from '../logic/colour_scale';
 import { fill_table, most_deviation, type StockColouring } from '../logic/stock/owner_colours';
 import type { PartStore, Shape } from '../logic/stock/part_store';
@@ -23,6 +23,9 @@ export interface Measured {
 /** How dark the shadow is under the part. */
 const SHADOW: Record<Scheme, number> = { dark: 0.62, light: 0.34 };
 
+/** Clamps that make the picture larger by this stay outside of it. */
+const MOST_AROUND = 1.8;
+
 export class StockLayer {
   readonly group = new Group();
   private body: Body | null = null;
@@ -38,7 +41,10 @@ export class StockLayer {
   private shadow: Group | null = null;
   private colouring: StockColouring = 'tool';
 
-  constructor(private readonly is_calm: () => boolean) {}
+  constructor(
+    private readonly is_calm: () => boolean,
+    private readonly by_software: boolean,
+  ) {}
 
   /** What is drawn of the part; null: nothing. */
   set_part(part: PartStore | null): void {
@@ -74,6 +80,10 @@ export class StockLayer {
   /** Triangles are made for at most so long. True: all is as it should be. */
   update(most_ms: number, coarse: boolean): boolean {
     return this.body?.update(most_ms, coarse) ?? true;
+  }
+
+  get moves(): boolean {
+    return this.body?.moves ?? false;
   }
 
   set_palette(palette: Palette, scheme: Scheme): void {
@@ -125,6 +135,17 @@ export class StockLayer {
     return this.body.hit([start.x, start.y, start.z], [along.x, along.y, along.z]);
   }
 
+  /** Of the stock and of what holds it, unless that is much larger, in machine coordinates. */
+  box_with_fixtures(): Box | null {
+    const box = this.box();
+    if (!box || !this.fixtures?.children.length) return box;
+    this.group.updateWorldMatrix(false, true);
+    const { min, max } = new Box3().setFromObject(this.fixtures);
+    const all = { min: min.toArray(), max: max.toArray() };
+    join(all, box);
+    return diagonal(all) < MOST_AROUND * diagonal(box) ? all : box;
+  }
+
   /** Of the stock, in machine coordinates. */
   box(): Box | null {
     const stock = this.part?.facts.stock;
@@ -147,7 +168,7 @@ export class StockLayer {
 
   private made(shape: Shape, part: PartStore): Body {
     const { low, high } = part.facts.stock ?? { low: [0, 0, 0], high: [0, 0, 0] };
-    if (shape.kind === 'heights') return new HeightsBody(shape.field, this.table);
+    if (shape.kind === 'heights') return new HeightsBody(shape.field, this.table, this.by_software);
     if (shape.kind === 'sheet') return new SheetBody(shape.field, this.is_calm);
     if (shape.kind === 'profile')
       return new TurnedBody(shape, this.table, () => this.part?.facts.threads ?? []);

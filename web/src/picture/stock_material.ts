@@ -35,6 +35,7 @@ import { deviation_stops } from '../logic/colour_scale';
 import { AMBIENT_SIZE } from '../logic/stock/ambient';
 import { far_corner, type Grid } from '../logic/stock/height_field';
 import { NO_DEVIATION } from '../logic/stock/stock_frame';
+import { PIXELS } from './pixels';
 import {
   line_fragment,
   line_vertex,
@@ -128,6 +129,7 @@ export class StockMaterials {
   readonly lines: RawShaderMaterial;
   private readonly plane = { value: new Vector4(0, 0, 1, 0) };
   private readonly looks = {
+    pixels: PIXELS,
     stock: { value: new Vector3(0.7, 0.7, 0.7) },
     face: { value: new Vector3() },
     hatch: { value: new Vector3() },

@@ -97,7 +97,8 @@ vec4 cut() {
   ivec2 last = textureSize(owners, 0) - 1;
   vec2 at = (place.xy + upright.xy * 0.85 * cell - corner.xy) / cell;
   ivec2 column = clamp(ivec2(floor(at)), ivec2(0), last);
-  return look_of(int(texelFetch(owners, column, 0).r), texelFetch(deviations, column, 0).r);
+  float deviation = most > 0.0 ? texelFetch(deviations, column, 0).r : 0.0;
+  return look_of(int(texelFetch(owners, column, 0).r), deviation);
 #else
   return look_of(v_owner, v_deviation);
 #endif
@@ -140,9 +141,10 @@ void main() {
 export const plane_fragment = /* glsl */ `
 precision highp float;
 uniform vec3 face, hatch;
+uniform float pixels;
 out vec4 pixel;
 void main() {
-  float line = abs(mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) - 6.0);
+  float line = abs(mod((gl_FragCoord.x + gl_FragCoord.y) / pixels, 12.0) - 6.0);
   pixel = vec4(mix(hatch, face, smoothstep(0.5, 1.3, line)), 1.0);
 }`;
 

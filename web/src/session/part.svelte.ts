@@ -3,7 +3,8 @@ import type { Breakpoint } from '../logic/protocol';
 import type { Finding } from '../logic/stock/part_store';
 import { colourings_of } from '../logic/stock/part_colours';
 import { asks_for_fine, finding_marks, wanted_time } from '../logic/stock/part_view';
-import type { MeasureKind, Place } from '../logic/stock/measure';
+import { position } from '../logic/format';
+import { measure, type MeasureKind, type Place } from '../logic/stock/measure';
 import type { StockColouring } from '../logic/stock/owner_colours';
 import { documents } from './documents.svelte';
 import { panel } from './panel.svelte';
@@ -14,6 +15,8 @@ import { slider } from './slider.svelte';
 
 export type SectionAxis = 'off' | 'x' | 'y' | 'z';
 const REST_MS = 500;
+/** The finding that a program has cut nothing. */
+const NOT_CUT = 'STOCK_MISSED';
 
 class Part {
   colouring = $state<StockColouring>('tool');
@@ -41,15 +44,27 @@ class Part {
     void panel.part_version;
     return preferences.show_stock && panel.part.shape !== null;
   });
+  /** Whoever takes only what he needs of the facts does not begin anew with each of them. */
+  stock = $derived(this.facts.stock);
+  design = $derived(this.facts.design);
+  owners_version = $derived((void panel.part_version, panel.part.owners_version));
+  /** Of what is shown, along both ways; empty: it is no grid. */
+  cells = $derived.by(() => {
+    void panel.part_version;
+    return this.facts.levels[panel.part.level]?.cells.join(' × ') ?? '';
+  });
+  findings = $derived(this.facts.findings);
+  /** With the part, as long as it is asked for, or nothing is cut: its path says more of such a program. */
+  shows_path = $derived(
+    preferences.show_path || !this.is_shown || this.findings.some(({ code }) => code === NOT_CUT),
+  );
   /** The text has been changed since it was loaded: findings and part are those of the earlier one. */
   is_stale = $derived(documents.is_ahead);
   /** Of the state that is shown, seconds of the program. */
   shown_s = $derived((void panel.part_version, panel.part.time_s));
-  findings = $derived(this.facts.findings);
-  private owners_version = $derived((void panel.part_version, panel.part.owners_version));
   /** What it can be coloured by. */
   colourings = $derived.by(() => {
-    void [this.owners_version, this.is_shown, this.facts];
+    void [this.owners_version, this.is_shown, this.design, this.facts.run];
     return colourings_of(panel.part);
   });
   /** By what it is coloured: as chosen, where that can be. */
@@ -65,6 +80,13 @@ class Part {
       is_over: panel.state.status === 'end',
     }),
   );
+  /** Of the places that were clicked, and its number in words. */
+  measured = $derived.by(() => {
+    const upright = this.facts.model === 'profile' ? 0 : 2;
+    const found = this.measuring ? measure(this.measuring, this.places, upright) : null;
+    const sign = found?.kind === 'diameter' ? 'Ø ' : '';
+    return { found, words: found ? `${sign}${position(found.value)}` : '' };
+  });
   /** The model has not come as far as the machine. */
   is_behind = $derived(
     this.is_shown &&

@@ -38,7 +38,7 @@ export const en_stock = {
   'part.measure-none': 'These places lie on one line: no circle goes through them.',
   'part.of-level': 'cells of {cell} mm',
   'part.path': 'Path over the part',
-  'part.removed': '{volume} cm³ removed',
+  'part.removed': '{volume} removed',
   'part.section': 'Section',
   'part.section-at': 'Section at {axis}',
   'part.section-off': 'Whole',

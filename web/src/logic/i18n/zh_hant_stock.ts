@@ -37,7 +37,7 @@ export const zh_hant_stock = {
   'part.measure-none': '三處在同一直線上，沒有圓通過。',
   'part.of-level': '格距 {cell} mm',
   'part.path': '工件上的路徑',
-  'part.removed': '已去除 {volume} cm³',
+  'part.removed': '已去除 {volume}',
   'part.section': '剖面',
   'part.section-at': '剖面位置 {axis}',
   'part.section-off': '完整',

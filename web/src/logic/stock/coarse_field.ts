@@ -1,9 +1,8 @@
 /** A height field in fewer columns: of each square of columns the one in its middle. */
 import { type Grid, HeightField } from './height_field';
 
-/** From so many columns along a side on it is worth while. */
-const WORTH_WHILE = 260;
-const COLUMNS_WANTED = 180;
+/** With so many times the columns it is worth while. */
+const WORTH_WHILE = 1.4;
 
 export class CoarseField {
   readonly field: HeightField;
@@ -18,11 +17,11 @@ export class CoarseField {
     this.follow();
   }
 
-  /** Null: it has few columns as it is. */
-  static of(field: HeightField): CoarseField | null {
+  /** With nearly so many columns along its longer side. Null: it has few as it is. */
+  static of(field: HeightField, wanted: number): CoarseField | null {
     const side = Math.max(field.grid.nx, field.grid.ny);
-    if (side < WORTH_WHILE || Math.min(field.grid.nx, field.grid.ny) < 16) return null;
-    return new CoarseField(field, Math.max(2, Math.round(side / COLUMNS_WANTED)));
+    if (side < WORTH_WHILE * wanted || Math.min(field.grid.nx, field.grid.ny) < 16) return null;
+    return new CoarseField(field, Math.max(2, Math.round(side / wanted)));
   }
 
   /** Takes over what has changed since the last time. */

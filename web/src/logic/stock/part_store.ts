@@ -168,6 +168,7 @@ export class PartStore {
   }
 
   private take_owners({ from, rows }: OwnerRows): void {
+    if (!rows.length && (from > 0 || !this.owners.length)) return;
     if (from === 0) this.owners = [];
     rows.forEach((row, i) => (this.owners[from + i] = owner_of(row)));
     this.owners_version++;

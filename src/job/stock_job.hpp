@@ -66,6 +66,7 @@ struct StockJob {
   std::optional<CutUntil> until{};
   /// What the part shall be, frame of the stock; null: nobody says.
   std::shared_ptr<const Design> design{};
+  bool is_compared = false;               ///< with another part
   stock::compare::Tolerance tolerance{};  ///< of what the part is compared with
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
@@ -73,7 +74,7 @@ struct StockJob {
   /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
   int most_along = 0;
 
-  [[nodiscard]] bool compares() const { return design != nullptr; }
+  [[nodiscard]] bool compares() const { return design != nullptr || is_compared; }
   [[nodiscard]] std::size_t memory_for_model() const {
     return memory_bytes - std::min(mesh_bytes, memory_bytes);
   }

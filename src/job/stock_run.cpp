@@ -178,6 +178,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.zero = zero_.zero();
     result.origin = plan_.origin;
     result.shape = plan_.shape;
+    result.wanted_cell_mm = plan_.cell_mm;
     result.model_facts = facts_of(plan_, *model_);
     result.model_facts.visited =
         cutter_->motions() > 0

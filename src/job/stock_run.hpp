@@ -22,6 +22,7 @@ struct StockResult {
   machine::StockZero zero;  ///< that it stood at; never automatic
   stock::Vec3 origin;       ///< of that, machine coordinates
   stock::Workpiece shape = stock::BoxShape{};
+  double wanted_cell_mm = 0;  ///< no larger, but for want of memory; 0: the model has none
   output::StockFacts::Model model_facts;
   std::unique_ptr<stock::Model> model;    ///< null: the stock is a sheet
   std::unique_ptr<stock::ToolRack> rack;  ///< the run's; null: of a sheet
@@ -41,6 +42,7 @@ struct StockResult {
   bool knows_travel = true;  ///< some offset or length is not 0: the limits of strokes count
   double most_kw = 0;        ///< of the spindle; 0: not known
   bool knows_material = false;
+  std::optional<output::StockFacts::Against> against;   ///< with another part
   MotionLines lines;                          ///< of a job that compares
   std::unique_ptr<stock::TimedCutSink> rows;  ///< of StockJob::rows, all told; null: none
   std::vector<control::Assumption> assumed;

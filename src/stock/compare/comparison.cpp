@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "stock/compare/internal/line_differences.hpp"
 #include "stock/compare/internal/region_finder.hpp"
@@ -15,8 +16,9 @@ namespace {
 using dexel::along_axis;
 using dexel::on_axis;
 
-/// What is no farther apart than this is in one place: numbers of files and of grids are coarser.
-constexpr double kSame_mm = 1e-9;
+/// What is no farther apart than this is in one place: numbers of files and of grids are coarser,
+/// and borders of areas that were cut in another order are rounded by less.
+constexpr double kSame_mm = 1e-7;
 /// Cells between points of the design; neighbours of them are in cells that touch, of a grid with
 /// cells that are so much larger.
 constexpr double kSpacing = 2;
@@ -27,7 +29,11 @@ double positive(Side side, double deviation) {
 }
 Side side_of(double deviation) { return deviation < 0 ? Side::gouge : Side::excess; }
 
-double without_dust(double deviation) { return std::fabs(deviation) < kSame_mm ? 0 : deviation; }
+/// Of a solid that has no surface everything is as far as can be.
+double settled(double deviation, double farthest_mm) {
+  if (std::fabs(deviation) < kSame_mm) return 0;
+  return std::clamp(deviation, -farthest_mm, farthest_mm);
+}
 
 std::size_t bin_of(double deviation, double tolerance) {
   const double width = 4 * tolerance / Comparison::kBins;
@@ -93,7 +99,8 @@ class PartRow {
 
  private:
   void look_at(const SurfacePoint& point) {
-    const double deviation = without_dust(design_.near(point.at, design_hint_).distance_mm);
+    const Near near = design_.near(point.at, design_hint_);
+    const double deviation = settled(near.distance_mm, farthest_mm_);
     deviations_.push_back(deviation);
     result_.sums.see(deviation);
     result_.sums.histogram[bin_of(deviation, tolerance_.larger())] += point.area_mm2;
@@ -104,7 +111,7 @@ class PartRow {
     }
     const Side side = side_of(deviation);
     if (std::fabs(deviation) > tolerance_.of(side))
-      result_.found.add_point(side, point, std::fabs(deviation), false);
+      result_.found.add_point(side, point, std::fabs(deviation), false, near.motion);
   }
 
   [[nodiscard]] static Vec3 place(const Part::Line& line, const Border& border) {
@@ -117,7 +124,7 @@ class PartRow {
     if (border.point != Stretch::kNone)
       return positive(one.side, deviations_[border.point]) > tolerance;
     const bool has_part = one.low.point != Stretch::kNone || one.high.point != Stretch::kNone;
-    if (has_part && one.high.at - one.low.at <= tolerance) return false;
+    if (has_part && one.length_mm() <= tolerance) return false;
     const Vec3 at = place(line, border);
     const Near near = part_.near(at, part_hint_);
     // On which side of the part it is, the line says: it may lie just beside an edge.
@@ -130,7 +137,8 @@ class PartRow {
   }
 
   void add(const Part::Line& line, const Difference& one) {
-    const double mm3 = (one.high.at - one.low.at) * line.area_mm2;
+    if (one.length_mm() <= kSame_mm) return;
+    const double mm3 = one.length_mm() * line.area_mm2;
     const auto axis = static_cast<std::size_t>(line.axis);
     result_.sums.all_mm3[index(one.side)][axis] += mm3;
     const bool low = is_beyond(line, one, one.low);
@@ -158,12 +166,12 @@ void compare_design_row(const Part& part, const Solid& design, std::size_t numbe
   Hint hint;
   for (SurfacePoint& point : points) {
     const Near near = part.near(point.at, hint);
-    const double deviation = without_dust(-near.distance_mm);
+    const double deviation = settled(-near.distance_mm, farthest_mm_);
     result.sums.see(deviation);
     const Side side = side_of(deviation);
     if (!(std::fabs(deviation) > tolerance.of(side))) continue;
-    point.motion = near.motion;
-    result.found.add_point(side, point, std::fabs(deviation), true);
+    const std::uint32_t there = std::exchange(point.motion, near.motion);
+    result.found.add_point(side, point, std::fabs(deviation), true, there);
   }
   result.found.settle();
 }

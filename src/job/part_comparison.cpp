@@ -8,6 +8,7 @@
 
 #include "job/internal/blame.hpp"
 #include "job/internal/left_solid.hpp"
+#include "job/internal/places_apart.hpp"
 #include "machine/definition/mesh_file.hpp"
 #include "stock/compare/deviation.hpp"
 #include "stock/cutting/findings.hpp"
@@ -22,6 +23,13 @@ using stock::Vec3;
 using stock::compare::Comparison;
 using stock::compare::Region;
 using stock::compare::Side;
+
+/// Too little is there because the stock ends, not because a line has cut it.
+bool lacks_stock(const Region& region, const std::vector<Blame>& lines) {
+  double cut = 0;
+  for (const Blame& one : lines) cut += one.share;
+  return region.side == Side::gouge && 1 - cut > (lines.empty() ? 0 : lines.front().share);
+}
 
 stock::Finding finding_of(const Region& region, const std::vector<Blame>& lines,
                           const StockResult& result) {
@@ -68,16 +76,6 @@ void take_regions(Comparison comparison, const StockJob& job, StockResult& resul
   result.compare = std::move(compared);
 }
 
-bool are_apart(const Bounds& a, const Bounds& b) {
-  return a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
-         a.low.z > b.high.z || b.low.z > a.high.z;
-}
-
-std::string ranges(const Bounds& box) {
-  return fmt::format("X {:.4g} to {:.4g}, Y {:.4g} to {:.4g}, Z {:.4g} to {:.4g}", box.low.x,
-                     box.high.x, box.low.y, box.high.y, box.low.z, box.high.z);
-}
-
 /// A file whose numbers are no millimetres is larger or smaller than what it is cut from.
 bool is_odd(Vec3 design, Vec3 stock) {
   constexpr double kLarger = 2;
@@ -93,14 +91,15 @@ std::string size_text(Vec3 size) {
 
 }  // namespace
 
-Outcome<void> read_design(const std::string& path, const stock::Placement& place, StockJob& job) {
-  auto read = machine::read_mesh(path, machine::MeshUnit::mm, job.memory_for_model());
+Outcome<void> read_design(const machine::SetUp::Design& design, StockJob& job) {
+  auto read = machine::read_mesh(design.file.path, design.file.unit, job.memory_for_model());
   if (!read) return tl::unexpected(read.error());
+  const stock::Placement place = design.place.value_or(stock::Placement{});
   if (place != stock::Placement{}) {
     const stock::Placing placing(place);
     for (Vec3& point : read->mesh.points) point = placing(point);
   }
-  job.design = std::make_shared<const Design>(std::move(*read));
+  job.design = std::make_shared<const Design>(std::move(*read), design.file.unit);
   job.mesh_bytes += job.design->solid.bytes();
   return {};
 }
@@ -120,16 +119,17 @@ Outcome<void> compare_with_design(const StockJob& job, StockResult& result) {
     result.assumed.push_back({0, "the design: " + change});
   if (is_odd(wanted.high - wanted.low, stock.high - stock.low)) {
     result.assumed.push_back(
-        {0, fmt::format("the design is in millimetres: {}, the stock {}",
+        {0, fmt::format("the design is in {}: {}, the stock {}",
+                        job.design->unit == machine::MeshUnit::inch ? "inches" : "millimetres",
                         size_text(wanted.high - wanted.low), size_text(stock.high - stock.low))});
   }
-  const auto part = solid_of(result);
-  take_regions(stock::compare::compare(*part, design, job.tolerance, threads_for(job)), job,
-               result);
+  take_regions(compared(job, result, *solid_of(result, design), design), job, result);
   return {};
 }
 
-std::vector<float> deviations_mm(const StockJob& job, std::span<const Vec3> places) {
+std::vector<float> deviations_mm(const StockJob& job, const OtherPart* other,
+                                 std::span<const Vec3> places) {
+  if (!job.design) return stock::compare::deviations_mm(*other->solid, places, threads_for(job));
   return stock::compare::deviations_mm(job.design->solid, places, threads_for(job));
 }
 

@@ -5,12 +5,15 @@
 #include <thread>
 #include <utility>
 
+#include "job/internal/stock_models.hpp"
 #include "job/stock_part.hpp"
 #include "math/math.hpp"
 #include "stock/compare/dexel_solid.hpp"
 #include "stock/compare/field_solid.hpp"
 #include "stock/compare/plate_solid.hpp"
 #include "stock/compare/turned_solid.hpp"
+#include "stock/field/height_field.hpp"
+#include "stock/turned/turned_part.hpp"
 
 namespace kerf::job {
 namespace {
@@ -19,11 +22,6 @@ using contour::Vec2;
 using stock::Vec3;
 using stock::compare::Part;
 using stock::compare::Solid;
-
-std::unique_ptr<Part> plate(const StockResult& result, const contour::Region& pieces) {
-  const stock::Bounds sheet = stock::bounds(result.shape);
-  return std::make_unique<stock::compare::PlateSolid>(pieces, sheet.low.z, sheet.high.z);
-}
 
 /// Outer loops with their holes.
 std::vector<contour::Region> pieces_apart(const contour::Region& region) {
@@ -67,25 +65,32 @@ Vec3 in_half_plane(Vec3 place) { return {math::hypot(place.x, place.y), 0, place
 
 }  // namespace
 
-std::unique_ptr<Part> solid_of(const StockResult& result) {
-  const stock::Model* const model = result.model.get();
-  if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(model))
+std::unique_ptr<Part> solid_of(const stock::Model& model, const stock::Bounds& piece) {
+  if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(&model))
     return std::make_unique<stock::compare::FieldSolid>(*field);
-  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(model))
+  if (const stock::dexel::TriDexel* const dexels = dexels_of(model))
     return std::make_unique<stock::compare::DexelSolid>(*dexels);
-  if (const contour::Region* const profile = profile_of(result))
-    return std::make_unique<stock::compare::TurnedSolid>(*profile);
-  return plate(result, *pieces_of(result));
+  return std::make_unique<stock::compare::TurnedSolid>(
+      dynamic_cast<const stock::turned::TurnedPart&>(model).region(), piece);
+}
+
+std::unique_ptr<Part> plate_of(const contour::Region& pieces, const stock::Bounds& sheet) {
+  return std::make_unique<stock::compare::PlateSolid>(pieces, sheet);
+}
+
+std::unique_ptr<Part> solid_of(const StockResult& result) {
+  if (result.model) return solid_of(*result.model, stock::bounds(result.shape));
+  return plate_of(*cut_pieces_of(result), stock::bounds(result.shape));
 }
 
 std::unique_ptr<Part> solid_of(const StockResult& result, const Solid& design) {
-  if (!result.sheet) return solid_of(result);
+  if (result.model) return solid_of(*result.model, stock::bounds(result.shape));
   contour::Region wanted;
-  for (contour::Region& piece : pieces_apart(*pieces_of(result))) {
+  for (contour::Region& piece : pieces_apart(*cut_pieces_of(result))) {
     if (!lies_in(piece, design)) continue;
     for (contour::Contour& loop : piece.loops) wanted.loops.push_back(std::move(loop));
   }
-  return plate(result, wanted);
+  return plate_of(wanted, stock::bounds(result.shape));
 }
 
 unsigned threads_for(const StockJob& job) {

@@ -2,12 +2,19 @@
 
 #include <memory>
 
+#include "geometry/contour/region.hpp"
 #include "job/stock_run.hpp"
 #include "stock/compare/part.hpp"
 
 namespace kerf::job {
 
-/// What a run has left, to be compared. The result outlives it.
+/// What a model holds of this piece, to be compared. The model outlives it.
+[[nodiscard]] std::unique_ptr<stock::compare::Part> solid_of(const stock::Model& model,
+                                                             const stock::Bounds& piece);
+/// Pieces of a sheet, as thick as that.
+[[nodiscard]] std::unique_ptr<stock::compare::Part> plate_of(const contour::Region& pieces,
+                                                             const stock::Bounds& sheet);
+/// What a run has left. The result outlives it; of a sheet the job has kept the ways.
 [[nodiscard]] std::unique_ptr<stock::compare::Part> solid_of(const StockResult& result);
 /// The same where it shall be a design: of a sheet the pieces that lie in that, most of each; the
 /// others are scrap.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,9 +18,9 @@ using contour::Vec2;
 using geometry::cross;
 using geometry::dot;
 
-double square(Vec2 v) { return dot(v, v); }
+double square_of(Vec2 v) { return dot(v, v); }
 
-double between(double at, double one, double other) {
+double held_between(double at, double one, double other) {
   return std::clamp(at, std::min(one, other), std::max(one, other));
 }
 
@@ -113,19 +114,19 @@ std::vector<Outline::Sample> Outline::samples(double spacing_mm) const {
 double Outline::square_from(const Piece& piece, Vec2 place) {
   if (piece.radius == 0) {
     const Vec2 way = piece.to - piece.from;
-    const double whole = square(way);
+    const double whole = square_of(way);
     const double share = whole > 0 ? dot(place - piece.from, way) / whole : 0;
-    return square(place - piece.from - std::clamp(share, 0.0, 1.0) * way);
+    return square_of(place - piece.from - std::clamp(share, 0.0, 1.0) * way);
   }
   const Vec2 arm = place - piece.centre;
   const Vec2 begin = piece.from - piece.centre;
   const Vec2 end = piece.to - piece.centre;
   const double side = piece.turns_left ? 1 : -1;
   if (side * cross(begin, arm) >= 0 && side * cross(arm, end) >= 0) {
-    const double off = std::sqrt(square(arm)) - piece.radius;
+    const double off = std::sqrt(square_of(arm)) - piece.radius;
     return off * off;
   }
-  return std::min(square(place - piece.from), square(place - piece.to));
+  return std::min(square_of(place - piece.from), square_of(place - piece.to));
 }
 
 Near Outline::near(Vec2 place, Hint& hint) const {
@@ -149,26 +150,30 @@ Near Outline::near(Vec2 place, Hint& hint) const {
 double Outline::u_at(const Piece& piece, double v) {
   const Vec2 way = piece.to - piece.from;
   if (piece.radius == 0)
-    return between(piece.from.u + (v - piece.from.v) / way.v * way.u, piece.from.u, piece.to.u);
+    return held_between(piece.from.u + (v - piece.from.v) / way.v * way.u, piece.from.u,
+                        piece.to.u);
   const double like = piece.from.u + piece.to.u - 2 * piece.centre.u;
-  return between(piece.centre.u + other_leg(piece.radius, v - piece.centre.v, like), piece.from.u,
-                 piece.to.u);
+  return held_between(piece.centre.u + other_leg(piece.radius, v - piece.centre.v, like),
+                      piece.from.u, piece.to.u);
 }
 
 double Outline::v_at(const Piece& piece, double u) {
   const Vec2 way = piece.to - piece.from;
   if (piece.radius == 0)
-    return between(piece.from.v + (u - piece.from.u) / way.u * way.v, piece.from.v, piece.to.v);
+    return held_between(piece.from.v + (u - piece.from.u) / way.u * way.v, piece.from.v,
+                        piece.to.v);
   const double like = piece.from.v + piece.to.v - 2 * piece.centre.v;
-  return between(piece.centre.v + other_leg(piece.radius, u - piece.centre.u, like), piece.from.v,
-                 piece.to.v);
+  return held_between(piece.centre.v + other_leg(piece.radius, u - piece.centre.u, like),
+                      piece.from.v, piece.to.v);
 }
 
 // An end on the line counts as before it, so that every loop crosses it an even number of times.
 void Outline::along_u(double at, std::vector<Stretch>& out) const {
   std::vector<double> crossings;
   tree_.walk(
-      [&](const NearTree::Box& box) { return double{box.low[1]} <= at && at <= double{box.high[1]}; },
+      [&](const NearTree::Box& box) {
+        return double{box.low[1]} <= at && at <= double{box.high[1]};
+      },
       [&](std::uint32_t number) {
         const Piece& piece = pieces_[number];
         if ((piece.from.v <= at) != (piece.to.v <= at)) crossings.push_back(u_at(piece, at));
@@ -179,7 +184,9 @@ void Outline::along_u(double at, std::vector<Stretch>& out) const {
 void Outline::along_v(double at, std::vector<Stretch>& out) const {
   std::vector<double> crossings;
   tree_.walk(
-      [&](const NearTree::Box& box) { return double{box.low[0]} <= at && at <= double{box.high[0]}; },
+      [&](const NearTree::Box& box) {
+        return double{box.low[0]} <= at && at <= double{box.high[0]};
+      },
       [&](std::uint32_t number) {
         const Piece& piece = pieces_[number];
         if ((piece.from.u <= at) != (piece.to.u <= at)) crossings.push_back(v_at(piece, at));

@@ -15,8 +15,9 @@ class PlateSolid final : public Part {
  public:
   static constexpr double kSample_mm = 0.1;
 
-  /// Each edge has the motion that cut it for its owner. low_z < high_z.
-  PlateSolid(const contour::Region& region, double low_z, double high_z);
+  /// Each edge has the motion that cut it for its owner. As high as the sheet, low < high, which
+  /// the lines of the grid fill: there may be what the plate has not.
+  PlateSolid(const contour::Region& region, const Bounds& sheet);
 
   [[nodiscard]] Near near(Vec3 place, Hint& hint) const override;
   [[nodiscard]] Bounds bounds() const override { return bounds_; }

@@ -11,9 +11,9 @@
 namespace kerf::stock::compare {
 namespace {
 
-constexpr std::size_t kRowSamples = 64;
+constexpr std::size_t kEdgePlacesInRow = 64;
 /// Angles shift by this share of a step: so they never keep in step with the sides of a design.
-constexpr double kShift = 0.6180339887498949;
+constexpr double kShiftOfAngles = 0.6180339887498949;
 
 /// Along X where `off` is the distance of the line from the axis: a ring of [from, to] has it twice
 /// where the line passes its hole.
@@ -34,20 +34,26 @@ void add_ring(double off, const Stretch& ring, std::vector<Stretch>& left,
   }
 }
 
+Bounds turned_box(const contour::Region& region) {
+  return region.is_empty() ? Bounds{} : turned::bounds(region);
+}
+
 }  // namespace
 
-TurnedSolid::TurnedSolid(const contour::Region& region)
+TurnedSolid::TurnedSolid(const contour::Region& region, const Bounds& lines)
     : outline_(region, Outline::OnAxis::is_none),
-      bounds_(region.is_empty() ? Bounds{} : turned::bounds(region)),
+      bounds_(turned_box(region)),
       samples_(outline_.samples(kSample_mm)),
-      lines_(bounds_) {}
+      lines_(lines) {}
+
+TurnedSolid::TurnedSolid(const contour::Region& region) : TurnedSolid(region, turned_box(region)) {}
 
 Near TurnedSolid::near(Vec3 place, Hint& hint) const {
   return outline_.near({place.z, math::hypot(place.x, place.y)}, hint);
 }
 
 std::size_t TurnedSolid::sample_rows() const {
-  return (samples_.size() + kRowSamples - 1) / kRowSamples;
+  return (samples_.size() + kEdgePlacesInRow - 1) / kEdgePlacesInRow;
 }
 
 std::size_t TurnedSolid::rows() const { return sample_rows() + lines_.count(); }
@@ -68,9 +74,9 @@ void TurnedSolid::add_points(const Outline::Sample& sample, double shift,
 void TurnedSolid::row(std::size_t number, Row& row) const {
   row.clear();
   if (number >= sample_rows()) return lines_.add(number - sample_rows(), *this, {}, row);
-  const std::size_t end = std::min(samples_.size(), (number + 1) * kRowSamples);
-  for (std::size_t i = number * kRowSamples; i < end; ++i) {
-    const double turns = kShift * static_cast<double>(i);
+  const std::size_t end = std::min(samples_.size(), (number + 1) * kEdgePlacesInRow);
+  for (std::size_t i = number * kEdgePlacesInRow; i < end; ++i) {
+    const double turns = kShiftOfAngles * static_cast<double>(i);
     add_points(samples_[i], turns - std::floor(turns), row.points);
   }
 }

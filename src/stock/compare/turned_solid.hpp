@@ -16,7 +16,9 @@ class TurnedSolid final : public Part {
   static constexpr std::size_t kAngles = 24;
   static constexpr double kSample_mm = 0.1;
 
-  /// Each edge has the motion that cut it for its owner.
+  /// Each edge has the motion that cut it for its owner. The lines of the grid fill `lines`, where
+  /// there may be what the part has not; without it the box around the part.
+  TurnedSolid(const contour::Region& region, const Bounds& lines);
   explicit TurnedSolid(const contour::Region& region);
 
   [[nodiscard]] Near near(Vec3 place, Hint& hint) const override;

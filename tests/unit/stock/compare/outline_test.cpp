@@ -28,9 +28,9 @@ Region random_region(Random& random) {
     const Vec2 at{random.in(-2, 22), random.in(-2, 14)};
     const Vec2 size{random.in(0.5, 6), random.in(0.5, 6)};
     const bool is_disc = random.in(0, 1) < 0.6;
-    const Region other =
-        is_disc ? contour::disc(at, size.u, 9) : rectangle(at, at + size, 8);
-    region = random.in(0, 1) < 0.6 ? contour::subtract(region, other) : contour::unite(region, other);
+    const Region other = is_disc ? contour::disc(at, size.u, 9) : rectangle(at, at + size, 8);
+    region =
+        random.in(0, 1) < 0.6 ? contour::subtract(region, other) : contour::unite(region, other);
   }
   return region;
 }
@@ -60,9 +60,10 @@ TEST(Outline, LinesThroughItEnterAndLeaveWhereItsSidesChange) {
     for (int i = 0; i < 40; ++i) {
       const bool is_u = i % 2 == 0;
       // Through corners, too.
-      const Vec2 corner = region.loops.front().vertices[static_cast<std::size_t>(i) %
-                                                        region.loops.front().vertices.size()]
-                              .point;
+      const Vec2 corner =
+          region.loops.front()
+              .vertices[static_cast<std::size_t>(i) % region.loops.front().vertices.size()]
+              .point;
       const double at = i < 10 ? (is_u ? corner.v : corner.u) : random.in(0, 12);
       std::vector<Stretch> found;
       is_u ? outline.along_u(at, found) : outline.along_v(at, found);

@@ -41,10 +41,10 @@ TriangleMesh round(double radius, double low, double high, int n) {
 /// A shaft of 40 with a seat of 30 to Z-20 that motion 7 has cut, its shoulder by motion 8.
 Region shaft(double seat = 30) {
   Region region = rectangle({-60, 0}, {0, 20});
-  return contour::subtract(region, contour::region_of(contour::Contour{{{{-20, seat / 2}, 0, 7},
-                                                                        {{10, seat / 2}, 0, 7},
-                                                                        {{10, 30}, 0, 7},
-                                                                        {{-20, 30}, 0, 8}}}));
+  return contour::subtract(
+      region,
+      contour::region_of(contour::Contour{
+          {{{-20, seat / 2}, 0, 7}, {{10, seat / 2}, 0, 7}, {{10, 30}, 0, 7}, {{-20, 30}, 0, 8}}}));
 }
 
 TEST(TurnedSolid, DistancesAndStretchesAreThoseOfTheRevolvedRegion) {
@@ -107,11 +107,14 @@ TEST(TurnedSolid, ASeatThatIsTooThinIsOneGougeOfItsFormulaAndItsMotion) {
 
 TEST(TurnedSolid, AMeshOfManySidesIsItsDesign) {
   const Region region = rectangle({-60, 0}, {0, 20});
-  const Comparison right = compare(TurnedSolid(region), MeshSolid(round(20, -60, 0, 256)), kTolerance, 1);
+  const Comparison right =
+      compare(TurnedSolid(region), MeshSolid(round(20, -60, 0, 256)), kTolerance, 1);
   EXPECT_EQ(right.of(Side::gouge).regions + right.of(Side::excess).regions, 0U);
-  const Comparison wrong = compare(TurnedSolid(region), MeshSolid(round(19.8, -60, 0, 256)), kTolerance, 1);
+  const Comparison wrong =
+      compare(TurnedSolid(region), MeshSolid(round(19.8, -60, 0, 256)), kTolerance, 1);
   EXPECT_EQ(wrong.of(Side::excess).regions, 1U);
-  EXPECT_NEAR(wrong.of(Side::excess).max_mm, 0.2 + 19.8 * (1 - std::cos(std::numbers::pi / 256)), 1e-3);
+  EXPECT_NEAR(wrong.of(Side::excess).max_mm, 0.2 + 19.8 * (1 - std::cos(std::numbers::pi / 256)),
+              1e-3);
   const double sides = 128 * 19.8 * 19.8 * std::sin(2 * std::numbers::pi / 256);
   const double volume = (std::numbers::pi * 400 - sides) * 60;
   EXPECT_NEAR(wrong.of(Side::excess).volume_mm3, volume, 0.01 * volume);
@@ -130,7 +133,7 @@ TEST(TurnedSolid, TheSamePartIsTheSameWhicheverWayItWasDivided) {
 
 TEST(PlateSolid, DistancesAndStretchesAreThoseOfThePlate) {
   const Region region = contour::subtract(rectangle({0, 0}, {30, 20}), contour::disc({15, 10}, 5));
-  const PlateSolid part(region, -3, 0);
+  const PlateSolid part(region, {{0, 0, -3}, {30, 20, 0}});
   Random random(22);
   Hint hint;
   for (int i = 0; i < 500; ++i) {
@@ -163,7 +166,8 @@ TEST(PlateSolid, AHoleThatIsTooLargeIsAGougeOfItsRing) {
   };
   const Region here = plate(5.1);
   const Region there = plate(5);
-  const Comparison one = compare(PlateSolid(here, -3, 0), PlateSolid(there, -3, 0), kTolerance, 1);
+  const Bounds sheet{{0, 0, -3}, {30, 20, 0}};
+  const Comparison one = compare(PlateSolid(here, sheet), PlateSolid(there, sheet), kTolerance, 1);
   EXPECT_EQ(one.of(Side::gouge).regions, 1U);
   EXPECT_EQ(one.of(Side::excess).regions, 0U);
   EXPECT_NEAR(one.of(Side::gouge).max_mm, 0.1, 1e-9);
@@ -171,6 +175,15 @@ TEST(PlateSolid, AHoleThatIsTooLargeIsAGougeOfItsRing) {
   EXPECT_NEAR(one.of(Side::gouge).volume_mm3, ring, 0.02 * ring);
   ASSERT_EQ(one.regions.front().motions.size(), 1U);
   EXPECT_EQ(one.regions.front().motions.front().motion, 4U);
+}
+
+TEST(PlateSolid, OfAPartThatIsNotThereAllIsMissingOnTheLinesOfItsSheet) {
+  const Bounds sheet{{0, 0, -3}, {30, 20, 0}};
+  const Region wanted = rectangle({10, 5}, {20, 15});
+  const Comparison one = compare(PlateSolid({}, sheet), PlateSolid(wanted, sheet), kTolerance, 1);
+  EXPECT_EQ(one.of(Side::gouge).regions, 1U);
+  EXPECT_NEAR(one.of(Side::gouge).volume_mm3, 300, 3);
+  EXPECT_EQ(one.of(Side::excess).regions, 0U);
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ from stock_files_tests import TURNING_TOOL
 DESIGN = ((0, 0, -20), (40, 30, -1))
 
 
-def elsewhere(box, scale=1.0, shift=(0, 0, 0)):
-    """The design of faced("1."), its corners multiplied and then moved."""
-    box.write("moved.stl", stl([tuple(scale * (c + s) for c, s in zip(corner, shift)) for corner in DESIGN]))
+def elsewhere(scale=1.0, shift=(0, 0, 0)):
+    """The design of faced("1."), its corners moved and then multiplied."""
+    return tuple(tuple(scale * (c + s) for c, s in zip(corner, shift)) for corner in DESIGN)
 
 
 def by_set_up(box, table, *words, wanted=0, moves=None):
@@ -28,21 +28,22 @@ def by_set_up(box, table, *words, wanted=0, moves=None):
 
 @test("design place: a design is moved and turned to where the part lies, and found wrong where it is not")
 def place(box):
-    elsewhere(box, shift=(7, -3, 2))
-    report = compared(box, faced("1."), "--design", "moved.stl", "--design-place", "-7,3,-2")
+    moved = elsewhere(shift=(7, -3, 2))
+    report = compared(box, faced("1."), "--design-place", "-7,3,-2", design=moved)
     equal((codes(report), report["compare"]["gouge"]["max_mm"]), ([], 0), "in its place")
-    report = compared(box, faced("1."), "--design", "moved.stl", "--design-place", "-7,3,-1.8", wanted=1)
+    report = compared(box, faced("1."), "--design-place", "-7,3,-1.8", design=moved, wanted=1)
     equal(sorted(codes(report)), ["EXCESS", "GOUGE"], "0.2 mm too high: the top of it was cut away, and the bottom is left")
-    box.write("moved.stl", stl(((-30, 0, -20), (0, 40, -1))))
-    report = compared(box, faced("1."), "--design", "moved.stl", "--design-place", "0,0,0,0,0,-90", wanted=0)
+    lying = ((-30, 0, -20), (0, 40, -1))
+    report = compared(box, faced("1."), "--design-place", "0,0,0,0,0,-90", design=lying)
     equal(codes(report), [], "turned about Z by -90 degrees")
+    box.write("moved.stl", stl(lying))
     refused(box.kerf("stock", "part.nc", "--stock", STOCK, "--design", "moved.stl", "--design-place", "1,2"), 2, "--design-place")
     refused(box.kerf("stock", "part.nc", "--stock", STOCK, "--design-place", "1,2,3"), 2, "nothing is compared")
 
 
 @test("design of a set-up: its file, place, unit and tolerance are what the part is compared by")
 def of_set_up(box):
-    elsewhere(box, scale=1 / 25.4, shift=(5, 0, 0))
+    box.write("moved.stl", stl(elsewhere(scale=1 / 25.4, shift=(5, 0, 0))))
     table = 'file = "moved.stl"\nunit = "inch"\nplace = [-5, 0, 0]'
     report = by_set_up(box, table)
     near(report["compare"]["gouge"]["max_mm"], 0, 1e-4, "in inches and moved")

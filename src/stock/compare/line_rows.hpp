@@ -24,7 +24,7 @@ class LineRows {
            Part::Row& row) const;
 
  private:
-  static constexpr double kMostLines = 1e6;
+  static constexpr double kMostLines = 5e5;
 
   Bounds box_;
   std::array<std::size_t, 3> cells_{};  // along each axis

@@ -7,19 +7,13 @@
 
 #include "geometry/contour/boolean.hpp"
 #include "stock/compare/meshes.hpp"
+#include "stock/compare/outlines.hpp"
 
 namespace kerf::stock::compare::test {
 namespace {
 
 using contour::Region;
 using contour::Vec2;
-
-Region rectangle(Vec2 low, Vec2 high, std::uint32_t owner = 0) {
-  return contour::region_of(contour::Contour{{{low, 0, owner},
-                                              {{high.u, low.v}, 0, owner},
-                                              {high, 0, owner},
-                                              {{low.u, high.v}, 0, owner}}});
-}
 
 /// Rectangles and discs, some of them taken away.
 Region random_region(Random& random) {

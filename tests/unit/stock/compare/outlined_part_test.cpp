@@ -1,6 +1,7 @@
 // Parts that are outlines: turned about Z, and plates.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,9 +10,10 @@
 #include "stock/compare/comparison.hpp"
 #include "stock/compare/mesh_solid.hpp"
 #include "stock/compare/meshes.hpp"
+#include "stock/compare/outlines.hpp"
 #include "stock/compare/plate_solid.hpp"
 #include "stock/compare/turned_solid.hpp"
-#include "stock/turned/turned_part.hpp"
+#include "stock/dexel/lattice.hpp"
 
 namespace kerf::stock::compare::test {
 namespace {
@@ -21,11 +23,18 @@ using contour::Vec2;
 
 constexpr Tolerance kTolerance{};
 
-Region rectangle(Vec2 low, Vec2 high, std::uint32_t owner = 0) {
-  return contour::region_of(contour::Contour{{{low, 0, owner},
-                                              {{high.u, low.v}, 0, owner},
-                                              {high, 0, owner},
-                                              {{low.u, high.v}, 0, owner}}});
+/// What the lines through a place say of it.
+void expect_on_lines(const Solid& part, Vec3 place, bool is_in) {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Stretch> material;
+    part.inside(axis, dexel::on_axis(place, (axis + 1) % 3), dexel::on_axis(place, (axis + 2) % 3),
+                material);
+    const double at = dexel::on_axis(place, axis);
+    const bool holds = std::any_of(material.begin(), material.end(), [&](const Stretch& one) {
+      return one.low < at && at < one.high;
+    });
+    EXPECT_EQ(holds, is_in) << "along " << axis;
+  }
 }
 
 /// A round bar of n sides around it, so that it is nowhere inside of the circle's chords.
@@ -60,16 +69,7 @@ TEST(TurnedSolid, DistancesAndStretchesAreThoseOfTheRevolvedRegion) {
     const bool is_in = to_bar < 0 && to_seat < 0;
     const Near near = part.near(place, hint);
     EXPECT_EQ(near.distance_mm < 0, is_in) << place.x << " " << place.y << " " << place.z;
-    std::vector<Stretch> material;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::array<double, 3> at{place.x, place.y, place.z};
-      material.clear();
-      part.inside(axis, at[(axis + 1) % 3], at[(axis + 2) % 3], material);
-      const bool holds = std::any_of(material.begin(), material.end(), [&](const Stretch& one) {
-        return one.low < at[axis] && at[axis] < one.high;
-      });
-      EXPECT_EQ(holds, is_in) << "along " << axis;
-    }
+    expect_on_lines(part, place, is_in);
   }
   EXPECT_NEAR(part.near({15.3, 0, -10}, hint).distance_mm, 0.3, 1e-12);
   EXPECT_EQ(part.near({15.3, 0, -10}, hint).motion, 7U);
@@ -98,25 +98,25 @@ TEST(TurnedSolid, ASeatThatIsTooThinIsOneGougeOfItsFormulaAndItsMotion) {
   EXPECT_EQ(one.of(Side::excess).regions, 0U);
   EXPECT_NEAR(one.of(Side::gouge).max_mm, 0.2, 1e-9);
   const double volume = std::numbers::pi * (15 * 15 - 14.8 * 14.8) * 20;
-  EXPECT_NEAR(one.of(Side::gouge).volume_mm3, volume, 0.01 * volume);
-  EXPECT_NEAR(one.of(Side::gouge).all_mm3, volume, 0.01 * volume);
+  EXPECT_NEAR(one.of(Side::gouge).volume_mm3, volume, 0.02 * volume);
+  EXPECT_NEAR(one.of(Side::gouge).all_mm3, volume, 0.02 * volume);
   ASSERT_EQ(one.regions.front().motions.size(), 2U);
   EXPECT_EQ(one.regions.front().motions.front().motion, 7U);
   EXPECT_GT(one.regions.front().motions.front().share, 0.95);
 }
 
 TEST(TurnedSolid, AMeshOfManySidesIsItsDesign) {
-  const Region region = rectangle({-60, 0}, {0, 20});
+  const Region region = rectangle({-15, 0}, {0, 10});
   const Comparison right =
-      compare(TurnedSolid(region), MeshSolid(round(20, -60, 0, 256)), kTolerance, 1);
+      compare(TurnedSolid(region), MeshSolid(round(10, -15, 0, 256)), kTolerance, 1);
   EXPECT_EQ(right.of(Side::gouge).regions + right.of(Side::excess).regions, 0U);
   const Comparison wrong =
-      compare(TurnedSolid(region), MeshSolid(round(19.8, -60, 0, 256)), kTolerance, 1);
+      compare(TurnedSolid(region), MeshSolid(round(9.8, -15, 0, 256)), kTolerance, 1);
   EXPECT_EQ(wrong.of(Side::excess).regions, 1U);
-  EXPECT_NEAR(wrong.of(Side::excess).max_mm, 0.2 + 19.8 * (1 - std::cos(std::numbers::pi / 256)),
+  EXPECT_NEAR(wrong.of(Side::excess).max_mm, 0.2 + 9.8 * (1 - std::cos(std::numbers::pi / 256)),
               1e-3);
-  const double sides = 128 * 19.8 * 19.8 * std::sin(2 * std::numbers::pi / 256);
-  const double volume = (std::numbers::pi * 400 - sides) * 60;
+  const double sides = 128 * 9.8 * 9.8 * std::sin(2 * std::numbers::pi / 256);
+  const double volume = (std::numbers::pi * 100 - sides) * 15;
   EXPECT_NEAR(wrong.of(Side::excess).volume_mm3, volume, 0.01 * volume);
 }
 
@@ -147,16 +147,7 @@ TEST(PlateSolid, DistancesAndStretchesAreThoseOfThePlate) {
     } else {
       EXPECT_GT(near.distance_mm, 0);
     }
-    std::vector<Stretch> material;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::array<double, 3> at{place.x, place.y, place.z};
-      material.clear();
-      part.inside(axis, at[(axis + 1) % 3], at[(axis + 2) % 3], material);
-      const bool holds = std::any_of(material.begin(), material.end(), [&](const Stretch& one) {
-        return one.low < at[axis] && at[axis] < one.high;
-      });
-      EXPECT_EQ(holds, beside < 0 && over < 0) << "along " << axis;
-    }
+    expect_on_lines(part, place, beside < 0 && over < 0);
   }
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 bool is_warning(base::Code code) {
   using enum base::Code;
-  constexpr std::array kWarnings{
-      tap_without_hole, thread_pitch,  feed_per_tooth, cut_depth,   cut_width,
-      cutting_speed,    cutting_power, tool_length,    stock_loose, stock_zero_moved,
-      stock_missed,     cell_enlarged, tool_import,    excess};
+  constexpr std::array kWarnings{tap_without_hole, thread_pitch,     feed_per_tooth, cut_depth,
+                                 cut_width,        cutting_speed,    cutting_power,  tool_length,
+                                 stock_loose,      stock_zero_moved, stock_missed,   cell_enlarged,
+                                 tool_import,      excess,           differs};
   return std::find(kWarnings.begin(), kWarnings.end(), code) != kWarnings.end();
 }
 
@@ -157,6 +157,7 @@ output::StockFacts facts_of(StockResult& result) {
   facts.turns = result.run->machine().definition().turns();
   facts.model = result.model_facts;
   facts.compare = result.compare;
+  facts.against = result.against;
   facts.assumed = result.assumed;
   list_unchecked(result, facts.not_checked);
   if (!result.knows_stock && result.has_probed)

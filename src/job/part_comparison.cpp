@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
-#include <thread>
 #include <utility>
 
+#include "job/internal/blame.hpp"
+#include "job/internal/left_solid.hpp"
+#include "job/internal/places_apart.hpp"
 #include "machine/definition/mesh_file.hpp"
 #include "stock/compare/deviation.hpp"
-#include "stock/compare/dexel_solid.hpp"
-#include "stock/compare/field_solid.hpp"
 #include "stock/cutting/findings.hpp"
 
 namespace kerf::job {
@@ -22,50 +21,8 @@ using base::Outcome;
 using stock::Bounds;
 using stock::Vec3;
 using stock::compare::Comparison;
-using stock::compare::Part;
 using stock::compare::Region;
 using stock::compare::Side;
-
-unsigned threads_for(const StockJob& job) {
-  return job.jobs > 0 ? job.jobs : std::max(1U, std::thread::hardware_concurrency());
-}
-
-std::unique_ptr<Part> part_of(const StockResult& result) {
-  const stock::Model* const model = result.model.get();
-  if (const auto* const field = dynamic_cast<const stock::field::HeightField*>(model))
-    return std::make_unique<stock::compare::FieldSolid>(*field);
-  if (const auto* const dexels = dynamic_cast<const stock::dexel::TriDexel*>(model))
-    return std::make_unique<stock::compare::DexelSolid>(*dexels);
-  return nullptr;
-}
-
-/// A line with its share of a region, and which of its motions has most of that.
-struct Blame {
-  BlockId block;
-  std::uint32_t motion = 0;
-  double share = 0;
-  double of_motion = 0;
-};
-
-/// The largest share first.
-std::vector<Blame> blame(const Region& region, const MotionLines& lines) {
-  std::map<std::pair<base::FileId, std::uint32_t>, Blame> by_line;
-  for (const stock::compare::MotionShare& one : region.motions) {
-    const BlockId block = lines.block(one.motion);
-    Blame& of = by_line[{block.file, block.line}];
-    of.share += one.share;
-    if (one.share > of.of_motion) {
-      of.of_motion = one.share;
-      of.motion = one.motion;
-      of.block = block;
-    }
-  }
-  std::vector<Blame> sorted;
-  for (const auto& [line, of] : by_line) sorted.push_back(of);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Blame& a, const Blame& b) { return a.share > b.share; });
-  return sorted;
-}
 
 /// Too little is there because the stock ends, not because a line has cut it.
 bool lacks_stock(const Region& region, const std::vector<Blame>& lines) {
@@ -93,21 +50,14 @@ stock::Finding finding_of(const Region& region, const std::vector<Blame>& lines,
   return finding;
 }
 
-output::StockFacts::LineShare line_share(const Blame& one, const base::SourceSet& sources) {
-  const bool is_known = sources.contains(one.block.file);
-  return {is_known ? sources[one.block.file].name() : std::string{}, one.block.line, one.share};
-}
-
 /// The regions' lines, and a finding each.
 void take_regions(Comparison comparison, const StockJob& job, StockResult& result) {
   const base::SourceSet& sources = result.run->machine().sources();
   output::StockFacts::Compared compared;
   std::vector<stock::Finding> findings;
   for (Region& region : comparison.regions) {
-    const std::vector<Blame> lines = blame(region, result.lines);
-    std::vector<output::StockFacts::LineShare> told;
-    for (const Blame& one : lines) told.push_back(line_share(one, sources));
-    compared.lines.push_back(std::move(told));
+    const std::vector<Blame> lines = blame(region.motions, result.lines);
+    compared.lines.push_back(told(lines, sources));
     region.motions = {};  // the lines say it
     stock::Finding finding = finding_of(region, lines, result);
     const bool counts =
@@ -126,16 +76,6 @@ void take_regions(Comparison comparison, const StockJob& job, StockResult& resul
   result.compare = std::move(compared);
 }
 
-bool are_apart(const Bounds& a, const Bounds& b) {
-  return a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
-         a.low.z > b.high.z || b.low.z > a.high.z;
-}
-
-std::string ranges(const Bounds& box) {
-  return fmt::format("X {:.4g} to {:.4g}, Y {:.4g} to {:.4g}, Z {:.4g} to {:.4g}", box.low.x,
-                     box.high.x, box.low.y, box.high.y, box.low.z, box.high.z);
-}
-
 /// A file whose numbers are no millimetres is larger or smaller than what it is cut from.
 bool is_odd(Vec3 design, Vec3 stock) {
   constexpr double kLarger = 2;
@@ -151,16 +91,15 @@ std::string size_text(Vec3 size) {
 
 }  // namespace
 
-Outcome<void> read_design(const std::string& path, const stock::Placement& place, StockJob& job) {
-  if (job.job.definition.turns() || job.job.definition.axes.beam)
-    return base::usage("--design: parts of lathes and sheets are not compared yet");
-  auto read = machine::read_mesh(path, machine::MeshUnit::mm, job.memory_for_model());
+Outcome<void> read_design(const machine::SetUp::Design& design, StockJob& job) {
+  auto read = machine::read_mesh(design.file.path, design.file.unit, job.memory_for_model());
   if (!read) return tl::unexpected(read.error());
+  const stock::Placement place = design.place.value_or(stock::Placement{});
   if (place != stock::Placement{}) {
     const stock::Placing placing(place);
     for (Vec3& point : read->mesh.points) point = placing(point);
   }
-  job.design = std::make_shared<const Design>(std::move(*read));
+  job.design = std::make_shared<const Design>(std::move(*read), design.file.unit);
   job.mesh_bytes += job.design->solid.bytes();
   return {};
 }
@@ -180,16 +119,17 @@ Outcome<void> compare_with_design(const StockJob& job, StockResult& result) {
     result.assumed.push_back({0, "the design: " + change});
   if (is_odd(wanted.high - wanted.low, stock.high - stock.low)) {
     result.assumed.push_back(
-        {0, fmt::format("the design is in millimetres: {}, the stock {}",
+        {0, fmt::format("the design is in {}: {}, the stock {}",
+                        job.design->unit == machine::MeshUnit::inch ? "inches" : "millimetres",
                         size_text(wanted.high - wanted.low), size_text(stock.high - stock.low))});
   }
-  const std::unique_ptr<Part> part = part_of(result);
-  take_regions(stock::compare::compare(*part, design, job.tolerance, threads_for(job)), job,
-               result);
+  take_regions(compared(job, result, *solid_of(result, design), design), job, result);
   return {};
 }
 
-std::vector<float> deviations_mm(const StockJob& job, std::span<const Vec3> places) {
+std::vector<float> deviations_mm(const StockJob& job, const OtherPart* other,
+                                 std::span<const Vec3> places) {
+  if (!job.design) return stock::compare::deviations_mm(*other->solid, places, threads_for(job));
   return stock::compare::deviations_mm(job.design->solid, places, threads_for(job));
 }
 

@@ -46,6 +46,7 @@ struct StockJob {
   std::vector<NamedShape> fixtures{};
   StockModel model = StockModel::automatic;
   std::optional<double> cell_mm{};          ///< largest; none: by the smallest tool or the kerf
+  double least_cell_mm = 0;                 ///< that a part beside it has for want of memory
   std::optional<double> kerf_mm{};          ///< of a beam; none: as its machine has it
   std::size_t memory_bytes = 1024UL << 20;  ///< of the model, and of the meshes beside it
   std::size_t mesh_bytes = 0;               ///< what those take of it
@@ -66,6 +67,7 @@ struct StockJob {
   std::optional<CutUntil> until{};
   /// What the part shall be, frame of the stock; null: nobody says.
   std::shared_ptr<const Design> design{};
+  bool is_compared = false;               ///< with another part (other_part.hpp)
   stock::compare::Tolerance tolerance{};  ///< of what the part is compared with
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
@@ -73,7 +75,7 @@ struct StockJob {
   /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
   int most_along = 0;
 
-  [[nodiscard]] bool compares() const { return design != nullptr; }
+  [[nodiscard]] bool compares() const { return design != nullptr || is_compared; }
   [[nodiscard]] std::size_t memory_for_model() const {
     return memory_bytes - std::min(mesh_bytes, memory_bytes);
   }

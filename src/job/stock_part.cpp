@@ -107,16 +107,29 @@ Surface surface_of(const StockResult& result, const SurfaceWish& wish) {
   return wish.triangles > 0 ? stock::surface::simplified(std::move(whole), wish.triangles) : whole;
 }
 
-std::optional<contour::Region> pieces_of(const StockResult& result) {
-  if (!result.sheet) return {};
+namespace {
+
+contour::Region pieces_by(const StockResult& result, std::span<const std::uint32_t> owners) {
   contour::Region sheet = rectangle(stock::bounds(result.shape));
   if (const auto* const saved = std::get_if<stock::SavedShape>(&result.shape)) {
     if (const auto* const before = dynamic_cast<const stock::saved::SavedSheet*>(saved->part.get()))
-      sheet = contour::subtract(sheet, stock::saved::outline_of(before->state().cuts));
+      sheet = before->left();
   }
   if (result.ways.empty()) return sheet;
-  return contour::subtract(sheet,
-                           stock::sheet::outline_of(result.ways, result.sheet_facts->kerf_mm));
+  return contour::subtract(
+      sheet, stock::sheet::outline_of(result.ways, result.sheet_facts->kerf_mm, owners));
+}
+
+}  // namespace
+
+std::optional<contour::Region> pieces_of(const StockResult& result) {
+  if (!result.sheet) return {};
+  return pieces_by(result, {});
+}
+
+std::optional<contour::Region> cut_pieces_of(const StockResult& result) {
+  if (!result.sheet) return {};
+  return pieces_by(result, result.way_motions);
 }
 
 const contour::Region* profile_of(const StockResult& result) {

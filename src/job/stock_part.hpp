@@ -26,6 +26,8 @@ struct SurfaceWish {
 
 /// What is left of a sheet, exact; none: the stock is no sheet.
 [[nodiscard]] std::optional<contour::Region> pieces_of(const StockResult& result);
+/// The same, divided where another motion has cut: each edge has its motion for its owner.
+[[nodiscard]] std::optional<contour::Region> cut_pieces_of(const StockResult& result);
 /// The half section of a turned part, (Z, ρ); null: the stock is none. As long as the result lives.
 [[nodiscard]] const contour::Region* profile_of(const StockResult& result);
 /// What has a contour: a turned part its half section, as turning has left it where driven tools

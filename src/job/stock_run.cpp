@@ -71,6 +71,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   void go(const StockJob& job) {
     auto made = make_model(plan_, ModelSize::of(job));
     model_ = std::move(made.model);
+    cell_mm_ = made.cell_mm;
     cell_enlarged_ = made.cell_enlarged;
     if (job.watch != nullptr) {
       watch_ = job.watch->begins(
@@ -178,6 +179,8 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
     result.zero = zero_.zero();
     result.origin = plan_.origin;
     result.shape = plan_.shape;
+    result.wanted_cell_mm = plan_.cell_mm;
+    result.cell_mm = cell_mm_;
     result.model_facts = facts_of(plan_, *model_);
     result.model_facts.visited =
         cutter_->motions() > 0
@@ -323,6 +326,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
   }
 
   StockPlan plan_;
+  double cell_mm_ = 0;  // of the model
   bool is_model_open_;  // nobody has said which it shall be
   bool knows_stock_;
   std::unique_ptr<Run> run_;

@@ -22,6 +22,8 @@ struct StockResult {
   machine::StockZero zero;  ///< that it stood at; never automatic
   stock::Vec3 origin;       ///< of that, machine coordinates
   stock::Workpiece shape = stock::BoxShape{};
+  double wanted_cell_mm = 0;  ///< that the cells should have had
+  double cell_mm = 0;         ///< that they were made by; 0: the model has none
   output::StockFacts::Model model_facts;
   std::unique_ptr<stock::Model> model;    ///< null: the stock is a sheet
   std::unique_ptr<stock::ToolRack> rack;  ///< the run's; null: of a sheet
@@ -29,10 +31,12 @@ struct StockResult {
   std::optional<output::StockFacts::Sheet> sheet_facts;  ///< of it
   std::vector<stock::Finding> findings;
   std::optional<output::StockFacts::Compared> compare;  ///< with a design; compare_with_design()
+  std::optional<output::StockFacts::Against> against;   ///< compare_with_other()
   std::uint64_t findings_dropped = 0;
   std::vector<stock::ToolRecord> tools;
   std::vector<stock::ToolSpan> tool_spans;  ///< which motions are whose
   std::vector<stock::sheet::Trace> ways;    ///< of a beam, where the job keeps them
+  std::vector<std::uint32_t> way_motions;   ///< that made those
   std::vector<stock::Piece> pieces;         ///< of the model, the largest first
   std::vector<output::StockFacts::Thread> threads;
   machine::Skips skips;      ///< what probes met: Job::skips of a run that shall be the same

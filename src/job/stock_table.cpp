@@ -51,8 +51,9 @@ Outcome<Workpiece> read_saved(const base::SourceFile& file, StockJob& job) {
 
 /// What is in a file, which takes its part of the memory.
 Outcome<Workpiece> read_shape(const machine::StockFile& file, StockJob& job) {
-  constexpr std::uint64_t kLargestPipe = std::uint64_t{4} << 30U;
-  const auto open = base::SourceFile::open(file.path, {.most_bytes = kLargestPipe, .seconds = 60});
+  constexpr std::uint64_t kLargestShapePipe = std::uint64_t{4} << 30U;
+  const auto open =
+      base::SourceFile::open(file.path, {.most_bytes = kLargestShapePipe, .seconds = 60});
   if (!open) return tl::unexpected(open.error());
   return is_part(**open) ? read_saved(**open, job) : read_solid(**open, file.unit, job);
 }

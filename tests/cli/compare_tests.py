@@ -213,4 +213,3 @@ def wrong(box):
                 refused(result, 2, option, word)
         refused(box.kerf(*base, option, "0.1"), 2, option, "nothing is compared")
     refused(box.kerf(*base, "--design", "good.stl", "--stl", "good.stl"), 2, "good.stl")
-    refused(box.kerf("stock", "part.nc", "--machine", "lathe2", "--design", "good.stl"), 2, "--design")

@@ -17,11 +17,13 @@ sys.dont_write_bytecode = True  # nothing is left behind in the sources
 import harness
 
 # Each of these adds its tests.
+import against_tests  # noqa: F401
 import alarm_tests  # noqa: F401
 import basic_tests  # noqa: F401
 import check_tests  # noqa: F401
 import compare_tests  # noqa: F401
 import conversion_tests  # noqa: F401
+import design_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401
 import engraving_tests  # noqa: F401

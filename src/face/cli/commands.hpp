@@ -100,9 +100,12 @@ struct StockFileOptions {
 /// What a part is compared with; empty: with nothing.
 struct CompareOptions {
   std::string design;  ///< STL
+  std::string design_place;
   std::string tolerance;
   std::string gouge;
   std::string excess;
+  std::string against;        ///< a program, or a .kstock
+  std::string against_tools;  ///< of that program; empty: those of the run
 };
 
 /// A run that cuts the virtual part: RunOptions::table says what lies there.

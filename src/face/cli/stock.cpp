@@ -2,11 +2,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/output_file.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/internal/other_run.hpp"
 #include "face/cli/internal/stock_words.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/ready_run.hpp"
@@ -34,14 +36,22 @@ base::Outcome<void> take_words(const StockOptions& options, job::StockJob& job) 
   return {};
 }
 
-/// What the part is compared with.
-base::Outcome<void> take_design(const CompareOptions& options, job::StockJob& job) {
-  if (auto checked = check_comparison(options); !checked) return checked;
-  auto tolerance = tolerance_of(options);
+/// What the table and the words of a comparison say together.
+base::Outcome<machine::SetUp> whole_set_up(const StockOptions& options) {
+  auto set_up = set_up_of(options.run.table);
+  if (!set_up) return set_up;
+  return with_design(options.compare, std::move(*set_up));
+}
+
+/// What the part is compared with, and how closely.
+base::Outcome<void> take_comparison(const CompareOptions& options,
+                                    const std::optional<machine::SetUp::Design>& design,
+                                    job::StockJob& job) {
+  if (auto checked = check_comparison(options, design); !checked) return checked;
+  auto tolerance = tolerance_of(options, design);
   if (!tolerance) return tl::unexpected(tolerance.error());
   job.tolerance = *tolerance;
-  if (options.design.empty()) return {};
-  return job::read_design(options.design, {}, job);
+  return design ? job::read_design(*design, job) : base::Outcome<void>{};
 }
 
 /// What a command reads, none of which may be written.
@@ -49,7 +59,7 @@ std::vector<std::string> inputs_of(const StockOptions& options, const machine::S
   std::vector<std::string> inputs = set_up.files();
   for (const std::string* const input :
        {&options.run.program, &options.run.tools, &options.run.offsets, &options.run.state,
-        &options.run.table.set_up, &options.compare.design})
+        &options.run.table.set_up, &options.compare.against, &options.compare.against_tools})
     inputs.push_back(*input);
   return inputs;
 }
@@ -87,54 +97,98 @@ base::Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
   return rows == nullptr ? base::Outcome<void>{} : rows->commit();
 }
 
+/// A run that is made ready, and what it is compared with.
+struct OrderedStock {
+  machine::SetUp set_up;
+  std::vector<std::string> inputs;
+  ReadyRun ready;
+  job::StockJob job;
+  OtherRun other;
+};
+
+base::Outcome<OrderedStock> order_stock(const StockOptions& options) {
+  auto set_up = whole_set_up(options);
+  if (!set_up) return tl::unexpected(set_up.error());
+  std::vector<std::string> inputs = inputs_of(options, *set_up);
+  const auto design = std::exchange(set_up->design, std::nullopt);
+  auto program = kept_program(options.run.program);
+  if (!program) return tl::unexpected(program.error());
+  auto source = program->open();
+  if (!source) return tl::unexpected(source.error());
+  auto ordered = job_of(options.run, **source);
+  if (!ordered) return tl::unexpected(ordered.error());
+  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
+  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
+  if (!job) return tl::unexpected(job.error());
+  if (auto taken = take_words(options, *job); !taken) return tl::unexpected(taken.error());
+  if (auto taken = take_comparison(options.compare, design, *job); !taken)
+    return tl::unexpected(taken.error());
+  auto other = OtherRun::of(options, *set_up, *job);
+  if (!other) return tl::unexpected(other.error());
+  return OrderedStock{std::move(*set_up), std::move(inputs), std::move(ready), std::move(*job),
+                      std::move(*other)};
+}
+
+base::Outcome<job::StockResult> cut_and_compare(const StockOptions& options,
+                                                OrderedStock& ordered) {
+  std::optional<base::Failure> no_rows;
+  write_rows(options, no_rows, ordered.job);
+  auto cut = job::cut_stock(ordered.job);
+  if (!cut) return cut;
+  if (auto done = ordered.other.cut(ordered.job, *cut); !done) return tl::unexpected(done.error());
+  if (auto rows = commit_rows(no_rows, *cut); !rows) return tl::unexpected(rows.error());
+  if (auto compared = job::compare_with_design(ordered.job, *cut); !compared)
+    return tl::unexpected(compared.error());
+  if (auto compared = ordered.other.compare(ordered.job, *cut); !compared)
+    return tl::unexpected(compared.error());
+  return cut;
+}
+
+base::Outcome<void> write_report(const std::string& path, const output::StockFacts& facts,
+                                 const base::SourceSet& sources) {
+  if (path.empty()) return {};
+  auto file = base::OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  (*file)->write(output::stock_report_json(facts, sources));
+  return (*file)->commit();
+}
+
+/// That of the program counts most, then that of the other one, then findings.
+ExitStatus status_of_both(ExitStatus here, ExitStatus there, bool fails) {
+  if (here != ExitStatus::well) return here;
+  if (there != ExitStatus::well) return there;
+  return fails ? ExitStatus::findings : ExitStatus::well;
+}
+
 }  // namespace
 
 ExitStatus stock(const StockOptions& options) {
-  const auto set_up = set_up_of(options.run.table);
-  if (!set_up) return fail(set_up.error());
-  auto program = kept_program(options.run.program);
-  if (!program) return fail(program.error());
-  auto source = program->open();
-  if (!source) return fail(source.error());
-  auto ordered = job_of(options.run, **source);
+  auto ordered = order_stock(options);
   if (!ordered) return fail(ordered.error());
-  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
-  if (!job) return fail(job.error());
-  if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
-  if (auto taken = take_design(options.compare, *job); !taken) return fail(taken.error());
   StockFiles files(options.files);
-  const std::vector<std::string> inputs = inputs_of(options, *set_up);
-  if (auto apart = keep_apart(options, inputs); !apart) return fail(apart.error());
-  for (const std::string& input : inputs) files.keep_from(input);
-  if (auto opened = files.open(*job); !opened) return fail(opened.error());
-  job->keeps_ways = files.needs_ways();
-  std::optional<base::Failure> no_rows;
-  write_rows(options, no_rows, *job);
-  auto cut = job::cut_stock(*job);
+  if (auto apart = keep_apart(options, ordered->inputs); !apart) return fail(apart.error());
+  for (const std::string& input : ordered->inputs) files.keep_from(input);
+  if (auto opened = files.open(ordered->job); !opened) return fail(opened.error());
+  ordered->job.keeps_ways = files.needs_ways();
+  auto cut = cut_and_compare(options, *ordered);
   if (!cut) return fail(cut.error());
-  if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
-  if (auto compared = job::compare_with_design(*job, *cut); !compared)
-    return fail(compared.error());
+  ReadyRun& ready = ordered->ready;
   output::StockFacts facts = job::facts_of(*cut);
-  facts.shape = job->said;
+  facts.shape = ordered->job.said;
   facts.run.chosen = ready.choice.chosen;
-  if (auto written = files.write(*cut, facts, *job); !written) return fail(written.error());
+  if (auto written = files.write(*cut, facts, ordered->job, ordered->other.part()); !written)
+    return fail(written.error());
   ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
-  if (!options.report.empty()) {
-    auto file = base::OutputFile::create(options.report);
-    if (!file) return fail(file.error());
-    (*file)->write(output::stock_report_json(facts, sources));
-    if (auto committed = (*file)->commit(); !committed) return fail(committed.error());
-  }
+  if (auto written = write_report(options.report, facts, sources); !written)
+    return fail(written.error());
   report_diagnostics(ready, options.run.diagnostics);
+  const ExitStatus there = ordered->other.report(options.run.diagnostics);
   const bool for_people = options.run.diagnostics != DiagnosticFormat::json;
   if (for_people) std::fputs(output::summary_text(facts.run).c_str(), stderr);
   report_stock(options.run, facts, sources);
   if (for_people) std::fputs(files.remarks().c_str(), stderr);
-  const ExitStatus ended = exit_status_of(cut->status);
-  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings : ended;
+  return status_of_both(exit_status_of(cut->status), there, fails(ordered->set_up, facts));
 }
 
 }  // namespace kerf::cli

@@ -90,6 +90,20 @@ void add_comparison(CLI::App& stock, CompareOptions& o) {
       .add_option("--design", o.design,
                   "what the part shall be: closed STL, mm, frame of the stock")
       ->type_name("FILE");
+  stock
+      .add_option(
+          "--design-place", o.design_place,
+          "where the design lies: turned about its zero by A about X, B about Y, C about Z, "
+          "then moved")
+      ->type_name("X,Y,Z[,A,B,C]");
+  stock
+      .add_option("--against", o.against,
+                  "a program that shall leave the same part, or a .kstock; - is standard input")
+      ->type_name("FILE");
+  stock
+      .add_option("--against-tools", o.against_tools,
+                  "tools of that program; default those of this one")
+      ->type_name("FILE");
   stock.add_option("--tolerance", o.tolerance, "what it may be off, mm; default 0.05")
       ->type_name("MM");
   stock.add_option("--gouge", o.gouge, "likewise where too much is cut")->type_name("MM");

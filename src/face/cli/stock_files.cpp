@@ -122,7 +122,8 @@ bool StockFiles::needs_ways() const {
 }
 
 Outcome<void> StockFiles::write_solids(const job::StockResult& result,
-                                       const output::StockFacts& facts, const job::StockJob& job) {
+                                       const output::StockFacts& facts, const job::StockJob& job,
+                                       const job::OtherPart* other) {
   if (stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr) return {};
   const stock::surface::Surface part = job::surface_of(
       result,
@@ -132,10 +133,10 @@ Outcome<void> StockFiles::write_solids(const job::StockResult& result,
   if (glb_ == nullptr && three_mf_ == nullptr) return {};
   output::SolidFile file =
       output::solid_file(job::title_of(result), facts, result.tool_spans, part);
-  if (job.design) {
+  if (job.design || other != nullptr) {
     for (output::SolidPiece& piece : file.pieces)
-      piece.deviations = output::Deviations{job::deviations_mm(job, piece.surface.mesh.points),
-                                            job.tolerance.larger()};
+      piece.deviations = output::Deviations{
+          job::deviations_mm(job, other, piece.surface.mesh.points), job.tolerance.larger()};
   }
   if (glb_ != nullptr) glb_->write(output::glb_of(file));
   if (three_mf_ == nullptr) return {};
@@ -193,8 +194,8 @@ output::plot::DisplayList StockFiles::picture(const job::StockResult& result,
 }
 
 Outcome<void> StockFiles::write(const job::StockResult& result, const output::StockFacts& facts,
-                                const job::StockJob& job) {
-  if (auto written = write_solids(result, facts, job); !written) return written;
+                                const job::StockJob& job, const job::OtherPart* other) {
+  if (auto written = write_solids(result, facts, job, other); !written) return written;
   write_profile(result);
   if (picture_ != nullptr) {
     const output::plot::DisplayList drawn = picture(result, facts, job);

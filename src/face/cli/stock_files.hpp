@@ -6,6 +6,7 @@
 
 #include "face/cli/commands.hpp"
 #include "face/cli/output_files.hpp"
+#include "job/other_part.hpp"
 #include "job/stock_run.hpp"
 #include "output/part/part_picture.hpp"
 #include "output/reports/stock_facts.hpp"
@@ -27,10 +28,11 @@ class StockFiles {
   [[nodiscard]] base::Outcome<void> open(const job::StockJob& job);
   /// What the run has to keep for them.
   [[nodiscard]] bool needs_ways() const;
-  /// Failure (usage): the part has no such file; (output): one did not reach the disk.
+  /// Solids have deviations from the design of the job, else from the other part; null: there is
+  /// none. Failure (usage): the part has no such file; (output): one did not reach the disk.
   [[nodiscard]] base::Outcome<void> write(const job::StockResult& result,
-                                          const output::StockFacts& facts,
-                                          const job::StockJob& job);
+                                          const output::StockFacts& facts, const job::StockJob& job,
+                                          const job::OtherPart* other);
   /// What else there is to say behind the run, for people: indented lines.
   [[nodiscard]] std::string remarks() const;
 
@@ -40,7 +42,8 @@ class StockFiles {
                                                const job::StockJob& job);
   [[nodiscard]] base::Outcome<void> write_solids(const job::StockResult& result,
                                                  const output::StockFacts& facts,
-                                                 const job::StockJob& job);
+                                                 const job::StockJob& job,
+                                                 const job::OtherPart* other);
   void write_profile(const job::StockResult& result);
   [[nodiscard]] output::PartScene scene_of(const job::StockResult& result,
                                            const output::StockFacts& facts,

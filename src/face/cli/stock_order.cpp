@@ -8,6 +8,7 @@
 #include "face/cli/operator_input.hpp"
 #include "face/cli/stock_table.hpp"
 #include "job/facts_of_stock.hpp"
+#include "job/part_comparison.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/tools/tool_comment.hpp"
 #include "machine/definition/tools/tool_import.hpp"
@@ -47,6 +48,14 @@ Outcome<void> take_tools(const RunOptions& run, const machine::SetUp& set_up,
   for (stock::Tool& tool : machine::tools_in_comments(source, style)) tools.push_back(tool);
   job.tools = machine::ToolChoice(std::move(tools));
   return {};
+}
+
+/// That of a set-up, with its tolerance.
+Outcome<void> take_design(const std::optional<machine::SetUp::Design>& design, job::StockJob& job) {
+  if (!design) return {};
+  const double tolerance_mm = design->tolerance_mm.value_or(job.tolerance.larger());
+  job.tolerance = {tolerance_mm, tolerance_mm};
+  return job::read_design(*design, job);
 }
 
 }  // namespace
@@ -95,11 +104,15 @@ base::Outcome<TableRun> run_on_table(const RunOptions& options) {
                 .cut = {},
                 .facts = {},
                 .ready = {nullptr, ordered->choice, ordered->hint}};
+  const auto design = std::exchange(made.set_up.design, std::nullopt);
   auto job = stock_job(options, made.set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return tl::unexpected(job.error());
   job->job.input = kept_operator_input();
+  if (auto taken = take_design(design, *job); !taken) return tl::unexpected(taken.error());
   auto cut = job::cut_stock(*job);
   if (!cut) return tl::unexpected(cut.error());
+  if (auto compared = job::compare_with_design(*job, *cut); !compared)
+    return tl::unexpected(compared.error());
   made.cut = std::move(*cut);
   made.facts = job::facts_of(made.cut);
   made.facts.shape = job->said;

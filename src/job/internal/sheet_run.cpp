@@ -76,13 +76,15 @@ class BeamPass : public motion::MotionSink {
       : run_(std::move(run)),
         zero_(run_->machine(), job.zero),
         frame_(axes(), machine::work_turns(run_->machine().definition())),
-        tracer_(axes(), frame_, tolerance_mm, std::move(take)) {
+        tracer_(axes(), frame_, tolerance_mm, std::move(take)),
+        keeps_lines_(job.compares()) {
     frame_.set_zero(origin);
     run_->machine().add_sink(*this);
   }
 
   void take(const motion::Motion& motion) override {
     ++motions_;
+    if (keeps_lines_) lines_.add(motion.block);
     if (motion::is_cut(motion)) zero_.look(motion.block);
     tracer_.take(motion);
   }
@@ -92,6 +94,8 @@ class BeamPass : public motion::MotionSink {
 
   [[nodiscard]] Run& run() { return *run_; }
   [[nodiscard]] std::unique_ptr<Run> end() { return std::move(run_); }
+  /// Of a job that compares.
+  [[nodiscard]] MotionLines take_lines() { return std::move(lines_); }
   [[nodiscard]] const ZeroWatch& zero() const { return zero_; }
   [[nodiscard]] const stock::WorkFrame& frame() const { return frame_; }
   [[nodiscard]] const BeamTracer& tracer() const { return tracer_; }
@@ -104,6 +108,8 @@ class BeamPass : public motion::MotionSink {
   ZeroWatch zero_;
   stock::WorkFrame frame_;
   BeamTracer tracer_;
+  bool keeps_lines_;
+  MotionLines lines_;
   std::uint64_t motions_ = 0;
 };
 
@@ -115,9 +121,12 @@ class SheetPass {
         sheet_(std::make_unique<Sheet>(grid_for(plan), settings(job, plan))),
         pass_(
             job, plan.origin, plan.kerf_mm * kTolerance,
-            [this, keeps = job.keeps_ways](const Trace& trace, const motion::Motion&) {
+            [this, keeps = job.keeps_ways || job.compares()](const Trace& trace,
+                                                             const motion::Motion&) {
+              const auto motion = static_cast<std::uint32_t>(pass_.motions());
               if (keeps) ways_.push_back(trace);
-              motions_.push_back(static_cast<std::uint32_t>(pass_.motions()));
+              if (keeps) way_motions_.push_back(motion);
+              motions_.push_back(motion);
               add(traces_, trace);
             },
             std::move(run)),
@@ -166,6 +175,8 @@ class SheetPass {
     tell(job, result);
     result.sheet = std::move(sheet_);
     result.ways = std::move(ways_);
+    result.way_motions = std::move(way_motions_);
+    result.lines = pass_.take_lines();
     result.run = pass_.end();
     return result;
   }
@@ -291,6 +302,7 @@ class SheetPass {
   std::vector<Trace> traces_;
   std::vector<Trace> ways_;  // all of them, where the job keeps them
   std::vector<Burn> burns_;
+  std::vector<std::uint32_t> way_motions_;
   std::vector<std::uint32_t> motions_;  // of the traces
   std::vector<double> until_s_;         // of the burns
   std::unique_ptr<SheetWatch> watch_;

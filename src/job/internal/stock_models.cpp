@@ -200,7 +200,7 @@ double cell_of(const StockPlan& plan, const ModelSize& size) {
   const auto bytes =
       static_cast<double>(size.memory_bytes - std::min(plan.lines_bytes, size.memory_bytes));
   const double longest = longest_side(plan);
-  double cell = std::max(plan.cell_mm, longest / kMostColumns);
+  double cell = std::max({plan.cell_mm, longest / kMostColumns, size.least_cell_mm});
   while (bytes_for(plan, cell) > bytes && cell < longest) cell *= 1.1;
   return cell;
 }
@@ -214,6 +214,7 @@ MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
       saved != nullptr && !size.turns) {
     made.turning_tolerance_mm = std::max(kLeastTurning_mm, saved->part->cell_mm() / 50);
     made.model = model_again(*saved->part, plan.kind, jobs);
+    made.cell_mm = saved->part->cell_mm();
     if (made.model) return made;
   }
   double cell = cell_of(plan, size);
@@ -223,6 +224,7 @@ MadeModel make_model(const StockPlan& plan, const ModelSize& size) {
   }
   if (size.most_along > 0) cell = picture_cell(plan, size.most_along);
   made.turning_tolerance_mm = std::max(kLeastTurning_mm, cell / 50);  // stock.md §4
+  made.cell_mm = cell;
   made.model = size.turns ? part_of_lathe(plan, cell, jobs) : model_of(plan, cell, jobs);
   return made;
 }

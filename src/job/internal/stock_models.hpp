@@ -21,6 +21,7 @@ void choose_model(const StockJob& job, const SurveyedTools& tools, StockPlan& pl
 struct MadeModel {
   std::unique_ptr<stock::Model> model;
   double turning_tolerance_mm = 0.001;
+  double cell_mm = 0;  ///< that it was made by; 0: it has none
   /// The cell does not fit into the memory: what was asked for and what it is now.
   std::optional<std::string> cell_enlarged;
 };
@@ -32,10 +33,11 @@ struct ModelSize {
   unsigned jobs = 0;             ///< StockJob::jobs
   int most_along = 0;            ///< StockJob::most_along
   bool turns = false;            ///< on a lathe
+  double least_cell_mm = 0;      ///< StockJob::least_cell_mm
 
   [[nodiscard]] static ModelSize of(const StockJob& job) {
-    return {job.memory_for_model(), job.memory_bytes, job.jobs, job.most_along,
-            job.job.definition.turns()};
+    return {job.memory_for_model(), job.memory_bytes,           job.jobs,
+            job.most_along,         job.job.definition.turns(), job.least_cell_mm};
   }
 };
 /// The cell that the model will have: that of the plan, or as much more as the memory asks for.

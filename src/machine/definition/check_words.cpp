@@ -38,7 +38,8 @@ constexpr std::array kStockChecks{Code::rapid_in_stock,
                                   Code::stock_missed,
                                   Code::cell_enlarged,
                                   Code::gouge,
-                                  Code::excess};
+                                  Code::excess,
+                                  Code::differs};
 
 }  // namespace
 

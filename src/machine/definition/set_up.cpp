@@ -22,6 +22,14 @@ void append(std::vector<T>& list, std::vector<T>& more) {
               std::make_move_iterator(more.end()));
 }
 
+/// Of a design the one may say the file, and the other its place.
+void fill_design(std::optional<SetUp::Design>& one, std::optional<SetUp::Design>& other) {
+  if (!one || !other) return fill(one, other);
+  if (!one->is_said()) one->file = std::move(other->file);
+  fill(one->place, other->place);
+  fill(one->tolerance_mm, other->tolerance_mm);
+}
+
 void add_file(const StockWord& word, std::vector<std::string>& files) {
   if (const auto* const file = std::get_if<StockFile>(&word)) files.push_back(file->path);
 }
@@ -32,7 +40,7 @@ std::vector<std::string> SetUp::files() const {
   std::vector<std::string> all;
   if (stock) add_file(stock->word, all);
   for (const Piece& fixture : fixtures) add_file(fixture.word, all);
-  if (design) all.push_back(design->file.path);
+  if (design && design->is_said()) all.push_back(design->file.path);
   return all;
 }
 
@@ -48,7 +56,7 @@ SetUp joined(SetUp more, SetUp less) {
   append(more.left_out, less.left_out);
   fill(more.fail_on, less.fail_on);
   fill(more.has_real_lengths, less.has_real_lengths);
-  fill(more.design, less.design);
+  fill_design(more.design, less.design);
   append(more.tools, less.tools);
   return more;
 }

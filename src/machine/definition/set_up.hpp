@@ -29,9 +29,11 @@ struct SetUp {
   };
   /// What the part shall be compared with (stock.md §7).
   struct Design {
-    StockFile file{};
-    stock::Placement place{};
+    StockFile file{};  ///< no path: nobody has said it
+    std::optional<stock::Placement> place{};
     std::optional<double> tolerance_mm{};
+
+    [[nodiscard]] bool is_said() const { return !file.path.empty(); }
   };
 
   std::optional<Piece> stock{};

@@ -6,6 +6,8 @@
 
 #include "base/decimal.hpp"
 #include "output/reports/internal/places.hpp"
+#include "output/reports/summary.hpp"
+#include "output/writing/diagnostic_text.hpp"
 #include "output/writing/json_object.hpp"
 
 namespace kerf::output {
@@ -41,17 +43,32 @@ std::string lines_json(const std::vector<StockFacts::LineShare>& lines) {
   return json_array(items);
 }
 
-std::string region_json(const Region& region, const std::vector<StockFacts::LineShare>& lines,
-                        bool turns) {
+void add_lines(const std::vector<StockFacts::LineShare>& lines, const std::string& name,
+               JsonObject& object) {
+  object.raw(name, lines_json(lines));
+  if (lines.size() > kMostLinesOfRegion)
+    object.number("more_" + name, static_cast<double>(lines.size() - kMostLinesOfRegion));
+}
+
+JsonObject region_object(const Region& region, const char* kind, bool turns) {
   JsonObject object;
-  object.text("kind", region.side == Side::gouge ? "gouge" : "excess");
+  object.text("kind", kind);
   object.number("max_mm", tidy(region.max_mm)).number("area_mm2", tidy(region.area_mm2));
   object.number("volume_mm3", tidy(region.volume_mm3)).raw("at", point_json(region.at, turns));
   object.raw("centre", point_json(region.centre, turns));
-  object.raw("extents", bounds_json(region.extents, turns)).raw("lines", lines_json(lines));
-  if (lines.size() > kMostLinesOfRegion)
-    object.number("more_lines", static_cast<double>(lines.size() - kMostLinesOfRegion));
+  object.raw("extents", bounds_json(region.extents, turns));
+  return object;
+}
+
+std::string region_json(const Region& region, const std::vector<StockFacts::LineShare>& lines,
+                        bool turns) {
+  JsonObject object = region_object(region, region.side == Side::gouge ? "gouge" : "excess", turns);
+  add_lines(lines, "lines", object);
   return object.done();
+}
+
+double most_apart(const Comparison& found) {
+  return std::max(found.of(Side::gouge).max_mm, found.of(Side::excess).max_mm);
 }
 
 }  // namespace
@@ -82,6 +99,44 @@ std::string compared_text(const StockFacts::Compared& compared) {
   };
   return fmt::format("  against the design: {}; {}\n", side(Side::gouge, "too deep"),
                      side(Side::excess, "too high"));
+}
+
+std::string against_json(const StockFacts::Against& against, bool turns) {
+  const Comparison& found = against.found;
+  std::vector<std::string> regions;
+  for (std::size_t i = 0; i < found.regions.size(); ++i) {
+    const bool is_here = found.regions[i].side == Side::excess;
+    JsonObject object =
+        region_object(found.regions[i], is_here ? "only_here" : "only_there", turns);
+    add_lines(against.lines[i], "lines", object);
+    add_lines(against.there[i], "lines_there", object);
+    regions.push_back(object.done());
+  }
+  JsonObject object;
+  object.text("file", against.file);
+  if (against.status) object.text("status", status_name(*against.status));
+  return object.number("tolerance_mm", tidy(found.tolerance.larger()))
+      .number("only_here_mm3", tidy(found.of(Side::excess).all_mm3))
+      .number("only_there_mm3", tidy(found.of(Side::gouge).all_mm3))
+      .number("max_mm", tidy(most_apart(found)))
+      .number("regions_here", static_cast<double>(found.of(Side::excess).regions))
+      .number("regions_there", static_cast<double>(found.of(Side::gouge).regions))
+      .raw("regions", json_array(regions))
+      .done();
+}
+
+std::string against_text(const StockFacts::Against& against) {
+  const Comparison& found = against.found;
+  const std::uint64_t regions = found.of(Side::excess).regions + found.of(Side::gouge).regions;
+  const std::string beyond =
+      regions == 0 ? "within"
+                   : fmt::format("{} {} beyond", regions, regions == 1 ? "region" : "regions");
+  const bool is_whole = against.status.value_or(RunFacts::Status::end) == RunFacts::Status::end;
+  const std::string ended = is_whole ? "" : " (" + status_name(*against.status) + ")";
+  return fmt::format(
+      "  against {}{}: {:.1f} mm³ only here, {:.1f} mm³ only there, {:.3f} mm at most, {} {:.4g}\n",
+      printable(against.file), ended, found.of(Side::excess).all_mm3, found.of(Side::gouge).all_mm3,
+      most_apart(found), beyond, found.tolerance.larger());
 }
 
 }  // namespace kerf::output

@@ -11,4 +11,8 @@ namespace kerf::output {
 /// A line for people.
 [[nodiscard]] std::string compared_text(const StockFacts::Compared& compared);
 
+/// Likewise how it lies to another part.
+[[nodiscard]] std::string against_json(const StockFacts::Against& against, bool turns);
+[[nodiscard]] std::string against_text(const StockFacts::Against& against);
+
 }  // namespace kerf::output

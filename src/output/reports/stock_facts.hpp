@@ -87,6 +87,15 @@ struct StockFacts {
     std::vector<std::vector<LineShare>> lines;  ///< of each region, the largest share first
   };
 
+  /// With another part: what only this one has is an excess, what only the other one has a gouge.
+  struct Against {
+    std::string file;
+    std::optional<RunFacts::Status> status;  ///< of the other run; none: the part was saved
+    stock::compare::Comparison found;
+    std::vector<std::vector<LineShare>> lines;  ///< of each region, as Compared has them
+    std::vector<std::vector<LineShare>> there;  ///< of the other program
+  };
+
   RunFacts run;
   std::string shape;
   std::string zero;
@@ -96,6 +105,7 @@ struct StockFacts {
   Model model;
   std::optional<Sheet> sheet;
   std::optional<Compared> compare;
+  std::optional<Against> against;
   double removed_mm3 = 0;
   double left_mm3 = 0;
   stock::Bounds extents;             ///< of what is left; low > high: nothing is

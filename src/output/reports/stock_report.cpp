@@ -172,6 +172,7 @@ std::string stock_report_json(const StockFacts& facts, const base::SourceSet& so
   object.raw("counts", checked.counts);
   if (facts.sheet) object.raw("sheet", sheet_json(*facts.sheet));
   if (facts.compare) object.raw("compare", compared_json(*facts.compare, facts.turns));
+  if (facts.against) object.raw("against", against_json(*facts.against, facts.turns));
   object.raw("not_checked", checked.not_checked);
   object.raw("assumed", assumed_json(facts));
   return object.done() + "\n";
@@ -235,6 +236,7 @@ std::string stock_report_text(const StockFacts& facts, const base::SourceSet& so
   for (const StockFacts::Tool& tool : facts.tools) text += tool_line(tool);
   if (facts.sheet) text += sheet_lines(*facts.sheet);
   if (facts.compare) text += compared_text(*facts.compare);
+  if (facts.against) text += against_text(*facts.against);
   text += finding_lines(facts, sources);
   for (const std::string& what : facts.not_checked) text += "  not checked: " + what + "\n";
   for (const control::Assumption& assumption : facts.assumed)

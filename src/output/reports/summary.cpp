@@ -7,11 +7,9 @@
 #include "output/writing/json_object.hpp"
 
 namespace kerf::output {
-namespace {
 
-using Status = RunFacts::Status;
-
-const char* status_name(Status status) {
+std::string status_name(RunFacts::Status status) {
+  using Status = RunFacts::Status;
   switch (status) {
     case Status::idle: return "idle";
     case Status::stopped: return "stopped";
@@ -21,6 +19,8 @@ const char* status_name(Status status) {
   }
   return "";
 }
+
+namespace {
 
 std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
   if (!alarm) return "null";

@@ -22,6 +22,9 @@ struct SummaryOfOutputs {
   std::optional<CheckedStock> stock{};
 };
 
+/// The word that reports have for how a run ended.
+[[nodiscard]] std::string status_name(RunFacts::Status status);
+
 /// How every report of a run begins: program, file, machine, dialect, status, alarm.
 [[nodiscard]] JsonObject head_of_report(const RunFacts& run);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "stock/compare/internal/line_differences.hpp"
 #include "stock/compare/internal/region_finder.hpp"
@@ -15,8 +16,12 @@ namespace {
 using dexel::along_axis;
 using dexel::on_axis;
 
-/// What is no farther apart than this is in one place: numbers of files and of grids are coarser.
-constexpr double kSame_mm = 1e-9;
+/// What is no farther apart than this is in one place: numbers of files and of grids are coarser,
+/// and borders of areas that were cut in another order are rounded by less.
+constexpr double kSame_mm = 1e-7;
+/// Material along a line that is no longer than this is none, as in dexels: beside a round wall
+/// rounding makes so much of what is in one place.
+constexpr double kSliver_mm = 1e-5;
 /// Cells between points of the design; neighbours of them are in cells that touch, of a grid with
 /// cells that are so much larger.
 constexpr double kSpacing = 2;
@@ -27,7 +32,11 @@ double positive(Side side, double deviation) {
 }
 Side side_of(double deviation) { return deviation < 0 ? Side::gouge : Side::excess; }
 
-double without_dust(double deviation) { return std::fabs(deviation) < kSame_mm ? 0 : deviation; }
+/// Of a solid that has no surface everything is as far as can be.
+double settled(double deviation, double farthest_mm) {
+  if (std::fabs(deviation) < kSame_mm) return 0;
+  return std::clamp(deviation, -farthest_mm, farthest_mm);
+}
 
 std::size_t bin_of(double deviation, double tolerance) {
   const double width = 4 * tolerance / Comparison::kBins;
@@ -72,11 +81,17 @@ struct RowResult {
   Sums sums;
 };
 
+/// By what deviations are measured, and the most that they can be.
+struct Scale {
+  Tolerance tolerance;
+  double farthest_mm;
+};
+
 /// One row of the part against the design.
 class PartRow {
  public:
-  PartRow(const Part& part, const Solid& design, const Tolerance& tolerance, RowResult& result)
-      : part_(part), design_(design), tolerance_(tolerance), result_(result) {}
+  PartRow(const Part& part, const Solid& design, const Scale& scale, RowResult& result)
+      : part_(part), design_(design), scale_(scale), result_(result) {}
 
   void compare(std::size_t number) {
     part_.row(number, row_);
@@ -93,18 +108,19 @@ class PartRow {
 
  private:
   void look_at(const SurfacePoint& point) {
-    const double deviation = without_dust(design_.near(point.at, design_hint_).distance_mm);
+    const Near near = design_.near(point.at, design_hint_);
+    const double deviation = settled(near.distance_mm, scale_.farthest_mm);
     deviations_.push_back(deviation);
     result_.sums.see(deviation);
-    result_.sums.histogram[bin_of(deviation, tolerance_.larger())] += point.area_mm2;
+    result_.sums.histogram[bin_of(deviation, scale_.tolerance.larger())] += point.area_mm2;
     auto& faces = result_.sums.alongside[index(side_of(deviation))];
     for (int axis = 0; axis < 3; ++axis) {
       faces[static_cast<std::size_t>(axis)] +=
           point.area_mm2 * std::fabs(deviation) * (1 - std::fabs(on_axis(point.normal, axis)));
     }
     const Side side = side_of(deviation);
-    if (std::fabs(deviation) > tolerance_.of(side))
-      result_.found.add_point(side, point, std::fabs(deviation), false);
+    if (std::fabs(deviation) > scale_.tolerance.of(side))
+      result_.found.add_point(side, point, std::fabs(deviation), false, near.motion);
   }
 
   [[nodiscard]] static Vec3 place(const Part::Line& line, const Border& border) {
@@ -113,24 +129,25 @@ class PartRow {
 
   /// Whether it is beyond tolerance at this end.
   bool is_beyond(const Part::Line& line, const Difference& one, const Border& border) {
-    const double tolerance = tolerance_.of(one.side);
+    const double tolerance = scale_.tolerance.of(one.side);
     if (border.point != Stretch::kNone)
       return positive(one.side, deviations_[border.point]) > tolerance;
     const bool has_part = one.low.point != Stretch::kNone || one.high.point != Stretch::kNone;
-    if (has_part && one.high.at - one.low.at <= tolerance) return false;
+    if (has_part && one.length_mm() <= tolerance) return false;
     const Vec3 at = place(line, border);
     const Near near = part_.near(at, part_hint_);
     // On which side of the part it is, the line says: it may lie just beside an edge.
-    const double far = without_dust(std::fabs(near.distance_mm));
+    const double far = settled(std::fabs(near.distance_mm), scale_.farthest_mm);
     result_.sums.see(one.side == Side::gouge ? -far : far);
     if (!(far > tolerance)) return false;
     const SurfacePoint point{at, along_axis(line.axis, 1, 0, 0), 0, near.motion};
-    result_.found.add_point(one.side, point, far, true);
+    result_.found.add_point(one.side, point, far, true, 0);
     return true;
   }
 
   void add(const Part::Line& line, const Difference& one) {
-    const double mm3 = (one.high.at - one.low.at) * line.area_mm2;
+    if (one.length_mm() <= kSliver_mm) return;
+    const double mm3 = one.length_mm() * line.area_mm2;
     const auto axis = static_cast<std::size_t>(line.axis);
     result_.sums.all_mm3[index(one.side)][axis] += mm3;
     const bool low = is_beyond(line, one, one.low);
@@ -142,7 +159,7 @@ class PartRow {
 
   const Part& part_;
   const Solid& design_;
-  const Tolerance& tolerance_;
+  const Scale& scale_;
   RowResult& result_;
   Part::Row row_;
   std::vector<double> deviations_;  // of the row's points
@@ -152,18 +169,18 @@ class PartRow {
 
 /// One row of the design against the part.
 void compare_design_row(const Part& part, const Solid& design, std::size_t number,
-                        double spacing_mm, const Tolerance& tolerance, RowResult& result) {
+                        double spacing_mm, const Scale& scale, RowResult& result) {
   std::vector<SurfacePoint> points;
   design.points(number, spacing_mm, points);
   Hint hint;
   for (SurfacePoint& point : points) {
     const Near near = part.near(point.at, hint);
-    const double deviation = without_dust(-near.distance_mm);
+    const double deviation = settled(-near.distance_mm, scale.farthest_mm);
     result.sums.see(deviation);
     const Side side = side_of(deviation);
-    if (!(std::fabs(deviation) > tolerance.of(side))) continue;
-    point.motion = near.motion;
-    result.found.add_point(side, point, std::fabs(deviation), true);
+    if (!(std::fabs(deviation) > scale.tolerance.of(side))) continue;
+    const std::uint32_t there = std::exchange(point.motion, near.motion);
+    result.found.add_point(side, point, std::fabs(deviation), true, there);
   }
   result.found.settle();
 }
@@ -173,6 +190,12 @@ bool comes_first(const Region& one, const Region& other) {
     return std::array{-r.volume_mm3, -r.area_mm2, r.at.x, r.at.y, r.at.z};
   };
   return key(one) < key(other);
+}
+
+Bounds around_both(const Bounds& a, const Bounds& b) {
+  return {
+      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
 void take_regions(std::vector<Region> regions, Comparison& comparison) {
@@ -190,19 +213,17 @@ void take_regions(std::vector<Region> regions, Comparison& comparison) {
 Comparison compare(const Part& part, const Solid& design, const Tolerance& tolerance,
                    unsigned jobs) {
   const double spacing = kSpacing * part.cell_mm();
-  const Bounds a = part.bounds();
-  const Bounds b = design.bounds();
-  const KeyGrid grid{
-      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
-      kTogether * part.cell_mm()};
+  const Bounds both = around_both(part.bounds(), design.bounds());
+  const Scale scale{tolerance, length(both.high - both.low)};
+  const KeyGrid grid{both.low, kTogether * part.cell_mm()};
   const std::size_t own = part.rows();
   const std::size_t all = own + design.rows();
   std::vector<RowResult> results(all, RowResult{RowFound(grid), {}});
   each_by_threads(all, jobs, [&](std::size_t i) {
     if (i < own) {
-      PartRow(part, design, tolerance, results[i]).compare(i);
+      PartRow(part, design, scale, results[i]).compare(i);
     } else {
-      compare_design_row(part, design, i - own, spacing, tolerance, results[i]);
+      compare_design_row(part, design, i - own, spacing, scale, results[i]);
     }
   });
   Sums sums;

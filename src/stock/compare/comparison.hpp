@@ -9,8 +9,8 @@
 
 namespace kerf::stock::compare {
 
-/// A motion's share of a region: of the area that it cut there, or where it cut none of the
-/// design's that is nearest to what it cut.
+/// A motion's share of a region: of the area that it cut there, or where it cut none of the other
+/// solid's that is nearest to what it cut.
 struct MotionShare {
   std::uint32_t motion = 0;
   double share = 0;  ///< of all of the region, (0, 1]
@@ -28,7 +28,8 @@ struct Region {
   Bounds extents;
   double area_mm2 = 0;               ///< of the part; where it has none, of the design
   double volume_mm3 = 0;             ///< between the two surfaces
-  std::vector<MotionShare> motions;  ///< rising, without what nothing has cut
+  std::vector<MotionShare> motions;  ///< of the part, rising, without what nothing has cut
+  std::vector<MotionShare> there;    ///< of what it is compared with, where motions cut that
 };
 
 /// How a part lies to a design (stock.md §7). Deviations are distances from surface to surface,

@@ -63,6 +63,7 @@ DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {
     }
   }
   radius_mm_ = kRadius * cell_mm_;
+  edges_ = std::vector<std::atomic<Edge>>(discs_.size());
   tree_ = NearTree(discs_.size(), [this](std::size_t i) -> Bounds {
     const Vec3 n = dexel::direction(discs_[i].normal);
     const auto reach = [&](double along) {
@@ -76,7 +77,39 @@ DexelSolid::DexelSolid(const dexel::TriDexel& dexels) : dexels_(dexels) {
 double DexelSolid::bytes_for(const Bounds& box, double cell_mm) {
   const Vec3 size = box.high - box.low;
   const double across = size.x * size.y + size.y * size.z + size.z * size.x;
-  return 2 * across / (cell_mm * cell_mm) * (sizeof(Disc) + NearTree::kBytesOfThing);
+  return 2 * across / (cell_mm * cell_mm) * (sizeof(Disc) + sizeof(Edge) + NearTree::kBytesOfThing);
+}
+
+// No plane that cuts a way of this disc has its middle nearer than kFlat to it, nor leans so little
+// that the way ends before it is as far on the other side.
+bool DexelSolid::find_edge(std::uint32_t number) const {
+  const Disc& disc = discs_[number];
+  const Vec3 normal = dexel::direction(disc.normal);
+  const double reach = 2 * radius_mm_;
+  const double enough = kFlat * cell_mm_;
+  bool is_found = false;
+  const auto is_near = [&](const NearTree::Box& box) {
+    return !is_found && box.square_from(disc.at) <= reach * reach * (1 + kAsFar);
+  };
+  tree_.walk(is_near, [&](std::uint32_t other) {
+    if (other == number || is_found) return;
+    const Vec3 across = dexel::direction(discs_[other].normal);
+    const double height = std::fabs(dot(disc.at - discs_[other].at, across));
+    if (!(height > enough)) return;
+    const Vec3 in_plane = across - dot(across, normal) * normal;
+    is_found = radius_mm_ * length(in_plane) * (1 + kAsFar) > height + enough;
+  });
+  return is_found;
+}
+
+bool DexelSolid::is_at_edge(std::uint32_t disc) const {
+  std::atomic<Edge>& edge = edges_[disc];
+  Edge found = edge.load(std::memory_order_relaxed);
+  if (found == Edge::unknown) {
+    found = find_edge(disc) ? Edge::near : Edge::none;
+    edge.store(found, std::memory_order_relaxed);
+  }
+  return found == Edge::near;
 }
 
 // A plane that has the middle on its one side and the point on the other cuts the way. Planes of
@@ -115,7 +148,7 @@ DexelSolid::Seen DexelSolid::seen_from(Vec3 place, std::uint32_t number, double 
   if (height * height + out * out > most) return {};
   double share = beside > radius_mm_ ? radius_mm_ / beside : 1;
   if (beside > 0) {
-    share *= share_left(number, share * in_plane);
+    if (is_at_edge(number)) share *= share_left(number, share * in_plane);
     out = (1 - share) * beside;
   }
   return {number, height * height + out * out, height};

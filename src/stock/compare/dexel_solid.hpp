@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "stock/compare/near_tree.hpp"
@@ -41,6 +42,11 @@ class DexelSolid final : public Part {
     std::size_t tile;
   };
 
+  /// Whether neighbours can cut a disc off: found out when it is first asked for. Most of a smooth
+  /// face is asked often, and nothing cuts it.
+  enum class Edge : std::uint8_t { unknown, none, near };
+  [[nodiscard]] bool is_at_edge(std::uint32_t disc) const;
+  [[nodiscard]] bool find_edge(std::uint32_t disc) const;
   /// As much of the way from the middle of a disc to a point of its plane as neighbours leave.
   [[nodiscard]] double share_left(std::uint32_t disc, Vec3 way) const;
   [[nodiscard]] Seen seen_from(Vec3 place, std::uint32_t disc, double most) const;
@@ -54,6 +60,7 @@ class DexelSolid final : public Part {
   double radius_mm_ = 0;
   std::vector<Disc> discs_;
   NearTree tree_;
+  mutable std::vector<std::atomic<Edge>> edges_;  // of the discs; whoever finds one finds the same
 };
 
 }  // namespace kerf::stock::compare

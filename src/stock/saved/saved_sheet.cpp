@@ -139,10 +139,13 @@ std::size_t SavedSheet::bytes() const {
   return sum;
 }
 
+contour::Region SavedSheet::left() const {
+  const contour::Region all = whole(state_.grid.box);
+  return state_.cuts.empty() ? all : contour::subtract(all, outline_of(state_.cuts));
+}
+
 MeshShape SavedSheet::solid() const {
-  contour::Region left = whole(state_.grid.box);
-  if (!state_.cuts.empty()) left = contour::subtract(left, outline_of(state_.cuts));
-  return mesh_shape(surface::plate(left, -state_.thickness_mm, 0, kOutlineChord_mm).mesh,
+  return mesh_shape(surface::plate(left(), -state_.thickness_mm, 0, kOutlineChord_mm).mesh,
                     volume_mm3_);
 }
 

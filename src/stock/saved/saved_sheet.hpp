@@ -42,6 +42,8 @@ class SavedSheet final : public SavedPart {
       : state_(std::move(state)), volume_mm3_(volume_mm3) {}
 
   [[nodiscard]] const SheetState& state() const { return state_; }
+  /// What its ways leave of it, exact; without them the whole sheet.
+  [[nodiscard]] contour::Region left() const;
   /// Puts it back into a sheet of the same grid. False: the memory does not hold it.
   [[nodiscard]] bool restore(sheet::Sheet& sheet) const;
 
@@ -52,7 +54,7 @@ class SavedSheet final : public SavedPart {
   [[nodiscard]] std::size_t bytes() const override;
   [[nodiscard]] std::unique_ptr<Model> model(unsigned) const override { return nullptr; }
   [[nodiscard]] std::unique_ptr<Model> dexels(unsigned) const override { return nullptr; }
-  /// By its ways, exact; without them the whole sheet.
+  /// That of left().
   [[nodiscard]] MeshShape solid() const override;
   [[nodiscard]] std::shared_ptr<const SavedPart> placed(const Placing& placing) const override;
 

@@ -1,12 +1,15 @@
 #include "face/cli/internal/stock_words.hpp"
 
 #include <limits>
+#include <utility>
 
 #include "base/decimal.hpp"
+#include "machine/definition/stock_place.hpp"
 
 namespace kerf::cli {
 
 using base::Outcome;
+using machine::SetUp;
 
 Outcome<std::optional<job::CutUntil>> until_of(const std::string& word) {
   if (word.empty()) return std::optional<job::CutUntil>{};
@@ -35,9 +38,23 @@ Outcome<void> take_tolerance(const std::string& option, const std::string& word,
 
 }  // namespace
 
-Outcome<stock::compare::Tolerance> tolerance_of(const CompareOptions& options) {
+Outcome<SetUp> with_design(const CompareOptions& options, SetUp set_up) {
+  SetUp words;
+  if (!options.design.empty() || !options.design_place.empty()) words.design.emplace();
+  if (!options.design.empty()) words.design->file.path = options.design;
+  if (!options.design_place.empty()) {
+    auto place = machine::stock_place(options.design_place, "--design-place");
+    if (!place) return tl::unexpected(place.error());
+    words.design->place = *place;
+  }
+  return joined(std::move(words), std::move(set_up));
+}
+
+Outcome<stock::compare::Tolerance> tolerance_of(const CompareOptions& options,
+                                                const std::optional<SetUp::Design>& design) {
   stock::compare::Tolerance tolerance;
   double both = tolerance.larger();
+  if (design && design->tolerance_mm) both = *design->tolerance_mm;
   if (auto taken = take_tolerance("--tolerance", options.tolerance, both); !taken)
     return tl::unexpected(taken.error());
   tolerance = {both, both};
@@ -48,13 +65,20 @@ Outcome<stock::compare::Tolerance> tolerance_of(const CompareOptions& options) {
   return tolerance;
 }
 
-Outcome<void> check_comparison(const CompareOptions& options) {
-  if (!options.design.empty()) return {};
+Outcome<void> check_comparison(const CompareOptions& options,
+                               const std::optional<SetUp::Design>& design) {
+  if (!options.against_tools.empty() && options.against.empty())
+    return base::usage("--against-tools: without --against there is no other program");
+  const bool has_design = design && design->is_said();
+  if (!options.design_place.empty() && !has_design)
+    return base::usage("--design-place: without --design nothing is compared");
+  if (has_design || !options.against.empty()) return {};
   for (const auto& [option, word] :
        {std::pair{"--tolerance", &options.tolerance}, std::pair{"--gouge", &options.gouge},
         std::pair{"--excess", &options.excess}}) {
     if (!word->empty())
-      return base::usage(std::string(option) + ": without --design nothing is compared");
+      return base::usage(std::string(option) +
+                         ": without --design or --against nothing is compared");
   }
   return {};
 }

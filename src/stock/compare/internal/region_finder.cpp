@@ -104,8 +104,22 @@ void CellFound::add(const CellFound& other) {
   }
 }
 
-void RowFound::add_point(Side side, const SurfacePoint& point, double deviation_mm,
-                         bool is_design) {
+void RowFound::add_cut(const Cut& cut) {
+  if (cut.motion == 0) return;
+  // Before the last one there is that of the other solid, of the same point or of its neighbour.
+  for (std::size_t back = 1; back <= std::min<std::size_t>(2, cuts_.size()); ++back) {
+    Cut& last = cuts_[cuts_.size() - back];
+    if (last.key != cut.key || last.motion != cut.motion || last.is_design != cut.is_design ||
+        last.is_there != cut.is_there)
+      continue;
+    last.mm2 += cut.mm2;
+    return;
+  }
+  cuts_.push_back(cut);
+}
+
+void RowFound::add_point(Side side, const SurfacePoint& point, double deviation_mm, bool is_design,
+                         std::uint32_t there) {
   const Key key = grid_.key(side, point.at);
   CellFound found = found_at(point.at);
   found.max_mm = deviation_mm;
@@ -116,15 +130,9 @@ void RowFound::add_point(Side side, const SurfacePoint& point, double deviation_
         point.area_mm2 * (1 - std::fabs(dexel::on_axis(point.normal, axis)));
   }
   cells_.emplace_back(key, found);
-  if (point.motion == 0 && is_design) return;
   const auto mm2 = static_cast<float>(point.area_mm2);
-  const bool goes_on = !cuts_.empty() && cuts_.back().key == key &&
-                       cuts_.back().motion == point.motion && cuts_.back().is_design == is_design;
-  if (goes_on) {
-    cuts_.back().mm2 += mm2;
-  } else {
-    cuts_.push_back({key, point.motion, mm2, is_design});
-  }
+  add_cut({key, point.motion, mm2, is_design, false});
+  add_cut({key, there, mm2, is_design, true});
 }
 
 void RowFound::add_volume(Side side, Vec3 at, int axis, double mm3) {
@@ -245,37 +253,41 @@ void RegionFinder::place_extremes(std::vector<Region>& regions,
   }
 }
 
-// By what the part shows; where it shows nothing that was cut, by what is nearest to the design.
+// By what the one solid shows of it; where it shows nothing that was cut, by what is nearest to the
+// other.
 void RegionFinder::add_motions(std::vector<Region>& regions,
                                const std::vector<std::uint32_t>& region_of,
                                const std::vector<CellFound>& of_regions) const {
   struct Sum {
     std::uint32_t region;
-    bool is_design;
+    bool is_there;
+    bool is_other;  // the point is not of the solid that the motion cut
     std::uint32_t motion;
     double mm2;
+    [[nodiscard]] auto key() const { return std::tuple(region, is_there, is_other, motion); }
   };
   std::vector<Sum> sums;
   sums.reserve(cuts_.size());
-  for (const RowFound::Cut& cut : cuts_)
-    sums.push_back({region_of[place_of(cut.key)], cut.is_design, cut.motion, double{cut.mm2}});
-  const auto same = [](const Sum& a, const Sum& b) {
-    return a.region == b.region && a.is_design == b.is_design && a.motion == b.motion;
-  };
-  std::stable_sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) {
-    return std::tuple(a.region, a.is_design, a.motion) <
-           std::tuple(b.region, b.is_design, b.motion);
-  });
-  std::vector<bool> has_own(regions.size());
+  for (const RowFound::Cut& cut : cuts_) {
+    const bool is_other = cut.is_design != cut.is_there;
+    sums.push_back(
+        {region_of[place_of(cut.key)], cut.is_there, is_other, cut.motion, double{cut.mm2}});
+  }
+  std::stable_sort(sums.begin(), sums.end(),
+                   [](const Sum& a, const Sum& b) { return a.key() < b.key(); });
+  std::array<std::vector<bool>, 2> has_own{std::vector<bool>(regions.size()),
+                                           std::vector<bool>(regions.size())};
   for (std::size_t i = 0; i < sums.size();) {
     Sum sum = sums[i];
-    for (++i; i < sums.size() && same(sums[i], sum); ++i) sum.mm2 += sums[i].mm2;
-    Region& region = regions[sum.region];
-    if (sum.motion == 0 || (sum.is_design && has_own[sum.region]) || !(sum.mm2 > 0)) continue;
-    if (!sum.is_design) has_own[sum.region] = true;
+    for (++i; i < sums.size() && sums[i].key() == sum.key(); ++i) sum.mm2 += sums[i].mm2;
+    auto own = has_own[sum.is_there ? 1 : 0][sum.region];
+    if ((sum.is_other && own) || !(sum.mm2 > 0)) continue;
+    if (!sum.is_other) own = true;
     const CellFound& all = of_regions[sum.region];
-    region.motions.push_back(
-        {sum.motion, sum.mm2 / (sum.is_design ? all.design_mm2 : all.area_mm2)});
+    const bool is_design = sum.is_other != sum.is_there;
+    Region& region = regions[sum.region];
+    (sum.is_there ? region.there : region.motions)
+        .push_back({sum.motion, sum.mm2 / (is_design ? all.design_mm2 : all.area_mm2)});
   }
 }
 

@@ -42,8 +42,10 @@ class RowFound {
  public:
   explicit RowFound(const KeyGrid& grid) : grid_(grid) {}
 
-  /// A point with its deviation, > 0. `is_design`: it is the design's.
-  void add_point(Side side, const SurfacePoint& point, double deviation_mm, bool is_design);
+  /// A point with its deviation, > 0. `is_design`: it is the design's. Its motion is the part's,
+  /// `there` the design's; 0: none.
+  void add_point(Side side, const SurfacePoint& point, double deviation_mm, bool is_design,
+                 std::uint32_t there);
   /// What lies between two surfaces on a line along `axis`, at a point that was added.
   void add_volume(Side side, Vec3 at, int axis, double mm3);
   /// Two points that were added belong to one region.
@@ -57,9 +59,12 @@ class RowFound {
     Key key;
     std::uint32_t motion;
     float mm2;
-    bool is_design;
+    bool is_design;  // the point is
+    bool is_there;   // the motion is the design's
   };
   using Cell = std::pair<Key, CellFound>;
+
+  void add_cut(const Cut& cut);
 
   const KeyGrid& grid_;
   std::vector<Cell> cells_;

@@ -304,6 +304,11 @@ export const OWN_ALARMS_ZH_HANT: Record<string, [message: string, cause: string,
       '工件比設計多,超過 --excess 或 --tolerance 所容許的。所指的行切在該處旁邊。',
       '檢查該行的深度、補正和半徑,以及是否還缺一道加工。',
     ],
+    DIFFERS: [
+      '兩個工件不同',
+      '工件與 --against 所指的不同,超過 --tolerance 所容許的:另一個程式、另一組刀具或存下的工件留下了別的形狀。',
+      '查看報告中的 against:每處都有兩個程式的行號。',
+    ],
     STOCK_MISSED: [
       '沒有切到材料',
       '程式有進給移動，卻都沒有碰到材料：材料多半不在程式預期的位置。',

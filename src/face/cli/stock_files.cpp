@@ -85,7 +85,8 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
   for (const auto& [path, place] :
        {std::pair{&options_.stl, &stl_}, std::pair{&options_.glb, &glb_},
         std::pair{&options_.three_mf, &three_mf_}}) {
-    if (auto opened = files_.open(*path, kRecord, [&](OutputFile& file) { *place = &file; });
+    if (auto opened =
+            files_.open(*path, kRecord, [&place = place](OutputFile& file) { *place = &file; });
         !opened)
       return opened;
   }

@@ -212,7 +212,9 @@ DexelSolid::Place DexelSolid::place_of(std::size_t row) const {
 
 void DexelSolid::row(std::size_t number, Row& row) const {
   row.clear();
-  const auto [grid, number_of_tile] = place_of(number);
+  const Place at = place_of(number);
+  const int grid = at.grid;
+  const std::size_t number_of_tile = at.tile;
   const Lattice& lattice = dexels_.lattice(grid);
   const Tile& tile = dexels_.tile(grid, number_of_tile);
   const Vec3 middle = dexels_.middle();

@@ -35,8 +35,9 @@ template <typename Keys, typename Into>
 void take_table(const toml::node& node, const std::string& title, const Keys& keys, Into& into) {
   if (!node.is_table()) throw WrongSetUp{node, title + " must be a table"};
   for (const auto& [name, value] : *node.as_table()) {
-    const auto key = std::find_if(keys.begin(), keys.end(),
-                                  [&](const auto& each) { return each.name == name.str(); });
+    const auto key = std::find_if(keys.begin(), keys.end(), [&name = name](const auto& each) {
+      return each.name == name.str();
+    });
     if (key == keys.end()) {
       throw WrongSetUp{name.source().begin, title + " has no key " + shown(name.str()) + ": " +
                                                 names_of(keys) + " are there"};

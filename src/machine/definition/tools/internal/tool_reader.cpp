@@ -117,7 +117,7 @@ void take_limits(const toml::node& node, Tool& tool) {
   for (const auto& [key, value] : *node.as_table()) {
     const auto* const limit =
         std::find_if(kLimitKeys.begin(), kLimitKeys.end(),
-                     [&](const LimitKey& each) { return each.name == key.str(); });
+                     [&key = key](const LimitKey& each) { return each.name == key.str(); });
     if (limit == kLimitKeys.end())
       throw WrongTool{value, "limits has no key " + std::string(key.str())};
     if (!(number_of(value) > 0)) throw WrongTool{value, "a limit is above 0"};

@@ -94,7 +94,10 @@ void Design(benchmark::State& state) {
 void Field(benchmark::State& state) {
   const field::HeightField part(
       field::grid_of(kBox, kSize_mm / 707),
-      [](double x, double y) -> field::Column { return {kBottom_mm, surface(x, y)}; }, 2);
+      [](double x, double y) -> field::Column {
+        return {kBottom_mm, surface(x, y)};
+      },
+      2);
   run(state, compare::FieldSolid(part));
 }
 
@@ -107,7 +110,17 @@ void Dexels(benchmark::State& state) {
 
 // Threads, and tolerance in micrometres.
 BENCHMARK(Design)->Unit(benchmark::kMillisecond)->Iterations(1);
-BENCHMARK(Field)->Unit(benchmark::kMillisecond)->Args({1, 50})->Args({2, 50})->Args({2, 10})->Iterations(1);
-BENCHMARK(Dexels)->Unit(benchmark::kMillisecond)->Args({1, 50})->Args({2, 50})->Args({2, 10})->Iterations(1);
+BENCHMARK(Field)
+    ->Unit(benchmark::kMillisecond)
+    ->Args({1, 50})
+    ->Args({2, 50})
+    ->Args({2, 10})
+    ->Iterations(1);
+BENCHMARK(Dexels)
+    ->Unit(benchmark::kMillisecond)
+    ->Args({1, 50})
+    ->Args({2, 50})
+    ->Args({2, 10})
+    ->Iterations(1);
 
 }  // namespace

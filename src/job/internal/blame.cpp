@@ -34,8 +34,8 @@ std::vector<output::StockFacts::LineShare> told(const std::vector<Blame>& lines,
   std::vector<output::StockFacts::LineShare> out;
   for (const Blame& one : lines) {
     const bool is_known = sources.contains(one.block.file);
-    out.push_back({is_known ? sources[one.block.file].name() : std::string{}, one.block.line,
-                   one.share});
+    out.push_back(
+        {is_known ? sources[one.block.file].name() : std::string{}, one.block.line, one.share});
   }
   return out;
 }

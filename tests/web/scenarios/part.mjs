@@ -9,7 +9,6 @@ const PHONE = { width: 390, height: 844, touch: true };
 
 const picture = (panel) => panel.page.locator('#picture');
 const dock = (panel) => panel.page.locator('#dock-setup');
-const part_time = async (panel) => Number(await picture(panel).getAttribute('data-part-time'));
 
 async function shows_instant(panel, time_s) {
   await panel.until(
@@ -115,7 +114,12 @@ const at_size = (size) => ({
       .waitFor();
     await panel.pane('Picture');
     await panel.page.locator('#picture').waitFor();
-    const first = await part_time(panel);
+    const [minutes, seconds] = /(\d+):(\d+\.\d)/
+      .exec(await row.textContent())
+      .slice(1)
+      .map(Number);
+    const first = 60 * minutes + seconds;
+    await shows_instant(panel, first);
     await shot(panel, shots, 'part-finding', size);
     assert.ok((await panel.page.locator('.track .mark').count()) >= 2, 'marks on the slider');
     const here = () => document.querySelector('#dock-problems tr.here .line')?.textContent;

@@ -13,6 +13,7 @@ import {
 import { mean_heights } from '../logic/stock/ambient';
 import type { HeightField } from '../logic/stock/height_field';
 import { HeightMesher, type TileMesh } from '../logic/stock/height_mesh';
+import { MeshArrays } from '../logic/stock/mesh_arrays';
 import { ORDER } from './section_plane';
 import {
   ambient_texture,
@@ -27,11 +28,17 @@ const MOST_APART_MS = 250;
 /** The shade of pockets may be so old. */
 const SHADED_MS = 150;
 
-interface Tile {
+/** Each mesh costs a call: tiles of so few corners are drawn together. */
+const FEW_CORNERS = 300;
+
+interface Drawn {
   group: Group;
   geometry: BufferGeometry;
   lines: BufferGeometry;
 }
+/** Of few triangles: its arrays, which become part of one mesh. */
+type Tile = Drawn | TileMesh;
+const is_drawn = (tile: Tile | undefined): tile is Drawn => tile !== undefined && 'group' in tile;
 
 export class FieldBody {
   readonly group = new Group();
@@ -40,6 +47,8 @@ export class FieldBody {
   private readonly tiles = new Map<number, Tile>();
   private readonly made_anew = new Map<number, Tile>();
   private since = 0;
+  /** All tiles of few triangles. */
+  private together: Drawn | null = null;
   /** All tiles have been there. */
   is_whole = false;
   private readonly owners: DataTexture | null = null;
@@ -101,12 +110,14 @@ export class FieldBody {
 
   get triangles(): number {
     let count = 0;
-    for (const { geometry } of this.tiles.values()) count += (geometry.index?.count ?? 0) / 3;
+    for (const tile of this.tiles.values())
+      count += (is_drawn(tile) ? tile.geometry.index!.count : tile.indices.length) / 3;
     return count;
   }
 
   dispose(): void {
     for (const tile of [...this.tiles.values(), ...this.made_anew.values()]) forget(tile);
+    forget(this.together ?? undefined);
     this.made_anew.clear();
     this.tiles.clear();
     this.owners?.dispose();
@@ -119,18 +130,29 @@ export class FieldBody {
   private make(key: number, mesh: TileMesh): void {
     if (!this.made_anew.size) this.since = performance.now();
     forget(this.made_anew.get(key));
-    this.made_anew.set(key, this.made(mesh));
+    const is_small = mesh.indices.length < FEW_CORNERS;
+    this.made_anew.set(key, is_small ? mesh : this.made(mesh));
   }
   private put_all(): void {
+    let together = false;
     for (const [key, tile] of this.made_anew) {
-      forget(this.tiles.get(key));
+      const before = this.tiles.get(key);
+      together ||= !is_drawn(tile) || (before !== undefined && !is_drawn(before));
+      forget(before);
       this.tiles.set(key, tile);
-      this.group.add(tile.group);
+      if (is_drawn(tile)) this.group.add(tile.group);
     }
     this.made_anew.clear();
+    if (together) this.put_together();
+  }
+  private put_together(): void {
+    forget(this.together ?? undefined);
+    const small = [...this.tiles.values()].filter((tile): tile is TileMesh => !is_drawn(tile));
+    this.together = small.length ? this.made(joined(small)) : null;
+    if (this.together) this.group.add(this.together.group);
   }
 
-  private made(mesh: TileMesh): Tile {
+  private made(mesh: TileMesh): Drawn {
     const geometry = surface_geometry(mesh.positions, mesh.normals, mesh.indices);
     const lines = line_geometry(mesh.lines, geometry.boundingSphere);
     const group = new Group();
@@ -162,6 +184,8 @@ export function body_meshes(
   outside.renderOrder = ORDER.surface;
   inside.renderOrder = ORDER.inside;
   edges.renderOrder = ORDER.lines;
+  // What has nothing costs a call all the same.
+  edges.visible = (lines.attributes.position?.count ?? 0) > 0;
   return [outside, inside, edges];
 }
 
@@ -199,8 +223,16 @@ function ball_around(positions: Float32Array): Sphere {
   return new Sphere(middle, middle.distanceTo(new Vector3(...high)));
 }
 
+/** Several as one. */
+function joined(tiles: readonly TileMesh[]): TileMesh {
+  const out = new MeshArrays();
+  for (const tile of tiles) out.add(tile);
+  return out.made();
+}
+
 function forget(tile: Tile | undefined): void {
-  tile?.geometry.dispose();
-  tile?.lines.dispose();
-  tile?.group.removeFromParent();
+  if (!is_drawn(tile)) return;
+  tile.geometry.dispose();
+  tile.lines.dispose();
+  tile.group.removeFromParent();
 }

@@ -2,7 +2,7 @@
  * The 3-D picture of a machine: a scene without perspective, drawn only when something in it has changed. It knows nothing of
  * the page around it: it is told what to show, and tells where the pointer is on the path.
  */
-import { Group, Scene, WebGLRenderer } from 'three';
+import { Group, Scene, type WebGLRenderer } from 'three';
 import { type Box, diagonal, empty_box, is_empty, join } from '../logic/box';
 import type { Colouring, Scheme } from '../logic/colour_scale';
 import { Detail, FINE, type Level, REST_AFTER_MS, slices_at_rest } from '../logic/detail';
@@ -27,11 +27,13 @@ import {
 import { when_drawn } from './frame_fence';
 import { Highlight } from './highlight';
 import { type Model, type Pose, model_of } from './models';
+import { PartMaker } from './part_maker';
 import { PathLayer } from './path_layer';
 import { PathMaterial } from './path_material';
 import { PoseGlide } from './pose_glide';
 import { PIXELS } from './pixels';
 import { ShapedTool } from './shaped_tool';
+import { renderer_of } from './renderer';
 import { draws_by_software, MOST_SMOOTH_SEGMENTS, SMOOTH_BY } from './software';
 import { StockLayer } from './stock_layer';
 import { travel_of, with_linkage } from './subject';
@@ -43,11 +45,6 @@ const PICK_REACH_PX = 7;
 const LEAST_CUTS = 0.4;
 /** The part is what the picture is about: rapids and tool are seen with it where they are near. */
 const LEAST_OF_PART = 0.95;
-/** So long triangles of the part are made at a stretch. */
-const STOCK_MS = 9;
-/** While it takes longer, what is done is drawn so often. */
-const SHOWN_MS = 120;
-const MOST_HIDDEN_MS = 1500;
 
 export interface Shown {
   rapids: boolean;
@@ -70,6 +67,7 @@ export class Picture {
   private readonly glide = new PoseGlide();
   /** The part; whoever changes it asks for a picture. */
   readonly stock: StockLayer;
+  private readonly maker: PartMaker;
   private tool: ShapedTool | null = null;
   private model: Model | null = null;
   private furniture: Group | null = null;
@@ -83,8 +81,6 @@ export class Picture {
   private wanted = false;
   private in_work = false;
   private rest_timer = 0;
-  private make_timer = 0;
-  private drawn_at = 0;
   private readonly detail = new Detail();
   private closed = false;
   private readonly view = new ViewKeeper();
@@ -103,6 +99,9 @@ export class Picture {
     );
     this.path_scene.add(this.path.group);
     this.stock = new StockLayer(calm, this.by_software);
+    this.maker = new PartMaker(this.stock, (coarse) =>
+      !coarse && this.detail.is_coarse ? this.rest(this.level()) : this.request(),
+    );
     this.scene.add(this.highlight.group, this.stock.group);
     this.look('iso');
   }
@@ -110,7 +109,7 @@ export class Picture {
   dispose(): void {
     this.closed = true;
     clearTimeout(this.rest_timer);
-    clearTimeout(this.make_timer);
+    this.maker.close();
     this.path.clear();
     this.stock.dispose();
     this.tool?.dispose();
@@ -329,7 +328,7 @@ export class Picture {
 
   private draw(now: number, { slack_px, one_of }: Level, coarse = false, smooth = false): void {
     const glides = this.pose_model(now);
-    this.make_part(coarse);
+    this.maker.make(coarse);
     this.set_pixels(Math.min(2, devicePixelRatio) * (smooth ? SMOOTH_BY : 1));
     const pixel_mm = this.eye.pixel_mm();
     this.path.choose_detail(pixel_mm, slack_px);
@@ -340,29 +339,8 @@ export class Picture {
     this.draw_path(0, one_of);
     this.renderer.render(this.scene, this.eye.camera);
     this.corner.draw(this.renderer, this.eye.camera, this.width, this.height);
-    this.drawn_at = now;
+    this.maker.drawn_at = now;
     if (glides || this.stock.moves) this.request();
-  }
-
-  /** At a stretch what is quickly done, and what is not between frames, of which those are left out that show nothing new. */
-  private make_part(coarse: boolean): void {
-    clearTimeout(this.make_timer);
-    this.make_timer = 0;
-    if (this.stock.update(STOCK_MS, coarse)) return;
-    this.make_timer = window.setTimeout(() => {
-      if (this.closed) return;
-      this.make_part(coarse);
-      this.show_made(!coarse && this.detail.is_coarse);
-    });
-  }
-
-  /** A picture at rest, which takes longer to draw, is seen when all of it is there. */
-  private show_made(at_rest: boolean): void {
-    const is_whole = !this.make_timer;
-    const waited_ms = performance.now() - this.drawn_at;
-    if (!is_whole && waited_ms < (at_rest ? MOST_HIDDEN_MS : SHOWN_MS)) return;
-    if (at_rest) this.rest(this.level());
-    else this.request();
   }
 
   private set_pixels(ratio: number): void {
@@ -463,21 +441,6 @@ export class Picture {
     box.min[2] = Math.max(box.min[2], work.min[2]);
     return box;
   }
-}
-
-function renderer_of(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
-  const renderer = new WebGLRenderer({
-    canvas,
-    antialias,
-    alpha: true,
-    stencil: true, // cut faces of the part
-    preserveDrawingBuffer: true, // a picture at rest is drawn in slices
-    powerPreference: 'high-performance',
-  });
-  renderer.debug.checkShaderErrors = false; // to ask for them takes as long as they take to be made
-  renderer.setClearColor(0, 0);
-  renderer.autoClear = false;
-  return renderer;
 }
 
 function vertices_before(store: PathStore, place: PathPlace): number {

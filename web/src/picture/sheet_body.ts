@@ -18,6 +18,9 @@ const MOST_PIECES = 200;
 /** A piece has that many columns of nothing around it. */
 const FRAME = 2;
 
+/** Between two looks at all cells, so many times as long as one takes. */
+const PAUSE = 9;
+
 interface Falling {
   body: FieldBody;
   began: number;
@@ -33,6 +36,7 @@ export class SheetBody implements Body {
   private readonly table: DataTexture = colour_table();
   private readonly falling = new Map<string, Falling>();
   private seen = -1;
+  private follow_at = 0;
   private section: Section | null = null;
   private colours: SurfaceColours | null = null;
 
@@ -58,8 +62,10 @@ export class SheetBody implements Body {
     this.table.needsUpdate = true;
   }
 
-  update(most_ms: number): boolean {
-    if (this.seen !== this.sheet.version) this.follow();
+  /** To follow takes a look at all cells: of a sheet of millions, now and then while it moves, and at rest at once. */
+  update(most_ms: number, wants_coarse: boolean): boolean {
+    const may_wait = wants_coarse && performance.now() < this.follow_at;
+    if (this.seen !== this.sheet.version && !may_wait) this.follow();
     const is_done = this.main.update(most_ms);
     this.moves = false;
     for (const piece of this.falling.values()) {
@@ -97,12 +103,15 @@ export class SheetBody implements Body {
 
   /** Takes over energy and cuts; what has come loose gets a body of its own, what is whole again goes back. */
   private follow(): void {
+    const began = performance.now();
     this.seen = this.sheet.version;
     const heights = this.take_cells();
     const loose = this.sheet.pieces().filter(({ falls }) => falls);
     for (const { cells } of loose) for (const cell of cells) heights[cell] = VOID;
     this.let_go(new Map(loose.slice(0, MOST_PIECES).map((piece) => [key_of(piece), piece])));
     this.field.take_heights(heights);
+    const now = performance.now();
+    this.follow_at = now + PAUSE * (now - began);
   }
 
   /** The colours of all cells; the heights of those that are not cut. */

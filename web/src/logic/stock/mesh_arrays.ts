@@ -32,6 +32,20 @@ export class MeshArrays {
     };
   }
 
+  /** Another tile behind what is there. */
+  add({ positions: p, normals: n, indices, lines }: TileMesh): void {
+    const first = this.vertices;
+    for (let v = 0; 3 * v < p.length; v++) {
+      const at = this.vertex(p[3 * v], p[3 * v + 1], p[3 * v + 2], 0, 0, 0);
+      for (let i = 0; i < 3; i++) this.normals[4 * at + i] = n[4 * v + i];
+    }
+    for (let i = 0; i < indices.length; i += 3)
+      this.triangle(first + indices[i], first + indices[i + 1], first + indices[i + 2]);
+    while (this.points + lines.length > this.lines.length) this.lines = grown(this.lines);
+    this.lines.set(lines, this.points);
+    this.points += lines.length;
+  }
+
   vertex(x: number, y: number, z: number, nx: number, ny: number, nz: number): number {
     const at = this.vertices++;
     if (3 * at + 3 > this.positions.length) {

@@ -29,9 +29,12 @@ Edge edge_of(const Contour& contour, std::size_t index) {
 }
 
 bool is_sound(const Contour& contour) {
+  // The radius of a flatter arc has powers that no number holds.
+  constexpr double kFlattest = 1e-50;
   return std::all_of(contour.vertices.begin(), contour.vertices.end(), [](const Vertex& vertex) {
+    const bool is_flat = vertex.bulge != 0 && std::fabs(vertex.bulge) < kFlattest;
     return is_within_reach(vertex.point.u) && is_within_reach(vertex.point.v) &&
-           is_within_reach(vertex.bulge);
+           is_within_reach(vertex.bulge) && !is_flat;
   });
 }
 

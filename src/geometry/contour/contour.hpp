@@ -31,7 +31,8 @@ struct Contour {
 [[nodiscard]] std::size_t edge_count(const Contour& contour);
 [[nodiscard]] Edge edge_of(const Contour& contour, std::size_t index);
 
-/// True when every coordinate and bulge is a number, and none beyond kFarthest_mm.
+/// True when every coordinate and bulge is a number, none beyond kFarthest_mm, and no arc so flat
+/// that its radius is none.
 [[nodiscard]] bool is_sound(const Contour& contour);
 
 /// mm², positive when it goes round counterclockwise; of an open contour as if a line closed it.

@@ -102,6 +102,18 @@ def of_other_programs(box):
     refused(box.kerf("run", "part.nc", "--tools", "bad.json"), 3, "bad.json: this is no library of tools")
 
 
+@test("kerf tools takes the unit of a table that says none")
+def unit(box):
+    box.write("tool.tbl", "T5 P5 D0.5 Z+4 ;end mill\n")
+    for words, diameter, length in ((("--tools-unit", "inch"), "diameter = 12.7", "length = 101.6"),
+                                    (("--tools-unit", "mm"), "diameter = 0.5", "length = 4"), ((), "diameter = 0.5", "length = 4")):
+        got = box.kerf("tools", "tool.tbl", *words)
+        status(got, 0)
+        contains(got.text, diameter, f"{words}")
+        contains(got.text, length, f"{words}")
+    refused(box.kerf("tools", "tool.tbl", "--tools-unit", "ell"), 2, "--tools-unit")
+
+
 @test("kerf tools writes tools of other programs as tables that --tools takes")
 def written(box):
     box.write("tool.tbl", "T5 P5 D12.0 Z+100 ;\"1/2\" end mill\nT6 D0 Z5 ;new\n")

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 
+#include "features/internal/judgement.hpp"
+#include "features/internal/parents.hpp"
+#include "features/internal/patterns.hpp"
 #include "features/literal/literal.hpp"
+#include "features/milling/milling.hpp"
 
 namespace kerf::features {
 namespace {
@@ -24,13 +28,42 @@ OperationFacts facts_of(const Recording& recording, const Operation& operation) 
   return facts;
 }
 
+void widen(std::optional<Span>& span, const std::vector<Span>& visits) {
+  for (const Span& visit : visits) {
+    if (!span) span = visit;
+    span->first = std::min(span->first, visit.first);
+    span->last = std::max(span->last, visit.last);
+  }
+}
+
+// From the first approach to the last retract of what an operation has cut.
+void tell_visits(Tree& tree) {
+  for (const Feature& feature : tree.features) {
+    for (const Cut& cut : feature.cuts) widen(tree.operations[cut.operation].visits, cut.visits);
+  }
+  for (const Hole& hole : tree.holes) {
+    for (const HoleStep& step : hole.steps)
+      widen(tree.operations[step.operation].visits, step.visits);
+  }
+}
+
+void recognise_swept(const Recording& recording, const Blank& blank, Tree& tree) {
+  recognise_milling(recording, blank, tree);
+  find_patterns(tree);
+  find_parents(tree);
+  tell_visits(tree);
+}
+
 }  // namespace
 
-Tree recognise(const Recording& recording) {
+Tree recognise(const Recording& recording, const Blank& blank, Method method) {
   Tree tree;
   for (const Operation& operation : operations_of(recording))
     tree.operations.push_back(facts_of(recording, operation));
-  if (!recording.turns) tree.literal = recognise_literally(recording);
+  if (recording.turns) return tree;
+  if (method != Method::swept) tree.literal = recognise_literally(recording);
+  if (method != Method::literal) recognise_swept(recording, blank, tree);
+  judge(recording, blank, method, tree);
   return tree;
 }
 

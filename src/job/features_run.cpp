@@ -1,6 +1,7 @@
 #include "job/features_run.hpp"
 
 #include "features/path/recorder.hpp"
+#include "geometry/contour/boolean.hpp"
 #include "job/internal/control_modes.hpp"
 #include "job/internal/run_rack.hpp"
 #include "job/internal/stock_shape.hpp"
@@ -28,9 +29,33 @@ void add_tools(const StockJob& job, const SurveyPass& pass, FeaturesResult& resu
   result.assumed.insert(result.assumed.begin(), rack.assumed().begin(), rack.assumed().end());
 }
 
+/// The table's piece as its outline from above; of what is neither box nor upright its box.
+features::Blank blank_of(const FeaturesResult& result) {
+  if (!result.shape) return {};
+  const stock::Bounds box = stock::bounds(*result.shape);
+  const contour::Vec2 zero{result.origin.x, result.origin.y};
+  features::Blank blank{.is_known = result.knows_stock};
+  blank.top = box.high.z + result.origin.z;
+  blank.bottom = box.low.z + result.origin.z;
+  const auto* const round = std::get_if<stock::CylinderShape>(&*result.shape);
+  if (round != nullptr && round->along == 2) {
+    const contour::Vec2 middle = zero + contour::Vec2{round->u, round->v};
+    blank.outline = contour::disc(middle, round->diameter / 2);
+    if (round->inner_diameter > 0) {
+      blank.outline =
+          contour::subtract(blank.outline, contour::disc(middle, round->inner_diameter / 2));
+    }
+    return blank;
+  }
+  const contour::Vec2 low = zero + contour::Vec2{box.low.x, box.low.y};
+  const contour::Vec2 high = zero + contour::Vec2{box.high.x, box.high.y};
+  blank.outline = {{{{{low}, {{high.u, low.v}}, {high}, {{low.u, high.v}}}, true}}};
+  return blank;
+}
+
 }  // namespace
 
-base::Outcome<FeaturesResult> recognise_features(const StockJob& job) {
+base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::Method method) {
   if (auto suited = suits(job.job.definition); !suited) return tl::unexpected(suited.error());
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
@@ -46,7 +71,7 @@ base::Outcome<FeaturesResult> recognise_features(const StockJob& job) {
   result.origin = pass.origin();
   result.knows_stock = job.knows_stock;
   add_tools(job, pass, result);
-  result.tree = features::recognise(result.recording);
+  result.tree = features::recognise(result.recording, blank_of(result), method);
   return result;
 }
 

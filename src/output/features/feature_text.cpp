@@ -211,7 +211,7 @@ std::string hole_title(const FeatureFacts& facts, std::size_t place) {
 
 std::string features_text(const FeatureFacts& facts) {
   std::vector<TextNode> nodes = TreeOfText(facts).nodes();
-  if (facts.method == FeatureFacts::Method::literal) {
+  if (facts.method == features::Method::literal) {
     for (TextNode& node : literal_nodes(facts)) nodes.push_back(std::move(node));
   }
   return drawn(nodes);

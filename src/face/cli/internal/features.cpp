@@ -14,7 +14,12 @@
 namespace kerf::cli {
 namespace {
 
-using Method = output::FeatureFacts::Method;
+using features::Method;
+
+Method method_of(const FeaturesOptions& options) {
+  if (options.method == "literal") return Method::literal;
+  return options.method == "swept" ? Method::swept : Method::both;
+}
 
 std::string told(const FeaturesOptions& options, const output::FeatureFacts& facts) {
   return options.format == "json" ? output::features_json(facts) : output::features_text(facts);
@@ -34,11 +39,11 @@ ExitStatus features(const FeaturesOptions& options) {
   ReadyRun ready{nullptr, ordered->choice, ordered->hint};
   auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return fail(job.error());
-  auto result = job::recognise_features(*job);
+  auto result = job::recognise_features(*job, method_of(options));
   if (!result) return fail(result.error());
   output::FeatureFacts facts = job::facts_of(*result);
   facts.run.chosen = ready.choice.chosen;
-  facts.method = Method::literal;
+  facts.method = method_of(options);
   const std::string text = told(options, facts);
   std::fwrite(text.data(), 1, text.size(), stdout);
   ready.run = std::move(result->run);

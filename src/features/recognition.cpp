@@ -7,6 +7,7 @@
 #include "features/internal/patterns.hpp"
 #include "features/literal/literal.hpp"
 #include "features/milling/milling.hpp"
+#include "features/turning/turning.hpp"
 
 namespace kerf::features {
 namespace {
@@ -48,9 +49,13 @@ void tell_visits(Tree& tree) {
 }
 
 void recognise_swept(const Recording& recording, const Blank& blank, Tree& tree) {
-  recognise_milling(recording, blank, tree);
-  find_patterns(tree);
-  find_parents(tree);
+  if (recording.turns) {
+    recognise_turning(recording, blank, tree);
+  } else {
+    recognise_milling(recording, blank, tree);
+    find_patterns(tree);
+    find_parents(tree);
+  }
   tell_visits(tree);
 }
 
@@ -60,8 +65,7 @@ Tree recognise(const Recording& recording, const Blank& blank, Method method) {
   Tree tree;
   for (const Operation& operation : operations_of(recording))
     tree.operations.push_back(facts_of(recording, operation));
-  if (recording.turns) return tree;
-  if (method != Method::swept) tree.literal = recognise_literally(recording);
+  if (method != Method::swept && !recording.turns) tree.literal = recognise_literally(recording);
   if (method != Method::literal) recognise_swept(recording, blank, tree);
   judge(recording, blank, method, tree);
   return tree;

@@ -13,7 +13,6 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/stock_table.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/part_comparison.hpp"
 #include "job/stock_run.hpp"
@@ -89,36 +88,28 @@ base::Outcome<void> commit_rows(const std::optional<base::Failure>& failure,
 }  // namespace
 
 ExitStatus stock(const StockOptions& options) {
-  const auto set_up = set_up_of(options.run.table);
-  if (!set_up) return fail(set_up.error());
-  auto program = kept_program(options.run.program);
-  if (!program) return fail(program.error());
-  auto source = program->open();
-  if (!source) return fail(source.error());
-  auto ordered = job_of(options.run, **source);
-  if (!ordered) return fail(ordered.error());
-  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
-  if (!job) return fail(job.error());
-  if (auto taken = take_words(options, *job); !taken) return fail(taken.error());
-  if (auto taken = take_design(options.compare, *job); !taken) return fail(taken.error());
+  auto order = order_on_table(options.run);
+  if (!order) return fail(order.error());
+  auto& [set_up, ready, job] = *order;
+  if (auto taken = take_words(options, job); !taken) return fail(taken.error());
+  if (auto taken = take_design(options.compare, job); !taken) return fail(taken.error());
   StockFiles files(options.files);
-  const std::vector<std::string> inputs = inputs_of(options, *set_up);
+  const std::vector<std::string> inputs = inputs_of(options, set_up);
   if (auto apart = keep_apart(options, inputs); !apart) return fail(apart.error());
   for (const std::string& input : inputs) files.keep_from(input);
-  if (auto opened = files.open(*job); !opened) return fail(opened.error());
-  job->keeps_ways = files.needs_ways();
+  if (auto opened = files.open(job); !opened) return fail(opened.error());
+  job.keeps_ways = files.needs_ways();
   std::optional<base::Failure> no_rows;
-  write_rows(options, no_rows, *job);
-  auto cut = job::cut_stock(*job);
+  write_rows(options, no_rows, job);
+  auto cut = job::cut_stock(job);
   if (!cut) return fail(cut.error());
   if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
-  if (auto compared = job::compare_with_design(*job, *cut); !compared)
+  if (auto compared = job::compare_with_design(job, *cut); !compared)
     return fail(compared.error());
   output::StockFacts facts = job::facts_of(*cut);
-  facts.shape = job->said;
+  facts.shape = job.said;
   facts.run.chosen = ready.choice.chosen;
-  if (auto written = files.write(*cut, facts, *job); !written) return fail(written.error());
+  if (auto written = files.write(*cut, facts, job); !written) return fail(written.error());
   ready.run = std::move(cut->run);
   const base::SourceSet& sources = ready.machine().sources();
   if (!options.report.empty()) {
@@ -132,7 +123,7 @@ ExitStatus stock(const StockOptions& options) {
   if (options.run.diagnostics != DiagnosticFormat::json)
     std::fputs(files.remarks().c_str(), stderr);
   const ExitStatus ended = exit_status_of(cut->status);
-  return ended == ExitStatus::well && fails(*set_up, facts) ? ExitStatus::findings : ended;
+  return ended == ExitStatus::well && fails(set_up, facts) ? ExitStatus::findings : ended;
 }
 
 }  // namespace kerf::cli

@@ -82,7 +82,7 @@ bool fails(const machine::SetUp& set_up, const output::StockFacts& facts) {
                      [&](const auto& told) { return counts(set_up, told); });
 }
 
-base::Outcome<TableRun> run_on_table(const RunOptions& options) {
+Outcome<TableOrder> order_on_table(const RunOptions& options) {
   auto set_up = set_up_of(options.table);
   if (!set_up) return tl::unexpected(set_up.error());
   auto program = kept_program(options.program);
@@ -91,21 +91,29 @@ base::Outcome<TableRun> run_on_table(const RunOptions& options) {
   if (!source) return tl::unexpected(source.error());
   auto ordered = job_of(options, **source);
   if (!ordered) return tl::unexpected(ordered.error());
-  TableRun made{.set_up = std::move(*set_up),
+  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
+  auto job = stock_job(options, *set_up, std::move(*ordered), std::move(*program), **source);
+  if (!job) return tl::unexpected(job.error());
+  return TableOrder{std::move(*set_up), std::move(ready), std::move(*job)};
+}
+
+Outcome<TableRun> run_on_table(const RunOptions& options) {
+  auto order = order_on_table(options);
+  if (!order) return tl::unexpected(order.error());
+  TableRun made{.set_up = std::move(order->set_up),
                 .cut = {},
                 .facts = {},
-                .ready = {nullptr, ordered->choice, ordered->hint}};
-  auto job = stock_job(options, made.set_up, std::move(*ordered), std::move(*program), **source);
-  if (!job) return tl::unexpected(job.error());
-  job->job.input = kept_operator_input();
-  auto cut = job::cut_stock(*job);
+                .ready = std::move(order->ready)};
+  job::StockJob& job = order->job;
+  job.job.input = kept_operator_input();
+  auto cut = job::cut_stock(job);
   if (!cut) return tl::unexpected(cut.error());
   made.cut = std::move(*cut);
   made.facts = job::facts_of(made.cut);
-  made.facts.shape = job->said;
+  made.facts.shape = job.said;
   made.facts.run.chosen = made.ready.choice.chosen;
-  job->job.skips = made.cut.skips;
-  auto again = job::Run::of(job->job);
+  job.job.skips = made.cut.skips;
+  auto again = job::Run::of(job.job);
   if (!again) return tl::unexpected(again.error());
   made.ready.run = std::move(*again);
   return made;

@@ -81,19 +81,7 @@ void HoleBook::add(std::size_t setup, Vec2 at, HoleStep step) {
     entries_.push_back({setup, at, {std::move(step)}, row});
     return;
   }
-  HoleStep& last = known->steps.back();
-  const bool is_peck = last.operation == step.operation && last.how == step.how &&
-                       last.cycle == step.cycle &&
-                       std::fabs(last.diameter - step.diameter) < kWider_mm;
-  if (!is_peck) {
-    known->steps.push_back(std::move(step));
-    return;
-  }
-  last.rows.insert(last.rows.end(), step.rows.begin(), step.rows.end());
-  last.visits.insert(last.visits.end(), step.visits.begin(), step.visits.end());
-  if (!last.peck && step.bottom < last.bottom - kSameZ_mm) last.peck = last.bottom - step.bottom;
-  last.bottom = std::min(last.bottom, step.bottom);
-  last.top = std::max(last.top, step.top);
+  add_step(known->steps, std::move(step));
 }
 
 HoleBook::Entry* HoleBook::find(std::size_t setup, Vec2 at) {

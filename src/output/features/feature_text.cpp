@@ -42,6 +42,27 @@ std::string size_text(const Feature& feature) {
   return short_number(size.u) + " × " + short_number(size.v);
 }
 
+std::string passes_text(std::size_t count) {
+  return count == 0 ? "" : fmt::format("  {} pass{}", count, count == 1 ? "" : "es");
+}
+
+/// The diameters that a turned contour goes through, or what else says how large a feature is.
+std::string turned_text(const features::TurnedPart& part) {
+  if (part.thread) {
+    return fmt::format("Ø{} × {}{}{}", short_number(part.thread->major),
+                       short_number(part.thread->pitch),
+                       part.thread->is_left_hand ? " left" : "", passes_text(part.passes.size()));
+  }
+  if (part.diameter) return "Ø" + short_number(*part.diameter);
+  const std::string width =
+      part.width ? "width " + short_number(*part.width) + "  " : std::string();
+  const contour::Box box = contour::extents(part.contour);
+  if (box.is_empty()) return width;
+  const std::string low = short_number(2 * box.low.v);
+  const std::string high = short_number(2 * box.high.v);
+  return width + "Ø" + low + (low == high ? "" : "…" + high) + passes_text(part.passes.size());
+}
+
 std::vector<Span> visits_of(const Feature& feature) {
   std::vector<Span> visits;
   for (const features::Cut& cut : feature.cuts)
@@ -185,6 +206,7 @@ std::string feature_title(const FeatureFacts& facts, std::size_t place) {
       text += (text.ends_with(std::string(word_of(feature.type))) ? " " : "  ") + more;
   };
   if (!feature.layers.empty()) add(size_text(feature));
+  if (feature.turned) add(turned_text(*feature.turned));
   add(fmt::format("Z{}…{}", short_number(feature.top), short_number(feature.bottom)));
   const std::size_t layers = feature.layers.size();
   if (layers > 0) add(fmt::format("{} layer{}", layers, layers == 1 ? "" : "s"));

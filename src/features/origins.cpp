@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "features/internal/block_runs.hpp"
+#include "features/internal/visits.hpp"
 
 namespace kerf::features {
 namespace {
@@ -43,7 +44,8 @@ struct Kinds {
   bool shares_line = false;
   bool has_skipped = false;  ///< a block that a switch leaves out
   bool has_plain = false;
-  std::optional<std::size_t> call{};  ///< the innermost one that has arguments, else that leads here
+  std::optional<std::size_t>
+      call{};  ///< the innermost one that has arguments, else that leads here
   bool has_arguments = false;
   base::FileId file = base::kNoFile;
   LineSpan lines{};
@@ -143,7 +145,7 @@ Editable editable_of(const Tree& tree, const Origin& origin) {
     case Kind::loop: return Editable::unroll;
     case Kind::expression:
       return origin.call && !tree.calls[*origin.call].words.arguments.empty() ? Editable::argument
-                                                                             : Editable::unroll;
+                                                                              : Editable::unroll;
     case Kind::mixed: return Editable::no;
     case Kind::literal:
     case Kind::once:
@@ -156,6 +158,7 @@ Editable editable_of(const Tree& tree, const Origin& origin) {
 }  // namespace
 
 void find_origins(const Recording& recording, BlockReader& reader, Tree& tree) {
+  trim_visits(recording, reader, tree);
   OriginFinder finder(recording, reader, tree);
   for (std::size_t i = 0; i < tree.features.size(); ++i) {
     Feature& feature = tree.features[i];

@@ -5,6 +5,7 @@
 #include "features/internal/judgement.hpp"
 #include "features/internal/parents.hpp"
 #include "features/internal/patterns.hpp"
+#include "features/internal/visits.hpp"
 #include "features/literal/literal.hpp"
 #include "features/milling/milling.hpp"
 #include "features/turning/turning.hpp"
@@ -27,25 +28,6 @@ OperationFacts facts_of(const Recording& recording, const Operation& operation) 
     note_feed(recording.goes_across(row) ? facts.cut_feeds : facts.entry_feeds, state.feed.value);
   }
   return facts;
-}
-
-void widen(std::optional<Span>& span, const std::vector<Span>& visits) {
-  for (const Span& visit : visits) {
-    if (!span) span = visit;
-    span->first = std::min(span->first, visit.first);
-    span->last = std::max(span->last, visit.last);
-  }
-}
-
-// From the first approach to the last retract of what an operation has cut.
-void tell_visits(Tree& tree) {
-  for (const Feature& feature : tree.features) {
-    for (const Cut& cut : feature.cuts) widen(tree.operations[cut.operation].visits, cut.visits);
-  }
-  for (const Hole& hole : tree.holes) {
-    for (const HoleStep& step : hole.steps)
-      widen(tree.operations[step.operation].visits, step.visits);
-  }
 }
 
 void recognise_swept(const Recording& recording, const Blank& blank, Tree& tree) {

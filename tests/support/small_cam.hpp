@@ -59,8 +59,7 @@ class SmallCam {
   /// One pass along an open contour.
   void pass(const Contour& open, double z) {
     plunge(open.vertices.front().point, z);
-    for (std::size_t i = 0; i < contour::edge_count(open); ++i)
-      go(contour::edge_of(open, i), z);
+    for (std::size_t i = 0; i < contour::edge_count(open); ++i) go(contour::edge_of(open, i), z);
     retract();
   }
 

@@ -104,8 +104,7 @@ ExitStatus stock(const StockOptions& options) {
   auto cut = job::cut_stock(job);
   if (!cut) return fail(cut.error());
   if (auto rows = commit_rows(no_rows, *cut); !rows) return fail(rows.error());
-  if (auto compared = job::compare_with_design(job, *cut); !compared)
-    return fail(compared.error());
+  if (auto compared = job::compare_with_design(job, *cut); !compared) return fail(compared.error());
   output::StockFacts facts = job::facts_of(*cut);
   facts.shape = job.said;
   facts.run.chosen = ready.choice.chosen;

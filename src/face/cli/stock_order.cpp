@@ -100,10 +100,8 @@ Outcome<TableOrder> order_on_table(const RunOptions& options) {
 Outcome<TableRun> run_on_table(const RunOptions& options) {
   auto order = order_on_table(options);
   if (!order) return tl::unexpected(order.error());
-  TableRun made{.set_up = std::move(order->set_up),
-                .cut = {},
-                .facts = {},
-                .ready = std::move(order->ready)};
+  TableRun made{
+      .set_up = std::move(order->set_up), .cut = {}, .facts = {}, .ready = std::move(order->ready)};
   job::StockJob& job = order->job;
   job.job.input = kept_operator_input();
   auto cut = job::cut_stock(job);

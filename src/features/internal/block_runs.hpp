@@ -28,8 +28,8 @@ class BlockRuns {
   [[nodiscard]] bool has(std::uint32_t place, std::uint8_t flag) const {
     return (flags_[place] & flag) != 0;
   }
-  void tell(const Recording& recording, const std::vector<std::uint32_t>& order,
-            std::size_t begin, std::size_t end);
+  void tell(const Recording& recording, const std::vector<std::uint32_t>& order, std::size_t begin,
+            std::size_t end);
 
   std::vector<std::uint8_t> flags_;
 };

@@ -91,7 +91,7 @@ void judge_feature(const Recording& recording, const Blank& blank, Feature& feat
   const bool has_idle_layer =
       std::any_of(feature.layers.begin(), feature.layers.end(),
                   [](const Layer& layer) { return layer.removed.is_empty(); });
-  if (has_idle_layer && feature.type != FeatureType::surface && !feature.turned)
+  if (has_idle_layer && has_levels(feature.type) && !feature.turned)
     doubt(feature, Reason::no_material, 1);
   if (feature.entry.kind == Entry::Kind::rapid) doubt(feature, Reason::entered_by_rapid, 1);
 }
@@ -102,7 +102,7 @@ void judge(const Recording& recording, const Blank& blank, Method method, Tree& 
   const LiteralIndex index(tree.literal);
   for (std::size_t i = 0; i < tree.features.size(); ++i) {
     Feature& feature = tree.features[i];
-    const bool has_both = method == Method::both && feature.type != FeatureType::surface;
+    const bool has_both = method == Method::both && has_levels(feature.type);
     if (has_both && !feature.turned && !feature.layers.empty() &&
         !feature.layers.front().cuts.empty()) {
       feature.literal = index.word_at(feature.layers.front().cuts.front().first);

@@ -68,7 +68,7 @@ bool take_chamfer(const Neighbourhood& around, Draft& draft) {
   for (std::size_t i = around.place; i-- > 0;) {
     const Draft& edge = around.drafts[i];
     if (edge.is_gone || edge.feature.setup != draft.feature.setup) continue;
-    if (edge.feature.type == FeatureType::surface || edge.feature.layers.empty()) continue;
+    if (!has_levels(edge.feature.type) || edge.feature.layers.empty()) continue;
     const Layer& layer = edge.feature.layers.front();
     if (layer.contour.vertices.empty()) continue;
     if (!contour::extents(layer.contour).grown(radius).meets(box)) continue;

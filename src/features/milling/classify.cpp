@@ -178,7 +178,7 @@ FeatureType by_walls(Draft& draft) {
 
 void classify(const Neighbourhood& around, Draft& draft) {
   Feature& feature = draft.feature;
-  if (feature.type == FeatureType::surface || feature.type == FeatureType::thread) return;
+  if (!has_levels(feature.type)) return;
   if (is_conical(tool_of(around, draft)) && take_chamfer(around, draft)) {
     feature.type = FeatureType::chamfer;
   } else if (is_engraving(around, draft)) {

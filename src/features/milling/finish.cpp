@@ -26,7 +26,7 @@ void add_all(List& to, const List& more) {
 
 /// Of a draft all of whose layers are one disc; nothing: they are not.
 std::optional<Disc> disc_of_all(const Draft& draft) {
-  if (draft.feature.type == FeatureType::surface) return std::nullopt;
+  if (!has_levels(draft.feature.type)) return std::nullopt;
   std::optional<Disc> disc;
   for (const Layer& layer : draft.feature.layers) {
     disc = disc_of(layer.contour);
@@ -94,7 +94,7 @@ Compensation compensation_of(const Recording& recording, const Layer& layer) {
 
 void tell_cutting(const Recording& recording, Draft& draft) {
   Feature& feature = draft.feature;
-  if (feature.type == FeatureType::surface) return;
+  if (!has_levels(feature.type)) return;
   const Clearing clearing = clearing_of(recording, draft.first);
   feature.strategy = clearing.strategy;
   feature.stepover = clearing.stepover;
@@ -106,7 +106,7 @@ void tell_cutting(const Recording& recording, Draft& draft) {
 
 void tell_milling(const Recording& recording, Draft& draft) {
   Feature& feature = draft.feature;
-  if (feature.type == FeatureType::surface || feature.type == FeatureType::engraving) return;
+  if (!has_levels(feature.type) || feature.type == FeatureType::engraving) return;
   const Layer& layer = feature.layers.front();
   std::vector<const Contour*> outlines;
   std::vector<const Contour*> islands;
@@ -182,7 +182,7 @@ void join_engravings(std::vector<Draft>& drafts) {
 
 std::string_view kind_word(const Draft& draft) {
   const FeatureType type = draft.feature.type;
-  if (type == FeatureType::surface) return "S";
+  if (!has_levels(type)) return "S";
   return type == FeatureType::engraving || type == FeatureType::groove ? "L" : "R";
 }
 
@@ -192,7 +192,7 @@ class Surroundings {
   explicit Surroundings(const std::vector<Draft>& drafts, const std::vector<HoleBook::Entry>& holes)
       : holes_(holes), drafts_(drafts) {
     for (const Draft& draft : drafts) {
-      if (draft.feature.type != FeatureType::surface)
+      if (has_levels(draft.feature.type))
         boxes_[draft.feature.setup].take(contour::extents(draft.feature.layers.front().contour));
     }
     for (const HoleBook::Entry& hole : holes) boxes_[hole.setup].take(hole.at);

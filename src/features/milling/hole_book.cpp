@@ -53,7 +53,7 @@ Form form_of(const std::vector<HoleStep>& steps, const HoleStep& main) {
 double volume_of(const std::vector<HoleStep>& steps, double top) {
   std::vector<double> heights{top};
   for (const HoleStep& step : steps) {
-    if (step.how == How::tap) continue;
+    if (step.thread_pitch) continue;
     heights.push_back(std::min(step.bottom, top));
     heights.push_back(std::min(step.top, top));
   }
@@ -63,7 +63,7 @@ double volume_of(const std::vector<HoleStep>& steps, double top) {
     const double middle = (heights[i - 1] + heights[i]) / 2;
     double widest = 0;
     for (const HoleStep& step : steps) {
-      if (step.how != How::tap && step.bottom < middle && step.top > middle)
+      if (!step.thread_pitch && step.bottom < middle && step.top > middle)
         widest = std::max(widest, step.diameter);
     }
     sum += std::numbers::pi / 4 * widest * widest * (heights[i] - heights[i - 1]);

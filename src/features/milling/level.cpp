@@ -91,10 +91,14 @@ void add_levels(const Recording& recording, std::vector<LevelRun> runs, const Le
   std::vector<Region> parts = connected_parts(sweep);
   std::vector<Level> found(parts.size(), like);
   for (std::size_t i = 0; i < parts.size(); ++i) found[i].sweep = std::move(parts[i]);
+  // A run whose tool has no width there sweeps nothing, and is a level of its own.
   for (LevelRun& run : runs) {
-    const std::size_t part =
+    std::size_t part =
         found.size() == 1 ? 0 : level_with(found, recording.flat_from(run.rows.first));
-    if (part >= found.size()) continue;
+    if (part >= found.size()) {
+      part = found.size();
+      found.push_back(like);
+    }
     found[part].runs.push_back(std::move(run));
   }
   for (Level& level : found) {

@@ -1,29 +1,25 @@
 #include "features/milling/material.hpp"
 
 #include <algorithm>
+#include <memory>
 
 #include "features/path/tolerance.hpp"
 #include "geometry/contour/boolean.hpp"
 
 namespace kerf::features {
+
 void Material::cut(const Region& region, double z) {
   if (region.is_empty()) return;
-  done_.push_back({region, z});
+  done_.push_back(std::make_shared<const Region>(region));
   boxes_.add(contour::extents(region));
-}
-
-// In the order in which they were cut.
-std::vector<const Material::Done*> Material::cuts_at(const contour::Box& box) const {
-  std::vector<const Done*> cuts;
-  for (const std::size_t place : boxes_.at(box)) cuts.push_back(&done_[place]);
-  return cuts;
+  tiles_.add(done_.back(), z);
 }
 
 bool Material::is_cut_since(std::size_t cuts, const Region& region) const {
   const std::vector<std::size_t> places = boxes_.at(contour::extents(region));
   return std::any_of(places.begin(), places.end(), [&](std::size_t place) {
     return place >= cuts &&
-           contour::area(contour::intersect(done_[place].region, region)) > kEmptyArea_mm2;
+           contour::area(contour::intersect(*done_[place], region)) > kEmptyArea_mm2;
   });
 }
 
@@ -36,37 +32,37 @@ Region Material::standing(const Region& region, double z) const {
   Region left = on_blank(region);
   if (z >= blank_.top - kSameZ_mm) return {};
   std::vector<Region> gone;
-  for (const Done* const done : cuts_at(contour::extents(region))) {
-    if (done->z <= z + kSameZ_mm) gone.push_back(done->region);
+  for (const CutTiles::Depth& depth : tiles_.at(contour::extents(region))) {
+    if (depth.z > z + kSameZ_mm) break;
+    for (const Region* const cut : depth.regions) gone.push_back(*cut);
   }
   if (gone.empty() || left.is_empty()) return left;
   return contour::subtract(left, gone.size() == 1 ? gone.front() : contour::unite(gone));
 }
 
-// From the top of the blank down: where something of the region has never been cut so deep, it
-// stands that high.
+// From z up: where something of the region has never been cut so deep, it stands that high.
 double Material::top_over(const Region& region, double z) const {
-  std::vector<const Done*> cuts = cuts_at(contour::extents(region));
-  std::erase_if(cuts, [&](const Done* done) { return done->z <= z + kSameZ_mm; });
-  if (cuts.empty()) return std::max(blank_.top, z);
-  std::sort(cuts.begin(), cuts.end(), [](const Done* a, const Done* b) { return a->z < b->z; });
   Region left = region;
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    left = contour::subtract(left, cuts[i]->region);
-    if (contour::area(left) <= kEmptyArea_mm2) return cuts[i]->z;
+  bool is_cut = false;
+  for (const CutTiles::Depth& depth : tiles_.at(contour::extents(region))) {
+    if (depth.z <= z + kSameZ_mm) continue;
+    for (const Region* const cut : depth.regions) left = contour::subtract(left, *cut);
+    if (contour::area(left) <= kEmptyArea_mm2) return depth.z;
+    is_cut = true;
   }
-  return blank_.top;
+  return is_cut ? blank_.top : std::max(blank_.top, z);
 }
 
 double Material::top_at(contour::Vec2 point) const {
-  double top = blank_.top;
   if (blank_.is_known && contour::side_of(blank_.outline, point, 0) == contour::Side::outside)
     return blank_.bottom;
-  for (const Done* const done : cuts_at(contour::Box{point, point})) {
-    if (done->z < top && contour::side_of(done->region, point, 0) != contour::Side::outside)
-      top = done->z;
+  for (const CutTiles::Depth& depth : tiles_.at(contour::Box{point, point})) {
+    if (depth.z >= blank_.top) break;
+    for (const Region* const cut : depth.regions) {
+      if (contour::side_of(*cut, point, 0) != contour::Side::outside) return depth.z;
+    }
   }
-  return top;
+  return blank_.top;
 }
 
 double Material::top_round(contour::Vec2 point, double radius) const {

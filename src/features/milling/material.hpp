@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "features/milling/cut_tiles.hpp"
 #include "features/milling/growing_boxes.hpp"
 #include "features/path/blank.hpp"
 #include "geometry/contour/region.hpp"
@@ -33,17 +34,12 @@ class Material {
   [[nodiscard]] double top_round(contour::Vec2 point, double radius) const;
 
  private:
-  struct Done {
-    Region region;
-    double z = 0;
-  };
-
-  [[nodiscard]] std::vector<const Done*> cuts_at(const contour::Box& box) const;
   [[nodiscard]] Region on_blank(const Region& region) const;
 
   Blank blank_;
-  std::vector<Done> done_;
-  GrowingBoxes boxes_;
+  std::vector<CutTiles::Shared> done_;  // in the order in which they were cut
+  GrowingBoxes boxes_;                  // of them
+  CutTiles tiles_;
 };
 
 }  // namespace kerf::features

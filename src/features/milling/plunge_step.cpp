@@ -22,6 +22,7 @@ HoleStep step_of(const Recording& recording, const Material& material, const sto
   // A hole that is there already begins where its surroundings do.
   if (above < plunge.top)
     step.top = std::max(above, material.top_round(plunge.at, kBeside * reach.radius));
+  step.top = std::max(step.top, step.bottom);
   step.diameter = 2 * reach.at_depth(step.top - step.bottom);
   step.rows = {plunge.rows};
   step.visits = {plunge.visit};

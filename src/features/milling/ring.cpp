@@ -89,6 +89,13 @@ std::optional<Contour> single_loop(const Recording& recording, const Level& leve
   return closed_part(edges_of(path_of(recording, level.runs.front())));
 }
 
+// What leads to a loop and away from it is shorter than that; more would clear something, too.
+bool is_mostly_loop(const Recording& recording, const Level& level, const Contour& loop) {
+  double all = 0;
+  for (const std::uint32_t row : level.rows(recording)) all += recording.length_of(row);
+  return all <= 2 * contour::length(loop);
+}
+
 bool has_one_island(const Region& sweep) {
   const auto holes = std::count_if(sweep.loops.begin(), sweep.loops.end(), [](const Contour& loop) {
     return !contour::is_counterclockwise(loop);
@@ -117,7 +124,7 @@ Contour opened(Contour loop) {
 std::optional<Ring> ring_of(const Recording& recording, const Level& level,
                             const LoopsOfRows& loops) {
   auto loop = single_loop(recording, level, loops);
-  if (!loop) return std::nullopt;
+  if (!loop || !is_mostly_loop(recording, level, *loop)) return std::nullopt;
   const Region left = contour::offset(contour::region_of(*loop), -level.radius);
   if (contour::area(left) <= kEmptyArea_mm2) return std::nullopt;
   Ring ring{.loop = *loop, .sweep = contour::sweep_of_disc(opened(*loop), level.radius)};

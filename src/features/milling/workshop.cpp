@@ -5,6 +5,7 @@
 
 #include "features/milling/contour_shapes.hpp"
 #include "features/milling/plunge_step.hpp"
+#include "features/milling/thread_milling.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -110,6 +111,8 @@ const stock::Tool& Workshop::tool_of(const Operation& operation) const {
 
 void Workshop::follow(std::size_t number, const Operation& operation) {
   air_mm_.resize(number + 1);
+  if (tool_of(operation).kind == stock::ToolKind::thread_mill)
+    return follow_threads(number, operation);
   const double top = materials_[operation.setup].blank().top;
   Strokes strokes = strokes_of(recording_, operation, top);
   const bool slopes = strokes.sloping_mm > strokes.level_mm;
@@ -167,8 +170,57 @@ void Workshop::count_air(std::size_t number, Span rows) {
   }
 }
 
+// In a hole, or where material is only outside of the helix, it is a step of a hole.
+void Workshop::follow_threads(std::size_t number, const Operation& operation) {
+  const double reach = reach_of(tool_of(operation)).radius;
+  for (const ThreadRun& run : thread_runs_of(recording_, operation)) {
+    const HelixRun& helix = run.helix;
+    if (!run.is_found) {
+      take(operation, FreeRun{helix.rows, helix.visit});
+      continue;
+    }
+    const bool is_inside = holes_.find(operation.setup, helix.centre) != nullptr ||
+                           materials_[operation.setup].top_at(helix.centre) < helix.top - kSameZ_mm;
+    if (is_inside) {
+      HoleStep step{.how = HoleStep::How::helix, .tool = operation.tool, .operation = number};
+      step.diameter = 2 * (helix.radius + reach);
+      step.top = std::min(helix.top, materials_[operation.setup].blank().top);
+      step.bottom = std::min(helix.bottom, step.top);
+      step.thread_pitch = helix.pitch;
+      step.rows = {helix.rows};
+      step.visits = {helix.visit};
+      holes_.add(operation.setup, helix.centre, std::move(step));
+    } else {
+      add_thread(number, operation, helix, 2 * (helix.radius - reach));
+    }
+  }
+}
+
+// Round a piece that stands.
+void Workshop::add_thread(std::size_t number, const Operation& operation, const HelixRun& helix,
+                          double diameter) {
+  Draft draft{.middle = helix.centre, .first_row = helix.rows.first};
+  Feature& feature = draft.feature;
+  feature.type = FeatureType::thread;
+  feature.setup = operation.setup;
+  feature.tool = operation.tool;
+  feature.entry = {.kind = features::Entry::Kind::helix, .pitch = helix.pitch};
+  feature.measures.round = FeatureMeasures::Round{diameter, helix.centre};
+  Layer layer{.z = helix.bottom, .top = helix.top, .cuts = {helix.rows}, .visits = {helix.visit}};
+  layer.entry = feature.entry;
+  feature.layers.push_back(std::move(layer));
+  draft.shares.push_back({.operation = number, .visits = {helix.visit}});
+  Box box{helix.centre, helix.centre};
+  boxes_.add(box.grown(std::max(diameter / 2, 0.0)));
+  drafts_.push_back(std::move(draft));
+}
+
 void Workshop::take(std::size_t number, const Operation& operation, const PlungeRun& plunge) {
   Material& material = materials_[operation.setup];
+  if (plunge.bottom >= material.blank().top - kSameZ_mm) {
+    air_mm_[number] += recording_.length_of(plunge.rows);
+    return leave(plunge.rows, Unrecognised::Why::air);
+  }
   count_air(number, plunge.rows);
   const stock::Tool& tool = tool_of(operation);
   HoleStep step = step_of(recording_, material, tool, plunge);
@@ -200,13 +252,25 @@ void Workshop::take(std::size_t number, const Operation& operation, const HelixR
 }
 
 void Workshop::take(const Operation& operation, const FreeRun& run) {
-  Unrecognised rest{.rows = run.rows, .moves = run.rows.last - run.rows.first + 1};
-  rest.cut_mm = recording_.length_of(run.rows);
+  const double top = materials_[operation.setup].blank().top;
   const Move& first = recording_.moves[run.rows.first];
-  if (first.kind == Move::Kind::probe) rest.why = Unrecognised::Why::probing;
-  if (is_turned(recording_.setups[operation.setup])) rest.why = Unrecognised::Why::rotary;
-  if (rest.moves >= kLeastSurface && rest.why == Unrecognised::Why::free_motion)
+  double lowest = recording_.from(run.rows.first).z;
+  for (std::uint32_t row = run.rows.first; row <= run.rows.last; ++row)
+    lowest = std::min(lowest, recording_.moves[row].to.z);
+  if (first.kind == Move::Kind::probe) return leave(run.rows, Unrecognised::Why::probing);
+  if (is_turned(recording_.setups[operation.setup]))
+    return leave(run.rows, Unrecognised::Why::rotary);
+  if (lowest >= top - kSameZ_mm) return leave(run.rows, Unrecognised::Why::air);
+  if (run.rows.last - run.rows.first + 1 >= kLeastSurface)
     return add_surface(air_mm_.size() - 1, operation, {run.rows}, run.visit);
+  leave(run.rows, Unrecognised::Why::free_motion);
+}
+
+void Workshop::leave(Span rows, Unrecognised::Why why) {
+  Unrecognised rest{.why = why, .rows = rows};
+  for (std::uint32_t row = rows.first; row <= rows.last; ++row)
+    rest.moves += static_cast<std::uint32_t>(has_feed(recording_, row));
+  rest.cut_mm = recording_.length_of(rows);
   unrecognised_.push_back(rest);
 }
 
@@ -286,7 +350,7 @@ Draft* Workshop::layer_above(const ShapedLevel& shaped) {
     if (draft.shares.empty() || draft.shares.back().operation != shaped.level.operation) continue;
     const Layer& last = draft.feature.layers.back();
     if (draft.feature.setup != shaped.level.setup || last.z <= shaped.layer.z + kSameZ_mm) continue;
-    if (draft.feature.type == FeatureType::surface || draft.shares.size() > 1) continue;
+    if (!has_levels(draft.feature.type) || draft.shares.size() > 1) continue;
     if (are_one_shape(last, shaped.layer) &&
         !material.is_cut_since(draft.cuts_before, shaped.layer.removed))
       return &draft;

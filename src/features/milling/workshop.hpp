@@ -48,6 +48,10 @@ class Workshop {
   static void add_layer(Draft& draft, ShapedLevel shaped);
   [[nodiscard]] static bool belongs(const Layer& layer, const ShapedLevel& shaped);
   Draft& begin_feature(ShapedLevel shaped);
+  void follow_threads(std::size_t number, const Operation& operation);
+  void add_thread(std::size_t number, const Operation& operation, const HelixRun& helix,
+                  double diameter);
+  void leave(Span rows, Unrecognised::Why why);
   void add_surface(std::size_t number, const Operation& operation, std::vector<Span> rows,
                    Span visit);
   void count_air(std::size_t number, Span rows);

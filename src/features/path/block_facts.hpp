@@ -46,6 +46,8 @@ struct CallWords {
 class BlockReader : public base::Interface {
  public:
   [[nodiscard]] virtual BlockFacts facts(const base::BlockId& block) = 0;
+  /// Whether it also chooses a tool, a spindle, a length, a work system or a mode.
+  [[nodiscard]] virtual bool sets_up(const base::BlockId& block) = 0;
   /// The blocks whose calls led to one, the main program's first.
   [[nodiscard]] virtual std::vector<base::BlockId> calls(const base::BlockId& block) = 0;
   [[nodiscard]] virtual CallWords call_of(const base::BlockId& block) = 0;

@@ -38,6 +38,11 @@ enum class FeatureType : std::uint8_t {
   drilling,
 };
 
+/// Whether features of a type are levels of a mill with their regions; others are rows alone.
+[[nodiscard]] constexpr bool has_levels(FeatureType type) {
+  return type != FeatureType::surface && type != FeatureType::thread;
+}
+
 /// In which order the loops of a layer were cut, by the lengths of the first and the last one.
 enum class Order : std::uint8_t { undefined, inside_out, outside_in };
 
@@ -190,8 +195,8 @@ struct TurnedPart {
   double front = 0;
   double back = 0;
   std::optional<double> x{};
-  std::optional<double> bottom{};  ///< diameter of a groove's, z of a face groove's
-  std::optional<double> width{};   ///< of a groove
+  std::optional<double> bottom{};    ///< diameter of a groove's, z of a face groove's
+  std::optional<double> width{};     ///< of a groove
   std::optional<double> diameter{};  ///< of a bore on the axis
   std::vector<HoleStep> steps{};     ///< likewise
   struct Thread {

@@ -47,7 +47,12 @@ struct Call {
 
 /// Rows at feed that are part of nothing.
 struct Unrecognised {
-  enum class Why : std::uint8_t { free_motion, rotary, probing, before_tool };
+  enum class Why : std::uint8_t {
+    free_motion,
+    rotary,
+    probing,
+    air  ///< above all that there is to cut
+  };
   Why why = Why::free_motion;
   Span rows{};
   std::uint32_t moves = 0;

@@ -105,6 +105,7 @@ TurnedChain LatheWork::placed(std::size_t number, const Chain& chain, const stoc
   if (chain.kind == Chain::Kind::across || tool.kind == ToolKind::face_grooving)
     its.beyond = Beyond::front;
   if (chain.kind == Chain::Kind::groove) its.width = tip_width(tool);
+  if (chain.kind == Chain::Kind::along) its.nose = nose_of(tool);
   its.path = path_box(recording_, chain.rows);
   if (inside) material.assume_bore(recording_.moves[chain.visit.first].to.x);
   return its;
@@ -129,8 +130,7 @@ FeatureType LatheWork::type_of(const TurnedChain& chain, const stock::Tool& tool
   if (chain.beyond != Beyond::front)
     return chain.beyond == Beyond::inside ? FeatureType::boring : FeatureType::turning;
   // Facing leaves nothing before it.
-  const std::uint32_t setup =
-      recording_.state_of(recording_.moves[chain.chain.rows.first]).setup;
+  const std::uint32_t setup = recording_.state_of(recording_.moves[chain.chain.rows.first]).setup;
   const auto front = materials_[setup].front_within(kFar_mm);
   const bool is_clear = !front || *front <= chain.path.low.u + kSamePoint_mm;
   if (is_clear) return FeatureType::facing;
@@ -149,7 +149,9 @@ TurnedDraft* LatheWork::draft_for(FeatureType type, const TurnedChain& chain) {
 
 void LatheWork::take_cut(TurnedChain chain, const stock::Tool& tool) {
   const std::vector<contour::Edge> path = edges_of(recording_, chain.chain.rows);
-  chain.removed = material_of(chain.chain).take(reached(path, chain.beyond, chain.width));
+  const Region swept = chain.nose.radius > 0 ? reached_by_nose(path, chain.beyond, chain.nose)
+                                             : reached(path, chain.beyond, chain.width);
+  chain.removed = material_of(chain.chain).take(swept);
   if (chain.removed.is_empty())
     air_mm_[chain.operation] += feed_length(recording_, chain.chain.rows);
   const FeatureType type = type_of(chain, tool);
@@ -202,8 +204,7 @@ void LatheWork::tell_parents(Tree& tree) const {
     if (!hangs) continue;
     for (std::size_t k = i; k-- > 0;) {
       const Feature& other = tree.features[k];
-      const bool turns =
-          other.type == FeatureType::turning || other.type == FeatureType::boring;
+      const bool turns = other.type == FeatureType::turning || other.type == FeatureType::boring;
       const double middle = (feature.top + feature.bottom) / 2;
       if (!turns || other.setup != feature.setup || other.turned->outer != feature.turned->outer)
         continue;
@@ -224,18 +225,16 @@ void LatheWork::finish(Tree& tree) {
       features::finish(recording_, draft);
     }
     const auto& contour = feature.turned->contour;
-    const Vec2 at = contour.vertices.empty()
-                        ? Vec2{feature.top, 0}
-                        : Vec2{contour.vertices.front().point.u,
-                               2 * contour.vertices.front().point.v};
+    const Vec2 at = contour.vertices.empty() ? Vec2{feature.top, 0}
+                                             : Vec2{contour.vertices.front().point.u,
+                                                    2 * contour.vertices.front().point.v};
     feature.key = keys.of(recording_.setups[feature.setup].zero, feature.tool,
                           word_of(feature.type), at, feature.bottom);
     tree.features.push_back(std::move(feature));
   }
   tell_parents(tree);
   tree.unrecognised = std::move(unrecognised_);
-  for (std::size_t i = 0; i < tree.operations.size(); ++i)
-    tree.operations[i].air_mm = air_mm_[i];
+  for (std::size_t i = 0; i < tree.operations.size(); ++i) tree.operations[i].air_mm = air_mm_[i];
 }
 
 }  // namespace kerf::features

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "features/tree/tree.hpp"
 #include "features/turning/half_section.hpp"
 #include "features/turning/turned_draft.hpp"
-#include "features/tree/tree.hpp"
 
 namespace kerf::features {
 
@@ -21,8 +21,7 @@ class LatheWork {
 
  private:
   [[nodiscard]] const stock::Tool& tool_of(std::uint32_t number) const;
-  [[nodiscard]] TurnedChain placed(std::size_t number, const Chain& chain,
-                                   const stock::Tool& tool);
+  [[nodiscard]] TurnedChain placed(std::size_t number, const Chain& chain, const stock::Tool& tool);
   [[nodiscard]] bool is_inside(const Chain& chain, const stock::Tool& tool,
                                const HalfSection& material) const;
   [[nodiscard]] FeatureType type_of(const TurnedChain& chain, const stock::Tool& tool) const;

@@ -1,8 +1,10 @@
 #include "features/turning/reach.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "geometry/contour/boolean.hpp"
+#include "geometry/contour/sweep.hpp"
 
 namespace kerf::features {
 namespace {
@@ -62,7 +64,29 @@ Vec2 deepest(const Edge& edge, Beyond beyond) {
   return best;
 }
 
+// From the imaginary tip to the centre of the nose along Z and X, in radii, by its direction.
+constexpr std::array<Vec2, 10> kCentres = {
+    {{0, 0}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, 0}, {0, 1}, {0, 0}}};
+
 }  // namespace
+
+Nose nose_of(const stock::Tool& tool) {
+  const double radius = tool.said(stock::Measure::nose_radius).value_or(0);
+  const auto tip = tool.said(stock::Measure::tip);
+  if (radius <= 0 || !tip || *tip < 0 || *tip >= static_cast<double>(kCentres.size())) return {};
+  return {radius, radius * kCentres[static_cast<std::size_t>(*tip)]};
+}
+
+Region reached_by_nose(const std::vector<Edge>& path, Beyond beyond, const Nose& nose) {
+  std::vector<Edge> middle;
+  Contour way{{}, false};
+  for (const Edge& edge : path) {
+    middle.push_back(shifted(edge, nose.centre));
+    way.vertices.push_back({middle.back().from, edge.bulge, edge.owner});
+  }
+  if (!middle.empty()) way.vertices.push_back({middle.back().to, 0, middle.back().owner});
+  return contour::unite(reached(middle, beyond, {}), contour::sweep_of_disc(way, nose.radius));
+}
 
 TipWidth tip_width(const stock::Tool& tool) {
   const double width = tool.value(stock::Measure::width).value_or(0);
@@ -86,9 +110,9 @@ Region reached(const std::vector<Edge>& path, Beyond beyond, TipWidth width) {
     if (!is_wide) continue;
     strips.push_back(strip(shifted(edge, across(beyond, width.high)), beyond));
     const Vec2 low = deepest(edge, beyond);
-    strips.push_back(strip({low + across(beyond, width.low), low + across(beyond, width.high), 0,
-                            edge.owner},
-                           beyond));
+    strips.push_back(
+        strip({low + across(beyond, width.low), low + across(beyond, width.high), 0, edge.owner},
+              beyond));
   }
   return contour::region_of(strips);
 }

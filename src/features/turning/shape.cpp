@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "features/path/tolerance.hpp"
+#include "features/tree/corner.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/angle.hpp"
 #include "math/math.hpp"
@@ -15,6 +16,7 @@ using contour::Contour;
 using contour::Edge;
 
 constexpr double kLongestChamfer_mm = 5;
+constexpr double kSameRadius_mm = 1e-4;
 constexpr double kHalfRight_deg = 45;
 constexpr double kOffHalfRight_deg = 1;
 
@@ -93,6 +95,26 @@ Contour left_contour(const contour::Region& removed, const std::function<bool(st
   const double to_back = geometry::length(longest.vertices.back().point - begin);
   if (to_back < to_front) longest = contour::reversed(longest);
   return normal_form(longest);
+}
+
+Contour without_nose(const Contour& contour, double radius) {
+  if (radius <= 0 || contour::edge_count(contour) < 3) return contour;
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < contour::edge_count(contour); ++i)
+    edges.push_back(contour::edge_of(contour, i));
+  for (std::size_t i = 1; i + 1 < edges.size(); ++i) {
+    const bool is_nose =
+        edges[i].bulge != 0 && std::fabs(contour::radius(edges[i]) - radius) < kSameRadius_mm;
+    const auto corner = is_nose ? corner_of(edges[i - 1], edges[i], edges[i + 1]) : std::nullopt;
+    if (!corner) continue;
+    edges[i - 1].to = *corner;
+    edges[i + 1].from = *corner;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  Contour sharp{{}, false};
+  for (const Edge& edge : edges) sharp.vertices.push_back({edge.from, edge.bulge, edge.owner});
+  sharp.vertices.push_back({edges.back().to, 0, edges.back().owner});
+  return normal_form(sharp);
 }
 
 std::vector<TurnedElement> elements_of(const Contour& contour) {

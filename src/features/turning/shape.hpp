@@ -14,6 +14,10 @@ namespace kerf::features {
                                             const std::function<bool(std::uint32_t)>& own,
                                             contour::Vec2 begin);
 
+/// The contour with sharp corners where a nose of this radius has rounded them: where such an arc
+/// goes over smoothly into lines on both sides.
+[[nodiscard]] contour::Contour without_nose(const contour::Contour& contour, double radius);
+
 /// Edges of a turned contour by what a drawing calls them.
 [[nodiscard]] std::vector<TurnedElement> elements_of(const contour::Contour& contour);
 

@@ -65,8 +65,8 @@ std::size_t finish_from(const Recording& recording, const TurnedDraft& draft) {
   if (chains.size() <= kLeastRoughing) return chains.size();
   const TurnedChain& last = chains.back();
   const Box whole = contour::extents(draft.removed);
-  const double covered = std::min(last.path.high.u, whole.high.u) -
-                         std::max(last.path.low.u, whole.low.u);
+  const double covered =
+      std::min(last.path.high.u, whole.high.u) - std::max(last.path.low.u, whole.low.u);
   const bool is_along = covered >= kWholeLength * (whole.high.u - whole.low.u);
   return is_along && has_profile(recording, last.chain.rows) ? chains.size() - 1 : chains.size();
 }
@@ -78,8 +78,8 @@ void tell_cuts(const Recording& recording, TurnedDraft& draft) {
   const std::size_t finish = may_finish ? finish_from(recording, draft) : draft.chains.size();
   for (std::size_t i = 0; i < draft.chains.size(); ++i) {
     const TurnedChain& chain = draft.chains[i];
-    const bool begins = feature.cuts.empty() || i == finish ||
-                        feature.cuts.back().operation != chain.operation;
+    const bool begins =
+        feature.cuts.empty() || i == finish || feature.cuts.back().operation != chain.operation;
     if (begins) {
       feature.cuts.push_back({.operation = chain.operation,
                               .role = i >= finish ? Cut::Role::finish : Cut::Role::rough});
@@ -95,13 +95,33 @@ bool is_own_row(const TurnedDraft& draft, std::uint32_t row) {
   });
 }
 
+Compensation compensation_along(const Recording& recording, Span rows) {
+  for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
+    const Compensation side = recording.state_of(recording.moves[row]).compensation;
+    if (side != Compensation::none) return side;
+  }
+  return Compensation::none;
+}
+
+// Along the axes a nose cuts where its tip is led; on slopes and arcs it does not.
+void tell_nose(const Recording& recording, TurnedDraft& draft, const TurnedPart& part) {
+  const TurnedChain& last = draft.chains.back();
+  draft.feature.compensated = compensation_along(recording, last.chain.rows);
+  if (last.nose.radius <= 0 || draft.feature.compensated != Compensation::none) return;
+  const bool slopes = std::any_of(part.elements.begin(), part.elements.end(), [](const auto& one) {
+    return one.kind != TurnedElement::Kind::cylinder && one.kind != TurnedElement::Kind::shoulder;
+  });
+  if (slopes) draft.feature.reasons.push_back(Reason::nose_not_compensated);
+}
+
 void tell_shape(const Recording& recording, TurnedDraft& draft, TurnedPart& part) {
   const Vec2 begin = recording.flat_from(draft.chains.back().chain.rows.first);
   part.contour = left_contour(
       draft.removed, [&](std::uint32_t row) { return is_own_row(draft, row); }, begin);
+  part.contour = without_nose(part.contour, draft.chains.back().nose.radius);
   part.elements = elements_of(part.contour);
-  for (const TurnedChain& chain : draft.chains)
-    part.passes.push_back(pass_of(recording, chain));
+  tell_nose(recording, draft, part);
+  for (const TurnedChain& chain : draft.chains) part.passes.push_back(pass_of(recording, chain));
 }
 
 // What the tool's edge has passed, also where there was nothing.

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "features/tree/feature.hpp"
 #include "features/turning/chains.hpp"
 #include "features/turning/reach.hpp"
-#include "features/tree/feature.hpp"
 
 namespace kerf::features {
 
@@ -14,6 +14,7 @@ struct TurnedChain {
   std::size_t operation = 0;
   Beyond beyond = Beyond::outside;
   TipWidth width{};
+  Nose nose{};
   contour::Region removed{};  ///< of the material that was there
   contour::Box path{};        ///< around the tool's point
 };

@@ -77,8 +77,7 @@ double volume_of(const TurnedPart::Thread& thread, double length, double angle_d
 
 }  // namespace
 
-bool is_same_thread(const Recording& recording, const TurnedDraft& draft,
-                    const TurnedChain& more) {
+bool is_same_thread(const Recording& recording, const TurnedDraft& draft, const TurnedChain& more) {
   const std::uint32_t a = thread_row(recording, draft.chains.back().chain.rows);
   const std::uint32_t b = thread_row(recording, more.chain.rows);
   const double end_a =
@@ -90,8 +89,8 @@ bool is_same_thread(const Recording& recording, const TurnedDraft& draft,
          std::fabs(end_a - end_b) < lead;
 }
 
-void finish_thread(const Recording& recording, const HalfSection& material,
-                   const stock::Tool& tool, TurnedDraft& draft) {
+void finish_thread(const Recording& recording, const HalfSection& material, const stock::Tool& tool,
+                   TurnedDraft& draft) {
   Feature& feature = draft.feature;
   TurnedPart& part = feature.turned.emplace();
   part.outer = draft.chains.front().beyond != Beyond::inside;
@@ -120,7 +119,8 @@ void finish_thread(const Recording& recording, const HalfSection& material,
   thread.major = 2 * (part.outer ? (radii ? radii->most : most) : most);
   thread.minor = 2 * (part.outer ? least : (radii ? radii->least : least));
   thread.taper = 2 * (recording.moves[row].to.x - from.x);
-  const bool turns_back = state_at(recording, row).turning == motion::Spindle::Turning::counterclockwise;
+  const bool turns_back =
+      state_at(recording, row).turning == motion::Spindle::Turning::counterclockwise;
   thread.is_left_hand = (to.z > from.z) != turns_back;
   feature.top = from.z;
   feature.bottom = to.z;

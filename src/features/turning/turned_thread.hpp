@@ -9,7 +9,7 @@ namespace kerf::features {
 [[nodiscard]] bool is_same_thread(const Recording& recording, const TurnedDraft& draft,
                                   const TurnedChain& more);
 /// A thread of passes; of the material nothing is taken.
-void finish_thread(const Recording& recording, const HalfSection& material,
-                   const stock::Tool& tool, TurnedDraft& draft);
+void finish_thread(const Recording& recording, const HalfSection& material, const stock::Tool& tool,
+                   TurnedDraft& draft);
 
 }  // namespace kerf::features

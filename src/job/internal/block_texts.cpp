@@ -127,6 +127,22 @@ BlockFacts facts_in(const base::Language& language, const std::string& text) {
   return facts;
 }
 
+// Motions, dwells, compensation and cycles are what cuts; all other codes last.
+bool is_of_cut(const TextWord& word) {
+  constexpr std::array<std::string_view, 32> kCutting = {
+      "G0",  "G1",  "G2",  "G3",  "G4",  "G9",  "G32", "G33", "G40", "G41", "G42",
+      "G53", "G70", "G71", "G72", "G73", "G74", "G75", "G76", "G80", "G81", "G82",
+      "G83", "G84", "G85", "G86", "G87", "G88", "G89", "G92", "G98", "G99"};
+  const std::string name = code_name(word);
+  return std::find(kCutting.begin(), kCutting.end(), name) != kCutting.end();
+}
+
+bool is_setting_up(const TextWord& word) {
+  constexpr std::string_view kOfTool = "TSMHD";
+  if (word.letter == 'G') return !is_of_cut(word);
+  return kOfTool.find(word.letter) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::string BlockTexts::text_of(const base::BlockId& block) const {
@@ -170,6 +186,12 @@ const FileMarks& BlockTexts::marks(base::FileId id) {
   File& its = file(id);
   if (!its.marks) its.marks = marks_in(sources_[id]);
   return *its.marks;
+}
+
+bool BlockTexts::sets_up(const base::BlockId& block) {
+  if (language_ == nullptr) return false;
+  const std::vector<TextWord> words = words_of(*language_, text_of(block));
+  return std::any_of(words.begin(), words.end(), is_setting_up);
 }
 
 std::vector<base::BlockId> BlockTexts::calls(const base::BlockId& block) {

@@ -28,6 +28,7 @@ class BlockTexts final : public features::BlockReader {
       : sources_(sources), control_(control), language_(language), shapes_(shapes) {}
 
   [[nodiscard]] features::BlockFacts facts(const base::BlockId& block) override;
+  [[nodiscard]] bool sets_up(const base::BlockId& block) override;
   [[nodiscard]] std::vector<base::BlockId> calls(const base::BlockId& block) override;
   [[nodiscard]] features::CallWords call_of(const base::BlockId& block) override;
   [[nodiscard]] std::optional<features::LineSpan> loop_round(base::FileId file,

@@ -70,7 +70,8 @@ class MarkReader {
   }
 
   void note_label(std::string_view rest, std::uint32_t number) {
-    if (const auto label = number_behind(rest.substr(0, rest.find_first_not_of("N0123456789")), "N"))
+    if (const auto label =
+            number_behind(rest.substr(0, rest.find_first_not_of("N0123456789")), "N"))
       add_label(*label, number);
   }
 

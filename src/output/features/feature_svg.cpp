@@ -156,10 +156,11 @@ class Picture {
     const Vec2 by = shifts_[feature.setup];
     std::string text = group(fmt::format("F{}", place + 1), word_of(feature.type), feature.key,
                              visits, feature_title(facts_, place));
-    if (feature.turned) text += path("\"layer\" data-layer=\"1\"", feature.turned->removed.loops, by);
+    if (feature.turned)
+      text += path("\"layer\" data-layer=\"1\"", feature.turned->removed.loops, by);
     for (std::size_t i = 0; i < feature.layers.size(); ++i) {
-      text += path(fmt::format("\"layer\" data-layer=\"{}\"", i + 1),
-                   region_of(feature.layers[i]), by);
+      text +=
+          path(fmt::format("\"layer\" data-layer=\"{}\"", i + 1), region_of(feature.layers[i]), by);
     }
     text += path("\"nominal\"", nominal_of(feature), by);
     for (const Layer& layer : feature.layers)
@@ -174,8 +175,8 @@ class Picture {
     for (const features::HoleStep& step : hole.steps)
       visits.insert(visits.end(), step.visits.begin(), step.visits.end());
     const Vec2 by = shifts_[hole.setup];
-    std::string text = group(fmt::format("H{}", place + 1), "hole", hole.key, visits,
-                             hole_title(facts_, place));
+    std::string text =
+        group(fmt::format("H{}", place + 1), "hole", hole.key, visits, hole_title(facts_, place));
     for (std::size_t i = 0; i < hole.steps.size(); ++i) {
       text += path(fmt::format("\"layer\" data-layer=\"{}\"", i + 1),
                    contour::disc(hole.at, hole.steps[i].diameter / 2).loops, by);

@@ -50,8 +50,8 @@ std::string passes_text(std::size_t count) {
 std::string turned_text(const features::TurnedPart& part) {
   if (part.thread) {
     return fmt::format("Ø{} × {}{}{}", short_number(part.thread->major),
-                       short_number(part.thread->pitch),
-                       part.thread->is_left_hand ? " left" : "", passes_text(part.passes.size()));
+                       short_number(part.thread->pitch), part.thread->is_left_hand ? " left" : "",
+                       passes_text(part.passes.size()));
   }
   if (part.diameter) return "Ø" + short_number(*part.diameter);
   const std::string width =
@@ -78,6 +78,8 @@ std::string layer_text(const FeatureFacts& facts, const Layer& layer, std::size_
   return text;
 }
 
+constexpr std::size_t kMostIds = 12;  // that an operation names
+
 /// Hangs features and holes on each other by their parents.
 class TreeOfText {
  public:
@@ -93,6 +95,7 @@ class TreeOfText {
       nodes.push_back(std::move(node));
     }
     add_patterns(nodes);
+    for (const control::Assumption& one : facts_.run.assumed) nodes.push_back({assumed_text(one)});
     add_unrecognised(nodes);
     return nodes;
   }
@@ -100,7 +103,7 @@ class TreeOfText {
  private:
   [[nodiscard]] TextNode operation(std::size_t place) const {
     const features::OperationFacts& facts = tree_.operations[place];
-    TextNode node{tool_text(place, facts)};
+    TextNode node{tool_text(place, facts) + later_work(place)};
     for (std::size_t i = 0; i < tree_.features.size(); ++i) {
       const Feature& feature = tree_.features[i];
       if (!feature.parent && feature.cuts.front().operation == place)
@@ -112,6 +115,27 @@ class TreeOfText {
         node.below.push_back({hole_title(facts_, i)});
     }
     return node;
+  }
+
+  /// What an operation cuts that an earlier one has begun.
+  [[nodiscard]] std::string later_work(std::size_t place) const {
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < tree_.features.size(); ++i) {
+      const auto& cuts = tree_.features[i].cuts;
+      const bool is_its = std::any_of(cuts.begin(), cuts.end(),
+                                      [&](const auto& cut) { return cut.operation == place; });
+      if (is_its && cuts.front().operation != place) ids.push_back(fmt::format("F{}", i + 1));
+    }
+    for (std::size_t i = 0; i < tree_.holes.size(); ++i) {
+      const auto& steps = tree_.holes[i].steps;
+      const bool is_its = std::any_of(steps.begin(), steps.end(),
+                                      [&](const auto& step) { return step.operation == place; });
+      if (is_its && steps.front().operation != place) ids.push_back(fmt::format("H{}", i + 1));
+    }
+    if (ids.empty()) return "";
+    const bool is_long = ids.size() > kMostIds;
+    if (is_long) ids.resize(kMostIds);
+    return fmt::format("  goes on with {}{}", fmt::join(ids, " "), is_long ? " …" : "");
   }
 
   [[nodiscard]] std::string tool_text(std::size_t place,
@@ -142,6 +166,11 @@ class TreeOfText {
       if (parent && parent->feature == place) node.below.push_back({hole_title(facts_, i)});
     }
     return node;
+  }
+
+  [[nodiscard]] static std::string assumed_text(const control::Assumption& one) {
+    const std::string what = printable(one.what);
+    return one.line == 0 ? "assumed: " + what : fmt::format("assumed: line {}: {}", one.line, what);
   }
 
   void add_patterns(std::vector<TextNode>& nodes) const {

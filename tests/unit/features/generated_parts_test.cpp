@@ -110,8 +110,8 @@ class PartMaker {
     SmallCam cam(path_, tool_radius_);
     const auto way = dice_.tossed() ? SmallCam::Way::inside_out : SmallCam::Way::outside_in;
     const double step = dice_.between(0.4, 0.9) * tool_radius_;
-    Wanted thing{.removed = cam.reachable(region), .layers = 1 + dice_.below(3),
-                 .islands = islands};
+    Wanted thing{
+        .removed = cam.reachable(region), .layers = 1 + dice_.below(3), .islands = islands};
     for (std::size_t i = 0; i < thing.layers; ++i)
       cam.parallel(region, thing.bottom -= dice_.between(1, 3), step, way);
     wanted_.push_back(std::move(thing));
@@ -149,8 +149,8 @@ class PartMaker {
       cam.plunge(middle, bottom -= dice_.between(2, 5));
       cam.retract();
     }
-    wanted_.push_back({.is_hole = true, .bottom = bottom, .diameter = 2 * tool_radius_,
-                       .at = middle});
+    wanted_.push_back(
+        {.is_hole = true, .bottom = bottom, .diameter = 2 * tool_radius_, .at = middle});
   }
 
   Dice dice_;
@@ -202,6 +202,64 @@ double told_length(const Recording& recording, const Tree& tree) {
   }
   for (const Unrecognised& span : tree.unrecognised) sum += span.cut_mm;
   return sum;
+}
+
+/// Goes anywhere by any moves.
+void wander(Dice& dice, FeaturePath& path) {
+  double x = 0;
+  double y = 0;
+  double z = 5;
+  const auto jump = [&] {
+    x = dice.between(-20, 20);
+    y = dice.between(-20, 20);
+  };
+  for (std::uint64_t i = 5 + dice.below(60); i > 0; --i) {
+    const auto direction =
+        dice.tossed() ? motion::Direction::clockwise : motion::Direction::counterclockwise;
+    const double old_x = x;
+    const double old_y = y;
+    switch (dice.below(9)) {
+      case 0:
+        jump();
+        path.rapid(x, y, z);
+        break;
+      case 1: path.rapid(x, y, z = 5); break;
+      case 2: path.line(x, y, z = -static_cast<double>(1 + dice.below(3))); break;
+      case 3:
+      case 4:
+        jump();
+        path.line(x, y, z);
+        break;
+      case 5:
+        jump();
+        path.line(x, y, z = dice.between(-4, 1));
+        break;
+      case 6: path.arc(x, y, z, x + dice.between(1, 6), y, direction); break;
+      case 7: path.arc(x, y, z -= 0.5, x + dice.between(1, 6), y, direction); break;
+      default:
+        jump();
+        path.arc(x, y, z, (x + old_x) / 2, (y + old_y) / 2, direction);
+        break;
+    }
+    if (dice.below(15) == 0)
+      path.rapid(x, y, z = 5).tool(1 + static_cast<std::uint32_t>(dice.below(3)), 0);
+  }
+}
+
+TEST(RandomPaths, NothingThatCutsIsDropped) {
+  for (std::uint64_t seed = 1; seed <= 8 * part_count(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Dice dice(seed);
+    FeaturePath path;
+    path.spindle(1000).tool(3, 4, stock::ToolKind::ball).tool(2, 5, stock::ToolKind::drill);
+    path.tool(1, dice.between(1, 8));
+    wander(dice, path);
+    const Tree tree = recognise(path.recording(), {}, Method::both);
+    double cut_mm = 0;
+    for (const OperationFacts& operation : tree.operations) cut_mm += operation.cut_mm;
+    EXPECT_NEAR(told_length(path.recording(), tree), cut_mm, 1e-6 * (1 + cut_mm));
+    ASSERT_FALSE(HasFailure());
+  }
 }
 
 TEST(GeneratedParts, AreRecognisedAsWhatTheyWereMadeOf) {

@@ -46,8 +46,7 @@ TEST(Milling, EqualLevelsOfTwoLoopsAreOnePocket) {
   const Feature& pocket = tree.features[0];
   EXPECT_EQ(pocket.type, FeatureType::pocket);
   ASSERT_EQ(pocket.layers.size(), 2U);
-  for (const Layer& layer : pocket.layers)
-    EXPECT_NEAR(layer.area, 1120 - (4 - kPi) * 25, kExact);
+  for (const Layer& layer : pocket.layers) EXPECT_NEAR(layer.area, 1120 - (4 - kPi) * 25, kExact);
   EXPECT_NEAR(pocket.volume(), 4394.159265, kExact);
   EXPECT_EQ(pocket.order, Order::inside_out);
   EXPECT_EQ(pocket.strategy, Strategy::contour_parallel);

@@ -65,7 +65,8 @@ void add_turned(const FeatureFacts& facts, const features::Feature& feature, Jso
   if (part.bottom) object.raw(is_face ? "bottom_z" : "bottom_x", rounded(*part.bottom));
   if (part.diameter) object.raw("diameter", rounded(*part.diameter));
   if (!part.steps.empty())
-    object.raw("steps", array_of(part.steps, [&](const auto& one) { return step_json(facts, one); }));
+    object.raw("steps",
+               array_of(part.steps, [&](const auto& one) { return step_json(facts, one); }));
   if (part.thread) add_thread(*part.thread, object);
 }
 

@@ -39,7 +39,7 @@ class SmallCam {
     for (const Contour& loop : loops) enter_and_follow(loop, z);
   }
 
-  /// Lines to and fro over a rectangle, then once round it.
+  /// Lines there and back across a rectangle, then once round it.
   void zig_zag(Vec2 low, Vec2 high, double z, double step) {
     const Vec2 from = low + Vec2{radius_, radius_};
     const Vec2 to = high - Vec2{radius_, radius_};

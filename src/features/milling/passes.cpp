@@ -20,7 +20,7 @@ struct Line {
   double offset = 0;
 };
 
-// Directions count by their lines: to and fro are one.
+// Directions count by their lines: there and back are one.
 double angle_of(Vec2 direction) {
   double angle = math::atan2(direction.v, direction.u);
   if (angle < 0) angle += std::numbers::pi;

@@ -9,7 +9,7 @@ namespace kerf::features {
 /// What a level has of parallel lines.
 struct LinePasses {
   bool clears = false;          ///< they are the longest part of it, and go on to one side
-  bool goes_both_ways = false;  ///< to and fro
+  bool goes_both_ways = false;  ///< there and back
   bool is_one_way = false;      ///< the whole level is one pass from an end to an end
   std::vector<double> steps;    ///< from pass to pass
 };

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeastTurn = 0.9;  // half turns that make a helix a thread
 
-bool is_rapid(const Recording& recording, std::uint32_t row) {
+bool is_rapid_row(const Recording& recording, std::uint32_t row) {
   return recording.moves[row].kind == Move::Kind::rapid;
 }
 
@@ -87,12 +87,12 @@ std::vector<ThreadRun> thread_runs_of(const Recording& recording, const Operatio
   const std::uint32_t end = operation.rows.last + 1;
   std::uint32_t approach = operation.rows.first;
   for (std::uint32_t row = operation.rows.first; row < end;) {
-    if (is_rapid(recording, row)) {
+    if (is_rapid_row(recording, row)) {
       ++row;
       continue;
     }
     const std::uint32_t first = row;
-    while (row < end && !is_rapid(recording, row)) ++row;
+    while (row < end && !is_rapid_row(recording, row)) ++row;
     const std::uint32_t last = std::min(row, end - 1);
     runs.push_back(run_of(recording, {first, row - 1}, {approach, last}));
     approach = last + 1;

@@ -16,17 +16,17 @@ namespace {
 using contour::Region;
 using stock::ToolKind;
 
-constexpr double kFar_mm = 1e4;
+constexpr double kBeyondBars_mm = 1e4;
 
-bool is_groove(FeatureType type) {
+bool is_plain_groove(FeatureType type) {
   return type == FeatureType::groove || type == FeatureType::face_groove;
 }
 
 /// What a tool on the axis takes: a cylinder from its tip to the front.
 Region bored(double radius, double bottom, std::uint32_t row) {
   return {{{{{{bottom, 0}, 0, row},
-             {{kFar_mm, 0}, 0, row},
-             {{kFar_mm, radius}, 0, row},
+             {{kBeyondBars_mm, 0}, 0, row},
+             {{kBeyondBars_mm, radius}, 0, row},
              {{bottom, radius}, 0, row}},
             true}}};
 }
@@ -131,7 +131,7 @@ FeatureType LatheWork::type_of(const TurnedChain& chain, const stock::Tool& tool
     return chain.beyond == Beyond::inside ? FeatureType::boring : FeatureType::turning;
   // Facing leaves nothing before it.
   const std::uint32_t setup = recording_.state_of(recording_.moves[chain.chain.rows.first]).setup;
-  const auto front = materials_[setup].front_within(kFar_mm);
+  const auto front = materials_[setup].front_within(kBeyondBars_mm);
   const bool is_clear = !front || *front <= chain.path.low.u + kSamePoint_mm;
   if (is_clear) return FeatureType::facing;
   return tool.kind == ToolKind::boring_bar ? FeatureType::boring : FeatureType::turning;
@@ -142,7 +142,7 @@ TurnedDraft* LatheWork::draft_for(FeatureType type, const TurnedChain& chain) {
   for (auto draft = drafts_.rbegin(); draft != drafts_.rend(); ++draft) {
     const bool is_same_operation = draft->chains.back().operation == chain.operation;
     if (draft->feature.type == type && draft->meets(chain)) return &*draft;
-    if (is_groove(type) && !is_same_operation) return nullptr;
+    if (is_plain_groove(type) && !is_same_operation) return nullptr;
   }
   return nullptr;
 }
@@ -200,7 +200,7 @@ void LatheWork::take_axial(std::size_t number, const Chain& chain, const stock::
 void LatheWork::tell_parents(Tree& tree) const {
   for (std::size_t i = 0; i < tree.features.size(); ++i) {
     Feature& feature = tree.features[i];
-    const bool hangs = is_groove(feature.type) || feature.type == FeatureType::thread;
+    const bool hangs = is_plain_groove(feature.type) || feature.type == FeatureType::thread;
     if (!hangs) continue;
     for (std::size_t k = i; k-- > 0;) {
       const Feature& other = tree.features[k];

@@ -2,7 +2,13 @@
 
 #include <algorithm>
 
+#include "features/internal/judgement.hpp"
+#include "features/internal/parents.hpp"
+#include "features/internal/patterns.hpp"
+#include "features/internal/visits.hpp"
 #include "features/literal/literal.hpp"
+#include "features/milling/milling.hpp"
+#include "features/turning/turning.hpp"
 
 namespace kerf::features {
 namespace {
@@ -24,13 +30,26 @@ OperationFacts facts_of(const Recording& recording, const Operation& operation) 
   return facts;
 }
 
+void recognise_swept(const Recording& recording, const Blank& blank, Tree& tree) {
+  if (recording.turns) {
+    recognise_turning(recording, blank, tree);
+  } else {
+    recognise_milling(recording, blank, tree);
+    find_patterns(tree);
+    find_parents(tree);
+  }
+  tell_visits(tree);
+}
+
 }  // namespace
 
-Tree recognise(const Recording& recording) {
+Tree recognise(const Recording& recording, const Blank& blank, Method method) {
   Tree tree;
   for (const Operation& operation : operations_of(recording))
     tree.operations.push_back(facts_of(recording, operation));
-  if (!recording.turns) tree.literal = recognise_literally(recording);
+  if (method != Method::swept && !recording.turns) tree.literal = recognise_literally(recording);
+  if (method != Method::literal) recognise_swept(recording, blank, tree);
+  judge(recording, blank, method, tree);
   return tree;
 }
 

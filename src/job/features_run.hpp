@@ -26,6 +26,7 @@ struct FeaturesResult {
 
 /// Runs the job once, and recognises what it machines; of the stock job what it cuts is not asked.
 /// Failures as Run::of() has them, and (usage) for machines that neither mill nor turn.
-[[nodiscard]] base::Outcome<FeaturesResult> recognise_features(const StockJob& job);
+[[nodiscard]] base::Outcome<FeaturesResult> recognise_features(const StockJob& job,
+                                                               features::Method method);
 
 }  // namespace kerf::job

@@ -8,7 +8,7 @@ namespace kerf::test {
 
 /// Makes recordings of a mill by saying where its tool goes: a block of its own for each word, its
 /// line counted from 1.
-class FeaturePath final : public features::ModeSource {
+class FeaturePath : public features::ModeSource {
  public:
   FeaturePath() : axes_(mill()), recorder_(axes_, *this) {}
 

@@ -87,9 +87,14 @@ void add_features(CLI::App& app, FeaturesOptions& o) {
   features->option_defaults()->group("Limits");
   add_budget(*features, o.run.max_seconds, o.run.max_motions);
   features->option_defaults()->group("Output");
-  features->add_option("--format", o.format, "text or json; default text")
+  features->add_option("--format", o.format, "text, json, or svg: a picture; default text")
       ->type_name("FORM")
-      ->check(CLI::IsMember({"text", "json"}));
+      ->check(CLI::IsMember({"text", "json", "svg"}));
+  features
+      ->add_option("--method", o.method,
+                   "both, swept, or literal: by the pattern of the rows alone; default both")
+      ->type_name("METHOD")
+      ->check(CLI::IsMember({"both", "swept", "literal"}));
   add_diagnostics(*features, o.run.diagnostics);
   features->footer("Example: kerf features part.nc --tools tools.toml --stock box:0,0,-20,80,50,0");
 }

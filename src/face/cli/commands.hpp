@@ -124,6 +124,7 @@ struct StockOptions {
 struct FeaturesOptions {
   RunOptions run;  ///< without outputs
   std::string format = "text";
+  std::string method = "both";
 };
 
 struct CheckOptions {

@@ -15,7 +15,6 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
-#include "face/cli/stock_table.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/part_comparison.hpp"
 #include "job/stock_run.hpp"
@@ -111,22 +110,16 @@ base::Outcome<OrderedStock> order_stock(const StockOptions& options) {
   if (!set_up) return tl::unexpected(set_up.error());
   std::vector<std::string> inputs = inputs_of(options, *set_up);
   const auto design = std::exchange(set_up->design, std::nullopt);
-  auto program = kept_program(options.run.program);
-  if (!program) return tl::unexpected(program.error());
-  auto source = program->open();
-  if (!source) return tl::unexpected(source.error());
-  auto ordered = job_of(options.run, **source);
-  if (!ordered) return tl::unexpected(ordered.error());
-  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
-  auto job = stock_job(options.run, *set_up, std::move(*ordered), std::move(*program), **source);
-  if (!job) return tl::unexpected(job.error());
-  if (auto taken = take_words(options, *job); !taken) return tl::unexpected(taken.error());
-  if (auto taken = take_comparison(options.compare, design, *job); !taken)
+  auto order = order_on_table(options.run, std::move(*set_up));
+  if (!order) return tl::unexpected(order.error());
+  job::StockJob& job = order->job;
+  if (auto taken = take_words(options, job); !taken) return tl::unexpected(taken.error());
+  if (auto taken = take_comparison(options.compare, design, job); !taken)
     return tl::unexpected(taken.error());
-  auto other = OtherRun::of(options, *set_up, *job);
+  auto other = OtherRun::of(options, order->set_up, job);
   if (!other) return tl::unexpected(other.error());
-  return OrderedStock{std::move(*set_up), std::move(inputs), std::move(ready), std::move(*job),
-                      std::move(*other)};
+  return OrderedStock{std::move(order->set_up), std::move(inputs), std::move(order->ready),
+                      std::move(job), std::move(*other)};
 }
 
 base::Outcome<job::StockResult> cut_and_compare(const StockOptions& options,

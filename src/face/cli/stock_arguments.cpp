@@ -29,15 +29,18 @@ void add_blank(CLI::App& app, TableOptions& o) {
                  "how it is clamped: turned about its zero by A about X, B about Y, C about Z, "
                  "then moved")
       ->type_name("X,Y,Z[,A,B,C]");
-  app.add_option("--start", o.start,
-                 "where the axes begin, machine coordinates; rapids from there are checked")
-      ->type_name("X,Y,Z");
   repeated(app.add_option("--fixture", o.fixtures,
                           "what must not be touched, in the same words; may be repeated"))
       ->type_name("SHAPE");
 }
 
 namespace {
+
+void add_start(CLI::App& app, TableOptions& o) {
+  app.add_option("--start", o.start,
+                 "where the axes begin, machine coordinates; rapids from there are checked")
+      ->type_name("X,Y,Z");
+}
 
 void add_checks(CLI::App& app, TableOptions& o) {
   app.option_defaults()->group("Checks");
@@ -53,6 +56,7 @@ void add_checks(CLI::App& app, TableOptions& o) {
 
 void add_table(CLI::App& app, TableOptions& o, CuttingJobs jobs) {
   add_blank(app, o);
+  add_start(app, o);
   app.add_option("--model", o.model,
                  "auto, zmap, tridexel, on a lathe profile, under a laser sheet; default auto")
       ->type_name("KIND")

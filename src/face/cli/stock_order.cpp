@@ -91,34 +91,40 @@ bool fails(const machine::SetUp& set_up, const output::StockFacts& facts) {
                      [&](const auto& told) { return counts(set_up, told); });
 }
 
-base::Outcome<TableRun> run_on_table(const RunOptions& options) {
-  auto set_up = set_up_of(options.table);
-  if (!set_up) return tl::unexpected(set_up.error());
+Outcome<TableOrder> order_on_table(const RunOptions& options, machine::SetUp set_up) {
   auto program = kept_program(options.program);
   if (!program) return tl::unexpected(program.error());
   auto source = program->open();
   if (!source) return tl::unexpected(source.error());
   auto ordered = job_of(options, **source);
   if (!ordered) return tl::unexpected(ordered.error());
-  TableRun made{.set_up = std::move(*set_up),
-                .cut = {},
-                .facts = {},
-                .ready = {nullptr, ordered->choice, ordered->hint}};
-  const auto design = std::exchange(made.set_up.design, std::nullopt);
-  auto job = stock_job(options, made.set_up, std::move(*ordered), std::move(*program), **source);
+  ReadyRun ready{nullptr, ordered->choice, ordered->hint};
+  auto job = stock_job(options, set_up, std::move(*ordered), std::move(*program), **source);
   if (!job) return tl::unexpected(job.error());
-  job->job.input = kept_operator_input();
-  if (auto taken = take_design(design, *job); !taken) return tl::unexpected(taken.error());
-  auto cut = job::cut_stock(*job);
+  return TableOrder{std::move(set_up), std::move(ready), std::move(*job)};
+}
+
+Outcome<TableRun> run_on_table(const RunOptions& options) {
+  auto set_up = set_up_of(options.table);
+  if (!set_up) return tl::unexpected(set_up.error());
+  const auto design = std::exchange(set_up->design, std::nullopt);
+  auto order = order_on_table(options, std::move(*set_up));
+  if (!order) return tl::unexpected(order.error());
+  TableRun made{
+      .set_up = std::move(order->set_up), .cut = {}, .facts = {}, .ready = std::move(order->ready)};
+  job::StockJob& job = order->job;
+  job.job.input = kept_operator_input();
+  if (auto taken = take_design(design, job); !taken) return tl::unexpected(taken.error());
+  auto cut = job::cut_stock(job);
   if (!cut) return tl::unexpected(cut.error());
-  if (auto compared = job::compare_with_design(*job, *cut); !compared)
+  if (auto compared = job::compare_with_design(job, *cut); !compared)
     return tl::unexpected(compared.error());
   made.cut = std::move(*cut);
   made.facts = job::facts_of(made.cut);
-  made.facts.shape = job->said;
+  made.facts.shape = job.said;
   made.facts.run.chosen = made.ready.choice.chosen;
-  job->job.skips = made.cut.skips;
-  auto again = job::Run::of(job->job);
+  job.job.skips = made.cut.skips;
+  auto again = job::Run::of(job.job);
   if (!again) return tl::unexpected(again.error());
   made.ready.run = std::move(*again);
   return made;

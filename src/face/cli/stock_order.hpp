@@ -26,6 +26,18 @@ namespace kerf::cli {
                                                      OrderedJob ordered, base::ProgramText program,
                                                      const base::SourceFile& source);
 
+/// A command line that puts something on a table, as a job and what belongs to it.
+struct TableOrder {
+  machine::SetUp set_up;
+  ReadyRun ready;  ///< without its run
+  job::StockJob job;
+};
+
+/// Reads the program and the tools that the options name. Failure (usage), (input): as job_of() and
+/// stock_job() have them.
+[[nodiscard]] base::Outcome<TableOrder> order_on_table(const RunOptions& options,
+                                                       machine::SetUp set_up);
+
 /// Whether a finding is one of those that make the command fail.
 [[nodiscard]] bool counts(const machine::SetUp& set_up, const output::StockFacts::Told& told);
 /// Whether a finding makes the command fail.

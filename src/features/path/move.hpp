@@ -44,7 +44,8 @@ struct State {
   std::uint32_t tool = 0;
   std::uint32_t setup = 0;  ///< its place among the set-ups
   motion::Feed feed{};
-  double lead = 0;  ///< of a thread, mm
+  double lead = 0;       ///< of a thread, mm
+  double start_deg = 0;  ///< likewise: of the spindle where it begins
   double spindle_rpm = 0;
   motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
   Compensation compensation = Compensation::none;

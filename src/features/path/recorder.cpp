@@ -133,8 +133,10 @@ void Recorder::move(const motion::Probe& probe) {
 }
 
 void Recorder::move(const motion::Thread& thread) {
-  is_state_new_ = is_state_new_ || state_.lead != thread.lead;
+  is_state_new_ =
+      is_state_new_ || state_.lead != thread.lead || state_.start_deg != thread.angle_deg;
   state_.lead = thread.lead;
+  state_.start_deg = thread.angle_deg;
   straight(Move::Kind::thread, thread.to);
 }
 

@@ -8,6 +8,7 @@
 
 #include "features/path/modes.hpp"
 #include "features/path/recording.hpp"
+#include "features/tree/hole_step.hpp"
 #include "geometry/contour/region.hpp"
 
 namespace kerf::features {
@@ -36,6 +37,11 @@ enum class FeatureType : std::uint8_t {
   parting,
   drilling,
 };
+
+/// Whether features of a type are levels of a mill with their regions; others are rows alone.
+[[nodiscard]] constexpr bool has_levels(FeatureType type) {
+  return type != FeatureType::surface && type != FeatureType::thread;
+}
 
 /// In which order the loops of a layer were cut, by the lengths of the first and the last one.
 enum class Order : std::uint8_t { undefined, inside_out, outside_in };
@@ -189,10 +195,20 @@ struct TurnedPart {
   double front = 0;
   double back = 0;
   std::optional<double> x{};
-  std::optional<double> bottom{};  ///< diameter of a groove's, z of a face groove's
-  std::optional<double> pitch{}, major{}, minor{}, taper{}, diameter{}, depth{};
-  bool is_left_hand = false;
-  int starts = 1;
+  std::optional<double> bottom{};    ///< diameter of a groove's, z of a face groove's
+  std::optional<double> width{};     ///< of a groove
+  std::optional<double> diameter{};  ///< of a bore on the axis
+  std::vector<HoleStep> steps{};     ///< likewise
+  struct Thread {
+    double pitch = 0;
+    double major = 0;  ///< diameters
+    double minor = 0;
+    double taper = 0;  ///< by how much the diameter changes from front to back, mm
+    bool is_left_hand = false;
+    int starts = 1;
+  };
+  std::optional<Thread> thread{};
+  contour::Region removed{};  ///< (z, x/2)
 };
 
 /// A place that was machined: layers of one shape, one below the other.

@@ -5,24 +5,9 @@
 #include <vector>
 
 #include "features/tree/feature.hpp"
+#include "features/tree/hole_step.hpp"
 
 namespace kerf::features {
-
-/// What one tool did in a hole.
-struct HoleStep {
-  enum class How : std::uint8_t { spot, drill, ream, bore, tap, mill, helix, countersink };
-  How how = How::drill;
-  std::uint32_t tool = 0;
-  std::size_t operation = 0;
-  double diameter = 0;  ///< of a cone at its top
-  double top = 0;
-  double bottom = 0;
-  std::uint16_t cycle = 0;               ///< 81; 0: none
-  std::optional<double> peck{};          ///< mm a peck
-  std::optional<double> thread_pitch{};  ///< of a thread that it cuts
-  std::vector<Span> rows{};              ///< at feed
-  std::vector<Span> visits{};
-};
 
 struct HoleThread {
   double pitch = 0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "features/path/block_facts.hpp"
 #include "features/path/operation.hpp"
 #include "features/tree/feature.hpp"
 #include "features/tree/hole.hpp"
@@ -35,28 +36,23 @@ struct LiteralTree {
   std::vector<LiteralHole> holes{};
 };
 
-/// An argument of a call, as its block has it.
-struct Argument {
-  std::string letter{};
-  std::uint32_t variable = 0;
-  std::optional<double> value{};
-  std::string text{};
-  bool literal = true;
-  std::uint32_t column = 0;
-};
+/// A call that led to what was cut.
 struct Call {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
-  std::string code{};     ///< "G65"
-  std::string program{};  ///< "O9100"
-  std::vector<Argument> arguments{};
+  CallWords words{};
   std::vector<std::size_t> features{};
   std::vector<std::size_t> holes{};
 };
 
 /// Rows at feed that are part of nothing.
 struct Unrecognised {
-  enum class Why : std::uint8_t { free_motion, rotary, probing, before_tool };
+  enum class Why : std::uint8_t {
+    free_motion,
+    rotary,
+    probing,
+    air  ///< above all that there is to cut
+  };
   Why why = Why::free_motion;
   Span rows{};
   std::uint32_t moves = 0;

@@ -110,7 +110,7 @@ std::string_view word_of(Pattern::Kind kind) {
 
 std::string_view word_of(Unrecognised::Why why) {
   static constexpr std::array<std::string_view, 4> kWords = {"free-motion", "rotary", "probing",
-                                                             "before-tool"};
+                                                             "air"};
   return nth(kWords, why);
 }
 

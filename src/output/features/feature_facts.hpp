@@ -4,8 +4,7 @@
 #include <string>
 
 #include "base/source_file.hpp"
-#include "features/path/recording.hpp"
-#include "features/tree/tree.hpp"
+#include "features/recognition.hpp"
 #include "output/reports/run_facts.hpp"
 #include "stock/cutting/workpiece.hpp"
 
@@ -13,7 +12,6 @@ namespace kerf::output {
 
 /// What a program machines, as reports tell it. What it points to outlives it.
 struct FeatureFacts {
-  enum class Method : std::uint8_t { both, swept, literal };
   struct Blank {
     std::string shape;        ///< "box", "cylinder", "bar", "mesh"
     bool is_assumed = false;  ///< nobody has said what lies on the table
@@ -21,7 +19,7 @@ struct FeatureFacts {
   };
 
   RunFacts run;
-  Method method = Method::both;
+  features::Method method = features::Method::both;
   std::optional<Blank> blank;  ///< none: nothing is cut, and nobody has said
   const features::Recording* recording = nullptr;
   const features::Tree* tree = nullptr;

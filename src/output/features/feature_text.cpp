@@ -42,6 +42,27 @@ std::string size_text(const Feature& feature) {
   return short_number(size.u) + " × " + short_number(size.v);
 }
 
+std::string passes_text(std::size_t count) {
+  return count == 0 ? "" : fmt::format("  {} pass{}", count, count == 1 ? "" : "es");
+}
+
+/// The diameters that a turned contour goes through, or what else says how large a feature is.
+std::string turned_text(const features::TurnedPart& part) {
+  if (part.thread) {
+    return fmt::format("Ø{} × {}{}{}", short_number(part.thread->major),
+                       short_number(part.thread->pitch), part.thread->is_left_hand ? " left" : "",
+                       passes_text(part.passes.size()));
+  }
+  if (part.diameter) return "Ø" + short_number(*part.diameter);
+  const std::string width =
+      part.width ? "width " + short_number(*part.width) + "  " : std::string();
+  const contour::Box box = contour::extents(part.contour);
+  if (box.is_empty()) return width;
+  const std::string low = short_number(2 * box.low.v);
+  const std::string high = short_number(2 * box.high.v);
+  return width + "Ø" + low + (low == high ? "" : "…" + high) + passes_text(part.passes.size());
+}
+
 std::vector<Span> visits_of(const Feature& feature) {
   std::vector<Span> visits;
   for (const features::Cut& cut : feature.cuts)
@@ -56,6 +77,8 @@ std::string layer_text(const FeatureFacts& facts, const Layer& layer, std::size_
   if (loops > 0) text += fmt::format("  {} loop{}", loops, loops == 1 ? "" : "s");
   return text;
 }
+
+constexpr std::size_t kMostIds = 12;  // that an operation names
 
 /// Hangs features and holes on each other by their parents.
 class TreeOfText {
@@ -72,6 +95,7 @@ class TreeOfText {
       nodes.push_back(std::move(node));
     }
     add_patterns(nodes);
+    for (const control::Assumption& one : facts_.run.assumed) nodes.push_back({assumed_text(one)});
     add_unrecognised(nodes);
     return nodes;
   }
@@ -79,7 +103,7 @@ class TreeOfText {
  private:
   [[nodiscard]] TextNode operation(std::size_t place) const {
     const features::OperationFacts& facts = tree_.operations[place];
-    TextNode node{tool_text(place, facts)};
+    TextNode node{tool_text(place, facts) + later_work(place)};
     for (std::size_t i = 0; i < tree_.features.size(); ++i) {
       const Feature& feature = tree_.features[i];
       if (!feature.parent && feature.cuts.front().operation == place)
@@ -91,6 +115,27 @@ class TreeOfText {
         node.below.push_back({hole_title(facts_, i)});
     }
     return node;
+  }
+
+  /// What an operation cuts that an earlier one has begun.
+  [[nodiscard]] std::string later_work(std::size_t place) const {
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < tree_.features.size(); ++i) {
+      const auto& cuts = tree_.features[i].cuts;
+      const bool is_its = std::any_of(cuts.begin(), cuts.end(),
+                                      [&](const auto& cut) { return cut.operation == place; });
+      if (is_its && cuts.front().operation != place) ids.push_back(fmt::format("F{}", i + 1));
+    }
+    for (std::size_t i = 0; i < tree_.holes.size(); ++i) {
+      const auto& steps = tree_.holes[i].steps;
+      const bool is_its = std::any_of(steps.begin(), steps.end(),
+                                      [&](const auto& step) { return step.operation == place; });
+      if (is_its && steps.front().operation != place) ids.push_back(fmt::format("H{}", i + 1));
+    }
+    if (ids.empty()) return "";
+    const bool is_long = ids.size() > kMostIds;
+    if (is_long) ids.resize(kMostIds);
+    return fmt::format("  goes on with {}{}", fmt::join(ids, " "), is_long ? " …" : "");
   }
 
   [[nodiscard]] std::string tool_text(std::size_t place,
@@ -121,6 +166,11 @@ class TreeOfText {
       if (parent && parent->feature == place) node.below.push_back({hole_title(facts_, i)});
     }
     return node;
+  }
+
+  [[nodiscard]] static std::string assumed_text(const control::Assumption& one) {
+    const std::string what = printable(one.what);
+    return one.line == 0 ? "assumed: " + what : fmt::format("assumed: line {}: {}", one.line, what);
   }
 
   void add_patterns(std::vector<TextNode>& nodes) const {
@@ -185,6 +235,7 @@ std::string feature_title(const FeatureFacts& facts, std::size_t place) {
       text += (text.ends_with(std::string(word_of(feature.type))) ? " " : "  ") + more;
   };
   if (!feature.layers.empty()) add(size_text(feature));
+  if (feature.turned) add(turned_text(*feature.turned));
   add(fmt::format("Z{}…{}", short_number(feature.top), short_number(feature.bottom)));
   const std::size_t layers = feature.layers.size();
   if (layers > 0) add(fmt::format("{} layer{}", layers, layers == 1 ? "" : "s"));
@@ -211,7 +262,7 @@ std::string hole_title(const FeatureFacts& facts, std::size_t place) {
 
 std::string features_text(const FeatureFacts& facts) {
   std::vector<TextNode> nodes = TreeOfText(facts).nodes();
-  if (facts.method == FeatureFacts::Method::literal) {
+  if (facts.method == features::Method::literal) {
     for (TextNode& node : literal_nodes(facts)) nodes.push_back(std::move(node));
   }
   return drawn(nodes);

@@ -8,7 +8,7 @@ namespace {
 std::string argument_json(const features::Argument& argument) {
   return JsonObject()
       .text("letter", argument.letter)
-      .raw("variable", rounded(argument.variable))
+      .raw("variable", argument.variable == 0 ? "null" : rounded(argument.variable))
       .raw("value", rounded_or_null(argument.value))
       .text("text", argument.text)
       .raw("literal", argument.literal ? "true" : "false")
@@ -22,15 +22,15 @@ std::string argument_json(const features::Argument& argument) {
 std::string call_json(const FeatureFacts& facts, std::size_t place) {
   const features::Call& call = facts.tree->calls[place];
   std::vector<std::string> arguments;
-  for (const features::Argument& argument : call.arguments)
+  for (const features::Argument& argument : call.words.arguments)
     arguments.push_back(argument_json(argument));
   std::vector<std::string> made;
   for (const std::size_t feature : call.features) made.push_back(id_of("F", feature));
   for (const std::size_t hole : call.holes) made.push_back(id_of("H", hole));
   JsonObject object;
   object.raw("id", id_of("C", place)).raw("line", rounded(call.line));
-  object.raw("column", rounded(call.column)).text("code", call.code);
-  object.text("program", call.program).raw("arguments", json_array(arguments));
+  object.raw("column", rounded(call.column)).text("code", call.words.code);
+  object.text("program", call.words.program).raw("arguments", json_array(arguments));
   return object.raw("features", json_array(made)).done();
 }
 

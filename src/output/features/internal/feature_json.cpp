@@ -1,6 +1,7 @@
 #include "features/tree/words.hpp"
 #include "output/features/internal/feature_members.hpp"
 #include "output/features/internal/json_values.hpp"
+#include "output/features/internal/turned_json.hpp"
 #include "output/writing/json_object.hpp"
 #include "output/writing/title.hpp"
 
@@ -204,7 +205,11 @@ std::string feature_json(const FeatureFacts& facts, std::size_t place) {
   object.raw("z", pair_json(feature.top, feature.bottom)).raw("depth", rounded(feature.depth()));
   object.raw("through", feature.through ? "true" : "false");
   object.raw("volume_mm3", rounded(feature.volume()));
-  add_region(feature.layers.empty() ? Layer{} : feature.layers.front(), object);
+  if (feature.turned) {
+    add_turned(facts, feature, object);
+  } else {
+    add_region(feature.layers.empty() ? Layer{} : feature.layers.front(), object);
+  }
   add_measures(feature.measures, object);
   add_strategy(feature, object);
   std::vector<std::string> cuts;

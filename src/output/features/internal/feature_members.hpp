@@ -9,6 +9,7 @@ namespace kerf::output {
 // Members of the tree of features, each as JSON.
 
 [[nodiscard]] std::string feature_json(const FeatureFacts& facts, std::size_t place);
+[[nodiscard]] std::string step_json(const FeatureFacts& facts, const features::HoleStep& step);
 [[nodiscard]] std::string hole_json(const FeatureFacts& facts, std::size_t place);
 [[nodiscard]] std::string pattern_json(const FeatureFacts& facts, std::size_t place);
 [[nodiscard]] std::string call_json(const FeatureFacts& facts, std::size_t place);

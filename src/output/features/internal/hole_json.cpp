@@ -14,18 +14,6 @@ std::string cycle_json(std::uint16_t cycle) {
   return cycle == 0 ? "null" : word_json("G" + std::to_string(cycle));
 }
 
-std::string step_json(const FeatureFacts& facts, const HoleStep& step) {
-  return JsonObject()
-      .raw("how", word_json(word_of(step.how)))
-      .raw("tool", rounded(step.tool))
-      .raw("diameter", rounded(step.diameter))
-      .raw("z", pair_json(step.top, step.bottom))
-      .raw("cycle", cycle_json(step.cycle))
-      .raw("peck", rounded_or_null(step.peck))
-      .raw("lines", lines_json(facts, step.visits))
-      .done();
-}
-
 std::string steps_json(const FeatureFacts& facts, const Hole& hole) {
   std::vector<std::string> items;
   for (const HoleStep& step : hole.steps) items.push_back(step_json(facts, step));
@@ -41,6 +29,18 @@ std::string thread_json(const Hole& hole) {
 }
 
 }  // namespace
+
+std::string step_json(const FeatureFacts& facts, const HoleStep& step) {
+  return JsonObject()
+      .raw("how", word_json(word_of(step.how)))
+      .raw("tool", rounded(step.tool))
+      .raw("diameter", rounded(step.diameter))
+      .raw("z", pair_json(step.top, step.bottom))
+      .raw("cycle", cycle_json(step.cycle))
+      .raw("peck", rounded_or_null(step.peck))
+      .raw("lines", lines_json(facts, step.visits))
+      .done();
+}
 
 std::string hole_json(const FeatureFacts& facts, std::size_t place) {
   const Hole& hole = facts.tree->holes[place];

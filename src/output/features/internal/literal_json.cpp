@@ -1,3 +1,4 @@
+#include "features/literal/relations.hpp"
 #include "features/tree/words.hpp"
 #include "output/features/internal/feature_members.hpp"
 #include "output/features/internal/json_values.hpp"
@@ -46,6 +47,15 @@ std::string plunge_json(const FeatureFacts& facts, const LiteralHole& hole) {
       .done();
 }
 
+std::string relation_json(const features::LiteralRelation& one) {
+  const bool contains = one.relation == features::ScanRelation::contains;
+  return JsonObject()
+      .raw("features", "[" + rounded(static_cast<double>(one.first + 1)) + "," +
+                           rounded(static_cast<double>(one.second + 1)) + "]")
+      .text("relation", contains ? "contains" : "partial")
+      .done();
+}
+
 }  // namespace
 
 std::string literal_json(const FeatureFacts& facts) {
@@ -57,10 +67,14 @@ std::string literal_json(const FeatureFacts& facts) {
     found.push_back(feature_of_layers_json(feature));
   std::vector<std::string> holes;
   for (const LiteralHole& hole : literal.holes) holes.push_back(plunge_json(facts, hole));
+  std::vector<std::string> relations;
+  for (const features::LiteralRelation& one : features::relations_of(*facts.recording, literal))
+    relations.push_back(relation_json(one));
   return JsonObject()
       .raw("layers", json_array(layers))
       .raw("features", json_array(found))
       .raw("holes", json_array(holes))
+      .raw("relations", json_array(relations))
       .done();
 }
 

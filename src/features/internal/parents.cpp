@@ -1,0 +1,113 @@
+#include "features/internal/parents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "features/path/tolerance.hpp"
+#include "geometry/contour/box_tree.hpp"
+#include "geometry/contour/relation.hpp"
+
+namespace kerf::features {
+namespace {
+
+using contour::Box;
+using contour::Region;
+
+const Layer* top_of(const Feature& feature) {
+  if (feature.layers.empty() || feature.layers.front().contour.vertices.empty()) return nullptr;
+  return &feature.layers.front();
+}
+
+bool is_within(const Box& inner, const Box& outer) {
+  const Box wide = outer.grown(kSamePoint_mm);
+  return inner.low.u >= wide.low.u && inner.low.v >= wide.low.v && inner.high.u <= wide.high.u &&
+         inner.high.v <= wide.high.v;
+}
+
+bool lies_in(const Region& inner, const contour::Contour& outer) {
+  const contour::Relation relation = contour::relation(inner, Region{{outer}}).relation;
+  return relation == contour::Relation::inside || relation == contour::Relation::equal;
+}
+
+/// What looks for a parent.
+struct Child {
+  Region region{};
+  Box box{};
+  std::size_t setup = 0;
+  double top = 0;
+  std::size_t place = 0;  ///< among the features; beyond them: it is a hole
+};
+
+std::optional<RelationKind> relation_of(const Child& child, const Feature& parent) {
+  const Layer& layer = *top_of(parent);
+  for (const contour::Contour& island : layer.islands) {
+    if (is_within(child.box, contour::extents(island)) && lies_in(child.region, island))
+      return RelationKind::island;
+  }
+  if (!is_within(child.box, contour::extents(layer.contour)) ||
+      !lies_in(child.region, layer.contour))
+    return std::nullopt;
+  const bool is_on_floor = std::fabs(child.top - parent.bottom) <= kSameZ_mm;
+  return is_on_floor ? RelationKind::nested : RelationKind::crosses;
+}
+
+class ParentFinder {
+ public:
+  explicit ParentFinder(const std::vector<Feature>& features) : features_(features) {
+    std::vector<Box> boxes;
+    for (const Feature& feature : features) {
+      const Layer* const top = top_of(feature);
+      boxes.push_back(top == nullptr ? Box{} : contour::extents(top->contour));
+      areas_.push_back(top == nullptr ? 0 : std::fabs(contour::area(top->contour)));
+    }
+    tree_ = std::make_unique<contour::BoxTree>(boxes);
+  }
+
+  // Of what crosses another one the later one hangs on the earlier one.
+  [[nodiscard]] std::optional<Relation> parent_of(const Child& child) const {
+    std::optional<Relation> best;
+    std::vector<std::size_t> places;
+    tree_->search(child.box, [&](std::uint32_t place) { places.push_back(place); });
+    std::sort(places.begin(), places.end());
+    for (const std::size_t place : places) {
+      if (place == child.place || top_of(features_[place]) == nullptr) continue;
+      if (features_[place].setup != child.setup) continue;
+      if (best && areas_[place] >= areas_[best->feature]) continue;
+      const auto kind = relation_of(child, features_[place]);
+      if (!kind || (*kind != RelationKind::island && place > child.place)) continue;
+      best = Relation{place, *kind};
+    }
+    return best;
+  }
+
+ private:
+  const std::vector<Feature>& features_;
+  std::vector<double> areas_;
+  std::unique_ptr<contour::BoxTree> tree_;
+};
+
+}  // namespace
+
+void find_parents(Tree& tree) {
+  if (tree.features.empty()) return;
+  const ParentFinder finder(tree.features);
+  for (std::size_t i = 0; i < tree.features.size(); ++i) {
+    Feature& feature = tree.features[i];
+    const Layer* const top = top_of(feature);
+    if (feature.parent || top == nullptr) continue;
+    Child child{.region = {{top->contour}}, .setup = feature.setup, .top = feature.top, .place = i};
+    child.box = contour::extents(top->contour);
+    feature.parent = finder.parent_of(child);
+  }
+  for (Hole& hole : tree.holes) {
+    Child child{.region = contour::disc(hole.at, hole.diameter / 2),
+                .setup = hole.setup,
+                .top = hole.top,
+                .place = tree.features.size()};
+    child.box = contour::extents(child.region);
+    hole.parent = finder.parent_of(child);
+  }
+}
+
+}  // namespace kerf::features

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "features/path/blank.hpp"
+#include "features/path/recording.hpp"
+#include "features/tree/tree.hpp"
+
+namespace kerf::features {
+
+/// Recognises what a mill has cut by what its tools have swept: features, holes and what is not
+/// recognised, for a tree that has its operations. `blank` in machine coordinates.
+void recognise_milling(const Recording& recording, const Blank& blank, Tree& tree);
+
+}  // namespace kerf::features

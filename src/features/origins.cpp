@@ -176,7 +176,7 @@ void find_origins(const Recording& recording, BlockReader& reader, Tree& tree) {
     BlocksOf blocks(recording);
     bool is_list = false;
     for (const HoleStep& step : hole.steps) {
-      blocks.add(step.rows);
+      blocks.add(step.visits);  // with the block that goes there
       is_list = is_list || step.cycle != 0;
     }
     hole.origin = finder.origin_of(blocks, is_list);

@@ -335,7 +335,7 @@ def lathe(box):
     equal((drilled["diameter"], drilled["depth"], drilled["steps"][0]["how"]), (10, 25, "drill"), "drilling")
     equal((thread["pitch"], thread["major"], thread["minor"], thread["hand"], thread["starts"], thread["z"]),
           (1.5, 40, 38.16, "right", 1, [5, -20]), "thread")
-    equal((bored["outer"], [e["kind"] for e in bored["elements"]]), (False, ["cylinder", "taper", "shoulder"]), "boring")
+    equal((bored["outer"], [e["kind"] for e in bored["elements"]]), (False, ["cylinder", "chamfer", "shoulder"]), "boring")
     equal(tree["unrecognised"], [], "nothing is left")
 
 

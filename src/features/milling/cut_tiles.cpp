@@ -57,57 +57,57 @@ void CutTiles::add(const Shared& region, double z) {
   if (range.is_wide()) {
     Level& level = wide_[step_of(z)];
     level.z = z;
-    level.pending.push_back(region);
+    level.pending.push_back({region, box});
     return;
   }
-  range.each([&](std::int32_t u, std::int32_t v) { add_to({u, v}, region, z); });
+  range.each([&](std::int32_t u, std::int32_t v) { add_to({u, v}, {region, box}, z); });
 }
 
-void CutTiles::add_to(const Place& place, const Shared& region, double z) {
+void CutTiles::add_to(const Place& place, const Cut& cut, double z) {
   Level& level = tiles_[place][step_of(z)];
   level.z = z;
-  level.pending.push_back(region);
+  level.pending.push_back(cut);
   if (level.pending.size() <= kMostPending) return;
   std::vector<Region> all;
-  for (const Shared& one : level.pending) all.push_back(*one);
+  for (const Cut& one : level.pending) all.push_back(*one.region);
   const Region inside = contour::intersect(contour::unite(all), square(place.first, place.second));
   level.merged = contour::unite(level.merged, inside);
+  level.merged_box = contour::extents(level.merged);
   level.pending.clear();
 }
 
-void CutTiles::take(const Levels& levels, std::map<std::int64_t, Depth>& depths) {
+// Each region once, in the order of the tiles, which is the same everywhere.
+void CutTiles::take(const Levels& levels, const Box& box, std::map<std::int64_t, Depth>& depths) {
   for (const auto& [step, level] : levels) {
+    std::vector<const Region*> found;
+    if (level.merged_box.meets(box)) found.push_back(&level.merged);
+    for (const Cut& cut : level.pending) {
+      if (cut.box.meets(box)) found.push_back(cut.region.get());
+    }
+    if (found.empty()) continue;
     Depth& depth = depths[step];
     depth.z = level.z;
-    if (!level.merged.is_empty()) depth.regions.push_back(&level.merged);
-    for (const Shared& region : level.pending) depth.regions.push_back(region.get());
+    for (const Region* const region : found) {
+      if (std::find(depth.regions.begin(), depth.regions.end(), region) == depth.regions.end())
+        depth.regions.push_back(region);
+    }
   }
 }
 
 std::vector<CutTiles::Depth> CutTiles::at(const Box& box) const {
   std::map<std::int64_t, Depth> depths;
-  take(wide_, depths);
+  take(wide_, box, depths);
   const Range range(box);
   if (range.is_wide()) {
-    for (const auto& [place, levels] : tiles_) take(levels, depths);
+    for (const auto& [place, levels] : tiles_) take(levels, box, depths);
   } else {
     range.each([&](std::int32_t u, std::int32_t v) {
       const auto tile = tiles_.find({u, v});
-      if (tile != tiles_.end()) take(tile->second, depths);
+      if (tile != tiles_.end()) take(tile->second, box, depths);
     });
   }
   std::vector<Depth> found;
-  for (auto& [step, depth] : depths) {
-    auto& regions = depth.regions;
-    std::vector<const Region*> once;  // in the order of the tiles, which is the same everywhere
-    for (const Region* const region : regions) {
-      if (!contour::extents(*region).meets(box)) continue;
-      if (std::find(once.begin(), once.end(), region) == once.end()) once.push_back(region);
-    }
-    if (once.empty()) continue;
-    depth.regions = std::move(once);
-    found.push_back(std::move(depth));
-  }
+  for (auto& [step, depth] : depths) found.push_back(std::move(depth));
   return found;
 }
 

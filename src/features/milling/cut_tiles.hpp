@@ -29,15 +29,21 @@ class CutTiles {
 
  private:
   using Place = std::pair<std::int32_t, std::int32_t>;
+  struct Cut {
+    Shared region;
+    contour::Box box;
+  };
   struct Level {
     double z = 0;
-    contour::Region merged;       // within the tile
-    std::vector<Shared> pending;  // whole
+    contour::Region merged;  // within the tile
+    contour::Box merged_box;
+    std::vector<Cut> pending;  // whole
   };
   using Levels = std::map<std::int64_t, Level>;  // by z in steps of kSameZ_mm
 
-  void add_to(const Place& place, const Shared& region, double z);
-  static void take(const Levels& levels, std::map<std::int64_t, Depth>& depths);
+  void add_to(const Place& place, const Cut& cut, double z);
+  static void take(const Levels& levels, const contour::Box& box,
+                   std::map<std::int64_t, Depth>& depths);
 
   std::map<Place, Levels> tiles_;
   Levels wide_;  // what would be in too many tiles

@@ -10,6 +10,7 @@
 #include "stock/saved/saved_dexels.hpp"
 #include "stock/saved/saved_field.hpp"
 #include "stock/saved/saved_turned.hpp"
+#include "stock/turned/turned_part.hpp"
 
 namespace kerf::stock::saved {
 namespace {
@@ -139,7 +140,8 @@ Part read_turned(const PartHead&, double volume_mm3, PartUnpacker& unpacker) {
     region.loops.push_back(read_loop(vertices, record));
   }
   record.finish();
-  if (region.is_empty()) throw damaged("nothing is left of it");
+  // Loops may go round nothing, or round what lies below the axis.
+  if (!(turned::TurnedPart(region).left_mm3() > 0)) throw damaged("nothing is left of it");
   return std::make_shared<const SavedTurned>(std::move(region), volume_mm3);
 }
 

@@ -31,14 +31,18 @@ turned::TurnedThread thread_of(const json& value) {
     return number_of(*found, -kFarthest_mm, kMostVolume_mm3, "threads");
   };
   turned::TurnedThread thread;
-  thread.axis = value.value("axis", std::string("Z")) == "X" ? 'X' : 'Z';
+  const json axis = value.value("axis", json("Z"));
+  if (axis != "X" && axis != "Z") throw wrong_value("threads");
+  thread.axis = axis == "X" ? 'X' : 'Z';
   thread.from = number("from");
   thread.to = number("to");
   thread.major = number("major");
   thread.minor = number("minor");
   thread.pitch = number("pitch");
   thread.starts = static_cast<int>(std::min(100.0, std::max(1.0, number("starts"))));
-  thread.is_inside = value.value("inside", false);
+  const json inside = value.value("inside", json(false));
+  if (!inside.is_boolean()) throw wrong_value("threads");
+  thread.is_inside = inside.get<bool>();
   thread.volume_mm3 = number("volume_mm3");
   return thread;
 }

@@ -14,6 +14,15 @@ void each_edge(const Contour& contour, Visit&& visit) {
 
 bool is_within_reach(double value) { return std::fabs(value) <= kFarthest_mm; }
 
+/// An arc whose radius has powers that numbers hold, and whose middle is not beyond all reach.
+bool is_sound_arc(const Edge& edge) {
+  constexpr double kFlattest = 1e-50;
+  if (edge.bulge == 0) return true;
+  const double rise_mm = edge.bulge * geometry::length(edge.to - edge.from) / 2;
+  return std::fabs(edge.bulge) >= kFlattest && is_within_reach(edge.bulge) &&
+         is_within_reach(rise_mm);
+}
+
 }  // namespace
 
 std::size_t edge_count(const Contour& contour) {
@@ -29,13 +38,14 @@ Edge edge_of(const Contour& contour, std::size_t index) {
 }
 
 bool is_sound(const Contour& contour) {
-  // The radius of a flatter arc has powers that no number holds.
-  constexpr double kFlattest = 1e-50;
-  return std::all_of(contour.vertices.begin(), contour.vertices.end(), [](const Vertex& vertex) {
-    const bool is_flat = vertex.bulge != 0 && std::fabs(vertex.bulge) < kFlattest;
-    return is_within_reach(vertex.point.u) && is_within_reach(vertex.point.v) &&
-           is_within_reach(vertex.bulge) && !is_flat;
-  });
+  const bool has_places =
+      std::all_of(contour.vertices.begin(), contour.vertices.end(), [](const Vertex& vertex) {
+        return is_within_reach(vertex.point.u) && is_within_reach(vertex.point.v);
+      });
+  if (!has_places) return false;
+  bool has_arcs = true;
+  each_edge(contour, [&](const Edge& edge) { has_arcs = has_arcs && is_sound_arc(edge); });
+  return has_arcs;
 }
 
 double area(const Contour& contour) {

@@ -40,9 +40,8 @@ by_option("--stock-place", SLOT + RISEN, STOCK, (*STOCK, "--stock-place", "0,0,8
 by_option("--stock-zero", "\nG10L2P1X0Y0Z-8.\n" + SLOT + RISEN, STOCK, (*STOCK, "--stock-zero", "machine"), ["RAPID_IN_STOCK"],
           rest=("--no-check", "OT0500"))
 by_option("--start", SLOT, STOCK, (*STOCK, "--start", "10,20,-30"), ["RAPID_IN_STOCK"])
-by_option("--tools-unit", SLOT.replace("Z-5.", "Z-5.000"), STOCK,
-          (*STOCK, "--tools-unit", "inch", "--fixture", "box:70,60,-4,80,70,15"), ["FIXTURE_COLLISION"], table="tool.tbl",
-          tools="T1 P1 D10.0 ;end mill\n")
+by_option("--tools-unit", SLOT, (*STOCK, "--tools-unit", "mm"), (*STOCK, "--tools-unit", "inch"), ["FIXTURE_COLLISION"],
+          table="tool.tbl", tools="T1 P1 D10.0 ;end mill\n", rest=("--fixture", "box:70,60,-4,80,70,15"))
 by_option("--lengths", "G00X10.Y20.\nG43H2Z5.\nX60.", STOCK, (*STOCK, "--lengths", "real"), ["RAPID_IN_STOCK"],
           tools=FLAT + "length = 100\n" + FLAT.replace("number = 1", "number = 2") + "length = 70\n",
           rest=("--no-check", "TOOL_LENGTH"))

@@ -20,7 +20,7 @@ std::uint32_t OwnerTable::row_of(std::uint32_t motion) const {
 std::uint16_t OwnerTable::number(std::uint32_t motion) const {
   const std::shared_lock lock(mutex_);
   const std::uint32_t row = row_of(motion);
-  return row == 0 ? 0 : static_cast<std::uint16_t>(1 + ((row - 1) >> shift_));
+  return static_cast<std::uint16_t>(row == 0 ? 0U : 1U + ((row - 1) >> shift_));
 }
 
 PartOwner OwnerTable::owner(std::uint32_t motion) const {

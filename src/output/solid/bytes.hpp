@@ -14,9 +14,9 @@ void append_little_endian(std::string& out, Number number) {
   if constexpr (std::is_same_v<Number, float>) {
     append_little_endian(out, std::bit_cast<std::uint32_t>(number));
   } else {
-    for (std::size_t i = 0; i < sizeof(Number); ++i) {
-      out += static_cast<char>(static_cast<unsigned char>(number >> (8 * i) & 0xffU));
-    }
+    const std::uint64_t bits = number;
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+      out += static_cast<char>(static_cast<unsigned char>(bits >> (8 * i) & 0xffU));
   }
 }
 

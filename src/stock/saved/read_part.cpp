@@ -122,9 +122,9 @@ contour::Contour read_loop(std::size_t vertices, Record& record) {
     const double v = numbers.number();
     loop.vertices.push_back({{u, v}, numbers.number(), 0});
   }
+  // One that goes below the axis would be another part as soon as it has a model.
   const bool is_sound = contour::is_sound(loop) && vertices >= 2 &&
-                        std::all_of(loop.vertices.begin(), loop.vertices.end(),
-                                    [](const auto& vertex) { return vertex.point.v >= 0; });
+                        contour::extents(loop).low.v >= -turned::kOnAxis_mm;
   if (!is_sound) throw damaged("a contour that cannot be");
   return loop;
 }

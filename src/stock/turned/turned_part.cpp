@@ -29,7 +29,7 @@ Contour rectangle(Vec2 low, Vec2 high) {
 
 Region above_axis(const Region& region) {
   const Box box = contour::extents(region);
-  if (region.is_empty() || box.low.v >= 0) return region;
+  if (region.is_empty() || box.low.v >= -kOnAxis_mm) return region;
   return contour::subtract(
       region, contour::region_of(rectangle(box.low - Vec2{1, 1}, {box.high.u + 1, 0})));
 }

@@ -11,6 +11,9 @@
 
 namespace kerf::stock::turned {
 
+/// Nearer to it than this, mm, a contour is on the axis: rounding leaves arcs so far below it.
+inline constexpr double kOnAxis_mm = 1e-9;
+
 /// What a sweep has met of a part, as a region: for whoever holds that part in another way, too.
 struct TurnedCut {
   contour::Region region;
@@ -24,7 +27,7 @@ struct TurnedCut {
 /// it for its owner, 0 where nothing has. Sweeps of threads leave the region as it is.
 class TurnedPart final : public Model {
  public:
-  /// What is at v < 0 of the region is left out.
+  /// What is at v < -kOnAxis_mm of the region is left out.
   explicit TurnedPart(const contour::Region& region);
 
   [[nodiscard]] BodyId add_body(const Body& body) override;

@@ -225,6 +225,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
             .material = job.material,
             .cuts = &clock_,
             .watch = watch_ ? &watch_->cuts() : nullptr,
+            .cuts_beside = job.jobs != 1 && !watch_,
             .batch = watch_ ? kWatchedBatch : stock::Cutter::Settings{}.batch,
             .end = plan_.end,
             .has_real_lengths = job.has_real_lengths,

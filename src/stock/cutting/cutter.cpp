@@ -134,17 +134,20 @@ void Cutter::move(const motion::Motion& motion, const TipPoint& to) {
   fed_without_tool_ = fed_without_tool_ || (tool_ == nullptr && !rapid);
   Waiting of = waiting_of(motion, to);
   if (tool_ != nullptr && checks_) add_sweeps(motion, of);
-  of.end = sweeps_.size();
-  if (!stuck_) waiting_.push_back(of);
+  of.end = now_.sweeps.size();
+  if (!stuck_) now_.waiting.push_back(of);
   if (along_ == nullptr) at_ = to;
   if (along_ != nullptr && !along_->empty()) at_ = along_->back();
   checks_ = checks_ || settings_.is_placed();
   const bool looks = next_look_ < settings_.looks.size() && settings_.looks[next_look_] == motions_;
   const std::size_t most = settings_.batch;
-  if (looks || sweeps_.size() >= most || waiting_.size() >= most) cut_batch();
-  if (!looks) return;
-  ++next_look_;
-  settings_.look(of.cut);
+  if (looks) {
+    finish();
+    ++next_look_;
+    settings_.look(of.cut);
+  } else if (now_.sweeps.size() >= most || now_.waiting.size() >= most) {
+    cut_batch();
+  }
 }
 
 // What is driven is so where its spindle turns, or where that of the work stands.
@@ -165,7 +168,7 @@ Cutter::Waiting Cutter::waiting_of(const motion::Motion& motion, const TipPoint&
   const Vec3 from = frame.pose(at_).tip;
   of.cut.to = frame.pose(to).tip;
   if (along_ != nullptr) of.cut.to = frame.pose(along_->empty() ? at_ : along_->back()).tip;
-  of.first = sweeps_.size();
+  of.first = now_.sweeps.size();
   of.kind = of.cut.move == MoveName::rapid ? SweepKind::rapid : SweepKind::cut;
   const Spindles::Of spindle = of.is_turned ? Spindles::Of::work : Spindles::Of::tool;
   of.spindle = spindles_.turning(spindle);
@@ -195,16 +198,16 @@ void Cutter::add_sweeps(const motion::Motion& motion, Waiting& of) {
   }
   add_ways(motion, like);
   if (settings_.end && motions_ == settings_.end->motion)
-    shorten(sweeps_, of.first, settings_.end->share);
+    shorten(now_.sweeps, of.first, settings_.end->share);
   const double longer = settings_.has_real_lengths ? too_long_mm(motion) : 0;
-  for (std::size_t i = of.first; i < sweeps_.size() && !stuck_; ++i) {
+  for (std::size_t i = of.first; i < now_.sweeps.size() && !stuck_; ++i) {
     if (longer != 0 || lowered_mm_ != 0)
-      lower(sweeps_[i], i == of.first ? lowered_mm_ : longer, longer);
-    of.cut.length_mm += length(sweeps_[i].way);
-    if (!model_.can_cut(sweeps_[i])) stuck_ = motion.block;
+      lower(now_.sweeps[i], i == of.first ? lowered_mm_ : longer, longer);
+    of.cut.length_mm += length(now_.sweeps[i].way);
+    if (!model_.can_cut(now_.sweeps[i])) stuck_ = motion.block;
   }
   lowered_mm_ = longer;
-  if (stuck_) return sweeps_.resize(of.first);
+  if (stuck_) return now_.sweeps.resize(of.first);
   of.cut.is_looked_at = true;
   if (tool_spans_.empty() || tool_spans_.back().tool != of.cut.tool)
     tool_spans_.push_back({like.motion, of.cut.tool});
@@ -221,13 +224,13 @@ void Cutter::add_ways(const motion::Motion& motion, const Sweep& like) {
       const double way = geometry::length(frame_.in_space(tip - from));
       const motion::Curve line =
           motion::Curve::line(from, tip, std::max(way, kShortest_mm), axis_count_);
-      maker.add(from, line, like, reach, sweeps_);
+      maker.add(from, line, like, reach, now_.sweeps);
       from = tip;
     }
     return;
   }
   for (const motion::Curve& curve : curves_.of(at_, motion)) {
-    maker.add(from, curve, like, reach, sweeps_);
+    maker.add(from, curve, like, reach, now_.sweeps);
     from = curve.end();
   }
 }
@@ -285,16 +288,25 @@ void Cutter::check_pitch(const Waiting& of) {
 BodyId Cutter::body_of(const CuttingTool& tool) {
   const auto known = bodies_.find(tool.number());
   if (known != bodies_.end()) return known->second;
+  await_model();
   if (settings_.watch != nullptr) settings_.watch->added(tool.body);
   return bodies_.emplace(tool.number(), model_.add_body(tool.body)).first->second;
 }
 
-void Cutter::finish() { cut_batch(); }
+void Cutter::finish() {
+  cut_batch();
+  await_model();
+  settle_batch(before_);
+}
+
+void Cutter::await_model() {
+  if (cutting_.valid()) cutting_.get();
+}
 
 // The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
 // equal shares.
 std::optional<double> Cutter::touch(const TipPoint& from, const TipPoint& to) {
-  cut_batch();
+  finish();
   const bool has_ball = tool_ != nullptr && tool_->is_probe();
   const double radius = has_ball ? tool_->diameter_mm() / 2 : 0;
   motion::Motion move;
@@ -322,51 +334,72 @@ std::optional<double> Cutter::first_touch(const BallWay& ball) const {
 }
 
 void Cutter::cut_batch() {
-  outcomes_.assign(sweeps_.size(), Outcome{});
-  model_.cut(sweeps_, outcomes_);
-  if (settings_.watch != nullptr) settings_.watch->cut(sweeps_);
-  for (Waiting& of : waiting_) {
-    Outcome sum;
-    for (std::size_t i = of.first; i < of.end; ++i) sum.add(outcomes_[i]);
-    settle(of, sum);
+  await_model();
+  std::swap(now_, before_);
+  before_.outcomes.assign(before_.sweeps.size(), Outcome{});
+  const auto cut = [this] { model_.cut(before_.sweeps, before_.outcomes); };
+  if (settings_.cuts_beside) {
+    cutting_ = std::async(std::launch::async, cut);
+    settle_batch(now_);
+    return;
   }
-  waiting_.clear();
-  sweeps_.clear();
+  cut();
+  if (settings_.watch != nullptr) settings_.watch->cut(before_.sweeps);
+  settle_batch(before_);
 }
 
-void Cutter::settle(Waiting& of, const Outcome& outcome) {
+void Cutter::settle_batch(Batch& batch) {
+  for (const Waiting& of : batch.waiting) {
+    if (of.end == of.first + 1) {  // nearly always; an outcome is large
+      settle(batch, of, batch.outcomes[of.first]);
+      continue;
+    }
+    Outcome sum;
+    for (std::size_t i = of.first; i < of.end; ++i) sum.add(batch.outcomes[i]);
+    settle(batch, of, sum);
+  }
+  batch.waiting.clear();
+  batch.sweeps.clear();
+  batch.outcomes.clear();
+}
+
+void Cutter::settle(const Batch& batch, const Waiting& waiting, const Outcome& outcome) {
   removed_ += outcome.removed;
   visited_ += outcome.visited;
-  if (of.end > of.first) {
-    const CuttingTool& tool = rack_.tool(of.cut.tool);
-    of.cut.has_findings =
-        judge_.judge({.block = of.cut.block,
-                      .motion = of.cut.motion,
-                      .kind = of.kind,
-                      .spindle = of.spindle,
-                      .sweeps = {sweeps_.data() + of.first, of.end - of.first},
-                      .outcomes = {outcomes_.data() + of.first, of.end - of.first}},
-                     tool, outcome);
-    record(of, outcome);
-    if (of.kind == SweepKind::cut) {
+  MotionCut cut = waiting.cut;
+  if (waiting.end > waiting.first) {
+    const std::size_t count = waiting.end - waiting.first;
+    const std::span sweeps(batch.sweeps.data() + waiting.first, count);
+    const std::span outcomes(batch.outcomes.data() + waiting.first, count);
+    const CuttingTool& tool = rack_.tool(cut.tool);
+    cut.has_findings = judge_.judge({.block = cut.block,
+                                     .motion = cut.motion,
+                                     .kind = waiting.kind,
+                                     .spindle = waiting.spindle,
+                                     .sweeps = sweeps,
+                                     .outcomes = outcomes},
+                                    tool, outcome);
+    record(batch, waiting, outcome);
+    if (waiting.kind == SweepKind::cut) {
       thread_watch_.take({.tool = tool,
-                          .block = of.cut.block,
-                          .motion = of.cut.motion,
-                          .spindle = of.spindle,
-                          .sweeps = {sweeps_.data() + of.first, of.end - of.first},
-                          .outcomes = {outcomes_.data() + of.first, of.end - of.first}});
+                          .block = cut.block,
+                          .motion = cut.motion,
+                          .spindle = waiting.spindle,
+                          .sweeps = sweeps,
+                          .outcomes = outcomes});
     }
-    of.cut.removed_mm3 = outcome.removed.value();
-    of.cut.cuts = of.cut.removed_mm3 > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
-    if (settings_.cuts != nullptr && of.cut.removed_mm3 > kDust_mm3 && !outcome.has_contact())
-      of.cut.data = data_of(of, outcome);
+    cut.removed_mm3 = outcome.removed.value();
+    cut.cuts = cut.removed_mm3 > kDust_mm3 || outcome.threaded.value() > kDust_mm3;
+    if (settings_.cuts != nullptr && cut.removed_mm3 > kDust_mm3 && !outcome.has_contact())
+      cut.data = data_of(batch, waiting, outcome);
   }
-  if (settings_.cuts != nullptr) settings_.cuts->take(of.cut);
+  if (settings_.cuts != nullptr) settings_.cuts->take(cut);
 }
 
-CuttingData Cutter::data_of(const Waiting& of, const Outcome& outcome) {
+CuttingData Cutter::data_of(const Batch& batch, const Waiting& of, const Outcome& outcome) {
   bool is_axial = true;
-  for (std::size_t i = of.first; is_axial && i < of.end; ++i) is_axial = !goes_across(sweeps_[i]);
+  for (std::size_t i = of.first; is_axial && i < of.end; ++i)
+    is_axial = !goes_across(batch.sweeps[i]);
   return cutting_data({.tool = rack_.tool(of.cut.tool),
                        .outcome = outcome,
                        .feed = of.feed,
@@ -382,7 +415,7 @@ CuttingData Cutter::data_of(const Waiting& of, const Outcome& outcome) {
                        .material = settings_.material});
 }
 
-void Cutter::record(const Waiting& of, const Outcome& outcome) {
+void Cutter::record(const Batch& batch, const Waiting& of, const Outcome& outcome) {
   const auto same = [&](const ToolRecord& record) { return record.tool == of.cut.tool; };
   auto place = std::find_if(tools_.begin(), tools_.end(), same);
   if (place == tools_.end()) place = tools_.insert(place, ToolRecord{.tool = of.cut.tool});
@@ -391,11 +424,11 @@ void Cutter::record(const Waiting& of, const Outcome& outcome) {
   if (of.kind == SweepKind::rapid) return;
   (removes ? place->cut_mm : place->air_mm) += of.cut.length_mm;
   bool& axial = axial_tools_.try_emplace(of.cut.tool, true).first->second;
-  for (std::size_t i = of.first; axial && i < of.end; ++i) axial = !goes_across(sweeps_[i]);
+  for (std::size_t i = of.first; axial && i < of.end; ++i) axial = !goes_across(batch.sweeps[i]);
   has_cut_ = has_cut_ || removes;
   for (std::size_t i = of.first; removes && i < of.end; ++i) {
-    if (outcomes_[i].removed.value() + outcomes_[i].threaded.value() > kDust_mm3)
-      place->lowest = std::min(place->lowest, bounds(sweeps_[i].way).low.z);
+    if (batch.outcomes[i].removed.value() + batch.outcomes[i].threaded.value() > kDust_mm3)
+      place->lowest = std::min(place->lowest, bounds(batch.sweeps[i].way).low.z);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <map>
 #include <optional>
 #include <set>
@@ -49,8 +50,10 @@ class Cutter final : public motion::MotionSink {
     std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
     MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
     CutWatch* watch = nullptr;              ///< sees what the model gets; outlives the cutter
-    std::size_t batch = 8192;               ///< so many sweeps are cut at a time
-    std::optional<CutEnd> end{};            ///< none: all is cut
+    /// A batch is cut by a thread of its own while the next one comes together. Not with `watch`.
+    bool cuts_beside = false;
+    std::size_t batch = 2048;     ///< so many sweeps are cut at a time: their outcomes fit a cache
+    std::optional<CutEnd> end{};  ///< none: all is cut
     /// Tools are as long as they are said to be, not as their offset in force has it (stock.md
     /// §2.6): they reach deeper or less deep by the difference.
     bool has_real_lengths = false;
@@ -122,6 +125,12 @@ class Cutter final : public motion::MotionSink {
     bool is_facing = false;
     double lead_mm = 0;  // of a thread
   };
+  /// Motions that are cut together.
+  struct Batch {
+    std::vector<Waiting> waiting;
+    std::vector<Sweep> sweeps;
+    std::vector<Outcome> outcomes;
+  };
 
   void change_tool(std::uint32_t number);
   void move(const motion::Motion& motion, const base::TipPoint& to);
@@ -137,10 +146,12 @@ class Cutter final : public motion::MotionSink {
   void check_pitch(const Waiting& of);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
+  void await_model();
+  void settle_batch(Batch& batch);  // what the model did; then it is empty
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
-  void settle(Waiting& of, const Outcome& outcome);
-  [[nodiscard]] CuttingData data_of(const Waiting& of, const Outcome& outcome);
-  void record(const Waiting& of, const Outcome& outcome);
+  void settle(const Batch& batch, const Waiting& waiting, const Outcome& outcome);
+  [[nodiscard]] CuttingData data_of(const Batch& batch, const Waiting& of, const Outcome& outcome);
+  void record(const Batch& batch, const Waiting& of, const Outcome& outcome);
 
   const WorkFrame& frame_;
   WorkFrame still_;  // of work that turns
@@ -162,9 +173,7 @@ class Cutter final : public motion::MotionSink {
   std::size_t axis_count_;
   bool checks_ = false;
   std::uint64_t motions_ = 0;
-  std::vector<Waiting> waiting_;
-  std::vector<Sweep> sweeps_;
-  std::vector<Outcome> outcomes_;
+  Batch now_;
   std::optional<base::BlockId> stuck_;
   Exact removed_;
   std::uint64_t visited_ = 0;
@@ -178,6 +187,8 @@ class Cutter final : public motion::MotionSink {
   double lowered_mm_ = 0;  // the tip against its programmed place, by its real length
   std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
+  Batch before_;                           // has been given to the model, and is not settled
+  std::future<void> cutting_;              // of `before_`; last: its end waits for the thread
 };
 
 }  // namespace kerf::stock

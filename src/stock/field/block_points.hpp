@@ -27,17 +27,27 @@ struct BlockPoints {
   [[nodiscard]] double y_of(std::size_t i) const { return y[i / kBlockSide]; }
 };
 
-/// A row of blocks of a tile: the middles of their columns, and how far columns are from them
-/// along X and Y.
-/// Those from `first` to before `last` are asked for, both multiples of 4.
-struct BlockRow {
-  const float* x;  // kTileBlocks of them, from origin_x
-  double origin_x = 0;
+/// How far columns are from the middle of those of their block, mm.
+struct HalfBlock {
+  double x = 0;
   double y = 0;
-  double half_x = 0;
-  double half_y = 0;
-  std::size_t first = 0;
-  std::size_t last = kTileBlocks;
 };
+
+/// Blocks of a tile, those of some columns and rows of them: the middles of their columns, how far
+/// columns are from them, and the highest material of each.
+struct BlockGrid {
+  const float* x;  ///< kTileBlocks of them, from origin_x
+  const double* y;
+  const float* tops;  ///< by rows along X
+  double origin_x = 0;
+  HalfBlock half;
+  std::size_t first_x = 0;
+  std::size_t end_x = kTileBlocks;
+  std::size_t first_y = 0;
+  std::size_t end_y = kTileBlocks;
+};
+
+/// Some blocks of a tile: bit i of number j is block i of row j.
+using BlockMasks = std::array<unsigned, kTileBlocks>;
 
 }  // namespace kerf::stock::field

@@ -52,6 +52,10 @@ class Columns {
     const float* bottoms;  ///< nullptr: all 0
     const double* x;       ///< centres of its 64 columns along X
     const double* y;
+
+    [[nodiscard]] BlockPoints points(int block) const {
+      return {x + block % kTileBlocks * kBlockSide, y + block / kTileBlocks * kBlockSide};
+    }
   };
   [[nodiscard]] Tile tile(std::size_t index);
   /// Highest column of a tile, mm over the box.

@@ -1,18 +1,43 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
-#ifdef __SSE2__
-#include <xmmintrin.h>
+#ifdef __AVX512DQ__
+#include <immintrin.h>
+#define KERF_LANES widest_lanes
+#elif defined(__AVX2__)
+#include <immintrin.h>
+#define KERF_LANES wide_lanes
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#define KERF_LANES narrow_lanes
+#else
+#include <cmath>
+#define KERF_LANES narrow_lanes
 #endif
 
 namespace kerf::stock::field {
 
-/// Four floats that are computed with at once, each as if alone. What compilers make of loops
-/// depends on how they see through branches; these they take as they are.
-using Lanes = float __attribute__((vector_size(16)));
+/// Some floats that are computed with at once, each as if alone: as many as fit a register of the
+/// processor that a file is compiled for. What compilers make of loops depends on how they see
+/// through branches; these they take as they are. Files for different processors have names of
+/// their own.
+namespace KERF_LANES {
+
+#ifdef __AVX512DQ__
+inline constexpr std::size_t kLanes = 16;
+#elif defined(__AVX2__)
+inline constexpr std::size_t kLanes = 8;
+#else
 inline constexpr std::size_t kLanes = 4;
+#endif
+
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+/// -1 where a condition holds, otherwise 0; also whole numbers.
+using LaneInts = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));
+using FourFloats = float __attribute__((vector_size(16)));
+using FourDoubles = double __attribute__((vector_size(32)));
 
 inline Lanes load(const float* from) {
   Lanes v;
@@ -20,24 +45,81 @@ inline Lanes load(const float* from) {
   return v;
 }
 inline void store(Lanes v, float* to) { std::memcpy(to, &v, sizeof v); }
-inline Lanes all(float value) { return Lanes{value, value, value, value}; }
+inline Lanes all(float value) { return Lanes{} + value; }
 
 // Of equal arguments either: the same as the instructions of processors.
-constexpr float smaller(float a, float b) { return a < b ? a : b; }
-constexpr float larger(float a, float b) { return a > b ? a : b; }
 inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 
 /// Square root, 0 of what is negative.
-inline float root(float squared) { return std::sqrt(larger(0.0F, squared)); }
 inline Lanes root(Lanes squared) {
-  Lanes v = larger(squared, Lanes{});
-#ifdef __SSE2__
+  const Lanes v = larger(squared, Lanes{});
+#ifdef __AVX512DQ__
+  return _mm512_maskz_sqrt_ps(0xFFFF, v);  // the plain one warns of itself in g++ 12
+#elif defined(__AVX2__)
+  return _mm256_sqrt_ps(v);
+#elif defined(__SSE2__)
   return _mm_sqrt_ps(v);
 #else
-  for (std::size_t i = 0; i < kLanes; ++i) v[i] = std::sqrt(v[i]);
-  return v;
+  Lanes of = v;
+  for (std::size_t i = 0; i < kLanes; ++i) of[i] = std::sqrt(v[i]);
+  return of;
 #endif
 }
 
+/// Bit i: the condition holds in lane i.
+inline unsigned bits(LaneInts holds) {
+#ifdef __AVX512DQ__
+  __m512i lanes;
+  std::memcpy(&lanes, &holds, sizeof lanes);
+  return _mm512_movepi32_mask(lanes);
+#else
+  Lanes signs;
+  std::memcpy(&signs, &holds, sizeof signs);
+#endif
+#ifdef __AVX512DQ__
+#elif defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_ps(signs));
+#elif defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(signs));
+#else
+  unsigned of = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) of |= holds[i] != 0 ? 1U << i : 0U;
+  return of;
+#endif
+}
+
+/// Four doubles less an origin.
+inline FourFloats from_origin(const double* places, double origin) {
+  FourDoubles v;
+  std::memcpy(&v, places, sizeof v);
+  return __builtin_convertvector(v - origin, FourFloats);
+}
+
+/// The four columns of a row, for as many rows of a block as there are lanes.
+inline Lanes along_rows(FourFloats columns) {
+#ifdef __AVX512DQ__
+  return __builtin_shufflevector(columns, columns, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+#elif defined(__AVX2__)
+  return __builtin_shufflevector(columns, columns, 0, 1, 2, 3, 0, 1, 2, 3);
+#else
+  return columns;
+#endif
+}
+
+/// For each row of a block, from `first` on, its place four times.
+template <int first>
+Lanes across_rows(FourFloats rows) {
+#ifdef __AVX512DQ__
+  static_assert(first == 0);
+  return __builtin_shufflevector(rows, rows, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
+#elif defined(__AVX2__)
+  constexpr int next = first + 1;
+  return __builtin_shufflevector(rows, rows, first, first, first, first, next, next, next, next);
+#else
+  return __builtin_shufflevector(rows, rows, first, first, first, first);
+#endif
+}
+
+}  // namespace KERF_LANES
 }  // namespace kerf::stock::field

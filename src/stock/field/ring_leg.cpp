@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "stock/field/straight_pieces.hpp"
+#include "stock/field/level_pieces.hpp"
 
 namespace kerf::stock::field {
 namespace {
@@ -64,27 +64,44 @@ double RingLeg::distance(double x, double y) const {
   return std::min(far_from(x - begin_.x, y - begin_.y), far_from(x - end_.x, y - end_.y));
 }
 
-void RingLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
-                    BlockValues& low) const {
+void RingLeg::View::lower(const BlockPoints& points, BlockValues& low) const {
   BlockValues from;
   for (std::size_t i = 0; i < kBlockCells; ++i) {
-    from[i] = static_cast<float>(distance(points.x_of(i), points.y_of(i)));
+    from[i] = static_cast<float>(leg_->distance(points.x_of(i), points.y_of(i)));
   }
-  lower_level(tool, static_cast<float>(z_ - base), from, low);
+  lower_level(*tool_, static_cast<float>(leg_->z_ - base_), from, low);
 }
 
-void RingLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
-                    RowValues& bounds) const {
-  const double safety = bound_safety(radius_ + tool.reach());
-  const double radius = far_from(row.half_x, row.half_y);
+std::size_t RingLeg::View::look(const Columns::Tile& tile, std::span<const int> blocks, Look* looks,
+                                std::size_t* lowered) const {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const BlockPoints points = tile.points(blocks[k]);
+    looks[k].low.fill(kNowhere);
+    lower(points, looks[k].low);
+    leg_->offsets(points, looks[k].offsets);
+    const float* const heights = tile.heights + std::ptrdiff_t{blocks[k]} * kBlockCells;
+    if (lane_work().below(looks[k].low.data(), heights) != 0) lowered[count++] = k;
+  }
+  return count;
+}
+
+void RingLeg::View::meets(const BlockGrid& grid, BlockMasks& met) const {
+  const double safety = bound_safety(leg_->radius_ + tool_->reach());
+  const double radius = far_from(grid.half.x, grid.half.y);
   RowValues from;
   RowValues tip;
-  tip.fill(static_cast<float>(z_ - base - safety));
-  for (std::size_t i = row.first; i < row.last; ++i) {
-    const double x = row.origin_x + static_cast<double>(row.x[i]);
-    from[i] = static_cast<float>(distance(x, row.y) - radius - safety);
+  RowValues lowest;
+  tip.fill(static_cast<float>(leg_->z_ - base_ - safety));
+  lowest.fill(kNowhere);
+  for (std::size_t row = grid.first_y; row < grid.end_y; ++row) {
+    for (std::size_t i = grid.first_x; i < grid.end_x; ++i) {
+      const double x = grid.origin_x + static_cast<double>(grid.x[i]);
+      from[i] = static_cast<float>(leg_->distance(x, grid.y[row]) - radius - safety);
+    }
+    lowest_at(*tool_, grid, from, tip, lowest);
+    met[row] = lane_work().below(lowest.data(), grid.tops + row * kTileBlocks);
   }
-  lowest_at(tool, row, from, tip, bounds);
 }
 
 double RingLeg::highest_tip(double reach, double x, double y) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stock/field/block_points.hpp"
+#include "stock/field/lane_work.hpp"
 #include "stock/field/lower_envelope.hpp"
 #include "stock/sweep/way.hpp"
 
@@ -16,9 +17,25 @@ class RingLeg {
   /// Precondition: can_be(way).
   explicit RingLeg(const ArcWay& way);
 
-  void lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
-             BlockValues& low) const;
-  void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
+  class View {
+   public:
+    void lower(const BlockPoints& points, BlockValues& low) const;
+    std::size_t look(const Columns::Tile& tile, std::span<const int> blocks, Look* looks,
+                     std::size_t* lowered) const;
+    void meets(const BlockGrid& grid, BlockMasks& met) const;
+
+   private:
+    friend class RingLeg;
+    View(const RingLeg& leg, const LowerEnvelope& tool, double base)
+        : leg_(&leg), tool_(&tool), base_(base) {}
+
+    const RingLeg* leg_;
+    const LowerEnvelope* tool_;
+    double base_;
+  };
+  [[nodiscard]] View view(const LowerEnvelope& tool, double base, HalfBlock) const {
+    return {*this, tool, base};
+  }
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
   void offsets(const BlockPoints& points, BlockValues& offsets) const;
   [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;

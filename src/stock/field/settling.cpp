@@ -16,7 +16,7 @@ Settling::Settling(const ReadySweep& sweep, const BlockPoints& points, double ba
       const FieldTool::Part& part = tool.parts[i];
       if (!sweep.guards(static_cast<ToolPart>(i)) || part.whole.is_empty()) continue;
       add(leg, part.whole, part.top, parts_[i].whole);
-      leg.lower(part.shrunk, points_, base_, parts_[i].shrunk);
+      leg.view(part.shrunk, base_, {}).lower(points_, parts_[i].shrunk);
     }
   });
 }
@@ -30,7 +30,7 @@ bool Settling::reaches(const auto& leg, double reach) const {
 void Settling::add(const auto& leg, const LowerEnvelope& body, double top, Spans& spans) const {
   BlockValues low;
   low.fill(kNowhere);
-  leg.lower(body, points_, base_, low);
+  leg.view(body, base_, {}).lower(points_, low);
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     if (low[i] >= kNowhere) continue;
     const double tip = leg.highest_tip(body.reach(), points_.x_of(i), points_.y_of(i));

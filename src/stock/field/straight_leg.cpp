@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stock/field/straight_pieces.hpp"
+#include "stock/field/level_pieces.hpp"
 
 namespace kerf::stock::field {
 namespace {
 
 /// Nearer than this, seen from above, both ends are over the same place.
 constexpr double kVertical_mm = 1e-7;
+
+float narrow(double value) { return static_cast<float>(value); }
 
 }  // namespace
 
@@ -51,94 +53,59 @@ StraightLeg::Place StraightLeg::place(double x, double y) const {
   return {(x - x_) * dx_ + (y - y_) * dy_, (y - y_) * dx_ - (x - x_) * dy_};
 }
 
-void StraightLeg::lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
-                        BlockValues& low) const {
-  const Offsets at(*this, points);
-  BlockValues along;
-  BlockValues across2;
-  for (std::size_t j = 0; j < kBlockSide; ++j) {
-    for (std::size_t i = 0; i < kBlockSide; ++i) {
-      const float u = at.y[j] * at.dx - at.x[i] * at.dy;
-      along[j * kBlockSide + i] = at.x[i] * at.dx + at.y[j] * at.dy;
-      across2[j * kBlockSide + i] = u * u;
-    }
-  }
-  if (length_ == 0) {  // no direction is better than another
-    along.fill(0);
-    for (std::size_t i = 0; i < kBlockCells; ++i) {
-      const float x = at.x[i % kBlockSide];
-      const float y = at.y[i / kBlockSide];
-      across2[i] = x * x + y * y;
-    }
-  }
-  if (begins_ == Begins::behind_itself) leave_out_behind(tool, along, across2);
-  const StraightSlope way{static_cast<float>(z_ - base), static_cast<float>(slope_),
-                          static_cast<float>(length_)};
-  for (const EnvelopePiece& piece : tool.pieces()) lower_by_piece(way, piece, along, across2, low);
-}
-
-/// Columns behind have been cut, and rounding is not to cut them once more: otherwise what a block
-/// that is looked at for another column holds would depend on where blocks are.
-void StraightLeg::leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
-                                   BlockValues& across2) const {
-  const Behind behind = behind_of(tool);
-  const Lanes far = all(kNowhere);
-  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
-    const Lanes a = load(&along[i]);
-    const Lanes u2 = load(&across2[i]);
-    Lanes after = all(behind.after);
-    if (behind.lean > 0) {
-      const Lanes out = larger(root(u2) - behind.core, Lanes{});
-      after = after + root(behind.lean2 - behind.lean * out * out);
-    }
-    store(((a < all(behind.before)) | (a > after)) ? far : u2, &across2[i]);
-  }
-}
-
-/// Every block as a rectangle along and across the way that holds its columns.
-void StraightLeg::bound(const LowerEnvelope& tool, const BlockRow& row, double base,
-                        RowValues& bounds) const {
+StraightLeg::View StraightLeg::view(const LowerEnvelope& tool, double base, HalfBlock half,
+                                    const LaneWork& lanes) const {
   const double safety = bound_safety(length_ + tool.reach());
-  const auto dx = static_cast<float>(dx_);
-  const auto dy = static_cast<float>(dy_);
   const double abs_dx = std::abs(dx_);
   const double abs_dy = std::abs(dy_);
-  const auto half_along = static_cast<float>(row.half_x * abs_dx + row.half_y * abs_dy + safety);
-  const auto half_across = static_cast<float>(row.half_x * abs_dy + row.half_y * abs_dx + safety);
-  const float reach = static_cast<float>(tool.reach()) + half_along;
-  const auto base_z = static_cast<float>(z_ - base - safety);
-  const auto from_x = static_cast<float>(x_ - row.origin_x);
-  const Lanes none{};
-  const auto slope = static_cast<float>(slope_);
-  const auto length = static_cast<float>(length_);
-  const Lanes y = all(static_cast<float>(row.y - y_));
-  const Behind behind = behind_of(tool);
-  RowValues tip;       // not above the tip while it reaches the block
-  RowValues distance;  // of the axis, at least
-  for (std::size_t i = row.first; i < row.last; i += kLanes) {
-    const Lanes x = load(&row.x[i]) - from_x;
-    const Lanes along = x * dx + y * dy;
-    const Lanes beside = y * dx - x * dy;
-    const Lanes u = larger(larger(beside, -beside) - half_across, none);
-    const Lanes past = larger(larger(-along, along - length) - half_along, none);
-    Lanes after = all(behind.after);
-    if (behind.lean > 0) {
-      const Lanes out = larger(u - behind.core, none);
-      after = after + root(behind.lean2 - behind.lean * out * out);
-    }
-    const Lanes z = base_z + slope * larger(along - reach, none);
-    const auto is_behind = (along + half_along < all(behind.before)) | (along - half_along > after);
-    store(is_behind ? all(kNowhere) : z, &tip[i]);
-    store(root(u * u + past * past), &distance[i]);
+  View view(tool, lanes);
+  StraightSight& sight = view.sight_;
+  sight = {.x = x_,
+           .y = y_,
+           .dx = narrow(dx_),
+           .dy = narrow(dy_),
+           .z = narrow(z_ - base),
+           .slope = narrow(slope_),
+           .length = narrow(length_),
+           .left = downwards_ ? -1.0F : 1.0F,
+           .begins_behind = begins_ == Begins::behind_itself,
+           .behind = behind_of(tool),
+           .half_along = narrow(half.x * abs_dx + half.y * abs_dy + safety),
+           .half_across = narrow(half.x * abs_dy + half.y * abs_dx + safety),
+           .lowest_z = narrow(z_ - base - safety)};
+  sight.reach = narrow(tool.reach()) + sight.half_along;
+  const float steep2 = 1 + sight.slope * sight.slope;
+  sight.upright2 = 1 / steep2;
+  sight.lean2 = sight.slope * sight.slope / steep2;
+  if (const LowerEnvelope::Round* const round = tool.round()) {
+    const float core = std::max(0.0F, narrow(round->core));
+    view.floor_ = {.reach2 = narrow(tool.reach() * tool.reach() * (1 + 1e-6)),
+                   .core = core,
+                   .base = narrow(round->core) - core,
+                   .z = narrow(round->z),
+                   .radius2 = narrow(round->radius * round->radius)};
   }
-  lowest_at(tool, row, distance, tip, bounds);
+  return view;
+}
+
+void StraightLeg::View::meets(const BlockGrid& grid, BlockMasks& met) const {
+  if (tool_->round() != nullptr) return lanes_->meets(sight_, floor_, grid, met);
+  RowValues tip;
+  RowValues distance;
+  RowValues lowest;
+  lowest.fill(kNowhere);
+  for (std::size_t row = grid.first_y; row < grid.end_y; ++row) {
+    lanes_->places(sight_, grid, row, tip, distance);
+    lowest_at(*tool_, grid, distance, tip, lowest);
+    met[row] = lanes_->below(lowest.data(), grid.tops + row * kTileBlocks);
+  }
 }
 
 /// Up a slope the lowest place for a column is never behind it. Down one it is ahead by no more
 /// than the reach of the tool, and for a round one by no more than its core and the w m / √(1 + m²)
-/// of its ball (straight_pieces.cpp).
-StraightLeg::Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
-  Behind none{-kNowhere, kNowhere, 0, 0, 0};
+/// of its ball (lane_pieces.hpp).
+Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
+  Behind none;
   if (begins_ == Begins::afresh || length_ == 0) return none;
   if (!downwards_) {
     none.before = 0;
@@ -146,13 +113,15 @@ StraightLeg::Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
   }
   const LowerEnvelope::Round* round = tool.round();
   if (round == nullptr) {
-    none.after = static_cast<float>(length_ + tool.reach());
+    none.after = narrow(length_ + tool.reach());
     return none;
   }
   const double core = std::max(0.0, round->core);
   const double lean = slope_ * slope_ / (1 + slope_ * slope_);
-  return {-kNowhere, static_cast<float>(length_ + core), static_cast<float>(core),
-          static_cast<float>(lean), static_cast<float>(lean * round->radius * round->radius)};
+  return {.after = narrow(length_ + core),
+          .core = narrow(core),
+          .lean = narrow(lean),
+          .lean2 = narrow(lean * round->radius * round->radius)};
 }
 
 double StraightLeg::highest_tip(double reach, double x, double y) const {

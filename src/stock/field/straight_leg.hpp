@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stock/field/block_points.hpp"
+#include "stock/field/lane_work.hpp"
 #include "stock/field/lower_envelope.hpp"
 #include "stock/sweep/way.hpp"
 
@@ -25,12 +26,33 @@ class StraightLeg {
   /// Precondition: not longer than kLongestLeg_mm, seen from above.
   explicit StraightLeg(const StraightWay& way, Begins begins = Begins::afresh);
 
-  /// low[i] becomes the lowest surface over column i, mm over `base`, where that is lower.
-  void lower(const LowerEnvelope& tool, const BlockPoints& points, double base,
-             BlockValues& low) const;
-  /// Not above the lowest surface over any column of the blocks, mm over `base`; kNowhere: they are
-  /// not reached.
-  void bound(const LowerEnvelope& tool, const BlockRow& row, double base, RowValues& bounds) const;
+  /// The way with a tool over some tile.
+  class View {
+   public:
+    /// low[i] becomes the lowest surface over column i, mm over the base, where that is lower.
+    void lower(const BlockPoints& points, BlockValues& low) const {
+      lanes_->lower(sight_, tool_->pieces(), points, low);
+    }
+    /// LaneWork::look().
+    std::size_t look(const Columns::Tile& tile, std::span<const int> blocks, Look* looks,
+                     std::size_t* lowered) const {
+      return lanes_->look(sight_, tool_->pieces(), tile, blocks, looks, lowered);
+    }
+    /// The blocks of the grid over which the surface may lie below their tops. Never misses one.
+    void meets(const BlockGrid& grid, BlockMasks& met) const;
+
+   private:
+    friend class StraightLeg;
+    View(const LowerEnvelope& tool, const LaneWork& lanes) : tool_(&tool), lanes_(&lanes) {}
+
+    const LowerEnvelope* tool_;
+    const LaneWork* lanes_;
+    StraightSight sight_;
+    RoundFloor floor_;
+  };
+  /// Columns are no farther from the middle of their block along X and Y than `half`.
+  [[nodiscard]] View view(const LowerEnvelope& tool, double base, HalfBlock half,
+                          const LaneWork& lanes = lane_work()) const;
   /// How high the tip gets while the axis is within `reach` from the column; -kNowhere: never.
   [[nodiscard]] double highest_tip(double reach, double x, double y) const;
   /// Signed distances of columns from the axis' way along the feed, left positive; of a vertical
@@ -50,18 +72,7 @@ class StraightLeg {
     double across;
   };
   struct Offsets;
-  /// Columns whose `along` is less than `before`, or more than `after` + √(lean2 - lean out²),
-  /// where `out` is how far they are beside the core, are behind a leg that begins behind itself.
-  struct Behind {
-    float before;
-    float after;
-    float core;
-    float lean;
-    float lean2;
-  };
   [[nodiscard]] Place place(double x, double y) const;
-  void leave_out_behind(const LowerEnvelope& tool, const BlockValues& along,
-                        BlockValues& across2) const;
   [[nodiscard]] Behind behind_of(const LowerEnvelope& tool) const;
 
   double x_ = 0, y_ = 0, z_ = 0;  // the lower end

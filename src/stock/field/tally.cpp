@@ -1,11 +1,24 @@
 #include "stock/field/tally.hpp"
 
-namespace kerf::stock::field {
+#include <algorithm>
 
-Tally::Tally(const FieldTool& tool)
-    : bins_per_mm_(tool.edge_reach > 0 ? static_cast<float>(Outcome::kBins / (2 * tool.edge_reach))
-                                       : 0.0F),
-      reach_(static_cast<float>(tool.edge_reach)) {}
+namespace kerf::stock::field {
+namespace {
+
+double highest_of(const BlockValues& all) {
+  return static_cast<double>(*std::max_element(all.begin(), all.end()));
+}
+double lowest_of(const BlockValues& all) {
+  return static_cast<double>(*std::min_element(all.begin(), all.end()));
+}
+
+}  // namespace
+
+void Tally::begin(const FieldTool& tool) {
+  sides_.bins_per_mm =
+      tool.edge_reach > 0 ? static_cast<float>(Outcome::kBins / (2 * tool.edge_reach)) : 0.0F;
+  sides_.reach = static_cast<float>(tool.edge_reach);
+}
 
 void Tally::meet(ToolPart part, Vec3 at, double depth) {
   Met& met = met_[index(part)];
@@ -13,16 +26,19 @@ void Tally::meet(ToolPart part, Vec3 at, double depth) {
   met.depths += depth;
 }
 
-void Tally::add_to(Outcome& outcome, double cell_mm2) const {
+void Tally::take_to(Outcome& outcome, double cell_mm2) {
   outcome.removed += Exact(removed_ * cell_mm2);
   outcome.core += Exact(core_ * cell_mm2);
   outcome.visited += visited_;
-  if (right_ <= left_) {
-    outcome.aside.add({double{right_}, double{left_}});
-    outcome.heights.add({double{lowest_}, double{highest_}});
+  const double left = highest_of(sides_.left);
+  const double right = lowest_of(sides_.right);
+  if (right <= left) {
+    outcome.aside.add({right, left});
+    outcome.heights.add({lowest_of(sides_.lowest), highest_of(sides_.highest)});
   }
-  for (std::size_t i = 0; i < across_.size(); ++i) {
-    if (across_[i] > 0) outcome.across[i] += Exact(across_[i] * cell_mm2);
+  for (std::uint64_t bins = bins_; bins != 0; bins &= bins - 1) {
+    const auto bin = static_cast<std::size_t>(std::countr_zero(bins));
+    outcome.across[bin] += Exact(across_[bin] * cell_mm2);
   }
   for (std::size_t i = 0; i < kToolParts; ++i) {
     Contact met = met_[i].deepest;
@@ -30,6 +46,7 @@ void Tally::add_to(Outcome& outcome, double cell_mm2) const {
     met.volume = Exact(met_[i].depths * cell_mm2);
     outcome.contacts[i].add(met);
   }
+  *this = Tally();
 }
 
 }  // namespace kerf::stock::field

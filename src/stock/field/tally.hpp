@@ -1,33 +1,37 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <bit>
 
 #include "stock/field/field_tool.hpp"
+#include "stock/field/lane_work.hpp"
 #include "stock/sweep/outcome.hpp"
 
 namespace kerf::stock::field {
 
 /// What one sweep did in one tile, before it is added to its outcome. Heights and lengths in mm;
-/// add_to() makes them volumes. Always of the whole tile, in the order of its blocks, so that the
+/// take_to() makes them volumes. Always of the whole tile, in the order of its blocks, so that the
 /// sums are the same whoever works on it.
 class Tally {
  public:
-  explicit Tally(const FieldTool& tool);
+  /// Empty, for a sweep of this tool. Precondition: is_empty().
+  void begin(const FieldTool& tool);
 
-  /// A column at this signed distance from the way, kNowhere if that is not known, down from one
-  /// height to another, over the bottom of the stock.
-  void remove(float offset, float from, float to) {
-    const auto height = static_cast<double>(from - to);
-    removed_ += height;
-    if (offset >= kNowhere) return;
-    const float bin = std::clamp((offset + reach_) * bins_per_mm_, 0.0F, Outcome::kBins - 1.0F);
-    across_[static_cast<std::size_t>(bin)] += height;
-    left_ = std::max(left_, offset);
-    right_ = std::min(right_, offset);
-    highest_ = std::max(highest_, from);
-    lowest_ = std::min(lowest_, to);
+  /// Columns of a block, those whose offsets from the way are known by them as well.
+  void remove(const Lowered& lowered) {
+    double removed = removed_;
+    for (unsigned left = lowered.columns; left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      const auto height = static_cast<double>(lowered.by[i]);
+      removed += height;
+      if ((lowered.sided >> i & 1U) == 0) continue;
+      const auto bin = static_cast<std::size_t>(lowered.bins[i]);
+      across_[bin] += height;
+      bins_ |= std::uint64_t{1} << bin;
+    }
+    removed_ = removed;
   }
+  [[nodiscard]] Sides& sides() { return sides_; }
   void take_by_core(double height) { core_ += height; }
   void meet(ToolPart part, Vec3 at, double depth);
   void visit(std::uint64_t columns) { visited_ += columns; }
@@ -35,7 +39,8 @@ class Tally {
   /// A column was lowered.
   [[nodiscard]] bool has_removed() const { return removed_ > 0; }
 
-  void add_to(Outcome& outcome, double cell_mm2) const;
+  /// Adds all of it to an outcome; then it is empty.
+  void take_to(Outcome& outcome, double cell_mm2);
 
  private:
   struct Met {
@@ -43,16 +48,13 @@ class Tally {
     double depths = 0;
   };
 
-  float bins_per_mm_;
-  float reach_;
-  float left_ = -kNowhere;
-  float right_ = kNowhere;
-  float highest_ = -kNowhere;
-  float lowest_ = kNowhere;
+  Sides sides_ = no_sides();
   double removed_ = 0;
   double core_ = 0;
   std::uint64_t visited_ = 0;
   std::array<double, Outcome::kBins> across_{};
+  std::uint64_t bins_ = 0;  // those of across_ that are not 0
+  static_assert(Outcome::kBins == 64);
   std::array<Met, kToolParts> met_{};
 };
 

@@ -1,15 +1,19 @@
 #include "stock/field/tile_cutter.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "stock/field/lanes.hpp"
 #include "stock/field/settling.hpp"
 
 namespace kerf::stock::field {
 namespace {
 
+constexpr std::size_t kBlocksAtOnce = 32;
 constexpr double kHalfBlock = (kBlockSide - 1) / 2.0;
+
+/// Of a row of blocks those from one to another.
+unsigned between(int first, int last) { return (2U << last) - (1U << first); }
 
 }  // namespace
 
@@ -18,8 +22,7 @@ TileCutter::TileCutter(Columns& columns, std::size_t tile)
       index_(tile),
       tile_(columns.tile(tile)),
       base_(columns.grid().box.low.z),
-      half_x_(kHalfBlock * columns.grid().cell_x()),
-      half_y_(kHalfBlock * columns.grid().cell_y()) {
+      half_{kHalfBlock * columns.grid().cell_x(), kHalfBlock * columns.grid().cell_y()} {
   for (std::size_t i = 0; i < kTileBlocks; ++i) {
     const std::size_t first = i * kBlockSide;
     const std::size_t last = first + kBlockSide - 1;
@@ -51,7 +54,7 @@ bool TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
   if (sweep.tip.low.z + body.lowest() - base_ >= columns_.top_of(index_)) return false;
   bool any = false;
   for_each_leg(sweep.legs, [&](const auto& leg) {
-    for_blocks(leg, body, [&](int block) {
+    for_blocks(leg.view(body, base_, half_), leg.box(), body.reach(), [&](int block) {
       met[static_cast<std::size_t>(block / kTileBlocks)] |=
           static_cast<std::uint16_t>(1U << (block % kTileBlocks));
       any = true;
@@ -62,28 +65,28 @@ bool TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
 
 /// Calls with each block that the leg may lower, or meet.
 template <class Do>
-void TileCutter::for_blocks(const auto& leg, const LowerEnvelope& tool, const Do& act) {
+void TileCutter::for_blocks(const auto& view, const Bounds& box, double reach, const Do& act) {
   const Grid& grid = columns_.grid();
-  const double reach = tool.reach();
-  const Bounds& box = leg.box();
   const Range across =
       range(box.low.x - reach, box.high.x + reach, tile_.x[0], kBlockSide * grid.cell_x());
   const Range rows =
       range(box.low.y - reach, box.high.y + reach, tile_.y[0], kBlockSide * grid.cell_y());
-  if (across.first > across.last) return;
-  BlockRow row{block_x_.data(), tile_.x[0], 0, half_x_, half_y_};
-  row.first = static_cast<std::size_t>(across.first) / kLanes * kLanes;
-  row.last = (static_cast<std::size_t>(across.last) / kLanes + 1) * kLanes;
-  RowValues lowest;
+  if (across.first > across.last || rows.first > rows.last) return;
+  const BlockGrid blocks{.x = block_x_.data(),
+                         .y = block_y_.data(),
+                         .tops = tile_.block_tops,
+                         .origin_x = tile_.x[0],
+                         .half = half_,
+                         .first_x = static_cast<std::size_t>(across.first),
+                         .end_x = static_cast<std::size_t>(across.last) + 1,
+                         .first_y = static_cast<std::size_t>(rows.first),
+                         .end_y = static_cast<std::size_t>(rows.last) + 1};
+  BlockMasks met;
+  view.meets(blocks, met);
+  const unsigned asked = between(across.first, across.last);
   for (int by = rows.first; by <= rows.last; ++by) {
-    row.y = block_y_[static_cast<std::size_t>(by)];
-    leg.bound(tool, row, base_, lowest);
-    const float* tops = tile_.block_tops + by * kTileBlocks;
-    for (int bx = across.first; bx <= across.last; ++bx) {
-      if (larger(0.0F, lowest[static_cast<std::size_t>(bx)]) < tops[bx]) {
-        act(by * kTileBlocks + bx);
-      }
-    }
+    for (unsigned left = met[static_cast<std::size_t>(by)] & asked; left != 0; left &= left - 1)
+      act(by * kTileBlocks + std::countr_zero(left));
   }
 }
 
@@ -96,20 +99,40 @@ TileCutter::Range TileCutter::range(double low, double high, double first, doubl
 }
 
 void TileCutter::cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& met, Tally& tally) {
-  for_blocks(leg, sweep.tool->edges(), [&](int block) {
+  const LowerEnvelope& edges = sweep.tool->edges();
+  const auto view = leg.view(edges, base_, half_);
+  std::array<int, kBlocksAtOnce> blocks;
+  std::size_t count = 0;
+  for_blocks(view, leg.box(), edges.reach(), [&](int block) {
     if (is_in(met, block)) return;
-    const BlockPoints at = columns_.points(index_, block);
-    BlockValues low;
-    low.fill(kNowhere);
-    leg.lower(sweep.tool->edges(), at, base_, low);
-    tally.visit(kBlockCells);
-    if (sweep.tool->core_mm > 0) take_by_core(leg, *sweep.tool, at, material(block), tally);
-    if (!lowers(block, low)) return;
-    BlockValues offsets;
-    offsets.fill(kNowhere);
-    leg.offsets(at, offsets);
-    lower(block, low, sweep.motion, offsets, tally);
+    blocks[count++] = block;
+    if (count < kBlocksAtOnce) return;
+    cut_blocks(blocks, leg, view, sweep, tally);
+    count = 0;
   });
+  cut_blocks({blocks.data(), count}, leg, view, sweep, tally);
+}
+
+/// First all of them are looked at, then those are taken down that are lowered: which ones no
+/// processor can foresee, and it would begin each look anew.
+void TileCutter::cut_blocks(std::span<const int> blocks, const auto& leg, const auto& view,
+                            const ReadySweep& sweep, Tally& tally) {
+  if (sweep.tool->core_mm > 0) {
+    for (const int block : blocks)
+      take_by_core(leg, *sweep.tool, tile_.points(block), material(block), tally);
+  }
+  std::array<Look, kBlocksAtOnce> looks;
+  std::array<std::size_t, kBlocksAtOnce + 1> lowered;
+  const std::size_t count = view.look(tile_, blocks, looks.data(), lowered.data());
+  tally.visit(blocks.size() * kBlockCells);
+  for (std::size_t k = 0; k < count; ++k)
+    take_down(blocks[lowered[k]], looks[lowered[k]], sweep.motion, tally);
+}
+
+void TileCutter::take_down(int block, const Look& look, std::uint32_t motion, Tally& tally) {
+  Lowered lowered;
+  lane_work().settle(look, motion, tile_, block, tally.sides(), lowered);
+  tally.remove(lowered);
 }
 
 TileCutter::Material TileCutter::material(int block) const {
@@ -138,7 +161,7 @@ void TileCutter::settle_core(const ReadySweep& sweep, const BlockPoints& at, Mat
     take_by_core(leg, *sweep.tool, at, material, tally);
     BlockValues low;
     low.fill(kNowhere);
-    leg.lower(sweep.tool->edges(), at, base_, low);
+    leg.view(sweep.tool->edges(), base_, half_).lower(at, low);
     for (std::size_t i = 0; i < kBlockCells; ++i) {
       material[i].high =
           std::max(material[i].low, std::min(material[i].high, static_cast<double>(low[i])));
@@ -147,12 +170,12 @@ void TileCutter::settle_core(const ReadySweep& sweep, const BlockPoints& at, Mat
 }
 
 void TileCutter::settle(const ReadySweep& sweep, int block, Tally& tally) {
-  const BlockPoints at = columns_.points(index_, block);
+  const BlockPoints at = tile_.points(block);
   const Material all = material(block);
   const Settling settling(sweep, at, base_);
   tally.visit(kBlockCells);
   if (sweep.cuts && sweep.tool->core_mm > 0) settle_core(sweep, at, all, tally);
-  BlockValues low;
+  Look look{.low = {}, .offsets = settling.offsets()};
   for (std::size_t i = 0; i < kBlockCells; ++i) {
     double lowest = settling.edges_low(i);
     for (std::size_t p = 0; p < kToolParts; ++p) {
@@ -162,35 +185,9 @@ void TileCutter::settle(const ReadySweep& sweep, int block, Tally& tally) {
       tally.meet(part, {at.x_of(i), at.y_of(i), base_ + met.z}, met.depth_mm);
       lowest = std::min(lowest, settling.part_low(part, i));
     }
-    low[i] = static_cast<float>(lowest);
+    look.low[i] = static_cast<float>(lowest);
   }
-  if (lowers(block, low)) lower(block, low, sweep.motion, settling.offsets(), tally);
-}
-
-bool TileCutter::lowers(int block, const BlockValues& low) const {
-  const std::size_t first = static_cast<std::size_t>(block) * kBlockCells;
-  const float* heights = tile_.heights + first;
-  int lowered = 0;
-  for (std::size_t i = 0; i < kBlockCells; ++i) lowered |= low[i] < heights[i] ? 1 : 0;
-  return lowered != 0;
-}
-
-void TileCutter::lower(int block, const BlockValues& low, std::uint32_t motion,
-                       const BlockValues& offsets, Tally& tally) {
-  const std::size_t first = static_cast<std::size_t>(block) * kBlockCells;
-  float* heights = tile_.heights + first;
-  float top = 0;
-  for (std::size_t i = 0; i < kBlockCells; ++i) {
-    const float bottom = this->bottom(first + i);
-    const float height = std::max(low[i], bottom);
-    if (height < heights[i]) {
-      tally.remove(offsets[i], heights[i], height);
-      heights[i] = height;
-      tile_.owners[first + i] = motion;
-    }
-    if (heights[i] > bottom) top = std::max(top, heights[i]);
-  }
-  tile_.block_tops[block] = top;
+  take_down(block, look, sweep.motion, tally);
 }
 
 }  // namespace kerf::stock::field

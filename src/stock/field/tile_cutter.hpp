@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "stock/field/columns.hpp"
 #include "stock/field/contact_rule.hpp"
+#include "stock/field/lane_work.hpp"
 #include "stock/field/ready_sweep.hpp"
 #include "stock/field/tally.hpp"
 
@@ -35,19 +37,17 @@ class TileCutter {
     return (row >> (block % kTileBlocks) & 1U) != 0;
   }
   template <class Do>
-  void for_blocks(const auto& leg, const LowerEnvelope& tool, const Do& act);
+  void for_blocks(const auto& view, const Bounds& box, double reach, const Do& act);
   bool guard(const ReadySweep& sweep, ToolPart part, Blocks& met);
   void cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& met, Tally& tally);
+  void cut_blocks(std::span<const int> blocks, const auto& leg, const auto& view,
+                  const ReadySweep& sweep, Tally& tally);
   void take_by_core(const auto& leg, const FieldTool& tool, const BlockPoints& at,
                     const Material& material, Tally& tally) const;
   void settle_core(const ReadySweep& sweep, const BlockPoints& at, Material material,
                    Tally& tally) const;
   void settle(const ReadySweep& sweep, int block, Tally& tally);
-  [[nodiscard]] bool lowers(int block, const BlockValues& low) const;
-  /// Offsets that are kNowhere: there are no sides.
-  void lower(int block, const BlockValues& low, std::uint32_t motion, const BlockValues& offsets,
-             Tally& tally);
-
+  void take_down(int block, const Look& look, std::uint32_t motion, Tally& tally);
   [[nodiscard]] Range range(double low, double high, double first, double size) const;
   [[nodiscard]] Material material(int block) const;
   [[nodiscard]] float bottom(std::size_t cell) const {
@@ -57,10 +57,10 @@ class TileCutter {
   Columns& columns_;
   std::size_t index_;
   Columns::Tile tile_;
-  double base_;                             // heights are over this
-  double half_x_, half_y_;                  // of a block, between its columns
   std::array<float, kTileBlocks> block_x_;  // from the first column
   std::array<double, kTileBlocks> block_y_;
+  double base_;  // heights are over this
+  HalfBlock half_;
   std::uint64_t changes_ = 0;
 };
 

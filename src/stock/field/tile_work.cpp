@@ -94,13 +94,14 @@ void TileWork::share() {
 void TileWork::work_on(std::size_t tile) {
   const Grid& grid = columns_.grid();
   TileCutter cutter(columns_, tile);
+  Tally tally;
   for (const std::uint32_t number : of_tile_[tile]) {
     const ReadySweep& sweep = sweeps_[number];
-    Tally tally(*sweep.tool);
+    tally.begin(*sweep.tool);
     cutter.cut(sweep, tally);
     if (tally.is_empty()) continue;
     const std::scoped_lock lock(locks_[number % locks_.size()]);
-    tally.add_to(outcomes_[number], grid.cell_x() * grid.cell_y());
+    tally.take_to(outcomes_[number], grid.cell_x() * grid.cell_y());
   }
 }
 

@@ -5,7 +5,6 @@ fails; FINE_MM is what chords of 0.1 degrees leave of the curves below.
 """
 
 import csv
-import io
 import math
 import re
 
@@ -39,8 +38,10 @@ class Track:
         return math.hypot(place[0] - x0 - t * dx, place[1] - y0 - t * dy)
 
 
-def rows_of(box, name):
-    return list(csv.DictReader(io.StringIO(box.read(name).decode())))
+def rows_of(box, name, every=1):
+    """One row of so many."""
+    names, *rows = box.read(name).decode().splitlines()
+    return list(csv.DictReader([names, *rows[::every]]))
 
 
 CARDIOID = """speed(2)
@@ -77,7 +78,7 @@ def cardioid_pattern(box):
     status(box.kerf("pattern", "replay", "heart.pat", "--points", "points.csv", "--motion",
                     "motion.json"), 0)
     cuts = {str(record["line"]) for record in box.motions("motion.json") if record["kind"] == "line"}
-    places = [(float(row["X"]), float(row["Y"])) for row in rows_of(box, "points.csv")[::10]
+    places = [(float(row["X"]), float(row["Y"])) for row in rows_of(box, "points.csv", 10)
               if row["line"] in cuts and abs(float(row["Z"])) < 1e-9]
     track = Track([cardioid(i / 10) for i in range(3601)])
     farthest = max(map(track.distance, places))
@@ -146,7 +147,7 @@ def on_machine(machine):
         curves = programmed()
         tracks = {line: Track(points) for line, points in curves.items()}
         farthest, seen = 0, dict.fromkeys(curves, 0)
-        for row in rows_of(box, "points.csv")[::3]:
+        for row in rows_of(box, "points.csv", 3):
             if row["line"] in tracks:
                 place = float(row["X"]) - x, float(row["Y"]) - y
                 farthest = max(farthest, tracks[row["line"]].distance(place))

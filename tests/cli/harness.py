@@ -219,15 +219,18 @@ def last_test(sentence):
 
 
 class Report:
-    """Counts what comes and prints a line for each test that fails."""
+    """Counts what comes and prints a line for each test that fails, or its time for each."""
 
-    def __init__(self):
+    def __init__(self, tells_times=False):
+        self.tells_times = tells_times
         self.passed = self.failed = self.skipped = 0
         self.lock = threading.Lock()
 
-    def tell(self, outcome, name, message, command):
+    def tell(self, outcome, name, message, command, seconds):
         with self.lock:
             setattr(self, outcome, getattr(self, outcome) + 1)
+            if self.tells_times:
+                print(f"{seconds:6.1f} s  {name}", flush=True)
             if outcome != "passed":
                 hint = f" [{shell_text(command)}]" if command and outcome == "failed" else ""
                 print(f"{outcome.upper()} {name}: {' '.join(message.split())}{hint}", flush=True)
@@ -237,6 +240,7 @@ def run_test(item, program, report, commands):
     folder = tempfile.mkdtemp(prefix="kerf-cli-")
     box = Box(program, folder)
     outcome, message = "passed", ""
+    began = time.monotonic()
     try:
         item.function(box)
     except Failed as failure:
@@ -254,4 +258,5 @@ def run_test(item, program, report, commands):
         os.chmod(folder, 0o755)
         shutil.rmtree(folder, ignore_errors=True)
     commands.extend(box.used)
-    report.tell(outcome, item.sentence, message, box.commands[-1] if box.commands else None)
+    report.tell(outcome, item.sentence, message, box.commands[-1] if box.commands else None,
+                time.monotonic() - began)

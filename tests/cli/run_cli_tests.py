@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Tests of the contract of the command line (docs/command-line.md) for run, check and machines.
 
-usage: run_cli_tests.py --kerf PATH [--only TEXT] [--jobs N] [--list]
+usage: run_cli_tests.py --kerf PATH [--only TEXT] [--jobs N] [--times] [--list]
 
-Prints a line for each test that fails or cannot be done here, then `N passed, M failed`. Exit
-status: 0 all passed, 1 otherwise.
+Prints a line for each test that fails or cannot be done here, then `N passed, M failed`; with --times
+also the seconds of each test. Exit status: 0 all passed, 1 otherwise.
 """
 
 import argparse
@@ -75,6 +75,7 @@ def main():
     parser.add_argument("--kerf", required=True, help="the program to test")
     parser.add_argument("--only", default="", help="tests whose sentence holds this text")
     parser.add_argument("--jobs", type=int, default=min(4, (os.cpu_count() or 1) + 1))
+    parser.add_argument("--times", action="store_true", help="tells how long each test takes")
     parser.add_argument("--sanitized", action="store_true", help="the program carries a sanitizer")
     parser.add_argument("--list", action="store_true", help="prints the sentences only")
     options = parser.parse_args()
@@ -93,7 +94,7 @@ def main():
     if not os.access(program, os.X_OK):
         sys.exit(f"{program}: there is no program to test")
 
-    report = harness.Report()
+    report = harness.Report(options.times)
     commands = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         for test in tests:

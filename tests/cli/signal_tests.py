@@ -36,7 +36,7 @@ def stopped_by(number, exit_status):
         check(len(unfinished) >= 9, f"unfinished files while it runs: {unfinished}")
         process.send_signal(number)
         begin = time.monotonic()
-        process.wait(timeout=20)
+        process.wait(timeout=harness.TIMEOUT_S)
         check(time.monotonic() - begin < 5 * harness.PATIENCE, "it took too long to stop")
         check(process.returncode in (exit_status, -number),
               f"exit status {process.returncode}, wanted {exit_status}")

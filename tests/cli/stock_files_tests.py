@@ -106,7 +106,7 @@ def faults_of(path):
     return {name: int(count) for name, count in found.items()}
 
 
-BLOCK = ("--stock", "box:0,0,-20,70,40,0", "--cell", "0.5")
+BLOCK = ("--stock", "box:0,0,-20,70,40,0", "--cell", "1")
 
 
 @test("the part as STL, GLB and 3MF is closed, oriented and has the volume of the report, whatever the model")

@@ -31,9 +31,8 @@ USAGE = 2
 SECONDS = 1500  # an emulator takes its time
 
 
-def inputs_of(command: Path) -> list[str]:
+def inputs_of(words: list[str]) -> list[str]:
     """The words of an example's command but for what it writes."""
-    words = shlex.split(command.read_text())
     written = {option.split()[0] for option in EVERYWHERE + SOMEWHERE}
     kept = [str(ROOT / words[2])]
     at = 3
@@ -62,10 +61,20 @@ def is_taken(kerf: str, inputs: list[str], option: str) -> bool:
     return run(kerf, words, {})["exit status"] != str(USAGE).encode()
 
 
-def runs_of(kerf: str, inputs: list[str]) -> list[list[str]]:
-    """Options of the runs: what every machine has at once, the rest one by one."""
-    every = [word for option in EVERYWHERE for word in option.split()]
-    return [every] + [option.split() for option in SOMEWHERE if is_taken(kerf, inputs, option)]
+def runs_of(kerf: str, inputs: list[str], without_png: bool) -> list[list[str]]:
+    """Options of as few runs as there can be, for none may be there twice: what every machine has, and what this one has."""
+    taken = [option for option in SOMEWHERE if is_taken(kerf, inputs, option)]
+    runs: list[list[str]] = []
+    for option in (*EVERYWHERE, *taken):
+        words = option.split()
+        if without_png and words[-1].endswith(".png"):
+            continue
+        with_room = [run for run in runs if words[0] not in run]
+        if with_room:
+            with_room[0].extend(words)
+        else:
+            runs.append(words)
+    return runs
 
 
 def differences(first: dict, second: dict) -> list[str]:
@@ -85,11 +94,14 @@ def main() -> int:
     for command in sorted((ROOT / "examples").glob("*/command*")):
         if arguments.names and not any(command.parent.name.startswith(name) for name in arguments.names):
             continue
-        inputs = inputs_of(command)
-        for options in runs_of(kerf, inputs):
-            if arguments.without_png and options[-1].endswith(".png"):
-                continue
+        words = shlex.split(command.read_text())
+        inputs = inputs_of(words)
+        for options in runs_of(kerf, inputs, arguments.without_png):
             ours = run(kerf, [*inputs, *options], {})
+            if ours["exit status"] == str(USAGE).encode():
+                if words[1] != "run":  # it has options that `kerf run` does not have
+                    break
+                sys.exit(f"{command.relative_to(ROOT)}: {ours['standard error'].decode()}")
             outputs += len(ours)
             for name in differences(ours, run(other, [*inputs, *options], environment)):
                 different += 1

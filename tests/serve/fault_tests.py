@@ -80,7 +80,7 @@ def _(place):
     check(server.memory_mib("VmHWM") < before + 200 + harness.QUARANTINE_MIB, f"{before} MiB became {server.memory_mib('VmHWM')}")
 
 
-@test("a client that stops reading is closed, the others go on")
+@test("a client that stops reading is closed, the others go on", long=True)
 def _(place):
     server = place.serve()
     good = server.client().watch("mill")

@@ -22,11 +22,16 @@ PATIENCE = 1  # a sanitizer's build takes longer for everything
 QUARANTINE_MIB = 0
 KILLS = 0  # of the test that kills servers; 0: as many as it has usually
 TESTS = []
+LONG_ONES = []  # their sentences
 
 
-def test(sentence):
+def test(sentence, long=False):
+    """`long`: it waits for ten seconds or so. Those begin first: none of them is left over at the end."""
+
     def add(function):
-        TESTS.append((sentence, function))
+        TESTS.insert(len(LONG_ONES) if long else len(TESTS), (sentence, function))
+        if long:
+            LONG_ONES.append(sentence)
         return function
 
     return add
@@ -114,7 +119,7 @@ class Client:
         self.next_id = 1
         self.name = None
 
-    def receive(self, timeout=20 * PATIENCE):
+    def receive(self, timeout=60 * PATIENCE):
         message = self.socket.receive(timeout)
         if isinstance(message, bytes):
             if message[:4] == b"KSTK":
@@ -155,7 +160,7 @@ class Client:
         check(not answer["ok"], f"{do} is not refused: {answer}")
         return answer["error"]
 
-    def wait_for(self, condition, what, seconds=20):
+    def wait_for(self, condition, what, seconds=60):
         end = time.monotonic() + seconds * PATIENCE
         while not condition():
             left = end - time.monotonic()
@@ -165,10 +170,10 @@ class Client:
             except TimeoutError:
                 pass
 
-    def wait_for_status(self, *wanted, seconds=20):
+    def wait_for_status(self, *wanted, seconds=60):
         self.wait_for(lambda: self.state.get("status") in wanted, f"status {wanted}", seconds)
 
-    def settle(self, seconds=10):
+    def settle(self, seconds=30):
         """Waits until the machine does not run, and has not begun to for a moment."""
         quiet_since = time.monotonic()
         end = quiet_since + seconds * PATIENCE
@@ -196,7 +201,7 @@ class Client:
         self.do("load", text=text, name=name)
         return self.wait_for_path()
 
-    def wait_for_path(self, seconds=20):
+    def wait_for_path(self, seconds=60):
         def paths():
             return [e for e in self.events if e["event"] == "path"]
 
@@ -322,7 +327,7 @@ class Place:
         shutil.rmtree(self.folder, ignore_errors=True)
 
 
-def eventually(condition, what, seconds=10):
+def eventually(condition, what, seconds=60):
     end = time.monotonic() + seconds * PATIENCE
     while not condition():
         check(time.monotonic() < end, f"{what} did not happen")

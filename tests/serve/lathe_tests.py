@@ -135,7 +135,7 @@ def _(place):
     equal((tool(client, 7)["geometry_x"], tool(client, 7)["wear_z"]), (-33.5, 0), "back")
 
 
-@test("the speed of the spindle follows the diameter under G96, to the clamp, and is what G97 says")
+@test("the speed of the spindle follows the diameter under G96, to the clamp, and is what G97 says", long=True)
 def _(place):
     client = lathe(place)
     run_to_stop(client)

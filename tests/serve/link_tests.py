@@ -95,7 +95,7 @@ def two(place):
     return server, first, second
 
 
-@test("a request is granted when the operator says nothing for ten seconds, and not before")
+@test("a request is granted when the operator says nothing for ten seconds, and not before", long=True)
 def _(place):
     _server, first, second = two(place)
     second.do("introduce", name="Lee")

@@ -80,7 +80,7 @@ def _(place):
     equal(shown(place.serve().client().watch("mill"))[0], 10, "after the start")
 
 
-@test("in any order of commands and programs the disk has what the memory has")
+@test("in any order of commands and programs the disk has what the memory has", long=True)
 def _(place):
     chance = random.Random(1)
     server = place.serve()
@@ -111,7 +111,7 @@ def _(place):
             equal(shown(client), wanted, "after the start")
 
 
-@test("a reset under way and a kill keep what the panel showed")
+@test("a reset under way and a kill keep what the panel showed", long=True)
 def _(place):
     server = place.serve()
     client = server.client().watch("mill")

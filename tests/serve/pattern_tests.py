@@ -44,7 +44,7 @@ def replayed(place, data):
         return json.loads(summary.read_text())
 
 
-@test("a pattern is loaded, shown and previewed as its listing, and ends where a replay ends")
+@test("a pattern is loaded, shown and previewed as its listing, and ends where a replay ends", long=True)
 def _(place):
     server, client = arm_with_pattern(place)
     equal(client.do("recognise", name="w.pat")["usual"], "arm4")

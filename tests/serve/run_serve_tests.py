@@ -1,12 +1,18 @@
 #!/usr/bin/env python3
 """Tests of `kerf serve`: the real server, driven through its sockets.
 
-usage: run_serve_tests.py --kerf PATH [--only TEXT] [--sanitized] [--kills N] [--list]
+usage: run_serve_tests.py --kerf PATH [--only TEXT] [--jobs N] [--times] [--sanitized] [--kills N] [--list]
 
-Prints a line for each test that fails, then `N passed, M failed`. Exit status: 0 all passed, 1 otherwise.
+Most of the tests wait most of the time: some run beside each other, each in a process of its own. Prints a line for each
+test that fails, then `N passed, M failed`; with --times also how long each took, and the processor's time of its servers
+and of itself. Exit status: 0 all passed, 1 otherwise.
 """
 
 import argparse
+import concurrent.futures
+import multiprocessing
+import os
+import resource
 import sys
 import time
 import traceback
@@ -35,8 +41,20 @@ import stock_tests  # noqa: F401
 import training_tests  # noqa: F401
 
 
-def run(sentence, function, kerf, root):
-    place = harness.Place(kerf, root)
+def run(number, kerf, root):
+    """Of one test: whether it passed, and the seconds of clock, of its servers and of itself."""
+    sentence, function = harness.TESTS[number]
+    before = spent()
+    passed = passes(sentence, function, harness.Place(kerf, root))
+    return passed, [now - then for now, then in zip(spent(), before)]
+
+
+def spent():
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_CHILDREN, resource.RUSAGE_SELF)]
+    return [time.monotonic(), *(one.ru_utime + one.ru_stime for one in used)]
+
+
+def passes(sentence, function, place):
     begin = time.monotonic()
     try:
         function(place)
@@ -54,6 +72,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kerf", required=True)
     parser.add_argument("--only", default="")
+    parser.add_argument("--jobs", type=int, default=min(4, (os.cpu_count() or 1) + 1))
+    parser.add_argument("--times", action="store_true")
     parser.add_argument("--sanitized", action="store_true")
     parser.add_argument("--kills", type=int, default=0)
     parser.add_argument("--list", action="store_true")
@@ -61,14 +81,25 @@ def main():
     harness.PATIENCE = 10 if options.sanitized else 1
     harness.QUARANTINE_MIB = 512 if options.sanitized else 0
     harness.KILLS = options.kills
-    chosen = [t for t in harness.TESTS if options.only in t[0]]
+    chosen = [n for n, (sentence, _) in enumerate(harness.TESTS) if options.only in sentence]
     if options.list:
-        print("\n".join(sentence for sentence, _ in chosen))
+        print("\n".join(harness.TESTS[n][0] for n in chosen))
         return 0
-    root = Path(__file__).resolve().parents[2]
-    passed = sum(run(sentence, function, options.kerf, root) for sentence, function in chosen)
+    passed = run_all(chosen, options)
     print(f"{passed} passed, {len(chosen) - passed} failed")
     return 0 if passed == len(chosen) > 0 else 1
+
+
+def run_all(chosen, options):
+    """How many pass."""
+    root = Path(__file__).resolve().parents[2]
+    processes = multiprocessing.get_context("fork")  # the tests are functions of this one
+    with concurrent.futures.ProcessPoolExecutor(options.jobs, processes) as pool:
+        runs = {pool.submit(run, n, options.kerf, root): harness.TESTS[n][0] for n in chosen}
+        for done in concurrent.futures.as_completed(runs):
+            if options.times:
+                print("{:6.1f} s, servers {:5.2f} s, test {:5.2f} s".format(*done.result()[1]), runs[done], flush=True)
+        return sum(done.result()[0] for done in runs)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,26 @@ const SLOW_MS = 40_000;
 const POLL_MS = 30;
 const STATUSES = new Set('ALARM END HOLD IDLE RUNNING STEP STOPPED'.split(' ').concat('NO LINK'));
 
+/** Without a graphics card sixty pictures a second would keep more than one processor busy. */
+const SCREEN_MS = 80;
+const SLOW_SCREEN = (ms) => {
+  const draw = window.requestAnimationFrame.bind(window);
+  const waiting = new Map();
+  let last = 0;
+  const show = (id, now) => {
+    const call = waiting.get(id);
+    waiting.delete(id);
+    call?.(now);
+  };
+  window.requestAnimationFrame = (call) => {
+    waiting.set(++last, call);
+    const id = last;
+    setTimeout(() => draw((now) => show(id, now)), ms);
+    return id;
+  };
+  window.cancelAnimationFrame = (id) => waiting.delete(id);
+};
+
 export class PanelPage {
   static async open(
     browser,
@@ -19,6 +39,8 @@ export class PanelPage {
       touch = false,
       /** Nothing of the panel is known to this browser yet. */
       newcomer = false,
+      /** A screen that shows some ten pictures a second: where a scenario goes on for long, and not about them. */
+      slow_screen = false,
     } = {},
   ) {
     const context = await browser.newContext({
@@ -35,6 +57,7 @@ export class PanelPage {
         sessionStorage.setItem('kerf.machine', name);
         localStorage.setItem('kerf.start-card', 'away');
       }, machine);
+    if (slow_screen) await page.addInitScript(SLOW_SCREEN, SCREEN_MS);
     const panel = new PanelPage(context, page, base);
     await page.goto(base);
     await panel.is_connected();

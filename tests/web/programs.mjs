@@ -131,7 +131,7 @@ frame:
 return
 `;
 
-/** As many short cuts as are asked for, along a spiral. */
+/** As many short cuts as are asked for, along a spiral of 20 mm: a machine has soon cut them all, however many. */
 export function spiral(cuts) {
   const lines = [
     '%',
@@ -142,7 +142,7 @@ export function spiral(cuts) {
   ];
   for (let i = 1; i <= cuts; i++) {
     const angle = i * 0.02;
-    const radius = 5 + (i * 180) / cuts;
+    const radius = 1 + (i * 9) / cuts;
     lines.push(
       `X${(radius * Math.cos(angle)).toFixed(3)}Y${(radius * Math.sin(angle)).toFixed(3)}`,
     );

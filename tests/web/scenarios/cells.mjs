@@ -5,8 +5,9 @@ export const cells = [
   {
     name: 'every cell of every table is edited twice, and what is typed replaces what was there',
     async run({ open }) {
-      const panel = await open();
+      const panel = await open({ slow_screen: true });
       await panel.fresh();
+      await panel.run_text('nothing.nc', 'O1\nM30\n'); // no path and no part to be made anew with each offset
       await panel.tab('Offsets');
       await panel.page.getByRole('textbox', { name: 'G59 X' }).waitFor();
       // What stands there is anything; only what is typed counts here.

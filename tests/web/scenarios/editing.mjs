@@ -250,6 +250,9 @@ export const editing = [
         .getByRole('button', { name: 'Delete', exact: true })
         .click();
       await panel.says('final.nc is deleted.');
+      await panel.page.keyboard.press('Escape');
+      await panel.page.getByRole('dialog').waitFor({ state: 'detached' });
+      await panel.run_text('long.nc', LONG); // whoever opens the page next is not told of a program that is gone
     },
   },
   {

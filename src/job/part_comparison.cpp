@@ -104,6 +104,23 @@ Outcome<void> read_design(const machine::SetUp::Design& design, StockJob& job) {
   return {};
 }
 
+Outcome<void> take_design(const std::optional<machine::SetUp::Design>& design, StockJob& job) {
+  if (!design) return {};
+  const double tolerance_mm = design->tolerance_mm.value_or(job.tolerance.larger());
+  job.tolerance = {tolerance_mm, tolerance_mm};
+  return read_design(*design, job);
+}
+
+Outcome<void> show_design(const std::optional<machine::SetUp::Design>& design, StockJob& job) {
+  if (auto taken = take_design(design, job); !taken || !design) return taken;
+  job.design_in_sight = {design->file.path, job.tolerance.larger(),
+                         [of = std::exchange(job.design, nullptr),
+                          jobs = threads_for(job)](std::span<const Vec3> places) {
+                           return stock::compare::deviations_mm(of->solid, places, jobs);
+                         }};
+  return {};
+}
+
 Outcome<void> compare_with_design(const StockJob& job, StockResult& result) {
   if (!job.design) return {};
   const stock::compare::MeshSolid& design = job.design->solid;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,6 +27,14 @@ struct Design {
 /// Reads the design of a job, puts it where it is said to lie, and counts its memory. Failure
 /// (input): as machine::read_mesh() has them.
 [[nodiscard]] base::Outcome<void> read_design(const machine::SetUp::Design& design, StockJob& job);
+
+/// That of a set-up, with its tolerance, where it has one; read_design().
+[[nodiscard]] base::Outcome<void> take_design(const std::optional<machine::SetUp::Design>& design,
+                                              StockJob& job);
+
+/// Likewise, but for those who look on: StockJob::design_in_sight.
+[[nodiscard]] base::Outcome<void> show_design(const std::optional<machine::SetUp::Design>& design,
+                                              StockJob& job);
 
 /// Compares what is left with the design of the job: fills in StockResult::compare, and adds a
 /// finding for each region beyond tolerance to those of the run. Nothing without a design. Failure

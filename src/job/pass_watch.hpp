@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/interface.hpp"
@@ -21,6 +23,15 @@ class Run;
 struct FoundSoFar {
   std::vector<output::StockFacts::Told> first;
   std::size_t count = 0;  ///< of all
+};
+
+/// A design that a part is seen against.
+struct DesignInSight {
+  std::string file;
+  double tolerance_mm = 0;
+  /// How far each place is from it, mm, frame of the stock: above 0 material is left, below 0 it is
+  /// cut away. From any thread.
+  std::function<std::vector<float>(std::span<const stock::Vec3>)> deviations_mm;
 };
 
 /// A pass over a program that is about to cut, for whoever looks on. What it refers to is there
@@ -43,6 +54,7 @@ struct ModelBegin : PassBegin {
   double usual_cell_mm = 0;  ///< that the program's tools ask for; the model's may be larger
   /// The part is cut as in the pass before, only its pieces are looked at besides.
   bool is_like_before = false;
+  std::optional<DesignInSight> design{};
 };
 
 /// One that cuts and burns a sheet.

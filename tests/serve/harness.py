@@ -260,7 +260,7 @@ class PartFrame:
         self.data = data
         self.bytes = len(data)
         self.at = struct.calcsize("<4sHHIIIId")
-        read = {0: self.heights, 1: self.mesh, 2: self.loop, 3: self.sheet}[self.kind]
+        read = {0: self.heights, 1: self.mesh, 2: self.loop, 3: self.sheet, 4: self.facts}[self.kind]
         self.tiles = []
         for _ in range(count):
             self.tiles.append(read())
@@ -299,6 +299,11 @@ class PartFrame:
         x, y, nx, ny, full = self.take("iiHHf")
         return {"at": (x, y), "nx": nx, "ny": ny, "full": full, "energy": self.take(f"{nx * ny}B"),
                 "coverage": self.take(f"{nx * ny}B")}
+
+
+    def facts(self):
+        *at, what, _, n, scale = self.take("iiiHHIf")
+        return {"at": tuple(at), "what": ("deviation", "owner")[what], "scale": scale, "value": self.take(f"{n}h")}
 
 
 class Place:

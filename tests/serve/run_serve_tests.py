@@ -25,6 +25,7 @@ import harness
 # Each of these adds its tests.
 import access_tests  # noqa: F401
 import budget_tests  # noqa: F401
+import colour_tests  # noqa: F401
 import fault_tests  # noqa: F401
 import http_tests  # noqa: F401
 import input_tests  # noqa: F401

@@ -23,6 +23,7 @@ class Part:
         self.events = 0
         self.frames = 0
         self.tiles = {}
+        self.told = {}  # what is known besides, by kind and tile
         self.head = None  # run and level of what is shown
         self.kind = None
         self.time_s = None
@@ -36,20 +37,28 @@ class Part:
             self.facts.update(event)
             told = event.get("owners")
             if told:
-                self.owners[told["from"] :] = told["rows"]
+                if told["from"] == 0:
+                    self.owners = []
+                check(told["from"] <= len(self.owners), f"rows from {told['from']} on, {len(self.owners)} are there")
+                self.owners[told["from"] : told["from"] + len(told["rows"])] = told["rows"]
         self.events = len(stock)
         for frame in self.client.part_frames[self.frames :]:
+            if frame.kind == 4:
+                equal((frame.run, frame.level), self.head, "facts are of what is shown")
+                self.told.update({(fact["what"], fact["at"]): fact for fact in frame.tiles})
+                continue
             if frame.number == 0 or (frame.run, frame.level) != self.head:
                 equal(frame.number, 0, "the first frame of a picture")
-                self.tiles = {}
+                self.tiles, self.told = {}, {}
             self.head, self.kind = (frame.run, frame.level), frame.kind
             self.time_s = frame.time_s if frame.run == self.facts.get("run") else None
             if frame.kind == 2:
                 if frame.tiles:
-                    self.tiles = {0: frame.tiles}
+                    self.tiles, self.told = {0: frame.tiles}, {}
                 continue
             for tile in frame.tiles:
                 self.tiles[tile["at"]] = tile
+                self.told.pop(("deviation", (*tile["at"], 0)[:3]), None)
         self.frames = len(self.client.part_frames)
         return self
 
@@ -60,19 +69,23 @@ class Part:
     def wait_for_end(self, seconds=30):
         return self.wait(lambda p: p.facts.get("done") and p.time_s == p.facts["done_s"], "the whole part", seconds)
 
-    def at(self, time_s, level=0):
+    def at(self, time_s, **wish):
         """Shown at this time; the answer."""
-        answer = self.client.do("stock_at", time_s=time_s, level=level)
+        answer = self.client.do("stock_at", time_s=time_s, **wish)
         self.take()
         return answer
 
-    def height(self, x, y):
-        """Height and owner of a column of the level that is shown."""
+    def column(self, x, y):
+        """The tile that a column of the level that is shown is in, and its number there."""
         grid = self.facts["levels"][self.head[1]]
         i, j = (round((v - first) / cell) for v, first, cell in zip((x, y), grid["first"], grid["cell_mm"]))
         tile = self.tiles[i // 64, j // 64]
-        k = j % 64 * tile["nx"] + i % 64
-        return tile["z"][k], self.owners[tile["owner"][k]]
+        return tile, j % 64 * tile["nx"] + i % 64
+
+    def height(self, x, y):
+        """Height of a column, and file, line and tool that cut it."""
+        tile, k = self.column(x, y)
+        return tile["z"][k], self.owners[tile["owner"][k]][:3]
 
     def picture(self):
         """Its tiles, each as a number that other bytes do not have."""

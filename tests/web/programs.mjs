@@ -215,6 +215,82 @@ M30
 %
 `;
 
+/** Two grooves, a step and a shoulder: the mill is engaged over 180, 60 and 90 degrees. */
+export const GROOVES = `%
+O0009 (GROOVES)
+(T1 D=10. CR=0. - FLAT END MILL)
+G90 G54 G17 G21 G49 G40 G80
+T1 M06
+S3000 M03
+G00 X-10. Y20. Z5.
+G01 Z-5. F300.
+X80. F600.
+G00 Z5.
+X-10. Y40.
+G01 Z-2.9 F300.
+X80. F600.
+G00 Z5.
+X-10. Y-2.5
+G01 Z-6. F300.
+X80. F600.
+G00 Z5.
+X-10. Y60.
+G01 Z-2. F300.
+X80. F600.
+G00 Z50.
+M30
+%
+`;
+
+/** What it shall be, in (Y, Z): the first groove is 0.2 mm too deep, of the second 0.1 mm is left. */
+export const GROOVES_DESIGN = [
+  [0, -20],
+  [60, -20],
+  [60, -2],
+  [55, -2],
+  [55, 0],
+  [45, 0],
+  [45, -3],
+  [35, -3],
+  [35, 0],
+  [25, 0],
+  [25, -4.8],
+  [15, -4.8],
+  [15, 0],
+  [2.5, 0],
+  [2.5, -6],
+  [0, -6],
+];
+
+/** A bar turned to two diameters. */
+export const STEPPED = `%
+O0010 (STEPPED)
+G50 S2000
+G97 S500 M03
+T0101
+G00 X52. Z2.
+G01 X40. F0.3
+Z-30.
+X52.
+G00 Z2.
+X30.
+G01 Z-10.
+X52.
+G00 X80. Z20.
+M30
+%
+`;
+
+/** What it shall be, in (Z, radius): the middle is 0.1 mm too thin, of the end 0.2 mm is left. */
+export const STEPPED_DESIGN = [
+  [-60, 25],
+  [-30, 25],
+  [-30, 20.1],
+  [-10, 20.1],
+  [-10, 14.8],
+  [0, 14.8],
+];
+
 /** A surface of waves, finished line by line with a ball: most tiles change while it runs. */
 export const RELIEF = (() => {
   const lines = [

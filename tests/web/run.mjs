@@ -30,6 +30,7 @@ import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
 import { part as part_scenarios } from './scenarios/part.mjs';
+import { colours } from './scenarios/colours.mjs';
 import { phone } from './scenarios/phone.mjs';
 import { lathe } from './scenarios/lathe.mjs';
 import { link } from './scenarios/link.mjs';
@@ -53,7 +54,7 @@ const ALL = [
   ...files,
   ...patterns,
   ...setup,
-  ...part_scenarios.map((scenario) => ({ ...scenario, needs_part: true })),
+  ...[...part_scenarios, ...colours].map((scenario) => ({ ...scenario, needs_part: true })),
   ...phone,
   ...training,
   ...newcomer,

@@ -25,8 +25,8 @@ const facts = (values: number[], wish: { run?: number; x?: number; what?: number
       .part()
       .made(),
   );
-const heights = (number = 0) =>
-  decode_stock_frame(height_bytes(0, 0, 4, twelve(20), { run: 5, number, z0: -10, dz: 0.5 }));
+const heights = (number = 0, height = twelve(20)) =>
+  decode_stock_frame(height_bytes(0, 0, 4, height, { run: 5, number, z0: -10, dz: 0.5 }));
 
 function store(change: Record<string, unknown> = {}): PartStore {
   const part = new PartStore();
@@ -40,14 +40,15 @@ function deviation(part: PartStore): Float32Array | null {
 }
 
 describe('facts of places', () => {
-  it('are kept with their columns until these come anew', () => {
+  it('are kept with their columns until these are others', () => {
     const part = store();
     expect(deviation(part)).toBeNull();
     expect(part.take_frame(facts([...twelve(5).slice(1), -32768]))).toBe(true);
     expect(deviation(part)![0]).toBeCloseTo(0.05, 6);
     expect(deviation(part)![11]).toBe(NO_DEVIATION);
-    part.take_frame(heights(2));
-    expect([...deviation(part)!]).toEqual(twelve(NO_DEVIATION));
+    part.take_frame(heights(2, [19, ...twelve(20).slice(1)]));
+    expect(deviation(part)![0]).toBe(NO_DEVIATION);
+    expect(deviation(part)![1]).toBeCloseTo(0.05, 6);
   });
   it.each([
     ['another run', facts(twelve(1), { run: 4 }), false],
@@ -76,6 +77,38 @@ describe('facts of places', () => {
     if (part.shape?.kind !== 'profile') throw new Error();
     expect([...part.shape.loops[0].owner!]).toEqual([1, 65535]);
     expect(colourings_of(part)).toEqual(['tool', 'line', 'stock']);
+  });
+  it('of a turned part replace it together with its lines, so that no colour flickers', () => {
+    const part = new PartStore();
+    part.take_event({ ...event, model: 'profile' });
+    const lines = (number: number, rho: number) =>
+      decode_stock_frame(
+        new StockBytes(2, { run: 5, number })
+          .words(2)
+          .doubles(-9, 0, 0, 0, rho, 0)
+          .part()
+          .words(2)
+          .doubles(-9, 0, 0, -20, rho, 0)
+          .part()
+          .made(),
+      );
+    const radii = () => part.shape?.kind === 'profile' && part.shape.loops.map(({ rho }) => rho[1]);
+    part.take_frame(lines(0, 4));
+    expect(radii()).toEqual([4, 4]);
+    part.take_frame(facts([1, 1], { what: 1 }));
+    part.take_frame(facts([1, 1], { what: 1, x: 1 }));
+    part.take_frame(lines(1, 3));
+    expect(radii()).toEqual([4, 4]);
+    part.take_frame(facts([2, 1], { what: 1 }));
+    expect(radii()).toEqual([4, 4]);
+    part.take_frame(facts([7, 7]));
+    part.take_frame(facts([2, 1], { what: 1, x: 1 }));
+    expect(radii()).toEqual([3, 3]);
+    if (part.shape?.kind !== 'profile') throw new Error();
+    expect(part.shape.loops[0].deviation![0]).toBeCloseTo(0.07, 6);
+    expect([...part.shape.loops[0].owner!]).toEqual([2, 1]);
+    part.take_frame(lines(0, 2));
+    expect(radii()).toEqual([2, 2]);
   });
 });
 

@@ -50,14 +50,6 @@ Outcome<void> take_tools(const RunOptions& run, const machine::SetUp& set_up,
   return {};
 }
 
-/// That of a set-up, with its tolerance.
-Outcome<void> take_design(const std::optional<machine::SetUp::Design>& design, job::StockJob& job) {
-  if (!design) return {};
-  const double tolerance_mm = design->tolerance_mm.value_or(job.tolerance.larger());
-  job.tolerance = {tolerance_mm, tolerance_mm};
-  return job::read_design(*design, job);
-}
-
 }  // namespace
 
 Outcome<base::ProgramText> kept_program(const std::string& path) {
@@ -114,7 +106,7 @@ Outcome<TableRun> run_on_table(const RunOptions& options) {
       .set_up = std::move(order->set_up), .cut = {}, .facts = {}, .ready = std::move(order->ready)};
   job::StockJob& job = order->job;
   job.job.input = kept_operator_input();
-  if (auto taken = take_design(design, job); !taken) return tl::unexpected(taken.error());
+  if (auto taken = job::take_design(design, job); !taken) return tl::unexpected(taken.error());
   auto cut = job::cut_stock(job);
   if (!cut) return tl::unexpected(cut.error());
   if (auto compared = job::compare_with_design(job, *cut); !compared)

@@ -36,7 +36,8 @@ ModelBegin begin_of(const StockJob& job, const StockPlan& plan, const Run& run, 
           model,
           maker_of(job, plan),
           plan.cell_mm,
-          !plan.looks.empty()};
+          !plan.looks.empty(),
+          job.design_in_sight};
 }
 
 }  // namespace kerf::job

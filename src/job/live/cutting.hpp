@@ -40,6 +40,8 @@ class Cutting : public base::Interface {
   /// The coarse one first.
   [[nodiscard]] const std::vector<PartLevel>& levels() const { return levels_; }
   [[nodiscard]] const OwnerTable& owners() const { return owners_; }
+  /// Null: there is none.
+  [[nodiscard]] const DesignInSight* design() const { return design_ ? &*design_ : nullptr; }
   /// Up to here it can be seen, s of the run.
   [[nodiscard]] virtual double reached_s() const = 0;
   /// What is behind needs more memory than it may have.
@@ -62,6 +64,7 @@ class Cutting : public base::Interface {
   Cutting(const PassBegin& pass, std::uint32_t run)
       : run_(run), origin_(pass.origin), box_(stock::bounds(pass.shape)), facts_(pass.facts) {}
 
+  void see_against(const std::optional<DesignInSight>& design) { design_ = design; }
   void add_level(const PartLevel& level) { levels_.push_back(level); }
   [[nodiscard]] OwnerTable& table() { return owners_; }
 
@@ -72,6 +75,7 @@ class Cutting : public base::Interface {
   output::StockFacts::Model facts_;
   std::vector<PartLevel> levels_;
   OwnerTable owners_;
+  std::optional<DesignInSight> design_;
 };
 
 }  // namespace kerf::job

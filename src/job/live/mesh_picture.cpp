@@ -128,4 +128,9 @@ Picture::Parts MeshPicture::parts(std::size_t tile) const {
   return {output::mesh_part(block, patch, owners_.numbers()), 1, patch.triangles.empty()};
 }
 
+std::vector<Picture::Places> MeshPicture::places(std::size_t tile) const {
+  const Place block = place_of(tile, contouring_.blocks());
+  return {{.part = block, .at = output::mesh_places(contouring_.patch(block), owners_.numbers())}};
+}
+
 }  // namespace kerf::job

@@ -20,6 +20,7 @@ class MeshPicture final : public Picture {
   [[nodiscard]] std::size_t tiles() const override { return versions_.size(); }
   [[nodiscard]] std::uint64_t version(std::size_t tile) const override { return versions_[tile]; }
   [[nodiscard]] Parts parts(std::size_t tile) const override;
+  [[nodiscard]] std::vector<Places> places(std::size_t tile) const override;
   [[nodiscard]] double removed_mm3() const override {
     return model_.stock_mm3() - model_.left_mm3();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/angle.hpp"
 #include "stock/field/height_field.hpp"
 
 namespace kerf::job {
@@ -43,6 +44,7 @@ PartLevel level_of(const stock::Model& model) {
 
 ModelCutting::ModelCutting(const ModelBegin& pass, std::uint32_t run, std::size_t memory_bytes)
     : Cutting(pass, run), like_(pass.like), recording_(pass.model, {.memory_bytes = memory_bytes}) {
+  see_against(pass.design);
   add_level(level_of(pass.model));
   const PartLevel& coarse = levels().front();
   PartLevel fine{.cell_mm = fine_cell(pass.model, box(), pass.usual_cell_mm)};
@@ -55,7 +57,8 @@ void ModelCutting::take(const stock::TimedCut& cut) {
   const auto motion = static_cast<std::uint32_t>(cut.cut.motion);
   if (cut.cut.is_looked_at) {
     const base::BlockId& block = cut.cut.block;
-    table().add(motion, {static_cast<std::uint32_t>(block.file), block.line, cut.cut.tool});
+    table().add(motion, {static_cast<std::uint32_t>(block.file), block.line, cut.cut.tool},
+                geometry::degrees(cut.cut.data.engagement.phi_rad));
   }
   recording_.tell(motion, cut.start_s, cut.end_s);
 }
@@ -75,7 +78,7 @@ std::unique_ptr<ModelCutting::Seen> ModelCutting::make(std::uint32_t level) cons
       like_(is_alike ? 0 : levels()[level].cell_mm), recording_,
       stock::replay::Player::Settings{.is_alike = is_alike,
                                       .own = {.memory_bytes = kFineMemory_bytes}},
-      owners());
+      PictureOf{owners(), design() != nullptr});
 }
 
 }  // namespace kerf::job

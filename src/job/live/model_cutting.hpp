@@ -27,9 +27,9 @@ class ModelCutting final : public Cutting {
   /// A level that somebody has looked at.
   struct Seen {
     Seen(std::unique_ptr<stock::Model> model, const stock::replay::Recording& recording,
-         const stock::replay::Player::Settings& settings, const OwnerTable& owners)
+         const stock::replay::Player::Settings& settings, const PictureOf& of)
         : player(std::move(model), recording, settings),
-          picture(picture_of(player.model(), player.tiles(), owners)) {}
+          picture(picture_of(player.model(), player.tiles(), of)) {}
 
     stock::replay::ModelPlayer player;
     std::unique_ptr<Picture> picture;

@@ -1,6 +1,9 @@
 #include "job/live/part_sight.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "output/part/fact_frame.hpp"
 
 namespace kerf::job {
 namespace {
@@ -25,6 +28,22 @@ struct Shown {
         level(std::min(wish.level, static_cast<std::uint32_t>(cutting.levels().size() - 1))) {}
 };
 
+/// Of places that are there.
+std::vector<std::optional<float>> deviations_of(const DesignInSight& design,
+                                                const output::PartPlaces& at) {
+  std::vector<stock::Vec3> there;
+  for (const auto& place : at) {
+    if (place) there.push_back(*place);
+  }
+  const std::vector<float> known = design.deviations_mm(there);
+  std::vector<std::optional<float>> all(at.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i]) all[i] = known[next++];
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<PartAnswer> answer_at(Cutting& cutting, const PartWish& wish, stock::Vec3 at) {
@@ -32,7 +51,10 @@ std::optional<PartAnswer> answer_at(Cutting& cutting, const PartWish& wish, stoc
   const Picture* const picture = cutting.at(shown.time_s, shown.level, {});
   const auto place = picture == nullptr ? std::nullopt : picture->nearest(at);
   if (!place) return std::nullopt;
-  return PartAnswer{*place, cutting.owners().owner(place->motion)};
+  PartAnswer answer{*place, cutting.owners().owner(place->motion)};
+  if (const DesignInSight* const design = cutting.design())
+    answer.deviation_mm = double{design->deviations_mm({&place->at, 1}).front()};
+  return answer;
 }
 
 std::optional<PartLook> PartSight::look(const std::shared_ptr<Cutting>& cutting,
@@ -46,15 +68,21 @@ std::optional<PartLook> PartSight::look(const std::shared_ptr<Cutting>& cutting,
   look.removed_mm3 = picture->removed_mm3();
   const Picture::Parts parts = changed(*picture, look);
   tell_owners(look);
-  if (parts.count == 0 && shown_s_ == look.time_s) return look;
+  if (parts.count > 0 || shown_s_ != look.time_s) put(picture->kind(), parts, look);
   shown_s_ = look.time_s;
-  look.frame = output::part_frame({.kind = picture->kind(),
-                                   .run = cutting->run(),
-                                   .number = frames_++,
-                                   .level = shown.level,
-                                   .time_s = look.time_s},
-                                  parts.count, parts.bytes);
+  look.is_partial = look.has_more;
+  const Picture::Parts told = facts(*picture, wish.deviation, unwanted, look);
+  if (told.count > 0) put(output::PartKind::facts, told, look);
   return look;
+}
+
+void PartSight::put(output::PartKind kind, const Picture::Parts& parts, PartLook& look) {
+  look.frames.push_back(output::part_frame({.kind = kind,
+                                            .run = cutting_->run(),
+                                            .number = frames_++,
+                                            .level = level_,
+                                            .time_s = look.time_s},
+                                           parts.count, parts.bytes));
 }
 
 void PartSight::begin(const std::shared_ptr<Cutting>& cutting, std::uint32_t level) {
@@ -69,9 +97,10 @@ void PartSight::begin(const std::shared_ptr<Cutting>& cutting, std::uint32_t lev
 }
 
 void PartSight::tell_owners(PartLook& look) {
-  look.first_owner = owners_;
-  look.owners = cutting_->owners().numbered(owners_);
-  owners_ += look.owners.size();
+  OwnerTable::News news = cutting_->owners().since(owners_);
+  look.first_owner = news.first;
+  look.owners = std::move(news.rows);
+  owners_ = news.change;
 }
 
 Picture::Parts PartSight::changed(const Picture& picture, PartLook& look) {
@@ -94,8 +123,49 @@ void PartSight::add(const Picture::Parts& tile, Seen& seen, Picture::Parts& all)
   const std::uint64_t hash = hash_of(tile.bytes);
   if (hash == seen.sent || (tile.is_empty && seen.sent == 0)) return;
   seen.sent = hash;
+  seen.lacks_owners = seen.lacks_deviations = true;
   all.bytes += tile.bytes;
   all.count += tile.count;
+}
+
+// Of tiles that have changed since they were sent nothing is told: they come anew.
+Picture::Parts PartSight::facts(const Picture& picture, bool with_deviation,
+                                const std::stop_token& unwanted, PartLook& look) {
+  Picture::Parts all;
+  const DesignInSight* const design = with_deviation ? cutting_->design() : nullptr;
+  const bool tells_owners = picture.kind() == output::PartKind::profile;
+  std::size_t places = 0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    Seen& seen = seen_[i];
+    const bool lacks = (tells_owners && seen.lacks_owners) || (design && seen.lacks_deviations);
+    if (!lacks || seen.version != picture.version(i) + 1) continue;
+    if (places >= kPlacesAtOnce || unwanted.stop_requested()) {
+      look.has_more = true;
+      break;
+    }
+    places += tell(picture.places(i), design, seen, all);
+  }
+  return all;
+}
+
+/// How many places there are.
+std::size_t PartSight::tell(const std::vector<Picture::Places>& places, const DesignInSight* design,
+                            Seen& seen, Picture::Parts& all) {
+  std::size_t count = 0;
+  for (const Picture::Places& one : places) {
+    count += one.at.size();
+    if (one.at.empty()) continue;
+    if (seen.lacks_owners && !one.owners.empty()) {
+      all.bytes += output::owner_part(one.part, one.owners);
+      ++all.count;
+    }
+    if (design == nullptr || !seen.lacks_deviations) continue;
+    all.bytes += output::deviation_part(one.part, deviations_of(*design, one.at));
+    ++all.count;
+  }
+  seen.lacks_owners = false;
+  seen.lacks_deviations = seen.lacks_deviations && design == nullptr;
+  return count;
 }
 
 }  // namespace kerf::job

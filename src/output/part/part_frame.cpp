@@ -1,13 +1,12 @@
 #include "output/part/part_frame.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
 
-#include "output/solid/bytes.hpp"
+#include "output/part/internal/frame_bytes.hpp"
 #include "stock/dexel/octahedral.hpp"
 
 namespace kerf::output {
@@ -19,17 +18,6 @@ using stock::dexel::Octahedral;
 constexpr std::uint16_t kFrameVersion = 1;
 constexpr std::uint16_t kNothingLeft = 65535;
 constexpr double kMostHeight = 65534;
-
-void put_signed(std::string& out, int value) {
-  append_little_endian(out, static_cast<std::uint32_t>(value));
-}
-void put_double(std::string& out, double value) {
-  append_little_endian(out, std::bit_cast<std::uint64_t>(value));
-}
-void put_half(std::string& out, int value) {
-  append_little_endian(out, static_cast<std::uint16_t>(value));
-}
-void pad(std::string& out) { out.resize((out.size() + 3) / 4 * 4); }
 
 /// A tile of columns on their grid.
 struct TileRange {
@@ -196,6 +184,36 @@ std::string mesh_part(stock::surface::Place block, const stock::surface::Patch& 
   for (const std::uint16_t each : made.index) append_little_endian(out, each);
   pad(out);
   return out;
+}
+
+PartPlaces height_places(const stock::field::Columns& columns, std::size_t tile) {
+  const stock::field::Grid& grid = columns.grid();
+  const TileRange at = range_of(grid, tile);
+  PartPlaces places;
+  places.reserve(static_cast<std::size_t>(at.nx) * static_cast<std::size_t>(at.ny));
+  for (int j = at.first_y; j < at.first_y + at.ny; ++j) {
+    for (int i = at.first_x; i < at.first_x + at.nx; ++i) {
+      const float height = columns.height(i, j);
+      const bool is_empty = height <= columns.bottom(i, j);
+      const Vec3 top{grid.x(i), grid.y(j), grid.box.low.z + static_cast<double>(height)};
+      places.push_back(is_empty ? std::nullopt : std::optional(top));
+    }
+  }
+  return places;
+}
+
+PartPlaces mesh_places(const stock::surface::Patch& patch, const OwnerOf& owner) {
+  const NumberedTriangles made = numbered(patch, owner);
+  PartPlaces places;
+  for (const auto& corner : made.corners.corners()) places.emplace_back(patch.points[corner.point]);
+  return places;
+}
+
+PartPlaces loop_places(const contour::Contour& loop) {
+  PartPlaces places;
+  for (const contour::Vertex& vertex : loop.vertices)
+    places.emplace_back(Vec3{vertex.point.v, 0, vertex.point.u});
+  return places;
 }
 
 std::string loop_part(const contour::Contour& loop) {

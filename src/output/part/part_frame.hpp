@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "geometry/contour/contour.hpp"
 #include "stock/field/columns.hpp"
@@ -12,7 +14,7 @@ namespace kerf::output {
 
 /// What a frame of the virtual part shows; the numbers of its header (docs/panel-protocol.md,
 /// Frames of the part).
-enum class PartKind : std::uint16_t { heights = 0, mesh = 1, profile = 2, sheet = 3 };
+enum class PartKind : std::uint16_t { heights = 0, mesh = 1, profile = 2, sheet = 3, facts = 4 };
 
 struct PartFrameHead {
   PartKind kind{};
@@ -35,6 +37,17 @@ using OwnerOf = std::function<std::uint16_t(std::uint32_t motion)>;
                                     const OwnerOf& owner);
 /// Of a closed contour in (Z, ρ).
 [[nodiscard]] std::string loop_part(const contour::Contour& loop);
+
+/// Places of a part of a frame, in the order of its columns, vertices or corners, frame of the
+/// stock. None: nothing is left there.
+using PartPlaces = std::vector<std::optional<geometry::Vec3>>;
+
+/// The tops of the columns of height_part().
+[[nodiscard]] PartPlaces height_places(const stock::field::Columns& columns, std::size_t tile);
+/// The vertices of mesh_part().
+[[nodiscard]] PartPlaces mesh_places(const stock::surface::Patch& patch, const OwnerOf& owner);
+/// The corners of loop_part().
+[[nodiscard]] PartPlaces loop_places(const contour::Contour& loop);
 
 /// The frame of `count` parts.
 [[nodiscard]] std::string part_frame(const PartFrameHead& head, std::uint32_t count,

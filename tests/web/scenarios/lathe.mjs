@@ -12,7 +12,7 @@ const SIZES = [
 const PHONE = { width: 390, height: 844, touch: true };
 
 /** A page that watches a lathe, which it makes where there is none. */
-async function open_lathe(open, size = {}) {
+export async function open_lathe(open, size = {}) {
   const panel = await open(size);
   await panel.operates();
   await panel.page.locator('header .chosen').click();
@@ -32,7 +32,7 @@ async function open_lathe(open, size = {}) {
 }
 
 /** Where the page takes the program for another machine's, its card is not what the picture is about. */
-async function without_card(panel) {
+export async function without_card(panel) {
   const close = panel.page.locator('.card[role="alert"]').getByRole('button', { name: 'Close' });
   if (await close.count()) await close.click();
 }

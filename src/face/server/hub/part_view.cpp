@@ -55,9 +55,9 @@ void PartView::take(const PartLooking& of, const std::optional<job::PartLook>& l
     ready_.push_back({part_->document.event_since(seen_, machine, "stock", more), false});
   seen_ = revision;
   told_ = more;
-  if (!look->frame.empty()) ready_.push_back({look->frame, true});
+  for (const std::string& frame : look->frames) ready_.push_back({frame, true});
   is_new_ = is_new_ || look->has_more;
-  if (of.wish == wish_ && !look->has_more) answer(*look);
+  if (of.wish == wish_ && !look->is_partial) answer(*look);
 }
 
 // Behind what it is the answer to.

@@ -84,14 +84,17 @@ input signal. `set-input` renews the preview of a program that reads inputs, at 
 `stock`: of the part of what is loaded, to who has it shown, with the keys whose value has changed; of another `run` all are new.
 `{"event":"stock","machine","run","model":"zmap|tridexel|profile|sheet","reason","stock":{"origin","low","high"},"cell_mm",
 "levels":[null|{"first":[x,y],"cell_mm":[x,y],"cells":[nx,ny]},…],"files":["O1.nc",…],"done_s","done","removed_mm3",
-"findings":[{…},…],"more_findings","threads":[{…},…],"assumed":[{"line","what"},…],"not_checked":[…],"behind","error":null|{"message"},"owners":{"from","rows":[[file,line,tool],…]}}`.
+"findings":[{…},…],"more_findings","threads":[{…},…],"assumed":[{"line","what"},…],"not_checked":[…],"behind","error":null|{"message"},"design":null|{"file","tolerance_mm"},
+"owners":{"from","rows":[[file,line,tool,null|engagement_deg],…]}}`.
 Places and lengths count from the zero of the stock, mm, X of a lathe as a radius; `origin` is that zero in machine coordinates, `low` and
 `high` are the box of the stock. A level tells the middle of its first column; one that is no grid of columns is null. `done_s`: up to
 this second of the program the part is cut. `removed_mm3` is up to the time that is shown; `behind`: it is not cut as far as was
 asked for. A finding is a diagnostic with `time_s`, `tool`, `motion`, `at`: `[x,y,z]`, `depth_mm`, `volume_mm3` and `count`, how often the
-block did it; one of the whole run has line 0. `owners`: rows behind those told before, or with `from` 0 in place of them; a
-frame names who cut a place by the number of a row, and row 0 is nobody's. A program of more than 65,535 blocks that cut has
-several neighbours in a row, which then names the first of them. `error`: why the part is not cut, or not to its end.
+block did it; one of the whole run has line 0. `owners`: rows that are new or known better, from the number `from` on, or with `from` 0
+in place of all before; a frame names who cut a place by the number of a row, and row 0 is nobody's. A program of more than 65,535
+blocks that cut has several neighbours in a row, which then names the first of them. `engagement_deg`: over so much of its circle the
+tool was in the material, the most of all motions of the row, 180 in a full slot; null: not known, as of drills and inserts. `design`:
+the file of the set-up that the part is seen against; deviations are told where `stock_at` asks for them. `error`: why the part is not cut, or not to its end.
 
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 
@@ -128,7 +131,7 @@ A binary frame, little endian:
 | --- | --- | --- |
 | 0 | 4 bytes | `KSTK` |
 | 4 | u16 | version 1 |
-| 6 | u16 | kind: 0 heights, 1 triangles, 2 half section, 3 sheet |
+| 6 | u16 | kind: 0 heights, 1 triangles, 2 half section, 3 sheet, 4 facts |
 | 8 | u32 | run, as in `stock` |
 | 12 | u32 | number of the frame; 0: it begins a picture, which replaces the one before |
 | 16 | u32 | level |
@@ -148,6 +151,12 @@ Kind 2: a part is a closed line: u32 n, n times f64 z, ρ (a radius) and bulge (
 next corner; 0: a line). All lines together are what is left, on the left of them.
 
 Kind 3: i32 `x`, `y` of the tile, u16 `nx`, `ny`, f32 `full`, u8 `energy[nx·ny]` (255: `full` J/mm²), u8 `coverage[nx·ny]` (255: cut).
+
+Kind 4: of parts that have come, what is known besides; it holds until the part itself comes anew, and is none of a picture of another
+run or level. i32 `x`, `y`, `z` of the tile (of heights z is 0; of a half section x is the number of the line), u16 `what`, u16 0, u32 n,
+f32 `scale`, i16 `value[n]`, in the order of the columns, vertices or corners. `what` 0: how far each place is from the design, scale·value
+mm: above 0 material is left, below 0 it is cut away; -32768: not known. `what` 1: the owner of the line or arc that begins at
+the corner, as u16; of half sections alone. A part with a design has corners all along its half section, so that between two of them deviations run evenly.
 
 ## HTTP
 `GET /` and what it refers to: the page. `GET /api`: this document. `GET /notices`: licences. `GET /health`. `GET /library/NAME`: a program.

@@ -35,6 +35,16 @@ Json thread_json(const Thread& thread) {
           {"starts", thread.starts}};
 }
 
+Json design_json(const job::DesignInSight* design) {
+  if (design == nullptr) return nullptr;
+  return {{"file", file_label(design->file)}, {"tolerance_mm", design->tolerance_mm}};
+}
+
+Json owner_json(const job::OwnerRow& row) {
+  const Json engagement = row.engagement_deg > 0 ? Json(row.engagement_deg) : Json(nullptr);
+  return {row.owner.file, row.owner.line, row.owner.tool, engagement};
+}
+
 void take_cutting(const job::Cutting& cutting, Json& json) {
   json["run"] = cutting.run();
   json["model"] = cutting.model();
@@ -46,6 +56,7 @@ void take_cutting(const job::Cutting& cutting, Json& json) {
   json["levels"] = Json::array();
   for (const job::PartLevel& level : cutting.levels()) json["levels"].push_back(level_json(level));
   json["done_s"] = cutting.reached_s();
+  json["design"] = design_json(cutting.design());
 }
 
 void take_sources(const job::PartProgress& progress, Json& json) {
@@ -87,16 +98,17 @@ Json sight_json(const job::PartLook& look) {
   Json json = {{"removed_mm3", look.removed_mm3}, {"behind", look.is_behind}};
   if (look.owners.empty()) return json;
   Json rows = Json::array();
-  for (const job::PartOwner& owner : look.owners)
-    rows.push_back({owner.file, owner.line, owner.tool});
+  for (const job::OwnerRow& row : look.owners) rows.push_back(owner_json(row));
   json["owners"] = {{"from", look.first_owner}, {"rows", std::move(rows)}};
   return json;
 }
 
 Json place_json(const std::optional<job::PartAnswer>& answer) {
   if (!answer) return {{"at", nullptr}, {"owner", nullptr}};
+  const auto& deviation = answer->deviation_mm;
   Json json = {{"at", vector_json(answer->place.at)},
                {"owner", nullptr},
+               {"deviation_mm", deviation ? Json(*deviation) : Json(nullptr)},
                {"energy_j_mm2", answer->place.energy_j_mm2}};
   if (answer->owner.line > 0) {
     json["owner"] = {{"file", answer->owner.file},

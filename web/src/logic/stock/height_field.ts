@@ -41,6 +41,8 @@ export class HeightField {
   version = 0;
   readonly tiles_x: number;
   readonly tiles_y: number;
+  /** Columns and rows of the tiles that have come, by their places. */
+  private readonly sizes = new Map<string, [number, number]>();
 
   constructor(readonly grid: Grid) {
     const { nx, ny, top } = grid;
@@ -62,6 +64,7 @@ export class HeightField {
     const box = new ChangedBox();
     const rows = Math.min(tile.ny, ny - j0);
     for (let j = 0; j < rows; j++) this.put_row(tile, j, [i0, j0 + j], box);
+    this.sizes.set(`${tile.x} ${tile.y}`, [tile.nx, tile.ny]);
     this.repainted.add(this.key_of_cell(i0, j0));
     this.mark(box);
     return true;
@@ -72,23 +75,24 @@ export class HeightField {
     const to = j * this.grid.nx + i0;
     const columns = Math.min(tile.nx, this.grid.nx - i0);
     for (let i = 0; i < columns; i++) {
-      if (this.put_height(to + i, height_in(tile, from + i))) box.add(i0 + i, j);
       this.owners[to + i] = tile.owner[from + i];
+      if (!this.put_height(to + i, height_in(tile, from + i))) continue;
+      box.add(i0 + i, j);
+      // A column that has not changed is as far off as it was.
+      if (this.deviation) this.deviation[to + i] = NO_DEVIATION;
     }
-    this.deviation?.fill(NO_DEVIATION, to, to + columns);
   }
 
-  /** Of the columns of a tile; of those beside the part nothing is kept. */
+  /** Of the columns of a tile that has come; of those beside the part nothing is kept. */
   put_deviation(x: number, y: number, values: Float32Array): void {
     const { nx, ny } = this.grid;
-    const [i0, j0] = [x * TILE_CELLS, y * TILE_CELLS];
-    if (x < 0 || y < 0 || i0 >= nx || j0 >= ny) return;
-    const columns = Math.min(TILE_CELLS + 1, nx - i0);
-    const rows = Math.min(TILE_CELLS + 1, ny - j0);
-    if (values.length !== columns * rows) return;
+    const [columns, rows] = this.sizes.get(`${x} ${y}`) ?? [0, 0];
+    if (columns === 0 || values.length !== columns * rows) return;
     this.deviation ??= new Float32Array(nx * ny).fill(NO_DEVIATION);
-    for (let j = 0; j < rows; j++)
-      this.deviation.set(values.subarray(j * columns, (j + 1) * columns), (j0 + j) * nx + i0);
+    const [i0, j0] = [x * TILE_CELLS, y * TILE_CELLS];
+    const kept = Math.min(columns, nx - i0);
+    for (let j = 0; j < Math.min(rows, ny - j0); j++)
+      this.deviation.set(values.subarray(j * columns, j * columns + kept), (j0 + j) * nx + i0);
     this.repainted.add(this.key_of_cell(i0, j0));
   }
   /** True: it was another one. */

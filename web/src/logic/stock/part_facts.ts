@@ -20,9 +20,16 @@ function put_on_mesh({ tiles, changed }: Shape & { kind: 'mesh' }, tile: FactTil
 }
 
 function put_on_loops(shape: Shape & { kind: 'profile' }, tile: FactTile): void {
-  shape.loops = shape.loops.map((loop, i) =>
+  const loops = (shape.next ?? shape.loops).map((loop, i) =>
     i === tile.x && loop.z.length === tile.value.length ? { ...loop, ...facts_of(tile) } : loop,
   );
+  const waits = shape.next && loops.some(({ owner }) => owner === undefined);
+  if (waits) {
+    shape.next = loops;
+  } else {
+    shape.loops = loops;
+    shape.next = null;
+  }
 }
 
 const facts_of = (tile: FactTile): Partial<ProfileLoop> =>

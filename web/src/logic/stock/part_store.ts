@@ -88,7 +88,12 @@ const NOTHING: PartFacts = {
 export type Shape =
   | { kind: 'heights'; field: HeightField }
   | { kind: 'mesh'; tiles: Map<string, MeshTile>; changed: Set<string> }
-  | { kind: 'profile'; loops: ProfileLoop[] }
+  | {
+      kind: 'profile';
+      loops: ProfileLoop[];
+      /** Take the place of the loops when it is known who has cut them. */
+      next: ProfileLoop[] | null;
+    }
   | { kind: 'sheet'; field: SheetField };
 
 interface OwnerRows {
@@ -176,7 +181,7 @@ export class PartStore {
 
   private new_shape(frame: StockFrame): Shape | null {
     if (frame.kind === 'mesh') return { kind: 'mesh', tiles: new Map(), changed: new Set() };
-    if (frame.kind === 'profile') return { kind: 'profile', loops: [] };
+    if (frame.kind === 'profile') return { kind: 'profile', loops: [], next: null };
     const grid = this.grid_of(frame.level);
     if (!grid) return null;
     if (frame.kind === 'sheet') return { kind: 'sheet', field: new SheetField(grid) };
@@ -208,7 +213,7 @@ const MOST_CELLS = 1 << 26;
 
 function put(shape: Shape, frame: StockFrame): void {
   if (shape.kind === 'profile' && frame.kind === 'profile') {
-    if (frame.loops.length) shape.loops = frame.loops;
+    if (frame.loops.length) put_loops(shape, frame.loops);
   } else if (shape.kind === 'mesh' && frame.kind === 'mesh') {
     for (const tile of frame.tiles) put_triangles(shape, tile);
   } else if (shape.kind === 'sheet' && frame.kind === 'sheet') {
@@ -216,6 +221,13 @@ function put(shape: Shape, frame: StockFrame): void {
   } else if (shape.kind === 'heights' && frame.kind === 'heights') {
     for (const tile of frame.tiles) shape.field.put(tile);
   }
+}
+
+/** Who has cut them comes behind them: so that no colour flickers, those before are seen until then. */
+function put_loops(shape: Shape & { kind: 'profile' }, loops: ProfileLoop[]): void {
+  const waits = shape.loops.some(({ owner }) => owner !== undefined);
+  if (waits) shape.next = loops;
+  else shape.loops = loops;
 }
 
 /** They replace what the tile was; none: nothing is left there. */

@@ -65,7 +65,7 @@ std::string part_name(const std::string& program, const std::string& format) {
 
 Outcome<void> export_part(const PartExport& part, base::OutputFile& into) {
   if (auto apart = keep_apart(part); !apart) return apart;
-  auto job = part_job(part.source, part.set_up, part.folder);
+  auto job = part_job(part.source, part.set_up, part.folder, Sight::none);
   if (!job) return tl::unexpected(job.error());
   job->job.budget.seconds = job::LivePart::kSeconds;
   job->job.budget.unwanted = part.unwanted;

@@ -1,6 +1,7 @@
 #include "face/server/hub/internal/part_job.hpp"
 
 #include "face/server/store/program_name.hpp"
+#include "job/part_comparison.hpp"
 #include "job/stock_table.hpp"
 #include "machine/definition/set_up.hpp"
 #include "machine/definition/tools/tool_comment.hpp"
@@ -51,6 +52,15 @@ std::vector<stock::Tool> tools_of(const SetUp& set_up, const machine::MachineDef
   return tools;
 }
 
+/// The design gets no more memory than the part.
+Outcome<void> see_design(const std::optional<SetUp::Design>& design, job::StockJob& job) {
+  if (!design) return {};
+  job.memory_bytes = job::LivePart::Order{}.memory_bytes;
+  if (auto shown = job::show_design(design, job); !shown) return shown;
+  job.notes.emplace_back("the part is seen against its design; `kerf stock` compares it");
+  return {};
+}
+
 }  // namespace
 
 Outcome<void> check_set_up(const std::string& toml) {
@@ -59,8 +69,8 @@ Outcome<void> check_set_up(const std::string& toml) {
 }
 
 Outcome<job::StockJob> part_job(const PartSource& source, const std::string& set_up,
-                                const std::string& folder) {
-  const auto laid_out = set_up_in(set_up, folder);
+                                const std::string& folder, Sight sight) {
+  auto laid_out = set_up_in(set_up, folder);
   if (!laid_out) return tl::unexpected(laid_out.error());
   auto text = source.text();
   if (!text) return tl::unexpected(text.error());
@@ -68,8 +78,11 @@ Outcome<job::StockJob> part_job(const PartSource& source, const std::string& set
   if (!program) return tl::unexpected(program.error());
   job::StockJob job{.job = source.job};
   job.job.program = *text;
+  const auto design = std::exchange(laid_out->design, std::nullopt);
   if (auto laid = job::lay(*laid_out, **program, job); !laid) return tl::unexpected(laid.error());
   job.tools = machine::ToolChoice(tools_of(*laid_out, source.job.definition, **program));
+  if (sight == Sight::none) return job;
+  if (auto shown = see_design(design, job); !shown) return tl::unexpected(shown.error());
   return job;
 }
 

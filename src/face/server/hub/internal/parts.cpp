@@ -68,7 +68,7 @@ void Parts::cut(MachineRecord& machine, const Outcome<std::string>& set_up) {
   machine.part = std::make_shared<Part>(job::LivePart::Order{
       .job = [this, source = *machine.part_source, set_up]() -> Outcome<job::StockJob> {
         if (!set_up) return tl::unexpected(set_up.error());
-        return part_job(source, *set_up, around_.library.folder());
+        return part_job(source, *set_up, around_.library.folder(), Sight::against_design);
       },
       .first_run = machine.part_number * job::LivePart::kMostRuns});
   for (Client* const watcher : machine.watchers) {
@@ -197,6 +197,7 @@ void Parts::stock_at(const Request& request) {
   job::PartWish wish;
   if (arguments.has("time_s")) wish.time_s = arguments.number("time_s");
   if (arguments.has("level")) wish.level = static_cast<std::uint32_t>(arguments.integer("level"));
+  wish.deviation = arguments.has("deviation") && arguments.flag("deviation");
   client.part().want(wish, request.reply);
   client.wake();
 }

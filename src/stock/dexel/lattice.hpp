@@ -53,9 +53,12 @@ struct Lattice {
  private:
   [[nodiscard]] static CellRange cells_in(double low, double high, double cell, int count) {
     const double middle = 0.5 * (count - 1);
-    const double from = std::clamp(std::ceil(low / cell + middle - 1e-6), 0.0, 1.0 * count);
-    const double to = std::clamp(std::floor(high / cell + middle + 1e-6), -1.0, count - 1.0);
-    return {static_cast<int>(from), static_cast<int>(to)};
+    // Clamped first, and rounded by conversion: not every processor has an instruction for it.
+    const double from = std::clamp(low / cell + middle - 1e-6, 0.0, 1.0 * count);
+    const double to = std::clamp(high / cell + middle + 1e-6, -1.0, count - 1.0);
+    const int first = static_cast<int>(from);
+    const int last = static_cast<int>(to);
+    return {first + (first < from ? 1 : 0), last - (last > to ? 1 : 0)};
   }
 };
 

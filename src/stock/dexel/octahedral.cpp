@@ -7,9 +7,13 @@ namespace {
 
 constexpr double kSteps = 127;
 
-std::int8_t packed(double value) {
-  return static_cast<std::int8_t>(std::nearbyint(value * kSteps));
+/// Rounded to the nearest, of two the even one: what the last place of this sum is.
+double rounded(double value) {
+  constexpr double kUnits = 0x1.8p52;
+  return (value + kUnits) - kUnits;
 }
+
+std::int8_t packed(double value) { return static_cast<std::int8_t>(rounded(value * kSteps)); }
 
 /// The lower half of the octahedron lies outside of the diamond that the upper one fills.
 double folded(double value, double other) { return std::copysign(1 - std::fabs(other), value); }

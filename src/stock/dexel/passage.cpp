@@ -8,12 +8,10 @@ namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr double kStill = 1e-18;     // mm²: it does not move
-constexpr double kParallel = 1e-12;  // of squares of sines
-constexpr double kLevel = 1e-9;      // of sines: dexels along the planes of a solid
-constexpr double kLinear = 1e-14;    // a coefficient of a square that is rounding
-constexpr double kGraze = 1e-10;     // mm²: touched from aside, up to rounding
-constexpr double kNear = 1e-9;       // mm, between a rim and its plane
+constexpr double kStill = 1e-18;   // mm²: it does not move
+constexpr double kLevel = 1e-9;    // of sines: dexels along the planes of a solid
+constexpr double kLinear = 1e-14;  // a coefficient of a square that is rounding
+constexpr double kGraze = 1e-10;   // mm²: touched from aside, up to rounding
 
 Vec3 unit_of(int axis) {
   return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};

@@ -32,6 +32,8 @@ struct Meeting {
 /// the two planes of the solid and by t = 0 and t = 1. Their extent in s is what the solid meets of
 /// the dexel, exactly; it ends at an extreme of the conic or on one of the four lines.
 class Passage {
+  friend class Glance;
+
  public:
   /// `tip`, `way`: from where, and by how much, in the frame of the dexels. `axis`: of the dexels.
   Passage(const Solid& solid, const Frame& frame, Vec3 tip, Vec3 way, int axis);
@@ -66,6 +68,9 @@ class Passage {
   [[nodiscard]] Vec3 normal(const Reach& reach, double b, double c) const;
 
  private:
+  static constexpr double kParallel = 1e-12;  // of squares of sines
+  static constexpr double kNear = 1e-9;       // mm, between a rim and its plane
+
   struct Span {
     double low;
     double high;

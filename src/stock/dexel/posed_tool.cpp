@@ -9,7 +9,8 @@ namespace kerf::stock::dexel {
 namespace {
 
 PosedSolid posed(const Solid& solid, const Frame& frame, double block_mm) {
-  return {solid, grown(solid, block_mm), reach_of(solid, frame), block_mm};
+  const Solid around = grown(solid, block_mm);
+  return {solid, around, reach_of(solid, frame), block_mm, reach_of(around, frame)};
 }
 
 std::vector<PosedSolid> posed(const std::vector<Solid>& solids, const Frame& frame,

@@ -28,6 +28,7 @@ struct PosedSolid {
   Solid around;       ///< holds a block's dexels when its middle one is in
   Bounds reach;       ///< of the solid, from the tip
   double margin = 0;  ///< by which `around` is larger
+  Bounds around_reach;
 };
 
 /// A tool in a direction.

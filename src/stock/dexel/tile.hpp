@@ -13,9 +13,9 @@ namespace kerf::stock::dexel {
 
 /// Where material begins or ends along a dexel.
 struct DexelEnd {
-  float at = 0;         ///< mm from the middle of the stock's box
-  Octahedral normal{};  ///< away from the material
-  std::uint16_t spare = 0;
+  float at = 0;              ///< mm from the middle of the stock's box
+  Octahedral normal{};       ///< away from the material
+  std::uint16_t spare = 0;   ///< 0, but while a tile is worked at
   std::uint32_t motion = 0;  ///< that cut it; 0: it was the stock's
 
   friend constexpr bool operator==(const DexelEnd&, const DexelEnd&) = default;
@@ -56,6 +56,12 @@ class Tile {
     return has_piece(dexel, place, place,
                      [&](double low, double high) { return low < place && place < high; });
   }
+  /// act(end, number of the end) may change all but its place.
+  template <class Act>
+  void each_end(std::size_t dexel, Act&& act) {
+    const Dexel& d = dexels_[dexel];
+    for (std::size_t i = 0; i < d.count; ++i) act(ends_[d.begin + i], i);
+  }
   /// Replaces what is there. Precondition: even number, sorted.
   void fill(std::size_t dexel, std::span<const DexelEnd> ends);
 
@@ -71,6 +77,25 @@ class Tile {
       if (is_one(double{end[0].at}, double{end[1].at})) return true;
     }
     return false;
+  }
+  struct Pieces {
+    float low;
+    float high;
+    bool is_one;
+  };
+  /// Holds the intervals that reach into a stretch; low > high: there is none.
+  [[nodiscard]] Pieces around_pieces(std::size_t dexel, float low, float high) const {
+    const Dexel& d = dexels_[dexel];
+    const DexelEnd* ends = ends_.data() + d.begin;
+    if (d.count == 2) {
+      const bool reaches = ends[1].at > low && ends[0].at <= high;
+      return reaches ? Pieces{ends[0].at, ends[1].at, true} : Pieces{1, -1, false};
+    }
+    std::size_t last = first_above(d, low);
+    if (last >= d.count || !(ends[last].at <= high)) return {1, -1, false};
+    const std::size_t first = last;
+    while (last + 2 < d.count && ends[last + 2].at <= high) last += 2;
+    return {ends[first].at, ends[last + 1].at, first == last};
   }
   /// First and last place of material between two places; low > high: there is none.
   [[nodiscard]] Stretch touched_span(std::size_t dexel, float low, float high) const;

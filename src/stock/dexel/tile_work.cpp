@@ -30,10 +30,6 @@ TurnEnds turn_ends(const Task& task, const TurningWay& way) {
   return {stroke.from, stroke.from + stroke.way, task.sweep->axis, way.to_axis};
 }
 
-CellRange within(CellRange all, int first, int count) {
-  return {std::max(all.first - first, 0), std::min(all.last - first, count - 1)};
-}
-
 }  // namespace
 
 void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
@@ -52,55 +48,60 @@ void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
 TileWork::TileWork(const Lattice& lattice, Tile& tile, int first_column, int first_row, Vec3 middle)
     : lattice_(lattice),
       tile_(tile),
-      first_column_(first_column),
-      first_row_(first_row),
-      middle_(middle) {}
+      place_{lattice, first_column, first_row},
+      middle_(middle),
+      normals_(place_, tile) {}
 
 Vec3 TileWork::place_of(double along, double b, double c) const {
   return middle_ + along_axis(lattice_.axis, along, b, c);
 }
 
-TileWork::Window TileWork::window(const Bounds& box) const {
-  const int b = (lattice_.axis + 1) % 3;
-  const int c = (lattice_.axis + 2) % 3;
-  return {
-      within(lattice_.columns_in(on_axis(box.low, b), on_axis(box.high, b)), first_column_,
-             tile_.columns()),
-      within(lattice_.rows_in(on_axis(box.low, c), on_axis(box.high, c)), first_row_, tile_.rows()),
-      tile_.parts(on_axis(box.low, lattice_.axis), on_axis(box.high, lattice_.axis)),
-      as_float(on_axis(box.low, lattice_.axis)), as_float(on_axis(box.high, lattice_.axis))};
-}
-
-/// act(place) says whether the dexel has changed.
-template <class Act>
-void TileWork::visit_block(const Window& window, int column, int row, Act&& act) {
-  const int last_column = std::min(column + Tile::kBlock - 1, window.columns.last);
-  const int last_row = std::min(row + Tile::kBlock - 1, window.rows.last);
+/// glimpse(column, row): which of four dexels are to be looked at. act(place, is_sure) says
+/// whether the dexel has changed.
+template <class Glimpse, class Act>
+void TileWork::visit_block(const TileWindow& window, int column, int row, Glimpse&& glimpse,
+                           Act&& act) {
+  const int first = std::max(column, window.columns().first);
+  const int last = std::min(column + Tile::kBlock - 1, window.columns().last);
+  const int last_row = std::min(row + Tile::kBlock - 1, window.rows().last);
   bool changed = false;
-  for (int r = std::max(row, window.rows.first); r <= last_row; ++r) {
-    const double c = lattice_.c_of(first_row_ + r);
-    for (int i = std::max(column, window.columns.first); i <= last_column; ++i) {
-      changed |= act(Place{tile_.index(i, r), lattice_.b_of(first_column_ + i), c});
-      ++visited_;
+  for (int r = std::max(row, window.rows().first); r <= last_row; ++r) {
+    const double c = place_.c_of(r);
+    const Glance::Answer answer = glimpse(column, r);
+    visited_ += static_cast<std::uint64_t>(std::max(0, last - first + 1));
+    for (int i = first; i <= last; ++i) {
+      const unsigned bit = 1U << static_cast<unsigned>(i - column);
+      if ((answer.may & bit) == 0) continue;
+      changed |= act(Place{tile_.index(i, r), place_.b_of(i), c}, (answer.surely & bit) != 0);
     }
   }
-  if (changed) tile_.note_cut(column, row);
+  if (!changed) return;
+  tile_.note_cut(column, row);
+  normals_.note(column, row);
 }
 
-/// skip(b, c, parts): nothing of a block around (b, c), with material in these parts, is met.
-template <class Skip, class Act>
-void TileWork::visit_blocks(const Window& window, Skip&& skip, Act&& act) {
+/// visit(column, row) for blocks. skip(b, c, parts, is_sure): nothing of a block around (b, c),
+/// with material in these parts, is met; a glance may be sure that it may be.
+template <class Skip, class Visit>
+void TileWork::visit_blocks(const TileWindow& window, const Glance* far, Skip&& skip,
+                            Visit&& visit) {
   constexpr int kBlock = Tile::kBlock;
+  constexpr int kFour = Glance::kLines * kBlock;
   constexpr double kMiddle = 0.5 * (kBlock - 1);
-  const int from_row = window.rows.first / kBlock * kBlock;
-  const int from_column = window.columns.first / kBlock * kBlock;
-  for (int row = from_row; row <= window.rows.last; row += kBlock) {
-    const double c = lattice_.c_of(first_row_ + row) + kMiddle * lattice_.cell_c;
-    for (int column = from_column; column <= window.columns.last; column += kBlock) {
-      const std::uint64_t parts = tile_.block_parts(column, row);
-      if ((parts & window.parts) == 0) continue;
-      const double b = lattice_.b_of(first_column_ + column) + kMiddle * lattice_.cell_b;
-      if (!skip(b, c, parts)) visit_block(window, column, row, act);
+  const int from_row = window.rows().first / kBlock * kBlock;
+  const int from_column = window.columns().first / kBlock * kBlock;
+  for (int row = from_row; row <= window.rows().last; row += kBlock) {
+    const double c = place_.c_of(row) + kMiddle * lattice_.cell_c;
+    for (int four = from_column; four <= window.columns().last; four += kFour) {
+      const int last = std::min(four + kFour - 1, window.columns().last);
+      const Glance::Answer answer = window.at_blocks(far, four, row);
+      for (int column = four; answer.may != 0 && column <= last; column += kBlock) {
+        const unsigned bit = 1U << static_cast<unsigned>((column - four) / kBlock);
+        if ((answer.may & bit) == 0) continue;
+        const double middle = place_.b_of(column) + kMiddle * lattice_.cell_b;
+        const bool is_sure = (answer.surely & bit) != 0;
+        if (!skip(middle, c, tile_.block_parts(column, row), is_sure)) visit(column, row);
+      }
     }
   }
 }
@@ -109,46 +110,61 @@ void TileWork::visit_blocks(const Window& window, Skip&& skip, Act&& act) {
 template <class Act>
 void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke,
                      bool follows, Act&& act) {
-  const Window window = this->window(swept(solid.reach, stroke.from, stroke.way));
-  if (window.columns.first > window.columns.last || window.rows.first > window.rows.last) return;
+  const TileWindow window = this->window(swept(solid.reach, stroke.from, stroke.way));
+  if (window.is_empty() || window.is_beside(solid, frame, stroke)) return;
   Passage passage(solid.solid, frame, stroke.from, stroke.way, lattice_.axis);
   Passage around(solid.around, frame, stroke.from, stroke.way, lattice_.axis);
   if (follows) {
     passage.follow(0);
     around.follow(solid.margin);
   }
+  const Glance far(around, stroke.from, window.lines(solid.margin, Tile::kBlock));
+  const Glance near(passage, stroke.from, window.lines(solid.margin, 1));
   Meeting m;
-  const auto skip = [&](double b, double c, std::uint64_t parts) {
+  const auto skip = [&](double b, double c, std::uint64_t parts, bool is_sure) {
+    if (is_sure && around.is_decisive()) return false;
     const Passage::Line line = around.line(b, c);
-    const Tile::Stretch stretch = tile_.stretch(parts & window.parts);
-    if (!around.may_meet(line, double{stretch.low}, double{stretch.high})) return true;
+    const Tile::Stretch stretch = tile_.stretch(parts & window.parts());
+    if (!is_sure && !around.may_meet(line, double{stretch.low}, double{stretch.high})) return true;
     if (around.is_decisive()) return false;
     return !around.meet(line, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
   };
-  visit_blocks(window, skip, [&](const Place& place) {
+  const auto glimpse = [&](int column, int row) { return window.at_row(near, column, row); };
+  const auto look = [&](const Place& place, bool is_sure) {
     const Passage::Line line = passage.line(place.b, place.c);
     const auto may_meet = [&](double low, double high) {
       return passage.may_meet(line, low, high);
     };
-    return tile_.has_piece(place.dexel, window.low, window.high, may_meet) &&
+    return (is_sure || tile_.has_piece(place.dexel, window.low(), window.high(), may_meet)) &&
            passage.meet(line, m) && act(place, m, passage);
-  });
+  };
+  visit_blocks(window, &far, skip,
+               [&](int column, int row) { visit_block(window, column, row, glimpse, look); });
 }
 
 /// The same for a solid that turns; meets(place, meeting).
 template <class Meets, class Act>
 void TileWork::visit_turn(const Task& task, const Solid& solid, Meets&& meets, Act&& act) {
   Turn turn(solid, turn_ends(task, *turning(task)), lattice_.axis, task.turn_tolerance_mm);
-  const Window window = this->window(turn.reach());
-  if (window.columns.first > window.columns.last || window.rows.first > window.rows.last) return;
-  const auto never = [](double, double, std::uint64_t) { return false; };
-  visit_blocks(window, never, [&](const Place& place) {
+  const TileWindow window = this->window(turn.reach());
+  if (window.is_empty()) return;
+  const auto never = [](double, double, std::uint64_t, bool) { return false; };
+  const auto all = [](int, int) { return Glance::Answer{~0U, 0}; };
+  const auto look = [&](const Place& place, bool) {
     bool changed = false;
     turn.over(
         place.b, place.c, [&](const Meeting& m) { return meets(place, m); },
         [&](const Meeting& m, const Passage& passage) { changed |= act(place, m, passage); });
     return changed;
-  });
+  };
+  visit_blocks(window, nullptr, never,
+               [&](int column, int row) { visit_block(window, column, row, all, look); });
+}
+
+void TileWork::cut(std::span<const Task> tasks, std::span<const std::uint32_t> numbers,
+                   Tally& tally) {
+  for (const std::uint32_t number : numbers) cut(tasks[number], tally);
+  normals_.settle();
 }
 
 void TileWork::cut(const Task& task, Tally& tally) {
@@ -193,10 +209,12 @@ void TileWork::cut_solid(const Task& task, const PosedSolid& solid, const Stroke
   if (counts && dot(stroke.way, posed.frame.up) < -kDown_mm) {
     core.emplace(posed.core->solid, posed.frame, stroke.from, stroke.way, lattice_.axis);
   }
+  cut_ = normals_.begin(posed.frame, solid, stroke);
   visit(solid, posed.frame, stroke, follows,
         [&](const Place& p, const Meeting& m, const Passage& by) {
           return take(task, p, m, by, core ? &*core : nullptr, across, outcome);
         });
+  cut_ = 0;
 }
 
 bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting,
@@ -216,6 +234,11 @@ bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting
 double TileWork::subtract(const Task& task, const Place& place, const Meeting& meeting,
                           const Passage& passage) {
   const std::uint32_t motion = task.sweep->motion;
+  if (cut_ > 0) {
+    const auto end = [&](float at) { return DexelEnd{at, {}, cut_, motion}; };
+    return tile_.subtract(place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
+                          end, end);
+  }
   return tile_.subtract(
       place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
       [&](float at) { return end_of(at, passage, meeting.low, place.b, place.c, motion); },
@@ -357,8 +380,7 @@ void TileWork::tell_contacts(const Task& task, ToolPart part, Tally& tally) {
     const Found& found = found_[dexel];
     const int column = static_cast<int>(dexel) % tile_.columns();
     const int row = static_cast<int>(dexel) / tile_.columns();
-    const Vec3 at = place_of(double{found.at}, lattice_.b_of(first_column_ + column),
-                             lattice_.c_of(first_row_ + row));
+    const Vec3 at = place_of(double{found.at}, place_.b_of(column), place_.c_of(row));
     all.add({double{found.removed}, at, Exact(double{found.removed} * lattice_.cell_area())});
   }
   const int rank = (lattice_.axis - task.main_axis + 3) % 3;

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "stock/dexel/across.hpp"
+#include "stock/dexel/late_normals.hpp"
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/passage.hpp"
 #include "stock/dexel/posed_tool.hpp"
 #include "stock/dexel/strokes.hpp"
 #include "stock/dexel/tile.hpp"
+#include "stock/dexel/tile_window.hpp"
 #include "stock/dexel/turn.hpp"
 #include "stock/sweep/outcome.hpp"
 
@@ -55,18 +57,14 @@ class TileWork {
   /// `middle`: of the stock's box, in the frame of the stock.
   TileWork(const Lattice& lattice, Tile& tile, int first_column, int first_row, Vec3 middle);
 
-  void cut(const Task& task, Tally& tally);
+  /// Those of the tasks that have these numbers, in their order.
+  void cut(std::span<const Task> tasks, std::span<const std::uint32_t> numbers, Tally& tally);
   /// Whether a body as large as it is, on a straight way, meets material.
   [[nodiscard]] bool meets(const PosedTool& posed, const Stroke& stroke);
 
  private:
-  struct Window {
-    CellRange columns;
-    CellRange rows;
-    std::uint64_t parts = 0;
-    float low = 0;  ///< along the dexels
-    float high = 0;
-  };
+  void cut(const Task& task, Tally& tally);
+
   struct Place {
     std::size_t dexel;
     double b;
@@ -80,11 +78,11 @@ class TileWork {
     bool is_contact = false;
   };
 
-  [[nodiscard]] Window window(const Bounds& box) const;
-  template <class Act>
-  void visit_block(const Window& window, int column, int row, Act&& act);
-  template <class Skip, class Act>
-  void visit_blocks(const Window& window, Skip&& skip, Act&& act);
+  [[nodiscard]] TileWindow window(const Bounds& box) const { return {place_, tile_, box}; }
+  template <class Glimpse, class Act>
+  void visit_block(const TileWindow& window, int column, int row, Glimpse&& glimpse, Act&& act);
+  template <class Skip, class Visit>
+  void visit_blocks(const TileWindow& window, const Glance* far, Skip&& skip, Visit&& visit);
   template <class Act>
   void visit(const PosedSolid& solid, const Frame& frame, const Stroke& stroke, bool follows,
              Act&& act);
@@ -118,10 +116,11 @@ class TileWork {
 
   const Lattice& lattice_;
   Tile& tile_;
-  int first_column_;
-  int first_row_;
+  TilePlace place_;
   Vec3 middle_;
   std::uint64_t visited_ = 0;
+  LateNormals normals_;
+  std::uint16_t cut_ = 0;              // that goes on; 0: ends get their normals at once
   std::vector<Found> found_;           // of each dexel, when there is anything
   std::vector<std::size_t> contacts_;  // dexels
   std::vector<std::size_t> noted_;

@@ -186,9 +186,7 @@ void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcom
   });
   threads_->each(touched.size(), [&](std::size_t i) {
     Grid& grid = *grids_[touched[i].grid];
-    TileWork work = grid.work(touched[i].tile, middle_);
-    Tally& tally = tallies.local();
-    for (const std::uint32_t task : touched[i].tasks) work.cut(ready.tasks()[task], tally);
+    grid.work(touched[i].tile, middle_).cut(ready.tasks(), touched[i].tasks, tallies.local());
   });
   std::vector<Outcome> sums(sweeps.size());
   std::vector<AsideContact> aside;

@@ -241,7 +241,7 @@ def _(place):
     check(len(middle) >= 35, f"{len(middle)} corners along 18 mm")
     check(all(abs(found + 0.1) < 0.002 for found in middle), f"cut away: {middle}")
     end = [found for z, rho, found in corners(part, of_design) if -9.5 < z < -1 and abs(rho - 15) < 1e-6]
-    check(len(end) >= 17 and all(abs(found - 0.2) < 0.002 for found in end), f"left: {end}")
+    check(len(end) >= 16 and all(abs(found - 0.2) < 0.002 for found in end), f"left: {end}")
     equal({line for _, _, line in corners(part, who)} >= {0, 7, 11}, True, "who cut it, as before")
     check(math.isclose(max(rho for _, rho, _ in corners(part, who)), 25), "the bar")
 

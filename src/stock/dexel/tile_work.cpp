@@ -32,19 +32,6 @@ TurnEnds turn_ends(const Task& task, const TurningWay& way) {
 
 }  // namespace
 
-void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes) {
-  for (const int rank : {1, 2}) {
-    std::vector<AsideContact> open;
-    for (const AsideContact& each : aside) {
-      if (!outcomes[each.number].contacts[each.part].is_one()) open.push_back(each);
-    }
-    for (const AsideContact& each : open) {
-      if (each.rank == rank) outcomes[each.number].contacts[each.part].add(each.contact);
-    }
-    aside = std::move(open);
-  }
-}
-
 TileWork::TileWork(const Lattice& lattice, Tile& tile, int first_column, int first_row, Vec3 middle)
     : lattice_(lattice),
       tile_(tile),

@@ -9,6 +9,7 @@
 #include "stock/dexel/passage.hpp"
 #include "stock/dexel/posed_tool.hpp"
 #include "stock/dexel/strokes.hpp"
+#include "stock/dexel/tally.hpp"
 #include "stock/dexel/tile.hpp"
 #include "stock/dexel/tile_window.hpp"
 #include "stock/dexel/turn.hpp"
@@ -27,24 +28,6 @@ struct Task {
   /// The sweep before this one cut with the same body in the same direction and ended where this
   /// one begins.
   bool follows = false;
-};
-
-/// A contact that dexels across the tool saw.
-struct AsideContact {
-  std::size_t number = 0;
-  std::size_t part = 0;
-  int rank = 1;  ///< 1: of the axis after the main one, 2: of the next
-  Contact contact;
-};
-
-/// Adds to the outcomes, of the contacts of each sweep and part, those that stand: of the first
-/// rank that has any, where the main axis has none.
-void settle(std::vector<AsideContact>& aside, std::span<Outcome> outcomes);
-
-/// What one thread counts of the sweeps of a call.
-struct Tally {
-  std::vector<Outcome> outcomes;
-  std::vector<AsideContact> aside;
 };
 
 /// Cuts and checks the dexels of one tile, sweep by sweep. Of a sweep the edges come first; then

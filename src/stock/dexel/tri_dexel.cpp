@@ -1,7 +1,6 @@
 #include "stock/dexel/tri_dexel.hpp"
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -17,6 +16,7 @@
 #include "stock/dexel/pieces.hpp"
 #include "stock/dexel/preparation.hpp"
 #include "stock/dexel/shape_work.hpp"
+#include "stock/dexel/tally.hpp"
 #include "stock/dexel/tile_work.hpp"
 
 namespace kerf::stock::dexel {
@@ -61,6 +61,7 @@ struct TriDexel::Threads {
   }
 
   tbb::task_arena arena;
+  Tallies tallies;
 };
 
 /// Which tasks touch which tile, in order.
@@ -181,21 +182,13 @@ void TriDexel::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
 void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
   const Preparation ready(sweeps, tools_, {middle_, half(), cell_, block_}, *trail_);
   const std::vector<Touched> touched = this->touched(ready);
-  tbb::enumerable_thread_specific<Tally> tallies([&] {
-    return Tally{std::vector<Outcome>(sweeps.size()), {}};
-  });
   threads_->each(touched.size(), [&](std::size_t i) {
     Grid& grid = *grids_[touched[i].grid];
-    grid.work(touched[i].tile, middle_).cut(ready.tasks(), touched[i].tasks, tallies.local());
+    grid.work(touched[i].tile, middle_)
+        .cut(ready.tasks(), touched[i].tasks, threads_->tallies.own(sweeps.size()));
   });
-  std::vector<Outcome> sums(sweeps.size());
-  std::vector<AsideContact> aside;
-  for (const Tally& tally : tallies) {
-    for (std::size_t i = 0; i < sweeps.size(); ++i) sums[i].add(tally.outcomes[i]);
-    aside.insert(aside.end(), tally.aside.begin(), tally.aside.end());
-  }
-  settle(aside, sums);
-  for (std::size_t i = 0; i < sweeps.size(); ++i) outcomes[i].add(sums[i]);
+  threads_->tallies.take(outcomes,
+                         [&](std::size_t count, const auto& work) { threads_->each(count, work); });
 }
 
 std::vector<TriDexel::Touched> TriDexel::touched(const Preparation& ready) const {

@@ -159,7 +159,7 @@ inline void Glance::cut_behind(const At& at, Spans& spans) const {
       spans.s_high = is_beside ? smaller(spans.s_high, edge) : spans.s_high;
     }
   } else if (b.is_clear) {
-    spans.t_high = is_beside & (front < four(0)) ? four(-1) : spans.t_high;
+    spans.t_high = (is_beside & (front < four(0))) ? four(-1) : spans.t_high;
   } else if (b.per_along == 0) {
     const auto is_behind = front < four(0);
     const Four face = (b.low - at.z) * per_up_;

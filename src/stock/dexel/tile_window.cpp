@@ -6,7 +6,7 @@
 namespace kerf::stock::dexel {
 namespace {
 
-constexpr int kBlock = Tile::kBlock;
+constexpr int kSide = Tile::kBlock;
 constexpr double kMore_mm = 0.01;
 
 CellRange in_tile(CellRange all, int first, int count) {
@@ -52,8 +52,8 @@ bool TileWindow::is_beside(const PosedSolid& solid, const Frame& frame,
 Glance::Lines TileWindow::lines(double margin_mm, int dexels_apart) const {
   const Lattice& lattice = place_.lattice;
   const double more = margin_mm + kMore_mm + lattice.half_s / 32;  // and a part of a block
-  const double b = (kBlock + Glance::kLines * dexels_apart) * lattice.cell_b;
-  const double c = kBlock * lattice.cell_c;
+  const double b = (kSide + Glance::kLines * dexels_apart) * lattice.cell_b;
+  const double c = kSide * lattice.cell_c;
   const Vec3 low{std::max(double{low_}, -lattice.half_s) - more, place_.b_of(columns_.first) - b,
                  place_.c_of(rows_.first) - c};
   const Vec3 high{std::min(double{high_}, lattice.half_s) + more, place_.b_of(columns_.last) + b,
@@ -88,12 +88,12 @@ Glance::Answer TileWindow::at_row(const Glance& near, int column, int row) const
 }
 
 Glance::Answer TileWindow::at_blocks(const Glance* far, int column, int row) const {
-  constexpr double kMiddle = 0.5 * (kBlock - 1);
+  constexpr double kMiddle = 0.5 * (kSide - 1);
   Glance::Four low{1, 1, 1, 1};
   Glance::Four high{-1, -1, -1, -1};
   unsigned bits = 0;
-  for (int i = 0; i < Glance::kLines && column + i * kBlock <= columns_.last; ++i) {
-    const std::uint64_t parts = tile_.block_parts(column + i * kBlock, row) & parts_;
+  for (int i = 0; i < Glance::kLines && column + i * kSide <= columns_.last; ++i) {
+    const std::uint64_t parts = tile_.block_parts(column + i * kSide, row) & parts_;
     if (parts == 0) continue;
     bits |= 1U << static_cast<unsigned>(i);
     if (far == nullptr) continue;

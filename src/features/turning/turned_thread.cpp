@@ -110,7 +110,8 @@ void finish_thread(const Recording& recording, const HalfSection& material, cons
     most = std::max(most, x);
     part.passes.push_back({.at = 2 * x, .rows = chain.chain.rows});
   }
-  TurnedPart::Thread& thread = part.thread.emplace();
+  part.thread = TurnedPart::Thread{};
+  TurnedPart::Thread& thread = *part.thread;
   const double low = std::min(from.z, to.z);
   const double high = std::max(from.z, to.z);
   const auto radii = material.radii_between(low, high);

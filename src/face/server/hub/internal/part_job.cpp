@@ -1,5 +1,9 @@
 #include "face/server/hub/internal/part_job.hpp"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 #include "face/server/store/program_name.hpp"
 #include "job/part_comparison.hpp"
 #include "job/stock_table.hpp"
@@ -52,11 +56,18 @@ std::vector<stock::Tool> tools_of(const SetUp& set_up, const machine::MachineDef
   return tools;
 }
 
-/// The design gets no more memory than the part.
+/// The design gets at most half of the memory of the part.
 Outcome<void> see_design(const std::optional<SetUp::Design>& design, job::StockJob& job) {
   if (!design) return {};
   job.memory_bytes = job::LivePart::Order{}.memory_bytes;
+  const std::size_t before = job.mesh_bytes;
   if (auto shown = job::show_design(design, job); !shown) return shown;
+  const std::size_t most = job.memory_bytes / 2;
+  if (job.mesh_bytes - before > most) {
+    return base::usage(fmt::format(
+        "{}: the design needs {} MiB, and a panel gives it {}: it has too many triangles",
+        design->file.path, (job.mesh_bytes - before) >> 20U, most >> 20U));
+  }
   job.notes.emplace_back("the part is seen against its design; `kerf stock` compares it");
   return {};
 }

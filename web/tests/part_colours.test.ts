@@ -130,7 +130,11 @@ describe('a part is coloured', () => {
   it('with a legend of the tools that have cut, or a scale', () => {
     const part = store({ owners: { from: 0, rows }, design: { file: '', tolerance_mm: 0.05 } });
     expect(legend_of('tool', part, 'dark')).toEqual({ kind: 'tools', tools: [1, 3] });
-    expect(legend_of('engagement', part, 'dark')).toMatchObject({ low: 0, high: 180 });
+    expect(legend_of('engagement', part, 'dark')).toMatchObject({
+      low: 0,
+      high: 180,
+      marks: [0, 45, 90, 135, 180],
+    });
     expect(legend_of('deviation', part, 'dark')).toMatchObject({ low: -0.1, high: 0.1 });
     expect(legend_of('line', part, 'dark')).toBeNull();
     expect(legend_of('energy', part, 'dark')).toBeNull();

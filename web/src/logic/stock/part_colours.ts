@@ -27,7 +27,17 @@ const knows_owners = (shape: Shape | null): boolean =>
 /** What a legend says: which tools have which colour, or where on a scale which number is. */
 export type PartLegend =
   | { kind: 'tools'; tools: number[] }
-  | { kind: 'scale'; low: number; high: number; stops: readonly Rgb[] };
+  | {
+      kind: 'scale';
+      low: number;
+      high: number;
+      stops: readonly Rgb[];
+      /** Numbers that stand below it; otherwise round ones. */
+      marks?: readonly number[];
+    };
+
+/** Degrees: a quarter, a half, all of the circle that can be in the material. */
+const ENGAGEMENT_MARKS = [0, 45, 90, 135, MOST_ENGAGEMENT];
 
 /** Null: the colours mean nothing. */
 export function legend_of(
@@ -36,12 +46,19 @@ export function legend_of(
   scheme: Scheme,
 ): PartLegend | null {
   if (colouring === 'tool') return { kind: 'tools', tools: tools_of(owners) };
-  if (colouring === 'engagement')
-    return { kind: 'scale', low: 0, high: MOST_ENGAGEMENT, stops: scale_stops(scheme) };
+  if (colouring === 'engagement') return of_engagement(scheme);
   if (colouring === 'deviation') return of_deviation(most_deviation(facts));
   if (colouring !== 'energy' || shape?.kind !== 'sheet') return null;
   return { kind: 'scale', low: 0, high: shape.field.peak, stops: scale_stops(scheme) };
 }
+
+const of_engagement = (scheme: Scheme): PartLegend => ({
+  kind: 'scale',
+  low: 0,
+  high: MOST_ENGAGEMENT,
+  stops: scale_stops(scheme),
+  marks: ENGAGEMENT_MARKS,
+});
 
 const of_deviation = (most: number): PartLegend => ({
   kind: 'scale',

@@ -73,8 +73,9 @@ const MANY_TIMES = 10; // on a busy one all is slower
 
 /** From keys at the end of the text to their colours. */
 async function colours_while_typing({ page }) {
-  await page.locator('.cm-line .cm-token-command', { hasText: 'G01' }).first().waitFor();
   await page.locator('.cm-content').click();
+  await page.keyboard.press('Control+Home'); // another text may have been longer or shorter
+  await page.locator('.cm-line .cm-token-command', { hasText: 'G01' }).first().waitFor();
   await page.keyboard.press('Control+End');
   await page.locator('.cm-line .cm-token-program', { hasText: '%' }).first().waitFor();
   const times = [];

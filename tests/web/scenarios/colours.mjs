@@ -172,6 +172,7 @@ export const colours = [
       await is_seen(panel, 'a plain part', ({ blue, red }) => blue < 0.02 && red < 0.01);
       await choose(panel, 'Deviation', 'Deviation, mm');
       await is_seen(panel, 'too thin and left', ({ blue, red }) => blue > 0.03 && red > 0.03);
+      assert.ok(await is_free(panel), 'nothing lies over the legend');
       await shot(panel, shots, 'part-turned-deviation', DESK);
       await colour(panel, 'Tool').click();
       await is_seen(panel, 'cut by T1', ({ blue }) => blue > 0.1);

@@ -10,6 +10,7 @@ and of itself. Exit status: 0 all passed, 1 otherwise.
 
 import argparse
 import concurrent.futures
+import faulthandler
 import multiprocessing
 import os
 import resource
@@ -42,11 +43,17 @@ import stock_tests  # noqa: F401
 import training_tests  # noqa: F401
 
 
+HANGS_S = 400  # the longest test takes a tenth of it beside other work
+
+
 def run(number, kerf, root):
     """Of one test: whether it passed, and the seconds of clock, of its servers and of itself."""
     sentence, function = harness.TESTS[number]
     before = spent()
+    # Who hangs says where, and ends all.
+    faulthandler.dump_traceback_later(HANGS_S * harness.PATIENCE, exit=True)
     passed = passes(sentence, function, harness.Place(kerf, root))
+    faulthandler.cancel_dump_traceback_later()
     return passed, [now - then for now, then in zip(spent(), before)]
 
 

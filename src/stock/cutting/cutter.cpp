@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 #include "math/math.hpp"
 #include "motion/feed.hpp"
@@ -339,7 +340,11 @@ void Cutter::cut_batch() {
   before_.outcomes.assign(before_.sweeps.size(), Outcome{});
   const auto cut = [this] { model_.cut(before_.sweeps, before_.outcomes); };
   if (settings_.cuts_beside) {
-    cutting_ = std::async(std::launch::async, cut);
+    try {
+      cutting_ = std::async(std::launch::async, cut);
+    } catch (const std::system_error&) {
+      cut();  // the computer gives no more threads
+    }
     settle_batch(now_);
     return;
   }

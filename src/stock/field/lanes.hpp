@@ -3,10 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#ifdef __AVX512DQ__
-#include <immintrin.h>
-#define KERF_LANES widest_lanes
-#elif defined(__AVX2__)
+#ifdef __AVX2__
 #include <immintrin.h>
 #define KERF_LANES wide_lanes
 #elif defined(__SSE2__)
@@ -25,9 +22,7 @@ namespace kerf::stock::field {
 /// their own.
 namespace KERF_LANES {
 
-#ifdef __AVX512DQ__
-inline constexpr std::size_t kLanes = 16;
-#elif defined(__AVX2__)
+#ifdef __AVX2__
 inline constexpr std::size_t kLanes = 8;
 #else
 inline constexpr std::size_t kLanes = 4;
@@ -54,9 +49,7 @@ inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
 /// Square root, 0 of what is negative.
 inline Lanes root(Lanes squared) {
   const Lanes v = larger(squared, Lanes{});
-#ifdef __AVX512DQ__
-  return _mm512_maskz_sqrt_ps(0xFFFF, v);  // the plain one warns of itself in g++ 12
-#elif defined(__AVX2__)
+#ifdef __AVX2__
   return _mm256_sqrt_ps(v);
 #elif defined(__SSE2__)
   return _mm_sqrt_ps(v);
@@ -69,22 +62,17 @@ inline Lanes root(Lanes squared) {
 
 /// Bit i: the condition holds in lane i.
 inline unsigned bits(LaneInts holds) {
-#ifdef __AVX512DQ__
-  __m512i lanes;
-  std::memcpy(&lanes, &holds, sizeof lanes);
-  return _mm512_movepi32_mask(lanes);
-#else
-  Lanes signs;
+#ifdef __AVX2__
+  __m256 signs;
   std::memcpy(&signs, &holds, sizeof signs);
-#endif
-#ifdef __AVX512DQ__
-#elif defined(__AVX2__)
   return static_cast<unsigned>(_mm256_movemask_ps(signs));
 #elif defined(__SSE2__)
+  __m128 signs;
+  std::memcpy(&signs, &holds, sizeof signs);
   return static_cast<unsigned>(_mm_movemask_ps(signs));
 #else
   unsigned of = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) of |= holds[i] != 0 ? 1U << i : 0U;
+  for (std::size_t k = 0; k < kLanes; ++k) of |= holds[k] != 0 ? 1U << k : 0U;
   return of;
 #endif
 }
@@ -98,9 +86,7 @@ inline FourFloats from_origin(const double* places, double origin) {
 
 /// The four columns of a row, for as many rows of a block as there are lanes.
 inline Lanes along_rows(FourFloats columns) {
-#ifdef __AVX512DQ__
-  return __builtin_shufflevector(columns, columns, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
-#elif defined(__AVX2__)
+#ifdef __AVX2__
   return __builtin_shufflevector(columns, columns, 0, 1, 2, 3, 0, 1, 2, 3);
 #else
   return columns;
@@ -110,10 +96,7 @@ inline Lanes along_rows(FourFloats columns) {
 /// For each row of a block, from `first` on, its place four times.
 template <int first>
 Lanes across_rows(FourFloats rows) {
-#ifdef __AVX512DQ__
-  static_assert(first == 0);
-  return __builtin_shufflevector(rows, rows, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3);
-#elif defined(__AVX2__)
+#ifdef __AVX2__
   constexpr int next = first + 1;
   return __builtin_shufflevector(rows, rows, first, first, first, first, next, next, next, next);
 #else

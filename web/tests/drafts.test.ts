@@ -54,6 +54,20 @@ it('an edit while the last one is written comes after it', async () => {
   expect(store.writes).toEqual(['1', '2', '3']);
 });
 
+it('a page that is left takes along no edit that waits for another', async () => {
+  const store = new Memory();
+  const asked: string[] = [];
+  store.put = (made: Draft) => (asked.push(made.text), new Promise(() => {}));
+  const keeper = new DraftKeeper(store);
+  keeper.keep('a.nc', draft('1'));
+  await null;
+  keeper.keep('a.nc', draft('12'));
+  keeper.keep('b.nc', draft('3', 'b.nc'));
+  expect(asked).toEqual(['1']);
+  keeper.leave();
+  expect(asked).toEqual(['1', '12', '3']);
+});
+
 it('a browser that keeps nothing does no harm', async () => {
   const store = new Memory();
   store.broken = true;

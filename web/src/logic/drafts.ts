@@ -8,7 +8,7 @@ export interface Draft {
   at: number;
 }
 
-/** Where drafts are kept. */
+/** Where drafts are kept. What a call of `put` or `remove` begins is kept, even if the page is left right after it. */
 export interface DraftStore {
   get(name: string): Promise<Draft | null>;
   put(draft: Draft): Promise<void>;
@@ -21,6 +21,7 @@ const STORE = 'drafts';
 /** In the browser's database, which takes long texts. */
 export class DatabaseDrafts implements DraftStore {
   private opened: Promise<IDBDatabase> | null = null;
+  private database: IDBDatabase | null = null;
 
   constructor(private readonly factory: IDBFactory = indexedDB) {}
 
@@ -38,9 +39,11 @@ export class DatabaseDrafts implements DraftStore {
     mode: IDBTransactionMode,
     ask: (store: IDBObjectStore) => IDBRequest,
   ): Promise<T> {
-    const database = await (this.opened ??= this.open());
+    // Once it is open nothing is waited for: what is asked last, when the page is left, goes out at once.
+    const database = this.database ?? (await (this.opened ??= this.open()));
     const transaction = database.transaction(STORE, mode);
     const request = ask(transaction.objectStore(STORE));
+    transaction.commit(); // a page that goes takes along what is not committed
     return new Promise((resolve, reject) => {
       transaction.oncomplete = () => resolve(request.result as T);
       transaction.onerror = transaction.onabort = () => reject(transaction.error);
@@ -51,7 +54,7 @@ export class DatabaseDrafts implements DraftStore {
     const request = this.factory.open(DATABASE, 1);
     request.onupgradeneeded = () => request.result.createObjectStore(STORE, { keyPath: 'name' });
     return new Promise((resolve, reject) => {
-      request.onsuccess = () => resolve(request.result);
+      request.onsuccess = () => resolve((this.database = request.result));
       request.onerror = () => reject(request.error);
     });
   }
@@ -81,6 +84,14 @@ export class DraftKeeper {
     return this.store.get(name).catch(() => null);
   }
 
+  /** The page may be gone in a moment: what waits for a draft that is being written does not wait longer. */
+  leave(): void {
+    for (const [name, draft] of this.waiting) {
+      this.waiting.delete(name);
+      void this.put(name, draft);
+    }
+  }
+
   async written(): Promise<void> {
     while (this.writing) await this.writing;
   }
@@ -89,10 +100,14 @@ export class DraftKeeper {
     await null; // what is kept in one go is written in one go
     for (const [name, draft] of this.waiting) {
       this.waiting.delete(name);
-      // A browser that keeps nothing still runs the panel; leaving the page asks.
-      await (draft ? this.store.put(draft) : this.store.remove(name)).catch(() => null);
+      await this.put(name, draft);
     }
     this.writing = null;
     if (this.waiting.size) this.writing = this.write();
+  }
+
+  /** A browser that keeps nothing still runs the panel; leaving the page asks. */
+  private async put(name: string, draft: Draft | null): Promise<void> {
+    await (draft ? this.store.put(draft) : this.store.remove(name)).catch(() => null);
   }
 }

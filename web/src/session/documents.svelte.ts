@@ -76,6 +76,11 @@ class Documents {
     drafts.keep(name, is_edited(document) ? { name, text, at: Date.now() } : null);
   }
 
+  /** The page may be gone in a moment: every edit is in the drafts. */
+  leave(): void {
+    drafts.leave();
+  }
+
   // Lines: those of the machine are of the text that it has, those on the screen of the text as it is edited.
 
   /** Null: the line is not there any more. */

@@ -10,7 +10,7 @@ using base::Refusal;
 namespace {
 
 // More than any program of a person needs to come to a line; an endless loop ends here.
-constexpr std::uint64_t kSteps = 50'000'000;
+constexpr std::uint64_t kStepsAtMost = 50'000'000;
 constexpr std::uint64_t kSliceOfApproach = 100'000;
 
 // Executes until the control halts before the line. Why it does not; nothing: it does.
@@ -23,7 +23,7 @@ std::optional<base::Failure> run_up_to(std::uint32_t line, PacedRun& machine,
   base::Failure why = base::refuse(Refusal::start_not_reached, {std::to_string(line)});
   if (!machine.set_off()) why = alarmed(*machine.alarm());
   const auto goes_on = [&](std::uint64_t steps) {
-    return steps < kSteps && machine.is_active() && !limit.reached();
+    return steps < kStepsAtMost && machine.is_active() && !limit.reached();
   };
   for (std::uint64_t steps = 0; goes_on(steps); steps += kSliceOfApproach) {
     if (!machine.execute(kSliceOfApproach)) continue;

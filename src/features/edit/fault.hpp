@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "base/diagnostic_code.hpp"
+
+namespace kerf::features {
+
+/// Why an edit is refused (features-contract §6).
+struct EditFault {
+  base::Code code{};
+  std::string sentence{};  ///< with the values: "ELEMENTS 0 AND 2 CROSS AT X30 Y24"
+  std::string hint{};      ///< what is possible instead; empty: nothing is to be said
+  std::size_t edit = 0;    ///< its place in the file
+};
+
+template <typename T>
+using Editing = tl::expected<T, EditFault>;
+
+}  // namespace kerf::features

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostic.hpp"
+#include "base/result.hpp"
+#include "features/edit/edit.hpp"
+#include "features/edit/fault.hpp"
+#include "job/stock_job.hpp"
+
+namespace kerf::job {
+
+/// Lines of a file that an edit has replaced, with their line ends.
+struct TextChange {
+  std::string file{};  ///< as the user wrote it
+  std::uint32_t first =
+      0;  ///< of the old text, from 1; of an insertion the line that it stands before
+  std::vector<std::string> old_lines{};
+  std::vector<std::string> new_lines{};
+};
+
+/// A file that an edit changes.
+struct EditedText {
+  std::string file{};
+  bool is_main = true;
+  std::string before{};
+  std::string after{};
+};
+
+/// What the report of an edit tells (features-contract §9).
+struct EditReport {
+  std::size_t edits = 0;
+  std::vector<TextChange> changes{};
+  std::uint64_t bytes_changed = 0;
+  std::uint32_t crc32 = 0;  ///< of the whole result, main file
+  struct Blocks {
+    std::uint32_t kept = 0;
+    std::uint32_t patched = 0;
+    std::uint32_t inserted = 0;
+    std::uint32_t removed = 0;
+  } blocks{};
+  struct Regenerated {
+    std::string feature{};
+    std::vector<std::size_t> layers{};
+  };
+  std::vector<Regenerated> regenerated{};
+  struct Renamed {
+    std::string was{};
+    std::size_t was_layer = 0;
+    std::string is{};
+    std::size_t is_layer = 0;
+  };
+  std::vector<Renamed> ids{};
+  struct Verified {
+    bool recognised = false;
+    bool others_unchanged = false;
+    double contour_error_mm = 0;
+    double difference_mm3 = 0;   ///< by how much more is removed than before
+    double outside_mm3 = 0;      ///< of it, outside of what was asked
+    double corner_rest_mm2 = 0;  ///< that no disc of the tool reaches in sharp corners
+    std::vector<std::string> new_findings{};
+    double time_before_s = 0;
+    double time_after_s = 0;
+  } verified{};
+  std::vector<features::EditFault> warnings{};  ///< EDIT_NO_CHANGE and the like
+};
+
+/// An edit that was made and verified.
+struct EditResult {
+  std::vector<EditedText> texts{};  ///< those that change; empty: none does
+  EditReport report{};
+};
+
+struct EditWishes {
+  std::vector<features::Edit> edits{};
+  bool allows_collision = false;
+  bool allows_rest = false;
+};
+
+/// Runs the job, recognises, edits, runs the result and compares. Nothing is written. Failures as
+/// recognise_features() has them; an edit that is refused is a fault.
+[[nodiscard]] base::Outcome<features::Editing<EditResult>> edit_features(const StockJob& job,
+                                                                         const EditWishes& wishes);
+
+}  // namespace kerf::job

@@ -27,6 +27,8 @@ struct Modes {
   Compensation compensation = Compensation::none;
   std::uint16_t cycle = 0;  ///< number of the canned cycle in force: 81; 0: none
   Frame frame{};
+  bool is_incremental = false;  ///< words are ways, not places (G91)
+  double unit_mm = 1;           ///< of a word: 25.4 in a program in inches
   friend bool operator==(const Modes&, const Modes&) = default;
 };
 

@@ -51,6 +51,8 @@ struct State {
   Compensation compensation = Compensation::none;
   std::uint16_t cycle = 0;
   Frame frame{};
+  bool is_incremental = false;
+  double unit_mm = 1;  ///< of a word
 };
 
 /// Where the work stands: a work coordinate system and the rotary axes.

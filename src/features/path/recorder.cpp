@@ -76,6 +76,8 @@ void Recorder::look(const base::TipPoint& to) {
   state_.compensation = modes.compensation;
   state_.cycle = modes.cycle;
   state_.frame = modes.frame;
+  state_.is_incremental = modes.is_incremental;
+  state_.unit_mm = modes.unit_mm;
   is_state_new_ = true;
   if (!is_other) return;
   if (recording_.moves.empty()) {

@@ -3,6 +3,7 @@
 #include "control/gcode/codes/code_table.hpp"
 #include "control/gcode/gcode_control.hpp"
 #include "job/internal/stock_pass.hpp"
+#include "motion/feed.hpp"
 
 namespace kerf::job {
 namespace {
@@ -14,6 +15,9 @@ constexpr GCode kWhole = 10;  // codes are counted times ten
 constexpr GCode kLeft = 41 * kWhole;
 constexpr GCode kRight = 42 * kWhole;
 constexpr GCode kNoCycle = 80 * kWhole;
+constexpr GCode kIncremental = 91 * kWhole;
+constexpr GCode kInch = 20 * kWhole;
+
 
 GCode code_of(const control::ModalView& modal, Group group) {
   return modal.codes[static_cast<std::size_t>(group)];
@@ -58,6 +62,8 @@ const features::Modes& ControlModes::modes() {
   modes_.compensation = compensation_of(code_of(modal, Group::compensation));
   const GCode cycle = code_of(modal, Group::cycle);
   modes_.cycle = cycle == kNoCycle ? GCode{0} : static_cast<GCode>(cycle / kWhole);
+  modes_.is_incremental = code_of(modal, Group::distance) == kIncremental;
+  modes_.unit_mm = code_of(modal, Group::unit) == kInch ? motion::kMillimetresPerInch : 1;
   modes_.frame = gcode_ == nullptr ? features::Frame{} : frame_of(run_.definition().axes, *gcode_);
   return modes_;
 }

@@ -1,0 +1,154 @@
+#include "features/rewrite/clearing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/path/tolerance.hpp"
+#include "features/tree/corner.hpp"
+#include "features/tree/normal_form.hpp"
+#include "geometry/contour/boolean.hpp"
+#include "geometry/contour/offset.hpp"
+#include "geometry/contour/sweep.hpp"
+
+namespace kerf::features {
+namespace {
+
+using contour::Contour;
+using contour::Edge;
+using contour::Region;
+using contour::Vec2;
+
+constexpr double kTouch_mm = 1e-6;     // by how much a wall that is just touched is missed
+constexpr double kLeastStep_mm = 0.01;
+constexpr int kMostLoops = 10'000;
+
+bool is_corner_of(const Region& region, Vec2 point) {
+  for (const Contour& loop : region.loops) {
+    for (const contour::Vertex& vertex : loop.vertices)
+      if (geometry::length(vertex.point - point) <= kSamePoint_mm) return true;
+  }
+  return false;
+}
+
+/// The way with its arcs about corners of the wall as sharp corners.
+Contour sharp(const Clearing& clearing, double distance, const Contour& loop) {
+  const std::size_t count = loop.vertices.size();
+  Contour made{{}, true};
+  for (std::size_t i = 0; i < count; ++i) {
+    const Edge arc = contour::edge_of(loop, i);
+    const bool is_round = arc.bulge != 0 &&
+                          std::fabs(contour::radius(arc) - distance) <= kSamePoint_mm &&
+                          is_corner_of(clearing.region, contour::centre(arc));
+    const auto corner = is_round ? corner_of(contour::edge_of(loop, (i + count - 1) % count), arc,
+                                             contour::edge_of(loop, (i + 1) % count))
+                                 : std::optional<Vec2>{};
+    if (!corner) {
+      made.vertices.push_back(loop.vertices[i]);
+    } else {
+      made.vertices.push_back({*corner, 0, arc.owner});
+    }
+  }
+  return made;
+}
+
+// A corner stands for the arc; the vertex behind the arc begins the next edge and goes.
+Contour without_ends_of_arcs(const Contour& loop, const Contour& sharpened) {
+  Contour made{{}, true};
+  const std::size_t count = loop.vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = (i + count - 1) % count;
+    const bool is_behind_corner = !(sharpened.vertices[before] == loop.vertices[before]);
+    const bool is_corner = !(sharpened.vertices[i] == loop.vertices[i]);
+    if (is_behind_corner && !is_corner) {
+      if (loop.vertices[i].bulge != 0) made.vertices.push_back(loop.vertices[i]);
+      continue;
+    }
+    made.vertices.push_back(sharpened.vertices[i]);
+  }
+  return made;
+}
+
+Region swept_by(const Clearing& clearing, const std::vector<double>& distances) {
+  std::vector<Region> parts;
+  for (const double distance : distances) {
+    for (const Contour& loop : loops_at(clearing, distance))
+      parts.push_back(contour::sweep_of_disc(loop, clearing.tool_radius));
+  }
+  return contour::unite(parts);
+}
+
+/// What is left of `reached` behind these loops, without what is thinner than a hair.
+bool leaves_rest(const Clearing& clearing, const Region& reached,
+                 const std::vector<double>& distances) {
+  const Region rest = contour::subtract(reached, swept_by(clearing, distances));
+  return contour::area(contour::offset(rest, -kSamePoint_mm)) > kEmptyArea_mm2;
+}
+
+/// The next loop behind the last one, nearer to it where there is none at a whole step.
+std::optional<double> next_distance(const Clearing& clearing, double last, double step) {
+  for (; step > kLeastStep_mm; step /= 2) {
+    if (!loops_at(clearing, last + step).empty()) return last + step;
+  }
+  return std::nullopt;
+}
+
+/// One more loop in the middle of each gap.
+std::vector<double> halved(const std::vector<double>& distances) {
+  std::vector<double> made{distances.front()};
+  for (std::size_t i = 1; i < distances.size(); ++i) {
+    made.push_back((distances[i - 1] + distances[i]) / 2);
+    made.push_back(distances[i]);
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<Contour> loops_at(const Clearing& clearing, double distance) {
+  const double way = clearing.is_outside ? distance : -distance;
+  std::vector<Contour> loops = contour::offset(clearing.region, way).loops;
+  for (Contour& loop : loops) {
+    if (clearing.has_sharp_corners)
+      loop = without_ends_of_arcs(loop, sharp(clearing, distance, loop));
+    const bool is_hole = !contour::is_counterclockwise(loop);
+    loop = normal_form(loop);
+    if (is_hole) loop = contour::reversed(loop);
+  }
+  return loops;
+}
+
+Region reachable(const Clearing& clearing) {
+  const double radius = clearing.tool_radius;
+  return contour::offset(contour::offset(clearing.region, -radius), radius);
+}
+
+std::optional<std::vector<double>> distances_of(const Clearing& clearing,
+                                                const std::vector<double>& wanted, double step) {
+  if (clearing.is_outside) return wanted;
+  std::vector<double> kept;
+  for (const double distance : wanted) {
+    if (loops_at(clearing, distance).empty()) break;
+    kept.push_back(distance);
+  }
+  if (kept.empty()) return std::nullopt;
+  const Region reached = reachable(clearing);
+  while (leaves_rest(clearing, reached, kept) && kept.size() < kMostLoops) {
+    const auto next = next_distance(clearing, kept.back(), step);
+    if (!next) break;
+    kept.push_back(*next);
+  }
+  for (int tries = 0; tries < 4 && leaves_rest(clearing, reached, kept); ++tries)
+    kept = halved(kept);
+  if (leaves_rest(clearing, reached, kept)) return std::nullopt;
+  return kept;
+}
+
+bool is_clear(const Clearing& clearing, Vec2 from, Vec2 to) {
+  const Contour way{{{from}, {to}}, false};
+  const Region swept = contour::sweep_of_disc(way, clearing.tool_radius - kTouch_mm);
+  const Region wall = clearing.is_outside ? contour::intersect(swept, clearing.region)
+                                          : contour::subtract(swept, clearing.region);
+  return contour::area(wall) <= kEmptyArea_mm2;
+}
+
+}  // namespace kerf::features

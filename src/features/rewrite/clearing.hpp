@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/contour/region.hpp"
+
+namespace kerf::features {
+
+/// What the loops of a layer clear: the inside of a region, or (side milling) what is round it.
+struct Clearing {
+  contour::Region region{};
+  bool is_outside = false;
+  double tool_radius = 0;
+  bool has_sharp_corners = false;  ///< the way turns sharply round corners of the wall, not in arcs
+};
+
+/// The ways of the tool's centre at `distance` from the wall, with what is cleared on their left;
+/// none: it is too far.
+[[nodiscard]] std::vector<contour::Contour> loops_at(const Clearing& clearing, double distance);
+
+/// Distances from the wall for all loops that it takes, from the nearest one: those of `wanted`
+/// (ascending) as far as there are loops, behind them `step` apart until a disc of the tool has been
+/// wherever it can be. Nothing: something would stay.
+[[nodiscard]] std::optional<std::vector<double>> distances_of(const Clearing& clearing,
+                                                              const std::vector<double>& wanted,
+                                                              double step);
+
+/// What a disc of the tool can reach of the region.
+[[nodiscard]] contour::Region reachable(const Clearing& clearing);
+
+/// Whether the tool may go straight from one point to the other without touching the wall.
+[[nodiscard]] bool is_clear(const Clearing& clearing, contour::Vec2 from, contour::Vec2 to);
+
+}  // namespace kerf::features

@@ -1,0 +1,288 @@
+#include "features/rewrite/regenerate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "features/path/tolerance.hpp"
+#include "features/rewrite/clearing.hpp"
+#include "features/rewrite/loop_rows.hpp"
+#include "geometry/contour/boolean.hpp"
+
+namespace kerf::features {
+namespace {
+
+using base::Code;
+using contour::Contour;
+using contour::Region;
+
+tl::unexpected<CannotCut> refuse(Code code, std::string sentence) {
+  return tl::unexpected(CannotCut{code, std::move(sentence)});
+}
+
+std::vector<Contour> walls_of(const Contour& outer, const std::vector<Contour>& islands) {
+  std::vector<Contour> walls{outer};
+  walls.insert(walls.end(), islands.begin(), islands.end());
+  return walls;
+}
+
+Region region_of(const NewLayer& wanted) {
+  Region region = contour::region_of(wanted.outer);
+  for (const Contour& island : wanted.islands)
+    region = contour::subtract(region, contour::region_of(island));
+  return region;
+}
+
+bool goes_outside(const Feature& feature) {
+  return feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
+}
+
+/// Whether the old ways turned sharply round what stands out of the wall.
+bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
+  int sharp = 0;
+  int round = 0;
+  for (const OldLoop& loop : loops) {
+    for (std::size_t i = 0; i < loop.path.vertices.size(); ++i) {
+      const contour::Edge edge = contour::edge_of(loop.path, i);
+      for (const Contour& wall : walls) {
+        for (const auto& vertex : wall.vertices) {
+          const double off = geometry::length(edge.from - vertex.point);
+          const bool is_about = edge.bulge != 0 && geometry::length(contour::centre(edge) -
+                                                                    vertex.point) <= kSamePoint_mm;
+          round += static_cast<int>(is_about);
+          const bool is_near = off < 2.5 * loop.distance;
+          sharp += static_cast<int>(is_near && off > loop.distance + kSamePoint_mm &&
+                                    contour::distance(wall, edge.from) >
+                                        loop.distance + kSamePoint_mm);
+        }
+      }
+    }
+  }
+  return sharp > round;
+}
+
+double step_of(const std::vector<double>& distances, double radius) {
+  if (distances.size() < 2) return radius;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < distances.size(); ++i) steps.push_back(distances[i] - distances[i - 1]);
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
+                   steps.end());
+  return steps[steps.size() / 2];
+}
+
+bool is_same_distance(double a, double b) { return std::fabs(a - b) <= 2 * kSamePoint_mm; }
+
+std::vector<double> distances_in(const std::vector<OldLoop>& loops) {
+  std::vector<double> distances;
+  for (const OldLoop& loop : loops) distances.push_back(loop.distance);
+  std::sort(distances.begin(), distances.end());
+  distances.erase(std::unique(distances.begin(), distances.end(), is_same_distance),
+                  distances.end());
+  return distances;
+}
+
+/// Cuts a layer anew.
+class LayerWriter {
+ public:
+  LayerWriter(const Recording& recording, const NewLayer& wanted)
+      : recording_(recording),
+        wanted_(wanted),
+        layer_(wanted.feature->layers[wanted.layer]),
+        visit_(whole_visit(recording, layer_)),
+        at_(recording.from(visit_.first)) {}
+
+  [[nodiscard]] tl::expected<Stretch, CannotCut> write() {
+    if (auto known = look(); !known) return tl::unexpected(known.error());
+    const auto distances =
+        distances_of(clearing_, distances_in(olds_), step_of(distances_in(olds_), clearing_.tool_radius));
+    if (!distances) return does_not_fit();
+    approach_row_ = visit_.first;
+    for (const double distance : in_order(*distances)) cut_round(distance);
+    retract();
+    align(recording_, visit_, recording_.from(visit_.first), rows_);
+    return Stretch{visit_, std::move(rows_)};
+  }
+
+ private:
+  [[nodiscard]] tl::expected<void, CannotCut> look() {
+    const std::vector<Contour> walls = walls_of(layer_.nominal, layer_.nominal_islands);
+    std::vector<Span> spans;
+    for (const Loop& loop : layer_.loops) spans.push_back(loop.rows);
+    if (spans.empty() || layer_.nominal.vertices.empty() || layer_.visits.size() != 1) {
+      return refuse(Code::edit_not_editable,
+                    "THIS LAYER IS NOT CUT IN CLOSED LOOPS: IT CAN BE MOVED, DEEPENED OR DELETED");
+    }
+    olds_ = old_loops(recording_, spans, walls);
+    const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
+    const auto known = recording_.tools.find(wanted_.feature->cuts.front().role == Cut::Role::only
+                                                 ? wanted_.feature->tool
+                                                 : tool);
+    clearing_ = {.region = region_of(wanted_),
+                 .is_outside = goes_outside(*wanted_.feature),
+                 .tool_radius = known == recording_.tools.end() ? 0 : known->second.diameter / 2,
+                 .has_sharp_corners = turned_sharply(olds_, walls)};
+    if (clearing_.tool_radius <= 0)
+      return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
+    is_reversed_ = contour::is_counterclockwise(olds_.front().path) !=
+                   runs_counterclockwise(olds_.front());
+    return {};
+  }
+
+  // What a loop at the distance of an old one would do by itself.
+  [[nodiscard]] bool runs_counterclockwise(const OldLoop& old) const {
+    if (layer_.nominal_islands.empty()) return true;
+    const double to_outer = contour::distance(layer_.nominal, old.path.vertices.front().point);
+    for (const Contour& island : layer_.nominal_islands) {
+      if (contour::distance(island, old.path.vertices.front().point) < to_outer - kSamePoint_mm)
+        return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] tl::unexpected<CannotCut> does_not_fit() const {
+    return refuse(Code::edit_tool_too_big,
+                  "T" + std::to_string(wanted_.feature->tool) + " DOES NOT FIT");
+  }
+
+  [[nodiscard]] std::vector<double> in_order(std::vector<double> distances) const {
+    const bool begins_inside =
+        olds_.size() > 1 && olds_.front().distance > olds_.back().distance;
+    if (begins_inside) std::reverse(distances.begin(), distances.end());
+    return distances;
+  }
+
+  // All loops of one distance, the nearest one next.
+  void cut_round(double distance) {
+    std::vector<Contour> loops = loops_at(clearing_, distance);
+    while (!loops.empty()) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < loops.size(); ++i) {
+        if (contour::distance(loops[i], next_start(distance)) <
+            contour::distance(loops[best], next_start(distance)))
+          best = i;
+      }
+      Contour loop = is_reversed_ ? contour::reversed(loops[best]) : loops[best];
+      loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(best));
+      cut(begun(loop, distance));
+    }
+  }
+
+  [[nodiscard]] const OldLoop* old_at(double distance) const {
+    for (std::size_t i = 0; i < olds_.size(); ++i) {
+      if (!used(i) && is_same_distance(olds_[i].distance, distance)) return &olds_[i];
+    }
+    return nullptr;
+  }
+  [[nodiscard]] bool used(std::size_t i) const {
+    return std::find(used_.begin(), used_.end(), i) != used_.end();
+  }
+  [[nodiscard]] Vec2 next_start(double distance) const {
+    if (const OldLoop* const old = old_at(distance)) return old->path.vertices.front().point;
+    if (!has_cut_) return olds_.front().path.vertices.front().point;
+    return {at_.x, at_.y};
+  }
+  [[nodiscard]] Contour begun(const Contour& loop, double distance) {
+    const OldLoop* const old = old_at(distance);
+    if (old != nullptr) used_.push_back(static_cast<std::size_t>(old - olds_.data()));
+    if (old != nullptr) return begun_like(loop, *old);
+    if (!has_cut_) return begun_like(loop, olds_.front());
+    OldLoop like = olds_.front();
+    return begun_near(loop, next_start(distance));
+  }
+
+  void cut(const Contour& loop) {
+    const Vec2 start = loop.vertices.front().point;
+    if (has_cut_) {
+      link(start);
+    } else {
+      approach(start);
+    }
+    has_cut_ = true;
+    append_loop(loop, layer_.z, olds_.front().rows.first, rows_);
+    at_ = rows_.back().to;
+  }
+
+  // The rows before the first loop, moved by as much as its start.
+  void approach(Vec2 start) {
+    const std::uint32_t first = olds_.front().rows.first;
+    const Vec2 by = start - recording_.flat_from(first);
+    for (std::uint32_t row = visit_.first; row < first; ++row) put_moved(row, by);
+    at_ = {start.u, start.v, layer_.z};
+  }
+
+  // Straight, as the loops were linked, or over the work where the wall is in the way.
+  void link(Vec2 start) {
+    const Vec2 from{at_.x, at_.y};
+    if (geometry::length(start - from) <= kSamePoint_mm) return;
+    const std::uint32_t like = olds_.size() > 1 && !layer_.links.empty() ? layer_.links.front()
+                                                                        : olds_.front().rows.first;
+    if (is_clear(clearing_, from, start)) {
+      rows_.push_back({.to = {start.u, start.v, layer_.z}, .like = like});
+      return;
+    }
+    const std::uint32_t up = olds_.back().rows.last + 1;
+    const double clear_z = recording_.moves[std::min(up, visit_.last)].to.z;
+    rows_.push_back({.to = {at_.x, at_.y, clear_z}, .kind = Move::Kind::rapid, .like = like});
+    rows_.push_back({.to = {start.u, start.v, clear_z}, .kind = Move::Kind::rapid, .like = like});
+    rows_.push_back({.to = {start.u, start.v, layer_.z}, .like = olds_.front().rows.first - 1});
+  }
+
+  // The rows behind the last loop, moved by as much as its end; what goes elsewhere goes there.
+  void retract() {
+    const std::uint32_t last = olds_.back().rows.last;
+    const Vec2 by = Vec2{at_.x, at_.y} - recording_.flat_to(last);
+    for (std::uint32_t row = last + 1; row <= visit_.last; ++row) put_moved(row, by);
+  }
+
+  void put_moved(std::uint32_t row, Vec2 by) {
+    PlannedRow planned = as_it_is(recording_, row);
+    planned.to = planned.to + Vec3{by.u, by.v, 0};
+    if (planned.arc) planned.arc->centre = planned.arc->centre + by;
+    rows_.push_back(planned);
+  }
+
+  const Recording& recording_;
+  const NewLayer& wanted_;
+  const Layer& layer_;
+  Span visit_;
+  Vec3 at_;
+  Clearing clearing_{};
+  std::vector<OldLoop> olds_{};
+  std::vector<std::size_t> used_{};
+  bool is_reversed_ = false;
+  bool has_cut_ = false;
+  std::uint32_t approach_row_ = 0;
+  std::vector<PlannedRow> rows_{};
+};
+
+}  // namespace
+
+Span whole_visit(const Recording& recording, const Layer& layer) {
+  Span span = layer.visits.front();
+  for (const Span& visit : layer.visits) {
+    span.first = std::min(span.first, visit.first);
+    span.last = std::max(span.last, visit.last);
+  }
+  for (const Span& cut : layer.cuts) {
+    span.first = std::min(span.first, cut.first);
+    span.last = std::max(span.last, cut.last);
+  }
+  const Vec2 start = recording.flat_from(span.first);
+  const auto comes_to_start = [&](std::uint32_t row) {
+    return recording.moves[row].kind == Move::Kind::rapid && recording.begins.count(row + 1) == 0 &&
+           geometry::length(recording.flat_to(row) - start) <= kSamePoint_mm;
+  };
+  const bool is_there = recording.moves[span.first].kind != Move::Kind::rapid ||
+                        is_upright(recording, span.first);
+  if (!is_there) return span;
+  while (span.first > 0 && comes_to_start(span.first - 1)) {
+    --span.first;
+    if (!is_upright(recording, span.first)) break;
+  }
+  return span;
+}
+
+tl::expected<Stretch, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
+  return LayerWriter(recording, wanted).write();
+}
+
+}  // namespace kerf::features

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "base/diagnostic_code.hpp"
+#include "features/rewrite/planned_row.hpp"
+#include "features/tree/feature.hpp"
+
+namespace kerf::features {
+
+/// Why a layer cannot be cut anew: a code of edits, and its sentence.
+struct CannotCut {
+  base::Code code{};
+  std::string sentence{};
+};
+
+/// A layer as it shall be: contours as they are edited (nominal).
+struct NewLayer {
+  const Feature* feature = nullptr;
+  std::size_t layer = 0;  ///< its place in the feature
+  contour::Contour outer{};
+  std::vector<contour::Contour> islands{};
+};
+
+/// The rows of a layer of closed loops for its new contours: loops at the distances, in the order,
+/// the direction and with the entries that the old ones had (features-contract §7). Rows that stay
+/// what they were keep their blocks.
+[[nodiscard]] tl::expected<Stretch, CannotCut> regenerated(const Recording& recording,
+                                                           const NewLayer& wanted);
+
+/// The rows that belong to a layer from its approach to its retract: the last rapid across that
+/// comes before its first cut included.
+[[nodiscard]] Span whole_visit(const Recording& recording, const Layer& layer);
+
+}  // namespace kerf::features

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/result.hpp"
 #include "features/edit/edit.hpp"
 #include "features/edit/fault.hpp"
+#include "job/run.hpp"
 #include "job/stock_job.hpp"
 
 namespace kerf::job {
@@ -81,9 +83,16 @@ struct EditWishes {
   bool allows_rest = false;
 };
 
+/// What came of it: the run of the unedited program, which has its own things to say, and the edit.
+struct EditRun {
+  std::unique_ptr<Run> run;  ///< over
+  machine::RunStatus status{};
+  /// Of a program that raised an alarm or used up a budget nothing: `status` says it.
+  features::Editing<EditResult> edited{};
+};
+
 /// Runs the job, recognises, edits, runs the result and compares. Nothing is written. Failures as
 /// recognise_features() has them; an edit that is refused is a fault.
-[[nodiscard]] base::Outcome<features::Editing<EditResult>> edit_features(const StockJob& job,
-                                                                         const EditWishes& wishes);
+[[nodiscard]] base::Outcome<EditRun> edit_features(const StockJob& job, const EditWishes& wishes);
 
 }  // namespace kerf::job

@@ -47,13 +47,17 @@ void BlockPatch::put_in_front(const std::string& word) {
   changes_.push_back({place, 0, word + style_.between()});
 }
 
-std::string BlockPatch::text() const {
+std::vector<BlockPatch::Change> BlockPatch::changes() const {
   std::vector<Change> changes = changes_;
   std::stable_sort(changes.begin(), changes.end(),
                    [](const Change& a, const Change& b) { return a.at < b.at; });
+  return changes;
+}
+
+std::string BlockPatch::text() const {
   std::string text;
   std::size_t at = 0;
-  for (const Change& change : changes) {
+  for (const Change& change : changes()) {
     text.append(block_.substr(at, change.at - at)).append(change.text);
     at = change.at + change.length;
   }

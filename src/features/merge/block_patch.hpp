@@ -28,15 +28,17 @@ class BlockPatch {
   void put_in_front(const std::string& word);
 
   [[nodiscard]] bool is_changed() const { return !changes_.empty(); }
-  /// The block with all changes.
-  [[nodiscard]] std::string text() const;
-
- private:
+  /// Bytes of the block that others take the place of, in their order.
   struct Change {
     std::size_t at = 0;
     std::size_t length = 0;
     std::string text{};
   };
+  [[nodiscard]] std::vector<Change> changes() const;
+  /// The block with all changes.
+  [[nodiscard]] std::string text() const;
+
+ private:
   [[nodiscard]] std::size_t place_of(char letter) const;
 
   std::string_view block_;

@@ -332,7 +332,8 @@ class Merger {
       put_line(patch.text());
     } else {
       behind_ = rows.block;
-      if (patch.is_changed()) put(rows.block, {id(rows.block).from, id(rows.block).length}, patch.text());
+      for (const BlockPatch::Change& change : patch.changes())
+        put(rows.block, {id(rows.block).from + change.at, change.length}, change.text);
     }
     return patch.is_changed();
   }
@@ -513,12 +514,13 @@ class Merger {
     const TextStyle::Habits& habits = style_.habits(row.arc.has_value());
     std::vector<std::string> words;
     if (std::string number = sequence(); !number.empty()) words.push_back(std::move(number));
-    if (new_.motion != code || habits.repeats_code > habits.omits_code)
+    const bool is_cycle = state.cycle != 0;
+    if (!is_cycle && (new_.motion != code || habits.repeats_code > habits.omits_code))
       words.push_back(style_.motion_word(code));
-    new_.motion = code;
-    add_axes(row, state, habits.repeats_axes > habits.omits_axes, words);
+    new_.motion = is_cycle ? -1 : code;
+    add_axes(row, state, !is_cycle && habits.repeats_axes > habits.omits_axes, words);
     if (row.arc) add_centre(row, state, words);
-    add_feed(row, habits.repeats_feed > habits.omits_feed, words);
+    if (!is_cycle) add_feed(row, habits.repeats_feed > habits.omits_feed, words);
     std::string line;
     for (const std::string& word : words) line += (line.empty() ? "" : style_.between()) + word;
     return line;

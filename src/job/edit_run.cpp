@@ -1,0 +1,200 @@
+#include "job/edit_run.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "base/crc32.hpp"
+#include "features/merge/merge.hpp"
+#include "job/features_run.hpp"
+#include "job/internal/block_texts.hpp"
+#include "job/internal/edit_check.hpp"
+#include "job/internal/edit_planner.hpp"
+#include "job/internal/text_changes.hpp"
+#include "machine/dialect/registry.hpp"
+
+namespace kerf::job {
+namespace {
+
+using base::Code;
+using features::EditFault;
+
+tl::unexpected<EditFault> refuse(Code code, std::string sentence) {
+  return tl::unexpected(EditFault{code, std::move(sentence), "", 0});
+}
+
+std::string text_of(const base::SourceFile& source) {
+  std::string text(source.size(), '\0');
+  text.resize(source.read(0, text));
+  return text;
+}
+
+/// Whether a jump or a call of the text names an N word: GOTO10, P10, Q10.
+bool is_named_in(const std::string& text, std::uint32_t sequence) {
+  if (sequence == 0) return false;
+  const std::string digits = std::to_string(sequence);
+  for (std::size_t at = text.find(digits); at != std::string::npos;
+       at = text.find(digits, at + 1)) {
+    const std::size_t end = at + digits.size();
+    const bool is_whole = end >= text.size() || text[end] < '0' || text[end] > '9';
+    std::size_t before = at;
+    while (before > 0 && (text[before - 1] == '0' || text[before - 1] == ' ')) --before;
+    const char letter = before > 0 ? text[before - 1] : 'N';
+    const bool names = letter == 'P' || letter == 'Q' || letter == 'O' || letter == 'o' ||
+                       letter == 'p' || letter == 'q';
+    if (is_whole && names) return true;
+  }
+  return false;
+}
+
+/// One edit of a program, from its text to the text that was verified.
+class EditWork {
+ public:
+  EditWork(const StockJob& job, const EditWishes& wishes, FeaturesResult& before)
+      : job_(job), wishes_(wishes), before_(before) {}
+
+  [[nodiscard]] base::Outcome<features::Editing<EditResult>> make() {
+    auto merged = merged_texts();
+    if (!merged) return features::Editing<EditResult>(tl::unexpected(merged.error()));
+    if (result_.texts.empty()) return unchanged();
+    return verified();
+  }
+
+ private:
+  using Done = features::Editing<void>;
+
+  [[nodiscard]] const base::Language* language() const {
+    const machine::DialectRow* const dialect =
+        machine::find_dialect(before_.run->machine().definition().dialect);
+    const bool is_gcode =
+        dialect != nullptr && dialect->kind == machine::DialectRow::Kind::gcode;
+    return is_gcode ? dialect->language : nullptr;
+  }
+
+  [[nodiscard]] std::map<base::FileId, std::string> texts() const {
+    const base::SourceSet& sources = before_.run->machine().sources();
+    std::map<base::FileId, std::string> texts;
+    const features::Recording& recording = before_.recording;
+    for (std::size_t i = 0; i < recording.blocks.size(); ++i) {
+      const base::FileId file = recording.blocks[i].file;
+      if (sources.contains(file) && texts.count(file) == 0)
+        texts.emplace(file, text_of(sources[file]));
+    }
+    return texts;
+  }
+
+  [[nodiscard]] Done merged_texts() {
+    if (language() == nullptr)
+      return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
+    EditPlanner planner(before_.recording, before_.tree, wishes_.allows_collision);
+    auto plan = planner.plan(wishes_.edits);
+    if (!plan) return tl::unexpected(plan.error());
+    plan_ = std::move(*plan);
+    const machine::BatchRun& run = before_.run->machine();
+    BlockTexts reader(run.sources(), run.control(), language(), BlockTexts::Shapes::none);
+    features::MergeSources sources{.language = *language(), .texts = texts()};
+    sources.pointless = run.definition().parameters.calculator_point ? 0 : 0.001;
+    sources.sets_up = [&](const base::BlockId& block) { return reader.sets_up(block); };
+    sources.is_named = [&](const base::BlockId& block) {
+      return is_named_in(sources.texts[block.file], block.sequence);
+    };
+    auto merged = features::merge(before_.recording, plan_.rows, sources);
+    if (!merged) return refuse(merged.error().code, merged.error().sentence);
+    return put_texts(*merged, sources.texts);
+  }
+
+  [[nodiscard]] Done put_texts(const features::Merged& merged,
+                               const std::map<base::FileId, std::string>& texts) {
+    EditReport& report = result_.report;
+    report.edits = wishes_.edits.size();
+    report.blocks = {merged.kept, merged.patched, merged.inserted, merged.removed};
+    const base::SourceSet& sources = before_.run->machine().sources();
+    for (const auto& [file, replacements] : merged.replacements) {
+      const std::string& name = sources[file].name();
+      const bool is_main = name == job_.job.program.name;
+      if (!is_main)
+        return refuse(Code::edit_other_file, "THE BLOCKS STAND IN " + name);
+      const std::string& text = texts.at(file);
+      EditedText edited{name, is_main, text, features::replaced(text, replacements)};
+      if (edited.after == text) continue;
+      for (const features::Replacement& each : replacements)
+        report.bytes_changed += std::max<std::uint64_t>(each.length, each.text.size());
+      for (TextChange& change : changes_of(name, text, replacements))
+        report.changes.push_back(std::move(change));
+      report.crc32 = base::crc32(edited.after);
+      result_.texts.push_back(std::move(edited));
+    }
+    tell_regenerated();
+    return {};
+  }
+
+  void tell_regenerated() {
+    for (const WantedLayer& wanted : plan_.wanted) {
+      const std::string name = "F" + std::to_string(wanted.feature + 1);
+      auto& list = result_.report.regenerated;
+      if (list.empty() || list.back().feature != name) list.push_back({name, {}});
+      list.back().layers.push_back(wanted.layer + 1);
+    }
+  }
+
+  [[nodiscard]] features::Editing<EditResult> unchanged() {
+    EditReport::Verified& verified = result_.report.verified;
+    verified.recognised = verified.others_unchanged = true;
+    verified.time_before_s = verified.time_after_s = time_of(before_);
+    result_.report.warnings.push_back(
+        {Code::edit_no_change, "THE PROGRAM CUTS THIS ALREADY", "", 0});
+    return std::move(result_);
+  }
+
+  [[nodiscard]] static double time_of(const FeaturesResult& result) {
+    return result.run->machine().totals().time_s;
+  }
+
+  [[nodiscard]] base::Outcome<features::Editing<EditResult>> verified() {
+    StockJob again = job_;
+    again.job.program = base::ProgramText::of(job_.job.program.name, result_.texts.front().after);
+    auto after = recognise_features(again, features::Method::both);
+    if (!after) return tl::unexpected(after.error());
+    if (after->status.end != before_.status.end)
+      return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");
+    EditReport& report = result_.report;
+    report.verified = compare_edited(before_.recording, before_.tree, after->tree, plan_);
+    report.verified.time_before_s = time_of(before_);
+    report.verified.time_after_s = time_of(*after);
+    report.ids = renamed_layers(after->tree, plan_);
+    if (!report.verified.recognised)
+      return not_verified("THE CONTOUR THAT WAS ASKED FOR IS NOT FOUND IN IT");
+    if (!report.verified.others_unchanged)
+      return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
+    if (report.verified.outside_mm3 > 0.01)
+      return not_verified("IT CUTS ELSEWHERE, TOO");
+    return features::Editing<EditResult>(std::move(result_));
+  }
+
+  [[nodiscard]] static features::Editing<EditResult> not_verified(std::string why) {
+    return refuse(Code::edit_not_verified, std::move(why));
+  }
+
+  const StockJob& job_;
+  const EditWishes& wishes_;
+  FeaturesResult& before_;
+  EditPlan plan_{};
+  EditResult result_{};
+};
+
+}  // namespace
+
+base::Outcome<EditRun> edit_features(const StockJob& job, const EditWishes& wishes) {
+  auto before = recognise_features(job, features::Method::both);
+  if (!before) return tl::unexpected(before.error());
+  EditRun run{.status = before->status};
+  if (before->status.end == machine::RunStatus::End::program) {
+    EditWork work(job, wishes, *before);
+    auto edited = work.make();
+    if (!edited) return tl::unexpected(edited.error());
+    run.edited = std::move(*edited);
+  }
+  run.run = std::move(before->run);
+  return run;
+}
+
+}  // namespace kerf::job

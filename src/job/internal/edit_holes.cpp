@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cmath>
+
+#include "features/path/tolerance.hpp"
+#include "job/internal/edit_planner.hpp"
+
+namespace kerf::job {
+namespace {
+
+using base::Code;
+using features::HoleStep;
+using features::PlannedRow;
+using features::Recording;
+using features::Span;
+using features::Stretch;
+
+bool is_there(const Recording& recording, std::uint32_t row, contour::Vec2 at) {
+  return geometry::length(recording.flat_to(row) - at) <= features::kSamePoint_mm;
+}
+
+/// All rows of a step, those of its approach and its retract included.
+std::vector<Span> spans_of(const Recording& recording, const HoleStep& step, contour::Vec2 at) {
+  std::vector<Span> spans = step.visits.empty() ? step.rows : step.visits;
+  for (Span& span : spans) {
+    for (const Span& rows : step.rows)
+      span = {std::min(span.first, rows.first), std::max(span.last, rows.last)};
+    while (span.first > 0 && is_there(recording, span.first - 1, at) &&
+           recording.moves[span.first - 1].kind == features::Move::Kind::rapid)
+      --span.first;
+  }
+  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.first < b.first; });
+  std::vector<Span> apart;
+  for (const Span& span : spans) {
+    if (apart.empty() || span.first > apart.back().last) apart.push_back(span);
+  }
+  return apart;
+}
+
+Span block_rows(const Recording& recording, std::uint32_t row) {
+  Span span{row, row};
+  const std::uint32_t block = recording.moves[row].block;
+  while (span.first > 0 && recording.moves[span.first - 1].block == block) --span.first;
+  while (span.last + 1 < recording.count() && recording.moves[span.last + 1].block == block)
+    ++span.last;
+  return span;
+}
+
+bool is_cycle_row(const Recording& recording, std::uint32_t row) {
+  return recording.state_of(recording.moves[row]).cycle != 0;
+}
+
+}  // namespace
+
+EditPlanner::Done EditPlanner::move_hole(contour::Vec2 to, std::size_t hole) {
+  const features::Hole& its = tree_.holes[hole];
+  const contour::Vec2 by = to - its.at;
+  for (const HoleStep& step : its.steps) {
+    for (const Span& span : spans_of(recording_, step, its.at)) {
+      Stretch stretch{.rows = span};
+      for (std::uint32_t row = span.first; row <= span.last; ++row) {
+        PlannedRow planned = features::as_it_is(recording_, row);
+        if (is_there(recording_, row, its.at)) planned.to = planned.to + features::Vec3{by.u, by.v, 0};
+        stretch.becomes.push_back(planned);
+      }
+      add(std::move(stretch));
+    }
+  }
+  plan_.edited_holes.push_back(hole);
+  return {};
+}
+
+EditPlanner::Done EditPlanner::set_hole_depth(double z, std::size_t hole) {
+  const features::Hole& its = tree_.holes[hole];
+  for (const HoleStep& step : its.steps) {
+    if (std::fabs(step.bottom - its.bottom) > features::kSameZ_mm) continue;
+    for (const Span& span : spans_of(recording_, step, its.at)) {
+      Stretch stretch{.rows = span};
+      for (std::uint32_t row = span.first; row <= span.last; ++row) {
+        PlannedRow planned = features::as_it_is(recording_, row);
+        if (std::fabs(planned.to.z - step.bottom) <= features::kSameZ_mm) planned.to.z = z;
+        stretch.becomes.push_back(planned);
+      }
+      add(std::move(stretch));
+    }
+  }
+  plan_.edited_holes.push_back(hole);
+  return {};
+}
+
+// The first one of a list gives its block to the next.
+EditPlanner::Done EditPlanner::remove_hole(std::size_t hole) {
+  const features::Hole& its = tree_.holes[hole];
+  for (const HoleStep& step : its.steps) {
+    const std::uint32_t first = step.rows.front().first;
+    if (!is_cycle_row(recording_, first)) {
+      for (const Span& visit : step.visits) add({.rows = visit});
+      continue;
+    }
+    const Span own = block_rows(recording_, first);
+    const bool is_first = own.first == 0 || !is_cycle_row(recording_, own.first - 1);
+    const bool has_next = own.last + 1 < recording_.count() && is_cycle_row(recording_, own.last + 1);
+    if (!is_first) {
+      add({.rows = own});
+      continue;
+    }
+    if (!has_next)
+      return refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
+    const Span next = block_rows(recording_, own.last + 1);
+    if (next.last - next.first != own.last - own.first)
+      return refuse(Code::edit_not_editable, "THE NEXT HOLE OF THE CYCLE IS MADE OTHERWISE");
+    Stretch stretch{.rows = {own.first, next.last}};
+    for (std::uint32_t row = next.first; row <= next.last; ++row) {
+      PlannedRow planned = features::as_it_is(recording_, row);
+      planned.was = own.first + (row - next.first);
+      stretch.becomes.push_back(planned);
+    }
+    add(std::move(stretch));
+  }
+  plan_.edited_holes.push_back(hole);
+  return {};
+}
+
+EditPlanner::Done EditPlanner::add_hole(contour::Vec2 at, std::size_t pattern) {
+  const features::Hole& last = tree_.holes[tree_.patterns[pattern].holes.back()];
+  for (const HoleStep& step : last.steps) {
+    const std::uint32_t row = step.rows.back().last;
+    if (!is_cycle_row(recording_, row))
+      return refuse(Code::edit_not_editable, "THESE HOLES ARE NOT MADE BY A CYCLE");
+    const Span own = block_rows(recording_, row);
+    Stretch stretch{.rows = own};
+    for (std::uint32_t each = own.first; each <= own.last; ++each)
+      stretch.becomes.push_back(features::as_it_is(recording_, each));
+    PlannedRow more = stretch.becomes.back();
+    more.to.x = at.u;
+    more.to.y = at.v;
+    more.was.reset();
+    more.like = own.last;
+    stretch.becomes.push_back(more);
+    add(std::move(stretch));
+  }
+  return {};
+}
+
+}  // namespace kerf::job

@@ -27,6 +27,7 @@ struct Execute {
   ExitStatus operator()(const TimeOptions& options) const { return kerf::cli::time(options); }
   ExitStatus operator()(const StockOptions& options) const { return stock(options); }
   ExitStatus operator()(const FeaturesOptions& options) const { return features(options); }
+  ExitStatus operator()(const EditOptions& options) const { return edit(options); }
   ExitStatus operator()(const CheckOptions& options) const { return check(options); }
   ExitStatus operator()(const PatternOptions& options) const { return pattern(options); }
   ExitStatus operator()(const ReplayOptions& options) const { return replay(options); }

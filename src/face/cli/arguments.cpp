@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/notices.hpp"
+#include "face/cli/internal/edit_arguments.hpp"
 #include "face/cli/option_groups.hpp"
 #include "face/cli/stock_arguments.hpp"
 
@@ -273,6 +274,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   TimeOptions time_options;
   StockOptions stock_options;
   FeaturesOptions features_options;
+  EditOptions edit_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
   PatternOptions pattern_options;
@@ -284,6 +286,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_time(app, time_options);
   add_stock(app, stock_options);
   add_features(app, features_options);
+  add_edit(app, edit_options);
   add_check(app, check_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
@@ -301,7 +304,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, time, stock, features, check, pattern, "
+                      "a command is needed: run, time, stock, features, edit, check, pattern, "
                       "serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
@@ -320,6 +323,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("stock")) return stock_options;
   if (app.got_subcommand("features")) return features_options;
+  if (app.got_subcommand("edit")) return edit_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;
   if (app.got_subcommand("serve")) return serve_options;

@@ -18,8 +18,8 @@ struct Answer {
 };
 
 /// What a command line asks for.
-using Request = std::variant<RunOptions, TimeOptions, StockOptions, FeaturesOptions, CheckOptions,
-                             PatternOptions, ReplayOptions, MachinesOptions, ServeOptions,
+using Request = std::variant<RunOptions, TimeOptions, StockOptions, FeaturesOptions, EditOptions,
+                             CheckOptions, PatternOptions, ReplayOptions, MachinesOptions, ServeOptions,
                              ToolsOptions, Answer>;
 
 /// Reads the words behind `kerf`. Failure (usage): one sentence.

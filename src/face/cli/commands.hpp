@@ -127,6 +127,19 @@ struct FeaturesOptions {
   std::string method = "both";
 };
 
+/// Features of a program are edited, or an edit is taken back; paths are empty when not asked for.
+struct EditOptions {
+  RunOptions run;              ///< without outputs
+  std::string edits;           ///< the edits file
+  std::string undo;            ///< the report of the edit that is taken back
+  std::string output;          ///< the program as it is then
+  std::string output_library;  ///< a folder for other files that change
+  std::string diff;
+  std::string report;  ///< JSON
+  bool allows_collision = false;
+  bool allows_rest = false;
+};
+
 struct CheckOptions {
   std::vector<std::string> files;
   std::string machine;
@@ -184,6 +197,7 @@ struct ToolsOptions {
 [[nodiscard]] ExitStatus time(const TimeOptions& options);
 [[nodiscard]] ExitStatus stock(const StockOptions& options);
 [[nodiscard]] ExitStatus features(const FeaturesOptions& options);
+[[nodiscard]] ExitStatus edit(const EditOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);

@@ -7,20 +7,25 @@
 
 namespace kerf::cli {
 
+void tell(const base::Diagnostic& diagnostic, const base::SourceSet& sources,
+          DiagnosticFormat format) {
+  const std::string text = format == DiagnosticFormat::json
+                               ? output::diagnostic_json(diagnostic, sources)
+                               : output::diagnostic_text(diagnostic, sources);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void report_diagnostics(const ReadyRun& ready, DiagnosticFormat format) {
   machine::BatchRun& machine = ready.machine();
-  const auto tell = [&](const base::Diagnostic& diagnostic) {
-    const std::string text = format == DiagnosticFormat::json
-                                 ? output::diagnostic_json(diagnostic, machine.sources())
-                                 : output::diagnostic_text(diagnostic, machine.sources());
-    std::fwrite(text.data(), 1, text.size(), stderr);
+  const auto say = [&](const base::Diagnostic& diagnostic) {
+    tell(diagnostic, machine.sources(), format);
   };
-  if (ready.hint) tell(output::at_line(*ready.hint, machine.sources()));
-  for (const base::Diagnostic& warning : machine.control().warnings()) tell(warning);
+  if (ready.hint) say(output::at_line(*ready.hint, machine.sources()));
+  for (const base::Diagnostic& warning : machine.control().warnings()) say(warning);
   for (const base::Diagnostic& warning : machine.warnings())
-    tell(output::at_line(warning, machine.sources()));
-  if (const auto alarm = ready.alarm()) tell(*alarm);
-  if (machine.notice()) tell(*machine.notice());
+    say(output::at_line(warning, machine.sources()));
+  if (const auto alarm = ready.alarm()) say(*alarm);
+  if (machine.notice()) say(*machine.notice());
 }
 
 }  // namespace kerf::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "job/edit_run.hpp"
+#include "output/features/edit_facts.hpp"
+
+namespace kerf::job {
+
+/// What an edit has done, for reports.
+[[nodiscard]] output::EditFacts facts_of(const EditResult& result);
+
+}  // namespace kerf::job

@@ -76,9 +76,11 @@ Outcome<std::vector<ChangedText>> texts_of(const EditOptions& options,
   return texts;
 }
 
-/// A file beside the program changes, and nobody has said where it shall go.
+/// A file beside the program changes, and nobody has said where it shall go. Which of several edits
+/// it is nobody knows.
 std::optional<features::EditFault> other_file(const EditOptions& options,
-                                              const std::vector<ChangedText>& texts) {
+                                              const std::vector<ChangedText>& texts,
+                                              std::size_t edits) {
   const auto beside = std::find_if(texts.begin(), texts.end(), [](const ChangedText& text) {
     return !text.is_main && text.before != text.after;
   });
@@ -87,7 +89,8 @@ std::optional<features::EditFault> other_file(const EditOptions& options,
       .code = base::Code::edit_other_file,
       .sentence = "THE BLOCKS STAND IN " + beside->file,
       .hint = "--output-library names a folder for changed files; `\"scope\":\"this\"` writes the "
-              "call out in the program"};
+              "call out in the program",
+      .edit = edits == 1 ? 0 : edits};
 }
 
 /// An edit that was asked for and verified goes where it was asked to go.
@@ -99,7 +102,7 @@ class Delivery {
   ExitStatus deliver(const base::ProgramText& program, const job::EditResult& result) {
     auto texts = texts_of(options_, program, result);
     if (!texts) return fail(texts.error());
-    if (const auto fault = other_file(options_, *texts)) return refuse(*fault);
+    if (const auto fault = other_file(options_, *texts, edits_.edits().size())) return refuse(*fault);
     const output::EditFacts facts = job::facts_of(result);
     if (auto written = outputs_.write(*texts, output::edit_report_json(facts)); !written)
       return fail(written.error());

@@ -9,7 +9,7 @@
 #include "job/internal/block_texts.hpp"
 #include "job/internal/edit_check.hpp"
 #include "job/internal/edit_planner.hpp"
-#include "job/internal/text_changes.hpp"
+#include "job/internal/changed_lines.hpp"
 #include "machine/dialect/registry.hpp"
 
 namespace kerf::job {

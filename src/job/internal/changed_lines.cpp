@@ -1,4 +1,4 @@
-#include "job/internal/text_changes.hpp"
+#include "job/internal/changed_lines.hpp"
 
 #include <algorithm>
 

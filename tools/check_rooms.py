@@ -43,6 +43,7 @@ ROOMS = {
     "features/literal": ["features/tree"],
     "features/milling": ["features/literal"],
     "features/turning": ["features/tree", "stock/turned"],
+    "features/edit": ["features/tree"],
     "features": ["features/milling", "features/turning"],
     "features/edit": ["features/tree"],
     "lang/vm": ["base"],

@@ -51,6 +51,8 @@ struct ChamferCorner {
   std::optional<std::size_t> corner{};
   double before = 0;  ///< d1: along the element that leads to the corner
   double after = 0;   ///< d2
+  /// Instead of d2: between the chamfer and the element that leads to the corner, two lines.
+  std::optional<double> angle_deg{};
 };
 struct FilletCorner {
   std::optional<std::size_t> corner{};

@@ -21,10 +21,20 @@ class PieceTree {
   /// Calls visit(a, b) once, with numbers of pieces, for each two that may be near to each other.
   template <typename Visit>
   void each_pair(Visit&& visit) const {
+    each_pair_while([&](std::uint32_t a, std::uint32_t b) {
+      visit(a, b);
+      return true;
+    });
+  }
+  /// The same until visit(a, b) is false.
+  template <typename Visit>
+  void each_pair_while(Visit&& visit) const {
     const auto order = tree_.order();
-    for (std::size_t place = 0; place < order.size(); ++place) {
+    bool goes_on = true;
+    for (std::size_t place = 0; place < order.size() && goes_on; ++place) {
       const std::uint32_t mine = order[place];
-      near_piece(place, pieces_[mine], [&](std::uint32_t other) { visit(mine, other); });
+      near_piece(place, pieces_[mine],
+                 [&](std::uint32_t other) { goes_on = goes_on && visit(mine, other); });
     }
   }
 

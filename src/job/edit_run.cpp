@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/crc32.hpp"
+#include "base/checksum.hpp"
 #include "features/merge/merge.hpp"
 #include "job/features_run.hpp"
 #include "job/internal/block_texts.hpp"
@@ -146,7 +146,7 @@ class EditWork {
   }
 
   [[nodiscard]] static double time_of(const FeaturesResult& result) {
-    return result.run->machine().totals().time_s;
+    return result.run->machine().time_s();
   }
 
   [[nodiscard]] base::Outcome<features::Editing<EditResult>> verified() {
@@ -154,7 +154,7 @@ class EditWork {
     again.job.program = base::ProgramText::of(job_.job.program.name, result_.texts.front().after);
     auto after = recognise_features(again, features::Method::both);
     if (!after) return tl::unexpected(after.error());
-    if (after->status.end != before_.status.end)
+    if (after->status != before_.status)
       return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");
     EditReport& report = result_.report;
     report.verified = compare_edited(before_.recording, before_.tree, after->tree, plan_);
@@ -186,8 +186,9 @@ class EditWork {
 base::Outcome<EditRun> edit_features(const StockJob& job, const EditWishes& wishes) {
   auto before = recognise_features(job, features::Method::both);
   if (!before) return tl::unexpected(before.error());
-  EditRun run{.status = before->status};
-  if (before->status.end == machine::RunStatus::End::program) {
+  EditRun run;
+  run.status = before->status;
+  if (before->status != machine::RunStatus::alarm && before->status != machine::RunStatus::budget) {
     EditWork work(job, wishes, *before);
     auto edited = work.make();
     if (!edited) return tl::unexpected(edited.error());

@@ -17,7 +17,7 @@ using base::BlockId;
 using base::Code;
 
 constexpr std::size_t kMostLooks = 4000;  // blocks that tell how a program is written
-constexpr std::size_t kMostBack = 100'000;
+constexpr std::uint32_t kMostBack = 100'000;
 constexpr double kDegree_rad = 0.017453292519943295;
 constexpr std::array<char, 3> kAxes = {'X', 'Y', 'Z'};
 
@@ -371,7 +371,8 @@ class Merger {
                    const std::optional<double>& old, std::optional<double>& now,
                    BlockPatch& patch) {
     const BlockWord* const word = patch.word(letter);
-    const auto number = word == nullptr ? std::optional<double>{} : value_of(*word);
+    std::optional<double> number;
+    if (word != nullptr) number = value_of(*word);
     const double by = is_incremental ? way_change : change;
     if (word != nullptr && !number) {
       if (std::fabs(by) >= least_) {
@@ -465,7 +466,7 @@ class Merger {
   // The feed in force at a row, as it is written.
   [[nodiscard]] std::optional<std::string> feed_at(std::uint32_t row) const {
     std::optional<std::uint32_t> last;
-    for (std::size_t looks = 0; looks < kMostBack; ++looks) {
+    for (std::uint32_t looks = 0; looks < kMostBack; ++looks) {
       const std::uint32_t block = recording_.moves[row].block;
       if (last != block) {
         const std::vector<BlockWord> words = words_in(block);

@@ -32,6 +32,10 @@ Region region_of(const NewLayer& wanted) {
   return region;
 }
 
+double radius_of(const stock::Tool& tool) {
+  return tool.value(stock::Measure::diameter).value_or(0) / 2;
+}
+
 bool goes_outside(const Feature& feature) {
   return feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
 }
@@ -95,7 +99,6 @@ class LayerWriter {
     const auto distances =
         distances_of(clearing_, distances_in(olds_), step_of(distances_in(olds_), clearing_.tool_radius));
     if (!distances) return does_not_fit();
-    approach_row_ = visit_.first;
     for (const double distance : in_order(*distances)) cut_round(distance);
     retract();
     align(recording_, visit_, recording_.from(visit_.first), rows_);
@@ -118,7 +121,7 @@ class LayerWriter {
                                                  : tool);
     clearing_ = {.region = region_of(wanted_),
                  .is_outside = goes_outside(*wanted_.feature),
-                 .tool_radius = known == recording_.tools.end() ? 0 : known->second.diameter / 2,
+                 .tool_radius = known == recording_.tools.end() ? 0 : radius_of(known->second),
                  .has_sharp_corners = turned_sharply(olds_, walls)};
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
@@ -185,7 +188,6 @@ class LayerWriter {
     if (old != nullptr) used_.push_back(static_cast<std::size_t>(old - olds_.data()));
     if (old != nullptr) return begun_like(loop, *old);
     if (!has_cut_) return begun_like(loop, olds_.front());
-    OldLoop like = olds_.front();
     return begun_near(loop, next_start(distance));
   }
 
@@ -250,7 +252,6 @@ class LayerWriter {
   std::vector<std::size_t> used_{};
   bool is_reversed_ = false;
   bool has_cut_ = false;
-  std::uint32_t approach_row_ = 0;
   std::vector<PlannedRow> rows_{};
 };
 

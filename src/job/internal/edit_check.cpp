@@ -155,7 +155,9 @@ bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan
 
 double tool_diameter(const features::Recording& recording, std::uint32_t tool) {
   const auto known = recording.tools.find(tool);
-  return known == recording.tools.end() ? 0 : known->second.diameter;
+  return known == recording.tools.end()
+             ? 0
+             : known->second.value(stock::Measure::diameter).value_or(0);
 }
 
 }  // namespace

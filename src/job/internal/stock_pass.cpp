@@ -5,22 +5,22 @@
 namespace kerf::job {
 namespace {
 
-using Kind = machine::StockZero::Kind;
+using ZeroKind = machine::StockZero::Kind;
 
 machine::StockZero zero_of(const control::WorkSystem& system) {
-  return {.kind = Kind::system, .index = system.index, .extended = system.extended};
+  return {.kind = ZeroKind::system, .index = system.index, .extended = system.extended};
 }
 
 }  // namespace
 
 ZeroWatch::ZeroWatch(const machine::BatchRun& run, const machine::StockZero& wanted)
     : run_(run), zero_(wanted) {
-  const bool is_open = wanted.kind == Kind::automatic;
+  const bool is_open = wanted.kind == ZeroKind::automatic;
   at_start_ = origin_of(run, is_open ? zero_of(run.control().work_system()) : wanted);
 }
 
 stock::Vec3 origin_of(const machine::BatchRun& run, const machine::StockZero& zero) {
-  if (zero.kind != Kind::system) return {};
+  if (zero.kind != ZeroKind::system) return {};
   const control::Memory& memory = run.memory();
   const motion::AxisSetup& axes = run.definition().axes;
   const base::AxisVector& offset =
@@ -34,12 +34,12 @@ stock::Vec3 origin_of(const machine::BatchRun& run, const machine::StockZero& ze
 }
 
 bool ZeroWatch::in_force() const {
-  return zero_.kind == Kind::machine || zero_ == zero_of(run_.control().work_system());
+  return zero_.kind == ZeroKind::machine || zero_ == zero_of(run_.control().work_system());
 }
 
 void ZeroWatch::look(const base::BlockId& block) {
   if (!origin_) {
-    if (zero_.kind == Kind::automatic) zero_ = zero_of(run_.control().work_system());
+    if (zero_.kind == ZeroKind::automatic) zero_ = zero_of(run_.control().work_system());
     if (in_force()) origin_ = origin_of(run_, zero_);
     revision_ = run_.memory().revision;
   } else if (!moved_ && run_.memory().revision != revision_) {

@@ -106,8 +106,8 @@ EditOperation read_add_arc(const OperationReader& read) {
   read.expect_one_way("through", {"center", "radius", "start_deg", "end_deg", "direction"});
   if (members.has("through")) {
     const auto points = read.three_points("through");
-    const auto arc = arc_through(read.in_plane(points[0]), read.in_plane(points[1]),
-                                 read.in_plane(points[2]));
+    const auto arc =
+        arc_through(read.in_plane(points[0]), read.in_plane(points[1]), read.in_plane(points[2]));
     if (!arc) throw Misread{"NO ARC GOES THROUGH THE THREE POINTS", members.need("through")};
     return AddElement{read.as_told(*arc)};
   }
@@ -134,8 +134,8 @@ EditOperation read_modify_line(const OperationReader& read) {
 EditOperation read_modify_arc(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("through", {"radius", "center", "start_deg", "end_deg"});
-  ModifyArc wish{members.count("element", 0),     members.positive_if("radius"),
-                 read.point_if("center"),         members.number_if("start_deg"),
+  ModifyArc wish{members.count("element", 0),  members.positive_if("radius"),
+                 read.point_if("center"),      members.number_if("start_deg"),
                  members.number_if("end_deg"), {}};
   if (members.has("through")) wish.through = read.three_points("through");
   const bool says_something =

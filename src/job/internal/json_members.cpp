@@ -125,6 +125,8 @@ void JsonMembers::expect_all_known(const std::string& where) const {
   }
 }
 
-void JsonMembers::refuse(std::string sentence) const { throw Misread{std::move(sentence), object_}; }
+void JsonMembers::refuse(std::string sentence) const {
+  throw Misread{std::move(sentence), object_};
+}
 
 }  // namespace kerf::job

@@ -54,7 +54,9 @@ class JsonListener {
   [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
 
   // What nlohmann::json_sax has.
-  bool null() { return add(Kind::null, [&] { cursor_.pass(4); }); }
+  bool null() {
+    return add(Kind::null, [&] { cursor_.pass(4); });
+  }
   bool boolean(bool truth) {
     const bool done = add(Kind::boolean, [&] { cursor_.pass(truth ? 4 : 5); });
     json_.values_.back().truth = truth;

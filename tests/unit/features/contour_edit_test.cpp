@@ -26,7 +26,8 @@ TEST(ReplacedContour, IsInNormalFormWhateverItsSenseAndStart) {
   apply(edit, ReplaceContour{.contour = clockwise});
   // Element 1 is the right side, for the two parts of the upper one are one.
   apply(edit, FilletCorner{.corner = 1, .radius = 5});
-  expect_outer(edit, closed({{{10, 10}}, {{55, 10}, kQuarter}, {{60, 15}}, {{60, 38}}, {{10, 38}}}));
+  expect_outer(edit,
+               closed({{{10, 10}}, {{55, 10}, kQuarter}, {{60, 15}}, {{60, 38}}, {{10, 38}}}));
 }
 
 TEST(ReplacedContour, TakesIslandsAlong) {
@@ -62,8 +63,7 @@ TEST(JoinedElements, CloseTheGapOfADeletedOne) {
   // A pocket with a chamfer at its lower right corner, which goes.
   ContourEdit edit = edit_of(closed({{{10, 10}}, {{45, 10}}, {{50, 15}}, {{50, 38}}, {{10, 38}}}));
   apply(edit, DeleteElement{1});
-  expect_fault(edit, Code::edit_open,
-               "THE CONTOUR IS OPEN BY 7.071 mm BETWEEN ELEMENTS 0 AND 2");
+  expect_fault(edit, Code::edit_open, "THE CONTOUR IS OPEN BY 7.071 mm BETWEEN ELEMENTS 0 AND 2");
   apply(edit, JoinElements{2, 0});
   expect_outer(edit, pocket());
 }
@@ -130,8 +130,8 @@ TEST(ModifiedArc, ByCentreOrAnglesTakesItsNeighboursAlong) {
 
 TEST(ModifiedArc, RefusesLinesAndWholeCircles) {
   ContourEdit edit = edit_of(closed({{{0, 0}}, {{40, 0}, 1}, {{40, 20}}, {{0, 20}}}));
-  expect_refused(edit.apply(ModifyArc{.element = 0, .radius = 9.0}, {}),
-                 Code::edit_element_unknown, "ELEMENT 0 IS A LINE: TAKE modify-line");
+  expect_refused(edit.apply(ModifyArc{.element = 0, .radius = 9.0}, {}), Code::edit_element_unknown,
+                 "ELEMENT 0 IS A LINE: TAKE modify-line");
   expect_refused(edit.apply(ModifyArc{.element = 1, .start_deg = 90.0, .end_deg = 450.0}, {}),
                  Code::edit_does_not_fit, "ELEMENT 1: A WHOLE CIRCLE IS TWO ELEMENTS");
   expect_refused(edit.apply(ModifyArc{.element = 1, .through = {{0, 0}, {1, 1}, {2, 2}}}, {}),
@@ -188,7 +188,8 @@ TEST(Islands, ComeGoAndKeepTheirNumbers) {
 }
 
 TEST(PlacedFeature, ThereAndBackIsWhereItWas) {
-  const Contour outer = closed({{{10, 10}}, {{45, 10}, kQuarter}, {{50, 15}}, {{50, 38}}, {{10, 38}}});
+  const Contour outer =
+      closed({{{10, 10}}, {{45, 10}, kQuarter}, {{50, 15}}, {{50, 38}}, {{10, 38}}});
   const std::vector<std::pair<EditOperation, EditOperation>> pairs{
       {MoveFeature{3.7, -12.1}, MoveFeature{-3.7, 12.1}},
       {RotateFeature{71.5, Vec2{-8, 3}}, RotateFeature{-71.5, Vec2{-8, 3}}},

@@ -53,10 +53,9 @@ struct ChamferRow {
   double before, after;
   Vec2 begin, end;
 };
-constexpr ChamferRow kChamfers[] = {
-    {{0, 0}, {50, 0}, {80, 40}, 5, 5, {45, 0}, {53, 4}},
-    {{0, 0}, {10, 0}, {10, 10}, 2, 3, {8, 0}, {10, 3}},
-    {{0, 10}, {0, 0}, {30, 0}, 4, 8, {0, 6}, {8, 0}}};
+constexpr ChamferRow kChamfers[] = {{{0, 0}, {50, 0}, {80, 40}, 5, 5, {45, 0}, {53, 4}},
+                                    {{0, 0}, {10, 0}, {10, 10}, 2, 3, {8, 0}, {10, 3}},
+                                    {{0, 10}, {0, 0}, {30, 0}, 4, 8, {0, 4}, {8, 0}}};
 
 TEST(ChamferedCorner, HasThePointsOfTheTable) {
   for (const ChamferRow& row : kChamfers) {
@@ -69,18 +68,14 @@ TEST(ChamferedCorner, HasThePointsOfTheTable) {
 TEST(ChamferedCorner, ByAnAngleHasThatAngleToTheElementBefore) {
   ContourEdit square = edit_of(pocket());
   apply(square, ChamferCorner{.corner = 1, .before = 6, .angle_deg = 30});
-  expect_outer(square, closed({{{10, 10}},
-                               {{44, 10}},
-                               {{50, 10 + 6 / std::sqrt(3.0)}},
-                               {{50, 38}},
-                               {{10, 38}}}));
+  expect_outer(
+      square,
+      closed({{{10, 10}}, {{44, 10}}, {{50, 10 + 6 / std::sqrt(3.0)}}, {{50, 38}}, {{10, 38}}}));
   // In a corner of 60° a chamfer of 60° cuts off a triangle of equal sides.
   ContourEdit sharp({open({{{0, 0}}, {{20, 0}}, {{10, 10 * std::sqrt(3.0)}}}), {}});
   apply(sharp, ChamferCorner{.corner = 1, .before = 4, .angle_deg = 60});
-  expect_outer(sharp, open({{{0, 0}},
-                            {{16, 0}},
-                            {{18, 2 * std::sqrt(3.0)}},
-                            {{10, 10 * std::sqrt(3.0)}}}));
+  expect_outer(
+      sharp, open({{{0, 0}}, {{16, 0}}, {{18, 2 * std::sqrt(3.0)}}, {{10, 10 * std::sqrt(3.0)}}}));
 }
 
 TEST(ChamferedCorner, ByAnAngleThatMeetsNothingIsRefused) {

@@ -12,9 +12,7 @@ using contour::Edge;
 using contour::Vec2;
 using features::Edit;
 
-std::string file_of(const std::string& edits) {
-  return R"({"version":1,"edits":[)" + edits + "]}";
-}
+std::string file_of(const std::string& edits) { return R"({"version":1,"edits":[)" + edits + "]}"; }
 
 /// The only edit of a file.
 Edit edit_of(const std::string& edit, bool turns = false) {
@@ -67,8 +65,9 @@ TEST(EditsFile, HasLayersIslandScopeAndUnroll) {
   EXPECT_EQ(full.layers, features::LayerRule::only);
   EXPECT_EQ(full.scope, features::EditScope::this_call);
   EXPECT_TRUE(full.unrolls);
-  EXPECT_EQ(edit_of(R"({"feature":"F1","layers":"all","scope":"all","op":"scale","factor":2})").scope,
-            features::EditScope::all);
+  EXPECT_EQ(
+      edit_of(R"({"feature":"F1","layers":"all","scope":"all","op":"scale","factor":2})").scope,
+      features::EditScope::all);
 }
 
 TEST(EditsFile, ReadsContours) {
@@ -80,8 +79,7 @@ TEST(EditsFile, ReadsContours) {
   EXPECT_EQ(wish.contour->vertices[1], (contour::Vertex{{40, 10}, 0.5}));
   EXPECT_EQ(wish.islands->at(0).vertices[1].bulge, -1);
   EXPECT_FALSE(wish.centre_line);
-  const auto line =
-      read<features::ReplaceContour>(R"("op":"replace","center_line":[[0,0],[9,0]])");
+  const auto line = read<features::ReplaceContour>(R"("op":"replace","center_line":[[0,0],[9,0]])");
   ASSERT_TRUE(line.centre_line);
   EXPECT_FALSE(line.centre_line->is_closed);
   EXPECT_EQ(read<features::AddIsland>(R"("op":"add-island","contour":[[21,30,1],[39,30,1]])")
@@ -97,8 +95,8 @@ TEST(EditsFile, ReadsLines) {
   EXPECT_EQ(line.bulge, 0);
   expect_near(read<features::AddElement>(R"("op":"add-line","from":[1,2],"to":[3,4])").edge.to,
               {3, 4});
-  const auto modified = read<features::ModifyLine>(
-      R"("op":"modify-line","element":3,"from":[10,10],"to":[45,10])");
+  const auto modified =
+      read<features::ModifyLine>(R"("op":"modify-line","element":3,"from":[10,10],"to":[45,10])");
   EXPECT_EQ(modified.element, 3U);
   EXPECT_EQ(modified.from, (Vec2{10, 10}));
   EXPECT_EQ(modified.to, (Vec2{45, 10}));
@@ -124,10 +122,10 @@ TEST(EditsFile, ReadsArcs) {
   EXPECT_EQ(modified.centre, (Vec2{1, 2}));
   EXPECT_EQ(modified.start_deg, -30);
   EXPECT_EQ(modified.end_deg, 40);
-  EXPECT_EQ(read<features::ModifyArc>(
-                R"("op":"modify-arc","element":3,"through":[[0,0],[5,5],[10,0]])")
-                .through.size(),
-            3U);
+  EXPECT_EQ(
+      read<features::ModifyArc>(R"("op":"modify-arc","element":3,"through":[[0,0],[5,5],[10,0]])")
+          .through.size(),
+      3U);
 }
 
 TEST(EditsFile, ArcsOfALatheLieOnRadii) {
@@ -140,21 +138,18 @@ TEST(EditsFile, ArcsOfALatheLieOnRadii) {
   expect_near(about.from, {-20, 20});
   expect_near(about.to, {-30, 40});
   EXPECT_NEAR(contour::sweep_rad(about), std::numbers::pi / 2, 1e-12);
-  const Edge through = read<features::AddElement>(
-                           R"("op":"add-arc","through":[[0,0],[5,10],[10,0]])", true)
-                           .edge;
+  const Edge through =
+      read<features::AddElement>(R"("op":"add-arc","through":[[0,0],[5,10],[10,0]])", true).edge;
   EXPECT_NEAR(through.bulge, -1, 1e-12);
 }
 
 TEST(EditsFile, ReadsCorners) {
-  const auto chamfer =
-      read<features::ChamferCorner>(R"("op":"chamfer","corner":2,"d1":2,"d2":4)");
+  const auto chamfer = read<features::ChamferCorner>(R"("op":"chamfer","corner":2,"d1":2,"d2":4)");
   EXPECT_EQ(chamfer.corner, 2U);
   EXPECT_EQ(chamfer.before, 2);
   EXPECT_EQ(chamfer.after, 4);
   EXPECT_FALSE(chamfer.angle_deg);
-  const auto angled =
-      read<features::ChamferCorner>(R"("op":"chamfer-all","d":3,"angle_deg":30)");
+  const auto angled = read<features::ChamferCorner>(R"("op":"chamfer-all","d":3,"angle_deg":30)");
   EXPECT_FALSE(angled.corner);
   EXPECT_EQ(angled.before, 3);
   EXPECT_EQ(angled.angle_deg, 30);
@@ -233,34 +228,35 @@ TEST(EditsFile, ThatIsWrongIsToldWithItsPlace) {
       {"\xEF\xBB\xBF{\"version\":2}", "THIS IS NOT VERSION 1", 1, 15},
       {"[[[[[[[[[[]]]]]]]]]]", "NOTHING LIES SO DEEP", 1, 9},
       {file_of("7"), "THIS IS NO OBJECT", 1, 23},
-      {file_of(f1 + R"("op":"weld"})"), "NO OPERATION `weld`", 1, 43},
+      {file_of(f1 + R"("op":"weld"})"), "NO OPERATION `weld`", 1, 44},
       {file_of(R"({"feature":"F1"})"), "`op` IS MISSING", 1, 23},
       {file_of(R"({"op":"delete","element":1})"), "`feature` IS MISSING", 1, 23},
-      {file_of(f1 + R"("pattern":"P1","op":"depth","z":1})"), "TWO TARGETS OF ONE EDIT", 1, 48},
+      {file_of(f1 + R"("pattern":"P1","op":"depth","z":1})"), "TWO TARGETS OF ONE EDIT", 1, 49},
       {file_of(f1 + R"("op":"delete","element":1,"r":2})"),
-       "THE OPERATION `delete` HAS NO MEMBER `r`", 1, 64},
-      {file_of(f1 + R"("op":"delete","element":-1})"), "`element` IS NO WHOLE NUMBER FROM 0", 1, 62},
+       "THE OPERATION `delete` HAS NO MEMBER `r`", 1, 65},
+      {file_of(f1 + R"("op":"delete","element":-1})"), "`element` IS NO WHOLE NUMBER FROM 0", 1,
+       63},
       {file_of(f1 + R"("op":"delete","element":1.5})"), "`element` IS NO WHOLE NUMBER FROM 0", 1,
-       62},
-      {file_of(f1 + R"("layer":0,"op":"delete","element":1})"),
-       "`layer` IS NO WHOLE NUMBER FROM 1", 1, 46},
-      {file_of(f1 + R"("op":"depth","z":"low"})"), "`z` IS NO NUMBER", 1, 55},
-      {file_of(f1 + R"("op":"depth","z":1e7})"), "`z` IS BEYOND 1000000", 1, 55},
+       63},
+      {file_of(f1 + R"("layer":0,"op":"delete","element":1})"), "`layer` IS NO WHOLE NUMBER FROM 1",
+       1, 47},
+      {file_of(f1 + R"("op":"depth","z":"low"})"), "`z` IS NO NUMBER", 1, 56},
+      {file_of(f1 + R"("op":"depth","z":1e7})"), "`z` IS BEYOND 1000000", 1, 56},
       {file_of(f1 + R"("op":"depth"})"), "`z` OR `x` IS MISSING", 1, 23},
-      {file_of(f1 + R"("op":"fillet-all","r":0})"), "`r` IS NOT ABOVE 0", 1, 60},
+      {file_of(f1 + R"("op":"fillet-all","r":0})"), "`r` IS NOT ABOVE 0", 1, 61},
       {file_of(f1 + R"("op":"add-island","contour":[[0,0],[1]]})"),
-       "A POINT OF A CONTOUR IS [x, y] OR [x, y, bulge]", 1, 73},
+       "A POINT OF A CONTOUR IS [x, y] OR [x, y, bulge]", 1, 74},
       {file_of(f1 + R"("op":"add-island","contour":[[0,0],[1,null]]})"),
-       "A COORDINATE IS NO NUMBER", 1, 76},
+       "A COORDINATE IS NO NUMBER", 1, 77},
       {file_of(f1 + R"("op":"add-island","contour":[[0,0]]})"), "A CONTOUR HAS TWO POINTS OR MORE",
-       1, 66},
+       1, 67},
       {file_of(f1 + R"("op":"add-arc","through":[[0,0],[1,1],[2,2]]})"),
-       "NO ARC GOES THROUGH THE THREE POINTS", 1, 63},
+       "NO ARC GOES THROUGH THE THREE POINTS", 1, 64},
       {file_of(f1 + R"("op":"chamfer-all","d":3,"d1":2,"angle_deg":45})"),
-       "`d` AND `d1` EXCLUDE EACH OTHER", 1, 68},
+       "`d` AND `d1` EXCLUDE EACH OTHER", 1, 69},
       {file_of(f1 + R"("scope":"some","op":"unroll"})"), "`scope` IS NEITHER `all` NOR `this`", 1,
-       46},
-      {file_of(f1 + R"("unroll":1,"op":"unroll"})"), "`unroll` IS NEITHER true NOR false", 1, 47},
+       47},
+      {file_of(f1 + R"("unroll":1,"op":"unroll"})"), "`unroll` IS NEITHER true NOR false", 1, 48},
       {file_of(R"({"call":"C1","op":"argument","letter":"r","value":1})"),
        "`letter` IS NO LETTER FROM A TO Z", 1, 61}};
   for (const Wrong& wrong : wrongs) {

@@ -29,7 +29,7 @@ struct OperationReader {
   JsonMembers& members;
 
   [[nodiscard]] Vec2 point(std::string_view name) const {
-    return point_at(reading, members.need(name), quoted(name));
+    return point_at(reading, members.need(name), in_quotes(name));
   }
   [[nodiscard]] std::optional<Vec2> point_if(std::string_view name) const {
     return members.has(name) ? std::optional{point(name)} : std::nullopt;
@@ -37,10 +37,10 @@ struct OperationReader {
   [[nodiscard]] std::vector<Vec2> three_points(std::string_view name) const {
     const std::size_t value = members.need(name);
     std::vector<Vec2> points;
-    for (const std::size_t one : elements_at(reading.json, value, quoted(name))) {
-      points.push_back(point_at(reading, one, "A POINT OF " + quoted(name)));
+    for (const std::size_t one : elements_at(reading.json, value, in_quotes(name))) {
+      points.push_back(point_at(reading, one, "A POINT OF " + in_quotes(name)));
     }
-    if (points.size() != 3) throw Misread{quoted(name) + " IS NOT THREE POINTS", value};
+    if (points.size() != 3) throw Misread{in_quotes(name) + " IS NOT THREE POINTS", value};
     return points;
   }
   /// Between what is said as diameters of a lathe, and the radii that arcs lie on.
@@ -58,7 +58,7 @@ struct OperationReader {
     if (!members.has(one)) return;
     for (const std::string_view other : others) {
       if (members.has(other)) {
-        throw Misread{quoted(one) + " AND " + quoted(other) + " EXCLUDE EACH OTHER",
+        throw Misread{in_quotes(one) + " AND " + in_quotes(other) + " EXCLUDE EACH OTHER",
                       *members.find(other)};
       }
     }
@@ -317,7 +317,7 @@ ReadOperation read_operation(EditReading& reading, JsonMembers& members) {
       std::find_if(kOperations.begin(), kOperations.end(),
                    [&](const NamedOperation& operation) { return operation.name == name; });
   if (found == kOperations.end()) {
-    throw Misread{"NO OPERATION " + quoted(name), members.need("op")};
+    throw Misread{"NO OPERATION " + in_quotes(name), members.need("op")};
   }
   return {found->read({reading, members}), found->takes};
 }

@@ -52,7 +52,7 @@ Edit edit_at(EditReading& reading, std::size_t value) {
   if (takes.rule && members.has("layers")) edit.layers = rule_of(members);
   if (members.has("scope")) edit.scope = scope_of(members);
   edit.unrolls = members.flag_if("unroll");
-  members.expect_all_known("THE OPERATION " + quoted(members.word("op")));
+  members.expect_all_known("THE OPERATION " + in_quotes(members.word("op")));
   const TextPlace place = reading.json.place(value);
   edit.line = place.line;
   edit.column = place.column;

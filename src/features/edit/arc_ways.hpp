@@ -6,8 +6,8 @@
 
 namespace kerf::features {
 
-// The ways in which people say an arc. Nothing: there is no such arc, or it is a whole circle, which
-// is two elements.
+// The ways in which people say an arc. Nothing: there is no such arc, or it is a whole circle,
+// which is two elements.
 
 [[nodiscard]] std::optional<contour::Edge> arc_through(contour::Vec2 first, contour::Vec2 second,
                                                        contour::Vec2 third);

@@ -11,8 +11,8 @@
 
 namespace kerf::features {
 
-/// The contours of a layer, outer and islands, closed, in normal form. The outer one of a lathe, and
-/// a centre line, may be open.
+/// The contours of a layer, outer and islands, closed, in normal form. The outer one of a lathe,
+/// and a centre line, may be open.
 struct LayerContours {
   contour::Contour outer{};
   std::vector<contour::Contour> islands{};
@@ -60,7 +60,8 @@ class ContourEdit {
 
   bool turns_ = false;
   Outline outer_;
-  std::vector<std::optional<Outline>> islands_;  ///< nothing: deleted; the others keep their numbers
+  std::vector<std::optional<Outline>>
+      islands_;  ///< nothing: deleted; the others keep their numbers
 };
 
 }  // namespace kerf::features

@@ -83,9 +83,9 @@ class Outline {
   [[nodiscard]] std::optional<End> any_at(contour::Vec2 point, std::size_t but) const;
 
   std::vector<std::optional<contour::Edge>> edges_;
-  std::vector<Element> elements_;    // by number, as edges_
-  std::vector<std::size_t> drawn_;   // numbers of those that add() brought
-  std::size_t first_ = 0;            // of those that have their place; kNone: there are none
+  std::vector<Element> elements_;   // by number, as edges_
+  std::vector<std::size_t> drawn_;  // numbers of those that add() brought
+  std::size_t first_ = 0;           // of those that have their place; kNone: there are none
   bool is_closed_ = true;
   std::string owner_;
 };

@@ -72,8 +72,7 @@ class MeetingSearch {
     const Edge second = edge(b);
     if (left_ == 0 || leads_on(a, b, point)) return;
     --left_;
-    const Meeting here{names_[a.source], names_[b.source], point,
-                       crosses_at(first, second, point)};
+    const Meeting here{names_[a.source], names_[b.source], point, crosses_at(first, second, point)};
     if (!best_ || rank(here) < rank(*best_)) best_ = here;
   }
 

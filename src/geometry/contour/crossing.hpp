@@ -21,7 +21,8 @@ struct Meeting {
   EdgeName first{};
   EdgeName second{};  ///< > first
   Vec2 point{};
-  bool is_crossing = false;  ///< inside of both, in two directions; else they touch, or run together
+  bool is_crossing =
+      false;  ///< inside of both, in two directions; else they touch, or run together
 };
 
 /// Where sound closed contours meet themselves and each other: a crossing if there is any, of
@@ -32,8 +33,8 @@ struct Meeting {
                                                 double tolerance);
 
 /// True when each edge has the inside of `outer`, but outside of all `holes`, on one side and the
-/// outside on the other: what meets does so in points, holes lie inside and apart. It costs as much as
-/// the number of places in which they meet.
+/// outside on the other: what meets does so in points, holes lie inside and apart. It costs as much
+/// as the number of places in which they meet.
 [[nodiscard]] bool bound_one_area(const Contour& outer, std::span<const Contour> holes);
 
 }  // namespace kerf::contour

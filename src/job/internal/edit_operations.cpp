@@ -12,16 +12,16 @@
 namespace kerf::job {
 namespace {
 
-using namespace features;  // NOLINT: the operations by their names
 using contour::Edge;
 using contour::Vec2;
+using features::EditOperation;
 
-constexpr EditTakes kElement{.layer = true, .island = true, .rule = true};
-constexpr EditTakes kIslands{.layer = true, .rule = true};
-constexpr EditTakes kMoved{.island = true};  // all layers
-constexpr EditTakes kPlaced{.layer = true, .island = true, .rule = true};
-constexpr EditTakes kWhole{};
-constexpr EditTakes kOfCall{.target = false, .call = true};
+constexpr EditTakes kTakesElements{.layer = true, .island = true, .rule = true};
+constexpr EditTakes kTakesLayer{.layer = true, .rule = true};
+constexpr EditTakes kTakesIsland{.island = true};  // all layers
+constexpr EditTakes kTakesAll{.layer = true, .island = true, .rule = true};
+constexpr EditTakes kTakesTarget{};
+constexpr EditTakes kTakesCall{.target = false, .call = true};
 
 /// One operation's members, and points of the file.
 struct OperationReader {
@@ -29,7 +29,7 @@ struct OperationReader {
   JsonMembers& members;
 
   [[nodiscard]] Vec2 point(std::string_view name) const {
-    return point_at(reading, members.need(name), quoted(name));
+    return point_at(reading, members.need(name), in_quotes(name));
   }
   [[nodiscard]] std::optional<Vec2> point_if(std::string_view name) const {
     return members.has(name) ? std::optional{point(name)} : std::nullopt;
@@ -37,10 +37,10 @@ struct OperationReader {
   [[nodiscard]] std::vector<Vec2> three_points(std::string_view name) const {
     const std::size_t value = members.need(name);
     std::vector<Vec2> points;
-    for (const std::size_t one : elements_at(reading.json, value, quoted(name))) {
-      points.push_back(point_at(reading, one, "A POINT OF " + quoted(name)));
+    for (const std::size_t one : elements_at(reading.json, value, in_quotes(name))) {
+      points.push_back(point_at(reading, one, "A POINT OF " + in_quotes(name)));
     }
-    if (points.size() != 3) throw Misread{quoted(name) + " IS NOT THREE POINTS", value};
+    if (points.size() != 3) throw Misread{in_quotes(name) + " IS NOT THREE POINTS", value};
     return points;
   }
   /// Between what is said as diameters of a lathe, and the radii that arcs lie on.
@@ -58,7 +58,7 @@ struct OperationReader {
     if (!members.has(one)) return;
     for (const std::string_view other : others) {
       if (members.has(other)) {
-        throw Misread{quoted(one) + " AND " + quoted(other) + " EXCLUDE EACH OTHER",
+        throw Misread{in_quotes(one) + " AND " + in_quotes(other) + " EXCLUDE EACH OTHER",
                       *members.find(other)};
       }
     }
@@ -66,7 +66,7 @@ struct OperationReader {
 };
 
 EditOperation read_replace(const OperationReader& read) {
-  ReplaceContour wish;
+  features::ReplaceContour wish;
   JsonMembers& members = read.members;
   if (const auto at = members.find("contour")) wish.contour = contour_at(read.reading, *at, true);
   if (const auto at = members.find("islands")) wish.islands = contours_at(read.reading, *at);
@@ -86,12 +86,12 @@ EditOperation read_add_line(const OperationReader& read) {
   if (const auto to = read.point_if("to")) {
     line.to = *to;
     if (line.from == line.to) read.members.refuse("A LINE FROM A POINT TO ITSELF");
-    return AddElement{line};
+    return features::AddElement{line};
   }
   const double length = read.members.positive("length");
   const auto [sine, cosine] = geometry::sine_cosine_deg(read.members.number("angle_deg"));
   const Vec2 from = read.in_plane(line.from);
-  return AddElement{read.as_told({from, from + length * Vec2{cosine, sine}})};
+  return features::AddElement{read.as_told({from, from + length * Vec2{cosine, sine}})};
 }
 
 bool is_clockwise(const OperationReader& read) {
@@ -106,25 +106,25 @@ EditOperation read_add_arc(const OperationReader& read) {
   read.expect_one_way("through", {"center", "radius", "start_deg", "end_deg", "direction"});
   if (members.has("through")) {
     const auto points = read.three_points("through");
-    const auto arc = arc_through(read.in_plane(points[0]), read.in_plane(points[1]),
-                                 read.in_plane(points[2]));
+    const auto arc = features::arc_through(read.in_plane(points[0]), read.in_plane(points[1]),
+                                           read.in_plane(points[2]));
     if (!arc) throw Misread{"NO ARC GOES THROUGH THE THREE POINTS", members.need("through")};
-    return AddElement{read.as_told(*arc)};
+    return features::AddElement{read.as_told(*arc)};
   }
   const Vec2 centre = read.in_plane(read.point("center"));
   const double radius = members.positive("radius");
   const double start = members.number("start_deg");
   const double end = members.number("end_deg");
-  const auto arc = arc_about(centre, radius, start, end, is_clockwise(read));
+  const auto arc = features::arc_about(centre, radius, start, end, is_clockwise(read));
   if (!arc) throw Misread{"A WHOLE CIRCLE IS TWO ARCS", members.need("end_deg")};
-  return AddElement{read.as_told(*arc)};
+  return features::AddElement{read.as_told(*arc)};
 }
 
 EditOperation read_modify_line(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("to", {"length", "angle_deg"});
-  ModifyLine wish{members.count("element", 0), read.point_if("from"), read.point_if("to"),
-                  members.positive_if("length"), members.number_if("angle_deg")};
+  features::ModifyLine wish{members.count("element", 0), read.point_if("from"), read.point_if("to"),
+                            members.positive_if("length"), members.number_if("angle_deg")};
   if (!wish.from && !wish.to && !wish.length && !wish.angle_deg) {
     members.refuse("`from`, `to`, `length` OR `angle_deg` IS MISSING");
   }
@@ -134,9 +134,9 @@ EditOperation read_modify_line(const OperationReader& read) {
 EditOperation read_modify_arc(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("through", {"radius", "center", "start_deg", "end_deg"});
-  ModifyArc wish{members.count("element", 0),     members.positive_if("radius"),
-                 read.point_if("center"),         members.number_if("start_deg"),
-                 members.number_if("end_deg"), {}};
+  features::ModifyArc wish{members.count("element", 0),  members.positive_if("radius"),
+                           read.point_if("center"),      members.number_if("start_deg"),
+                           members.number_if("end_deg"), {}};
   if (members.has("through")) wish.through = read.three_points("through");
   const bool says_something =
       wish.radius || wish.centre || wish.start_deg || wish.end_deg || !wish.through.empty();
@@ -157,14 +157,14 @@ EditOperation read_join(const OperationReader& read) {
     }
     return static_cast<std::size_t>(number);
   };
-  return JoinElements{element(numbers[0]), element(numbers[1])};
+  return features::JoinElements{element(numbers[0]), element(numbers[1])};
 }
 
-ChamferCorner chamfer_lengths(const OperationReader& read) {
+features::ChamferCorner chamfer_lengths(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("d", {"d1", "d2"});
   read.expect_one_way("angle_deg", {"d1", "d2"});
-  ChamferCorner wish;
+  features::ChamferCorner wish;
   if (!members.has("d") && !members.has("angle_deg")) {
     wish.before = members.positive("d1");
     wish.after = members.positive("d2");
@@ -178,28 +178,28 @@ ChamferCorner chamfer_lengths(const OperationReader& read) {
 }
 
 EditOperation read_chamfer(const OperationReader& read) {
-  ChamferCorner wish = chamfer_lengths(read);
+  features::ChamferCorner wish = chamfer_lengths(read);
   wish.corner = read.members.count("corner", 0);
   return wish;
 }
 EditOperation read_chamfer_all(const OperationReader& read) { return chamfer_lengths(read); }
 
 EditOperation read_fillet(const OperationReader& read) {
-  return FilletCorner{read.members.count("corner", 0), read.members.positive("r")};
+  return features::FilletCorner{read.members.count("corner", 0), read.members.positive("r")};
 }
 EditOperation read_fillet_all(const OperationReader& read) {
-  return FilletCorner{{}, read.members.positive("r")};
+  return features::FilletCorner{{}, read.members.positive("r")};
 }
 
 EditOperation read_delete(const OperationReader& read) {
-  return DeleteElement{read.members.count("element", 0)};
+  return features::DeleteElement{read.members.count("element", 0)};
 }
 
 EditOperation read_add_island(const OperationReader& read) {
-  return AddIsland{contour_at(read.reading, read.members.need("contour"), true)};
+  return features::AddIsland{contour_at(read.reading, read.members.need("contour"), true)};
 }
 EditOperation read_delete_island(const OperationReader& read) {
-  return DeleteIsland{read.members.count("island", 0)};
+  return features::DeleteIsland{read.members.count("island", 0)};
 }
 
 EditOperation read_move(const OperationReader& read) {
@@ -208,50 +208,56 @@ EditOperation read_move(const OperationReader& read) {
   const auto dy = members.number_if("dy");
   const auto dz = members.number_if("dz");
   if (!dx && !dy && !dz) members.refuse("`dx`, `dy` OR `dz` IS MISSING");
-  return MoveFeature{dx.value_or(0), dy.value_or(0), dz.value_or(0)};
+  return features::MoveFeature{dx.value_or(0), dy.value_or(0), dz.value_or(0)};
 }
 
 EditOperation read_rotate(const OperationReader& read) {
-  return RotateFeature{read.members.number("deg"), read.point_if("about")};
+  return features::RotateFeature{read.members.number("deg"), read.point_if("about")};
 }
 EditOperation read_scale(const OperationReader& read) {
-  return ScaleFeature{read.members.positive("factor"), read.point_if("about")};
+  return features::ScaleFeature{read.members.positive("factor"), read.point_if("about")};
 }
 
 EditOperation read_depth(const OperationReader& read) {
-  const SetDepth wish{read.members.number_if("z"), read.members.number_if("x")};
+  const features::SetDepth wish{read.members.number_if("z"), read.members.number_if("x")};
   if (!wish.z && !wish.x) read.members.refuse("`z` OR `x` IS MISSING");
   return wish;
 }
 
-EditOperation read_delete_feature(const OperationReader&) { return DeleteFeature{}; }
-EditOperation read_hole_move(const OperationReader& read) { return MoveHole{read.point("to")}; }
-EditOperation read_hole_add(const OperationReader& read) { return AddHole{read.point("at")}; }
-EditOperation read_peck(const OperationReader& read) { return SetPeck{read.members.positive("q")}; }
+EditOperation read_delete_feature(const OperationReader&) { return features::DeleteFeature{}; }
+EditOperation read_hole_move(const OperationReader& read) {
+  return features::MoveHole{read.point("to")};
+}
+EditOperation read_hole_add(const OperationReader& read) {
+  return features::AddHole{read.point("at")};
+}
+EditOperation read_peck(const OperationReader& read) {
+  return features::SetPeck{read.members.positive("q")};
+}
 
 EditOperation read_feed(const OperationReader& read) {
-  const SetFeed wish{read.members.positive_if("cut"), read.members.positive_if("entry")};
+  const features::SetFeed wish{read.members.positive_if("cut"), read.members.positive_if("entry")};
   if (!wish.cut && !wish.entry) read.members.refuse("`cut` OR `entry` IS MISSING");
   return wish;
 }
 
 EditOperation read_tool(const OperationReader& read) {
-  return SetTool{static_cast<std::uint32_t>(read.members.count("tool", 1)),
-                 read.members.flag_if("split")};
+  return features::SetTool{static_cast<std::uint32_t>(read.members.count("tool", 1)),
+                           read.members.flag_if("split")};
 }
 
 EditOperation read_order(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("before", {"after"});
-  if (const auto before = members.word_if("before")) return ChangeOrder{true, *before};
-  if (const auto after = members.word_if("after")) return ChangeOrder{false, *after};
+  if (const auto before = members.word_if("before")) return features::ChangeOrder{true, *before};
+  if (const auto after = members.word_if("after")) return features::ChangeOrder{false, *after};
   members.refuse("`before` OR `after` IS MISSING");
 }
 
 EditOperation read_argument(const OperationReader& read) {
   JsonMembers& members = read.members;
   read.expect_one_way("letter", {"variable"});
-  SetArgument wish;
+  features::SetArgument wish;
   wish.value = members.number("value");
   if (const auto letter = members.word_if("letter")) {
     const bool is_letter = letter->size() == 1 && letter->front() >= 'A' && letter->front() <= 'Z';
@@ -265,42 +271,42 @@ EditOperation read_argument(const OperationReader& read) {
   return wish;
 }
 
-EditOperation read_unroll(const OperationReader&) { return Unroll{}; }
+EditOperation read_unroll(const OperationReader&) { return features::Unroll{}; }
 
-struct Operation {
+struct NamedOperation {
   std::string_view name;
   EditOperation (*read)(const OperationReader&);
   EditTakes takes;
 };
 
 constexpr std::array kOperations{
-    Operation{"replace", read_replace, kElement},
-    Operation{"add-line", read_add_line, kElement},
-    Operation{"add-arc", read_add_arc, kElement},
-    Operation{"modify-line", read_modify_line, kElement},
-    Operation{"modify-arc", read_modify_arc, kElement},
-    Operation{"join", read_join, kElement},
-    Operation{"chamfer", read_chamfer, kElement},
-    Operation{"chamfer-all", read_chamfer_all, kElement},
-    Operation{"fillet", read_fillet, kElement},
-    Operation{"fillet-all", read_fillet_all, kElement},
-    Operation{"delete", read_delete, kElement},
-    Operation{"add-island", read_add_island, kIslands},
-    Operation{"delete-island", read_delete_island, kIslands},
-    Operation{"move", read_move, kMoved},
-    Operation{"rotate", read_rotate, kPlaced},
-    Operation{"scale", read_scale, kPlaced},
-    Operation{"depth", read_depth, kWhole},
-    Operation{"delete-feature", read_delete_feature, kWhole},
-    Operation{"hole-move", read_hole_move, kWhole},
-    Operation{"hole-add", read_hole_add, kWhole},
-    Operation{"hole-delete", read_delete_feature, kWhole},
-    Operation{"peck", read_peck, kWhole},
-    Operation{"feed", read_feed, kWhole},
-    Operation{"tool", read_tool, kWhole},
-    Operation{"order", read_order, kWhole},
-    Operation{"argument", read_argument, kOfCall},
-    Operation{"unroll", read_unroll, kWhole},
+    NamedOperation{"replace", read_replace, kTakesElements},
+    NamedOperation{"add-line", read_add_line, kTakesElements},
+    NamedOperation{"add-arc", read_add_arc, kTakesElements},
+    NamedOperation{"modify-line", read_modify_line, kTakesElements},
+    NamedOperation{"modify-arc", read_modify_arc, kTakesElements},
+    NamedOperation{"join", read_join, kTakesElements},
+    NamedOperation{"chamfer", read_chamfer, kTakesElements},
+    NamedOperation{"chamfer-all", read_chamfer_all, kTakesElements},
+    NamedOperation{"fillet", read_fillet, kTakesElements},
+    NamedOperation{"fillet-all", read_fillet_all, kTakesElements},
+    NamedOperation{"delete", read_delete, kTakesElements},
+    NamedOperation{"add-island", read_add_island, kTakesLayer},
+    NamedOperation{"delete-island", read_delete_island, kTakesLayer},
+    NamedOperation{"move", read_move, kTakesIsland},
+    NamedOperation{"rotate", read_rotate, kTakesAll},
+    NamedOperation{"scale", read_scale, kTakesAll},
+    NamedOperation{"depth", read_depth, kTakesTarget},
+    NamedOperation{"delete-feature", read_delete_feature, kTakesTarget},
+    NamedOperation{"hole-move", read_hole_move, kTakesTarget},
+    NamedOperation{"hole-add", read_hole_add, kTakesTarget},
+    NamedOperation{"hole-delete", read_delete_feature, kTakesTarget},
+    NamedOperation{"peck", read_peck, kTakesTarget},
+    NamedOperation{"feed", read_feed, kTakesTarget},
+    NamedOperation{"tool", read_tool, kTakesTarget},
+    NamedOperation{"order", read_order, kTakesTarget},
+    NamedOperation{"argument", read_argument, kTakesCall},
+    NamedOperation{"unroll", read_unroll, kTakesTarget},
 };
 
 }  // namespace
@@ -309,9 +315,9 @@ ReadOperation read_operation(EditReading& reading, JsonMembers& members) {
   const std::string name = members.word("op");
   const auto* const found =
       std::find_if(kOperations.begin(), kOperations.end(),
-                   [&](const Operation& operation) { return operation.name == name; });
+                   [&](const NamedOperation& operation) { return operation.name == name; });
   if (found == kOperations.end()) {
-    throw Misread{"NO OPERATION " + quoted(name), members.need("op")};
+    throw Misread{"NO OPERATION " + in_quotes(name), members.need("op")};
   }
   return {found->read({reading, members}), found->takes};
 }

@@ -18,8 +18,8 @@ struct EditReading {
 struct EditTakes {
   bool layer = false;
   bool island = false;
-  bool rule = false;    ///< `layers`
-  bool target = true;   ///< a feature, a hole or a pattern
+  bool rule = false;   ///< `layers`
+  bool target = true;  ///< a feature, a hole or a pattern
   bool call = false;
 };
 

@@ -57,11 +57,10 @@ class JsonMembers {
 
 /// A word of the file in a sentence: in quotes, without what no line shows, not longer than people
 /// read.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 /// A number that is no farther from 0 than any machine reaches.
-[[nodiscard]] double number_at(const PlacedJson& json, std::size_t value,
-                               const std::string& what);
+[[nodiscard]] double number_at(const PlacedJson& json, std::size_t value, const std::string& what);
 /// The numbers of the list of what an array holds.
 [[nodiscard]] std::vector<std::size_t> elements_at(const PlacedJson& json, std::size_t value,
                                                    const std::string& what);

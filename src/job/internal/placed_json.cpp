@@ -9,7 +9,7 @@
 namespace kerf::job {
 namespace {
 
-using Kind = PlacedJson::Kind;
+using JsonKind = PlacedJson::Kind;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -54,24 +54,26 @@ class JsonListener {
   [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
 
   // What nlohmann::json_sax has.
-  bool null() { return add(Kind::null, [&] { cursor_.pass(4); }); }
+  bool null() {
+    return add(JsonKind::null, [&] { cursor_.pass(4); });
+  }
   bool boolean(bool truth) {
-    const bool done = add(Kind::boolean, [&] { cursor_.pass(truth ? 4 : 5); });
+    const bool done = add(JsonKind::boolean, [&] { cursor_.pass(truth ? 4 : 5); });
     json_.values_.back().truth = truth;
     return done;
   }
   bool number_integer(Base::number_integer_t value) { return number(static_cast<double>(value)); }
   bool number_unsigned(Base::number_unsigned_t value) { return number(static_cast<double>(value)); }
   bool number_float(Base::number_float_t value, const std::string&) { return number(value); }
-  bool string(std::string& text) { return add_text(Kind::string, text); }
+  bool string(std::string& text) { return add_text(JsonKind::string, text); }
   bool binary(Base::binary_t&) { return false; }  // no JSON text has any
   bool key(std::string& name) {
     const bool is_new = names_.back().insert(name).second;
-    if (is_new) return add_text(Kind::name, name);
+    if (is_new) return add_text(JsonKind::name, name);
     return refuse(cursor_.begin(), "`" + name + "` IS SAID TWICE");
   }
-  bool start_object(std::size_t) { return open(Kind::object); }
-  bool start_array(std::size_t) { return open(Kind::array); }
+  bool start_object(std::size_t) { return open(JsonKind::object); }
+  bool start_array(std::size_t) { return open(JsonKind::array); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   template <typename Error>
@@ -81,7 +83,7 @@ class JsonListener {
 
  private:
   template <typename Pass>
-  bool add(Kind kind, const Pass& pass) {
+  bool add(JsonKind kind, const Pass& pass) {
     const std::size_t byte = cursor_.begin();
     const auto next = static_cast<std::uint32_t>(json_.values_.size() + 1);
     json_.values_.push_back({kind, false, static_cast<std::uint32_t>(byte), next, 0, 0});
@@ -92,17 +94,17 @@ class JsonListener {
     return true;
   }
   bool number(double value) {
-    const bool done = add(Kind::number, [&] { cursor_.pass_number(); });
+    const bool done = add(JsonKind::number, [&] { cursor_.pass_number(); });
     json_.values_.back().number = value;
     return done;
   }
-  bool add_text(Kind kind, std::string& text) {
+  bool add_text(JsonKind kind, std::string& text) {
     const bool done = add(kind, [&] { cursor_.pass_string(); });
     json_.values_.back().text = static_cast<std::uint32_t>(json_.texts_.size());
     json_.texts_.push_back(std::move(text));
     return done;
   }
-  bool open(Kind kind) {
+  bool open(JsonKind kind) {
     if (open_.size() == PlacedJson::kDeepest) {
       return refuse(cursor_.begin(), "NOTHING LIES SO DEEP");
     }

@@ -20,9 +20,7 @@ bool is_joined(const Outline::Step& step, const Outline::Step& next) {
   return geometry::length(step.edge.to - next.edge.from) <= kSamePoint_mm;
 }
 
-std::string contour_text(const Outline& outline) {
-  return "THE CONTOUR" + outline.owner();
-}
+std::string contour_text(const Outline& outline) { return "THE CONTOUR" + outline.owner(); }
 
 // True also of what is too far away to be anywhere.
 bool encloses_nothing(const Contour& contour) {
@@ -72,11 +70,10 @@ class Layer {
   [[nodiscard]] Editing<void> crossing(const Meeting& meeting, const std::string& how) const {
     const Outline& first = *made_[meeting.first.contour].outline;
     const Outline& second = *made_[meeting.second.contour].outline;
-    const std::string both =
-        meeting.first.contour == meeting.second.contour
-            ? in_order(first, element(meeting.first), element(meeting.second))
-            : element_text(first, element(meeting.first)) + " AND " +
-                  element_text(second, element(meeting.second));
+    const std::string both = meeting.first.contour == meeting.second.contour
+                                 ? in_order(first, element(meeting.first), element(meeting.second))
+                                 : element_text(first, element(meeting.first)) + " AND " +
+                                       element_text(second, element(meeting.second));
     return refused(Code::edit_crosses_itself, both + how + names_.place(meeting.point));
   }
   static std::string in_order(const Outline& outline, std::size_t a, std::size_t b) {
@@ -159,11 +156,10 @@ Editing<void> check_closed(const std::vector<MadeContour>& made) {
     if (!gap) continue;
     const Outline::Step& step = one.steps[*gap];
     const Outline::Step& next = one.steps[(*gap + 1) % one.steps.size()];
-    return refused(Code::edit_open,
-                   contour_text(*one.outline) + " IS OPEN BY " +
-                       shown(geometry::length(step.edge.to - next.edge.from)) +
-                       " mm BETWEEN ELEMENTS " + std::to_string(step.element) + " AND " +
-                       std::to_string(next.element));
+    return refused(Code::edit_open, contour_text(*one.outline) + " IS OPEN BY " +
+                                        shown(geometry::length(step.edge.to - next.edge.from)) +
+                                        " mm BETWEEN ELEMENTS " + std::to_string(step.element) +
+                                        " AND " + std::to_string(next.element));
   }
   return {};
 }

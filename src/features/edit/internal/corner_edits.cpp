@@ -76,9 +76,9 @@ void put(Outline& outline, const Corner& corner, const Contour& blended) {
 tl::unexpected<EditFault> does_not_fit(const Outline& outline, const Corner& corner,
                                        const std::string& what, const contour::DoesNotFit& lack) {
   if (!std::isfinite(lack.needs_mm)) {
-    return refused(Code::edit_does_not_fit,
-                   what + " TOUCHES NOT BOTH " +
-                       elements_text(outline, corner.before.element, corner.after));
+    return refused(
+        Code::edit_does_not_fit,
+        what + " TOUCHES NOT BOTH " + elements_text(outline, corner.before.element, corner.after));
   }
   const std::size_t element = lack.edge == 0 ? corner.before.element : corner.after;
   return refused(Code::edit_does_not_fit, what + " NEEDS " + shown(lack.needs_mm) + " mm OF " +

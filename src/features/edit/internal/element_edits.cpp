@@ -11,9 +11,9 @@
 namespace kerf::features {
 namespace {
 
+using base::Code;
 using contour::Edge;
 using contour::Vec2;
-using base::Code;
 using End = Outline::End;
 
 /// Puts another edge in place of an element; what was joined to its ends follows them.

@@ -8,9 +8,8 @@ Editing<contour::Edge> element_of(const Outline& outline, std::size_t element) {
     return refused(base::Code::edit_element_unknown,
                    element_text(outline, element) + " IS NO LONGER THERE");
   }
-  const std::string has = outline.size() == 0
-                              ? " HAS NO ELEMENTS"
-                              : " HAS 0 TO " + std::to_string(outline.size() - 1);
+  const std::string has =
+      outline.size() == 0 ? " HAS NO ELEMENTS" : " HAS 0 TO " + std::to_string(outline.size() - 1);
   return refused(base::Code::edit_element_unknown,
                  "NO " + element_text(outline, element) + ": THE CONTOUR" + has);
 }

@@ -111,9 +111,8 @@ class ReportReader {
                    .first = line(change),
                    .old_lines = lines(change, "old"),
                    .new_lines = lines(change, "new")};
-    const auto library = std::find_if(texts_.begin() + 1, texts_.end(), [&](const TextUndo& text) {
-      return text.file == one.file;
-    });
+    const auto library = std::find_if(texts_.begin() + 1, texts_.end(),
+                                      [&](const TextUndo& text) { return text.file == one.file; });
     TextUndo& text = library == texts_.end() ? texts_.front() : *library;
     text.file = one.file;
     text.changes.push_back(std::move(one));

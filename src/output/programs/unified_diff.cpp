@@ -206,9 +206,8 @@ std::string unified_diff(const std::string& name, std::string_view before,
   const Lines lines = lines_of(before);
   std::vector<Group> groups = Grouping(before, lines).groups(stretches);
   for (Group& group : groups) trim(group, lines);
-  std::erase_if(groups, [](const Group& group) {
-    return group.first == group.end && group.lines.empty();
-  });
+  std::erase_if(groups,
+                [](const Group& group) { return group.first == group.end && group.lines.empty(); });
   if (groups.empty()) return {};
   std::string out = "--- " + header_name("a/" + name) + "+++ " + header_name("b/" + name);
   std::size_t added = 0;

@@ -64,20 +64,21 @@ TEST(EditUndo, TellsTextsApart) {
 }
 
 TEST(EditUndo, RefusesWhatIsNoReport) {
-  for (const char* text :
-       {"", "{", "[]", "{}", R"({"kerf":"features","version":1})", R"({"kerf":"edit"})",
-        R"({"kerf":"edit","version":2,"changes":[],"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":{},"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":[]})",
-        R"({"kerf":"edit","version":1,"changes":[],"crc32":"123"})",
-        R"({"kerf":"edit","version":1,"changes":[],"crc32":"0000000g"})",
-        R"({"kerf":"edit","version":1,"changes":[],"crc32":7})",
-        R"({"kerf":"edit","version":1,"changes":[1],"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":-1,"old":[],"new":[]}],"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":1,"old":[1],"new":[]}],"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":1,"old":["€"],"new":[],"encoding":"latin-1"}],"crc32":"00000000"})",
-        R"({"kerf":"edit","version":1,"changes":[],"crc32":"00000000","libraries":7})"}) {
+  for (
+      const char* text :
+      {"", "{", "[]", "{}", R"({"kerf":"features","version":1})", R"({"kerf":"edit"})",
+       R"({"kerf":"edit","version":2,"changes":[],"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":{},"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":[]})",
+       R"({"kerf":"edit","version":1,"changes":[],"crc32":"123"})",
+       R"({"kerf":"edit","version":1,"changes":[],"crc32":"0000000g"})",
+       R"({"kerf":"edit","version":1,"changes":[],"crc32":7})",
+       R"({"kerf":"edit","version":1,"changes":[1],"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":-1,"old":[],"new":[]}],"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":1,"old":[1],"new":[]}],"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":[{"file":"p","first":1,"old":["€"],"new":[],"encoding":"latin-1"}],"crc32":"00000000"})",
+       R"({"kerf":"edit","version":1,"changes":[],"crc32":"00000000","libraries":7})"}) {
     const auto undos = read_edit_report(text);
     EXPECT_FALSE(undos.has_value()) << text;
     if (!undos) EXPECT_FALSE(undos.error().empty()) << text;

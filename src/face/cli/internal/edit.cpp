@@ -31,9 +31,8 @@ Outcome<std::string> whole(const base::ProgramText& program) {
 
 std::vector<std::string> inputs_of(const EditOptions& options, const machine::SetUp& set_up) {
   std::vector<std::string> inputs = set_up.files();
-  for (const std::string* const input :
-       {&options.edits, &options.run.tools, &options.run.offsets, &options.run.state,
-        &options.run.table.set_up})
+  for (const std::string* const input : {&options.edits, &options.run.tools, &options.run.offsets,
+                                         &options.run.state, &options.run.table.set_up})
     inputs.push_back(*input);
   if (options.run.machine.ends_with(".toml")) inputs.push_back(options.run.machine);
   return inputs;
@@ -50,8 +49,7 @@ std::vector<job::TextChange> changes_of(const std::string& file, const job::Edit
 ChangedText changed(const job::EditedText& text, const job::EditReport& report) {
   const std::vector<job::TextChange> changes = changes_of(text.file, report);
   auto stretches = job::stretches_of(text.before, changes);
-  const bool leads_there =
-      stretches && job::with_stretches(text.before, *stretches) == text.after;
+  const bool leads_there = stretches && job::with_stretches(text.before, *stretches) == text.after;
   const auto back = job::stretches_of(text.after, job::taken_back(changes));
   if (!leads_there || !back || job::with_stretches(text.after, *back) != text.before)
     throw std::logic_error("the changes of " + text.file + " are not those of its text");
@@ -88,8 +86,9 @@ std::optional<features::EditFault> other_file(const EditOptions& options,
   return features::EditFault{
       .code = base::Code::edit_other_file,
       .sentence = "THE BLOCKS STAND IN " + beside->file,
-      .hint = "--output-library names a folder for changed files; `\"scope\":\"this\"` writes the "
-              "call out in the program",
+      .hint =
+          "--output-library names a folder for changed files; `\"scope\":\"this\"` writes the "
+          "call out in the program",
       .edit = edits == 1 ? 0 : edits};
 }
 
@@ -102,7 +101,8 @@ class Delivery {
   ExitStatus deliver(const base::ProgramText& program, const job::EditResult& result) {
     auto texts = texts_of(options_, program, result);
     if (!texts) return fail(texts.error());
-    if (const auto fault = other_file(options_, *texts, edits_.edits().size())) return refuse(*fault);
+    if (const auto fault = other_file(options_, *texts, edits_.edits().size()))
+      return refuse(*fault);
     const output::EditFacts facts = job::facts_of(result);
     if (auto written = outputs_.write(*texts, output::edit_report_json(facts)); !written)
       return fail(written.error());
@@ -139,8 +139,8 @@ ExitStatus make_edit(const EditOptions& options) {
   auto order = order_on_table(options.run, std::move(*set_up));
   if (!order) return fail(order.error());
   order->job.job.input = kept_operator_input();
-  auto ran = job::edit_features(
-      order->job, {edits->edits(), options.allows_collision, options.allows_rest});
+  auto ran = job::edit_features(order->job,
+                                {edits->edits(), options.allows_collision, options.allows_rest});
   if (!ran) return fail(ran.error());
   order->ready.run = std::move(ran->run);
   report_diagnostics(order->ready, options.run.diagnostics);

@@ -23,8 +23,7 @@ Outcome<std::vector<job::TextUndo>> report_of(const std::string& path) {
   if (!text) return tl::unexpected(text.error());
   auto undo = job::read_edit_report(*text);
   if (undo) return std::move(*undo);
-  return tl::unexpected(
-      base::Failure{base::Failure::Kind::input, path + ": " + undo.error()});
+  return tl::unexpected(base::Failure{base::Failure::Kind::input, path + ": " + undo.error()});
 }
 
 /// Where a text is now: one beside the program in a folder of --library, else where it was.

@@ -26,7 +26,8 @@ base::TextStretch at_line(const std::string& text, int line, const std::string& 
 TEST(UnifiedDiff, HasThreeLinesOfContext) {
   const std::string text = numbered(20);
   EXPECT_EQ(unified_diff("part.nc", text, Stretches{at_line(text, 10, "X10")}),
-            "--- a/part.nc\n+++ b/part.nc\n@@ -7,7 +7,7 @@\n N7\n N8\n N9\n-N10\n+X10\n N11\n N12\n N13\n");
+            "--- a/part.nc\n+++ b/part.nc\n@@ -7,7 +7,7 @@\n N7\n N8\n N9\n-N10\n+X10\n N11\n "
+            "N12\n N13\n");
 }
 
 TEST(UnifiedDiff, MeetsBothEnds) {

@@ -15,6 +15,7 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_files.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "job/facts_of_stock.hpp"
 #include "job/part_comparison.hpp"
 #include "job/stock_run.hpp"

@@ -6,6 +6,7 @@
 #include "face/cli/ready_run.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "job/facts_of_features.hpp"
 #include "job/features_run.hpp"
 #include "output/features/feature_json.hpp"

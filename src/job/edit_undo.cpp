@@ -19,8 +19,8 @@ class ReportReader {
 
   [[nodiscard]] tl::expected<std::vector<TextUndo>, std::string> read() {
     if (!report_.is_object() || member(report_, "kerf") != "edit")
-      return tl::unexpected("is no report of kerf edit");
-    if (member(report_, "version") != 1) return tl::unexpected("is not of version 1");
+      return tl::unexpected(std::string("is no report of kerf edit"));
+    if (member(report_, "version") != 1) return tl::unexpected(std::string("is not of version 1"));
     texts_.push_back({.crc32 = checksum(report_)});
     for (const json& library : list(report_, "libraries", Presence::optional)) {
       texts_.push_back(

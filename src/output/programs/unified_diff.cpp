@@ -215,7 +215,7 @@ std::string unified_diff(const std::string& name, std::string_view before,
   for (std::size_t i = 0; i < groups.size();) {
     std::size_t end = i + 1;
     while (end < groups.size() && groups[end].first <= groups[end - 1].end + 2 * kContext) ++end;
-    const Hunk hunk(std::span(groups).subspan(i, end - i), lines);
+    const Hunk hunk(std::span<const Group>(groups).subspan(i, end - i), lines);
     out += hunk.text(hunk.first() + added - removed);
     added += hunk.added();
     removed += hunk.removed();

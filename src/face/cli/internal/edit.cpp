@@ -12,6 +12,7 @@
 #include "face/cli/operator_input.hpp"
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
+#include "face/cli/stock_table.hpp"
 #include "job/edit_undo.hpp"
 #include "job/facts_of_edit.hpp"
 #include "job/text_changes.hpp"
@@ -116,7 +117,7 @@ class Delivery {
 
   ExitStatus refuse(const features::EditFault& fault) {
     edits_.tell(fault, base::Severity::error, options_.run.diagnostics);
-    return fault.code == base::Code::budget ? ExitStatus::budget : ExitStatus::findings;
+    return fault.code == base::Code::budget_spent ? ExitStatus::budget : ExitStatus::findings;
   }
 
  private:

@@ -154,7 +154,7 @@ def broken_edits(box):
     box.write("edits.json", '{"version": 1, "edits": [')
     result = edit(box, "--output", "new.nc", wanted=3)
     contains(result.err, "edits.json:1:", "place")
-    contains(result.err, ": error: EDIT_FILE THE EDITS FILE CANNOT BE READ", "sentence")
+    contains(result.err, ": error: EDIT_FILE the edits file cannot be read: ", "sentence")
     equal(box.files(), files, "files behind it")
     refused(box.kerf("edit", "part.nc", "--edits", "missing.json", "--diff", "-"), 3, "missing.json")
     refused(box.kerf("edit", "missing.nc", "--edits", "edits.json", "--output", "no/folder"), 3, "no/folder")

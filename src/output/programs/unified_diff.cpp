@@ -26,8 +26,8 @@ Lines lines_of(std::string_view text) {
 struct Group {
   std::size_t first = 0;
   std::size_t end = 0;
-  std::string text{};  // instead of them
-  Lines lines{};       // of that
+  std::string text{};                // instead of them
+  std::vector<std::string> lines{};  // of that
 };
 
 /// Makes groups of stretches: whole lines, apart from each other.
@@ -104,22 +104,22 @@ class Grouping {
 
 // Lines at either end that stay as they are belong to no group.
 void trim(Group& group, const Lines& before) {
-  group.lines = lines_of(group.text);
+  const Lines lines = lines_of(group.text);
   const auto same = [&](std::size_t old_line, std::size_t new_line) {
-    return before[old_line] == group.lines[new_line];
+    return before[old_line] == lines[new_line];
   };
   std::size_t begin = 0;
-  while (group.first < group.end && begin < group.lines.size() && same(group.first, begin)) {
+  while (group.first < group.end && begin < lines.size() && same(group.first, begin)) {
     ++group.first;
     ++begin;
   }
-  std::size_t end = group.lines.size();
+  std::size_t end = lines.size();
   while (group.first < group.end && end > begin && same(group.end - 1, end - 1)) {
     --group.end;
     --end;
   }
-  group.lines = Lines(group.lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                      group.lines.begin() + static_cast<std::ptrdiff_t>(end));
+  group.lines.assign(lines.begin() + static_cast<std::ptrdiff_t>(begin),
+                     lines.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 std::string range_text(std::size_t first, std::size_t count) {

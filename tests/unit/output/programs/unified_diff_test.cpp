@@ -84,7 +84,7 @@ TEST(UnifiedDiff, GoesFromAndToNothing) {
 
 TEST(UnifiedDiff, QuotesNamesThatWouldBreakTheHead) {
   const auto head = [](const std::string& name) {
-    return unified_diff(name, "A\n", Stretches{{0, 1, "B"}}).substr(0, name.size() + 12);
+    return unified_diff(name, "A\n", Stretches{{0, 1, "B"}}).substr(0, name.size() + 20);
   };
   EXPECT_EQ(head("my part.nc").substr(0, 17), "--- a/my part.nc\t");
   EXPECT_EQ(head("a\n\"b").substr(0, 17), "--- \"a/a\\012\\\"b\"\n");

@@ -16,14 +16,14 @@ constexpr std::array<std::uint32_t, 256> table_of_bytes() {
   return table;
 }
 
-constexpr std::array<std::uint32_t, 256> kTable = table_of_bytes();
+constexpr std::array<std::uint32_t, 256> kRemainders = table_of_bytes();
 
 }  // namespace
 
 std::uint32_t crc32(std::string_view bytes) {
   std::uint32_t crc = 0xffffffffU;
   for (const char c : bytes)
-    crc = (crc >> 8U) ^ kTable[(crc ^ static_cast<unsigned char>(c)) & 255U];
+    crc = (crc >> 8U) ^ kRemainders[(crc ^ static_cast<unsigned char>(c)) & 255U];
   return ~crc;
 }
 

@@ -59,14 +59,14 @@ Edit edit_at(EditReading& reading, std::size_t value) {
   return edit;
 }
 
-std::vector<Edit> edits_of(const PlacedJson& json, bool turns) {
-  JsonMembers file(json, 0);
+std::vector<Edit> edits_of(const PlacedJson& placed, bool turns) {
+  JsonMembers file(placed, 0);
   if (file.number("version") != kEditsVersion) {
     throw Misread{"THIS IS NOT VERSION 1", file.need("version")};
   }
-  EditReading reading{json, turns};
+  EditReading reading{placed, turns};
   std::vector<Edit> edits;
-  for (const std::size_t value : elements_at(json, file.need("edits"), "`edits`")) {
+  for (const std::size_t value : elements_at(placed, file.need("edits"), "`edits`")) {
     if (edits.size() == kMostEdits) {
       throw Misread{"MORE THAN " + std::to_string(kMostEdits) + " EDITS", value};
     }

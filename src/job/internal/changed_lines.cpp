@@ -27,18 +27,18 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// Whole lines around replacements that touch each other.
-struct Group {
+struct ChangedLines {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
   std::size_t line = 0;
   std::vector<Replacement> parts{};
 };
 
-Group group_of(const Replacement& each, const std::vector<std::uint64_t>& starts,
+ChangedLines group_of(const Replacement& each, const std::vector<std::uint64_t>& starts,
                std::uint64_t size) {
   const auto behind = std::upper_bound(starts.begin(), starts.end(), each.from);
   const auto line = static_cast<std::size_t>(behind - starts.begin()) - 1;
-  Group group{.from = starts[line], .line = line, .parts = {each}};
+  ChangedLines group{.from = starts[line], .line = line, .parts = {each}};
   const bool comes_in = each.length == 0 && each.from == group.from;
   const std::uint64_t last = each.from + (each.length > 0 ? each.length - 1 : 0);
   const auto end = std::upper_bound(starts.begin(), starts.end(), last);
@@ -51,9 +51,9 @@ Group group_of(const Replacement& each, const std::vector<std::uint64_t>& starts
 std::vector<TextChange> changes_of(const std::string& file, const std::string& text,
                                    const std::vector<Replacement>& replacements) {
   const std::vector<std::uint64_t> starts = starts_of(text);
-  std::vector<Group> groups;
+  std::vector<ChangedLines> groups;
   for (const Replacement& each : replacements) {
-    Group group = group_of(each, starts, text.size());
+    ChangedLines group = group_of(each, starts, text.size());
     if (groups.empty() || group.from > groups.back().to ||
         (group.from == groups.back().to && group.to > group.from &&
          groups.back().to > groups.back().from)) {
@@ -64,7 +64,7 @@ std::vector<TextChange> changes_of(const std::string& file, const std::string& t
     groups.back().parts.push_back(each);
   }
   std::vector<TextChange> changes;
-  for (Group& group : groups) {
+  for (ChangedLines& group : groups) {
     const std::string old_text = text.substr(group.from, group.to - group.from);
     for (Replacement& part : group.parts) part.from -= group.from;
     changes.push_back({.file = file,

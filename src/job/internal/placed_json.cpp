@@ -13,6 +13,8 @@ using JsonKind = PlacedJson::Kind;
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
+}  // namespace
+
 /// Goes along a text that the library reads, one token behind the other: it does not say where its
 /// values stand. Every token has been found right when it is asked for.
 class TokenCursor {
@@ -41,8 +43,6 @@ class TokenCursor {
   std::string_view text_;
   std::size_t at_ = 0;
 };
-
-}  // namespace
 
 /// Builds the list from what the library tells of a text.
 class JsonListener {

@@ -10,7 +10,7 @@ namespace {
 
 using Thread = output::StockFacts::Thread;
 
-const stock::turned::TurnedPart* profile_of(const stock::Model& model) {
+const stock::turned::TurnedPart* turned_part_of(const stock::Model& model) {
   if (const auto* const part = dynamic_cast<const stock::turnmill::TurnMillPart*>(&model))
     return &part->profile();
   return dynamic_cast<const stock::turned::TurnedPart*>(&model);
@@ -71,7 +71,7 @@ Thread thread_of(const stock::CutThread& thread) {
 std::vector<output::StockFacts::Thread> threads_of(const stock::Model& model,
                                                    const stock::Cutter& cutter) {
   std::vector<Thread> out;
-  if (const stock::turned::TurnedPart* const part = profile_of(model)) {
+  if (const stock::turned::TurnedPart* const part = turned_part_of(model)) {
     for (const stock::turned::TurnedThread& each : part->threads())
       out.push_back(thread_of(each, cutter));
   }

@@ -6,10 +6,12 @@
 #include "base/checksum.hpp"
 #include "features/merge/merge.hpp"
 #include "job/features_run.hpp"
+#include "features/merge/text_style.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/edit_check.hpp"
 #include "job/internal/edit_planner.hpp"
 #include "job/internal/changed_lines.hpp"
+#include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
 namespace kerf::job {
@@ -18,8 +20,8 @@ namespace {
 using base::Code;
 using features::EditFault;
 
-tl::unexpected<EditFault> refuse(Code code, std::string sentence) {
-  return tl::unexpected(EditFault{code, std::move(sentence), "", 0});
+tl::unexpected<EditFault> refuse(Code code, std::string sentence, std::size_t edit = 0) {
+  return tl::unexpected(EditFault{code, std::move(sentence), "", edit});
 }
 
 std::string text_of(const base::SourceFile& source) {
@@ -97,9 +99,55 @@ class EditWork {
     sources.is_named = [&](const base::BlockId& block) {
       return is_named_in(sources.texts[block.file], block.sequence);
     };
+    sources.x_counts = before_.recording.turns ? 2 : 1;
     auto merged = features::merge(before_.recording, plan_.rows, sources);
     if (!merged) return refuse(merged.error().code, merged.error().sentence);
+    for (const std::size_t edit : plan_.arguments) {
+      if (auto done = change_argument(edit, sources.texts, *merged); !done) return done;
+    }
     return put_texts(*merged, sources.texts);
+  }
+
+  // The literal of a call, in its place.
+  [[nodiscard]] Done change_argument(std::size_t edit,
+                                     const std::map<base::FileId, std::string>& texts,
+                                     features::Merged& merged) {
+    const features::Edit& wish = wishes_.edits[edit];
+    const auto& argument = std::get<features::SetArgument>(wish.operation);
+    for (std::size_t i = 0; i < before_.tree.calls.size(); ++i) {
+      const features::Call& call = before_.tree.calls[i];
+      if (wish.target != "C" + std::to_string(i + 1)) continue;
+      for (const features::Argument& its : call.words.arguments) {
+        const bool is_it = argument.letter.empty() ? its.variable == argument.variable
+                                                   : its.letter == argument.letter;
+        if (!is_it) continue;
+        if (!its.literal)
+          return refuse(Code::edit_expression, its.letter + its.text + " IS AN EXPRESSION", edit);
+        const auto& [file, text] = *texts.begin();
+        const std::size_t at = start_of_line(text, call.line) + its.column;
+        features::TextStyle style;
+        merged.replacements[file].push_back(
+            {at, its.text.size(), style.number_like(its.text, argument.value)});
+        std::sort(merged.replacements[file].begin(), merged.replacements[file].end(),
+                  [](const auto& a, const auto& b) { return a.from < b.from; });
+        ++merged.patched;
+        note_call(i);
+        return {};
+      }
+    }
+    return refuse(Code::edit_call_unknown, "NO ARGUMENT " + argument.letter + " OF " + wish.target,
+                  edit);
+  }
+
+  // What a call has cut may become anything.
+  void note_call(std::size_t call) {
+    plan_.changes_more = true;
+    for (const std::size_t feature : before_.tree.calls[call].features) {
+      for (std::size_t layer = 0; layer < before_.tree.features[feature].layers.size(); ++layer)
+        plan_.gone.emplace_back(feature, layer);
+    }
+    for (const std::size_t hole : before_.tree.calls[call].holes)
+      plan_.edited_holes.push_back(hole);
   }
 
   [[nodiscard]] Done put_texts(const features::Merged& merged,

@@ -45,7 +45,7 @@ struct Bytes {
 double axis_of(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
 /// A vector of the part in the frame that a block is written in, in its unit.
-Vec3 programmed(const State& state, Vec3 way) {
+Vec3 in_frame(const State& state, Vec3 way) {
   const Frame& frame = state.frame;
   const double angle = -frame.rotation_deg * kDegree_rad;
   const double c = frame.rotation_deg == 0 ? 1 : math::cos(angle);
@@ -103,6 +103,11 @@ class Merger {
   }
   [[nodiscard]] std::vector<BlockWord> words_in(std::uint32_t block) const {
     return words_of(sources_.language, text_of(block));
+  }
+  [[nodiscard]] Vec3 programmed(const State& state, Vec3 way) const {
+    Vec3 its = in_frame(state, way);
+    its.x *= sources_.x_counts;
+    return its;
   }
   void refuse(Code code, std::string sentence) {
     if (!fault_) fault_ = CannotMerge{code, std::move(sentence)};
@@ -370,7 +375,12 @@ class Merger {
   void follow_axis(char letter, double change, double way_change, bool is_incremental,
                    const std::optional<double>& old, std::optional<double>& now,
                    BlockPatch& patch) {
-    const BlockWord* const word = patch.word(letter);
+    const BlockWord* word = patch.word(letter);
+    if (word == nullptr && recording_.turns && !is_incremental) {
+      word = patch.word(letter == 'X' ? 'U' : 'W');
+      is_incremental = word != nullptr && !names_shape(patch);
+      if (!is_incremental) word = nullptr;
+    }
     std::optional<double> number;
     if (word != nullptr) number = value_of(*word);
     const double by = is_incremental ? way_change : change;
@@ -390,6 +400,11 @@ class Merger {
     if (word != nullptr && std::fabs(change) >= least_) patch.set(*word, needed);
     if (word == nullptr && now && !is_same(*now, needed)) patch.add(letter, style_.number(needed));
     now = needed;
+  }
+
+  // U and W of a cycle are allowances.
+  [[nodiscard]] static bool names_shape(const BlockPatch& patch) {
+    return patch.word('P') != nullptr || patch.word('R') != nullptr;
   }
 
   void put_word(char letter, const BlockWord* word, double value, BlockPatch& patch) {

@@ -19,6 +19,8 @@ struct MergeSources {
   std::map<base::FileId, std::string> texts{};  ///< of the files that blocks stand in
   /// What a length without a point counts in its unit: 0.001; 0: as with one.
   double pointless = 0;
+  /// What X says of a millimetre that the axis goes: 2 of a lathe whose programs say diameters.
+  double x_counts = 1;
   /// Whether a block also sets something up (a tool, a spindle, a mode), so that it never goes.
   std::function<bool(const base::BlockId&)> sets_up{};
   /// Whether a jump or a call names the N word of a block, so that it never goes.

@@ -96,6 +96,7 @@ class LayerWriter {
 
   [[nodiscard]] tl::expected<Stretch, CannotCut> write() {
     if (auto known = look(); !known) return tl::unexpected(known.error());
+    if (layer_.loops.empty()) return along_line();
     const auto distances =
         distances_of(clearing_, distances_in(olds_), step_of(distances_in(olds_), clearing_.tool_radius));
     if (!distances) return does_not_fit();
@@ -110,7 +111,8 @@ class LayerWriter {
     const std::vector<Contour> walls = walls_of(layer_.nominal, layer_.nominal_islands);
     std::vector<Span> spans;
     for (const Loop& loop : layer_.loops) spans.push_back(loop.rows);
-    if (spans.empty() || layer_.nominal.vertices.empty() || layer_.visits.size() != 1) {
+    if ((spans.empty() && !is_one_line()) || layer_.nominal.vertices.empty() ||
+        layer_.visits.size() != 1) {
       return refuse(Code::edit_not_editable,
                     "THIS LAYER IS NOT CUT IN CLOSED LOOPS: IT CAN BE MOVED, DEEPENED OR DELETED");
     }
@@ -125,9 +127,41 @@ class LayerWriter {
                  .has_sharp_corners = turned_sharply(olds_, walls)};
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
+    if (olds_.empty()) return {};
     is_reversed_ = contour::is_counterclockwise(olds_.front().path) !=
                    runs_counterclockwise(olds_.front());
     return {};
+  }
+
+  // A slot that is one straight pass.
+  [[nodiscard]] bool is_one_line() const {
+    if (layer_.cuts.size() != 1 || layer_.cuts.front().first != layer_.cuts.front().last)
+      return false;
+    return recording_.moves[layer_.cuts.front().first].shape == Move::Shape::line;
+  }
+
+  // The pass between the centres of the ends of a stadium as wide as the tool.
+  [[nodiscard]] tl::expected<Stretch, CannotCut> along_line() {
+    std::vector<Vec2> ends;
+    for (std::size_t i = 0; i < contour::edge_count(wanted_.outer); ++i) {
+      const contour::Edge edge = contour::edge_of(wanted_.outer, i);
+      const bool is_end = edge.bulge > 0 && std::fabs(contour::radius(edge) -
+                                                      clearing_.tool_radius) <= kSamePoint_mm;
+      if (is_end) ends.push_back(contour::centre(edge));
+    }
+    if (ends.size() != 2 || wanted_.outer.vertices.size() != 4 || !wanted_.islands.empty()) {
+      return refuse(Code::edit_not_editable,
+                    "ONE PASS CUTS A SLOT AS WIDE AS ITS TOOL, WITH ROUND ENDS");
+    }
+    const std::uint32_t cut = layer_.cuts.front().first;
+    const Vec2 from = recording_.flat_from(cut);
+    if (geometry::length(ends[1] - from) < geometry::length(ends[0] - from))
+      std::swap(ends[0], ends[1]);
+    for (std::uint32_t row = visit_.first; row < cut; ++row) put_moved(row, ends[0] - from);
+    put_moved(cut, ends[1] - recording_.flat_to(cut));
+    for (std::uint32_t row = cut + 1; row <= visit_.last; ++row)
+      put_moved(row, ends[1] - recording_.flat_to(cut));
+    return Stretch{visit_, std::move(rows_)};
   }
 
   // What a loop at the distance of an old one would do by itself.
@@ -187,8 +221,7 @@ class LayerWriter {
     const OldLoop* const old = old_at(distance);
     if (old != nullptr) used_.push_back(static_cast<std::size_t>(old - olds_.data()));
     if (old != nullptr) return begun_like(loop, *old);
-    if (!has_cut_) return begun_like(loop, olds_.front());
-    return begun_near(loop, next_start(distance));
+    return begun_like(loop, has_cut_ ? last_ : olds_.front());
   }
 
   void cut(const Contour& loop) {
@@ -201,6 +234,7 @@ class LayerWriter {
     has_cut_ = true;
     append_loop(loop, layer_.z, olds_.front().rows.first, rows_);
     at_ = rows_.back().to;
+    last_ = {.path = loop, .begins_at_corner = olds_.front().begins_at_corner};
   }
 
   // The rows before the first loop, moved by as much as its start.
@@ -250,6 +284,7 @@ class LayerWriter {
   Clearing clearing_{};
   std::vector<OldLoop> olds_{};
   std::vector<std::size_t> used_{};
+  OldLoop last_{};  // that was cut, where it began
   bool is_reversed_ = false;
   bool has_cut_ = false;
   std::vector<PlannedRow> rows_{};
@@ -269,7 +304,9 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
   }
   const Vec2 start = recording.flat_from(span.first);
   const auto comes_to_start = [&](std::uint32_t row) {
-    return recording.moves[row].kind == Move::Kind::rapid && recording.begins.count(row + 1) == 0 &&
+    const bool is_retract = row > 0 && recording.moves[row - 1].cuts() &&
+                            is_upright(recording, row) && recording.moves[row].to.z > recording.from(row).z;
+    return !is_retract && recording.moves[row].kind == Move::Kind::rapid && recording.begins.count(row + 1) == 0 &&
            geometry::length(recording.flat_to(row) - start) <= kSamePoint_mm;
   };
   const bool is_there = recording.moves[span.first].kind != Move::Kind::rapid ||

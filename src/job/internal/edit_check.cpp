@@ -21,6 +21,9 @@ using features::Tree;
 // Words have three digits: a corner may lie half a digit beside itself in both axes.
 constexpr double kSameContour_mm = features::kSamePoint_mm + 0.00075;
 
+// How far a ring of the tool reaches from the wall round a sharp corner, in diameters.
+constexpr double kRing = 1.25;
+
 struct LayerAt {
   std::size_t feature = 0;
   std::size_t layer = 0;
@@ -111,15 +114,37 @@ Region region_of(const Contour& outer, const std::vector<Contour>& islands) {
   return region;
 }
 
-// What has changed beyond what was asked, of one layer.
-double outside_of(const Layer& before, const Layer& after, const WantedLayer& wanted, double reach) {
-  const Region old_nominal = region_of(before.nominal, before.nominal_islands);
+/// What a disc can reach of a region.
+Region opened(const Region& region, double tool_radius) {
+  const double radius = tool_radius - features::kSamePoint_mm;
+  return contour::offset(contour::offset(region, -radius), radius);
+}
+
+double area_beyond(const Region& changed, const Region& allowed) {
+  const Region grown = contour::offset(allowed, kSameContour_mm);
+  return contour::area(
+      contour::offset(contour::subtract(changed, grown), -kSameContour_mm));
+}
+
+// What has changed beyond what was asked, of one layer: more than the tool can reach of the new
+// contour, or less of it than before. Round what stands a ring as wide as the tool follows its wall.
+double outside_of(const Layer& before, const Layer& after, const WantedLayer& wanted,
+                  double diameter, bool stands) {
   const Region asked = region_of(wanted.contours.outer, wanted.contours.islands);
-  const Region allowed = contour::offset(contour::symmetric_difference(old_nominal, asked),
-                                         kSameContour_mm + reach);
-  const Region changed = contour::symmetric_difference(before.removed, after.removed);
-  const Region outside = contour::offset(contour::subtract(changed, allowed), -kSameContour_mm);
-  return contour::area(outside) * (after.top - after.z);
+  const Region more = contour::subtract(after.removed, before.removed);
+  const Region less = contour::subtract(before.removed, after.removed);
+  const double height = after.top - after.z;
+  if (stands) {
+    const Region old_wall = region_of(before.nominal, before.nominal_islands);
+    const Region allowed =
+        contour::offset(contour::symmetric_difference(old_wall, asked), kRing * diameter);
+    return (area_beyond(more, allowed) + area_beyond(less, allowed)) * height;
+  }
+  const Region reached = opened(asked, diameter / 2);
+  const Region missed =
+      contour::offset(contour::intersect(less, contour::offset(reached, -kSameContour_mm)),
+                      -kSameContour_mm);
+  return (area_beyond(more, reached) + contour::area(missed)) * height;
 }
 
 bool is_edited(const EditPlan& plan, std::size_t feature, std::size_t layer) {
@@ -141,6 +166,39 @@ bool are_others_there(const Tree& before, const EditPlan& plan, LayerBook& book)
     }
   }
   return true;
+}
+
+bool is_same_way(const Contour& a, const Contour& b) {
+  if (a.vertices.size() != b.vertices.size()) return false;
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+    if (geometry::length(a.vertices[i].point - b.vertices[i].point) > kSameContour_mm) return false;
+  }
+  return true;
+}
+
+/// Every turned feature is there, with its contour or the one that was asked for.
+struct TurnedFound {
+  bool edited = true;
+  bool others = true;
+};
+TurnedFound find_turned(const Tree& before, const Tree& after, const EditPlan& plan) {
+  TurnedFound found;
+  for (std::size_t f = 0; f < before.features.size(); ++f) {
+    const Feature& feature = before.features[f];
+    if (!feature.turned) continue;
+    const auto wanted = std::find_if(plan.turned.begin(), plan.turned.end(),
+                                     [&](const WantedTurned& each) { return each.feature == f; });
+    const bool is_edited = wanted != plan.turned.end();
+    const Contour& contour =
+        is_edited && wanted->contour ? *wanted->contour : feature.turned->contour;
+    const bool is_there =
+        std::any_of(after.features.begin(), after.features.end(), [&](const Feature& other) {
+          return other.turned && other.type == feature.type &&
+                 is_same_way(other.turned->contour, contour);
+        });
+    if (!is_there) (is_edited ? found.edited : found.others) = false;
+  }
+  return found;
 }
 
 bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan) {
@@ -178,17 +236,19 @@ EditReport::Verified compare_edited(const features::Recording& recording, const 
     const bool stands = feature.type == features::FeatureType::outside_profile ||
                         feature.type == features::FeatureType::boss;
     const double diameter = tool_diameter(recording, feature.tool);
-    if (now.z == was.z)
-      verified.outside_mm3 += outside_of(was, now, wanted, stands ? diameter : 0);
+    if (now.z == was.z && feature.compensated == features::Compensation::none)
+      verified.outside_mm3 += outside_of(was, now, wanted, diameter, stands);
     if (stands) continue;
     const Region nominal = region_of(wanted.contours.outer, wanted.contours.islands);
-    const Region reached =
-        contour::offset(contour::offset(nominal, -diameter / 2), diameter / 2);
-    verified.corner_rest_mm2 += contour::area(nominal) - contour::area(reached);
+    verified.corner_rest_mm2 +=
+        contour::area(nominal) - contour::area(opened(nominal, diameter / 2));
   }
-  verified.others_unchanged = are_others_there(before, plan, book) &&
-                              book.taken() == layers_in(after) &&
-                              are_holes_there(before, after, plan);
+  const TurnedFound turned = find_turned(before, after, plan);
+  verified.recognised = verified.recognised && turned.edited;
+  const bool are_others = are_others_there(before, plan, book);
+  const bool is_counted = plan.changes_more || book.taken() == layers_in(after);
+  verified.others_unchanged =
+      are_others && is_counted && turned.others && are_holes_there(before, after, plan);
   verified.difference_mm3 = volume_of(after) - volume_of(before);
   return verified;
 }

@@ -106,12 +106,10 @@ EditPlanner::Done EditPlanner::remove_hole(std::size_t hole) {
     if (!has_next)
       return refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
     const Span next = block_rows(recording_, own.last + 1);
-    if (next.last - next.first != own.last - own.first)
-      return refuse(Code::edit_not_editable, "THE NEXT HOLE OF THE CYCLE IS MADE OTHERWISE");
     Stretch stretch{.rows = {own.first, next.last}};
     for (std::uint32_t row = next.first; row <= next.last; ++row) {
       PlannedRow planned = features::as_it_is(recording_, row);
-      planned.was = own.first + (row - next.first);
+      planned.was = own.first;
       stretch.becomes.push_back(planned);
     }
     add(std::move(stretch));

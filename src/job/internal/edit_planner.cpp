@@ -113,6 +113,10 @@ features::Editing<EditPlan> EditPlanner::plan(const std::vector<Edit>& edits) {
 
 EditPlanner::Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   const auto& operation = edit.operation;
+  if (std::holds_alternative<features::SetArgument>(operation)) {
+    plan_.arguments.push_back(place);
+    return {};
+  }
   if (const auto* order = std::get_if<features::ChangeOrder>(&operation))
     return change_order(*order, edit.target);
   if (const auto pattern = pattern_of(edit.target)) {
@@ -146,8 +150,8 @@ EditPlanner::Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   }
   const Feature& its = tree_.features[*feature];
   if (auto done = check_origin(edit, its.origin, its.editable); !done) return done;
-  if (its.turned)
-    return refuse(Code::edit_not_editable, "WHAT IS TURNED CANNOT BE EDITED YET");
+  if (its.origin.kind == features::Origin::Kind::shared) free_what_shares(*feature);
+  if (its.turned) return edit_turned(edit, *feature);
   if (const auto* by = std::get_if<features::MoveFeature>(&operation)) return move(*by, *feature);
   if (const auto* depth = std::get_if<features::SetDepth>(&operation))
     return set_depth(*depth, *feature);
@@ -182,6 +186,22 @@ EditPlanner::Done EditPlanner::check_origin(const Edit& edit, const features::Or
                   "\"scope\":\"all\" edits all of them");
   }
   return {};
+}
+
+// Features that the same blocks cut in other calls change with this one.
+void EditPlanner::free_what_shares(std::size_t feature) {
+  const auto line_of = [&](const Layer& layer) {
+    return layer.cuts.empty() ? 0 : recording_.line_of(layer.cuts.front().first);
+  };
+  if (tree_.features[feature].layers.empty()) return;
+  const std::uint32_t line = line_of(tree_.features[feature].layers.front());
+  plan_.changes_more = true;
+  for (std::size_t other = 0; other < tree_.features.size(); ++other) {
+    const Feature& its = tree_.features[other];
+    if (other == feature || its.layers.empty() || line_of(its.layers.front()) != line) continue;
+    for (std::size_t layer = 0; layer < its.layers.size(); ++layer)
+      plan_.gone.emplace_back(other, layer);
+  }
 }
 
 EditPlanner::Done EditPlanner::change_contour(const Edit& edit, std::size_t feature) {
@@ -280,6 +300,8 @@ EditPlanner::Done EditPlanner::check_collision(std::size_t feature, std::size_t 
 EditPlanner::Done EditPlanner::cut_anew(std::size_t feature, std::size_t layer,
                                         const LayerContours& contours) {
   const Feature& its = tree_.features[feature];
+  if (its.compensated != features::Compensation::none)
+    return follow_vertices(feature, layer, contours);
   auto stretch = features::regenerated(recording_, {.feature = &its,
                                                     .layer = layer,
                                                     .outer = contours.outer,

@@ -24,6 +24,12 @@ struct WantedLayer {
   double z = 0;
 };
 
+/// A turned feature as it shall come back; contour (z, radius), open.
+struct WantedTurned {
+  std::size_t feature = 0;
+  std::optional<contour::Contour> contour{};  ///< none: its depth alone is another
+};
+
 /// What edits make of the rows of a program.
 struct EditPlan {
   features::RowPlan rows{};
@@ -31,6 +37,9 @@ struct EditPlan {
   std::vector<WantedLayer> wanted{};
   std::vector<std::pair<std::size_t, std::size_t>> gone{};  ///< feature and layer
   std::vector<std::size_t> edited_holes{};
+  std::vector<WantedTurned> turned{};
+  std::vector<std::size_t> arguments{};  ///< edits of the file that change an argument
+  bool changes_more = false;             ///< blocks of several features, or what a call cuts
   std::vector<features::EditFault> warnings{};
 };
 
@@ -67,6 +76,11 @@ class EditPlanner {
   [[nodiscard]] Done finish(std::size_t feature, FeatureEdit& edited);
   [[nodiscard]] Done cut_anew(std::size_t feature, std::size_t layer,
                               const features::LayerContours& contours);
+  void free_what_shares(std::size_t feature);
+  [[nodiscard]] Done follow_vertices(std::size_t feature, std::size_t layer,
+                                     const features::LayerContours& contours);
+  [[nodiscard]] Done edit_turned(const features::Edit& edit, std::size_t feature);
+  [[nodiscard]] Done turn_anew(std::size_t feature, const contour::Contour& contour);
   [[nodiscard]] Done check_origin(const features::Edit& edit, const features::Origin& origin,
                                   features::Editable editable);
   [[nodiscard]] Done check_collision(std::size_t feature, std::size_t layer,

@@ -44,7 +44,8 @@ void BlockPatch::put_in_front(const std::string& word) {
   const auto first = std::find_if(words_.begin(), words_.end(),
                                   [](const BlockWord& each) { return each.letter != 'N'; });
   const std::size_t place = first == words_.end() ? block_.size() : first->begin;
-  changes_.push_back({place, 0, word + style_.between()});
+  // Before what is added at the same place.
+  changes_.insert(changes_.begin(), {place, 0, word + style_.between()});
 }
 
 std::vector<BlockPatch::Change> BlockPatch::changes() const {

@@ -86,8 +86,9 @@ class Merger {
     while (row < recording_.count() && !is_settled()) row = pass_block(row);
     if (fault_) return tl::unexpected(*fault_);
     for (auto& [file, list] : merged_.replacements) {
+      // What comes in stands before what goes.
       std::stable_sort(list.begin(), list.end(), [](const Replacement& a, const Replacement& b) {
-        return a.from < b.from;
+        return std::pair(a.from, a.length > 0) < std::pair(b.from, b.length > 0);
       });
     }
     return std::move(merged_);
@@ -203,9 +204,66 @@ class Merger {
       state = behind(span, state);
       row = span.last + 1;
     }
-    remove_blocks(stretch);
+    if (stretch.written_out) {
+      write_out(stretch);
+    } else {
+      remove_blocks(stretch);
+    }
     for (std::size_t i = 0; i < stretch.becomes.size();) i = pass_rows(stretch, i, before);
+    in_place_.reset();
     old_ = state;
+  }
+
+  [[nodiscard]] static bool is_in(Span lines, std::uint32_t line) {
+    return line >= lines.first && line <= lines.last;
+  }
+
+  // Lines of a loop go as a whole; what comes in stands there.
+  void write_out(const Stretch& stretch) {
+    std::optional<std::uint32_t> inside;
+    for (std::uint32_t row = stretch.rows.first; row <= stretch.rows.last; ++row) {
+      const std::uint32_t block = recording_.moves[row].block;
+      if (!is_in(*stretch.written_out, id(block).line)) continue;
+      inside = block;
+      if (sources_.sets_up && sources_.sets_up(id(block)))
+        refuse(Code::edit_not_editable, "A BLOCK OF THE LOOP ALSO SETS SOMETHING UP");
+    }
+    if (!inside) return;
+    const std::string& text = file_of(*inside);
+    const std::uint64_t from = start_of(text, stretch.written_out->first);
+    const std::uint64_t to = start_of(text, stretch.written_out->last + 1);
+    if (sets_what_is_read(text, from, to))
+      refuse(Code::edit_unroll_variables, "A BLOCK BEHIND THE LOOP READS A VARIABLE THAT IS SET IN IT");
+    merged_.removed += stretch.written_out->last - stretch.written_out->first + 1;
+    put(*inside, {from, to - from}, "");
+    in_place_ = InPlace{*inside, from};
+  }
+
+  [[nodiscard]] static std::uint64_t start_of(const std::string& text, std::uint32_t line) {
+    std::size_t at = 0;
+    for (std::uint32_t passed = 1; passed < line && at < text.size(); ++passed) {
+      const std::size_t end = text.find('\n', at);
+      at = end == std::string::npos ? text.size() : end + 1;
+    }
+    return at;
+  }
+
+  // #1= in there, and #1 that is no #10 behind it.
+  [[nodiscard]] static bool sets_what_is_read(const std::string& text, std::uint64_t from,
+                                              std::uint64_t to) {
+    for (std::size_t at = text.find('#', from); at < to; at = text.find('#', at + 1)) {
+      const std::size_t end = text.find_first_not_of("0123456789", at + 1);
+      if (end == std::string::npos || text[end] != '=') continue;
+      const std::string name = text.substr(at, end - at);
+      for (std::size_t read = text.find(name, to); read != std::string::npos;
+           read = text.find(name, read + 1)) {
+        const std::size_t behind = read + name.size();
+        const bool is_whole =
+            behind >= text.size() || text[behind] < '0' || text[behind] > '9';
+        if (is_whole) return true;
+      }
+    }
+    return false;
   }
 
   std::size_t pass_rows(const Stretch& stretch, std::size_t i,
@@ -485,7 +543,9 @@ class Merger {
       const std::uint32_t block = recording_.moves[row].block;
       if (last != block) {
         const std::vector<BlockWord> words = words_in(block);
-        if (const BlockWord* const feed = find(words, 'F')) return feed->value;
+        const BlockWord* const feed = find(words, 'F');
+        if (feed != nullptr && feed->is_literal) return feed->value;
+        if (feed != nullptr) return style_.number(recording_.state_of(recording_.moves[row]).feed.value);
       }
       last = block;
       if (row-- == 0) break;
@@ -501,6 +561,8 @@ class Merger {
 
   // Behind the block that was written last, and what has come in behind that.
   void put_line(const std::string& line) {
+    if (in_place_)
+      return put(in_place_->block, {in_place_->at, 0}, line + line_end(in_place_->block));
     if (!behind_) {
       const std::uint32_t first = recording_.moves[plan_.front().rows.first].block;
       return put(first, {line_of(first).from, 0}, line + line_end(first));
@@ -589,6 +651,11 @@ class Merger {
   Inherited new_{};
   Vec3 at_{};                              // where the new program stands
   std::optional<std::uint32_t> behind_{};  // block that what comes in stands behind
+  struct InPlace {
+    std::uint32_t block = 0;
+    std::uint64_t at = 0;
+  };
+  std::optional<InPlace> in_place_{};  // where a loop stood that is being written out
   double last_number_ = 0;                 // N of the last block that came in
   Merged merged_{};
   std::optional<CannotMerge> fault_{};

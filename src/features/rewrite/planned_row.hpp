@@ -22,6 +22,8 @@ struct PlannedRow {
 struct Stretch {
   Span rows{};
   std::vector<PlannedRow> becomes{};
+  /// Lines that go as a whole, of the file of these rows: a loop that is written out.
+  std::optional<Span> written_out{};
 };
 
 /// What an edit makes of a recording: stretches in their order, apart from each other.

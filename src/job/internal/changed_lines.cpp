@@ -39,7 +39,7 @@ ChangedLines group_of(const Replacement& each, const std::vector<std::uint64_t>&
   const auto behind = std::upper_bound(starts.begin(), starts.end(), each.from);
   const auto line = static_cast<std::size_t>(behind - starts.begin()) - 1;
   ChangedLines group{.from = starts[line], .line = line, .parts = {each}};
-  const bool comes_in = each.length == 0 && each.from == group.from;
+  const bool comes_in = each.length == 0 && each.from == group.from && each.text.ends_with('\n');
   const std::uint64_t last = each.from + (each.length > 0 ? each.length - 1 : 0);
   const auto end = std::upper_bound(starts.begin(), starts.end(), last);
   group.to = comes_in ? group.from : (end == starts.end() ? size : *end);

@@ -100,6 +100,7 @@ features::Editing<EditPlan> EditPlanner::plan(const std::vector<Edit>& edits) {
     edit_ = edited.edit;
     if (auto done = finish(feature, edited); !done) return tl::unexpected(done.error());
   }
+  for (const Span& lines : loops_) write_out(lines);
   std::sort(plan_.rows.begin(), plan_.rows.end(), [](const Stretch& a, const Stretch& b) {
     return a.rows.first < b.rows.first;
   });
@@ -156,6 +157,7 @@ EditPlanner::Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   if (const auto* depth = std::get_if<features::SetDepth>(&operation))
     return set_depth(*depth, *feature);
   if (std::holds_alternative<features::DeleteFeature>(operation)) return remove(*feature);
+  if (std::holds_alternative<features::Unroll>(operation)) return {};
   edited_[*feature].edit = place;
   return change_contour(edit, *feature);
 }
@@ -170,6 +172,12 @@ EditPlanner::Done EditPlanner::check_origin(const Edit& edit, const features::Or
   if (origin.kind == Kind::expression) {
     return refuse(Code::edit_expression, "NUMBERS OF THE BLOCKS ARE EXPRESSIONS",
                   names_call ? "change an argument of " + call : "");
+  }
+  const bool unrolls =
+      edit.unrolls || std::holds_alternative<features::Unroll>(edit.operation);
+  if (origin.kind == Kind::loop && unrolls && origin.lines) {
+    loops_.push_back(*origin.lines);
+    return {};
   }
   if (origin.kind == Kind::loop) {
     return refuse(Code::edit_in_loop,
@@ -186,6 +194,53 @@ EditPlanner::Done EditPlanner::check_origin(const Edit& edit, const features::Or
                   "\"scope\":\"all\" edits all of them");
   }
   return {};
+}
+
+// All rows that ran within these lines are blocks of their own, with what is cut anew among them.
+void EditPlanner::write_out(Span lines) {
+  std::optional<Span> rows;
+  for (std::uint32_t row = 0; row < recording_.count(); ++row) {
+    const std::uint32_t line = recording_.line_of(row);
+    if (line < lines.first || line > lines.last) continue;
+    rows = Span{rows ? rows->first : row, row};
+  }
+  if (!rows) return;
+  Stretch whole{.rows = *rows, .written_out = lines};
+  const auto meets = [&](const Stretch& each) {
+    return each.rows.first <= rows->last && each.rows.last >= rows->first;
+  };
+  for (const Stretch& each : plan_.rows) {
+    if (!meets(each)) continue;
+    whole.rows.first = std::min(whole.rows.first, each.rows.first);
+    whole.rows.last = std::max(whole.rows.last, each.rows.last);
+  }
+  for (std::uint32_t row = whole.rows.first; row <= whole.rows.last;) {
+    const auto anew = std::find_if(plan_.rows.begin(), plan_.rows.end(), [&](const Stretch& each) {
+      return meets(each) && each.rows.first == row;
+    });
+    if (anew == plan_.rows.end()) {
+      whole.becomes.push_back(features::as_it_is(recording_, row++));
+      continue;
+    }
+    whole.becomes.insert(whole.becomes.end(), anew->becomes.begin(), anew->becomes.end());
+    row = anew->rows.last + 1;
+  }
+  features::Vec3 at = recording_.from(whole.rows.first);
+  for (PlannedRow& row : whole.becomes) {
+    const bool is_inside = row.was && recording_.line_of(*row.was) >= lines.first &&
+                           recording_.line_of(*row.was) <= lines.last;
+    // What stands outside stays: the tool goes to the first new point from where it was.
+    if (row.was && !is_inside) {
+      const bool goes_up = row.kind == features::Move::Kind::rapid &&
+                           features::is_upright(recording_, *row.was);
+      row = features::as_it_is(recording_, *row.was);
+      if (goes_up) row.to = {at.x, at.y, row.to.z};
+    }
+    if (is_inside) row.was.reset();
+    at = row.to;
+  }
+  std::erase_if(plan_.rows, meets);
+  plan_.rows.push_back(std::move(whole));
 }
 
 // Features that the same blocks cut in other calls change with this one.

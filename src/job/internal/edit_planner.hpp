@@ -76,6 +76,7 @@ class EditPlanner {
   [[nodiscard]] Done finish(std::size_t feature, FeatureEdit& edited);
   [[nodiscard]] Done cut_anew(std::size_t feature, std::size_t layer,
                               const features::LayerContours& contours);
+  void write_out(features::Span lines);
   void free_what_shares(std::size_t feature);
   [[nodiscard]] Done follow_vertices(std::size_t feature, std::size_t layer,
                                      const features::LayerContours& contours);
@@ -97,6 +98,7 @@ class EditPlanner {
   const features::Tree& tree_;
   bool allows_collision_;
   std::map<std::size_t, FeatureEdit> edited_{};
+  std::vector<features::Span> loops_{};  // lines of those that are written out
   std::size_t edit_ = 0;  // that is being applied
   EditPlan plan_{};
 };

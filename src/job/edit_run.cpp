@@ -5,12 +5,12 @@
 
 #include "base/checksum.hpp"
 #include "features/merge/merge.hpp"
-#include "job/features_run.hpp"
 #include "features/merge/text_style.hpp"
+#include "job/features_run.hpp"
 #include "job/internal/block_texts.hpp"
+#include "job/internal/changed_lines.hpp"
 #include "job/internal/edit_check.hpp"
 #include "job/internal/edit_planner.hpp"
-#include "job/internal/changed_lines.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -67,8 +67,7 @@ class EditWork {
   [[nodiscard]] const base::Language* language() const {
     const machine::DialectRow* const dialect =
         machine::find_dialect(before_.run->machine().definition().dialect);
-    const bool is_gcode =
-        dialect != nullptr && dialect->kind == machine::DialectRow::Kind::gcode;
+    const bool is_gcode = dialect != nullptr && dialect->kind == machine::DialectRow::Kind::gcode;
     return is_gcode ? dialect->language : nullptr;
   }
 
@@ -159,8 +158,7 @@ class EditWork {
     for (const auto& [file, replacements] : merged.replacements) {
       const std::string& name = sources[file].name();
       const bool is_main = name == job_.job.program.name;
-      if (!is_main)
-        return refuse(Code::edit_other_file, "THE BLOCKS STAND IN " + name);
+      if (!is_main) return refuse(Code::edit_other_file, "THE BLOCKS STAND IN " + name);
       const std::string& text = texts.at(file);
       EditedText edited{name, is_main, text, features::replaced(text, replacements)};
       if (edited.after == text) continue;
@@ -202,8 +200,7 @@ class EditWork {
     again.job.program = base::ProgramText::of(job_.job.program.name, result_.texts.front().after);
     auto after = recognise_features(again, features::Method::both);
     if (!after) return tl::unexpected(after.error());
-    if (after->status != before_.status)
-      return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");
+    if (after->status != before_.status) return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");
     EditReport& report = result_.report;
     report.verified = compare_edited(before_.recording, before_.tree, after->tree, plan_);
     report.verified.time_before_s = time_of(before_);
@@ -213,8 +210,7 @@ class EditWork {
       return not_verified("THE CONTOUR THAT WAS ASKED FOR IS NOT FOUND IN IT");
     if (!report.verified.others_unchanged)
       return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
-    if (report.verified.outside_mm3 > 0.01)
-      return not_verified("IT CUTS ELSEWHERE, TOO");
+    if (report.verified.outside_mm3 > 0.01) return not_verified("IT CUTS ELSEWHERE, TOO");
     return features::Editing<EditResult>(std::move(result_));
   }
 

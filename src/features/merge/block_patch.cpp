@@ -24,9 +24,8 @@ std::size_t BlockPatch::place_of(char letter) const {
   std::size_t place = 0;
   for (const BlockWord& word : words_) {
     const std::size_t its = kOrder.find(word.letter);
-    const bool is_before = its == std::string_view::npos
-                               ? word.letter == 'N' || word.letter == 'G'
-                               : its < rank;
+    const bool is_before =
+        its == std::string_view::npos ? word.letter == 'N' || word.letter == 'G' : its < rank;
     if (is_before) place = std::max<std::size_t>(place, word.end);
   }
   return place;

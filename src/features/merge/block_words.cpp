@@ -27,8 +27,7 @@ std::vector<BlockWord> words_of(const base::Language& language, std::string_view
   std::vector<BlockWord> words;
   for (const base::Token& token : base::tokens_of(language, block)) {
     if (token.kind == TokenKind::blank || token.kind == TokenKind::comment) continue;
-    const std::string piece =
-        base::capitals(std::string(block.substr(token.begin, token.length)));
+    const std::string piece = base::capitals(std::string(block.substr(token.begin, token.length)));
     if (piece.empty()) continue;
     const bool begins = is_word(token.kind) && piece[0] >= 'A' && piece[0] <= 'Z';
     if (begins) {

@@ -12,11 +12,11 @@ namespace kerf::features {
 
 /// A letter and the value behind it, as they stand in a block. Bytes of the block, from 0.
 struct BlockWord {
-  char letter = 0;         ///< in capitals
-  std::string value{};     ///< without blanks and comments, in capitals
-  std::uint32_t begin = 0; ///< of the letter
-  std::uint32_t end = 0;   ///< behind the last byte of the value
-  bool is_literal = true;  ///< a number; else a variable or an expression
+  char letter = 0;          ///< in capitals
+  std::string value{};      ///< without blanks and comments, in capitals
+  std::uint32_t begin = 0;  ///< of the letter
+  std::uint32_t end = 0;    ///< behind the last byte of the value
+  bool is_literal = true;   ///< a number; else a variable or an expression
 
   [[nodiscard]] std::optional<double> number() const;
   /// Where its digits begin, sign included.

@@ -36,7 +36,7 @@ struct Replacement {
 
 struct Merged {
   std::map<base::FileId, std::vector<Replacement>> replacements{};  ///< in their order
-  std::uint32_t kept = 0;  ///< blocks within the stretches
+  std::uint32_t kept = 0;                                           ///< blocks within the stretches
   std::uint32_t patched = 0;
   std::uint32_t inserted = 0;
   std::uint32_t removed = 0;

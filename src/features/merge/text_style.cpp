@@ -105,8 +105,7 @@ double TextStyle::half_step() const {
 }
 
 std::string TextStyle::written(double value, bool has_point, int least, bool has_zero) const {
-  if (!has_point && pointless > 0)
-    return base::rounded_text(std::round(value / pointless), 0);
+  if (!has_point && pointless > 0) return base::rounded_text(std::round(value / pointless), 0);
   std::string text = base::rounded_text(value, most_decimals);
   const bool has_fraction = text.find('.') != std::string::npos;
   if (!has_fraction && !has_point) return text;

@@ -54,14 +54,14 @@ class TextStyle {
   int blanks_ = 0, tight_ = 0;
   int lower_ = 0, upper_ = 0;
   int two_digits_ = 0, one_digit_ = 0;
-  int points_ = 0, plain_whole_ = 0;   // of whole numbers
-  int bare_points_ = 0;                // ".5"
-  int zero_points_ = 0;                // "0.5"
-  std::array<int, 6> decimals_{};      // of numbers with a point
+  int points_ = 0, plain_whole_ = 0;  // of whole numbers
+  int bare_points_ = 0;               // ".5"
+  int zero_points_ = 0;               // "0.5"
+  std::array<int, 6> decimals_{};     // of numbers with a point
   int zero_centres_ = 0, bare_centres_ = 0, radii_ = 0, centres_ = 0;
   int numbered_ = 0, unnumbered_ = 0;
   std::array<Habits, 2> habits_{};
-  std::vector<double> numbers_{};      // N words in their order
+  std::vector<double> numbers_{};  // N words in their order
 };
 
 }  // namespace kerf::features

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <utility>
 
-
 #include "features/rewrite/planned_row.hpp"
 
 namespace kerf::features {
@@ -61,9 +60,9 @@ void pair_by_table(const Wholes& a, const Wholes& b, Window in, Same same, Pairs
   std::vector<std::uint32_t> left(rows * columns, 0);
   for (std::size_t i = rows - 1; i-- > 0;) {
     for (std::size_t j = columns - 1; j-- > 0;) {
-      left[i * columns + j] = same(a[in.a + i], b[in.b + j])
-                                  ? left[(i + 1) * columns + j + 1] + 1
-                                  : std::max(left[(i + 1) * columns + j], left[i * columns + j + 1]);
+      left[i * columns + j] = same(a[in.a + i], b[in.b + j]) ? left[(i + 1) * columns + j + 1] + 1
+                                                             : std::max(left[(i + 1) * columns + j],
+                                                                        left[i * columns + j + 1]);
     }
   }
   for (std::size_t i = 0, j = 0; i + 1 < rows && j + 1 < columns;) {

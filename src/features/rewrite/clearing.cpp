@@ -18,7 +18,7 @@ using contour::Edge;
 using contour::Region;
 using contour::Vec2;
 
-constexpr double kTouch_mm = 1e-6;     // by how much a wall that is just touched is missed
+constexpr double kTouch_mm = 1e-6;  // by how much a wall that is just touched is missed
 constexpr double kLeastStep_mm = 0.01;
 constexpr int kMostLoops = 10'000;
 

@@ -20,8 +20,8 @@ struct Clearing {
 [[nodiscard]] std::vector<contour::Contour> loops_at(const Clearing& clearing, double distance);
 
 /// Distances from the wall for all loops that it takes, from the nearest one: those of `wanted`
-/// (ascending) as far as there are loops, behind them `step` apart until a disc of the tool has been
-/// wherever it can be. Nothing: something would stay.
+/// (ascending) as far as there are loops, behind them `step` apart until a disc of the tool has
+/// been wherever it can be. Nothing: something would stay.
 [[nodiscard]] std::optional<std::vector<double>> distances_of(const Clearing& clearing,
                                                               const std::vector<double>& wanted,
                                                               double step);

@@ -25,8 +25,8 @@ double distance_to(const std::vector<Contour>& walls, const Contour& path) {
   double least = distance_to(walls, path.vertices.front().point);
   for (std::size_t i = 0; i < contour::edge_count(path); ++i) {
     const Edge edge = contour::edge_of(path, i);
-    least = std::min({least, distance_to(walls, edge.from),
-                      distance_to(walls, contour::point_at(edge, 0.5))});
+    least = std::min(
+        {least, distance_to(walls, edge.from), distance_to(walls, contour::point_at(edge, 0.5))});
   }
   return least;
 }

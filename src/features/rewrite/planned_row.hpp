@@ -12,10 +12,10 @@ namespace kerf::features {
 struct PlannedRow {
   Vec3 to{};
   Move::Kind kind = Move::Kind::feed;
-  std::optional<ArcRow> arc{};              ///< none: a line
-  std::uint32_t like = 0;                   ///< row of the recording whose feed and state it has
-  std::optional<std::uint32_t> was{};       ///< row of the recording whose block it keeps; none: new
-  bool changes_place = false;            ///< its block goes behind the one of the row before
+  std::optional<ArcRow> arc{};         ///< none: a line
+  std::uint32_t like = 0;              ///< row of the recording whose feed and state it has
+  std::optional<std::uint32_t> was{};  ///< row of the recording whose block it keeps; none: new
+  bool changes_place = false;          ///< its block goes behind the one of the row before
 };
 
 /// Rows of a recording that become others; where `becomes` is empty they go.

@@ -54,9 +54,9 @@ bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour
                                                                     vertex.point) <= kSamePoint_mm;
           round += static_cast<int>(is_about);
           const bool is_near = off < 2.5 * loop.distance;
-          sharp += static_cast<int>(is_near && off > loop.distance + kSamePoint_mm &&
-                                    contour::distance(wall, edge.from) >
-                                        loop.distance + kSamePoint_mm);
+          sharp +=
+              static_cast<int>(is_near && off > loop.distance + kSamePoint_mm &&
+                               contour::distance(wall, edge.from) > loop.distance + kSamePoint_mm);
         }
       }
     }
@@ -67,7 +67,8 @@ bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour
 double step_of(const std::vector<double>& distances, double radius) {
   if (distances.size() < 2) return radius;
   std::vector<double> steps;
-  for (std::size_t i = 1; i < distances.size(); ++i) steps.push_back(distances[i] - distances[i - 1]);
+  for (std::size_t i = 1; i < distances.size(); ++i)
+    steps.push_back(distances[i] - distances[i - 1]);
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2),
                    steps.end());
   return steps[steps.size() / 2];
@@ -97,8 +98,8 @@ class LayerWriter {
   [[nodiscard]] tl::expected<Stretch, CannotCut> write() {
     if (auto known = look(); !known) return tl::unexpected(known.error());
     if (layer_.loops.empty()) return along_line();
-    const auto distances =
-        distances_of(clearing_, distances_in(olds_), step_of(distances_in(olds_), clearing_.tool_radius));
+    const auto distances = distances_of(clearing_, distances_in(olds_),
+                                        step_of(distances_in(olds_), clearing_.tool_radius));
     if (!distances) return does_not_fit();
     for (const double distance : in_order(*distances)) cut_round(distance);
     retract();
@@ -118,9 +119,8 @@ class LayerWriter {
     }
     olds_ = old_loops(recording_, spans, walls);
     const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
-    const auto known = recording_.tools.find(wanted_.feature->cuts.front().role == Cut::Role::only
-                                                 ? wanted_.feature->tool
-                                                 : tool);
+    const auto known = recording_.tools.find(
+        wanted_.feature->cuts.front().role == Cut::Role::only ? wanted_.feature->tool : tool);
     clearing_ = {.region = region_of(wanted_),
                  .is_outside = goes_outside(*wanted_.feature),
                  .tool_radius = known == recording_.tools.end() ? 0 : radius_of(known->second),
@@ -128,8 +128,8 @@ class LayerWriter {
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
     if (olds_.empty()) return {};
-    is_reversed_ = contour::is_counterclockwise(olds_.front().path) !=
-                   runs_counterclockwise(olds_.front());
+    is_reversed_ =
+        contour::is_counterclockwise(olds_.front().path) != runs_counterclockwise(olds_.front());
     return {};
   }
 
@@ -145,8 +145,8 @@ class LayerWriter {
     std::vector<Vec2> ends;
     for (std::size_t i = 0; i < contour::edge_count(wanted_.outer); ++i) {
       const contour::Edge edge = contour::edge_of(wanted_.outer, i);
-      const bool is_end = edge.bulge > 0 && std::fabs(contour::radius(edge) -
-                                                      clearing_.tool_radius) <= kSamePoint_mm;
+      const bool is_end = edge.bulge > 0 &&
+                          std::fabs(contour::radius(edge) - clearing_.tool_radius) <= kSamePoint_mm;
       if (is_end) ends.push_back(contour::centre(edge));
     }
     if (ends.size() != 2 || wanted_.outer.vertices.size() != 4 || !wanted_.islands.empty()) {
@@ -181,8 +181,7 @@ class LayerWriter {
   }
 
   [[nodiscard]] std::vector<double> in_order(std::vector<double> distances) const {
-    const bool begins_inside =
-        olds_.size() > 1 && olds_.front().distance > olds_.back().distance;
+    const bool begins_inside = olds_.size() > 1 && olds_.front().distance > olds_.back().distance;
     if (begins_inside) std::reverse(distances.begin(), distances.end());
     return distances;
   }
@@ -249,8 +248,8 @@ class LayerWriter {
   void link(Vec2 start) {
     const Vec2 from{at_.x, at_.y};
     if (geometry::length(start - from) <= kSamePoint_mm) return;
-    const std::uint32_t like = olds_.size() > 1 && !layer_.links.empty() ? layer_.links.front()
-                                                                        : olds_.front().rows.first;
+    const std::uint32_t like =
+        olds_.size() > 1 && !layer_.links.empty() ? layer_.links.front() : olds_.front().rows.first;
     if (is_clear(clearing_, from, start)) {
       rows_.push_back({.to = {start.u, start.v, layer_.z}, .like = like});
       return;
@@ -305,12 +304,14 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
   const Vec2 start = recording.flat_from(span.first);
   const auto comes_to_start = [&](std::uint32_t row) {
     const bool is_retract = row > 0 && recording.moves[row - 1].cuts() &&
-                            is_upright(recording, row) && recording.moves[row].to.z > recording.from(row).z;
-    return !is_retract && recording.moves[row].kind == Move::Kind::rapid && recording.begins.count(row + 1) == 0 &&
+                            is_upright(recording, row) &&
+                            recording.moves[row].to.z > recording.from(row).z;
+    return !is_retract && recording.moves[row].kind == Move::Kind::rapid &&
+           recording.begins.count(row + 1) == 0 &&
            geometry::length(recording.flat_to(row) - start) <= kSamePoint_mm;
   };
-  const bool is_there = recording.moves[span.first].kind != Move::Kind::rapid ||
-                        is_upright(recording, span.first);
+  const bool is_there =
+      recording.moves[span.first].kind != Move::Kind::rapid || is_upright(recording, span.first);
   if (!is_there) return span;
   while (span.first > 0 && comes_to_start(span.first - 1)) {
     --span.first;

@@ -35,7 +35,7 @@ struct ChangedLines {
 };
 
 ChangedLines group_of(const Replacement& each, const std::vector<std::uint64_t>& starts,
-               std::uint64_t size) {
+                      std::uint64_t size) {
   const auto behind = std::upper_bound(starts.begin(), starts.end(), each.from);
   const auto line = static_cast<std::size_t>(behind - starts.begin()) - 1;
   ChangedLines group{.from = starts[line], .line = line, .parts = {each}};

@@ -40,10 +40,10 @@ struct Sought {
 
 bool are_equal(const std::vector<Contour>& a, const std::vector<Contour>& b) {
   return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const Contour& one) {
-    return std::any_of(b.begin(), b.end(), [&](const Contour& other) {
-      return features::are_equal(one, other, kSameContour_mm);
-    });
-  });
+           return std::any_of(b.begin(), b.end(), [&](const Contour& other) {
+             return features::are_equal(one, other, kSameContour_mm);
+           });
+         });
 }
 
 bool is_found(const Sought& sought, const Feature& feature, const Layer& layer) {
@@ -122,12 +122,12 @@ Region opened(const Region& region, double tool_radius) {
 
 double area_beyond(const Region& changed, const Region& allowed) {
   const Region grown = contour::offset(allowed, kSameContour_mm);
-  return contour::area(
-      contour::offset(contour::subtract(changed, grown), -kSameContour_mm));
+  return contour::area(contour::offset(contour::subtract(changed, grown), -kSameContour_mm));
 }
 
 // What has changed beyond what was asked, of one layer: more than the tool can reach of the new
-// contour, or less of it than before. Round what stands a ring as wide as the tool follows its wall.
+// contour, or less of it than before. Round what stands a ring as wide as the tool follows its
+// wall.
 double outside_of(const Layer& before, const Layer& after, const WantedLayer& wanted,
                   double diameter, bool stands) {
   const Region asked = region_of(wanted.contours.outer, wanted.contours.islands);
@@ -141,9 +141,8 @@ double outside_of(const Layer& before, const Layer& after, const WantedLayer& wa
     return (area_beyond(more, allowed) + area_beyond(less, allowed)) * height;
   }
   const Region reached = opened(asked, diameter / 2);
-  const Region missed =
-      contour::offset(contour::intersect(less, contour::offset(reached, -kSameContour_mm)),
-                      -kSameContour_mm);
+  const Region missed = contour::offset(
+      contour::intersect(less, contour::offset(reached, -kSameContour_mm)), -kSameContour_mm);
   return (area_beyond(more, reached) + contour::area(missed)) * height;
 }
 
@@ -161,8 +160,7 @@ bool are_others_there(const Tree& before, const EditPlan& plan, LayerBook& book)
   for (std::size_t f = 0; f < before.features.size(); ++f) {
     const Feature& feature = before.features[f];
     for (std::size_t l = 0; l < feature.layers.size(); ++l) {
-      if (!is_edited(plan, f, l) && !book.take(sought_of(feature, feature.layers[l])))
-        return false;
+      if (!is_edited(plan, f, l) && !book.take(sought_of(feature, feature.layers[l]))) return false;
     }
   }
   return true;
@@ -213,9 +211,8 @@ bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan
 
 double tool_diameter(const features::Recording& recording, std::uint32_t tool) {
   const auto known = recording.tools.find(tool);
-  return known == recording.tools.end()
-             ? 0
-             : known->second.value(stock::Measure::diameter).value_or(0);
+  return known == recording.tools.end() ? 0
+                                        : known->second.value(stock::Measure::diameter).value_or(0);
 }
 
 }  // namespace
@@ -259,8 +256,9 @@ std::vector<EditReport::Renamed> renamed_layers(const Tree& after, const EditPla
     for (std::size_t f = 0; f < after.features.size(); ++f) {
       for (std::size_t l = 0; l < after.features[f].layers.size(); ++l) {
         const Layer& layer = after.features[f].layers[l];
-        const bool is_it = std::fabs(layer.z - wanted.z) <= kSameContour_mm &&
-                           features::are_equal(layer.nominal, wanted.contours.outer, kSameContour_mm);
+        const bool is_it =
+            std::fabs(layer.z - wanted.z) <= kSameContour_mm &&
+            features::are_equal(layer.nominal, wanted.contours.outer, kSameContour_mm);
         if (!is_it || (f == wanted.feature && l == wanted.layer)) continue;
         renamed.push_back({"F" + std::to_string(wanted.feature + 1), wanted.layer + 1,
                            "F" + std::to_string(f + 1), l + 1});

@@ -28,7 +28,8 @@ std::vector<Span> spans_of(const Recording& recording, const HoleStep& step, con
            recording.moves[span.first - 1].kind == features::Move::Kind::rapid)
       --span.first;
   }
-  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.first < b.first; });
+  std::sort(spans.begin(), spans.end(),
+            [](const Span& a, const Span& b) { return a.first < b.first; });
   std::vector<Span> apart;
   for (const Span& span : spans) {
     if (apart.empty() || span.first > apart.back().last) apart.push_back(span);
@@ -59,7 +60,8 @@ EditPlanner::Done EditPlanner::move_hole(contour::Vec2 to, std::size_t hole) {
       Stretch stretch{.rows = span};
       for (std::uint32_t row = span.first; row <= span.last; ++row) {
         PlannedRow planned = features::as_it_is(recording_, row);
-        if (is_there(recording_, row, its.at)) planned.to = planned.to + features::Vec3{by.u, by.v, 0};
+        if (is_there(recording_, row, its.at))
+          planned.to = planned.to + features::Vec3{by.u, by.v, 0};
         stretch.becomes.push_back(planned);
       }
       add(std::move(stretch));
@@ -98,13 +100,13 @@ EditPlanner::Done EditPlanner::remove_hole(std::size_t hole) {
     }
     const Span own = block_rows(recording_, first);
     const bool is_first = own.first == 0 || !is_cycle_row(recording_, own.first - 1);
-    const bool has_next = own.last + 1 < recording_.count() && is_cycle_row(recording_, own.last + 1);
+    const bool has_next =
+        own.last + 1 < recording_.count() && is_cycle_row(recording_, own.last + 1);
     if (!is_first) {
       add({.rows = own});
       continue;
     }
-    if (!has_next)
-      return refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
+    if (!has_next) return refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
     const Span next = block_rows(recording_, own.last + 1);
     Stretch stretch{.rows = {own.first, next.last}};
     for (std::uint32_t row = next.first; row <= next.last; ++row) {

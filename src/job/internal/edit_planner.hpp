@@ -99,7 +99,7 @@ class EditPlanner {
   bool allows_collision_;
   std::map<std::size_t, FeatureEdit> edited_{};
   std::vector<features::Span> loops_{};  // lines of those that are written out
-  std::size_t edit_ = 0;  // that is being applied
+  std::size_t edit_ = 0;                 // that is being applied
   EditPlan plan_{};
 };
 

@@ -95,16 +95,15 @@ EditPlanner::Done EditPlanner::follow_vertices(std::size_t feature, std::size_t 
   }
   const Shift shift(its.nominal, contours.outer);
   const auto tool = recording_.tools.find(tree_.features[feature].tool);
-  const double diameter = tool == recording_.tools.end()
-                              ? 0
-                              : tool->second.value(stock::Measure::diameter).value_or(0);
+  const double diameter =
+      tool == recording_.tools.end() ? 0 : tool->second.value(stock::Measure::diameter).value_or(0);
   const Span visit = features::whole_visit(recording_, its);
   Stretch stretch{.rows = visit};
   for (std::uint32_t row = visit.first; row <= visit.last; ++row) {
     PlannedRow planned = features::as_it_is(recording_, row);
     const auto by = shift.at(recording_.flat_to(row), diameter);
-    const bool is_compensated = recording_.state_of(recording_.moves[row]).compensation !=
-                                features::Compensation::none;
+    const bool is_compensated =
+        recording_.state_of(recording_.moves[row]).compensation != features::Compensation::none;
     if (by && is_compensated && planned.kind != features::Move::Kind::rapid) {
       planned.to = planned.to + features::Vec3{by->u, by->v, 0};
       if (planned.arc) planned.arc->centre = planned.arc->centre + *by;
@@ -161,8 +160,8 @@ EditPlanner::Done EditPlanner::turn_anew(std::size_t feature, const Contour& con
       for (std::uint32_t row = visit.first; row <= visit.last; ++row) {
         PlannedRow planned = features::as_it_is(recording_, row);
         const std::uint32_t line = recording_.line_of(row);
-        const bool in_shape = its.origin.shape && line >= its.origin.shape->first &&
-                              line <= its.origin.shape->last;
+        const bool in_shape =
+            its.origin.shape && line >= its.origin.shape->first && line <= its.origin.shape->last;
         const bool follows = recording_.moves[row].cuts() && (!is_shape || in_shape);
         const Vec2 end = recording_.flat_to(row);
         const auto by = shift.at(end, features::kSamePoint_mm);

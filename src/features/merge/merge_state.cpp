@@ -1,0 +1,119 @@
+#include "features/merge/merge_state.hpp"
+
+#include <algorithm>
+
+#include "math/math.hpp"
+
+namespace kerf::features {
+namespace {
+
+constexpr double kDegree_rad = 0.017453292519943295;
+
+/// A vector of the part in the frame that a block is written in, in its unit.
+Vec3 in_frame(const State& state, Vec3 way) {
+  const Frame& frame = state.frame;
+  const double angle = -frame.rotation_deg * kDegree_rad;
+  const double c = frame.rotation_deg == 0 ? 1 : math::cos(angle);
+  const double s = frame.rotation_deg == 0 ? 0 : math::sin(angle);
+  Vec3 turned{c * way.x - s * way.y, s * way.x + c * way.y, way.z};
+  const double scale = frame.scale == 0 ? 1 : std::fabs(frame.scale);
+  if (frame.mirror) turned.x = -turned.x;
+  return (1 / (scale * state.unit_mm)) * turned;
+}
+
+}  // namespace
+
+double axis_of(Vec3 v, std::size_t axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
+
+int motion_code(const PlannedRow& row, const State& state) {
+  if (row.kind == Move::Kind::rapid) return 0;
+  if (!row.arc) return 1;
+  return (row.arc->sweep_rad > 0) != state.frame.mirror ? 3 : 2;
+}
+
+std::optional<int> motion_of(const BlockWord& word) {
+  const auto number = word.number();
+  if (word.letter != 'G' || !number) return std::nullopt;
+  if (*number < 0 || *number > 3 || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
+const base::BlockId& MergeState::id(std::uint32_t block) const { return recording.blocks[block]; }
+
+std::string_view MergeState::text_of(std::uint32_t block) const {
+  const base::BlockId& which = id(block);
+  const auto text = sources.texts.find(which.file);
+  if (text == sources.texts.end() || which.to() > text->second.size()) return {};
+  return std::string_view(text->second).substr(which.from, which.length);
+}
+
+std::vector<BlockWord> MergeState::words_in(std::uint32_t block) const {
+  return words_of(sources.language, text_of(block));
+}
+
+Vec3 MergeState::programmed(const State& state, Vec3 way) const {
+  Vec3 its = in_frame(state, way);
+  its.x *= sources.x_counts;
+  return its;
+}
+
+void MergeState::refuse(base::Code code, std::string sentence) {
+  if (!fault) fault = CannotMerge{code, std::move(sentence)};
+}
+
+bool MergeState::is_same(double a, double b) const { return std::fabs(a - b) < least; }
+
+std::optional<double> MergeState::value_of(const BlockWord& word) const {
+  const auto number = word.number();
+  if (!number || style.pointless == 0 || word.value.find('.') != std::string::npos) return number;
+  return *number * style.pointless;
+}
+
+const std::string& MergeState::file_of(std::uint32_t block) const {
+  static const std::string kNone;
+  const auto text = sources.texts.find(id(block).file);
+  return text == sources.texts.end() ? kNone : text->second;
+}
+
+std::uint64_t MergeState::next_line(std::uint32_t block) const {
+  const std::string& text = file_of(block);
+  const std::size_t end = text.find('\n', id(block).to());
+  return end == std::string::npos ? text.size() : end + 1;
+}
+
+std::string MergeState::line_end(std::uint32_t block) const {
+  const std::string& text = file_of(block);
+  const std::size_t first = text.find('\n');
+  return first != std::string::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
+}
+
+Bytes MergeState::line_of(std::uint32_t block) const {
+  const std::uint64_t from = id(block).from - (std::max(id(block).column, 1U) - 1);
+  return {from, next_line(block) - from};
+}
+
+void MergeState::put(std::uint32_t block, Bytes where, std::string text) {
+  merged.replacements[id(block).file].push_back({where.from, where.length, std::move(text)});
+}
+
+Span MergeState::rows_of(std::uint32_t block, std::uint32_t row) const {
+  Span span{row, row};
+  while (span.first > 0 && recording.moves[span.first - 1].block == block) --span.first;
+  while (span.last + 1 < recording.count() && recording.moves[span.last + 1].block == block)
+    ++span.last;
+  return span;
+}
+
+void MergeState::put_line(const std::string& line) {
+  if (in_place) return put(in_place->block, {in_place->at, 0}, line + line_end(in_place->block));
+  if (!behind) {
+    const std::uint32_t first = recording.moves[plan.front().rows.first].block;
+    return put(first, {line_of(first).from, 0}, line + line_end(first));
+  }
+  const std::uint64_t place = next_line(*behind);
+  const std::string& text = file_of(*behind);
+  const bool has_end = place > 0 && place <= text.size() && text[place - 1] == '\n';
+  put(*behind, {place, 0}, has_end ? line + line_end(*behind) : line_end(*behind) + line);
+}
+
+}  // namespace kerf::features

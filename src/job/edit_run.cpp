@@ -6,11 +6,10 @@
 #include "base/checksum.hpp"
 #include "features/merge/merge.hpp"
 #include "features/merge/text_style.hpp"
+#include "features/plan/edit_planner.hpp"
 #include "job/features_run.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
-#include "job/internal/edit_check.hpp"
-#include "job/internal/edit_planner.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -86,8 +85,8 @@ class EditWork {
   [[nodiscard]] Done merged_texts() {
     if (language() == nullptr)
       return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
-    EditPlanner planner(before_.recording, before_.tree, wishes_.allows_collision);
-    auto plan = planner.plan(wishes_.edits);
+    auto plan = features::plan_edits(before_.recording, before_.tree, wishes_.edits,
+                                     wishes_.allows_collision);
     if (!plan) return tl::unexpected(plan.error());
     plan_ = std::move(*plan);
     const machine::BatchRun& run = before_.run->machine();
@@ -155,6 +154,9 @@ class EditWork {
     report.edits = wishes_.edits.size();
     report.blocks = {merged.kept, merged.patched, merged.inserted, merged.removed};
     const base::SourceSet& sources = before_.run->machine().sources();
+    for (const auto& [file, text] : texts) {
+      if (sources[file].name() == job_.job.program.name) report.crc32 = base::crc32(text);
+    }
     for (const auto& [file, replacements] : merged.replacements) {
       const std::string& name = sources[file].name();
       const bool is_main = name == job_.job.program.name;
@@ -174,7 +176,7 @@ class EditWork {
   }
 
   void tell_regenerated() {
-    for (const WantedLayer& wanted : plan_.wanted) {
+    for (const features::WantedLayer& wanted : plan_.wanted) {
       const std::string name = "F" + std::to_string(wanted.feature + 1);
       auto& list = result_.report.regenerated;
       if (list.empty() || list.back().feature != name) list.push_back({name, {}});
@@ -183,7 +185,7 @@ class EditWork {
   }
 
   [[nodiscard]] features::Editing<EditResult> unchanged() {
-    EditReport::Verified& verified = result_.report.verified;
+    features::VerifiedEdit& verified = result_.report.verified;
     verified.recognised = verified.others_unchanged = true;
     verified.time_before_s = verified.time_after_s = time_of(before_);
     result_.report.warnings.push_back(
@@ -202,10 +204,10 @@ class EditWork {
     if (!after) return tl::unexpected(after.error());
     if (after->status != before_.status) return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");
     EditReport& report = result_.report;
-    report.verified = compare_edited(before_.recording, before_.tree, after->tree, plan_);
+    report.verified = features::compare_edited(before_.recording, before_.tree, after->tree, plan_);
     report.verified.time_before_s = time_of(before_);
     report.verified.time_after_s = time_of(*after);
-    report.ids = renamed_layers(after->tree, plan_);
+    report.ids = features::renamed_layers(after->tree, plan_);
     if (!report.verified.recognised)
       return not_verified("THE CONTOUR THAT WAS ASKED FOR IS NOT FOUND IN IT");
     if (!report.verified.others_unchanged)
@@ -221,7 +223,7 @@ class EditWork {
   const StockJob& job_;
   const EditWishes& wishes_;
   FeaturesResult& before_;
-  EditPlan plan_{};
+  features::EditPlan plan_{};
   EditResult result_{};
 };
 

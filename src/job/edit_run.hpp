@@ -11,6 +11,7 @@
 #include "base/result.hpp"
 #include "features/edit/edit.hpp"
 #include "features/edit/fault.hpp"
+#include "features/plan/edit_check.hpp"
 #include "job/run.hpp"
 #include "job/stock_job.hpp"
 
@@ -50,24 +51,8 @@ struct EditReport {
     std::vector<std::size_t> layers{};
   };
   std::vector<Regenerated> regenerated{};
-  struct Renamed {
-    std::string was{};
-    std::size_t was_layer = 0;
-    std::string is{};
-    std::size_t is_layer = 0;
-  };
-  std::vector<Renamed> ids{};
-  struct Verified {
-    bool recognised = false;
-    bool others_unchanged = false;
-    double contour_error_mm = 0;
-    double difference_mm3 = 0;   ///< by how much more is removed than before
-    double outside_mm3 = 0;      ///< of it, outside of what was asked
-    double corner_rest_mm2 = 0;  ///< that no disc of the tool reaches in sharp corners
-    std::vector<std::string> new_findings{};
-    double time_before_s = 0;
-    double time_after_s = 0;
-  } verified{};
+  std::vector<features::RenamedLayer> ids{};
+  features::VerifiedEdit verified{};
   std::vector<features::EditFault> warnings{};  ///< EDIT_NO_CHANGE and the like
 };
 

@@ -12,11 +12,11 @@ void take_blocks(const EditReport& report, output::EditFacts& facts) {
                   .removed = report.blocks.removed};
   for (const EditReport::Regenerated& one : report.regenerated)
     facts.regenerated.push_back({one.feature, one.layers});
-  for (const EditReport::Renamed& one : report.ids)
+  for (const features::RenamedLayer& one : report.ids)
     facts.ids.push_back({one.was, one.was_layer, one.is, one.is_layer});
 }
 
-void take_verified(const EditReport::Verified& verified, output::EditFacts& facts) {
+void take_verified(const features::VerifiedEdit& verified, output::EditFacts& facts) {
   facts.verified = {.recognised = verified.recognised,
                     .others_unchanged = verified.others_unchanged,
                     .contour_error_mm = verified.contour_error_mm,

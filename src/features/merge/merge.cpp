@@ -52,7 +52,7 @@ class Merger {
     const double unit = s_.recording.state_of(s_.recording.moves[first]).unit_mm;
     s_.style.most_decimals = unit > 1 ? 4 : 3;
     s_.style.pointless = unit > 1 ? s_.sources.pointless / 10 : s_.sources.pointless;
-    s_.least = 0.5 * std::pow(10.0, -s_.style.most_decimals);
+    s_.least = 0.5 * (s_.style.most_decimals > 3 ? 1e-4 : 1e-3);
   }
   void look_at_rows(Span rows) {
     std::optional<std::uint32_t> last;

@@ -18,7 +18,6 @@ constexpr GCode kNoCycle = 80 * kWhole;
 constexpr GCode kIncremental = 91 * kWhole;
 constexpr GCode kInch = 20 * kWhole;
 
-
 GCode code_of(const control::ModalView& modal, Group group) {
   return modal.codes[static_cast<std::size_t>(group)];
 }

@@ -81,7 +81,9 @@ TEST(EditUndo, RefusesWhatIsNoReport) {
        R"({"kerf":"edit","version":1,"changes":[],"crc32":"00000000","libraries":7})"}) {
     const auto undos = read_edit_report(text);
     EXPECT_FALSE(undos.has_value()) << text;
-    if (!undos) EXPECT_FALSE(undos.error().empty()) << text;
+    if (!undos) {
+      EXPECT_FALSE(undos.error().empty()) << text;
+    }
   }
 }
 

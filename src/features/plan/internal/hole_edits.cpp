@@ -1,21 +1,17 @@
+#include "features/plan/internal/hole_edits.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "features/path/tolerance.hpp"
-#include "job/internal/edit_planner.hpp"
 
-namespace kerf::job {
+namespace kerf::features {
 namespace {
 
 using base::Code;
-using features::HoleStep;
-using features::PlannedRow;
-using features::Recording;
-using features::Span;
-using features::Stretch;
 
 bool is_there(const Recording& recording, std::uint32_t row, contour::Vec2 at) {
-  return geometry::length(recording.flat_to(row) - at) <= features::kSamePoint_mm;
+  return geometry::length(recording.flat_to(row) - at) <= kSamePoint_mm;
 }
 
 /// All rows of a step, those of its approach and its retract included.
@@ -25,7 +21,7 @@ std::vector<Span> spans_of(const Recording& recording, const HoleStep& step, con
     for (const Span& rows : step.rows)
       span = {std::min(span.first, rows.first), std::max(span.last, rows.last)};
     while (span.first > 0 && is_there(recording, span.first - 1, at) &&
-           recording.moves[span.first - 1].kind == features::Move::Kind::rapid)
+           recording.moves[span.first - 1].kind == Move::Kind::rapid)
       --span.first;
   }
   std::sort(spans.begin(), spans.end(),
@@ -52,93 +48,93 @@ bool is_cycle_row(const Recording& recording, std::uint32_t row) {
 
 }  // namespace
 
-EditPlanner::Done EditPlanner::move_hole(contour::Vec2 to, std::size_t hole) {
-  const features::Hole& its = tree_.holes[hole];
+Done move_hole(EditScene& scene, contour::Vec2 to, std::size_t hole) {
+  const Hole& its = scene.tree.holes[hole];
   const contour::Vec2 by = to - its.at;
   for (const HoleStep& step : its.steps) {
-    for (const Span& span : spans_of(recording_, step, its.at)) {
+    for (const Span& span : spans_of(scene.recording, step, its.at)) {
       Stretch stretch{.rows = span};
       for (std::uint32_t row = span.first; row <= span.last; ++row) {
-        PlannedRow planned = features::as_it_is(recording_, row);
-        if (is_there(recording_, row, its.at))
-          planned.to = planned.to + features::Vec3{by.u, by.v, 0};
+        PlannedRow planned = as_it_is(scene.recording, row);
+        if (is_there(scene.recording, row, its.at)) planned.to = planned.to + Vec3{by.u, by.v, 0};
         stretch.becomes.push_back(planned);
       }
-      add(std::move(stretch));
+      scene.add(std::move(stretch));
     }
   }
-  plan_.edited_holes.push_back(hole);
+  scene.plan.edited_holes.push_back(hole);
   return {};
 }
 
-EditPlanner::Done EditPlanner::set_hole_depth(double z, std::size_t hole) {
-  const features::Hole& its = tree_.holes[hole];
+Done set_hole_depth(EditScene& scene, double z, std::size_t hole) {
+  const Hole& its = scene.tree.holes[hole];
   for (const HoleStep& step : its.steps) {
-    if (std::fabs(step.bottom - its.bottom) > features::kSameZ_mm) continue;
-    for (const Span& span : spans_of(recording_, step, its.at)) {
+    if (std::fabs(step.bottom - its.bottom) > kSameZ_mm) continue;
+    for (const Span& span : spans_of(scene.recording, step, its.at)) {
       Stretch stretch{.rows = span};
       for (std::uint32_t row = span.first; row <= span.last; ++row) {
-        PlannedRow planned = features::as_it_is(recording_, row);
-        if (std::fabs(planned.to.z - step.bottom) <= features::kSameZ_mm) planned.to.z = z;
+        PlannedRow planned = as_it_is(scene.recording, row);
+        if (std::fabs(planned.to.z - step.bottom) <= kSameZ_mm) planned.to.z = z;
         stretch.becomes.push_back(planned);
       }
-      add(std::move(stretch));
+      scene.add(std::move(stretch));
     }
   }
-  plan_.edited_holes.push_back(hole);
+  scene.plan.edited_holes.push_back(hole);
   return {};
 }
 
 // The first one of a list gives its block to the next.
-EditPlanner::Done EditPlanner::remove_hole(std::size_t hole) {
-  const features::Hole& its = tree_.holes[hole];
+Done remove_hole(EditScene& scene, std::size_t hole) {
+  const Hole& its = scene.tree.holes[hole];
   for (const HoleStep& step : its.steps) {
     const std::uint32_t first = step.rows.front().first;
-    if (!is_cycle_row(recording_, first)) {
-      for (const Span& visit : step.visits) add({.rows = visit});
+    if (!is_cycle_row(scene.recording, first)) {
+      for (const Span& visit : step.visits) scene.add({.rows = visit});
       continue;
     }
-    const Span own = block_rows(recording_, first);
-    const bool is_first = own.first == 0 || !is_cycle_row(recording_, own.first - 1);
+    const Span own = block_rows(scene.recording, first);
+    const bool is_first = own.first == 0 || !is_cycle_row(scene.recording, own.first - 1);
     const bool has_next =
-        own.last + 1 < recording_.count() && is_cycle_row(recording_, own.last + 1);
+        own.last + 1 < scene.recording.count() && is_cycle_row(scene.recording, own.last + 1);
     if (!is_first) {
-      add({.rows = own});
+      scene.add({.rows = own});
       continue;
     }
-    if (!has_next) return refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
-    const Span next = block_rows(recording_, own.last + 1);
+    if (!has_next)
+      return scene.refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
+    const Span next = block_rows(scene.recording, own.last + 1);
     Stretch stretch{.rows = {own.first, next.last}};
     for (std::uint32_t row = next.first; row <= next.last; ++row) {
-      PlannedRow planned = features::as_it_is(recording_, row);
+      PlannedRow planned = as_it_is(scene.recording, row);
       planned.was = own.first;
       stretch.becomes.push_back(planned);
     }
-    add(std::move(stretch));
+    scene.add(std::move(stretch));
   }
-  plan_.edited_holes.push_back(hole);
+  scene.plan.edited_holes.push_back(hole);
   return {};
 }
 
-EditPlanner::Done EditPlanner::add_hole(contour::Vec2 at, std::size_t pattern) {
-  const features::Hole& last = tree_.holes[tree_.patterns[pattern].holes.back()];
+Done add_hole(EditScene& scene, contour::Vec2 at, std::size_t pattern) {
+  const Hole& last = scene.tree.holes[scene.tree.patterns[pattern].holes.back()];
   for (const HoleStep& step : last.steps) {
     const std::uint32_t row = step.rows.back().last;
-    if (!is_cycle_row(recording_, row))
-      return refuse(Code::edit_not_editable, "THESE HOLES ARE NOT MADE BY A CYCLE");
-    const Span own = block_rows(recording_, row);
+    if (!is_cycle_row(scene.recording, row))
+      return scene.refuse(Code::edit_not_editable, "THESE HOLES ARE NOT MADE BY A CYCLE");
+    const Span own = block_rows(scene.recording, row);
     Stretch stretch{.rows = own};
     for (std::uint32_t each = own.first; each <= own.last; ++each)
-      stretch.becomes.push_back(features::as_it_is(recording_, each));
+      stretch.becomes.push_back(as_it_is(scene.recording, each));
     PlannedRow more = stretch.becomes.back();
     more.to.x = at.u;
     more.to.y = at.v;
     more.was.reset();
     more.like = own.last;
     stretch.becomes.push_back(more);
-    add(std::move(stretch));
+    scene.add(std::move(stretch));
   }
   return {};
 }
 
-}  // namespace kerf::job
+}  // namespace kerf::features

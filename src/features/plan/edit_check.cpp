@@ -1,4 +1,4 @@
-#include "job/internal/edit_check.hpp"
+#include "features/plan/edit_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +9,14 @@
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
 
-namespace kerf::job {
+namespace kerf::features {
 namespace {
 
 using contour::Contour;
 using contour::Region;
-using features::Feature;
-using features::Layer;
-using features::Tree;
 
 // Words have three digits: a corner may lie half a digit beside itself in both axes.
-constexpr double kSameContour_mm = features::kSamePoint_mm + 0.00075;
+constexpr double kSameContour_mm = kSamePoint_mm + 0.00075;
 
 // How far a ring of the tool reaches from the wall round a sharp corner, in diameters.
 constexpr double kRing = 1.25;
@@ -38,10 +35,10 @@ struct Sought {
   const std::vector<Contour>* islands = nullptr;
 };
 
-bool are_equal(const std::vector<Contour>& a, const std::vector<Contour>& b) {
+bool have_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
   return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const Contour& one) {
            return std::any_of(b.begin(), b.end(), [&](const Contour& other) {
-             return features::are_equal(one, other, kSameContour_mm);
+             return are_equal(one, other, kSameContour_mm);
            });
          });
 }
@@ -51,8 +48,8 @@ bool is_found(const Sought& sought, const Feature& feature, const Layer& layer) 
       feature.setup != sought.setup)
     return false;
   const bool both_empty = layer.nominal.vertices.empty() && sought.outer->vertices.empty();
-  return (both_empty || features::are_equal(layer.nominal, *sought.outer, kSameContour_mm)) &&
-         are_equal(layer.nominal_islands, *sought.islands);
+  return (both_empty || are_equal(layer.nominal, *sought.outer, kSameContour_mm)) &&
+         have_same(layer.nominal_islands, *sought.islands);
 }
 
 /// Layers of a tree, each found at most once.
@@ -96,7 +93,7 @@ std::size_t layers_in(const Tree& tree) {
 double volume_of(const Tree& tree) {
   double volume = 0;
   for (const Feature& feature : tree.features) volume += feature.volume();
-  for (const features::Hole& hole : tree.holes) volume += hole.volume;
+  for (const Hole& hole : tree.holes) volume += hole.volume;
   return volume;
 }
 
@@ -116,7 +113,7 @@ Region region_of(const Contour& outer, const std::vector<Contour>& islands) {
 
 /// What a disc can reach of a region.
 Region opened(const Region& region, double tool_radius) {
-  const double radius = tool_radius - features::kSamePoint_mm;
+  const double radius = tool_radius - kSamePoint_mm;
   return contour::offset(contour::offset(region, -radius), radius);
 }
 
@@ -201,7 +198,7 @@ TurnedFound find_turned(const Tree& before, const Tree& after, const EditPlan& p
 
 bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan) {
   std::multiset<std::string> keys;
-  for (const features::Hole& hole : after.holes) keys.insert(hole.key);
+  for (const Hole& hole : after.holes) keys.insert(hole.key);
   for (std::size_t i = 0; i < before.holes.size(); ++i) {
     const bool is_free = std::count(plan.edited_holes.begin(), plan.edited_holes.end(), i) > 0;
     if (!is_free && keys.count(before.holes[i].key) == 0) return false;
@@ -209,7 +206,7 @@ bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan
   return true;
 }
 
-double tool_diameter(const features::Recording& recording, std::uint32_t tool) {
+double tool_diameter(const Recording& recording, std::uint32_t tool) {
   const auto known = recording.tools.find(tool);
   return known == recording.tools.end() ? 0
                                         : known->second.value(stock::Measure::diameter).value_or(0);
@@ -217,9 +214,9 @@ double tool_diameter(const features::Recording& recording, std::uint32_t tool) {
 
 }  // namespace
 
-EditReport::Verified compare_edited(const features::Recording& recording, const Tree& before,
-                                    const Tree& after, const EditPlan& plan) {
-  EditReport::Verified verified{.recognised = true};
+VerifiedEdit compare_edited(const Recording& recording, const Tree& before, const Tree& after,
+                            const EditPlan& plan) {
+  VerifiedEdit verified{.recognised = true};
   LayerBook book(after);
   for (const WantedLayer& wanted : plan.wanted) {
     const auto found = book.take(sought_of(before, wanted));
@@ -230,10 +227,10 @@ EditReport::Verified compare_edited(const features::Recording& recording, const 
     const Layer& was = feature.layers[wanted.layer];
     verified.contour_error_mm =
         std::max(verified.contour_error_mm, error_of(now.nominal, wanted.contours.outer));
-    const bool stands = feature.type == features::FeatureType::outside_profile ||
-                        feature.type == features::FeatureType::boss;
+    const bool stands =
+        feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
     const double diameter = tool_diameter(recording, feature.tool);
-    if (now.z == was.z && feature.compensated == features::Compensation::none)
+    if (now.z == was.z && feature.compensated == Compensation::none)
       verified.outside_mm3 += outside_of(was, now, wanted, diameter, stands);
     if (stands) continue;
     const Region nominal = region_of(wanted.contours.outer, wanted.contours.islands);
@@ -250,15 +247,14 @@ EditReport::Verified compare_edited(const features::Recording& recording, const 
   return verified;
 }
 
-std::vector<EditReport::Renamed> renamed_layers(const Tree& after, const EditPlan& plan) {
-  std::vector<EditReport::Renamed> renamed;
+std::vector<RenamedLayer> renamed_layers(const Tree& after, const EditPlan& plan) {
+  std::vector<RenamedLayer> renamed;
   for (const WantedLayer& wanted : plan.wanted) {
     for (std::size_t f = 0; f < after.features.size(); ++f) {
       for (std::size_t l = 0; l < after.features[f].layers.size(); ++l) {
         const Layer& layer = after.features[f].layers[l];
-        const bool is_it =
-            std::fabs(layer.z - wanted.z) <= kSameContour_mm &&
-            features::are_equal(layer.nominal, wanted.contours.outer, kSameContour_mm);
+        const bool is_it = std::fabs(layer.z - wanted.z) <= kSameContour_mm &&
+                           are_equal(layer.nominal, wanted.contours.outer, kSameContour_mm);
         if (!is_it || (f == wanted.feature && l == wanted.layer)) continue;
         renamed.push_back({"F" + std::to_string(wanted.feature + 1), wanted.layer + 1,
                            "F" + std::to_string(f + 1), l + 1});
@@ -268,4 +264,4 @@ std::vector<EditReport::Renamed> renamed_layers(const Tree& after, const EditPla
   return renamed;
 }
 
-}  // namespace kerf::job
+}  // namespace kerf::features

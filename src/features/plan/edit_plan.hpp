@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "features/edit/contour_edit.hpp"
+#include "features/edit/edit.hpp"
+#include "features/edit/fault.hpp"
+#include "features/rewrite/planned_row.hpp"
+#include "features/tree/tree.hpp"
+
+namespace kerf::features {
+
+/// A layer whose contour an edit changes, as it shall come back.
+struct WantedLayer {
+  std::size_t feature = 0;
+  std::size_t layer = 0;
+  LayerContours contours{};
+  double z = 0;
+};
+
+/// A turned feature as it shall come back; contour (z, radius), open.
+struct WantedTurned {
+  std::size_t feature = 0;
+  std::optional<contour::Contour> contour{};  ///< none: its depth alone is another
+};
+
+/// What edits make of the rows of a program.
+struct EditPlan {
+  RowPlan rows{};
+  /// Layers of edited features that are cut anew, moved or deepened; all else stays.
+  std::vector<WantedLayer> wanted{};
+  std::vector<std::pair<std::size_t, std::size_t>> gone{};  ///< feature and layer
+  std::vector<std::size_t> edited_holes{};
+  std::vector<WantedTurned> turned{};
+  std::vector<std::size_t> arguments{};  ///< edits of the file that change an argument
+  bool changes_more = false;             ///< blocks of several features, or what a call cuts
+  std::vector<EditFault> warnings{};
+};
+
+}  // namespace kerf::features

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "features/plan/internal/edit_scene.hpp"
+
+namespace kerf::features {
+
+/// All rows that ran within these lines become blocks of their own, with what is cut anew among
+/// them.
+void write_out(EditScene& scene, Span lines);
+/// Features that the same blocks cut in other calls change with this one.
+void free_what_shares(EditScene& scene, std::size_t feature);
+
+}  // namespace kerf::features

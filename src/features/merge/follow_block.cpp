@@ -49,7 +49,17 @@ class BlockFollower {
     return z;
   }
 
+  // To a reference point, or in coordinates of the machine: the axis words say no place of the
+  // work.
+  [[nodiscard]] static bool goes_by_machine(const BlockPatch& patch) {
+    return std::any_of(patch.words().begin(), patch.words().end(), [](const BlockWord& word) {
+      const auto code = word.letter == 'G' ? word.number() : std::nullopt;
+      return code && (*code == 28 || *code == 29 || *code == 30 || *code == 53);
+    });
+  }
+
   void follow_axes(const BlockRows& rows, const Inherited& old, BlockPatch& patch) {
+    if (goes_by_machine(patch)) return;
     const State& state = s_.recording.state_of(s_.recording.moves[rows.old.last]);
     const Vec3 by = rows.rows.back().to - s_.recording.moves[rows.old.last].to;
     const Vec3 change = s_.programmed(state, by);

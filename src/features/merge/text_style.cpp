@@ -50,6 +50,7 @@ void TextStyle::look_at_number(const BlockWord& word) {
   const auto value = word.number();
   if (!value) return;
   const std::size_t point = word.value.find('.');
+  if (*value != 0) (point == std::string::npos ? pointless_ : pointed_) += 1;
   if (point == std::string::npos) {
     ++plain_whole_;
     return;
@@ -118,20 +119,27 @@ std::string TextStyle::written(double value, bool has_point, int least, bool has
   return text;
 }
 
+// Where a number without a point counts increments, few write one for a length.
+bool TextStyle::has_points() const {
+  return pointless > 0 ? pointed_ >= pointless_ : points_ > plain_whole_;
+}
+
 std::string TextStyle::number(double value) const {
   const auto most = std::max_element(decimals_.begin(), decimals_.end());
   const int total = decimals_[0] + decimals_[1] + decimals_[2] + decimals_[3] + decimals_[4];
   const bool is_fixed = *most > 0 && 10 * *most >= 9 * total && most != decimals_.begin();
   const int least = is_fixed ? static_cast<int>(most - decimals_.begin()) : 0;
-  return written(value, points_ > plain_whole_, least, zero_points_ >= bare_points_);
+  return written(value, has_points(), least, zero_points_ >= bare_points_);
 }
 
 std::string TextStyle::number_like(std::string_view old, double value) const {
   const std::size_t point = old.find('.');
-  const bool has_point = point != std::string_view::npos;
+  const auto before = base::read_number(old);
+  // 0 says nothing of what a number without a point counts.
+  const bool has_point =
+      point != std::string_view::npos || (pointless > 0 && before == 0.0 && has_points());
   const std::size_t digits = old.find_first_of("0123456789.");
   const bool begins_bare = digits != std::string_view::npos && old[digits] == '.';
-  const auto before = base::read_number(old);
   const bool was_fraction = before && std::fabs(*before) < 1 && *before != 0;
   const bool has_zero = was_fraction ? !begins_bare : zero_points_ >= bare_points_;
   const bool ends_in_zero = has_point && !old.empty() && old.back() == '0';

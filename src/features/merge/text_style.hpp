@@ -46,6 +46,7 @@ class TextStyle {
   [[nodiscard]] double half_step() const;
 
  private:
+  [[nodiscard]] bool has_points() const;
   void look_at_number(const BlockWord& word);
   void look_at_arc(const std::vector<BlockWord>& words);
   void look_at_habits(const std::vector<BlockWord>& words);
@@ -54,6 +55,7 @@ class TextStyle {
   int blanks_ = 0, tight_ = 0;
   int lower_ = 0, upper_ = 0;
   int two_digits_ = 0, one_digit_ = 0;
+  int pointed_ = 0, pointless_ = 0;   // of all but 0
   int points_ = 0, plain_whole_ = 0;  // of whole numbers
   int bare_points_ = 0;               // ".5"
   int zero_points_ = 0;               // "0.5"

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "features/path/tolerance.hpp"
+#include "features/rewrite/regenerate.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
@@ -33,6 +34,7 @@ struct Sought {
   std::size_t setup = 0;
   const Contour* outer = nullptr;
   const std::vector<Contour>* islands = nullptr;
+  std::optional<Region> reached{};  ///< what the tool can reach of it; none: not asked
 };
 
 bool have_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
@@ -43,13 +45,22 @@ bool have_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
          });
 }
 
+bool is_same_region(const Region& a, const Region& b) {
+  return contour::area(contour::offset(contour::symmetric_difference(a, b), -kSameContour_mm)) <=
+         kEmptyArea_mm2;
+}
+
+// By its contours, or, where these have corners that no disc of the tool comes into, by what is
+// removed.
 bool is_found(const Sought& sought, const Feature& feature, const Layer& layer) {
   if (std::fabs(layer.z - sought.z) > kSameContour_mm || feature.tool != sought.tool ||
       feature.setup != sought.setup)
     return false;
   const bool both_empty = layer.nominal.vertices.empty() && sought.outer->vertices.empty();
-  return (both_empty || are_equal(layer.nominal, *sought.outer, kSameContour_mm)) &&
-         have_same(layer.nominal_islands, *sought.islands);
+  const bool has_contours =
+      (both_empty || are_equal(layer.nominal, *sought.outer, kSameContour_mm)) &&
+      have_same(layer.nominal_islands, *sought.islands);
+  return has_contours || (sought.reached && is_same_region(layer.removed, *sought.reached));
 }
 
 /// Layers of a tree, each found at most once.
@@ -75,9 +86,34 @@ class LayerBook {
   std::set<std::pair<std::size_t, std::size_t>> taken_;
 };
 
-Sought sought_of(const Tree& tree, const WantedLayer& wanted) {
+Region region_of(const Contour& outer, const std::vector<Contour>& islands) {
+  Region region = contour::region_of(outer);
+  for (const Contour& island : islands)
+    region = contour::subtract(region, contour::region_of(island));
+  return region;
+}
+
+/// What a disc can reach of a region.
+Region opened(const Region& region, double tool_radius) {
+  const double radius = tool_radius - kSamePoint_mm;
+  return contour::offset(contour::offset(region, -radius), radius);
+}
+
+double tool_diameter(const Recording& recording, std::uint32_t tool) {
+  const auto known = recording.tools.find(tool);
+  return known == recording.tools.end() ? 0
+                                        : known->second.value(stock::Measure::diameter).value_or(0);
+}
+
+Sought sought_of(const Recording& recording, const Tree& tree, const WantedLayer& wanted) {
   const Feature& feature = tree.features[wanted.feature];
-  return {wanted.z, feature.tool, feature.setup, &wanted.contours.outer, &wanted.contours.islands};
+  Sought sought{wanted.z, feature.tool, feature.setup, &wanted.contours.outer,
+                &wanted.contours.islands};
+  if (!bounds_what_stands(feature)) {
+    sought.reached = opened(region_of(wanted.contours.outer, wanted.contours.islands),
+                            tool_diameter(recording, feature.tool) / 2);
+  }
+  return sought;
 }
 
 Sought sought_of(const Feature& feature, const Layer& layer) {
@@ -102,19 +138,6 @@ double error_of(const Contour& is, const Contour& wanted) {
   for (std::size_t i = 0; i < wanted.vertices.size() && i < is.vertices.size(); ++i)
     worst = std::max(worst, contour::distance(is, wanted.vertices[i].point));
   return worst;
-}
-
-Region region_of(const Contour& outer, const std::vector<Contour>& islands) {
-  Region region = contour::region_of(outer);
-  for (const Contour& island : islands)
-    region = contour::subtract(region, contour::region_of(island));
-  return region;
-}
-
-/// What a disc can reach of a region.
-Region opened(const Region& region, double tool_radius) {
-  const double radius = tool_radius - kSamePoint_mm;
-  return contour::offset(contour::offset(region, -radius), radius);
 }
 
 double area_beyond(const Region& changed, const Region& allowed) {
@@ -206,12 +229,6 @@ bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan
   return true;
 }
 
-double tool_diameter(const Recording& recording, std::uint32_t tool) {
-  const auto known = recording.tools.find(tool);
-  return known == recording.tools.end() ? 0
-                                        : known->second.value(stock::Measure::diameter).value_or(0);
-}
-
 }  // namespace
 
 VerifiedEdit compare_edited(const Recording& recording, const Tree& before, const Tree& after,
@@ -219,18 +236,19 @@ VerifiedEdit compare_edited(const Recording& recording, const Tree& before, cons
   VerifiedEdit verified{.recognised = true};
   LayerBook book(after);
   for (const WantedLayer& wanted : plan.wanted) {
-    const auto found = book.take(sought_of(before, wanted));
+    const auto found = book.take(sought_of(recording, before, wanted));
     verified.recognised = verified.recognised && found.has_value();
     if (!found) continue;
     const Feature& feature = before.features[wanted.feature];
     const Layer& now = after.features[found->feature].layers[found->layer];
-    const Layer& was = feature.layers[wanted.layer];
     verified.contour_error_mm =
         std::max(verified.contour_error_mm, error_of(now.nominal, wanted.contours.outer));
     const bool stands =
         feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
     const double diameter = tool_diameter(recording, feature.tool);
-    if (now.z == was.z && feature.compensated == Compensation::none)
+    const bool is_new = wanted.layer >= feature.layers.size();
+    const Layer& was = feature.layers[is_new ? 0 : wanted.layer];
+    if (!is_new && now.z == was.z && feature.compensated == Compensation::none)
       verified.outside_mm3 += outside_of(was, now, wanted, diameter, stands);
     if (stands) continue;
     const Region nominal = region_of(wanted.contours.outer, wanted.contours.islands);

@@ -17,7 +17,7 @@ namespace kerf::features {
 /// A layer whose contour an edit changes, as it shall come back.
 struct WantedLayer {
   std::size_t feature = 0;
-  std::size_t layer = 0;
+  std::size_t layer = 0;  ///< behind the last one: a layer that comes in
   LayerContours contours{};
   double z = 0;
 };

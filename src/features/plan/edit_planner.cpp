@@ -24,10 +24,6 @@ using contour::Contour;
 using contour::Region;
 using contour::Vec2;
 
-bool bounds_what_stands(const Feature& feature) {
-  return feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
-}
-
 LayerContours contours_of(const Layer& layer) {
   return {.outer = layer.nominal, .islands = layer.nominal_islands};
 }
@@ -373,7 +369,7 @@ Done EditPlanner::set_depth(const SetDepth& depth, std::size_t feature) {
     }
     stretch.becomes.insert(stretch.becomes.end(), deeper.begin(), deeper.end());
     scene_.add(std::move(stretch));
-    scene_.plan.wanted.push_back({feature, last, contours_of(its.layers[last]), *depth.z});
+    scene_.plan.wanted.push_back({feature, last + 1, contours_of(its.layers[last]), *depth.z});
   }
   return {};
 }

@@ -36,10 +36,6 @@ double radius_of(const stock::Tool& tool) {
   return tool.value(stock::Measure::diameter).value_or(0) / 2;
 }
 
-bool goes_outside(const Feature& feature) {
-  return feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
-}
-
 /// Whether the old ways turned sharply round what stands out of the wall.
 bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
   int sharp = 0;
@@ -122,7 +118,7 @@ class LayerWriter {
     const auto known = recording_.tools.find(
         wanted_.feature->cuts.front().role == Cut::Role::only ? wanted_.feature->tool : tool);
     clearing_ = {.region = region_of(wanted_),
-                 .is_outside = goes_outside(*wanted_.feature),
+                 .is_outside = bounds_what_stands(*wanted_.feature),
                  .tool_radius = known == recording_.tools.end() ? 0 : radius_of(known->second),
                  .has_sharp_corners = turned_sharply(olds_, walls)};
     if (clearing_.tool_radius <= 0)
@@ -290,6 +286,10 @@ class LayerWriter {
 };
 
 }  // namespace
+
+bool bounds_what_stands(const Feature& feature) {
+  return feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
+}
 
 Span whole_visit(const Recording& recording, const Layer& layer) {
   Span span = layer.visits.front();

@@ -25,6 +25,9 @@ struct NewLayer {
   std::vector<contour::Contour> islands{};
 };
 
+/// Whether the contour of a feature bounds what stands, not what is removed.
+[[nodiscard]] bool bounds_what_stands(const Feature& feature);
+
 /// The rows of a layer of closed loops for its new contours: loops at the distances, in the order,
 /// the direction and with the entries that the old ones had (features-contract §7). Rows that stay
 /// what they were keep their blocks.

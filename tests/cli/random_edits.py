@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Random pockets of loops, cut in layers, and random edits of them. What is written must have been verified, must
+cut what the swept area of its own motions says, and must come back to the byte; what is refused writes nothing.
+
+usage: random_edits.py --kerf PATH [--programs N] [--seed S] [--keep FOLDER]
+
+An edit may be refused where the tool does not fit, never because its result was not verified. Exit status: 0 all
+passed.
+"""
+
+import argparse
+import json
+import random
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # nothing is left behind in the sources
+
+TOOLS = '[[tool]]\nnumber = 1\ntype = "flat"\ndiameter = 10\n'
+RADIUS = 5
+STEP = 4
+MAY_BE_REFUSED = ("EDIT_TOOL_TOO_BIG", "EDIT_DOES_NOT_FIT")
+
+
+def number(value):
+    return f"{value:.3f}".rstrip("0")  # the point stays
+
+
+class Pocket:
+    """A rectangle, cut in closed loops, layer below layer."""
+
+    def __init__(self, chance):
+        self.x, self.y = chance.randint(-30, 30), chance.randint(-30, 30)
+        self.width, self.height = chance.randint(24, 70), chance.randint(24, 70)
+        self.layers = chance.randint(1, 3)
+        distances = [RADIUS + STEP * i for i in range(20)]
+        self.distances = [d for d in distances if min(self.width, self.height) / 2 - d > 0.2]
+        if chance.random() < 0.5:
+            self.distances.reverse()
+        self.is_clockwise = chance.random() < 0.5
+
+    def loop(self, distance):
+        low = (self.x + distance, self.y + distance)
+        high = (self.x + self.width - distance, self.y + self.height - distance)
+        corners = [low, (high[0], low[1]), high, (low[0], high[1])]
+        return corners[:1] + corners[:0:-1] if self.is_clockwise else corners
+
+    def text(self):
+        lines = ["O1", "T1M6", "S3000M3", "G90G54G0X0.Y0.", "G43H1Z5."]
+        for layer in range(self.layers):
+            for place, distance in enumerate(self.distances):
+                corners = self.loop(distance)
+                start = "X{}Y{}".format(*map(number, corners[0]))
+                lines += [f"G1{start}"] if place else [f"G0{start}", f"G1Z{number(-2 * layer - 2)}F100."]
+                lines += self.sides(corners)
+            lines.append("G0Z5.")
+        return "\n".join(lines + ["M30"]) + "\n"
+
+    @staticmethod
+    def sides(corners):
+        at = corners[0]
+        for place, to in enumerate(corners[1:] + corners[:1]):
+            words = [letter + number(new) for letter, new, old in zip("XY", to, at) if new != old]
+            yield "".join(words) + ("" if place else "F300.")
+            at = to
+
+
+def random_edit(chance, pocket):
+    x, y, width, height = pocket.x, pocket.y, pocket.width, pocket.height
+    layer = chance.randint(1, pocket.layers)
+    right, top = x + chance.randint(14, 80), y + chance.randint(14, 80)
+    bent = [[x, y], [x + width + 15, y], [x + width + 15, y + 14], [x + 14, y + 14], [x + 14, y + height], [x, y + height]]
+    return chance.choice([
+        {"op": "replace", "layer": layer, "contour": [[x, y], [right, y], [right, top], [x, top]]},
+        {"op": "replace", "layer": layer, "contour": bent},
+        {"op": "fillet-all", "r": chance.randint(6, 11)},
+        {"op": "chamfer", "layer": layer, "corner": chance.randint(0, 3), "d1": chance.randint(2, 9), "d2": chance.randint(2, 9)},
+        {"op": "move", "dx": chance.randint(-9, 9), "dy": chance.randint(-9, 9)},
+        {"op": "rotate", "deg": chance.choice([30, 45, 90, 17.5])},
+        {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 2)},
+    ])
+
+
+def kerf(options, folder, *words):
+    return subprocess.run([options.kerf, "edit", *words], cwd=folder, capture_output=True, text=True, check=False, timeout=150)
+
+
+def fault_of(options, folder, seed):
+    """What is wrong with one edit; None: nothing."""
+    chance = random.Random(seed)
+    pocket = Pocket(chance)
+    text = pocket.text()
+    edit = random_edit(chance, pocket) | {"feature": "F1"}
+    (folder / "part.nc").write_text(text)
+    (folder / "tools.toml").write_text(TOOLS)
+    (folder / "edits.json").write_text(json.dumps({"version": 1, "edits": [edit]}))
+    made = kerf(options, folder, "part.nc", "--edits", "edits.json", "--output", "new.nc", "--report", "report.json", "--tools", "tools.toml")
+    if made.returncode == 1 and any(code in made.stderr for code in MAY_BE_REFUSED):
+        return "it has written a file" if (folder / "new.nc").exists() else None
+    if made.returncode != 0:
+        return f"exit status {made.returncode}: {made.stderr[:200]}"
+    verified = json.loads((folder / "report.json").read_text())["verified"]
+    if not (verified["recognised"] and verified["others_unchanged"]) or verified["outside_mm3"] > 0.01:
+        return f"verified is {verified}"
+    undone = kerf(options, folder, "new.nc", "--undo", "report.json", "--output", "old.nc")
+    if undone.returncode != 0 or (folder / "old.nc").read_text() != text:
+        return f"not taken back: {undone.stderr[:200]}"
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--kerf", required=True, type=lambda path: str(Path(path).resolve()))
+    parser.add_argument("--programs", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--keep", type=Path)
+    options = parser.parse_args()
+    failures = 0
+    for place in range(options.programs):
+        seed = f"{options.seed}:{place}"
+        with tempfile.TemporaryDirectory() as name:
+            folder = options.keep / seed if options.keep else Path(name)
+            folder.mkdir(parents=True, exist_ok=True)
+            fault = fault_of(options, folder, seed)
+        if fault:
+            failures += 1
+            print(f"FAILED {seed}: {fault}")
+    print(f"{options.programs - failures} passed, {failures} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -80,6 +81,8 @@ struct MergeState {
   };
   std::optional<InPlace> in_place{};  ///< where a loop stood that is being written out
   double last_number = 0;             ///< N of the last block that came in
+  std::map<std::uint32_t, std::optional<std::string>>
+      feeds{};  ///< in force at rows, once looked for
   Merged merged{};
   std::optional<CannotMerge> fault{};
 };

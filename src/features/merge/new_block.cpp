@@ -84,7 +84,13 @@ class NewBlock {
   }
 
   // The feed in force at a row, as it is written.
-  [[nodiscard]] std::optional<std::string> feed_at(std::uint32_t row) const {
+  [[nodiscard]] std::optional<std::string> feed_at(std::uint32_t row) {
+    const auto known = s_.feeds.find(row);
+    if (known != s_.feeds.end()) return known->second;
+    return s_.feeds[row] = feed_before(row);
+  }
+
+  [[nodiscard]] std::optional<std::string> feed_before(std::uint32_t row) const {
     std::optional<std::uint32_t> last;
     for (std::uint32_t looks = 0; looks < kMostRowsBack; ++looks) {
       const std::uint32_t block = s_.recording.moves[row].block;

@@ -77,10 +77,8 @@ Region swept_by(const Clearing& clearing, const std::vector<double>& distances) 
   return contour::unite(parts);
 }
 
-/// What is left of `reached` behind these loops, without what is thinner than a hair.
-bool leaves_rest(const Clearing& clearing, const Region& reached,
-                 const std::vector<double>& distances) {
-  const Region rest = contour::subtract(reached, swept_by(clearing, distances));
+/// Whether more than a hair stays.
+bool is_something(const Region& rest) {
   return contour::area(contour::offset(rest, -kSamePoint_mm)) > kEmptyArea_mm2;
 }
 
@@ -132,14 +130,18 @@ std::optional<std::vector<double>> distances_of(const Clearing& clearing,
   }
   if (kept.empty()) return std::nullopt;
   const Region reached = reachable(clearing);
-  while (leaves_rest(clearing, reached, kept) && kept.size() < kMostLoops) {
+  Region rest = contour::subtract(reached, swept_by(clearing, kept));
+  while (is_something(rest) && kept.size() < kMostLoops) {
     const auto next = next_distance(clearing, kept.back(), step);
     if (!next) break;
     kept.push_back(*next);
+    rest = contour::subtract(rest, swept_by(clearing, {*next}));
   }
-  for (int tries = 0; tries < 4 && leaves_rest(clearing, reached, kept); ++tries)
+  for (int tries = 0; tries < 4 && is_something(rest); ++tries) {
     kept = halved(kept);
-  if (leaves_rest(clearing, reached, kept)) return std::nullopt;
+    rest = contour::subtract(rest, swept_by(clearing, kept));
+  }
+  if (is_something(rest)) return std::nullopt;
   return kept;
 }
 

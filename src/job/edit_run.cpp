@@ -7,6 +7,7 @@
 #include "features/merge/merge.hpp"
 #include "features/merge/text_style.hpp"
 #include "features/plan/edit_planner.hpp"
+#include "features/rewrite/regenerate.hpp"
 #include "job/features_run.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
@@ -86,7 +87,7 @@ class EditWork {
     if (language() == nullptr)
       return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
     auto plan = features::plan_edits(before_.recording, before_.tree, wishes_.edits,
-                                     wishes_.allows_collision);
+                                     {wishes_.allows_collision, wishes_.allows_rest});
     if (!plan) return tl::unexpected(plan.error());
     plan_ = std::move(*plan);
     const machine::BatchRun& run = before_.run->machine();
@@ -172,7 +173,29 @@ class EditWork {
       result_.texts.push_back(std::move(edited));
     }
     tell_regenerated();
+    report.warnings = plan_.warnings;
+    warn_outside_stock();
     return {};
+  }
+
+  // Of a stock that somebody has described.
+  void warn_outside_stock() {
+    if (!before_.knows_stock || !before_.shape || before_.recording.turns) return;
+    const stock::Bounds box = stock::bounds(*before_.shape);
+    for (const features::WantedLayer& wanted : plan_.wanted) {
+      const features::Feature& feature = before_.tree.features[wanted.feature];
+      if (features::bounds_what_stands(feature)) continue;
+      const features::Vec3 zero = before_.recording.setups[feature.setup].origin - before_.origin;
+      const contour::Box extents = contour::extents(wanted.contours.outer);
+      const bool is_inside =
+          extents.low.u + zero.x >= box.low.x && extents.high.u + zero.x <= box.high.x &&
+          extents.low.v + zero.y >= box.low.y && extents.high.v + zero.y <= box.high.y;
+      if (is_inside) continue;
+      result_.report.warnings.push_back(
+          {Code::edit_outside_stock,
+           "F" + std::to_string(wanted.feature + 1) + " WOULD REACH BEYOND THE STOCK", "", 0});
+      return;
+    }
   }
 
   void tell_regenerated() {

@@ -35,6 +35,7 @@ struct EditPlan {
   std::vector<WantedLayer> wanted{};
   std::vector<std::pair<std::size_t, std::size_t>> gone{};  ///< feature and layer
   std::vector<std::size_t> edited_holes{};
+  std::vector<std::size_t> gone_holes{};  ///< they are among the edited ones, too
   std::vector<WantedTurned> turned{};
   std::vector<std::size_t> arguments{};  ///< edits of the file that change an argument
   bool changes_more = false;             ///< blocks of several features, or what a call cuts

@@ -11,6 +11,7 @@
 #include "features/plan/internal/hole_edits.hpp"
 #include "features/plan/internal/loops_out.hpp"
 #include "features/plan/internal/order_edit.hpp"
+#include "features/plan/internal/tool_edits.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -62,8 +63,9 @@ std::string shown(double value) { return base::rounded_text(value, 3); }
 
 class EditPlanner {
  public:
-  EditPlanner(const Recording& recording, const Tree& tree, bool allows_collision)
-      : scene_{.recording = recording, .tree = tree, .allows_collision = allows_collision} {}
+  EditPlanner(const Recording& recording, const Tree& tree, EditAllowances allowed)
+      : scene_{.recording = recording, .tree = tree, .allows_collision = allowed.collision},
+        allows_rest_(allowed.rest) {}
 
   [[nodiscard]] Editing<EditPlan> plan(const std::vector<Edit>& edits);
 
@@ -87,7 +89,10 @@ class EditPlanner {
   [[nodiscard]] Done check_collision(std::size_t feature, std::size_t layer,
                                      const contour::Region& before, const contour::Region& now);
 
+  [[nodiscard]] Done check_undercut(std::size_t feature, const std::vector<Region>& regions);
+
   EditScene scene_;
+  bool allows_rest_ = false;
   std::map<std::size_t, FeatureEdit> edited_{};
   std::vector<Span> loops_{};  // lines of those that are written out
 };
@@ -111,6 +116,7 @@ Editing<EditPlan> EditPlanner::plan(const std::vector<Edit>& edits) {
       return scene_.refuse(Code::edit_not_editable,
                            "TWO EDITS CHANGE THE SAME BLOCKS: MAKE THEM ONE AFTER THE OTHER");
   }
+  tell_unused_tools(scene_);
   return std::move(scene_.plan);
 }
 
@@ -160,10 +166,10 @@ Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   if (const auto* depth = std::get_if<SetDepth>(&operation)) return set_depth(*depth, *feature);
   if (std::holds_alternative<DeleteFeature>(operation)) return remove(*feature);
   if (std::holds_alternative<Unroll>(operation)) return {};
+  if (std::holds_alternative<SetTool>(operation)) return check_tool(scene_, its.tool, edit.target);
   if (changes_no_contour(operation)) {
-    return scene_.refuse(
-        Code::edit_not_editable,
-        "FEEDS, PECKS AND TOOLS ARE NOT EDITED SO FAR: CHANGE THE WORD IN ITS BLOCK");
+    return scene_.refuse(Code::edit_not_editable,
+                         "FEEDS AND PECKS ARE NOT EDITED SO FAR: CHANGE THE WORD IN ITS BLOCK");
   }
   edited_[*feature].edit = place;
   return change_contour(edit, *feature);
@@ -258,6 +264,7 @@ Done EditPlanner::finish(std::size_t feature, FeatureEdit& edited) {
         regions[other] = is_same(followed, wanted) ? wanted : followed;
     }
   }
+  if (auto done = check_undercut(feature, regions); !done) return done;
   for (std::size_t layer = 0; layer < regions.size(); ++layer) {
     const Region before = region_of(contours_of(its.layers[layer]));
     if (is_same(regions[layer], before)) continue;
@@ -266,6 +273,21 @@ Done EditPlanner::finish(std::size_t feature, FeatureEdit& edited) {
       return scene_.refuse(Code::edit_not_editable, "THE CONTOUR WOULD FALL INTO SEVERAL");
     if (auto done = check_collision(feature, layer, before, regions[layer]); !done) return done;
     if (auto done = cut_anew(feature, layer, *contours); !done) return done;
+  }
+  return {};
+}
+
+// No tool cuts below what stands: each layer must hold the one below it.
+Done EditPlanner::check_undercut(std::size_t feature, const std::vector<Region>& regions) {
+  const bool stands = bounds_what_stands(scene_.tree.features[feature]);
+  for (std::size_t layer = 1; layer < regions.size(); ++layer) {
+    const Region& upper = regions[stands ? layer : layer - 1];
+    const Region& lower = regions[stands ? layer - 1 : layer];
+    const Region under = contour::offset(contour::subtract(lower, upper), -kSamePoint_mm);
+    if (contour::area(under) <= kEmptyArea_mm2) continue;
+    return scene_.refuse(Code::edit_undercut, "LAYER " + std::to_string(layer) +
+                                                  " WOULD BE SMALLER THAN LAYER " +
+                                                  std::to_string(layer + 1));
   }
   return {};
 }
@@ -297,9 +319,11 @@ Done EditPlanner::cut_anew(std::size_t feature, std::size_t layer, const LayerCo
   const Feature& its = scene_.tree.features[feature];
   if (its.compensated != Compensation::none)
     return follow_vertices(scene_, feature, layer, contours);
-  auto stretch = regenerated(
-      scene_.recording,
-      {.feature = &its, .layer = layer, .outer = contours.outer, .islands = contours.islands});
+  auto stretch = regenerated(scene_.recording, {.feature = &its,
+                                                .layer = layer,
+                                                .outer = contours.outer,
+                                                .islands = contours.islands,
+                                                .allows_rest = allows_rest_});
   if (!stretch) return scene_.refuse(stretch.error().code, stretch.error().sentence);
   scene_.add(std::move(*stretch));
   scene_.plan.wanted.push_back({feature, layer, contours, its.layers[layer].z});
@@ -384,8 +408,8 @@ Done EditPlanner::remove(std::size_t feature) {
 }
 
 Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree,
-                             const std::vector<Edit>& edits, bool allows_collision) {
-  return EditPlanner(recording, tree, allows_collision).plan(edits);
+                             const std::vector<Edit>& edits, EditAllowances allowed) {
+  return EditPlanner(recording, tree, allowed).plan(edits);
 }
 
 }  // namespace kerf::features

@@ -6,9 +6,15 @@
 
 namespace kerf::features {
 
+/// What somebody lets happen all the same.
+struct EditAllowances {
+  bool collision = false;
+  bool rest = false;
+};
+
 /// Makes a plan of edits: applies them in their order, lets the other layers follow, and cuts anew
 /// what has changed (features-contract §5 to §8).
 [[nodiscard]] Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree,
-                                           const std::vector<Edit>& edits, bool allows_collision);
+                                           const std::vector<Edit>& edits, EditAllowances allowed);
 
 }  // namespace kerf::features

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "features/path/tolerance.hpp"
 #include "features/tree/corner.hpp"
@@ -77,9 +78,10 @@ Region swept_by(const Clearing& clearing, const std::vector<double>& distances) 
   return contour::unite(parts);
 }
 
-/// Whether more than a hair stays.
-bool is_something(const Region& rest) {
-  return contour::area(contour::offset(rest, -kSamePoint_mm)) > kEmptyArea_mm2;
+/// How much stays, but for hairs.
+double area_of(const Region& rest) {
+  const double area = contour::area(contour::offset(rest, -kSamePoint_mm));
+  return area > kEmptyArea_mm2 ? area : 0;
 }
 
 /// The next loop behind the last one, nearer to it where there is none at a whole step.
@@ -120,29 +122,28 @@ Region reachable(const Clearing& clearing) {
   return contour::offset(contour::offset(clearing.region, -radius), radius);
 }
 
-std::optional<std::vector<double>> distances_of(const Clearing& clearing,
-                                                const std::vector<double>& wanted, double step) {
-  if (clearing.is_outside) return wanted;
+LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& wanted,
+                           double step) {
+  if (clearing.is_outside) return {wanted};
   std::vector<double> kept;
   for (const double distance : wanted) {
     if (loops_at(clearing, distance).empty()) break;
     kept.push_back(distance);
   }
-  if (kept.empty()) return std::nullopt;
+  if (kept.empty()) return {};
   const Region reached = reachable(clearing);
   Region rest = contour::subtract(reached, swept_by(clearing, kept));
-  while (is_something(rest) && kept.size() < kMostLoops) {
+  while (area_of(rest) > 0 && kept.size() < kMostLoops) {
     const auto next = next_distance(clearing, kept.back(), step);
     if (!next) break;
     kept.push_back(*next);
     rest = contour::subtract(rest, swept_by(clearing, {*next}));
   }
-  for (int tries = 0; tries < 4 && is_something(rest); ++tries) {
+  for (int tries = 0; tries < 4 && area_of(rest) > 0; ++tries) {
     kept = halved(kept);
     rest = contour::subtract(rest, swept_by(clearing, kept));
   }
-  if (is_something(rest)) return std::nullopt;
-  return kept;
+  return {kept, area_of(rest)};
 }
 
 bool is_clear(const Clearing& clearing, Vec2 from, Vec2 to) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "geometry/contour/region.hpp"
@@ -19,12 +18,15 @@ struct Clearing {
 /// none: it is too far.
 [[nodiscard]] std::vector<contour::Contour> loops_at(const Clearing& clearing, double distance);
 
-/// Distances from the wall for all loops that it takes, from the nearest one: those of `wanted`
-/// (ascending) as far as there are loops, behind them `step` apart until a disc of the tool has
-/// been wherever it can be. Nothing: something would stay.
-[[nodiscard]] std::optional<std::vector<double>> distances_of(const Clearing& clearing,
-                                                              const std::vector<double>& wanted,
-                                                              double step);
+/// At which distances from the wall loops go, and what they leave.
+struct LoopDistances {
+  std::vector<double> from_wall{};  ///< ascending; empty: the tool does not fit
+  double rest_mm2 = 0;              ///< that a disc of the tool could reach, and no loop does
+};
+/// Those of `wanted` (ascending) as far as there are loops, behind them `step` apart until a disc
+/// of the tool has been wherever it can be.
+[[nodiscard]] LoopDistances distances_of(const Clearing& clearing,
+                                         const std::vector<double>& wanted, double step);
 
 /// What a disc of the tool can reach of the region.
 [[nodiscard]] contour::Region reachable(const Clearing& clearing);

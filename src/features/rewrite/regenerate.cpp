@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/rewrite/clearing.hpp"
 #include "features/rewrite/loop_rows.hpp"
@@ -96,8 +97,12 @@ class LayerWriter {
     if (layer_.loops.empty()) return along_line();
     const auto distances = distances_of(clearing_, distances_in(olds_),
                                         step_of(distances_in(olds_), clearing_.tool_radius));
-    if (!distances) return does_not_fit();
-    for (const double distance : in_order(*distances)) cut_round(distance);
+    if (distances.from_wall.empty()) return does_not_fit();
+    if (distances.rest_mm2 > 0 && !wanted_.allows_rest) {
+      return refuse(Code::edit_leaves_rest,
+                    base::rounded_text(distances.rest_mm2, 3) + " mm² STAY UNCUT");
+    }
+    for (const double distance : in_order(distances.from_wall)) cut_round(distance);
     retract();
     align(recording_, visit_, recording_.from(visit_.first), rows_);
     return Stretch{visit_, std::move(rows_)};

@@ -23,6 +23,7 @@ struct NewLayer {
   std::size_t layer = 0;  ///< its place in the feature
   contour::Contour outer{};
   std::vector<contour::Contour> islands{};
+  bool allows_rest = false;  ///< material that the tool could reach may stay
 };
 
 /// Whether the contour of a feature bounds what stands, not what is removed.

@@ -112,6 +112,7 @@ Done remove_hole(EditScene& scene, std::size_t hole) {
     }
     scene.add(std::move(stretch));
   }
+  scene.plan.gone_holes.push_back(hole);
   scene.plan.edited_holes.push_back(hole);
   return {};
 }

@@ -219,6 +219,15 @@ TurnedFound find_turned(const Tree& before, const Tree& after, const EditPlan& p
   return found;
 }
 
+bool are_found(const std::vector<WantedHole>& wanted, const Tree& after) {
+  return std::all_of(wanted.begin(), wanted.end(), [&](const WantedHole& each) {
+    return std::any_of(after.holes.begin(), after.holes.end(), [&](const Hole& hole) {
+      return geometry::length(hole.at - each.at) <= kSameContour_mm &&
+             std::fabs(hole.bottom - each.bottom) <= kSameContour_mm;
+    });
+  });
+}
+
 bool are_holes_there(const Tree& before, const Tree& after, const EditPlan& plan) {
   std::multiset<std::string> keys;
   for (const Hole& hole : after.holes) keys.insert(hole.key);
@@ -256,7 +265,7 @@ VerifiedEdit compare_edited(const Recording& recording, const Tree& before, cons
         contour::area(nominal) - contour::area(opened(nominal, diameter / 2));
   }
   const TurnedFound turned = find_turned(before, after, plan);
-  verified.recognised = verified.recognised && turned.edited;
+  verified.recognised = verified.recognised && turned.edited && are_found(plan.wanted_holes, after);
   const bool are_others = are_others_there(before, plan, book);
   const bool is_counted = plan.changes_more || book.taken() == layers_in(after);
   verified.others_unchanged =

@@ -28,6 +28,12 @@ struct WantedTurned {
   std::optional<contour::Contour> contour{};  ///< none: its depth alone is another
 };
 
+/// A hole as it shall come back.
+struct WantedHole {
+  contour::Vec2 at{};
+  double bottom = 0;
+};
+
 /// What edits make of the rows of a program.
 struct EditPlan {
   RowPlan rows{};
@@ -35,6 +41,7 @@ struct EditPlan {
   std::vector<WantedLayer> wanted{};
   std::vector<std::pair<std::size_t, std::size_t>> gone{};  ///< feature and layer
   std::vector<std::size_t> edited_holes{};
+  std::vector<WantedHole> wanted_holes{};
   std::vector<std::size_t> gone_holes{};  ///< they are among the edited ones, too
   std::vector<WantedTurned> turned{};
   std::vector<std::size_t> arguments{};  ///< edits of the file that change an argument

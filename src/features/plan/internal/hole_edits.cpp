@@ -62,6 +62,7 @@ Done move_hole(EditScene& scene, contour::Vec2 to, std::size_t hole) {
       scene.add(std::move(stretch));
     }
   }
+  scene.plan.wanted_holes.push_back({to, its.bottom});
   scene.plan.edited_holes.push_back(hole);
   return {};
 }
@@ -80,6 +81,7 @@ Done set_hole_depth(EditScene& scene, double z, std::size_t hole) {
       scene.add(std::move(stretch));
     }
   }
+  scene.plan.wanted_holes.push_back({its.at, z});
   scene.plan.edited_holes.push_back(hole);
   return {};
 }
@@ -135,6 +137,7 @@ Done add_hole(EditScene& scene, contour::Vec2 at, std::size_t pattern) {
     stretch.becomes.push_back(more);
     scene.add(std::move(stretch));
   }
+  scene.plan.wanted_holes.push_back({at, last.bottom});
   return {};
 }
 

@@ -224,6 +224,11 @@ Done EditPlanner::change_contour(const Edit& edit, std::size_t feature) {
 }
 
 Done EditPlanner::change_layer(const Edit& edit, std::size_t feature, std::size_t layer) {
+  const auto* replaced = std::get_if<ReplaceContour>(&edit.operation);
+  if (replaced != nullptr && replaced->centre_line) {
+    return scene_.refuse(Code::edit_not_editable,
+                         "CENTRE LINES ARE NOT EDITED SO FAR: GIVE THE OUTLINE AS `contour`");
+  }
   FeatureEdit& edited = edited_[feature];
   const Layer& its = scene_.tree.features[feature].layers[layer];
   const auto known = edited.layers.try_emplace(layer, ContourEdit(contours_of(its))).first;

@@ -300,7 +300,7 @@ Done EditPlanner::check_undercut(std::size_t feature, const std::vector<Region>&
 Done EditPlanner::check_collision(std::size_t feature, std::size_t layer, const Region& before,
                                   const Region& now) {
   const Feature& its = scene_.tree.features[feature];
-  if (scene_.allows_collision || bounds_what_stands(its)) return {};
+  if (bounds_what_stands(its)) return {};
   const Region more = contour::subtract(now, before);
   for (std::size_t other = 0; other < scene_.tree.features.size(); ++other) {
     const Feature& its_other = scene_.tree.features[other];
@@ -312,9 +312,11 @@ Done EditPlanner::check_collision(std::size_t feature, std::size_t layer, const 
       if (!is_beside) continue;
       const double area = contour::area(contour::intersect(more, level.removed));
       if (area <= kEmptyArea_mm2) continue;
-      return scene_.refuse(Code::edit_collides,
-                           "F" + std::to_string(feature + 1) + " WOULD CUT INTO F" +
-                               std::to_string(other + 1) + " BY " + shown(area) + " mm²");
+      auto collision = scene_.refuse(Code::edit_collides,
+                                     "F" + std::to_string(feature + 1) + " WOULD CUT INTO F" +
+                                         std::to_string(other + 1) + " BY " + shown(area) + " mm²");
+      if (!scene_.allows_collision) return collision;
+      scene_.plan.warnings.push_back(collision.value());
     }
   }
   return {};

@@ -115,8 +115,7 @@ Outcome<void> show_design(const std::optional<machine::SetUp::Design>& design, S
   if (auto taken = take_design(design, job); !taken || !design) return taken;
   job.design_in_sight =
       DesignInSight{design->file.path, job.tolerance.larger(),
-                    [of = std::exchange(job.design, nullptr),
-                     jobs = threads_for(job)](std::span<const Vec3> places) {
+                    [of = job.design, jobs = threads_for(job)](std::span<const Vec3> places) {
                       return stock::compare::deviations_mm(of->solid, places, jobs);
                     }};
   return {};

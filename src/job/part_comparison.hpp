@@ -32,7 +32,7 @@ struct Design {
 [[nodiscard]] base::Outcome<void> take_design(const std::optional<machine::SetUp::Design>& design,
                                               StockJob& job);
 
-/// Likewise, but for those who look on: StockJob::design_in_sight.
+/// Likewise, and shows it to those who look on: StockJob::design_in_sight.
 [[nodiscard]] base::Outcome<void> show_design(const std::optional<machine::SetUp::Design>& design,
                                               StockJob& job);
 

@@ -72,7 +72,7 @@ struct StockJob {
   /// Where every motion goes with what it cut; made for each pass over the program. Empty: nowhere.
   std::function<std::unique_ptr<stock::TimedCutSink>(const Run& run)> rows{};
   JobWatch* watch = nullptr;  ///< who looks on; outlives the run
-  /// What those see the part against; it is not compared, and nothing is found.
+  /// What those see the part against.
   std::optional<DesignInSight> design_in_sight{};
   /// Cells along the longest side of the model, for pictures; 0: as many as `cell_mm` makes.
   int most_along = 0;

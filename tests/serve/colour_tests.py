@@ -102,6 +102,9 @@ def _(place):
     for side, found in (("gouge", -min(all_of_it)), ("excess", max(all_of_it))):
         wanted = report["compare"][side]["max_mm"]
         check(abs(found - wanted) <= step, f"{side}: {found}, by kerf stock {wanted}")
+    told = [(finding["code"], finding["line"]) for finding in part.facts["findings"]]
+    equal(told, [(finding["code"], finding["line"]) for finding in report["findings"]], "what is found")
+    equal({code for code, _ in told}, {"GOUGE", "EXCESS"}, "both sides")
 
 
 @test("deviations come for what has changed, behind its shape")

@@ -8,6 +8,7 @@
 #include "job/facts_of_stock.hpp"
 #include "job/live/model_cutting.hpp"
 #include "job/live/sheet_cutting.hpp"
+#include "job/part_comparison.hpp"
 
 namespace kerf::job {
 
@@ -121,8 +122,25 @@ void LivePart::cut(const Observer& observer) {
   prepare(*job);
   auto result = cut_stock(*job);
   if (is_cancelled_) return;
-  if (result) return tell_end(*result);
+  if (result) {
+    compare(*job, *result);
+    return tell_end(*result);
+  }
   observer({.cutting = cutting(), .is_done = true, .error = result.error().message});
+}
+
+// What is cut in part is not what it shall be yet.
+void LivePart::compare(const StockJob& job, StockResult& result) const {
+  if (!job.design || result.status != machine::RunStatus::end) return;
+  const auto cutting = this->cutting();
+  if (cutting && cutting->is_full()) return;
+  if (auto compared = compare_with_design(job, result); !compared) {
+    result.assumed.push_back({0, compared.error().message});
+  } else if (result.cell_mm > result.wanted_cell_mm) {
+    result.assumed.push_back({0, fmt::format("the design is compared on cells of {:.4g} mm; `kerf "
+                                             "stock` takes {:.4g} mm",
+                                             result.cell_mm, result.wanted_cell_mm)});
+  }
 }
 
 void LivePart::tell_end(StockResult& result) const {

@@ -67,6 +67,7 @@ class LivePart final : private JobWatch {
   void show(std::shared_ptr<Cutting> cutting);
   void prepare(StockJob& job);
   [[nodiscard]] std::string why_over(const StockResult& result) const;
+  void compare(const StockJob& job, StockResult& result) const;
   void tell_end(StockResult& result) const;
 
   Order order_;

@@ -40,7 +40,7 @@ Outcome<void> take_tolerance(const std::string& option, const std::string& word,
 
 Outcome<SetUp> with_design(const CompareOptions& options, SetUp set_up) {
   SetUp words;
-  if (!options.design.empty() || !options.design_place.empty()) words.design.emplace();
+  if (!options.design.empty() || !options.design_place.empty()) words.design = SetUp::Design{};
   if (!options.design.empty()) words.design->file.path = options.design;
   if (!options.design_place.empty()) {
     auto place = machine::stock_place(options.design_place, "--design-place");

@@ -3,6 +3,7 @@
 #include <boost/asio/post.hpp>
 #include <chrono>
 #include <cstdio>
+#include <functional>
 
 namespace kerf::server {
 
@@ -17,6 +18,9 @@ namespace {
 constexpr auto kGoodbye = std::chrono::seconds(3);
 constexpr std::size_t kMostReason = 120;  // bytes, of 123 that a close frame takes
 
+// One type for every handler of a kind of operation: each type makes the compiler write the whole operation once more.
+using Handler = std::function<void(error_code)>;
+
 websocket::close_code code_of(Link::Why why) {
   switch (why) {
     case Link::Why::policy: return websocket::close_code::policy_error;
@@ -26,7 +30,8 @@ websocket::close_code code_of(Link::Why why) {
   return websocket::close_code::none;
 }
 
-void set_options(websocket::stream<beast::tcp_stream>& stream) {
+template <typename Stream>
+void set_options(Stream& stream) {
   websocket::stream_base::timeout timeout{};
   timeout.handshake_timeout = std::chrono::seconds(10);
   timeout.idle_timeout = std::chrono::seconds(60);
@@ -51,12 +56,12 @@ WebSocketSession::WebSocketSession(asio::ip::tcp::socket socket, Site& site,
 }
 
 void WebSocketSession::start(const Upgrade& request) {
-  stream_.async_accept(request, [self = shared_from_this()](error_code error) {
-    if (error) return;
-    self->client_ = self->site_.hub.connect(*self);
-    self->read();
-    self->pump();
-  });
+  stream_.async_accept(request, Handler([self = shared_from_this()](error_code error) {
+                         if (error) return;
+                         self->client_ = self->site_.hub.connect(*self);
+                         self->read();
+                         self->pump();
+                       }));
 }
 
 void WebSocketSession::refuse(asio::ip::tcp::socket socket,
@@ -65,12 +70,12 @@ void WebSocketSession::refuse(asio::ip::tcp::socket socket,
   const auto stream = std::make_shared<Stream>(std::move(socket));
   const std::shared_ptr<Connections::Entry> counted = std::move(entry);
   set_options(*stream);
-  stream->async_accept(request, [stream, counted, sentence](error_code error) {
-    if (error) return;
-    const websocket::close_reason reason(websocket::close_code::policy_error,
-                                         sentence.substr(0, kMostReason));
-    stream->async_close(reason, [stream, counted](error_code) {});
-  });
+  stream->async_accept(request, Handler([stream, counted, sentence](error_code error) {
+                         if (error) return;
+                         const websocket::close_reason reason(websocket::close_code::policy_error,
+                                                              sentence.substr(0, kMostReason));
+                         stream->async_close(reason, Handler([stream, counted](error_code) {}));
+                       }));
 }
 
 void WebSocketSession::read() {
@@ -148,7 +153,7 @@ void WebSocketSession::say_goodbye(websocket::close_code code, const std::string
   closing_ = true;
   asio::post(stream_.get_executor(), [self = shared_from_this(), code, sentence] {
     const websocket::close_reason reason(code, sentence.substr(0, kMostReason));
-    self->stream_.async_close(reason, [self](error_code) { self->end(); });
+    self->stream_.async_close(reason, Handler([self](error_code) { self->end(); }));
     self->stall_.expires_after(kGoodbye);
     self->stall_.async_wait([self](error_code error) {
       if (!error) self->drop();

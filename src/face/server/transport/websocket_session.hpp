@@ -36,7 +36,7 @@ class WebSocketSession : public Link, public std::enable_shared_from_this<WebSoc
   void close(Why why, const std::string& sentence) override;
 
  private:
-  using Stream = boost::beast::websocket::stream<boost::beast::tcp_stream>;
+  using Stream = boost::beast::websocket::stream<boost::beast::tcp_stream, false>;
 
   void read();
   void received();

@@ -68,7 +68,6 @@ Outcome<void> see_design(const std::optional<SetUp::Design>& design, job::StockJ
         "{}: the design needs {} MiB, and a panel gives it {}: it has too many triangles",
         design->file.path, (job.mesh_bytes - before) >> 20U, most >> 20U));
   }
-  job.notes.emplace_back("the part is seen against its design; `kerf stock` compares it");
   return {};
 }
 

@@ -18,7 +18,8 @@ namespace {
 constexpr auto kGoodbye = std::chrono::seconds(3);
 constexpr std::size_t kMostReason = 120;  // bytes, of 123 that a close frame takes
 
-// One type for every handler of a kind of operation: each type makes the compiler write the whole operation once more.
+// One type for every handler of a kind of operation: each type makes the compiler write the whole
+// operation once more.
 using Handler = std::function<void(error_code)>;
 
 websocket::close_code code_of(Link::Why why) {

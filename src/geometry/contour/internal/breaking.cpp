@@ -45,10 +45,21 @@ class Breaker {
     break_if_on(b, first.to_id);
     const Crossings found = crossings(first, second);
     for (std::size_t i = 0; i < found.count; ++i) {
-      const PointId id = pool_.add(found.points[i]);
+      const PointId id = meeting_at(first, second, found.points[i]);
       add(a, id);
       add(b, id);
     }
+  }
+
+  // What is found behind an end, by rounding, is that end: a piece broken there would go back and
+  // come again.
+  PointId meeting_at(const Piece& a, const Piece& b, Vec2 point) {
+    for (const Piece* const piece : {&a, &b}) {
+      const double along = piece->in_frame(point).u;
+      if (along <= 0) return piece->from_id;
+      if (along >= piece->chord) return piece->to_id;
+    }
+    return pool_.add(point);
   }
 
   // Two lines that leave one point in directions that are not the same meet nowhere else.
@@ -73,7 +84,8 @@ class Breaker {
 
   void add(std::uint32_t piece, PointId point) {
     if (is_end(piece, point)) return;
-    breaks_.push_back({piece, point, pieces_[piece].in_frame(pool_[point]).u});
+    const double along = pieces_[piece].in_frame(pool_[point]).u;
+    if (along > 0 && along < pieces_[piece].chord) breaks_.push_back({piece, point, along});
   }
 
   std::vector<Piece> parts() {

@@ -22,10 +22,15 @@ struct FeaturesResult {
   features::Recording recording;
   features::Tree tree;
   std::vector<control::Assumption> assumed;
+  /// Recognition ended beyond its bounds: why, a warning without a place. The status is `budget`
+  /// then, after an alarm `alarm`.
+  std::optional<base::Diagnostic> notice;
 };
 
 /// Runs the job once, and recognises what it machines; of the stock job what it cuts is not asked.
-/// Failures as Run::of() has them, and (usage) for machines that neither mill nor turn.
+/// Recognition has as much time as the run, ends with it when the job is no longer wanted, and
+/// keeps no more than the memory of the job. Failures as Run::of() has them, and (usage) for
+/// machines that neither mill nor turn.
 [[nodiscard]] base::Outcome<FeaturesResult> recognise_features(const StockJob& job,
                                                                features::Method method);
 

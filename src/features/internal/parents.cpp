@@ -89,18 +89,20 @@ class ParentFinder {
 
 }  // namespace
 
-void find_parents(Tree& tree) {
+void find_parents(Tree& tree, Allowance& allowance) {
   if (tree.features.empty()) return;
   const ParentFinder finder(tree.features);
   for (std::size_t i = 0; i < tree.features.size(); ++i) {
     Feature& feature = tree.features[i];
     const Layer* const top = top_of(feature);
+    if (allowance.is_over()) return;
     if (feature.parent || top == nullptr) continue;
     Child child{.region = {{top->contour}}, .setup = feature.setup, .top = feature.top, .place = i};
     child.box = contour::extents(top->contour);
     feature.parent = finder.parent_of(child);
   }
   for (Hole& hole : tree.holes) {
+    if (allowance.is_over()) return;
     Child child{.region = contour::disc(hole.at, hole.diameter / 2),
                 .setup = hole.setup,
                 .top = hole.top,

@@ -5,11 +5,16 @@
 #include "features/milling/cut_tiles.hpp"
 #include "features/milling/growing_boxes.hpp"
 #include "features/path/blank.hpp"
+#include "features/path/move.hpp"
 #include "geometry/contour/region.hpp"
 
 namespace kerf::features {
 
 using contour::Region;
+
+/// A blank that is in machine coordinates in those of a set-up. Of a part that has been turned
+/// nobody knows where it is.
+[[nodiscard]] Blank blank_in(const Blank& blank, const SetUp& setup);
 
 /// What is there in one set-up: the blank, and all that has been cut so far, each cut a region down
 /// to a z. A cut costs little where others are far away.

@@ -15,6 +15,7 @@ namespace {
 using contour::Contour;
 using contour::Edge;
 
+constexpr std::size_t kMostWallSamples = 4096;
 constexpr double kBothShare = 0.05;  // of the walls' length, below which one side does not count
 
 std::optional<double> median(std::vector<double> values) {
@@ -76,27 +77,28 @@ bool is_spiral(const Recording& recording, const ShapedLevel& shaped) {
   if (shaped.loops.loops.size() > 1 || shaped.level.runs.size() != 1) return false;
   const contour::Box box = contour::extents(shaped.layer.contour);
   if (box.is_empty()) return false;
+  std::vector<Edge> edges;
+  for (const std::uint32_t row : shaped.level.rows(recording)) recording.append_edges(row, edges);
   double turn = 0;
-  double least = 0;
+  for (const Edge& edge : edges) {
+    const Vec2 a = edge.from - box.middle();
+    const Vec2 b = edge.to - box.middle();
+    turn += math::atan2(geometry::cross(a, b), geometry::dot(a, b));
+  }
+  if (std::fabs(turn) <= 4 * std::numbers::pi) return false;
+  const std::size_t step = 1 + edges.size() / kMostWallSamples;
   std::optional<double> last;
   int sense = 0;
-  for (const std::uint32_t row : shaped.level.rows(recording)) {
-    std::vector<Edge> edges;
-    recording.append_edges(row, edges);
-    for (const Edge& edge : edges) {
-      const Vec2 a = edge.from - box.middle();
-      const Vec2 b = edge.to - box.middle();
-      turn += math::atan2(geometry::cross(a, b), geometry::dot(a, b));
-      const double wall = contour::distance(shaped.layer.contour, edge.to);
-      if (last && std::fabs(wall - *last) > 10 * kSamePoint_mm) {
-        const int way = wall > *last ? 1 : -1;
-        least += static_cast<double>(sense != 0 && way != sense);
-        if (sense == 0) sense = way;
-      }
-      last = wall;
+  for (std::size_t i = 0; i < edges.size(); i += step) {
+    const double wall = contour::distance(shaped.layer.contour, edges[i].to);
+    if (last && std::fabs(wall - *last) > 10 * kSamePoint_mm) {
+      const int way = wall > *last ? 1 : -1;
+      if (sense != 0 && way != sense) return false;
+      sense = way;
     }
+    last = wall;
   }
-  return least == 0 && sense != 0 && std::fabs(turn) > 4 * std::numbers::pi;
+  return sense != 0;
 }
 
 /// How much of the walls lies to the right of the feed, and how much to the left.

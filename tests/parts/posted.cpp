@@ -21,15 +21,12 @@ Posted::Posted(const TextStyle& style) : style_(style) {
   block(is_moved ? "G55" : "G54");
 }
 
-double Posted::rounded(double value) const {
-  const double step = style_.is_inch ? kInch_mm * 1e-5 : 1e-4;
-  return std::round(value / step) * step;
-}
+double Posted::rounded(double value) const { return std::round(value / step_mm()) * step_mm(); }
 
 // The value in the unit of the program, with as many digits as that is rounded to.
 std::string Posted::word(char letter, double value) const {
   char text[48];
-  std::snprintf(text, sizeof text, style_.is_inch ? "%c%.5f" : "%c%.4f", letter,
+  std::snprintf(text, sizeof text, style_.is_inch ? "%c%.4f" : "%c%.3f", letter,
                 (style_.is_inch ? value / kInch_mm : value) + 0.0);
   return text + std::string(style_.has_blanks ? " " : "");
 }
@@ -115,7 +112,7 @@ void Posted::arc(Vec2 to, double z, Vec2 centre, bool is_counterclockwise) {
   double sweep = std::atan2(geometry::cross(-arm, end), geometry::dot(-arm, end));
   if (!is_counterclockwise) sweep = -sweep;
   if (sweep < 0) sweep += 2 * std::numbers::pi;
-  const bool is_short = sweep > 0.3 && sweep < 2.6 && !(to == at_);
+  const bool is_short = sweep > 0.3 && sweep < 2 && !(to == at_);
   const std::string words = targets(to, z, true);
   const std::string middle = style_.has_radius && is_short
                                  ? word('R', geometry::length(arm))

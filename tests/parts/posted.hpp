@@ -44,6 +44,8 @@ class Posted {
   void end_subprogram();
 
   [[nodiscard]] Vec2 at() const { return at_; }
+  /// How far a point is at most from where it was meant to be, arcs included.
+  [[nodiscard]] double rounding_mm() const { return 1.5 * step_mm(); }
   [[nodiscard]] std::string text() const;
 
  private:
@@ -53,6 +55,7 @@ class Posted {
   [[nodiscard]] std::string targets(Vec2 to, double z, bool is_feed);
   void set_incremental(bool wanted);
   [[nodiscard]] double rounded(double value) const;
+  [[nodiscard]] double step_mm() const { return style_.is_inch ? 25.4e-4 : 1e-3; }
   [[nodiscard]] Vec2 rounded(Vec2 at) const { return {rounded(at.u), rounded(at.v)}; }
 
   TextStyle style_;

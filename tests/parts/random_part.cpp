@@ -43,6 +43,7 @@ class PartMaker {
       make_closed_part();
     }
     part_.program = posted_.text();
+    part_.rounding_mm = posted_.rounding_mm();
     return std::move(part_);
   }
 
@@ -452,6 +453,7 @@ class PartMaker {
     part_.stock_depth = 60;
     use(random_.count(1, 3));
     double top = 0;
+    Parent floor{};
     MillCam::Open all{true, true, true, true};
     Way way = random_way();
     way.strategy = random_.coin() ? Way::Strategy::zig : Way::Strategy::zig_zag;
@@ -461,16 +463,16 @@ class PartMaker {
       top = -1;
       WantedFeature face{.type = FeatureType::face, .layers = {-1}};
       face.outline = box_contour({0, 0}, size, all, 0);
-      want(std::move(face), {});
+      floor = std::pair{want(std::move(face), {}), RelationKind::nested};
       use_mill(100);
       way.step = random_.in(0.5, 0.9) * radius();
     }
-    if (random_.count(0, 3) == 0) return boss(size, top, way);
-    border_thing(size, top, way);
-    thing({{130, 100}, 28, top}, 1);
+    if (random_.count(0, 3) == 0) return boss(size, top, floor, way);
+    border_thing(size, top, floor, way);
+    thing({{130, 100}, 28, top, floor}, 1);
   }
 
-  void boss(Vec2 size, double top, Way way) {
+  void boss(Vec2 size, double top, const Parent& floor, Way way) {
     const Vec2 middle = 0.5 * size;
     const double r = radius();
     const Outline island =
@@ -489,7 +491,7 @@ class PartMaker {
     }
     wanted.outline = box_contour({0, 0}, size, {true, true, true, true}, 0);
     wanted.islands = {island.drawn()};
-    const Room room{.top = top};
+    const Room room{.top = top, .parent = floor};
     const std::size_t place = want(std::move(wanted), room);
     hole({middle, 12, top, std::pair{place, RelationKind::island}});
   }
@@ -510,7 +512,7 @@ class PartMaker {
     return contour;
   }
 
-  void border_thing(Vec2 size, double top, const Way& way) {
+  void border_thing(Vec2 size, double top, const Parent& floor, const Way& way) {
     const double r = radius();
     const double wide = random_.in(2.5 * r, 40);
     MillCam::Open open{};
@@ -552,7 +554,7 @@ class PartMaker {
       from = z;
     }
     wanted.outline = box_contour(low, high, open, r);
-    const Room room{.top = top};
+    const Room room{.top = top, .parent = floor};
     want(std::move(wanted), room);
   }
 

@@ -45,7 +45,8 @@ struct RandomPart {
   Vec2 zero{};  ///< of the part, machine coordinates
   std::vector<WantedFeature> features{};
   std::vector<WantedHole> holes{};
-  std::string made_of{};  ///< what things, for people
+  double rounding_mm = 0;  ///< of its words, at most
+  std::string made_of{};   ///< what things, for people
 };
 
 [[nodiscard]] RandomPart random_part(std::uint64_t seed);

@@ -84,6 +84,11 @@ double Material::top_at(contour::Vec2 point) const {
   return blank_.top;
 }
 
+bool Material::stands_over(contour::Vec2 point, double radius, double z) const {
+  if (z >= blank_.top - kSameZ_mm) return false;
+  return std::max(top_at(point), top_round(point, radius)) > z + kSameZ_mm;
+}
+
 double Material::top_round(contour::Vec2 point, double radius) const {
   double top = blank_.bottom;
   for (const contour::Vec2 arm : {contour::Vec2{radius, 0}, contour::Vec2{0, radius},

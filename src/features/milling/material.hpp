@@ -35,6 +35,8 @@ class Material {
   [[nodiscard]] bool is_cut_since(std::size_t cuts, const Region& region) const;
   /// How high it stands at a point.
   [[nodiscard]] double top_at(contour::Vec2 point) const;
+  /// Something stands above z at a point, or that far round it.
+  [[nodiscard]] bool stands_over(contour::Vec2 point, double radius, double z) const;
   /// The highest of what lies that far round a point.
   [[nodiscard]] double top_round(contour::Vec2 point, double radius) const;
 

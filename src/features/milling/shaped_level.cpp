@@ -136,7 +136,18 @@ void tell_rows(const Recording& recording, ShapedLevel& shaped) {
   layer.links = shaped.loops.links;
 }
 
+bool are_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contour& p, const Contour& q) {
+    return are_equal(p, q, kSamePoint_mm);
+  });
+}
+
 }  // namespace
+
+bool are_one_shape(const Layer& a, const Layer& b) {
+  return are_equal(a.nominal, b.nominal, kSamePoint_mm) &&
+         are_same(a.nominal_islands, b.nominal_islands);
+}
 
 std::size_t outline_count(const Region& region) {
   return static_cast<std::size_t>(

@@ -26,6 +26,9 @@ struct ShapedLevel {
                                                 const Material& material, const ToolReach& reach,
                                                 Level&& level, Allowance& allowance);
 
+/// Their nominal contours are equal.
+[[nodiscard]] bool are_one_shape(const Layer& a, const Layer& b);
+
 /// Pieces of a region that touch each other in points at most.
 [[nodiscard]] std::size_t outline_count(const Region& region);
 

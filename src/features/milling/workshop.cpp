@@ -25,17 +25,6 @@ double shared_border(const Region& a, const Region& b) {
   return (contour::length(a) + contour::length(b) - contour::length(contour::unite(a, b))) / 2;
 }
 
-bool are_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contour& p, const Contour& q) {
-    return are_equal(p, q, kSamePoint_mm);
-  });
-}
-
-bool are_one_shape(const Layer& a, const Layer& b) {
-  return are_equal(a.nominal, b.nominal, kSamePoint_mm) &&
-         are_same(a.nominal_islands, b.nominal_islands);
-}
-
 Share* share_of(Draft& draft, std::size_t operation) {
   const auto found = std::find_if(draft.shares.begin(), draft.shares.end(),
                                   [&](const Share& share) { return share.operation == operation; });
@@ -66,7 +55,7 @@ struct Workshop::Event {
 };
 
 Workshop::Workshop(const Recording& recording, const Blank& blank, Allowance& allowance)
-    : recording_(recording), allowance_(allowance) {
+    : recording_(recording), allowance_(allowance), idle_(recording) {
   for (const SetUp& setup : recording.setups) materials_.emplace_back(blank_in(blank, setup));
 }
 
@@ -108,6 +97,7 @@ void Workshop::follow_strokes(std::size_t number, const Operation& operation, St
       take(number, operation, event);
     }
   }
+  leave_idle_pecks();
 }
 
 void Workshop::take(std::size_t number, const Operation& operation, const Event& event) {
@@ -212,16 +202,27 @@ void Workshop::add_thread(std::size_t number, const Operation& operation, const 
   drafts_.push_back(std::move(draft));
 }
 
+void Workshop::leave_idle_pecks() {
+  for (const PlungeRun& peck : idle_.take()) leave(peck.rows, Unrecognised::Why::air);
+}
+
 void Workshop::take(std::size_t number, const Operation& operation, const PlungeRun& plunge) {
   Material& material = materials_[operation.setup];
-  if (plunge.bottom >= material.blank().top - kSameZ_mm) {
+  const stock::Tool& tool = tool_of(operation);
+  if (!idle_.go_on_with(plunge)) leave_idle_pecks();
+  if (!material.stands_over(plunge.at, reach_of(tool).radius, plunge.bottom)) {
     air_mm_[number] += recording_.length_of(plunge.rows);
-    return leave(plunge.rows, Unrecognised::Why::air);
+    return idle_.add(plunge);
   }
   count_air(number, plunge.rows);
-  const stock::Tool& tool = tool_of(operation);
   HoleStep step = step_of(recording_, material, tool, plunge);
   step.operation = number;
+  std::vector<PlungeRun> pecks = idle_.take();
+  pecks.push_back(plunge);
+  for (const PlungeRun& peck : pecks) {
+    step.rows.push_back(peck.rows);
+    step.visits.push_back(peck.visit);
+  }
   if (!is_conical(tool) && step.how != HoleStep::How::tap)
     material.cut(contour::disc(plunge.at, step.diameter / 2), plunge.bottom);
   holes_.add(operation.setup, plunge.at, std::move(step));

@@ -6,6 +6,7 @@
 #include "features/milling/draft.hpp"
 #include "features/milling/growing_boxes.hpp"
 #include "features/milling/hole_book.hpp"
+#include "features/milling/idle_pecks.hpp"
 #include "features/milling/material.hpp"
 #include "features/milling/stroke.hpp"
 #include "features/path/allowance.hpp"
@@ -41,6 +42,7 @@ class Workshop {
   void leave(const Level& level);
   void keep(const ShapedLevel& shaped);
   void take(std::size_t number, const Operation& operation, const PlungeRun& plunge);
+  void leave_idle_pecks();
   void take(std::size_t number, const Operation& operation, const HelixRun& helix);
   void take(const Operation& operation, const FreeRun& run);
   void take(const Operation& operation, Level& level);
@@ -70,6 +72,7 @@ class Workshop {
   HoleBook holes_;
   std::vector<Unrecognised> unrecognised_;
   std::vector<double> air_mm_;
+  IdlePecks idle_;
 };
 
 }  // namespace kerf::features

@@ -30,26 +30,32 @@ OperationFacts facts_of(const Recording& recording, const Operation& operation) 
   return facts;
 }
 
-void recognise_swept(const Recording& recording, const Blank& blank, Tree& tree) {
+void recognise_swept(const Recording& recording, const Blank& blank, Allowance& allowance,
+                     Tree& tree) {
   if (recording.turns) {
-    recognise_turning(recording, blank, tree);
+    recognise_turning(recording, blank, allowance, tree);
   } else {
-    recognise_milling(recording, blank, tree);
+    recognise_milling(recording, blank, allowance, tree);
     find_patterns(tree);
-    find_parents(tree);
+    find_parents(tree, allowance);
   }
   tell_visits(tree);
 }
 
 }  // namespace
 
-Tree recognise(const Recording& recording, const Blank& blank, Method method) {
+Tree recognise(const Recording& recording, const Blank& blank, const Asked& asked) {
   Tree tree;
+  Allowance allowance(asked.bounds);
+  allowance.keep(recording.bytes());
+  const Method method = asked.method;
   for (const Operation& operation : operations_of(recording))
     tree.operations.push_back(facts_of(recording, operation));
-  if (method != Method::swept && !recording.turns) tree.literal = recognise_literally(recording);
-  if (method != Method::literal) recognise_swept(recording, blank, tree);
+  if (method != Method::swept && !recording.turns)
+    tree.literal = recognise_literally(recording, allowance);
+  if (method != Method::literal) recognise_swept(recording, blank, allowance, tree);
   judge(recording, blank, method, tree);
+  tree.cut_short = allowance.reason();
   return tree;
 }
 

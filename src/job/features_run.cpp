@@ -92,6 +92,23 @@ features::Blank blank_of(const FeaturesResult& result) {
   return blank;
 }
 
+// The run has its time, and recognition as much again.
+features::Bounds bounds_of(const StockJob& job) {
+  return {.seconds = job.job.budget.seconds,
+          .unwanted = job.job.budget.unwanted,
+          .memory_bytes = job.memory_bytes};
+}
+
+// An alarm says more than that recognition did not come to its end.
+void tell_bounds(FeaturesResult& result) {
+  if (result.tree.cut_short.empty()) return;
+  const machine::BatchRun& machine = result.run->machine();
+  result.notice = base::make_error(base::Code::budget_spent, {}, result.tree.cut_short);
+  result.notice->severity = base::Severity::warning;
+  result.notice->program = machine.program_name();
+  if (result.status != machine::RunStatus::alarm) result.status = machine::RunStatus::budget;
+}
+
 }  // namespace
 
 base::Outcome<FeaturesResult> record_features(const StockJob& job, const LookOn& look_on) {
@@ -101,7 +118,7 @@ base::Outcome<FeaturesResult> record_features(const StockJob& job, const LookOn&
   FeaturesResult result;
   SurveyPass pass(job, **run);
   ControlModes modes((*run)->machine());
-  features::Recorder recorder((*run)->machine().definition().axes, modes);
+  features::Recorder recorder((*run)->machine().definition().axes, modes, job.memory_bytes);
   (*run)->machine().add_sink(recorder);
   if (look_on) look_on((*run)->machine());
   result.status = (*run)->go();
@@ -112,18 +129,25 @@ base::Outcome<FeaturesResult> record_features(const StockJob& job, const LookOn&
   result.knows_stock = job.knows_stock;
   add_tools(job, pass, result);
   add_notes(job, result);
+  result.bounds = bounds_of(job);
   return result;
 }
 
 features::Tree recognised(const FeaturesResult& result, features::Method method) {
-  features::Tree tree = features::recognise(result.recording, blank_of(result), method);
+  features::Tree tree =
+      features::recognise(result.recording, blank_of(result), {method, result.bounds});
   tell_origins(result, tree);
   return tree;
 }
 
+void recognise(FeaturesResult& result, features::Method method) {
+  result.tree = recognised(result, method);
+  tell_bounds(result);
+}
+
 base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::Method method) {
   auto result = record_features(job);
-  if (result) result->tree = recognised(*result, method);
+  if (result) recognise(*result, method);
   return result;
 }
 

@@ -21,8 +21,12 @@ struct FeaturesResult {
   std::optional<stock::Workpiece> shape;
   bool knows_stock = true;
   features::Recording recording;
+  features::Bounds bounds;  ///< of recognition
   features::Tree tree;
   std::vector<control::Assumption> assumed;
+  /// Recognition ended beyond its bounds: why, a warning without a place. The status is `budget`
+  /// then, after an alarm `alarm`.
+  std::optional<base::Diagnostic> notice;
 };
 
 /// Gives the machine of a run sinks of its own.
@@ -32,9 +36,13 @@ using LookOn = std::function<void(machine::BatchRun& machine)>;
                                                             const LookOn& look_on = {});
 /// What such a run has machined.
 [[nodiscard]] features::Tree recognised(const FeaturesResult& result, features::Method method);
+/// Likewise as the tree of the result, with a notice where bounds ended it.
+void recognise(FeaturesResult& result, features::Method method);
 
 /// Runs the job once, and recognises what it machines; of the stock job what it cuts is not asked.
-/// Failures as Run::of() has them, and (usage) for machines that neither mill nor turn.
+/// Recognition has as much time as the run, ends with it when the job is no longer wanted, and
+/// keeps no more than the memory of the job. Failures as Run::of() has them, and (usage) for
+/// machines that neither mill nor turn.
 [[nodiscard]] base::Outcome<FeaturesResult> recognise_features(const StockJob& job,
                                                                features::Method method);
 

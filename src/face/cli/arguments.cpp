@@ -87,6 +87,9 @@ void add_features(CLI::App& app, FeaturesOptions& o) {
   add_blank(*features, o.run.table);
   features->option_defaults()->group("Limits");
   add_budget(*features, o.run.max_seconds, o.run.max_motions);
+  features->add_option("--memory", o.run.table.memory, "of what is recognised, MiB; default 1024")
+      ->type_name("MIB")
+      ->check(whole_number());
   features->option_defaults()->group("Output");
   features->add_option("--format", o.format, "text, json, or svg: a picture; default text")
       ->type_name("FORM")

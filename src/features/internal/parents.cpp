@@ -39,17 +39,24 @@ struct Child {
   std::size_t place = 0;  ///< among the features; beyond them: it is a hole
 };
 
-std::optional<RelationKind> relation_of(const Child& child, const Feature& parent) {
+/// How something hangs on a feature, and the area of what of that holds it.
+struct Hold {
+  RelationKind kind{};
+  double area = 0;
+};
+
+std::optional<Hold> hold_of(const Child& child, const Feature& parent) {
   const Layer& layer = *top_of(parent);
   for (const contour::Contour& island : layer.islands) {
     if (is_within(child.box, contour::extents(island)) && lies_in(child.region, island))
-      return RelationKind::island;
+      return Hold{RelationKind::island, std::fabs(contour::area(island))};
   }
   if (!is_within(child.box, contour::extents(layer.contour)) ||
       !lies_in(child.region, layer.contour))
     return std::nullopt;
   const bool is_on_floor = std::fabs(child.top - parent.bottom) <= kSameZ_mm;
-  return is_on_floor ? RelationKind::nested : RelationKind::crosses;
+  return Hold{is_on_floor ? RelationKind::nested : RelationKind::crosses,
+              std::fabs(contour::area(layer.contour))};
 }
 
 class ParentFinder {
@@ -59,7 +66,6 @@ class ParentFinder {
     for (const Feature& feature : features) {
       const Layer* const top = top_of(feature);
       boxes.push_back(top == nullptr ? Box{} : contour::extents(top->contour));
-      areas_.push_back(top == nullptr ? 0 : std::fabs(contour::area(top->contour)));
     }
     tree_ = std::make_unique<contour::BoxTree>(boxes);
   }
@@ -67,40 +73,43 @@ class ParentFinder {
   // Of what crosses another one the later one hangs on the earlier one.
   [[nodiscard]] std::optional<Relation> parent_of(const Child& child) const {
     std::optional<Relation> best;
+    double least = 0;
     std::vector<std::size_t> places;
     tree_->search(child.box, [&](std::uint32_t place) { places.push_back(place); });
     std::sort(places.begin(), places.end());
     for (const std::size_t place : places) {
       if (place == child.place || top_of(features_[place]) == nullptr) continue;
       if (features_[place].setup != child.setup) continue;
-      if (best && areas_[place] >= areas_[best->feature]) continue;
-      const auto kind = relation_of(child, features_[place]);
-      if (!kind || (*kind != RelationKind::island && place > child.place)) continue;
-      best = Relation{place, *kind};
+      const auto hold = hold_of(child, features_[place]);
+      if (!hold || (best && hold->area >= least)) continue;
+      if (hold->kind != RelationKind::island && place > child.place) continue;
+      best = Relation{place, hold->kind};
+      least = hold->area;
     }
     return best;
   }
 
  private:
   const std::vector<Feature>& features_;
-  std::vector<double> areas_;
   std::unique_ptr<contour::BoxTree> tree_;
 };
 
 }  // namespace
 
-void find_parents(Tree& tree) {
+void find_parents(Tree& tree, Allowance& allowance) {
   if (tree.features.empty()) return;
   const ParentFinder finder(tree.features);
   for (std::size_t i = 0; i < tree.features.size(); ++i) {
     Feature& feature = tree.features[i];
     const Layer* const top = top_of(feature);
+    if (allowance.is_over()) return;
     if (feature.parent || top == nullptr) continue;
     Child child{.region = {{top->contour}}, .setup = feature.setup, .top = feature.top, .place = i};
     child.box = contour::extents(top->contour);
     feature.parent = finder.parent_of(child);
   }
   for (Hole& hole : tree.holes) {
+    if (allowance.is_over()) return;
     Child child{.region = contour::disc(hole.at, hole.diameter / 2),
                 .setup = hole.setup,
                 .top = hole.top,

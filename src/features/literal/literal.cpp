@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "features/literal/circle_test.hpp"
+#include "features/literal/left_inside.hpp"
 #include "features/literal/loops.hpp"
 #include "features/path/tolerance.hpp"
-#include "geometry/contour/offset.hpp"
 
 namespace kerf::features {
 namespace {
 
 using contour::Contour;
-using contour::Region;
 
 bool is_level(const Recording& recording, std::uint32_t row) {
   return std::fabs(recording.moves[row].to.z - recording.from(row).z) <= kSameZ_mm;
@@ -121,9 +120,8 @@ LiteralWord word_of_loops(const Recording& recording, const std::vector<Loop>& l
   const Contour contour = recording.contour_of(smallest->rows);
   const auto circle = circle_of(contour);
   if (circle && circle->radius <= radius + kSamePoint_mm) return {LiteralWord::Type::pocket, 2};
-  const Region left = contour::offset(contour::region_of(contour), -radius);
-  if (contour::area(left) <= kEmptyArea_mm2) return {LiteralWord::Type::pocket, 1};
-  return {LiteralWord::Type::side_milling, 0};
+  if (is_left_inside(contour, radius)) return {LiteralWord::Type::side_milling, 0};
+  return {LiteralWord::Type::pocket, 1};
 }
 
 double radius_of(const Recording& recording, std::uint32_t tool) {
@@ -133,10 +131,12 @@ double radius_of(const Recording& recording, std::uint32_t tool) {
 }
 
 std::vector<LiteralFeature> features_of(const Recording& recording,
-                                        const std::vector<LiteralLayer>& layers) {
+                                        const std::vector<LiteralLayer>& layers,
+                                        Allowance& allowance) {
   std::vector<LiteralFeature> features;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const LiteralLayer& layer = layers[i];
+    if (allowance.is_over()) break;
     if (layer.loops.empty()) continue;
     const bool goes_on = !features.empty() && features.back().layers.back() + 1 == i &&
                          are_same(recording, layers[features.back().layers.front()], layer);
@@ -152,10 +152,10 @@ std::vector<LiteralFeature> features_of(const Recording& recording,
 
 }  // namespace
 
-LiteralTree recognise_literally(const Recording& recording) {
+LiteralTree recognise_literally(const Recording& recording, Allowance& allowance) {
   LiteralTree tree;
   tree.layers = layers_of(recording);
-  tree.features = features_of(recording, tree.layers);
+  tree.features = features_of(recording, tree.layers, allowance);
   tree.holes = holes_of(recording);
   return tree;
 }

@@ -16,9 +16,14 @@ using contour::Contour;
 using contour::Edge;
 using geometry::Vec2;
 
-constexpr double kHalfCircle = 1e-4;  // of a bulge
+constexpr double kRounded_mm = 5e-3;  // programs write three digits, of inches four
 
-bool is_half_circle(const Edge& edge) { return std::fabs(edge.bulge - 1) < kHalfCircle; }
+/// How far apart arcs are at most that lead from one point to another.
+double apart(const Edge& edge, double bulge) {
+  return std::fabs(edge.bulge - bulge) * geometry::length(edge.to - edge.from) / 2;
+}
+
+bool is_half_circle(const Edge& edge) { return apart(edge, 1) <= kRounded_mm; }
 
 // Two round ends of one radius, opposite each other, and lines or arcs beside each other between.
 std::optional<Stadium> stadium_from(const Contour& contour, std::size_t end) {
@@ -28,10 +33,10 @@ std::optional<Stadium> stadium_from(const Contour& contour, std::size_t end) {
   const Edge other = contour::edge_of(contour, (end + 3) % 4);
   const double radius = contour::radius(a);
   if (!is_half_circle(a) || !is_half_circle(b) ||
-      std::fabs(contour::radius(b) - radius) > kSamePoint_mm)
+      std::fabs(contour::radius(b) - radius) > kRounded_mm)
     return std::nullopt;
   if ((side.bulge == 0) != (other.bulge == 0)) return std::nullopt;
-  if (std::fabs(std::fabs(side.bulge) - std::fabs(other.bulge)) > kHalfCircle) return std::nullopt;
+  if (apart(side, -other.bulge) > kRounded_mm) return std::nullopt;
   Stadium stadium{.width = 2 * radius};
   stadium.centre_line.vertices = {{contour::centre(a), side.bulge, side.owner},
                                   {contour::centre(b), 0, side.owner}};

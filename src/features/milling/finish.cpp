@@ -144,6 +144,22 @@ void tell_cuts(Draft& draft) {
   }
 }
 
+void leave(const Recording& recording, const Span& rows, std::vector<Unrecognised>& rest) {
+  Unrecognised left{.why = Unrecognised::Why::budget, .rows = rows};
+  left.moves = rows.last - rows.first + 1;
+  left.cut_mm = recording.length_of(rows);
+  rest.push_back(left);
+}
+
+// Nobody has said yet what it is.
+void leave(const Recording& recording, Draft& draft, std::vector<Unrecognised>& rest) {
+  for (const Layer& layer : draft.feature.layers) {
+    for (const Span& span : layer.cuts) leave(recording, span, rest);
+    for (const Span& span : layer.entries) leave(recording, span, rest);
+  }
+  draft.is_gone = true;
+}
+
 /// Strokes of one tool at one z that follow each other are one engraving.
 bool goes_on(const Draft& last, const Draft& next) {
   const Feature& a = last.feature;
@@ -250,7 +266,7 @@ void put_holes(const std::vector<HoleBook::Entry>& entries, const Recording& rec
 
 }  // namespace
 
-void finish(const Recording& recording, Workshop& shop, Tree& tree) {
+void finish(const Recording& recording, Workshop& shop, Allowance& allowance, Tree& tree) {
   std::vector<Draft> drafts = shop.drafts();
   give_to_holes(shop.holes(), drafts);
   std::erase_if(drafts, [](const Draft& draft) { return draft.is_gone; });
@@ -258,6 +274,10 @@ void finish(const Recording& recording, Workshop& shop, Tree& tree) {
   const Surroundings surroundings(drafts, holes);
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     Draft& draft = drafts[i];
+    if (allowance.is_over()) {
+      leave(recording, draft, shop.unrecognised());
+      continue;
+    }
     const std::size_t setup = draft.feature.setup;
     tell_heights(draft, shop.material(setup).blank());
     tell_cutting(recording, draft);

@@ -4,7 +4,8 @@
 
 namespace kerf::features {
 
-/// Makes the features and holes of the tree of what the workshop has found.
-void finish(const Recording& recording, Workshop& shop, Tree& tree);
+/// Makes the features and holes of the tree of what the workshop has found. What the allowance does
+/// not suffice for is not recognised.
+void finish(const Recording& recording, Workshop& shop, Allowance& allowance, Tree& tree);
 
 }  // namespace kerf::features

@@ -84,11 +84,13 @@ std::size_t level_with(const std::vector<Level>& levels, contour::Vec2 point) {
   return levels.size();
 }
 
-// The runs of one group as levels: as many as their sweep has connected parts.
-void add_levels(const Recording& recording, std::vector<LevelRun> runs, const Level& like,
+// The runs of one group as levels: as many as their sweep has connected parts. False: the allowance
+// is over.
+bool add_levels(const Recording& recording, std::vector<LevelRun> runs, const Level& like,
                 SweepMemory& memory, std::vector<Level>& levels) {
-  const Region sweep = memory.sweep_of(recording, runs, like.radius);
-  std::vector<Region> parts = connected_parts(sweep);
+  const auto sweep = memory.sweep_of(recording, runs, like.radius);
+  if (!sweep) return false;
+  std::vector<Region> parts = connected_parts(*sweep);
   std::vector<Level> found(parts.size(), like);
   for (std::size_t i = 0; i < parts.size(); ++i) found[i].sweep = std::move(parts[i]);
   // A run whose tool has no width there sweeps nothing, and is a level of its own.
@@ -106,6 +108,7 @@ void add_levels(const Recording& recording, std::vector<LevelRun> runs, const Le
     level.first_row = level.runs.front().visit.first;
     levels.push_back(std::move(level));
   }
+  return true;
 }
 
 }  // namespace
@@ -131,13 +134,14 @@ Contour path_of(const Recording& recording, const LevelRun& run) {
   return path;
 }
 
-std::vector<Level> levels_of(const Recording& recording, std::size_t operation,
-                             const Operation& rows, const ToolReach& reach,
-                             const std::vector<LevelRun>& runs, double top) {
+std::optional<std::vector<Level>> levels_of(const Recording& recording, std::size_t operation,
+                                            const Operation& rows, const ToolReach& reach,
+                                            const std::vector<LevelRun>& runs, double top,
+                                            Allowance& allowance) {
   std::map<std::int64_t, std::vector<LevelRun>> by_z;
   for (const LevelRun& run : runs)
     by_z[static_cast<std::int64_t>(std::llround(run.z / kSameZ_mm))].push_back(run);
-  SweepMemory memory;
+  SweepMemory memory(allowance);
   std::vector<Level> levels;
   for (auto level = by_z.rbegin(); level != by_z.rend(); ++level) {
     const std::vector<LevelRun>& at_z = level->second;
@@ -147,7 +151,7 @@ std::vector<Level> levels_of(const Recording& recording, std::size_t operation,
     for (const auto& group : near_runs(recording, at_z, like.radius)) {
       std::vector<LevelRun> members;
       for (const std::size_t place : group) members.push_back(at_z[place]);
-      add_levels(recording, std::move(members), like, memory, levels);
+      if (!add_levels(recording, std::move(members), like, memory, levels)) return std::nullopt;
     }
   }
   std::stable_sort(levels.begin(), levels.end(),

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "features/milling/stroke.hpp"
 #include "features/milling/tool_reach.hpp"
+#include "features/path/allowance.hpp"
 #include "geometry/contour/region.hpp"
 
 namespace kerf::features {
@@ -30,9 +32,9 @@ struct Level {
 [[nodiscard]] contour::Contour path_of(const Recording& recording, const LevelRun& run);
 
 /// The levels that the runs of an operation are, in the order in which they begin. `top`: of the
-/// material, which says how wide a cone cuts.
-[[nodiscard]] std::vector<Level> levels_of(const Recording& recording, std::size_t operation,
-                                           const Operation& rows, const ToolReach& reach,
-                                           const std::vector<LevelRun>& runs, double top);
+/// material, which says how wide a cone cuts. Nothing: the allowance is over.
+[[nodiscard]] std::optional<std::vector<Level>> levels_of(
+    const Recording& recording, std::size_t operation, const Operation& rows,
+    const ToolReach& reach, const std::vector<LevelRun>& runs, double top, Allowance& allowance);
 
 }  // namespace kerf::features

@@ -7,6 +7,27 @@
 #include "geometry/contour/boolean.hpp"
 
 namespace kerf::features {
+namespace {
+
+Region moved(Region region, contour::Vec2 by) {
+  for (contour::Contour& loop : region.loops) {
+    for (contour::Vertex& vertex : loop.vertices) vertex.point = vertex.point + by;
+  }
+  return region;
+}
+
+}  // namespace
+
+Blank blank_in(const Blank& blank, const SetUp& setup) {
+  Blank its = blank;
+  its.top -= setup.origin.z;
+  its.bottom -= setup.origin.z;
+  its.outline = moved(its.outline, -contour::Vec2{setup.origin.x, setup.origin.y});
+  if (!setup.is_turned()) return its;
+  its.is_known = false;
+  its.top = 0;
+  return its;
+}
 
 void Material::cut(const Region& region, double z) {
   if (region.is_empty()) return;
@@ -31,13 +52,11 @@ Region Material::on_blank(const Region& region) const {
 Region Material::standing(const Region& region, double z) const {
   Region left = on_blank(region);
   if (z >= blank_.top - kSameZ_mm) return {};
-  std::vector<Region> gone;
   for (const CutTiles::Depth& depth : tiles_.at(contour::extents(region))) {
-    if (depth.z > z + kSameZ_mm) break;
-    for (const Region* const cut : depth.regions) gone.push_back(*cut);
+    if (depth.z > z + kSameZ_mm || left.is_empty()) break;
+    left = contour::subtract(left, depth.regions);
   }
-  if (gone.empty() || left.is_empty()) return left;
-  return contour::subtract(left, gone.size() == 1 ? gone.front() : contour::unite(gone));
+  return left;
 }
 
 // From z up: where something of the region has never been cut so deep, it stands that high.
@@ -46,7 +65,7 @@ double Material::top_over(const Region& region, double z) const {
   bool is_cut = false;
   for (const CutTiles::Depth& depth : tiles_.at(contour::extents(region))) {
     if (depth.z <= z + kSameZ_mm) continue;
-    for (const Region* const cut : depth.regions) left = contour::subtract(left, *cut);
+    left = contour::subtract(left, depth.regions);
     if (contour::area(left) <= kEmptyArea_mm2) return depth.z;
     is_cut = true;
   }
@@ -63,6 +82,11 @@ double Material::top_at(contour::Vec2 point) const {
     }
   }
   return blank_.top;
+}
+
+bool Material::stands_over(contour::Vec2 point, double radius, double z) const {
+  if (z >= blank_.top - kSameZ_mm) return false;
+  return std::max(top_at(point), top_round(point, radius)) > z + kSameZ_mm;
 }
 
 double Material::top_round(contour::Vec2 point, double radius) const {

@@ -5,11 +5,16 @@
 #include "features/milling/cut_tiles.hpp"
 #include "features/milling/growing_boxes.hpp"
 #include "features/path/blank.hpp"
+#include "features/path/move.hpp"
 #include "geometry/contour/region.hpp"
 
 namespace kerf::features {
 
 using contour::Region;
+
+/// A blank that is in machine coordinates in those of a set-up. Of a part that has been turned
+/// nobody knows where it is.
+[[nodiscard]] Blank blank_in(const Blank& blank, const SetUp& setup);
 
 /// What is there in one set-up: the blank, and all that has been cut so far, each cut a region down
 /// to a z. A cut costs little where others are far away.
@@ -30,6 +35,8 @@ class Material {
   [[nodiscard]] bool is_cut_since(std::size_t cuts, const Region& region) const;
   /// How high it stands at a point.
   [[nodiscard]] double top_at(contour::Vec2 point) const;
+  /// Something stands above z at a point, or that far round it.
+  [[nodiscard]] bool stands_over(contour::Vec2 point, double radius, double z) const;
   /// The highest of what lies that far round a point.
   [[nodiscard]] double top_round(contour::Vec2 point, double radius) const;
 

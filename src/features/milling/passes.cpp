@@ -72,30 +72,53 @@ std::vector<Pass> passes_along(const std::vector<Line>& lines, Vec2 direction) {
   return passes;
 }
 
-/// The first pass behind a run of passes from `begin` on that all go on to one side.
-std::size_t end_of_run(const std::vector<Pass>& passes, std::size_t begin) {
-  std::size_t end = begin + 1;
-  const auto step = [&](std::size_t i) { return passes[i].offset - passes[i - 1].offset; };
-  while (end < passes.size() && (end == begin + 1 || (step(end) > 0) == (step(begin + 1) > 0)))
-    ++end;
-  return end;
-}
-
-/// Length of the passes that go on to one side, at least so many in a row, and their steps.
-double length_going_on(const std::vector<Pass>& passes, std::size_t least,
-                       std::vector<double>& steps) {
-  double sum = 0;
-  for (std::size_t begin = 0; begin + 1 < passes.size();) {
-    const std::size_t end = end_of_run(passes, begin);
-    const bool counts = end - begin >= least;
-    for (std::size_t i = begin; counts && i < end; ++i) {
-      sum += passes[i].length;
-      if (i > begin) steps.push_back(std::fabs(passes[i].offset - passes[i - 1].offset));
+/// Passes that go on to one side, at least so many in a row, none farther from the last one than
+/// the tool is wide: what is between them is cut.
+class GoingOn {
+ public:
+  GoingOn(const std::vector<Pass>& passes, std::size_t least, double diameter)
+      : passes_(passes), widest_(diameter + kSamePoint_mm) {
+    for (std::size_t begin = 0; begin + 1 < passes_.size();) {
+      const std::size_t end = end_of_run(begin);
+      const bool counts = end - begin >= least;
+      if (counts) count(begin, end);
+      begin = counts || end == begin + 1 ? end : end - 1;
     }
-    begin = counts ? end : end - 1;
   }
-  return sum;
-}
+
+  [[nodiscard]] double length() const { return forwards_mm_ + backwards_mm_; }
+  [[nodiscard]] bool goes_both_ways() const {
+    return std::min(forwards_mm_, backwards_mm_) > kOtherWay * length();
+  }
+  [[nodiscard]] const std::vector<double>& steps() const { return steps_; }
+
+ private:
+  static constexpr double kOtherWay = 0.2;  // of the length: more than a closing round has
+
+  [[nodiscard]] double step(std::size_t i) const {
+    return passes_[i].offset - passes_[i - 1].offset;
+  }
+  // The first pass behind the run that begins there.
+  [[nodiscard]] std::size_t end_of_run(std::size_t begin) const {
+    std::size_t end = begin + 1;
+    while (end < passes_.size() && std::fabs(step(end)) <= widest_ &&
+           (end == begin + 1 || (step(end) > 0) == (step(begin + 1) > 0)))
+      ++end;
+    return end;
+  }
+  void count(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      (passes_[i].is_forwards ? forwards_mm_ : backwards_mm_) += passes_[i].length;
+      if (i > begin) steps_.push_back(std::fabs(step(i)));
+    }
+  }
+
+  const std::vector<Pass>& passes_;
+  double widest_;
+  double forwards_mm_ = 0;
+  double backwards_mm_ = 0;
+  std::vector<double> steps_;
+};
 
 }  // namespace
 
@@ -109,11 +132,10 @@ LinePasses line_passes_of(const Recording& recording, const ShapedLevel& shaped)
   for (const std::uint32_t row : rows) all += recording.length_of(row);
   const std::vector<Pass> passes = passes_along(lines, main_direction(lines));
   const std::size_t least = shaped.loops.loops.empty() ? 2 : kLeastRun;
-  const double going_on = length_going_on(passes, least, found.steps);
-  found.clears = going_on > all / 2;
-  const auto forwards = std::count_if(passes.begin(), passes.end(),
-                                      [](const Pass& pass) { return pass.is_forwards; });
-  found.goes_both_ways = forwards > 0 && forwards < static_cast<std::ptrdiff_t>(passes.size());
+  const GoingOn going_on(passes, least, 2 * shaped.level.radius);
+  found.clears = going_on.length() > all / 2;
+  found.goes_both_ways = going_on.goes_both_ways();
+  found.steps = going_on.steps();
   return found;
 }
 

@@ -24,8 +24,6 @@ HoleStep step_of(const Recording& recording, const Material& material, const sto
     step.top = std::max(above, material.top_round(plunge.at, kBeside * reach.radius));
   step.top = std::max(step.top, step.bottom);
   step.diameter = 2 * reach.at_depth(step.top - step.bottom);
-  step.rows = {plunge.rows};
-  step.visits = {plunge.visit};
   if (step.how == HoleStep::How::tap) step.thread_pitch = tap_pitch(tool, state);
   return step;
 }

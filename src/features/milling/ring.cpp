@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/literal/left_inside.hpp"
 #include "features/path/tolerance.hpp"
 #include "geometry/contour/box_tree.hpp"
 #include "geometry/contour/edit.hpp"
-#include "geometry/contour/offset.hpp"
 #include "geometry/contour/sweep.hpp"
 
 namespace kerf::features {
@@ -125,8 +125,7 @@ std::optional<Ring> ring_of(const Recording& recording, const Level& level,
                             const LoopsOfRows& loops) {
   auto loop = single_loop(recording, level, loops);
   if (!loop || !is_mostly_loop(recording, level, *loop)) return std::nullopt;
-  const Region left = contour::offset(contour::region_of(*loop), -level.radius);
-  if (contour::area(left) <= kEmptyArea_mm2) return std::nullopt;
+  if (!is_left_inside(*loop, level.radius)) return std::nullopt;
   Ring ring{.loop = *loop, .sweep = contour::sweep_of_disc(opened(*loop), level.radius)};
   if (!has_one_island(ring.sweep)) return std::nullopt;
   ring.lead = lead_beside(recording, level, *loop);

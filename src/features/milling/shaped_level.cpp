@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "features/milling/entry.hpp"
+#include "features/milling/long_sweep.hpp"
 #include "features/milling/nominal.hpp"
 #include "features/milling/path_corners.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
-#include "geometry/contour/sweep.hpp"
 
 namespace kerf::features {
 namespace {
@@ -109,21 +109,18 @@ void tell_openness(const Material& material, ShapedLevel& shaped) {
     shaped.wall_chains += static_cast<int>(!open[i] && open[(i + count - 1) % count]);
 }
 
-Region swept(const Recording& recording, const Level& level) {
-  std::vector<Region> sweeps;
-  for (const LevelRun& run : level.runs)
-    sweeps.push_back(contour::sweep_of_disc(path_of(recording, run), level.radius));
-  return contour::unite(sweeps);
-}
-
 // A cone is as wide as what it meets is high.
-void fit_cone(const Recording& recording, const Material& material, const ToolReach& reach,
-              Level& level) {
+bool fit_cone(const Recording& recording, const Material& material, const ToolReach& reach,
+              Level& level, Allowance& allowance) {
   const double top = material.top_over(level.sweep, level.z);
   const double radius = reach.at_depth(top - level.z);
-  if (std::fabs(radius - level.radius) < kSameRadius_mm || radius <= 0) return;
+  if (std::fabs(radius - level.radius) < kSameRadius_mm || radius <= 0) return true;
   level.radius = radius;
-  level.sweep = swept(recording, level);
+  std::vector<Contour> paths;
+  for (const LevelRun& run : level.runs) paths.push_back(path_of(recording, run));
+  auto sweep = swept_along(paths, radius, allowance);
+  if (sweep) level.sweep = std::move(*sweep);
+  return sweep.has_value();
 }
 
 void tell_rows(const Recording& recording, ShapedLevel& shaped) {
@@ -139,7 +136,18 @@ void tell_rows(const Recording& recording, ShapedLevel& shaped) {
   layer.links = shaped.loops.links;
 }
 
+bool are_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contour& p, const Contour& q) {
+    return are_equal(p, q, kSamePoint_mm);
+  });
+}
+
 }  // namespace
+
+bool are_one_shape(const Layer& a, const Layer& b) {
+  return are_equal(a.nominal, b.nominal, kSamePoint_mm) &&
+         are_same(a.nominal_islands, b.nominal_islands);
+}
 
 std::size_t outline_count(const Region& region) {
   return static_cast<std::size_t>(
@@ -160,9 +168,10 @@ void tell_contours(const Recording& recording, const Material& material, double 
   tell_nominal(recording, radius, layer);
 }
 
-ShapedLevel shaped(const Recording& recording, const Material& material, const ToolReach& reach,
-                   Level level) {
-  if (reach.is_cone()) fit_cone(recording, material, reach, level);
+std::optional<ShapedLevel> shaped(const Recording& recording, const Material& material,
+                                  const ToolReach& reach, Level&& level, Allowance& allowance) {
+  if (reach.is_cone() && !fit_cone(recording, material, reach, level, allowance))
+    return std::nullopt;
   ShapedLevel shaped{.level = std::move(level)};
   const Level& its = shaped.level;
   shaped.loops = loops_of(recording, its.rows(recording));

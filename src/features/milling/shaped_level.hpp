@@ -21,9 +21,13 @@ struct ShapedLevel {
 };
 
 /// What a level removes of the material, which stays as it is. The level's radius becomes that of
-/// a cone at the top of what it meets.
-[[nodiscard]] ShapedLevel shaped(const Recording& recording, const Material& material,
-                                 const ToolReach& reach, Level level);
+/// a cone at the top of what it meets. Nothing: the allowance is over, and the level is as it was.
+[[nodiscard]] std::optional<ShapedLevel> shaped(const Recording& recording,
+                                                const Material& material, const ToolReach& reach,
+                                                Level&& level, Allowance& allowance);
+
+/// Their nominal contours are equal.
+[[nodiscard]] bool are_one_shape(const Layer& a, const Layer& b);
 
 /// Pieces of a region that touch each other in points at most.
 [[nodiscard]] std::size_t outline_count(const Region& region);

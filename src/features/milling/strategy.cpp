@@ -1,6 +1,7 @@
 #include "features/milling/strategy.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -15,6 +16,8 @@ namespace {
 using contour::Contour;
 using contour::Edge;
 
+constexpr std::size_t kMostWallSamples = 4096;
+constexpr double kRoundedCentre_mm = 5e-3;
 constexpr double kBothShare = 0.05;  // of the walls' length, below which one side does not count
 
 std::optional<double> median(std::vector<double> values) {
@@ -76,27 +79,32 @@ bool is_spiral(const Recording& recording, const ShapedLevel& shaped) {
   if (shaped.loops.loops.size() > 1 || shaped.level.runs.size() != 1) return false;
   const contour::Box box = contour::extents(shaped.layer.contour);
   if (box.is_empty()) return false;
+  std::vector<Edge> edges;
+  for (const std::uint32_t row : shaped.level.rows(recording)) recording.append_edges(row, edges);
   double turn = 0;
-  double least = 0;
+  for (const Edge& edge : edges) {
+    // By its middle: half a circle goes round on a side of its own.
+    const std::array<Vec2, 3> points{edge.from - box.middle(),
+                                     contour::point_at(edge, 0.5) - box.middle(),
+                                     edge.to - box.middle()};
+    for (std::size_t i = 1; i < points.size(); ++i)
+      turn += math::atan2(geometry::cross(points[i - 1], points[i]),
+                          geometry::dot(points[i - 1], points[i]));
+  }
+  if (std::fabs(turn) <= 4 * std::numbers::pi) return false;
+  const std::size_t step = 1 + edges.size() / kMostWallSamples;
   std::optional<double> last;
   int sense = 0;
-  for (const std::uint32_t row : shaped.level.rows(recording)) {
-    std::vector<Edge> edges;
-    recording.append_edges(row, edges);
-    for (const Edge& edge : edges) {
-      const Vec2 a = edge.from - box.middle();
-      const Vec2 b = edge.to - box.middle();
-      turn += math::atan2(geometry::cross(a, b), geometry::dot(a, b));
-      const double wall = contour::distance(shaped.layer.contour, edge.to);
-      if (last && std::fabs(wall - *last) > 10 * kSamePoint_mm) {
-        const int way = wall > *last ? 1 : -1;
-        least += static_cast<double>(sense != 0 && way != sense);
-        if (sense == 0) sense = way;
-      }
-      last = wall;
+  for (std::size_t i = 0; i < edges.size(); i += step) {
+    const double wall = contour::distance(shaped.layer.contour, edges[i].to);
+    if (last && std::fabs(wall - *last) > 10 * kSamePoint_mm) {
+      const int way = wall > *last ? 1 : -1;
+      if (sense != 0 && way != sense) return false;
+      sense = way;
     }
+    last = wall;
   }
-  return least == 0 && sense != 0 && std::fabs(turn) > 4 * std::numbers::pi;
+  return sense != 0;
 }
 
 /// How much of the walls lies to the right of the feed, and how much to the left.
@@ -121,6 +129,16 @@ std::optional<Edge> edge_near(const Recording& recording, std::uint32_t row, Vec
   });
 }
 
+// About one centre the senses tell it: the wall may go on farther than the row that owns it.
+bool go_one_way(const Edge& wall, const Edge& row) {
+  const Vec2 point = contour::point_at(wall, 0.5);
+  if (wall.bulge != 0 && row.bulge != 0 &&
+      geometry::length(contour::centre(wall) - contour::centre(row)) <= kRoundedCentre_mm)
+    return (wall.bulge > 0) == (row.bulge > 0);
+  const Vec2 along = contour::tangent_at_start(contour::part(wall, 0.5, 1));
+  return geometry::dot(along, direction_near(row, point)) > 0;
+}
+
 // What is cut lies on the left of `wall`, and what stays on its right.
 void count_wall(const Recording& recording, const Edge& wall, Sides& sides) {
   if (wall.owner >= recording.count()) return;
@@ -129,10 +147,8 @@ void count_wall(const Recording& recording, const Edge& wall, Sides& sides) {
   const Vec2 point = contour::point_at(wall, 0.5);
   const auto edge = edge_near(recording, wall.owner, point);
   if (!edge || (wall.bulge != 0 && edge->bulge == 0)) return;
-  const Vec2 along = contour::tangent_at_start(contour::part(wall, 0.5, 1));
-  const bool is_right =
-      (geometry::dot(along, direction_near(*edge, point)) > 0) !=
-      (recording.state_of(move).turning == motion::Spindle::Turning::counterclockwise);
+  const bool is_right = go_one_way(wall, *edge) != (recording.state_of(move).turning ==
+                                                    motion::Spindle::Turning::counterclockwise);
   (is_right ? sides.right : sides.left) += contour::length(wall);
 }
 

@@ -4,8 +4,7 @@
 #include <bit>
 
 #include "features/milling/level.hpp"
-#include "geometry/contour/boolean.hpp"
-#include "geometry/contour/sweep.hpp"
+#include "features/milling/long_sweep.hpp"
 
 namespace kerf::features {
 namespace {
@@ -59,13 +58,6 @@ Region owned_by(Region region, const std::map<std::uint32_t, std::uint32_t>& row
   return region;
 }
 
-Region swept_along(const std::vector<Contour>& paths, double radius) {
-  std::vector<Region> sweeps;
-  for (const Contour& path : paths) sweeps.push_back(contour::sweep_of_disc(path, radius));
-  if (sweeps.size() == 1) return std::move(sweeps.front());
-  return contour::unite(sweeps);
-}
-
 }  // namespace
 
 // What is wanted again is mostly what was made last, and all of many is too much.
@@ -75,8 +67,8 @@ void SweepMemory::make_room() {
   vertices_ = 0;
 }
 
-Region SweepMemory::sweep_of(const Recording& recording, const std::vector<LevelRun>& runs,
-                             double radius) {
+std::optional<Region> SweepMemory::sweep_of(const Recording& recording,
+                                            const std::vector<LevelRun>& runs, double radius) {
   std::vector<Contour> paths;
   for (const LevelRun& run : runs) paths.push_back(path_of(recording, run));
   make_room();
@@ -84,7 +76,9 @@ Region SweepMemory::sweep_of(const Recording& recording, const std::vector<Level
   if (known.radius == radius && are_same_paths(known.paths, paths))
     return owned_by(known.region, rows_for(known.paths, paths));
   for (const Contour& path : paths) vertices_ += path.vertices.size();
-  known.region = swept_along(paths, radius);
+  auto region = swept_along(paths, radius, allowance_);
+  if (!region) return std::nullopt;
+  known.region = std::move(*region);
   known.paths = std::move(paths);
   known.radius = radius;
   return known.region;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "features/milling/stroke.hpp"
+#include "features/path/allowance.hpp"
 #include "geometry/contour/region.hpp"
 
 namespace kerf::features {
@@ -13,9 +14,13 @@ namespace kerf::features {
 /// that differ from those of an earlier one in z alone sweep the same region.
 class SweepMemory {
  public:
-  /// What a disc sweeps along the runs. Edges have the rows of these runs as owners.
-  [[nodiscard]] contour::Region sweep_of(const Recording& recording,
-                                         const std::vector<LevelRun>& runs, double radius);
+  explicit SweepMemory(Allowance& allowance) : allowance_(allowance) {}
+
+  /// What a disc sweeps along the runs. Edges have the rows of these runs as owners. Nothing: the
+  /// allowance is over.
+  [[nodiscard]] std::optional<contour::Region> sweep_of(const Recording& recording,
+                                                        const std::vector<LevelRun>& runs,
+                                                        double radius);
 
  private:
   struct Known {
@@ -28,6 +33,7 @@ class SweepMemory {
 
   static constexpr std::size_t kMostVertices = 200'000;
 
+  Allowance& allowance_;
   std::map<std::uint64_t, Known> known_;  // by a hash of the path
   std::size_t vertices_ = 0;              // of all of them
 };

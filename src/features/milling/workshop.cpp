@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "features/milling/contour_shapes.hpp"
 #include "features/milling/plunge_step.hpp"
@@ -19,41 +20,9 @@ using contour::Contour;
 constexpr std::size_t kMostWaterlines = 20;  // levels of a ball, above which they are a surface
 constexpr std::uint32_t kLeastSurface = 8;   // rows that make a surface of their own
 
-Region moved(Region region, Vec2 by) {
-  for (Contour& loop : region.loops) {
-    for (contour::Vertex& vertex : loop.vertices) vertex.point = vertex.point + by;
-  }
-  return region;
-}
-
-bool is_turned(const SetUp& setup) { return !(setup.rotary == base::AxisVector{}); }
-
-// Of a part that has been turned nobody knows where its blank is.
-Blank blank_in(const Blank& blank, const SetUp& setup) {
-  Blank its = blank;
-  its.top -= setup.origin.z;
-  its.bottom -= setup.origin.z;
-  its.outline = moved(its.outline, -Vec2{setup.origin.x, setup.origin.y});
-  if (!is_turned(setup)) return its;
-  its.is_known = false;
-  its.top = 0;
-  return its;
-}
-
 /// The length of the border that two regions share which have no area in common.
 double shared_border(const Region& a, const Region& b) {
   return (contour::length(a) + contour::length(b) - contour::length(contour::unite(a, b))) / 2;
-}
-
-bool are_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contour& p, const Contour& q) {
-    return are_equal(p, q, kSamePoint_mm);
-  });
-}
-
-bool are_one_shape(const Layer& a, const Layer& b) {
-  return are_equal(a.nominal, b.nominal, kSamePoint_mm) &&
-         are_same(a.nominal_islands, b.nominal_islands);
 }
 
 Share* share_of(Draft& draft, std::size_t operation) {
@@ -65,20 +34,6 @@ Share* share_of(Draft& draft, std::size_t operation) {
 template <typename Spans>
 void append(Spans& to, const Spans& more) {
   to.insert(to.end(), more.begin(), more.end());
-}
-
-bool has_feed(const Recording& recording, std::uint32_t row) {
-  return recording.moves[row].kind != Move::Kind::rapid;
-}
-
-std::vector<Span> spans_at_feed(const Recording& recording, Span rows) {
-  std::vector<Span> spans;
-  for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
-    if (!has_feed(recording, row)) continue;
-    if (spans.empty() || spans.back().last + 1 != row) spans.push_back({row, row});
-    spans.back().last = row;
-  }
-  return spans;
 }
 
 bool is_waterlines(const stock::Tool& tool, const Strokes& strokes) {
@@ -95,13 +50,12 @@ bool is_waterlines(const stock::Tool& tool, const Strokes& strokes) {
 
 /// Something of an operation, by its first row.
 struct Workshop::Event {
-  enum class Kind : std::uint8_t { level, plunge, helix, free };
   std::uint32_t row = 0;
-  Kind kind = Kind::level;
-  std::size_t place = 0;
+  std::variant<Level*, const PlungeRun*, const HelixRun*, const FreeRun*> what;
 };
 
-Workshop::Workshop(const Recording& recording, const Blank& blank) : recording_(recording) {
+Workshop::Workshop(const Recording& recording, const Blank& blank, Allowance& allowance)
+    : recording_(recording), allowance_(allowance), idle_(recording) {
   for (const SetUp& setup : recording.setups) materials_.emplace_back(blank_in(blank, setup));
 }
 
@@ -111,14 +65,14 @@ const stock::Tool& Workshop::tool_of(const Operation& operation) const {
 
 void Workshop::follow(std::size_t number, const Operation& operation) {
   air_mm_.resize(number + 1);
+  if (allowance_.is_over()) return leave(operation.rows, Unrecognised::Why::budget);
   if (tool_of(operation).kind == stock::ToolKind::thread_mill)
     return follow_threads(number, operation);
   const double top = materials_[operation.setup].blank().top;
   Strokes strokes = strokes_of(recording_, operation, top);
   const bool slopes = strokes.sloping_mm > strokes.level_mm;
   if (slopes || is_waterlines(tool_of(operation), strokes)) {
-    return add_surface(number, operation, spans_at_feed(recording_, operation.rows),
-                       operation.rows);
+    return add_surface(number, operation, recording_.spans_at_feed(operation.rows), operation.rows);
   }
   follow_strokes(number, operation, std::move(strokes));
 }
@@ -126,29 +80,62 @@ void Workshop::follow(std::size_t number, const Operation& operation) {
 void Workshop::follow_strokes(std::size_t number, const Operation& operation, Strokes strokes) {
   const Material& material = materials_[operation.setup];
   const ToolReach reach = reach_of(tool_of(operation));
-  std::vector<Level> levels =
-      levels_of(recording_, number, operation, reach, strokes.levels, material.blank().top);
+  auto levels = levels_of(recording_, number, operation, reach, strokes.levels,
+                          material.blank().top, allowance_);
+  if (!levels) return leave(operation.rows, Unrecognised::Why::budget);
   std::vector<Event> events;
-  const auto add = [&](Event::Kind kind, std::size_t count, const auto& row_of) {
-    for (std::size_t i = 0; i < count; ++i) events.push_back({row_of(i), kind, i});
-  };
-  add(Event::Kind::level, levels.size(), [&](std::size_t i) { return levels[i].first_row; });
-  add(Event::Kind::plunge, strokes.plunges.size(),
-      [&](std::size_t i) { return strokes.plunges[i].rows.first; });
-  add(Event::Kind::helix, strokes.helices.size(),
-      [&](std::size_t i) { return strokes.helices[i].rows.first; });
-  add(Event::Kind::free, strokes.frees.size(),
-      [&](std::size_t i) { return strokes.frees[i].rows.first; });
+  for (Level& level : *levels) events.push_back({level.first_row, &level});
+  for (const PlungeRun& run : strokes.plunges) events.push_back({run.rows.first, &run});
+  for (const HelixRun& run : strokes.helices) events.push_back({run.rows.first, &run});
+  for (const FreeRun& run : strokes.frees) events.push_back({run.rows.first, &run});
   std::stable_sort(events.begin(), events.end(),
                    [](const Event& a, const Event& b) { return a.row < b.row; });
   for (const Event& event : events) {
-    switch (event.kind) {
-      case Event::Kind::level: take(operation, std::move(levels[event.place])); break;
-      case Event::Kind::plunge: take(number, operation, strokes.plunges[event.place]); break;
-      case Event::Kind::helix: take(number, operation, strokes.helices[event.place]); break;
-      case Event::Kind::free: take(operation, strokes.frees[event.place]); break;
+    if (allowance_.is_over()) {
+      leave(event);
+    } else {
+      take(number, operation, event);
     }
   }
+  leave_idle_pecks();
+}
+
+void Workshop::take(std::size_t number, const Operation& operation, const Event& event) {
+  const auto take_it = [&](auto* run) {
+    if constexpr (requires { take(number, operation, *run); }) {
+      take(number, operation, *run);
+    } else {
+      take(operation, *run);
+    }
+  };
+  std::visit(take_it, event.what);
+}
+
+void Workshop::leave(const Event& event) {
+  const auto leave_it = [&](const auto* run) {
+    if constexpr (requires { run->rows.first; }) {
+      leave(run->rows, Unrecognised::Why::budget);
+    } else {
+      leave(*run);
+    }
+  };
+  std::visit(leave_it, event.what);
+}
+
+void Workshop::leave(const Level& level) {
+  for (const LevelRun& run : level.runs) {
+    for (const Span& span : run.entries) leave(span, Unrecognised::Why::budget);
+    leave(run.rows, Unrecognised::Why::budget);
+  }
+}
+
+// What a level leaves behind in the material and in the tree.
+void Workshop::keep(const ShapedLevel& shaped) {
+  constexpr std::size_t kCopies = 4;  // of what it removed: the region, contours, nominal ones
+  const std::size_t vertices = contour::vertex_count(shaped.level.sweep) +
+                               kCopies * contour::vertex_count(shaped.layer.removed);
+  allowance_.keep(vertices * sizeof(contour::Vertex) + sizeof(Draft) +
+                  shaped.loops.loops.size() * sizeof(Loop));
 }
 
 // Rows straight down count above what stands there, rows beside all that is cut as a whole.
@@ -215,16 +202,27 @@ void Workshop::add_thread(std::size_t number, const Operation& operation, const 
   drafts_.push_back(std::move(draft));
 }
 
+void Workshop::leave_idle_pecks() {
+  for (const PlungeRun& peck : idle_.take()) leave(peck.rows, Unrecognised::Why::air);
+}
+
 void Workshop::take(std::size_t number, const Operation& operation, const PlungeRun& plunge) {
   Material& material = materials_[operation.setup];
-  if (plunge.bottom >= material.blank().top - kSameZ_mm) {
+  const stock::Tool& tool = tool_of(operation);
+  if (!idle_.go_on_with(plunge)) leave_idle_pecks();
+  if (!material.stands_over(plunge.at, reach_of(tool).radius, plunge.bottom)) {
     air_mm_[number] += recording_.length_of(plunge.rows);
-    return leave(plunge.rows, Unrecognised::Why::air);
+    return idle_.add(plunge);
   }
   count_air(number, plunge.rows);
-  const stock::Tool& tool = tool_of(operation);
   HoleStep step = step_of(recording_, material, tool, plunge);
   step.operation = number;
+  std::vector<PlungeRun> pecks = idle_.take();
+  pecks.push_back(plunge);
+  for (const PlungeRun& peck : pecks) {
+    step.rows.push_back(peck.rows);
+    step.visits.push_back(peck.visit);
+  }
   if (!is_conical(tool) && step.how != HoleStep::How::tap)
     material.cut(contour::disc(plunge.at, step.diameter / 2), plunge.bottom);
   holes_.add(operation.setup, plunge.at, std::move(step));
@@ -258,7 +256,7 @@ void Workshop::take(const Operation& operation, const FreeRun& run) {
   for (std::uint32_t row = run.rows.first; row <= run.rows.last; ++row)
     lowest = std::min(lowest, recording_.moves[row].to.z);
   if (first.kind == Move::Kind::probe) return leave(run.rows, Unrecognised::Why::probing);
-  if (is_turned(recording_.setups[operation.setup]))
+  if (recording_.setups[operation.setup].is_turned())
     return leave(run.rows, Unrecognised::Why::rotary);
   if (lowest >= top - kSameZ_mm) return leave(run.rows, Unrecognised::Why::air);
   if (run.rows.last - run.rows.first + 1 >= kLeastSurface)
@@ -269,7 +267,7 @@ void Workshop::take(const Operation& operation, const FreeRun& run) {
 void Workshop::leave(Span rows, Unrecognised::Why why) {
   Unrecognised rest{.why = why, .rows = rows};
   for (std::uint32_t row = rows.first; row <= rows.last; ++row)
-    rest.moves += static_cast<std::uint32_t>(has_feed(recording_, row));
+    rest.moves += static_cast<std::uint32_t>(recording_.is_at_feed(row));
   rest.cut_mm = recording_.length_of(rows);
   unrecognised_.push_back(rest);
 }
@@ -305,10 +303,14 @@ bool Workshop::is_helical_hole(const ShapedLevel& shaped) const {
   return disc && disc->radius <= shaped.level.radius + kSamePoint_mm;
 }
 
-void Workshop::take(const Operation& operation, Level level) {
+void Workshop::take(const Operation& operation, Level& level) {
   Material& material = materials_[operation.setup];
   const std::size_t number = level.operation;
-  ShapedLevel its = shaped(recording_, material, reach_of(tool_of(operation)), std::move(level));
+  auto found =
+      shaped(recording_, material, reach_of(tool_of(operation)), std::move(level), allowance_);
+  if (!found) return leave(level);
+  ShapedLevel& its = *found;
+  keep(its);
   for (const Span& span : its.layer.entries) count_air(number, span);
   if (its.layer.removed.is_empty()) {
     for (const Span& span : its.layer.cuts) air_mm_[number] += recording_.length_of(span);

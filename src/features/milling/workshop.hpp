@@ -6,8 +6,10 @@
 #include "features/milling/draft.hpp"
 #include "features/milling/growing_boxes.hpp"
 #include "features/milling/hole_book.hpp"
+#include "features/milling/idle_pecks.hpp"
 #include "features/milling/material.hpp"
 #include "features/milling/stroke.hpp"
+#include "features/path/allowance.hpp"
 #include "features/tree/tree.hpp"
 
 namespace kerf::features {
@@ -16,9 +18,10 @@ namespace kerf::features {
 /// levels together to features, plunges to holes.
 class Workshop {
  public:
-  /// `blank` in machine coordinates. The recording must outlive this.
-  Workshop(const Recording& recording, const Blank& blank);
+  /// `blank` in machine coordinates. The recording and the allowance must outlive this.
+  Workshop(const Recording& recording, const Blank& blank, Allowance& allowance);
 
+  /// What the allowance does not suffice for is not recognised.
   void follow(std::size_t number, const Operation& operation);
 
   [[nodiscard]] const Material& material(std::size_t setup) const { return materials_[setup]; }
@@ -34,10 +37,15 @@ class Workshop {
 
   [[nodiscard]] const stock::Tool& tool_of(const Operation& operation) const;
   void follow_strokes(std::size_t number, const Operation& operation, Strokes strokes);
+  void take(std::size_t number, const Operation& operation, const Event& event);
+  void leave(const Event& event);
+  void leave(const Level& level);
+  void keep(const ShapedLevel& shaped);
   void take(std::size_t number, const Operation& operation, const PlungeRun& plunge);
+  void leave_idle_pecks();
   void take(std::size_t number, const Operation& operation, const HelixRun& helix);
   void take(const Operation& operation, const FreeRun& run);
-  void take(const Operation& operation, Level level);
+  void take(const Operation& operation, Level& level);
   [[nodiscard]] bool is_helical_hole(const ShapedLevel& shaped) const;
   void add_hole(std::size_t number, const Operation& operation, const HelixRun& helix,
                 std::vector<Span> rows);
@@ -57,12 +65,14 @@ class Workshop {
   void count_air(std::size_t number, Span rows);
 
   const Recording& recording_;
+  Allowance& allowance_;
   std::vector<Material> materials_;  // by set-up
   std::vector<Draft> drafts_;
   GrowingBoxes boxes_;  // of the drafts
   HoleBook holes_;
   std::vector<Unrecognised> unrecognised_;
   std::vector<double> air_mm_;
+  IdlePecks idle_;
 };
 
 }  // namespace kerf::features

@@ -61,6 +61,8 @@ struct SetUp {
   Vec3 origin{};
   base::AxisVector rotary{};  ///< of the rotary axes, degrees; all else 0
   Vec3 axis{0, 0, 1};         ///< of the tool
+
+  [[nodiscard]] bool is_turned() const { return !(rotary == base::AxisVector{}); }
 };
 
 }  // namespace kerf::features

@@ -26,9 +26,10 @@ double length_of(const motion::AxisSetup& axes, const base::AxisVector& way) {
 
 }  // namespace
 
-Recorder::Recorder(const motion::AxisSetup& axes, ModeSource& modes)
+Recorder::Recorder(const motion::AxisSetup& axes, ModeSource& modes, std::size_t most_bytes)
     : axes_(axes),
       modes_(modes),
+      most_bytes_(most_bytes),
       xyz_{axes.find('X'), axes.find('Y'), axes.find('Z')},
       at_(axes.start) {
   recording_.turns = axes.turns();
@@ -201,6 +202,7 @@ void Recorder::note(const motion::Spindle& spindle) {
 }
 
 void Recorder::take(const motion::Motion& motion) {
+  if (most_bytes_ > 0 && recording_.bytes() > most_bytes_) return;
   block_ = motion.block;
   std::visit(
       [this](const auto& action) {

@@ -12,8 +12,9 @@ namespace kerf::features {
 /// Makes a recording of the motions of a run. Tools are the caller's to add.
 class Recorder final : public motion::MotionSink {
  public:
-  /// Both must outlive the recorder.
-  Recorder(const motion::AxisSetup& axes, ModeSource& modes);
+  /// Both must outlive the recorder. When the recording has so many bytes it is full, and goes on
+  /// no more; 0: never.
+  Recorder(const motion::AxisSetup& axes, ModeSource& modes, std::size_t most_bytes = 0);
 
   void take(const motion::Motion& motion) override;
   [[nodiscard]] const Recording& recording() const { return recording_; }
@@ -42,6 +43,7 @@ class Recorder final : public motion::MotionSink {
 
   const motion::AxisSetup& axes_;
   ModeSource& modes_;
+  std::size_t most_bytes_;
   std::array<std::optional<base::Axis>, 3> xyz_;
   Recording recording_;
   base::TipPoint at_;

@@ -48,6 +48,22 @@ double Recording::length_of(Span span) const {
   return sum;
 }
 
+std::vector<Span> Recording::spans_at_feed(Span rows) const {
+  std::vector<Span> spans;
+  for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
+    if (!is_at_feed(row)) continue;
+    if (spans.empty() || spans.back().last + 1 != row) spans.push_back({row, row});
+    spans.back().last = row;
+  }
+  return spans;
+}
+
+std::size_t Recording::bytes() const {
+  return moves.size() * sizeof(Move) + blocks.size() * sizeof(base::BlockId) +
+         arcs.size() * sizeof(ArcRow) + lengths.size() * sizeof(double) +
+         states.size() * sizeof(State) + setups.size() * sizeof(SetUp);
+}
+
 bool Recording::goes_across(std::uint32_t row) const {
   if (moves[row].shape == Move::Shape::arc) return true;
   return geometry::length(flat_to(row) - flat_from(row)) > kSamePoint_mm;

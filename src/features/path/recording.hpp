@@ -52,6 +52,13 @@ struct Recording {
   /// Exact, mm.
   [[nodiscard]] double length_of(std::uint32_t row) const;
   [[nodiscard]] double length_of(Span span) const;
+  [[nodiscard]] bool is_at_feed(std::uint32_t row) const {
+    return moves[row].kind != Move::Kind::rapid;
+  }
+  /// The rows at feed among some, as spans.
+  [[nodiscard]] std::vector<Span> spans_at_feed(Span rows) const;
+  /// Of memory.
+  [[nodiscard]] std::size_t bytes() const;
   /// In the plane: a line or an arc that comes elsewhere, or round in a circle.
   [[nodiscard]] bool goes_across(std::uint32_t row) const;
   /// Appends what a row is in the plane: one edge, of more than half a circle several, of a whole

@@ -51,7 +51,8 @@ struct Unrecognised {
     free_motion,
     rotary,
     probing,
-    air  ///< above all that there is to cut
+    air,    ///< above all that there is to cut
+    budget  ///< time or memory were over
   };
   Why why = Why::free_motion;
   Span rows{};
@@ -85,6 +86,7 @@ struct Tree {
   LiteralTree literal{};
   std::vector<Disagreement> disagreements{};
   std::vector<Unrecognised> unrecognised{};
+  std::string cut_short{};  ///< why it ends before all was recognised; empty: it does not
 };
 
 }  // namespace kerf::features

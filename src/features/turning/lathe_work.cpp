@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "features/path/tolerance.hpp"
+#include "features/path/united.hpp"
 #include "features/tree/key.hpp"
 #include "features/tree/words.hpp"
 #include "features/turning/turned_thread.hpp"
@@ -17,6 +18,7 @@ using contour::Region;
 using stock::ToolKind;
 
 constexpr double kBeyondBars_mm = 1e4;
+constexpr std::size_t kPartEdges = 256;
 
 bool is_plain_groove(FeatureType type) {
   return type == FeatureType::groove || type == FeatureType::face_groove;
@@ -42,7 +44,8 @@ double feed_length(const Recording& recording, Span rows) { return recording.len
 
 }  // namespace
 
-LatheWork::LatheWork(const Recording& recording, const Blank& blank) : recording_(recording) {
+LatheWork::LatheWork(const Recording& recording, const Blank& blank, Allowance& allowance)
+    : recording_(recording), allowance_(allowance) {
   for (const SetUp& setup : recording.setups) materials_.emplace_back(blank, setup);
 }
 
@@ -61,6 +64,7 @@ void LatheWork::follow(std::size_t number, const Operation& operation) {
 }
 
 void LatheWork::take(std::size_t number, const Operation& operation, const Chain& chain) {
+  if (allowance_.is_over()) return leave(chain);
   const stock::Tool& tool = tool_of(operation.tool);
   switch (chain.kind) {
     case Chain::Kind::other: return leave(chain);
@@ -77,9 +81,11 @@ void LatheWork::leave(const Chain& chain) {
   rest.cut_mm = feed_length(recording_, chain.rows);
   const Move& first = recording_.moves[chain.rows.first];
   const SetUp& setup = recording_.setups[recording_.state_of(first).setup];
-  if (first.kind == Move::Kind::probe) {
+  if (allowance_.is_over()) {
+    rest.why = Unrecognised::Why::budget;
+  } else if (first.kind == Move::Kind::probe) {
     rest.why = Unrecognised::Why::probing;
-  } else if (!(setup.rotary == base::AxisVector{}) || first.shape == Move::Shape::other) {
+  } else if (setup.is_turned() || first.shape == Move::Shape::other) {
     rest.why = Unrecognised::Why::rotary;
   }
   unrecognised_.push_back(rest);
@@ -147,11 +153,25 @@ TurnedDraft* LatheWork::draft_for(FeatureType type, const TurnedChain& chain) {
   return nullptr;
 }
 
-void LatheWork::take_cut(TurnedChain chain, const stock::Tool& tool) {
+// Of a long chain part by part, so that what wanders costs no more than its border.
+std::optional<Region> LatheWork::swept_by(const TurnedChain& chain) {
   const std::vector<contour::Edge> path = edges_of(recording_, chain.chain.rows);
-  const Region swept = chain.nose.radius > 0 ? reached_by_nose(path, chain.beyond, chain.nose)
-                                             : reached(path, chain.beyond, chain.width);
-  chain.removed = material_of(chain.chain).take(swept);
+  std::vector<Region> parts;
+  for (std::size_t begin = 0; begin < path.size(); begin += kPartEdges) {
+    if (allowance_.is_over()) return std::nullopt;
+    const auto at = [&](std::size_t i) { return path.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<contour::Edge> part(at(begin), at(std::min(path.size(), begin + kPartEdges)));
+    parts.push_back(chain.nose.radius > 0 ? reached_by_nose(part, chain.beyond, chain.nose)
+                                          : reached(part, chain.beyond, chain.width));
+  }
+  return united(std::move(parts), allowance_);
+}
+
+void LatheWork::take_cut(TurnedChain chain, const stock::Tool& tool) {
+  const auto swept = swept_by(chain);
+  if (!swept) return leave(chain.chain);
+  chain.removed = material_of(chain.chain).take(*swept);
+  allowance_.keep(contour::vertex_count(chain.removed) * sizeof(contour::Vertex) + sizeof(chain));
   if (chain.removed.is_empty())
     air_mm_[chain.operation] += feed_length(recording_, chain.chain.rows);
   const FeatureType type = type_of(chain, tool);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "features/path/allowance.hpp"
 #include "features/tree/tree.hpp"
 #include "features/turning/half_section.hpp"
 #include "features/turning/turned_draft.hpp"
@@ -12,8 +13,8 @@ namespace kerf::features {
 /// chains together to features.
 class LatheWork {
  public:
-  /// `blank` in machine coordinates. The recording must outlive this.
-  LatheWork(const Recording& recording, const Blank& blank);
+  /// `blank` in machine coordinates. The recording and the allowance must outlive this.
+  LatheWork(const Recording& recording, const Blank& blank, Allowance& allowance);
 
   void follow(std::size_t number, const Operation& operation);
   /// Features with all that is told of them, what is not recognised, and air, into the tree.
@@ -29,6 +30,7 @@ class LatheWork {
   void take_thread(TurnedChain chain, const stock::Tool& tool);
   void take_cut(TurnedChain chain, const stock::Tool& tool);
   void take_axial(std::size_t number, const Chain& chain, const stock::Tool& tool);
+  [[nodiscard]] std::optional<contour::Region> swept_by(const TurnedChain& chain);
   void leave(const Chain& chain);
   TurnedDraft& begin(FeatureType type, const TurnedChain& chain);
   [[nodiscard]] TurnedDraft* draft_for(FeatureType type, const TurnedChain& chain);
@@ -36,6 +38,7 @@ class LatheWork {
   void tell_parents(Tree& tree) const;
 
   const Recording& recording_;
+  Allowance& allowance_;
   std::vector<HalfSection> materials_;  // by set-up
   std::vector<TurnedDraft> drafts_;
   std::vector<Unrecognised> unrecognised_;

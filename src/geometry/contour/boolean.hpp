@@ -15,4 +15,8 @@ namespace kerf::contour {
 /// The union of any number.
 [[nodiscard]] Region unite(const std::vector<Region>& regions);
 
+/// The region without any of the others, which may overlap. What of them lies beside the region's
+/// box costs nothing but a look at its loops.
+[[nodiscard]] Region subtract(const Region& region, const std::vector<const Region*>& others);
+
 }  // namespace kerf::contour

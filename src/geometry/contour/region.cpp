@@ -83,7 +83,7 @@ Region region_of(const std::vector<Contour>& contours) {
 
 Region region_of(const Contour& contour) {
   std::vector<Strand> strands;
-  add_strands(strands, {contour}, Operand::first);
+  add_strands(strands, std::span(&contour, 1), Operand::first);
   return {Arrangement(std::move(strands)).loops([](Winding w) { return w.first != 0; })};
 }
 

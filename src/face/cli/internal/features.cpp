@@ -44,6 +44,8 @@ ExitStatus features(const FeaturesOptions& options) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   order->ready.run = std::move(result->run);
   report_diagnostics(order->ready, options.run.diagnostics);
+  if (result->notice)
+    tell(*result->notice, order->ready.machine().sources(), options.run.diagnostics);
   return exit_status_of(result->status);
 }
 

@@ -2,8 +2,7 @@
 
 namespace kerf::contour {
 
-void add_strands(std::vector<Strand>& strands, const std::vector<Contour>& contours,
-                 Operand operand) {
+void add_strands(std::vector<Strand>& strands, std::span<const Contour> contours, Operand operand) {
   for (const Contour& contour : contours) {
     if (!contour.is_closed || !is_sound(contour)) continue;
     for (std::size_t i = 0; i < edge_count(contour); ++i) {

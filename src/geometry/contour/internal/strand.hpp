@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/contour/contour.hpp"
@@ -18,7 +19,6 @@ struct Strand {
 };
 
 /// The edges of what is sound among closed contours, added to `strands`.
-void add_strands(std::vector<Strand>& strands, const std::vector<Contour>& contours,
-                 Operand operand);
+void add_strands(std::vector<Strand>& strands, std::span<const Contour> contours, Operand operand);
 
 }  // namespace kerf::contour

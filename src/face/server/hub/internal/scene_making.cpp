@@ -68,7 +68,7 @@ Outcome<std::shared_ptr<job::EditScene>> SceneMaking::make(const Ran& ran) {
   if (!result) return tl::unexpected(result.error());
   ran(insight_of(*job, *result, times));
   if (!order_.unwanted.stop_requested())
-    result->tree = job::recognised(*result, features::Method::both);
+    job::recognise(*result, features::Method::both);
   return std::make_shared<job::EditScene>(std::move(*job), std::move(*result));
 }
 

@@ -232,11 +232,15 @@ class EditWork {
     report.verified.time_after_s = time_of(*after);
     report.ids = features::renamed_layers(after->tree, plan_);
     if (!report.verified.recognised)
-      return not_verified("THE CONTOUR THAT WAS ASKED FOR IS NOT FOUND IN IT");
+      return not_verified("THE " + asked() + " THAT WAS ASKED FOR IS NOT FOUND IN IT");
     if (!report.verified.others_unchanged)
       return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
     if (report.verified.outside_mm3 > 0.01) return not_verified("IT CUTS ELSEWHERE, TOO");
     return features::Editing<EditResult>(std::move(result_));
+  }
+
+  [[nodiscard]] std::string asked() const {
+    return plan_.wanted.empty() && plan_.turned.empty() ? "HOLE" : "CONTOUR";
   }
 
   [[nodiscard]] static features::Editing<EditResult> not_verified(std::string why) {

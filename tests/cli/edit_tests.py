@@ -101,6 +101,14 @@ def whole_edit(box):
     equal(patched(box, box.read("part.nc"), box.read("d.diff")), box.read("new.nc"), "what patch makes")
 
 
+@test("edit: the diff of a path from the root has names that patch -p1 takes")
+def diff_of_a_path(box):
+    prepare(box)
+    path = box.path("part.nc")
+    head = edit(box, "--diff", "-", program=path).text.splitlines()[:2]
+    equal(head, [f"--- a{path}", f"+++ b{path}"], "head of the diff")
+
+
 @test("edit: a diff alone writes nothing else")
 def dry_run(box):
     files = prepare(box)

@@ -126,7 +126,7 @@ class Merger {
     Inherited state = old_;
     for (std::uint32_t row = stretch.rows.first; row <= stretch.rows.last;) {
       const std::uint32_t block = s_.recording.moves[row].block;
-      const Span span = s_.rows_of(block, row);
+      const Span span = s_.recording.of_one_block(row);
       before.emplace(block, state);
       state = behind(span, state);
       row = span.last + 1;
@@ -201,7 +201,7 @@ class Merger {
       return i + 1;
     }
     const std::uint32_t block = s_.recording.moves[*row.was].block;
-    BlockRows rows{.block = block, .old = s_.rows_of(block, *row.was)};
+    BlockRows rows{.block = block, .old = s_.recording.of_one_block(*row.was)};
     for (; i < stretch.becomes.size() && stretch.becomes[i].was &&
            s_.recording.moves[*stretch.becomes[i].was].block == block;
          ++i) {

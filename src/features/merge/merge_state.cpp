@@ -96,14 +96,6 @@ void MergeState::put(std::uint32_t block, Bytes where, std::string text) {
   merged.replacements[id(block).file].push_back({where.from, where.length, std::move(text)});
 }
 
-Span MergeState::rows_of(std::uint32_t block, std::uint32_t row) const {
-  Span span{row, row};
-  while (span.first > 0 && recording.moves[span.first - 1].block == block) --span.first;
-  while (span.last + 1 < recording.count() && recording.moves[span.last + 1].block == block)
-    ++span.last;
-  return span;
-}
-
 void MergeState::put_line(const std::string& line) {
   if (in_place) return put(in_place->block, {in_place->at, 0}, line + line_end(in_place->block));
   if (!behind) {

@@ -63,7 +63,6 @@ struct MergeState {
   [[nodiscard]] std::string line_end(std::uint32_t block) const;
   [[nodiscard]] Bytes line_of(std::uint32_t block) const;
   void put(std::uint32_t block, Bytes where, std::string text);
-  [[nodiscard]] Span rows_of(std::uint32_t block, std::uint32_t row) const;
   /// Behind the block that was written last, and what has come in behind that.
   void put_line(const std::string& line);
 

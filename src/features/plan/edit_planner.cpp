@@ -12,6 +12,7 @@
 #include "features/plan/internal/loops_out.hpp"
 #include "features/plan/internal/order_edit.hpp"
 #include "features/plan/internal/tool_edits.hpp"
+#include "features/rewrite/clearing.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -30,10 +31,7 @@ LayerContours contours_of(const Layer& layer) {
 }
 
 Region region_of(const LayerContours& contours) {
-  Region region = contour::region_of(contours.outer);
-  for (const Contour& island : contours.islands)
-    region = contour::subtract(region, contour::region_of(island));
-  return region;
+  return region_between(contours.outer, contours.islands);
 }
 
 /// Its contours, if it hangs together.
@@ -326,13 +324,15 @@ Done EditPlanner::cut_anew(std::size_t feature, std::size_t layer, const LayerCo
   const Feature& its = scene_.tree.features[feature];
   if (its.compensated != Compensation::none)
     return follow_vertices(scene_, feature, layer, contours);
-  auto stretch = regenerated(scene_.recording, {.feature = &its,
-                                                .layer = layer,
-                                                .outer = contours.outer,
-                                                .islands = contours.islands,
-                                                .allows_rest = allows_rest_});
-  if (!stretch) return scene_.refuse(stretch.error().code, stretch.error().sentence);
-  scene_.add(std::move(*stretch));
+  auto anew = regenerated(scene_.recording, {.feature = &its,
+                                             .layer = layer,
+                                             .outer = contours.outer,
+                                             .islands = contours.islands,
+                                             .allows_rest = allows_rest_});
+  if (!anew) return scene_.refuse(anew.error().code, anew.error().sentence);
+  if (anew->left)
+    scene_.plan.warnings.push_back(scene_.refuse(anew->left->code, anew->left->sentence).value());
+  scene_.add(std::move(anew->stretch));
   scene_.plan.wanted.push_back({feature, layer, contours, its.layers[layer].z});
   return {};
 }

@@ -26,17 +26,6 @@ std::vector<Contour> walls_of(const Contour& outer, const std::vector<Contour>& 
   return walls;
 }
 
-Region region_of(const NewLayer& wanted) {
-  Region region = contour::region_of(wanted.outer);
-  for (const Contour& island : wanted.islands)
-    region = contour::subtract(region, contour::region_of(island));
-  return region;
-}
-
-double radius_of(const stock::Tool& tool) {
-  return tool.value(stock::Measure::diameter).value_or(0) / 2;
-}
-
 /// Whether the old ways turned sharply round what stands out of the wall.
 bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
   int sharp = 0;
@@ -92,20 +81,18 @@ class LayerWriter {
         visit_(whole_visit(recording, layer_)),
         at_(recording.from(visit_.first)) {}
 
-  [[nodiscard]] tl::expected<Stretch, CannotCut> write() {
+  [[nodiscard]] tl::expected<NewRows, CannotCut> write() {
     if (auto known = look(); !known) return tl::unexpected(known.error());
     if (layer_.loops.empty()) return along_line();
     const auto distances = distances_of(clearing_, distances_in(olds_),
                                         step_of(distances_in(olds_), clearing_.tool_radius));
     if (distances.from_wall.empty()) return does_not_fit();
-    if (distances.rest_mm2 > 0 && !wanted_.allows_rest) {
-      return refuse(Code::edit_leaves_rest,
-                    base::rounded_text(distances.rest_mm2, 3) + " mm² STAY UNCUT");
-    }
+    if (distances.rest_mm2 > 0) left_ = left_uncut(distances.rest_mm2, distances.rest_at);
+    if (left_ && !wanted_.allows_rest) return tl::unexpected(*left_);
     for (const double distance : in_order(distances.from_wall)) cut_round(distance);
     retract();
     align(recording_, visit_, recording_.from(visit_.first), rows_);
-    return Stretch{visit_, std::move(rows_)};
+    return NewRows{{visit_, std::move(rows_)}, left_};
   }
 
  private:
@@ -120,11 +107,10 @@ class LayerWriter {
     }
     olds_ = old_loops(recording_, spans, walls);
     const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
-    const auto known = recording_.tools.find(
-        wanted_.feature->cuts.front().role == Cut::Role::only ? wanted_.feature->tool : tool);
-    clearing_ = {.region = region_of(wanted_),
+    const bool is_alone = wanted_.feature->cuts.front().role == Cut::Role::only;
+    clearing_ = {.region = region_between(wanted_.outer, wanted_.islands),
                  .is_outside = bounds_what_stands(*wanted_.feature),
-                 .tool_radius = known == recording_.tools.end() ? 0 : radius_of(known->second),
+                 .tool_radius = recording_.diameter_of(is_alone ? wanted_.feature->tool : tool) / 2,
                  .has_sharp_corners = turned_sharply(olds_, walls)};
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
@@ -142,7 +128,7 @@ class LayerWriter {
   }
 
   // The pass between the centres of the ends of a stadium as wide as the tool.
-  [[nodiscard]] tl::expected<Stretch, CannotCut> along_line() {
+  [[nodiscard]] tl::expected<NewRows, CannotCut> along_line() {
     std::vector<Vec2> ends;
     for (std::size_t i = 0; i < contour::edge_count(wanted_.outer); ++i) {
       const contour::Edge edge = contour::edge_of(wanted_.outer, i);
@@ -162,7 +148,7 @@ class LayerWriter {
     put_moved(cut, ends[1] - recording_.flat_to(cut));
     for (std::uint32_t row = cut + 1; row <= visit_.last; ++row)
       put_moved(row, ends[1] - recording_.flat_to(cut));
-    return Stretch{visit_, std::move(rows_)};
+    return NewRows{{visit_, std::move(rows_)}, left_};
   }
 
   // What a loop at the distance of an old one would do by itself.
@@ -174,6 +160,12 @@ class LayerWriter {
         return false;
     }
     return true;
+  }
+
+  [[nodiscard]] static CannotCut left_uncut(double area, Vec2 at) {
+    return {Code::edit_leaves_rest, base::rounded_text(area, 3) + " mm² STAY UNCUT AT X" +
+                                        base::rounded_text(at.u, 3) + " Y" +
+                                        base::rounded_text(at.v, 3)};
   }
 
   [[nodiscard]] tl::unexpected<CannotCut> does_not_fit() const {
@@ -288,6 +280,7 @@ class LayerWriter {
   bool is_reversed_ = false;
   bool has_cut_ = false;
   std::vector<PlannedRow> rows_{};
+  std::optional<CannotCut> left_{};
 };
 
 }  // namespace
@@ -325,7 +318,7 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
   return span;
 }
 
-tl::expected<Stretch, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
+tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
   return LayerWriter(recording, wanted).write();
 }
 

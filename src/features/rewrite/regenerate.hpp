@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -26,13 +27,19 @@ struct NewLayer {
   bool allows_rest = false;  ///< material that the tool could reach may stay
 };
 
+/// What a layer that is cut anew becomes.
+struct NewRows {
+  Stretch stretch{};
+  std::optional<CannotCut> left{};  ///< what would refuse it, and is allowed
+};
+
 /// Whether the contour of a feature bounds what stands, not what is removed.
 [[nodiscard]] bool bounds_what_stands(const Feature& feature);
 
 /// The rows of a layer of closed loops for its new contours: loops at the distances, in the order,
 /// the direction and with the entries that the old ones had (features-contract §7). Rows that stay
 /// what they were keep their blocks.
-[[nodiscard]] tl::expected<Stretch, CannotCut> regenerated(const Recording& recording,
+[[nodiscard]] tl::expected<NewRows, CannotCut> regenerated(const Recording& recording,
                                                            const NewLayer& wanted);
 
 /// The rows that belong to a layer from its approach to its retract: the last rapid across that

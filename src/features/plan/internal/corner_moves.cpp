@@ -131,10 +131,7 @@ Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
         "UNDER G41 AND G42 A CONTOUR KEEPS ITS ELEMENTS AND THE ANGLES OF ITS ARCS");
   }
   const Shift shift(its.nominal, contours.outer);
-  const auto tool = scene.recording.tools.find(scene.tree.features[feature].tool);
-  const double diameter = tool == scene.recording.tools.end()
-                              ? 0
-                              : tool->second.value(stock::Measure::diameter).value_or(0);
+  const double diameter = scene.recording.diameter_of(scene.tree.features[feature].tool);
   const Span visit = whole_visit(scene.recording, its);
   Stretch stretch{.rows = visit};
   for (std::uint32_t row = visit.first; row <= visit.last; ++row) {

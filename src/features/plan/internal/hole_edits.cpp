@@ -33,15 +33,6 @@ std::vector<Span> spans_of(const Recording& recording, const HoleStep& step, con
   return apart;
 }
 
-Span block_rows(const Recording& recording, std::uint32_t row) {
-  Span span{row, row};
-  const std::uint32_t block = recording.moves[row].block;
-  while (span.first > 0 && recording.moves[span.first - 1].block == block) --span.first;
-  while (span.last + 1 < recording.count() && recording.moves[span.last + 1].block == block)
-    ++span.last;
-  return span;
-}
-
 bool is_cycle_row(const Recording& recording, std::uint32_t row) {
   return recording.state_of(recording.moves[row]).cycle != 0;
 }
@@ -95,7 +86,7 @@ Done remove_hole(EditScene& scene, std::size_t hole) {
       for (const Span& visit : step.visits) scene.add({.rows = visit});
       continue;
     }
-    const Span own = block_rows(scene.recording, first);
+    const Span own = scene.recording.of_one_block(first);
     const bool is_first = own.first == 0 || !is_cycle_row(scene.recording, own.first - 1);
     const bool has_next =
         own.last + 1 < scene.recording.count() && is_cycle_row(scene.recording, own.last + 1);
@@ -105,7 +96,7 @@ Done remove_hole(EditScene& scene, std::size_t hole) {
     }
     if (!has_next)
       return scene.refuse(Code::edit_not_editable, "THE ONLY HOLE OF A CYCLE GOES BY HAND");
-    const Span next = block_rows(scene.recording, own.last + 1);
+    const Span next = scene.recording.of_one_block(own.last + 1);
     Stretch stretch{.rows = {own.first, next.last}};
     for (std::uint32_t row = next.first; row <= next.last; ++row) {
       PlannedRow planned = as_it_is(scene.recording, row);
@@ -125,7 +116,7 @@ Done add_hole(EditScene& scene, contour::Vec2 at, std::size_t pattern) {
     const std::uint32_t row = step.rows.back().last;
     if (!is_cycle_row(scene.recording, row))
       return scene.refuse(Code::edit_not_editable, "THESE HOLES ARE NOT MADE BY A CYCLE");
-    const Span own = block_rows(scene.recording, row);
+    const Span own = scene.recording.of_one_block(row);
     Stretch stretch{.rows = own};
     for (std::uint32_t each = own.first; each <= own.last; ++each)
       stretch.becomes.push_back(as_it_is(scene.recording, each));

@@ -11,6 +11,7 @@
 #include "job/features_run.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
+#include "job/internal/new_findings.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -221,7 +222,8 @@ class EditWork {
   }
 
   [[nodiscard]] base::Outcome<features::Editing<EditResult>> verified() {
-    StockJob again = job_;
+    const StockJob original = on_same_stock(job_);
+    StockJob again = original;
     again.job.program = base::ProgramText::of(job_.job.program.name, result_.texts.front().after);
     auto after = recognise_features(again, features::Method::both);
     if (!after) return tl::unexpected(after.error());
@@ -236,7 +238,17 @@ class EditWork {
     if (!report.verified.others_unchanged)
       return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
     if (report.verified.outside_mm3 > 0.01) return not_verified("IT CUTS ELSEWHERE, TOO");
+    const NewFindings added = new_findings(original, again, report.changes);
+    report.verified.new_findings = added.found;
+    report.verified.findings_skipped = added.skipped;
+    if (!added.found.empty()) return not_verified(added.found.front());
     return features::Editing<EditResult>(std::move(result_));
+  }
+
+  // An edit never changes an assumed stock.
+  [[nodiscard]] StockJob on_same_stock(StockJob job) const {
+    if (!before_.knows_stock && before_.shape) job.shape = *before_.shape;
+    return job;
   }
 
   [[nodiscard]] std::string asked() const {

@@ -193,6 +193,38 @@ def preparation(box):
          "box:0,0,-40,10,10,-30", wanted=1)
 
 
+TABLE = ("--stock", "box:0,0,-20,60,50,0")
+
+
+def moved(box, by, *words, wanted=0):
+    prepare(box)
+    box.write("edits.json", json.dumps({"version": 1, "edits": [{"op": "move", "feature": "F1", "dx": by}]}))
+    return edit(box, "--output", "new.nc", "--report", "r.json", *TABLE, *words, wanted=wanted)
+
+
+@test("edit: what runs into something only behind the edit is not written")
+def new_findings(box):
+    # The pocket ends at X50; moved by 10 its tool reaches X60, 8 mm into the clamp.
+    told = moved(box, 10, "--fixture", "box:52,0,-20,70,50,5", wanted=1).err
+    contains(told, "EDIT_NOT_VERIFIED FIXTURE_COLLISION LINE 6: ", "what is told")
+    check("new.nc" not in box.files(), "the program was written")
+
+
+@test("edit: what ran into something before as well does not refuse an edit")
+def old_findings(box):
+    moved(box, 1, "--fixture", "box:48,0,-20,70,50,5")
+    verified = box.json("r.json")["verified"]
+    equal((verified["new_findings"], verified["findings_skipped"]), ([], None), "findings")
+
+
+@test("edit: where no part can be cut the report says that findings were not compared")
+def no_part(box):
+    prepare(box)
+    result = edit(box, "--output", "new.nc", "--report", "r.json", "--stock", "sheet:0,0,60,50,2")
+    contains(result.err, "collisions are not compared: --stock sheet: this machine has no laser", "what is told")
+    contains(box.json("r.json")["verified"]["findings_skipped"], "this machine has no laser", "the report")
+
+
 def patched(box, before, diff):
     """What the program `patch` makes of a file part.nc."""
     if not shutil.which("patch"):

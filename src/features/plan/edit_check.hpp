@@ -24,6 +24,7 @@ struct VerifiedEdit {
   double outside_mm3 = 0;      ///< of it, outside of what was asked
   double corner_rest_mm2 = 0;  ///< that no disc of the tool reaches in sharp corners
   std::vector<std::string> new_findings{};
+  std::string findings_skipped{};  ///< why findings were not compared; empty: they were
   double time_before_s = 0;
   double time_after_s = 0;
 };

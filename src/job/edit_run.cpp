@@ -4,14 +4,18 @@
 #include <map>
 
 #include "base/checksum.hpp"
+#include "base/decimal.hpp"
 #include "features/merge/merge.hpp"
 #include "features/merge/text_style.hpp"
+#include "features/merge/tool_words.hpp"
 #include "features/plan/edit_planner.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "job/features_run.hpp"
+#include "job/internal/assignments.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
 #include "job/internal/new_findings.hpp"
+#include "job/internal/run_rack.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -81,12 +85,18 @@ class EditWork {
       if (sources.contains(file) && texts.count(file) == 0)
         texts.emplace(file, text_of(sources[file]));
     }
+    for (const features::Call& call : before_.tree.calls) {
+      const base::FileId file = call.block.file;
+      if (sources.contains(file) && texts.count(file) == 0)
+        texts.emplace(file, text_of(sources[file]));
+    }
     return texts;
   }
 
   [[nodiscard]] Done merged_texts() {
     if (language() == nullptr)
       return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
+    describe_tools();
     auto plan = features::plan_edits(before_.recording, before_.tree, wishes_.edits,
                                      {wishes_.allows_collision, wishes_.allows_rest});
     if (!plan) return tl::unexpected(plan.error());
@@ -102,10 +112,27 @@ class EditWork {
     sources.x_counts = before_.recording.turns ? 2 : 1;
     auto merged = features::merge(before_.recording, plan_.rows, sources);
     if (!merged) return refuse(merged.error().code, merged.error().sentence);
+    for (const features::ToolChange& tool : plan_.tools) {
+      auto done = features::change_tool_words(before_.recording, {tool.was, tool.is, tool.rows},
+                                              sources, *merged);
+      if (!done) return refuse(done.error().code, done.error().sentence);
+    }
     for (const std::size_t edit : plan_.arguments) {
       if (auto done = change_argument(edit, sources.texts, *merged); !done) return done;
     }
     return put_texts(*merged, sources.texts);
+  }
+
+  // Tools that edits name may not have moved so far.
+  void describe_tools() {
+    RunRack rack(job_, before_.run->machine(), {});
+    for (const features::Edit& edit : wishes_.edits) {
+      const auto* const wish = std::get_if<features::SetTool>(&edit.operation);
+      if (wish == nullptr) continue;
+      const stock::Tool& tool = rack.tool(wish->tool).tool;
+      if (tool.source != stock::ToolSource::assumed)
+        before_.recording.tools.emplace(wish->tool, tool);
+    }
   }
 
   // The literal of a call, in its place.
@@ -114,6 +141,7 @@ class EditWork {
                                      features::Merged& merged) {
     const features::Edit& wish = wishes_.edits[edit];
     const auto& argument = std::get<features::SetArgument>(wish.operation);
+    if (wish.target.empty()) return change_variable(edit, texts, merged);
     for (std::size_t i = 0; i < before_.tree.calls.size(); ++i) {
       const features::Call& call = before_.tree.calls[i];
       if (wish.target != "C" + std::to_string(i + 1)) continue;
@@ -137,6 +165,54 @@ class EditWork {
     }
     return refuse(Code::edit_call_unknown, "NO ARGUMENT " + argument.letter + " OF " + wish.target,
                   edit);
+  }
+
+  // The literal of a `#n=` of the main program.
+  [[nodiscard]] Done change_variable(std::size_t edit,
+                                     const std::map<base::FileId, std::string>& texts,
+                                     features::Merged& merged) {
+    const auto& argument = std::get<features::SetArgument>(wishes_.edits[edit].operation);
+    const std::string name = "#" + std::to_string(argument.variable);
+    const auto main = std::find_if(texts.begin(), texts.end(), [&](const auto& text) {
+      return before_.run->machine().sources()[text.first].name() == job_.job.program.name;
+    });
+    if (main == texts.end()) return refuse(Code::edit_call_unknown, "NO BLOCK SETS " + name, edit);
+    const std::vector<Assignment> all =
+        assignments_of(*language(), main->second, argument.variable);
+    if (all.size() != 1) {
+      return refuse(Code::edit_call_unknown,
+                    (all.empty() ? "NO BLOCK" : std::to_string(all.size()) + " BLOCKS") +
+                        std::string(all.empty() ? " SETS " : " SET ") + name,
+                    edit);
+    }
+    const std::string old = main->second.substr(all.front().from, all.front().length);
+    if (!base::read_number(old))
+      return refuse(Code::edit_expression, name + "=" + old + " IS AN EXPRESSION", edit);
+    features::TextStyle style;
+    merged.replacements[main->first].push_back(
+        {all.front().from, all.front().length, style.number_like(old, argument.value)});
+    std::sort(merged.replacements[main->first].begin(), merged.replacements[main->first].end(),
+              [](const auto& a, const auto& b) { return a.from < b.from; });
+    ++merged.patched;
+    note_expressions();
+    return {};
+  }
+
+  // What blocks with variables have cut may become anything.
+  void note_expressions() {
+    using Kind = features::Origin::Kind;
+    const auto is_open = [](const features::Origin& origin) {
+      return origin.kind == Kind::expression || origin.kind == Kind::loop;
+    };
+    plan_.changes_more = true;
+    for (std::size_t f = 0; f < before_.tree.features.size(); ++f) {
+      if (!is_open(before_.tree.features[f].origin)) continue;
+      for (std::size_t layer = 0; layer < before_.tree.features[f].layers.size(); ++layer)
+        plan_.gone.emplace_back(f, layer);
+    }
+    for (std::size_t h = 0; h < before_.tree.holes.size(); ++h) {
+      if (is_open(before_.tree.holes[h].origin)) plan_.edited_holes.push_back(h);
+    }
   }
 
   // What a call has cut may become anything.
@@ -237,6 +313,8 @@ class EditWork {
       return not_verified("THE " + asked() + " THAT WAS ASKED FOR IS NOT FOUND IN IT");
     if (!report.verified.others_unchanged)
       return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
+    if (!features::has_wanted_feeds(before_.recording, plan_, after->recording, after->tree))
+      return not_verified("IT IS NOT FED AS ASKED");
     if (report.verified.outside_mm3 > 0.01) return not_verified("IT CUTS ELSEWHERE, TOO");
     const NewFindings added = new_findings(original, again, report.changes);
     report.verified.new_findings = added.found;

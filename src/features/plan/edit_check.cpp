@@ -94,11 +94,11 @@ Region reached_in(const Region& region, double diameter) {
 
 Sought sought_of(const Recording& recording, const Tree& tree, const WantedLayer& wanted) {
   const Feature& feature = tree.features[wanted.feature];
-  Sought sought{wanted.z, feature.tool, feature.setup, &wanted.contours.outer,
-                &wanted.contours.islands};
+  const std::uint32_t tool = wanted.tool.value_or(feature.tool);
+  Sought sought{wanted.z, tool, feature.setup, &wanted.contours.outer, &wanted.contours.islands};
   if (!bounds_what_stands(feature)) {
     sought.reached = reached_in(region_between(wanted.contours.outer, wanted.contours.islands),
-                                recording.diameter_of(feature.tool));
+                                recording.diameter_of(tool));
   }
   return sought;
 }
@@ -241,7 +241,7 @@ VerifiedEdit compare_edited(const Recording& recording, const Tree& before, cons
         std::max(verified.contour_error_mm, error_of(now.nominal, wanted.contours.outer));
     const bool stands =
         feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
-    const double diameter = recording.diameter_of(feature.tool);
+    const double diameter = recording.diameter_of(wanted.tool.value_or(feature.tool));
     const bool is_new = wanted.layer >= feature.layers.size();
     const Layer& was = feature.layers[is_new ? 0 : wanted.layer];
     if (!is_new && now.z == was.z && feature.compensated == Compensation::none)

@@ -34,6 +34,11 @@ struct VerifiedEdit {
 [[nodiscard]] VerifiedEdit compare_edited(const Recording& recording, const Tree& before,
                                           const Tree& after, const EditPlan& plan);
 
+/// Whether an edited program is fed as the plan has it, one cut behind the other, and pecks so
+/// deep. `edited`: what it has moved, `after`: what was recognised in that.
+[[nodiscard]] bool has_wanted_feeds(const Recording& recording, const EditPlan& plan,
+                                    const Recording& edited, const Tree& after);
+
 /// Under which names the edited layers are found again.
 [[nodiscard]] std::vector<RenamedLayer> renamed_layers(const Tree& after, const EditPlan& plan);
 

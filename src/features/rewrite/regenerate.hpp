@@ -25,6 +25,9 @@ struct NewLayer {
   contour::Contour outer{};
   std::vector<contour::Contour> islands{};
   bool allows_rest = false;  ///< material that the tool could reach may stay
+  double new_radius = 0;     ///< of another tool that shall cut it; 0: the one that did
+  /// The way of one pass; null: the outline says it.
+  const contour::Contour* centre_line = nullptr;
 };
 
 /// What a layer that is cut anew becomes.

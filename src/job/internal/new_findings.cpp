@@ -79,6 +79,8 @@ NewFindings new_findings(const StockJob& before, const StockJob& after,
     added.skipped = "more findings than are kept: the last ones were not compared";
   const std::set<Identity> known = known_in(*was, changes);
   for (const stock::Finding& finding : is->findings) {
+    // Of a stock that nobody has described it is no news that a feature moved out of it.
+    if (!after.knows_stock && finding.code == base::Code::stock_missed) continue;
     if (known.count({finding.code, file_of(*is, finding), finding.block.line}) == 0)
       added.found.push_back(sentence_of(*is, finding));
   }

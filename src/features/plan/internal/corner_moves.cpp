@@ -122,8 +122,8 @@ Done turn_anew(EditScene& scene, std::size_t feature, const Contour& contour) {
 }  // namespace
 
 // Under G41 and G42 the control goes beside the contour by itself: its corners alone move.
-Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
-                     const LayerContours& contours) {
+Editing<Stretch> vertices_followed(const EditScene& scene, std::size_t feature, std::size_t layer,
+                                   const LayerContours& contours) {
   const Layer& its = scene.tree.features[feature].layers[layer];
   if (!keeps_elements(its.nominal, contours.outer) || !contours.islands.empty()) {
     return scene.refuse(
@@ -145,9 +145,7 @@ Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
     }
     stretch.becomes.push_back(planned);
   }
-  scene.add(std::move(stretch));
-  scene.plan.wanted.push_back({feature, layer, contours, its.z});
-  return {};
+  return stretch;
 }
 
 Done edit_turned(EditScene& scene, const Edit& edit, std::size_t feature) {

@@ -97,6 +97,8 @@ def random_edits(chance, pocket):
         {"op": "feed", "cut": chance.randint(100, 900)},
         {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 5)},
     ])
+    if first["op"] == second["op"] == "depth":
+        return [second]  # the last one alone says where steps are
     if first["op"] == "depth":
         second.pop("layer", None)  # there may be others by then
     return [first, second]

@@ -115,7 +115,7 @@ class OriginFinder {
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
     tree_.calls.push_back(
-        {.line = call.line, .column = call.column, .words = reader_.call_of(call)});
+        {.line = call.line, .column = call.column, .block = call, .words = reader_.call_of(call)});
     known_.emplace(key, tree_.calls.size() - 1);
     return tree_.calls.size() - 1;
   }

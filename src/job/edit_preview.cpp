@@ -89,7 +89,7 @@ output::EditPreview::Cut cut_of(const EditScene& scene, const EditDraft& draft) 
 
 }  // namespace
 
-base::Outcome<output::EditPreview> preview_edits(const EditScene& scene, const std::string& edits,
+base::Outcome<output::EditPreview> preview_edits(EditScene& scene, const std::string& edits,
                                                  PreviewUntil until,
                                                  const std::stop_token& unwanted) {
   output::EditPreview preview;
@@ -122,7 +122,7 @@ base::Outcome<output::EditPreview> preview_edits(const EditScene& scene, const s
   return preview;
 }
 
-base::Outcome<MadeEdit> make_edits(const EditScene& scene, const std::string& edits,
+base::Outcome<MadeEdit> make_edits(EditScene& scene, const std::string& edits,
                                    const std::stop_token& unwanted) {
   const auto read = read_edits(edits, scene.features().recording.turns);
   if (!read) return MadeEdit(tl::unexpected(problem_of(read.error())));

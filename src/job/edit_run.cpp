@@ -5,8 +5,7 @@
 namespace kerf::job {
 namespace {
 
-base::Outcome<features::Editing<EditResult>> made(const EditScene& scene,
-                                                  const EditWishes& wishes) {
+base::Outcome<features::Editing<EditResult>> made(EditScene& scene, const EditWishes& wishes) {
   auto draft = scene.draft(wishes);
   if (!draft) return features::Editing<EditResult>(tl::unexpected(draft.error()));
   return scene.verified(std::move(*draft));

@@ -3,11 +3,16 @@
 #include <algorithm>
 
 #include "base/checksum.hpp"
+#include "base/decimal.hpp"
 #include "features/merge/text_style.hpp"
+#include "features/merge/tool_words.hpp"
 #include "features/plan/edit_planner.hpp"
 #include "features/rewrite/regenerate.hpp"
+#include "job/internal/assignments.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
+#include "job/internal/new_findings.hpp"
+#include "job/internal/run_rack.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -58,6 +63,16 @@ std::vector<std::uint32_t> named_blocks(std::string_view text) {
 
 double time_of(const FeaturesResult& result) { return result.run->machine().time_s(); }
 
+// An edit never changes an assumed stock.
+StockJob on_same_stock(StockJob job, const FeaturesResult& before) {
+  if (!before.knows_stock && before.shape) job.shape = *before.shape;
+  return job;
+}
+
+std::string asked_by(const features::EditPlan& plan) {
+  return plan.wanted.empty() && plan.turned.empty() ? "HOLE" : "CONTOUR";
+}
+
 /// Makes a draft of edits.
 class Drafting {
  public:
@@ -71,6 +86,11 @@ class Drafting {
     plan_ = std::move(*plan);
     auto merged = features::merge(before_.recording, plan_.rows, sources_);
     if (!merged) return refuse(merged.error().code, merged.error().sentence);
+    for (const features::ToolChange& tool : plan_.tools) {
+      auto done = features::change_tool_words(before_.recording, {tool.was, tool.is, tool.rows},
+                                              sources_, *merged);
+      if (!done) return refuse(done.error().code, done.error().sentence);
+    }
     for (const std::size_t edit : plan_.arguments) {
       if (auto done = change_argument(edit, *merged); !done) return tl::unexpected(done.error());
     }
@@ -85,6 +105,7 @@ class Drafting {
   [[nodiscard]] Done change_argument(std::size_t edit, features::Merged& merged) {
     const features::Edit& wish = wishes_.edits[edit];
     const auto& argument = std::get<features::SetArgument>(wish.operation);
+    if (wish.target.empty()) return change_variable(edit, merged);
     for (std::size_t i = 0; i < before_.tree.calls.size(); ++i) {
       const features::Call& call = before_.tree.calls[i];
       if (wish.target != "C" + std::to_string(i + 1)) continue;
@@ -108,6 +129,53 @@ class Drafting {
     }
     return refuse(Code::edit_call_unknown, "NO ARGUMENT " + argument.letter + " OF " + wish.target,
                   edit);
+  }
+
+  // The literal of a `#n=` of the main program.
+  [[nodiscard]] Done change_variable(std::size_t edit, features::Merged& merged) {
+    const std::map<base::FileId, std::string>& texts = sources_.texts;
+    const auto& argument = std::get<features::SetArgument>(wishes_.edits[edit].operation);
+    const std::string name = "#" + std::to_string(argument.variable);
+    const auto main = std::find_if(texts.begin(), texts.end(), [&](const auto& text) {
+      return before_.run->machine().sources()[text.first].name() == job_.job.program.name;
+    });
+    if (main == texts.end()) return refuse(Code::edit_call_unknown, "NO BLOCK SETS " + name, edit);
+    const std::vector<Assignment> all =
+        assignments_of(sources_.language, main->second, argument.variable);
+    if (all.size() != 1) {
+      return refuse(Code::edit_call_unknown,
+                    (all.empty() ? "NO BLOCK" : std::to_string(all.size()) + " BLOCKS") +
+                        std::string(all.empty() ? " SETS " : " SET ") + name,
+                    edit);
+    }
+    const std::string old = main->second.substr(all.front().from, all.front().length);
+    if (!base::read_number(old))
+      return refuse(Code::edit_expression, name + "=" + old + " IS AN EXPRESSION", edit);
+    features::TextStyle style;
+    merged.replacements[main->first].push_back(
+        {all.front().from, all.front().length, style.number_like(old, argument.value)});
+    std::sort(merged.replacements[main->first].begin(), merged.replacements[main->first].end(),
+              [](const auto& a, const auto& b) { return a.from < b.from; });
+    ++merged.patched;
+    note_expressions();
+    return {};
+  }
+
+  // What blocks with variables have cut may become anything.
+  void note_expressions() {
+    using Kind = features::Origin::Kind;
+    const auto is_open = [](const features::Origin& origin) {
+      return origin.kind == Kind::expression || origin.kind == Kind::loop;
+    };
+    plan_.changes_more = true;
+    for (std::size_t f = 0; f < before_.tree.features.size(); ++f) {
+      if (!is_open(before_.tree.features[f].origin)) continue;
+      for (std::size_t layer = 0; layer < before_.tree.features[f].layers.size(); ++layer)
+        plan_.gone.emplace_back(f, layer);
+    }
+    for (std::size_t h = 0; h < before_.tree.holes.size(); ++h) {
+      if (is_open(before_.tree.holes[h].origin)) plan_.edited_holes.push_back(h);
+    }
   }
 
   // What a call has cut may become anything.
@@ -217,14 +285,33 @@ void EditScene::read_texts() {
     const std::string& text = sources_->texts.emplace(file, text_of(files[file])).first->second;
     named_[file] = named_blocks(text);
   }
+  for (const features::Call& call : before_.tree.calls) {
+    const base::FileId file = call.block.file;
+    if (!files.contains(file) || sources_->texts.count(file) > 0) continue;
+    const std::string& text = sources_->texts.emplace(file, text_of(files[file])).first->second;
+    named_[file] = named_blocks(text);
+  }
 }
 
 features::EditSketch EditScene::sketch(const std::vector<features::Edit>& edits) const {
   return features::sketch_edits(before_.recording, before_.tree, edits);
 }
 
-features::Editing<EditDraft> EditScene::draft(const EditWishes& wishes) const {
+// Tools that edits name may not have moved so far.
+void EditScene::describe_tools(const std::vector<features::Edit>& edits) {
+  RunRack rack(job_, before_.run->machine(), {});
+  for (const features::Edit& edit : edits) {
+    const auto* const wish = std::get_if<features::SetTool>(&edit.operation);
+    if (wish == nullptr) continue;
+    const stock::Tool& tool = rack.tool(wish->tool).tool;
+    if (tool.source != stock::ToolSource::assumed)
+      before_.recording.tools.emplace(wish->tool, tool);
+  }
+}
+
+features::Editing<EditDraft> EditScene::draft(const EditWishes& wishes) {
   if (!sources_) return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
+  describe_tools(wishes.edits);
   return Drafting(*this, *sources_, wishes).make();
 }
 
@@ -238,11 +325,12 @@ base::Outcome<features::Editing<EditResult>> EditScene::verified(EditDraft draft
     report.warnings.push_back({Code::edit_no_change, "THE PROGRAM CUTS THIS ALREADY", "", 0});
     return Verified(std::move(draft.result));
   }
-  const auto not_verified = [](const char* why) {
-    return Verified(refuse(Code::edit_not_verified, why));
+  const auto not_verified = [](std::string why) {
+    return Verified(refuse(Code::edit_not_verified, std::move(why)));
   };
-  StockJob again = job_;
-  if (unwanted.stop_possible()) again.job.budget.unwanted = std::move(unwanted);
+  StockJob original = on_same_stock(job_, before_);
+  if (unwanted.stop_possible()) original.job.budget.unwanted = std::move(unwanted);
+  StockJob again = original;
   again.job.program =
       base::ProgramText::of(job_.job.program.name, draft.result.texts.front().after);
   auto after = recognise_features(again, features::Method::both);
@@ -254,10 +342,16 @@ base::Outcome<features::Editing<EditResult>> EditScene::verified(EditDraft draft
   report.verified.time_after_s = time_of(*after);
   report.ids = features::renamed_layers(after->tree, draft.plan);
   if (!report.verified.recognised)
-    return not_verified("THE CONTOUR THAT WAS ASKED FOR IS NOT FOUND IN IT");
+    return not_verified("THE " + asked_by(draft.plan) + " THAT WAS ASKED FOR IS NOT FOUND IN IT");
   if (!report.verified.others_unchanged)
     return not_verified("IT ALSO CHANGES WHAT WAS NOT TO BE EDITED");
+  if (!features::has_wanted_feeds(before_.recording, draft.plan, after->recording, after->tree))
+    return not_verified("IT IS NOT FED AS ASKED");
   if (report.verified.outside_mm3 > 0.01) return not_verified("IT CUTS ELSEWHERE, TOO");
+  const NewFindings added = new_findings(original, again, report.changes);
+  report.verified.new_findings = added.found;
+  report.verified.findings_skipped = added.skipped;
+  if (!added.found.empty()) return not_verified(added.found.front());
   return Verified(std::move(draft.result));
 }
 

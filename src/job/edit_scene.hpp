@@ -44,7 +44,7 @@ class EditScene {
   /// The contours behind the edits. No path is made.
   [[nodiscard]] features::EditSketch sketch(const std::vector<features::Edit>& edits) const;
   /// Plans the edits and merges them into the text.
-  [[nodiscard]] features::Editing<EditDraft> draft(const EditWishes& wishes) const;
+  [[nodiscard]] features::Editing<EditDraft> draft(const EditWishes& wishes);
   /// Runs a draft and holds it against what was asked; a draft that changes nothing is one that is
   /// verified. Failures as recognise_features() has them. `unwanted` ends the run.
   [[nodiscard]] base::Outcome<features::Editing<EditResult>> verified(
@@ -52,6 +52,7 @@ class EditScene {
 
  private:
   void read_texts();
+  void describe_tools(const std::vector<features::Edit>& edits);
 
   StockJob job_;
   FeaturesResult before_;

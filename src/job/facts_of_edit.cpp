@@ -24,6 +24,7 @@ void take_verified(const features::VerifiedEdit& verified, output::EditFacts& fa
                     .outside_mm3 = verified.outside_mm3,
                     .corner_rest_mm2 = verified.corner_rest_mm2,
                     .new_findings = verified.new_findings,
+                    .findings_skipped = verified.findings_skipped,
                     .time_before_s = verified.time_before_s,
                     .time_after_s = verified.time_after_s};
 }

@@ -101,6 +101,14 @@ def whole_edit(box):
     equal(patched(box, box.read("part.nc"), box.read("d.diff")), box.read("new.nc"), "what patch makes")
 
 
+@test("edit: the diff of a path from the root has names that patch -p1 takes")
+def diff_of_a_path(box):
+    prepare(box)
+    path = box.path("part.nc")
+    head = edit(box, "--diff", "-", program=path).text.splitlines()[:2]
+    equal(head, [f"--- a{path}", f"+++ b{path}"], "head of the diff")
+
+
 @test("edit: a diff alone writes nothing else")
 def dry_run(box):
     files = prepare(box)
@@ -183,6 +191,38 @@ def preparation(box):
          "--block-skip", "1", "--optional-stop", "--setup", "table.toml", "--stock", "box:0,0,-20,60,50,0",
          "--stock-unit", "mm", "--stock-zero", "G54", "--stock-place", "0,0,0", "--fixture",
          "box:0,0,-40,10,10,-30", wanted=1)
+
+
+TABLE = ("--stock", "box:0,0,-20,60,50,0")
+
+
+def moved(box, by, *words, wanted=0):
+    prepare(box)
+    box.write("edits.json", json.dumps({"version": 1, "edits": [{"op": "move", "feature": "F1", "dx": by}]}))
+    return edit(box, "--output", "new.nc", "--report", "r.json", *TABLE, *words, wanted=wanted)
+
+
+@test("edit: what runs into something only behind the edit is not written")
+def new_findings(box):
+    # The pocket ends at X50; moved by 10 its tool reaches X60, 8 mm into the clamp.
+    told = moved(box, 10, "--fixture", "box:52,0,-20,70,50,5", wanted=1).err
+    contains(told, "EDIT_NOT_VERIFIED FIXTURE_COLLISION LINE 6: ", "what is told")
+    check("new.nc" not in box.files(), "the program was written")
+
+
+@test("edit: what ran into something before as well does not refuse an edit")
+def old_findings(box):
+    moved(box, 1, "--fixture", "box:48,0,-20,70,50,5")
+    verified = box.json("r.json")["verified"]
+    equal((verified["new_findings"], verified["findings_skipped"]), ([], None), "findings")
+
+
+@test("edit: where no part can be cut the report says that findings were not compared")
+def no_part(box):
+    prepare(box)
+    result = edit(box, "--output", "new.nc", "--report", "r.json", "--stock", "sheet:0,0,60,50,2")
+    contains(result.err, "collisions are not compared: --stock sheet: this machine has no laser", "what is told")
+    contains(box.json("r.json")["verified"]["findings_skipped"], "this machine has no laser", "the report")
 
 
 def patched(box, before, diff):

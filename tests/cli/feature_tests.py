@@ -15,6 +15,34 @@ type = "flat"
 diameter = 6
 """
 
+MACRO = """O1
+T1 M6
+S2000 M3
+G90 G54 G0 X0 Y0
+G43 H1 Z20.
+G65 P9100 X40. Y10. Z-3. F200. W5
+M30
+O9100
+G0 X10. Y10.
+G1 Z#26 F100.
+X#24 F#9
+G0 Z5.
+M99
+"""
+
+
+@test("features: --probe-arguments says what each argument of a call reaches")
+def probe_arguments(box):
+    box.write("part.nc", MACRO)
+    box.write("tools.toml", FLATS)
+    words = ("features", "part.nc", "--tools", "tools.toml", "--format", "json")
+    call = json.loads(box.kerf(*words).text)["calls"][0]
+    equal({one["letter"]: one["affects"] for one in call["arguments"]}, dict.fromkeys("XYZFW"), "not asked")
+    call = json.loads(box.kerf(*words, "--probe-arguments").text)["calls"][0]
+    equal({one["letter"]: one["affects"] for one in call["arguments"]},
+          {"X": ["position", "contour"], "Y": ["nothing"], "Z": ["depth"], "F": ["feed"], "W": ["nothing"]}, "reached")
+
+
 # Two layers of two loops, a profile with four arcs, a circle, two plunges.
 PART = """G21 G90 G17
 T1 M06

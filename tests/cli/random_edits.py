@@ -4,7 +4,8 @@ cut what the swept area of its own motions says, and must come back to the byte;
 
 usage: random_edits.py --kerf PATH [--programs N] [--seed S] [--keep FOLDER]
 
-An edit may be refused where the tool does not fit, never because its result was not verified. Exit status: 0 all
+An edit may be refused where the tool does not fit, never because its result was not verified. Two edits in one file
+are the same as one after the other: the same bytes, or the same cut. Exit status: 0 all
 passed.
 """
 
@@ -18,7 +19,8 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing is left behind in the sources
 
-TOOLS = '[[tool]]\nnumber = 1\ntype = "flat"\ndiameter = 10\n'
+TOOLS = "".join(f'[[tool]]\nnumber = {number}\ntype = "flat"\ndiameter = {diameter}\n'
+                for number, diameter in ((1, 10), (2, 8), (3, 6)))
 RADIUS = 5
 STEP = 4
 MAY_BE_REFUSED = ("EDIT_TOOL_TOO_BIG", "EDIT_DOES_NOT_FIT")
@@ -79,8 +81,54 @@ def random_edit(chance, pocket):
         {"op": "chamfer", "layer": layer, "corner": chance.randint(0, 3), "d1": chance.randint(2, 9), "d2": chance.randint(2, 9)},
         {"op": "move", "dx": chance.randint(-9, 9), "dy": chance.randint(-9, 9)},
         {"op": "rotate", "deg": chance.choice([30, 45, 90, 17.5])},
-        {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 2)},
+        {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 5)},
+        {"op": "feed", "cut": chance.randint(100, 900), "entry": chance.randint(20, 90)},
+        {"op": "tool", "tool": chance.randint(2, 3)},
     ])
+
+
+def random_edits(chance, pocket):
+    """One edit, or two that may be made one after the other: the first leaves the feature one feature."""
+    second = random_edit(chance, pocket)
+    if chance.random() < 0.5:
+        return [second]
+    first = chance.choice([
+        {"op": "move", "dx": chance.randint(-9, 9), "dy": chance.randint(-9, 9)},
+        {"op": "feed", "cut": chance.randint(100, 900)},
+        {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 5)},
+    ])
+    if first["op"] == second["op"] == "depth":
+        return [second]  # the last one alone says where steps are
+    if first["op"] == "depth":
+        second.pop("layer", None)  # there may be others by then
+    return [first, second]
+
+
+def cut_of(options, folder, name):
+    """What a program machines: layers with their heights, areas and contours, feeds."""
+    result = subprocess.run([options.kerf, "features", name, "--tools", "tools.toml", "--format", "json"],
+                            cwd=folder, capture_output=True, text=True, check=False, timeout=150)
+    tree = json.loads(result.stdout)
+    layers = sorted([round(layer["z"], 2), round(layer["area"], 1), feature["tool"],
+                     sorted([round(x, 2), round(y, 2)] for x, y, _ in layer["contour"])]
+                    for feature in tree["features"] for layer in feature["layers"])
+    return layers, [operation["feeds"] for operation in tree["operations"]]
+
+
+def difference_of_two_runs(options, folder, edits):
+    """What two edits one after the other make otherwise than both in one file; None: nothing."""
+    at = "part.nc"
+    for place, edit in enumerate(edits):
+        (folder / "one.json").write_text(json.dumps({"version": 1, "edits": [edit]}))
+        made = kerf(options, folder, at, "--edits", "one.json", "--output", f"step{place}.nc", "--tools", "tools.toml")
+        if made.returncode == 1 and any(code in made.stderr for code in MAY_BE_REFUSED):
+            return None
+        if made.returncode != 0:
+            return f"edit {place} alone: exit status {made.returncode}: {made.stderr[:200]}"
+        at = f"step{place}.nc"
+    if (folder / at).read_text() == (folder / "new.nc").read_text():
+        return None
+    return None if cut_of(options, folder, at) == cut_of(options, folder, "new.nc") else "two runs cut otherwise than one"
 
 
 def kerf(options, folder, *words):
@@ -92,10 +140,10 @@ def fault_of(options, folder, seed):
     chance = random.Random(seed)
     pocket = Pocket(chance)
     text = pocket.text()
-    edit = random_edit(chance, pocket) | {"feature": "F1"}
+    edits = [edit | {"feature": "F1"} for edit in random_edits(chance, pocket)]
     (folder / "part.nc").write_text(text)
     (folder / "tools.toml").write_text(TOOLS)
-    (folder / "edits.json").write_text(json.dumps({"version": 1, "edits": [edit]}))
+    (folder / "edits.json").write_text(json.dumps({"version": 1, "edits": edits}))
     made = kerf(options, folder, "part.nc", "--edits", "edits.json", "--output", "new.nc", "--report", "report.json", "--tools", "tools.toml")
     if made.returncode == 1 and any(code in made.stderr for code in MAY_BE_REFUSED):
         return "it has written a file" if (folder / "new.nc").exists() else None
@@ -107,7 +155,7 @@ def fault_of(options, folder, seed):
     undone = kerf(options, folder, "new.nc", "--undo", "report.json", "--output", "old.nc")
     if undone.returncode != 0 or (folder / "old.nc").read_text() != text:
         return f"not taken back: {undone.stderr[:200]}"
-    return None
+    return difference_of_two_runs(options, folder, edits) if len(edits) > 1 else None
 
 
 def main():

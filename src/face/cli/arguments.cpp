@@ -99,6 +99,8 @@ void add_features(CLI::App& app, FeaturesOptions& o) {
                    "both, swept, or literal: by the pattern of the rows alone; default both")
       ->type_name("METHOD")
       ->check(CLI::IsMember({"both", "swept", "literal"}));
+  features->add_flag("--probe-arguments", o.probes_arguments,
+                     "what each argument of a call reaches: runs the program once for each");
   add_diagnostics(*features, o.run.diagnostics);
   features->footer("Example: kerf features part.nc --tools tools.toml --stock box:0,0,-20,80,50,0");
 }

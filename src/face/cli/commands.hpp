@@ -125,6 +125,7 @@ struct FeaturesOptions {
   RunOptions run;  ///< without outputs
   std::string format = "text";
   std::string method = "both";
+  bool probes_arguments = false;
 };
 
 /// Features of a program are edited, or an edit is taken back; paths are empty when not asked for.

@@ -124,12 +124,6 @@ LiteralWord word_of_loops(const Recording& recording, const std::vector<Loop>& l
   return {LiteralWord::Type::pocket, 1};
 }
 
-double radius_of(const Recording& recording, std::uint32_t tool) {
-  const auto known = recording.tools.find(tool);
-  if (known == recording.tools.end()) return 0;
-  return known->second.value(stock::Measure::diameter).value_or(0) / 2;
-}
-
 std::vector<LiteralFeature> features_of(const Recording& recording,
                                         const std::vector<LiteralLayer>& layers,
                                         Allowance& allowance) {
@@ -141,7 +135,7 @@ std::vector<LiteralFeature> features_of(const Recording& recording,
     const bool goes_on = !features.empty() && features.back().layers.back() + 1 == i &&
                          are_same(recording, layers[features.back().layers.front()], layer);
     if (!goes_on) {
-      const double radius = radius_of(recording, layer.tool);
+      const double radius = recording.diameter_of(layer.tool) / 2;
       features.push_back(
           {{}, word_of_loops(recording, layer.loops, radius), order_of(layer.loops)});
     }

@@ -20,7 +20,7 @@ void BlockPatch::set_text(const BlockWord& word, const std::string& value) {
 
 // Behind the words that come before the letter, else behind what stands at the head of a block.
 std::size_t BlockPatch::place_of(char letter) const {
-  const std::size_t rank = kOrder.find(letter);
+  const std::size_t rank = kOrder.find(letter == 'Q' ? 'F' : letter);
   std::size_t place = 0;
   for (const BlockWord& word : words_) {
     const std::size_t its = kOrder.find(word.letter);

@@ -23,6 +23,7 @@ class BlockFollower {
     if (!is_cycle) follow_arc(rows, patch);
     follow_motion(rows, old, is_cycle, patch);
     follow_feed(rows, old, patch);
+    follow_peck(rows, old, is_cycle, patch);
     s_.at = rows.rows.back().to;
     if (rows.rows.front().changes_place) {
       s_.put(rows.block, s_.line_of(rows.block), "");
@@ -174,16 +175,48 @@ class BlockFollower {
   }
 
   void follow_feed(const BlockRows& rows, const Inherited& old, BlockPatch& patch) {
+    const auto wish = std::find_if(rows.rows.rbegin(), rows.rows.rend(),
+                                   [](const PlannedRow& row) { return row.feed.has_value(); });
+    const bool is_wished = wish != rows.rows.rend();
     if (const BlockWord* const feed = patch.word('F')) {
       s_.now.feed = feed->value;
+      if (is_wished) set_feed(*feed, *wish, patch);
       return;
     }
     const bool cuts = std::any_of(rows.rows.begin(), rows.rows.end(), [](const PlannedRow& row) {
       return row.kind == Move::Kind::feed || row.kind == Move::Kind::thread;
     });
-    if (!cuts || !old.feed || s_.now.feed == old.feed) return;
-    patch.add('F', *old.feed);
-    s_.now.feed = old.feed;
+    auto wanted = old.feed;
+    if (is_wished) wanted = s_.feed_text(wish->like, old.feed, *wish->feed);
+    if (!cuts || !wanted || is_same_feed(s_.now.feed, wanted)) return;
+    patch.add('F', *wanted);
+    s_.now.feed = wanted;
+  }
+
+  void set_feed(const BlockWord& word, const PlannedRow& wish, BlockPatch& patch) {
+    const auto number = word.number();
+    if (!number) return s_.refuse(Code::edit_expression, "F" + word.value + " IS AN EXPRESSION");
+    const std::string text = s_.feed_text(wish.like, word.value, *wish.feed);
+    if (!is_same_feed(word.value, text)) patch.set_text(word, text);
+    s_.now.feed = text;
+  }
+
+  // Blocks of a list inherit Q.
+  void follow_peck(const BlockRows& rows, const Inherited& old, bool is_cycle, BlockPatch& patch) {
+    if (!is_cycle) return s_.now.peck.reset();
+    const BlockWord* const word = patch.word('Q');
+    std::optional<double> wanted = old.peck;
+    if (word != nullptr) wanted = s_.value_of(*word);
+    const std::optional<double> wish = rows.rows.back().peck;
+    const State& state = s_.recording.state_of(s_.recording.moves[rows.old.last]);
+    if (wish && word != nullptr && !wanted)
+      return s_.refuse(Code::edit_expression, "Q" + word->value + " IS AN EXPRESSION");
+    if (wish) wanted = *wish / state.unit_mm;
+    if (word != nullptr && wish && !s_.is_same(*s_.value_of(*word), *wanted))
+      patch.set(*word, *wanted);
+    const bool is_other = wanted && (!s_.now.peck || !s_.is_same(*s_.now.peck, *wanted));
+    if (word == nullptr && is_other && (old.peck || wish)) patch.add('Q', s_.style.number(*wanted));
+    s_.now.peck = wanted;
   }
 
   MergeState& s_;

@@ -8,6 +8,7 @@
 
 #include "features/merge/follow_block.hpp"
 #include "features/merge/new_block.hpp"
+#include "features/merge/writing_out.hpp"
 
 namespace kerf::features {
 namespace {
@@ -85,7 +86,8 @@ class Merger {
     for (std::size_t axis = 0; axis < kMergedAxes.size(); ++axis) {
       if (!s_.is_same(*old_.axes[axis], *s_.now.axes[axis])) return false;
     }
-    return old_.motion == s_.now.motion && old_.feed == s_.now.feed && !is_depth_other();
+    return old_.motion == s_.now.motion && is_same_feed(old_.feed, s_.now.feed) &&
+           old_.peck == s_.now.peck && !is_depth_other();
   }
   [[nodiscard]] bool is_depth_other() const {
     return old_.cycle_depth && !s_.is_same(*old_.cycle_depth, s_.now.cycle_depth.value_or(1e300));
@@ -126,71 +128,20 @@ class Merger {
     Inherited state = old_;
     for (std::uint32_t row = stretch.rows.first; row <= stretch.rows.last;) {
       const std::uint32_t block = s_.recording.moves[row].block;
-      const Span span = s_.rows_of(block, row);
+      const Span span = s_.recording.of_one_block(row);
       before.emplace(block, state);
       state = behind(span, state);
       row = span.last + 1;
     }
-    if (stretch.written_out) {
-      write_out(stretch);
+    if (stretch.written_out || stretch.called_by) {
+      begin_writing_out(s_, stretch);
     } else {
       remove_blocks(stretch);
     }
     for (std::size_t i = 0; i < stretch.becomes.size();) i = pass_rows(stretch, i, before);
     s_.in_place.reset();
+    s_.is_incremental.reset();
     old_ = state;
-  }
-
-  [[nodiscard]] static bool is_in(Span lines, std::uint32_t line) {
-    return line >= lines.first && line <= lines.last;
-  }
-
-  // Lines of a loop go as a whole; what comes in stands there.
-  void write_out(const Stretch& stretch) {
-    std::optional<std::uint32_t> inside;
-    for (std::uint32_t row = stretch.rows.first; row <= stretch.rows.last; ++row) {
-      const std::uint32_t block = s_.recording.moves[row].block;
-      if (!is_in(*stretch.written_out, s_.id(block).line)) continue;
-      inside = block;
-      if (s_.sources.sets_up && s_.sources.sets_up(s_.id(block)))
-        s_.refuse(Code::edit_not_editable, "A BLOCK OF THE LOOP ALSO SETS SOMETHING UP");
-    }
-    if (!inside) return;
-    const std::string& text = s_.file_of(*inside);
-    const std::uint64_t from = start_of(text, stretch.written_out->first);
-    const std::uint64_t to = start_of(text, stretch.written_out->last + 1);
-    if (sets_what_is_read(text, from, to))
-      s_.refuse(Code::edit_unroll_variables,
-                "A BLOCK BEHIND THE LOOP READS A VARIABLE THAT IS SET IN IT");
-    s_.merged.removed += stretch.written_out->last - stretch.written_out->first + 1;
-    s_.put(*inside, {from, to - from}, "");
-    s_.in_place = MergeState::InPlace{*inside, from};
-  }
-
-  [[nodiscard]] static std::uint64_t start_of(const std::string& text, std::uint32_t line) {
-    std::size_t at = 0;
-    for (std::uint32_t passed = 1; passed < line && at < text.size(); ++passed) {
-      const std::size_t end = text.find('\n', at);
-      at = end == std::string::npos ? text.size() : end + 1;
-    }
-    return at;
-  }
-
-  // #1= in there, and #1 that is no #10 behind it.
-  [[nodiscard]] static bool sets_what_is_read(const std::string& text, std::uint64_t from,
-                                              std::uint64_t to) {
-    for (std::size_t at = text.find('#', from); at < to; at = text.find('#', at + 1)) {
-      const std::size_t end = text.find_first_not_of("0123456789", at + 1);
-      if (end == std::string::npos || text[end] != '=') continue;
-      const std::string name = text.substr(at, end - at);
-      for (std::size_t read = text.find(name, to); read != std::string::npos;
-           read = text.find(name, read + 1)) {
-        const std::size_t behind = read + name.size();
-        const bool is_whole = behind >= text.size() || text[behind] < '0' || text[behind] > '9';
-        if (is_whole) return true;
-      }
-    }
-    return false;
   }
 
   std::size_t pass_rows(const Stretch& stretch, std::size_t i,
@@ -201,7 +152,7 @@ class Merger {
       return i + 1;
     }
     const std::uint32_t block = s_.recording.moves[*row.was].block;
-    BlockRows rows{.block = block, .old = s_.rows_of(block, *row.was)};
+    BlockRows rows{.block = block, .old = s_.recording.of_one_block(*row.was)};
     for (; i < stretch.becomes.size() && stretch.becomes[i].was &&
            s_.recording.moves[*stretch.becomes[i].was].block == block;
          ++i) {
@@ -236,6 +187,9 @@ class Merger {
       if (const auto code = motion_of(word)) state.motion = *code;
     }
     if (const BlockWord* const feed = find(words, 'F')) state.feed = feed->value;
+    if (of.cycle == 0) state.peck.reset();
+    const BlockWord* const peck = of.cycle != 0 ? find(words, 'Q') : nullptr;
+    if (peck != nullptr) state.peck = s_.value_of(*peck);
     return state;
   }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "base/decimal.hpp"
 #include "math/math.hpp"
 
 namespace kerf::features {
 namespace {
 
+constexpr int kMostLooksForNumber = 20;  // lines without an N word
 constexpr double kDegree_rad = 0.017453292519943295;
 
 /// A vector of the part in the frame that a block is written in, in its unit.
@@ -81,8 +83,23 @@ std::uint64_t MergeState::next_line(std::uint32_t block) const {
   return end == std::string::npos ? text.size() : end + 1;
 }
 
-std::string MergeState::line_end(std::uint32_t block) const {
-  const std::string& text = file_of(block);
+double MergeState::next_sequence(std::uint32_t block) const {
+  const std::string_view text = file_of(block);
+  std::uint64_t place = next_line(block);
+  for (int looks = 0; looks < kMostLooksForNumber && place < text.size(); ++looks) {
+    const std::size_t end = std::min(text.find('\n', place), text.size());
+    const std::vector<BlockWord> words =
+        words_of(sources.language, text.substr(place, end - place));
+    const BlockWord* const label = find(words, 'N');
+    if (label != nullptr) return label->number().value_or(0);
+    place = end + 1;
+  }
+  return 0;
+}
+
+std::string MergeState::line_end(std::uint32_t block) const { return line_end(file_of(block)); }
+
+std::string MergeState::line_end(const std::string& text) {
   const std::size_t first = text.find('\n');
   return first != std::string::npos && first > 0 && text[first - 1] == '\r' ? "\r\n" : "\n";
 }
@@ -96,16 +113,35 @@ void MergeState::put(std::uint32_t block, Bytes where, std::string text) {
   merged.replacements[id(block).file].push_back({where.from, where.length, std::move(text)});
 }
 
-Span MergeState::rows_of(std::uint32_t block, std::uint32_t row) const {
-  Span span{row, row};
-  while (span.first > 0 && recording.moves[span.first - 1].block == block) --span.first;
-  while (span.last + 1 < recording.count() && recording.moves[span.last + 1].block == block)
-    ++span.last;
-  return span;
+// By as much as the control makes of the old one: inches, or hundredths.
+double MergeState::feed_word(std::uint32_t row, const std::optional<std::string>& old,
+                             double feed) const {
+  const State& state = recording.state_of(recording.moves[row]);
+  const auto number = old ? base::read_number(*old) : base::read_number("");
+  if (!number || *number <= 0 || state.feed.value <= 0) return feed / state.unit_mm;
+  return feed * (*number / state.feed.value);
+}
+
+std::string MergeState::feed_text(std::uint32_t row, const std::optional<std::string>& old,
+                                  double feed) const {
+  TextStyle plain = style;
+  plain.pointless = 0;
+  return plain.number_like(old.value_or("1"), feed_word(row, old, feed));
+}
+
+bool is_same_feed(const std::optional<std::string>& a, const std::optional<std::string>& b) {
+  if (!a || !b || *a == *b) return a == b;
+  const auto one = base::read_number(*a);
+  const auto other = base::read_number(*b);
+  return one && other && *one == *other;
 }
 
 void MergeState::put_line(const std::string& line) {
-  if (in_place) return put(in_place->block, {in_place->at, 0}, line + line_end(in_place->block));
+  if (in_place) {
+    merged.replacements[in_place->file].push_back(
+        {in_place->at, 0, line + line_end(sources.texts.at(in_place->file))});
+    return;
+  }
   if (!behind) {
     const std::uint32_t first = recording.moves[plan.front().rows.first].block;
     return put(first, {line_of(first).from, 0}, line + line_end(first));

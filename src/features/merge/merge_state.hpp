@@ -21,9 +21,14 @@ inline constexpr std::array<char, 3> kMergedAxes = {'X', 'Y', 'Z'};
 struct Inherited {
   std::array<std::optional<double>, 3> axes{};
   std::optional<double> cycle_depth{};
-  int motion = -1;  ///< 0 to 3; -1: a cycle, or not known
+  std::optional<double> peck{};  ///< Q of the cycle in force
+  int motion = -1;               ///< 0 to 3; -1: a cycle, or not known
   std::optional<std::string> feed{};
 };
+
+/// Whether two texts of a feed say the same.
+[[nodiscard]] bool is_same_feed(const std::optional<std::string>& a,
+                                const std::optional<std::string>& b);
 
 /// Rows of one block, as they were and as they shall be.
 struct BlockRows {
@@ -60,10 +65,17 @@ struct MergeState {
   [[nodiscard]] const std::string& file_of(std::uint32_t block) const;
   /// Behind the end of the line that a block stands in.
   [[nodiscard]] std::uint64_t next_line(std::uint32_t block) const;
+  /// The next N word behind a block; 0: none is near.
+  [[nodiscard]] double next_sequence(std::uint32_t block) const;
   [[nodiscard]] std::string line_end(std::uint32_t block) const;
+  [[nodiscard]] static std::string line_end(const std::string& text);
   [[nodiscard]] Bytes line_of(std::uint32_t block) const;
   void put(std::uint32_t block, Bytes where, std::string text);
-  [[nodiscard]] Span rows_of(std::uint32_t block, std::uint32_t row) const;
+  /// A feed as the word says it that had `old` in force at a row.
+  [[nodiscard]] double feed_word(std::uint32_t row, const std::optional<std::string>& old,
+                                 double feed) const;
+  [[nodiscard]] std::string feed_text(std::uint32_t row, const std::optional<std::string>& old,
+                                      double feed) const;
   /// Behind the block that was written last, and what has come in behind that.
   void put_line(const std::string& line);
 
@@ -76,11 +88,12 @@ struct MergeState {
   Vec3 at{};                              ///< where the new program stands
   std::optional<std::uint32_t> behind{};  ///< block that what comes in stands behind
   struct InPlace {
-    std::uint32_t block = 0;
+    base::FileId file = base::kNoFile;
     std::uint64_t at = 0;
   };
-  std::optional<InPlace> in_place{};  ///< where a loop stood that is being written out
-  double last_number = 0;             ///< N of the last block that came in
+  std::optional<InPlace> in_place{};     ///< where a loop or a call stood that is being written out
+  std::optional<bool> is_incremental{};  ///< there; none: as the rows were
+  double last_number = 0;                ///< N of the last block that came in
   std::map<std::uint32_t, std::optional<std::string>>
       feeds{};  ///< in force at rows, once looked for
   Merged merged{};

@@ -38,8 +38,7 @@ class NewBlock {
   [[nodiscard]] std::string sequence() {
     if (!s_.style.is_numbered() || !s_.behind) return "";
     const double before = std::max<double>(s_.id(*s_.behind).sequence, s_.last_number);
-    const std::uint32_t next =
-        *s_.behind + 1 < s_.recording.blocks.size() ? s_.id(*s_.behind + 1).sequence : 0;
+    const double next = s_.next_sequence(*s_.behind);
     double number = before + s_.style.half_step();
     if (next > 0 && number >= next) number = before + 1;
     if (before == 0 || (next > 0 && number >= next)) return "";
@@ -50,11 +49,12 @@ class NewBlock {
   void add_axes(const PlannedRow& row, const State& state, bool repeats,
                 std::vector<std::string>& words) {
     const Vec3 way = s_.programmed(state, row.to - s_.at);
+    const bool is_incremental = s_.is_incremental.value_or(state.is_incremental);
     for (std::size_t axis = 0; axis < kMergedAxes.size(); ++axis) {
       const double by = axis_of(way, axis);
       const double place = s_.now.axes[axis].value_or(0) + by;
-      if (std::fabs(by) >= s_.least || (repeats && axis < 2 && !state.is_incremental))
-        words.push_back(s_.style.word(kMergedAxes[axis], state.is_incremental ? by : place));
+      if (std::fabs(by) >= s_.least || (repeats && axis < 2 && !is_incremental))
+        words.push_back(s_.style.word(kMergedAxes[axis], is_incremental ? by : place));
       s_.now.axes[axis] = place;
     }
   }
@@ -76,8 +76,9 @@ class NewBlock {
 
   void add_feed(const PlannedRow& row, bool repeats, std::vector<std::string>& words) {
     if (row.kind == Move::Kind::rapid) return;
-    const auto feed = feed_at(row.like);
-    if (!feed || (s_.now.feed == feed && !repeats)) return;
+    auto feed = feed_at(row.like);
+    if (row.feed) feed = s_.feed_text(row.like, feed, *row.feed);
+    if (!feed || (is_same_feed(s_.now.feed, feed) && !repeats)) return;
     const char letter = s_.style.word('F', 0)[0];
     words.push_back(std::string(1, letter) + *feed);
     s_.now.feed = feed;

@@ -32,6 +32,9 @@ struct Argument {
   std::string text{};
   bool literal = true;  ///< else a variable or an expression
   std::uint32_t column = 0;
+  /// What it reaches of what is machined: position, contour, depth, feed, count, or nothing; none:
+  /// nobody has tried.
+  std::optional<std::vector<std::string>> affects{};
 };
 
 /// What a block calls.

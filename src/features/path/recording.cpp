@@ -27,6 +27,19 @@ Vec3 Recording::from(std::uint32_t row) const {
   return begin == begins.end() ? moves[row - 1].to : begin->second;
 }
 
+double Recording::diameter_of(std::uint32_t tool) const {
+  const auto known = tools.find(tool);
+  return known == tools.end() ? 0 : known->second.value(stock::Measure::diameter).value_or(0);
+}
+
+Span Recording::of_one_block(std::uint32_t row) const {
+  Span span{row, row};
+  const std::uint32_t block = moves[row].block;
+  while (span.first > 0 && moves[span.first - 1].block == block) --span.first;
+  while (span.last + 1 < count() && moves[span.last + 1].block == block) ++span.last;
+  return span;
+}
+
 double Recording::length_of(std::uint32_t row) const {
   const Move& move = moves[row];
   if (move.shape == Move::Shape::other) return lengths[move.shaped];

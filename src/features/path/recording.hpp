@@ -49,6 +49,10 @@ struct Recording {
   [[nodiscard]] Vec2 flat_to(std::uint32_t row) const { return flat(moves[row].to); }
   /// The arc of a row that is one.
   [[nodiscard]] const ArcRow& arc_of(std::uint32_t row) const { return arcs[moves[row].shaped]; }
+  /// Of a tool by its number; 0: nobody says.
+  [[nodiscard]] double diameter_of(std::uint32_t tool) const;
+  /// All rows that the block of a row has made beside it.
+  [[nodiscard]] Span of_one_block(std::uint32_t row) const;
   /// Exact, mm.
   [[nodiscard]] double length_of(std::uint32_t row) const;
   [[nodiscard]] double length_of(Span span) const;

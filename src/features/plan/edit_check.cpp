@@ -5,6 +5,7 @@
 #include <set>
 
 #include "features/path/tolerance.hpp"
+#include "features/rewrite/clearing.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -86,32 +87,18 @@ class LayerBook {
   std::set<std::pair<std::size_t, std::size_t>> taken_;
 };
 
-Region region_of(const Contour& outer, const std::vector<Contour>& islands) {
-  Region region = contour::region_of(outer);
-  for (const Contour& island : islands)
-    region = contour::subtract(region, contour::region_of(island));
-  return region;
-}
-
-/// What a disc can reach of a region.
-Region opened(const Region& region, double tool_radius) {
-  const double radius = tool_radius - kSamePoint_mm;
-  return contour::offset(contour::offset(region, -radius), radius);
-}
-
-double tool_diameter(const Recording& recording, std::uint32_t tool) {
-  const auto known = recording.tools.find(tool);
-  return known == recording.tools.end() ? 0
-                                        : known->second.value(stock::Measure::diameter).value_or(0);
+/// What a disc of the tool can reach of a region, with a hair around it.
+Region reached_in(const Region& region, double diameter) {
+  return opened(region, diameter / 2 - kSamePoint_mm);
 }
 
 Sought sought_of(const Recording& recording, const Tree& tree, const WantedLayer& wanted) {
   const Feature& feature = tree.features[wanted.feature];
-  Sought sought{wanted.z, feature.tool, feature.setup, &wanted.contours.outer,
-                &wanted.contours.islands};
+  const std::uint32_t tool = wanted.tool.value_or(feature.tool);
+  Sought sought{wanted.z, tool, feature.setup, &wanted.contours.outer, &wanted.contours.islands};
   if (!bounds_what_stands(feature)) {
-    sought.reached = opened(region_of(wanted.contours.outer, wanted.contours.islands),
-                            tool_diameter(recording, feature.tool) / 2);
+    sought.reached = reached_in(region_between(wanted.contours.outer, wanted.contours.islands),
+                                recording.diameter_of(tool));
   }
   return sought;
 }
@@ -150,17 +137,17 @@ double area_beyond(const Region& changed, const Region& allowed) {
 // wall.
 double outside_of(const Layer& before, const Layer& after, const WantedLayer& wanted,
                   double diameter, bool stands) {
-  const Region asked = region_of(wanted.contours.outer, wanted.contours.islands);
+  const Region asked = region_between(wanted.contours.outer, wanted.contours.islands);
   const Region more = contour::subtract(after.removed, before.removed);
   const Region less = contour::subtract(before.removed, after.removed);
   const double height = after.top - after.z;
   if (stands) {
-    const Region old_wall = region_of(before.nominal, before.nominal_islands);
+    const Region old_wall = region_between(before.nominal, before.nominal_islands);
     const Region allowed =
         contour::offset(contour::symmetric_difference(old_wall, asked), kRing * diameter);
     return (area_beyond(more, allowed) + area_beyond(less, allowed)) * height;
   }
-  const Region reached = opened(asked, diameter / 2);
+  const Region reached = reached_in(asked, diameter);
   const Region missed = contour::offset(
       contour::intersect(less, contour::offset(reached, -kSameContour_mm)), -kSameContour_mm);
   return (area_beyond(more, reached) + contour::area(missed)) * height;
@@ -254,15 +241,15 @@ VerifiedEdit compare_edited(const Recording& recording, const Tree& before, cons
         std::max(verified.contour_error_mm, error_of(now.nominal, wanted.contours.outer));
     const bool stands =
         feature.type == FeatureType::outside_profile || feature.type == FeatureType::boss;
-    const double diameter = tool_diameter(recording, feature.tool);
+    const double diameter = recording.diameter_of(wanted.tool.value_or(feature.tool));
     const bool is_new = wanted.layer >= feature.layers.size();
     const Layer& was = feature.layers[is_new ? 0 : wanted.layer];
     if (!is_new && now.z == was.z && feature.compensated == Compensation::none)
       verified.outside_mm3 += outside_of(was, now, wanted, diameter, stands);
     if (stands) continue;
-    const Region nominal = region_of(wanted.contours.outer, wanted.contours.islands);
+    const Region nominal = region_between(wanted.contours.outer, wanted.contours.islands);
     verified.corner_rest_mm2 +=
-        contour::area(nominal) - contour::area(opened(nominal, diameter / 2));
+        contour::area(nominal) - contour::area(reached_in(nominal, diameter));
   }
   const TurnedFound turned = find_turned(before, after, plan);
   verified.recognised = verified.recognised && turned.edited && are_found(plan.wanted_holes, after);

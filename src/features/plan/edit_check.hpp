@@ -24,6 +24,7 @@ struct VerifiedEdit {
   double outside_mm3 = 0;      ///< of it, outside of what was asked
   double corner_rest_mm2 = 0;  ///< that no disc of the tool reaches in sharp corners
   std::vector<std::string> new_findings{};
+  std::string findings_skipped{};  ///< why findings were not compared; empty: they were
   double time_before_s = 0;
   double time_after_s = 0;
 };
@@ -32,6 +33,11 @@ struct VerifiedEdit {
 /// with their contours, all others, and all holes, as they were. Times and findings are others'.
 [[nodiscard]] VerifiedEdit compare_edited(const Recording& recording, const Tree& before,
                                           const Tree& after, const EditPlan& plan);
+
+/// Whether an edited program is fed as the plan has it, one cut behind the other, and pecks so
+/// deep. `edited`: what it has moved, `after`: what was recognised in that.
+[[nodiscard]] bool has_wanted_feeds(const Recording& recording, const EditPlan& plan,
+                                    const Recording& edited, const Tree& after);
 
 /// Under which names the edited layers are found again.
 [[nodiscard]] std::vector<RenamedLayer> renamed_layers(const Tree& after, const EditPlan& plan);

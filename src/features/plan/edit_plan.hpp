@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,14 @@ struct WantedLayer {
   std::size_t layer = 0;  ///< behind the last one: a layer that comes in
   LayerContours contours{};
   double z = 0;
+  std::optional<std::uint32_t> tool{};  ///< another one than before
+};
+
+/// An operation that another tool shall cut: T, H and D of its opening become another number.
+struct ToolChange {
+  std::uint32_t was = 0;
+  std::uint32_t is = 0;
+  Span rows{};  ///< of the operation
 };
 
 /// A turned feature as it shall come back; contour (z, radius), open.
@@ -32,6 +41,7 @@ struct WantedTurned {
 struct WantedHole {
   contour::Vec2 at{};
   double bottom = 0;
+  std::optional<double> peck{};
   std::size_t like = 0;  ///< the hole that it was, or is made like
 };
 
@@ -41,6 +51,7 @@ struct EditPlan {
   /// Layers of edited features that are cut anew, moved or deepened; all else stays.
   std::vector<WantedLayer> wanted{};
   std::vector<std::pair<std::size_t, std::size_t>> gone{};  ///< feature and layer
+  std::vector<ToolChange> tools{};
   std::vector<std::size_t> edited_holes{};
   std::vector<WantedHole> wanted_holes{};
   std::vector<std::size_t> gone_holes{};  ///< they are among the edited ones, too

@@ -80,6 +80,11 @@ Region swept_by(const Clearing& clearing, const std::vector<double>& distances) 
   return contour::unite(parts);
 }
 
+/// Where it is said to be.
+Vec2 corner_of(const Region& rest) {
+  return rest.loops.empty() ? Vec2{} : contour::extents(rest.loops.front()).low;
+}
+
 /// How much stays, but for hairs.
 double area_of(const Region& rest) {
   const double area = contour::area(contour::offset(rest, -kSamePoint_mm));
@@ -128,9 +133,15 @@ const std::vector<Contour>& loops_at(const Clearing& clearing, double distance) 
   return clearing.known_loops.emplace(distance, made_loops(clearing, distance)).first->second;
 }
 
-Region reachable(const Clearing& clearing) {
-  const double radius = clearing.tool_radius;
-  return contour::offset(contour::offset(clearing.region, -radius), radius);
+Region region_between(const Contour& outer, const std::vector<Contour>& islands) {
+  Region region = contour::region_of(outer);
+  for (const Contour& island : islands)
+    region = contour::subtract(region, contour::region_of(island));
+  return region;
+}
+
+Region opened(const Region& region, double radius) {
+  return contour::offset(contour::offset(region, -radius), radius);
 }
 
 LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& wanted,
@@ -142,7 +153,7 @@ LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& 
     kept.push_back(distance);
   }
   if (kept.empty()) return {};
-  const Region reached = reachable(clearing);
+  const Region reached = opened(clearing.region, clearing.tool_radius);
   Region rest = contour::subtract(reached, swept_by(clearing, kept));
   while (area_of(rest) > 0 && kept.size() < kMostLoops) {
     const auto next = next_distance(clearing, kept.back(), step);
@@ -154,7 +165,7 @@ LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& 
     kept = halved(kept);
     rest = contour::subtract(rest, swept_by(clearing, kept));
   }
-  return {kept, area_of(rest)};
+  return {kept, area_of(rest), corner_of(rest)};
 }
 
 bool is_clear(const Clearing& clearing, Vec2 from, Vec2 to) {

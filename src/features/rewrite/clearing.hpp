@@ -27,14 +27,18 @@ struct Clearing {
 struct LoopDistances {
   std::vector<double> from_wall{};  ///< ascending; empty: the tool does not fit
   double rest_mm2 = 0;              ///< that a disc of the tool could reach, and no loop does
+  contour::Vec2 rest_at{};          ///< a corner of it
 };
 /// Those of `wanted` (ascending) as far as there are loops, behind them `step` apart until a disc
 /// of the tool has been wherever it can be.
 [[nodiscard]] LoopDistances distances_of(const Clearing& clearing,
                                          const std::vector<double>& wanted, double step);
 
-/// What a disc of the tool can reach of the region.
-[[nodiscard]] contour::Region reachable(const Clearing& clearing);
+/// Between a contour and its islands.
+[[nodiscard]] contour::Region region_between(const contour::Contour& outer,
+                                             const std::vector<contour::Contour>& islands);
+/// What a disc can reach of a region.
+[[nodiscard]] contour::Region opened(const contour::Region& region, double radius);
 
 /// Whether the tool may go straight from one point to the other without touching the wall.
 [[nodiscard]] bool is_clear(const Clearing& clearing, contour::Vec2 from, contour::Vec2 to);

@@ -15,6 +15,8 @@ struct PlannedRow {
   std::optional<ArcRow> arc{};         ///< none: a line
   std::uint32_t like = 0;              ///< row of the recording whose feed and state it has
   std::optional<std::uint32_t> was{};  ///< row of the recording whose block it keeps; none: new
+  std::optional<double> feed{};        ///< another one than `like` has, in its mode
+  std::optional<double> peck{};        ///< likewise of a cycle, mm
   bool changes_place = false;          ///< its block goes behind the one of the row before
 };
 
@@ -24,6 +26,8 @@ struct Stretch {
   std::vector<PlannedRow> becomes{};
   /// Lines that go as a whole, of the file of these rows: a loop that is written out.
   std::optional<Span> written_out{};
+  /// Likewise a block that calls: it stays as a comment, and what it ran stands behind it.
+  std::optional<base::BlockId> called_by{};
 };
 
 /// What an edit makes of a recording: stretches in their order, apart from each other.

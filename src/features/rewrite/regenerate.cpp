@@ -9,6 +9,7 @@
 #include "features/rewrite/loop_rows.hpp"
 #include "features/rewrite/wall_index.hpp"
 #include "geometry/contour/boolean.hpp"
+#include "geometry/contour/offset.hpp"
 
 namespace kerf::features {
 namespace {
@@ -25,17 +26,6 @@ std::vector<Contour> walls_of(const Contour& outer, const std::vector<Contour>& 
   std::vector<Contour> walls{outer};
   walls.insert(walls.end(), islands.begin(), islands.end());
   return walls;
-}
-
-Region region_of(const NewLayer& wanted) {
-  Region region = contour::region_of(wanted.outer);
-  for (const Contour& island : wanted.islands)
-    region = contour::subtract(region, contour::region_of(island));
-  return region;
-}
-
-double radius_of(const stock::Tool& tool) {
-  return tool.value(stock::Measure::diameter).value_or(0) / 2;
 }
 
 /// How often a way turned sharply about what stands out of a wall, and how often round it.
@@ -99,20 +89,24 @@ class LayerWriter {
         visit_(whole_visit(recording, layer_)),
         at_(recording.from(visit_.first)) {}
 
-  [[nodiscard]] tl::expected<Stretch, CannotCut> write() {
+  [[nodiscard]] tl::expected<NewRows, CannotCut> write() {
     if (auto known = look(); !known) return tl::unexpected(known.error());
+    if (const auto small = smallest_corner()) return too_small(*small);
+    if (wanted_.centre_line != nullptr) return along_path(*wanted_.centre_line);
     if (layer_.loops.empty()) return along_line();
-    const auto distances = distances_of(clearing_, distances_in(olds_),
-                                        step_of(distances_in(olds_), clearing_.tool_radius));
+    if (shift_ != 0) look_for_rest();
+    if (left_ && !wanted_.allows_rest) return tl::unexpected(*left_);
+    std::vector<double> old_distances = distances_in(olds_);
+    const double step = step_of(old_distances, clearing_.tool_radius);
+    for (double& distance : old_distances) distance += shift_;
+    const auto distances = distances_of(clearing_, old_distances, step);
     if (distances.from_wall.empty()) return does_not_fit();
-    if (distances.rest_mm2 > 0 && !wanted_.allows_rest) {
-      return refuse(Code::edit_leaves_rest,
-                    base::rounded_text(distances.rest_mm2, 3) + " mm² STAY UNCUT");
-    }
+    if (distances.rest_mm2 > 0) left_ = left_uncut(distances.rest_mm2, distances.rest_at);
+    if (left_ && !wanted_.allows_rest) return tl::unexpected(*left_);
     for (const double distance : in_order(distances.from_wall)) cut_round(distance);
     retract();
     align(recording_, visit_, recording_.from(visit_.first), rows_);
-    return Stretch{visit_, std::move(rows_)};
+    return NewRows{{visit_, std::move(rows_)}, left_};
   }
 
  private:
@@ -120,21 +114,25 @@ class LayerWriter {
     const std::vector<Contour> walls = walls_of(layer_.nominal, layer_.nominal_islands);
     std::vector<Span> spans;
     for (const Loop& loop : layer_.loops) spans.push_back(loop.rows);
-    if ((spans.empty() && !is_one_line()) || layer_.nominal.vertices.empty() ||
+    const bool is_one_way = wanted_.centre_line != nullptr ? is_one_pass() : is_one_line();
+    if ((spans.empty() && !is_one_way) || layer_.nominal.vertices.empty() ||
         layer_.visits.size() != 1) {
       return refuse(Code::edit_not_editable,
                     "THIS LAYER IS NOT CUT IN CLOSED LOOPS: IT CAN BE MOVED, DEEPENED OR DELETED");
     }
     olds_ = old_loops(recording_, spans, walls);
     const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
-    const auto known = recording_.tools.find(
-        wanted_.feature->cuts.front().role == Cut::Role::only ? wanted_.feature->tool : tool);
-    clearing_ = {.region = region_of(wanted_),
+    const bool is_alone = wanted_.feature->cuts.front().role == Cut::Role::only;
+    clearing_ = {.region = region_between(wanted_.outer, wanted_.islands),
                  .is_outside = bounds_what_stands(*wanted_.feature),
-                 .tool_radius = known == recording_.tools.end() ? 0 : radius_of(known->second),
+                 .tool_radius = recording_.diameter_of(is_alone ? wanted_.feature->tool : tool) / 2,
                  .has_sharp_corners = turned_sharply(olds_, walls)};
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
+    if (wanted_.new_radius > 0) {
+      shift_ = wanted_.new_radius - clearing_.tool_radius;
+      clearing_.tool_radius = wanted_.new_radius;
+    }
     if (olds_.empty()) return {};
     is_reversed_ =
         contour::is_counterclockwise(olds_.front().path) != runs_counterclockwise(olds_.front());
@@ -148,8 +146,73 @@ class LayerWriter {
     return recording_.moves[layer_.cuts.front().first].shape == Move::Shape::line;
   }
 
+  // Several rows one behind the other, and none of them comes back.
+  [[nodiscard]] bool is_one_pass() const { return layer_.cuts.size() == 1 && layer_.loops.empty(); }
+
+  // From the end that is nearer to where the old pass began.
+  [[nodiscard]] tl::expected<NewRows, CannotCut> along_path(const Contour& path) {
+    if (!is_one_pass())
+      return refuse(Code::edit_not_editable, "A CENTRE LINE IS THE WAY OF ONE PASS");
+    const Span cut = layer_.cuts.front();
+    const Vec2 from = recording_.flat_from(cut.first);
+    const bool is_reversed = geometry::length(path.vertices.back().point - from) <
+                             geometry::length(path.vertices.front().point - from);
+    const Contour way = is_reversed ? contour::reversed(path) : path;
+    const Vec2 start = way.vertices.front().point;
+    for (std::uint32_t row = visit_.first; row < cut.first; ++row) put_moved(row, start - from);
+    append_loop(way, layer_.z, cut.first, rows_);
+    const Vec2 by = way.vertices.back().point - recording_.flat_to(cut.last);
+    for (std::uint32_t row = cut.last + 1; row <= visit_.last; ++row) put_moved(row, by);
+    align(recording_, visit_, recording_.from(visit_.first), rows_);
+    return NewRows{{visit_, std::move(rows_)}, std::nullopt};
+  }
+
+  // Of the arcs that the tool would have to go round on their inside the smallest, if it cannot.
+  [[nodiscard]] std::optional<double> smallest_corner() const {
+    std::optional<double> least;
+    if (clearing_.is_outside) return least;
+    for (const Contour& wall : clearing_.region.loops) {
+      for (std::size_t i = 0; i < contour::edge_count(wall); ++i) {
+        const contour::Edge edge = contour::edge_of(wall, i);
+        if (edge.bulge <= 0) continue;
+        const double radius = contour::radius(edge);
+        if (radius < clearing_.tool_radius - 3 * kSamePoint_mm)
+          least = std::min(least.value_or(radius), radius);
+      }
+    }
+    return least;
+  }
+  [[nodiscard]] tl::unexpected<CannotCut> too_small(double radius) const {
+    return refuse(Code::edit_tool_too_big, "CORNER RADIUS " + base::rounded_text(radius, 3) +
+                                               " IS SMALLER THAN THE TOOL'S " +
+                                               base::rounded_text(clearing_.tool_radius, 3) +
+                                               ": LEAVE IT SHARP");
+  }
+
+  // What another tool does not reach, but for sharp corners: those no tool reaches.
+  void look_for_rest() {
+    if (clearing_.is_outside) return;
+    const Region rest = contour::offset(
+        contour::subtract(clearing_.region, opened(clearing_.region, clearing_.tool_radius)),
+        -kSamePoint_mm);
+    for (const Contour& piece : rest.loops) {
+      const double area = contour::area(piece);
+      if (area <= kEmptyArea_mm2 || has_sharp_corner(piece)) continue;
+      left_ = left_uncut(area, contour::extents(piece).low);
+      return;
+    }
+  }
+  [[nodiscard]] bool has_sharp_corner(const Contour& piece) const {
+    for (const Contour& wall : clearing_.region.loops) {
+      for (const contour::Vertex& vertex : wall.vertices) {
+        if (contour::distance(piece, vertex.point) <= 3 * kSamePoint_mm) return true;
+      }
+    }
+    return false;
+  }
+
   // The pass between the centres of the ends of a stadium as wide as the tool.
-  [[nodiscard]] tl::expected<Stretch, CannotCut> along_line() {
+  [[nodiscard]] tl::expected<NewRows, CannotCut> along_line() {
     std::vector<Vec2> ends;
     for (std::size_t i = 0; i < contour::edge_count(wanted_.outer); ++i) {
       const contour::Edge edge = contour::edge_of(wanted_.outer, i);
@@ -169,7 +232,7 @@ class LayerWriter {
     put_moved(cut, ends[1] - recording_.flat_to(cut));
     for (std::uint32_t row = cut + 1; row <= visit_.last; ++row)
       put_moved(row, ends[1] - recording_.flat_to(cut));
-    return Stretch{visit_, std::move(rows_)};
+    return NewRows{{visit_, std::move(rows_)}, left_};
   }
 
   // What a loop at the distance of an old one would do by itself.
@@ -181,6 +244,12 @@ class LayerWriter {
         return false;
     }
     return true;
+  }
+
+  [[nodiscard]] static CannotCut left_uncut(double area, Vec2 at) {
+    return {Code::edit_leaves_rest, base::rounded_text(area, 3) + " mm² STAY UNCUT AT X" +
+                                        base::rounded_text(at.u, 3) + " Y" +
+                                        base::rounded_text(at.v, 3)};
   }
 
   [[nodiscard]] tl::unexpected<CannotCut> does_not_fit() const {
@@ -212,7 +281,7 @@ class LayerWriter {
 
   [[nodiscard]] const OldLoop* old_at(double distance) const {
     for (std::size_t i = 0; i < olds_.size(); ++i) {
-      if (!used(i) && is_same_distance(olds_[i].distance, distance)) return &olds_[i];
+      if (!used(i) && is_same_distance(olds_[i].distance + shift_, distance)) return &olds_[i];
     }
     return nullptr;
   }
@@ -291,10 +360,12 @@ class LayerWriter {
   Clearing clearing_{};
   std::vector<OldLoop> olds_{};
   std::vector<std::size_t> used_{};
-  OldLoop last_{};  // that was cut, where it began
+  OldLoop last_{};    // that was cut, where it began
+  double shift_ = 0;  // by how much another tool is wider, in radii
   bool is_reversed_ = false;
   bool has_cut_ = false;
   std::vector<PlannedRow> rows_{};
+  std::optional<CannotCut> left_{};
 };
 
 }  // namespace
@@ -332,7 +403,7 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
   return span;
 }
 
-tl::expected<Stretch, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
+tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
   return LayerWriter(recording, wanted).write();
 }
 

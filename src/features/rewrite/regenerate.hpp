@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -24,6 +25,15 @@ struct NewLayer {
   contour::Contour outer{};
   std::vector<contour::Contour> islands{};
   bool allows_rest = false;  ///< material that the tool could reach may stay
+  double new_radius = 0;     ///< of another tool that shall cut it; 0: the one that did
+  /// The way of one pass; null: the outline says it.
+  const contour::Contour* centre_line = nullptr;
+};
+
+/// What a layer that is cut anew becomes.
+struct NewRows {
+  Stretch stretch{};
+  std::optional<CannotCut> left{};  ///< what would refuse it, and is allowed
 };
 
 /// Whether the contour of a feature bounds what stands, not what is removed.
@@ -32,7 +42,7 @@ struct NewLayer {
 /// The rows of a layer of closed loops for its new contours: loops at the distances, in the order,
 /// the direction and with the entries that the old ones had (features-contract §7). Rows that stay
 /// what they were keep their blocks.
-[[nodiscard]] tl::expected<Stretch, CannotCut> regenerated(const Recording& recording,
+[[nodiscard]] tl::expected<NewRows, CannotCut> regenerated(const Recording& recording,
                                                            const NewLayer& wanted);
 
 /// The rows that belong to a layer from its approach to its retract: the last rapid across that

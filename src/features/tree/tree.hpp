@@ -40,6 +40,7 @@ struct LiteralTree {
 struct Call {
   std::uint32_t line = 0;
   std::uint32_t column = 0;
+  base::BlockId block{};  ///< that calls
   CallWords words{};
   std::vector<std::size_t> features{};
   std::vector<std::size_t> holes{};

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/decimal.hpp"
+#include "features/merge/block_words.hpp"
 
 namespace kerf::job {
 namespace {
@@ -13,6 +13,7 @@ using base::Token;
 using base::TokenKind;
 using features::Argument;
 using features::BlockFacts;
+using features::BlockWord;
 using features::CallWords;
 using features::LineSpan;
 
@@ -24,50 +25,11 @@ constexpr std::string_view kArgumentLetters = "ABCIJKDEFHMQRSTUVWXYZ";
 constexpr std::array<std::uint32_t, 21> kArgumentVariables = {
     1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
-bool is_word(TokenKind kind) {
-  return kind == TokenKind::command || kind == TokenKind::switching ||
-         kind == TokenKind::dimension || kind == TokenKind::technology;
+std::optional<double> number_of(const BlockWord* word) {
+  return word == nullptr ? std::nullopt : word->number();
 }
 
-/// A letter and what stands behind it.
-struct TextWord {
-  char letter = 0;
-  std::string value{};
-  std::uint32_t begin = 0;  // byte of the block
-  bool is_literal = true;
-};
-
-/// The words of a block with their values, blanks and comments left out.
-std::vector<TextWord> words_of(const base::Language& language, const std::string& text) {
-  std::vector<TextWord> words;
-  for (const Token& token : base::tokens_of(language, text)) {
-    const std::string piece = base::capitals(text.substr(token.begin, token.length));
-    if (token.kind == TokenKind::blank || token.kind == TokenKind::comment || piece.empty())
-      continue;
-    const bool begins = is_word(token.kind) && piece[0] >= 'A' && piece[0] <= 'Z';
-    if (begins) {
-      words.push_back({piece[0], piece.substr(1), token.begin, true});
-    } else if (!words.empty()) {
-      words.back().value += piece;
-      words.back().is_literal = words.back().is_literal && is_word(token.kind);
-    }
-  }
-  return words;
-}
-
-const TextWord* find(const std::vector<TextWord>& words, char letter) {
-  const auto found = std::find_if(words.begin(), words.end(),
-                                  [&](const TextWord& word) { return word.letter == letter; });
-  return found == words.end() ? nullptr : &*found;
-}
-
-std::optional<double> number_of(const TextWord* word) {
-  if (word == nullptr || !word->is_literal) return std::nullopt;
-  const auto value = base::read_number(word->value);
-  return value ? std::optional(*value) : std::nullopt;
-}
-
-std::string program_name(const TextWord* word) {
+std::string program_name(const BlockWord* word) {
   if (word == nullptr) return "";
   std::string digits = word->value;
   if (word->is_literal && digits.size() < kProgramDigits)
@@ -76,16 +38,16 @@ std::string program_name(const TextWord* word) {
 }
 
 // Without leading zeros, as a person says it: "G65", "M98".
-std::string code_name(const TextWord& word) {
+std::string code_name(const BlockWord& word) {
   std::string digits = word.value;
   while (digits.size() > 1 && digits[0] == '0') digits.erase(0, 1);
   return std::string(1, word.letter) + digits;
 }
 
 /// The word that calls: G65, G66, M98, or whatever other code a machine has for it.
-const TextWord* calling_word(const std::vector<TextWord>& words) {
-  const TextWord* code = nullptr;
-  for (const TextWord& word : words) {
+const BlockWord* calling_word(const std::vector<BlockWord>& words) {
+  const BlockWord* code = nullptr;
+  for (const BlockWord& word : words) {
     if (word.letter != 'G' && word.letter != 'M') continue;
     const std::string name = code_name(word);
     if (name == "G65" || name == "G66" || name == "G66.1" || name == "M98" || name == "M198")
@@ -95,11 +57,11 @@ const TextWord* calling_word(const std::vector<TextWord>& words) {
   return code;
 }
 
-Argument argument_of(const TextWord& word, const base::BlockId& block) {
+Argument argument_of(const BlockWord& word, const base::BlockId& block) {
   Argument argument{.letter = std::string(1, word.letter), .text = word.value};
   const std::size_t place = kArgumentLetters.find(word.letter);
   if (place != std::string_view::npos) argument.variable = kArgumentVariables[place];
-  argument.value = number_of(&word);
+  argument.value = word.number();
   argument.literal = argument.value.has_value();
   argument.column = std::max(block.column, 1U) + word.begin;
   return argument;
@@ -113,13 +75,13 @@ BlockFacts facts_in(const base::Language& language, const std::string& text) {
                            (token.kind == TokenKind::op && text[token.begin] == '[');
     facts.is_skipped_at_will = facts.is_skipped_at_will || token.kind == TokenKind::skip;
   }
-  const std::vector<TextWord> words = words_of(language, text);
-  for (const TextWord& word : words) {
+  const std::vector<BlockWord> words = features::words_of(language, text);
+  for (const BlockWord& word : words) {
     if (word.letter != 'G') continue;
     const std::string name = code_name(word);
     if (name != "G70" && name != "G71" && name != "G72" && name != "G73") continue;
-    const auto first = number_of(find(words, 'P'));
-    const auto last = number_of(find(words, 'Q'));
+    const auto first = number_of(features::find(words, 'P'));
+    const auto last = number_of(features::find(words, 'Q'));
     if (!first || !last || *first < 1 || *last < 1 || *first > 1e8 || *last > 1e8) continue;
     facts.shape_cycle = static_cast<std::uint16_t>(70 + (name[2] - '0'));
     facts.shape = {static_cast<std::uint32_t>(*first), static_cast<std::uint32_t>(*last)};
@@ -128,7 +90,7 @@ BlockFacts facts_in(const base::Language& language, const std::string& text) {
 }
 
 // Motions, dwells, compensation and cycles are what cuts; all other codes last.
-bool is_of_cut(const TextWord& word) {
+bool is_of_cut(const BlockWord& word) {
   constexpr std::array<std::string_view, 32> kCutting = {
       "G0",  "G1",  "G2",  "G3",  "G4",  "G9",  "G32", "G33", "G40", "G41", "G42",
       "G53", "G70", "G71", "G72", "G73", "G74", "G75", "G76", "G80", "G81", "G82",
@@ -137,7 +99,7 @@ bool is_of_cut(const TextWord& word) {
   return std::find(kCutting.begin(), kCutting.end(), name) != kCutting.end();
 }
 
-bool is_setting_up(const TextWord& word) {
+bool is_setting_up(const BlockWord& word) {
   constexpr std::string_view kOfTool = "TSMHD";
   if (word.letter == 'G') return !is_of_cut(word);
   return kOfTool.find(word.letter) != std::string_view::npos;
@@ -190,7 +152,7 @@ const FileMarks& BlockTexts::marks(base::FileId id) {
 
 bool BlockTexts::sets_up(const base::BlockId& block) {
   if (language_ == nullptr) return false;
-  const std::vector<TextWord> words = words_of(*language_, text_of(block));
+  const std::vector<BlockWord> words = features::words_of(*language_, text_of(block));
   return std::any_of(words.begin(), words.end(), is_setting_up);
 }
 
@@ -201,15 +163,15 @@ std::vector<base::BlockId> BlockTexts::calls(const base::BlockId& block) {
 CallWords BlockTexts::call_of(const base::BlockId& block) {
   CallWords call;
   if (language_ == nullptr) return call;
-  const std::vector<TextWord> words = words_of(*language_, text_of(block));
-  const TextWord* const code = calling_word(words);
+  const std::vector<BlockWord> words = features::words_of(*language_, text_of(block));
+  const BlockWord* const code = calling_word(words);
   if (code == nullptr) return call;
   call.code = code_name(*code);
-  call.program = program_name(find(words, 'P'));
-  const double repeats = number_of(find(words, 'L')).value_or(1);
+  call.program = program_name(features::find(words, 'P'));
+  const double repeats = number_of(features::find(words, 'L')).value_or(1);
   call.repeats = static_cast<std::uint32_t>(std::clamp(repeats, 1.0, 1e6));
   if (call.code[0] == 'M') return call;
-  for (const TextWord& word : words) {
+  for (const BlockWord& word : words) {
     if (&word == code || word.letter == 'N' || word.letter == 'P' || word.letter == 'L') continue;
     if (word.letter == 'G' || word.letter == 'O') continue;
     call.arguments.push_back(argument_of(word, block));

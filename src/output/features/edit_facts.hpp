@@ -41,6 +41,7 @@ struct EditFacts {
     double outside_mm3 = 0;
     double corner_rest_mm2 = 0;
     std::vector<std::string> new_findings{};
+    std::string findings_skipped{};  ///< why they were not compared; empty: they were
     double time_before_s = 0;
     double time_after_s = 0;
   };

@@ -102,6 +102,8 @@ std::string verified_json(const EditFacts::Verified& one) {
       .raw("outside_mm3", rounded(one.outside_mm3))
       .raw("corner_rest_mm2", rounded(one.corner_rest_mm2))
       .raw("new_findings", array_of(one.new_findings, quoted))
+      .raw("findings_skipped",
+           one.findings_skipped.empty() ? "null" : quoted(one.findings_skipped))
       .raw("time_s", pair_json(one.time_before_s, one.time_after_s))
       .done();
 }
@@ -160,6 +162,8 @@ std::string edit_report_text(const EditFacts& facts) {
   text += "  " + removal_text(verified.difference_mm3);
   if (verified.corner_rest_mm2 > 0)
     text += ", leaves " + base::rounded_text(verified.corner_rest_mm2, 3) + " mm² in corners";
+  if (!verified.findings_skipped.empty())
+    text += "\n  collisions are not compared: " + verified.findings_skipped;
   text += "\n  takes " + base::rounded_text(verified.time_after_s, 3) + " s, " +
           base::rounded_text(verified.time_before_s, 3) + " s before\n";
   return text;

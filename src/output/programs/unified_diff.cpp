@@ -209,7 +209,8 @@ std::string unified_diff(const std::string& name, std::string_view before,
   std::erase_if(groups,
                 [](const Group& group) { return group.first == group.end && group.lines.empty(); });
   if (groups.empty()) return {};
-  std::string out = "--- " + header_name("a/" + name) + "+++ " + header_name("b/" + name);
+  const std::string below = name.substr(std::min(name.find_first_not_of('/'), name.size()));
+  std::string out = "--- " + header_name("a/" + below) + "+++ " + header_name("b/" + below);
   std::size_t added = 0;
   std::size_t removed = 0;
   for (std::size_t i = 0; i < groups.size();) {

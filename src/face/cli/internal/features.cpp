@@ -7,6 +7,7 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
 #include "face/cli/stock_table.hpp"
+#include "job/argument_probe.hpp"
 #include "job/facts_of_features.hpp"
 #include "job/features_run.hpp"
 #include "output/features/feature_json.hpp"
@@ -37,6 +38,7 @@ ExitStatus features(const FeaturesOptions& options) {
   if (!order) return fail(order.error());
   auto result = job::recognise_features(order->job, method_of(options));
   if (!result) return fail(result.error());
+  if (options.probes_arguments) job::probe_arguments(order->job, method_of(options), *result);
   output::FeatureFacts facts = job::facts_of(*result);
   facts.run.chosen = order->ready.choice.chosen;
   facts.method = method_of(options);

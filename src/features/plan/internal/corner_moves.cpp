@@ -122,8 +122,8 @@ Done follow_turned(EditScene& scene, std::size_t feature, const Contour& contour
 }  // namespace
 
 // Under G41 and G42 the control goes beside the contour by itself: its corners alone move.
-Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
-                     const LayerContours& contours) {
+Editing<Stretch> vertices_followed(const EditScene& scene, std::size_t feature, std::size_t layer,
+                                   const LayerContours& contours) {
   const Layer& its = scene.tree.features[feature].layers[layer];
   if (!keeps_elements(its.nominal, contours.outer) || !contours.islands.empty()) {
     return scene.refuse(
@@ -131,10 +131,7 @@ Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
         "UNDER G41 AND G42 A CONTOUR KEEPS ITS ELEMENTS AND THE ANGLES OF ITS ARCS");
   }
   const Shift shift(its.nominal, contours.outer);
-  const auto tool = scene.recording.tools.find(scene.tree.features[feature].tool);
-  const double diameter = tool == scene.recording.tools.end()
-                              ? 0
-                              : tool->second.value(stock::Measure::diameter).value_or(0);
+  const double diameter = scene.recording.diameter_of(scene.tree.features[feature].tool);
   const Span visit = whole_visit(scene.recording, its);
   Stretch stretch{.rows = visit};
   for (std::uint32_t row = visit.first; row <= visit.last; ++row) {
@@ -148,9 +145,7 @@ Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
     }
     stretch.becomes.push_back(planned);
   }
-  scene.add(std::move(stretch));
-  scene.plan.wanted.push_back({feature, layer, contours, its.z});
-  return {};
+  return stretch;
 }
 
 ContourEdit turned_contour(const EditScene& scene, std::size_t feature) {

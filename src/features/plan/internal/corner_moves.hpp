@@ -5,8 +5,8 @@
 namespace kerf::features {
 
 /// Under G41 and G42 the control goes beside the contour by itself: its corners alone move.
-[[nodiscard]] Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
-                                   const LayerContours& contours);
+[[nodiscard]] Editing<Stretch> vertices_followed(const EditScene& scene, std::size_t feature,
+                                                 std::size_t layer, const LayerContours& contours);
 /// The contour of what is turned, as edits begin with it.
 [[nodiscard]] ContourEdit turned_contour(const EditScene& scene, std::size_t feature);
 /// What is turned gets this contour: ends of passes and of the finish contour follow its corners; a

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "features/plan/edit_plan.hpp"
 
@@ -12,6 +13,7 @@ struct EditScene {
   const Recording& recording;
   const Tree& tree;
   bool allows_collision = false;
+  bool allows_rest = false;  ///< material that the tool could reach may stay
   EditPlan plan{};
   std::size_t edit = 0;  ///< that is being applied
 
@@ -19,6 +21,9 @@ struct EditScene {
                                                  std::string hint = "") const;
   /// With the number of the edit in it.
   [[nodiscard]] tl::unexpected<EditFault> refuse(EditFault fault) const;
+  /// What rows shall be, as far as is known by now; they are no longer part of the plan. All of the
+  /// stretches that they meet must lie within them: else nothing.
+  [[nodiscard]] std::optional<std::vector<PlannedRow>> take_rows(Span rows);
   void add(Stretch stretch) { plan.rows.push_back(std::move(stretch)); }
 
   // By id or key.

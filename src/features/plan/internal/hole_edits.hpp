@@ -1,14 +1,15 @@
 #pragma once
 
 #include "features/plan/internal/edit_scene.hpp"
+#include "features/plan/internal/feature_wish.hpp"
 
 namespace kerf::features {
 
-// Edits of holes and of lists of holes.
-[[nodiscard]] Done move_hole(EditScene& scene, contour::Vec2 to, std::size_t hole);
-[[nodiscard]] Done set_hole_depth(EditScene& scene, double z, std::size_t hole);
-[[nodiscard]] Done remove_hole(EditScene& scene, std::size_t hole);
-/// Behind the last hole of the list.
-[[nodiscard]] Done add_hole(EditScene& scene, contour::Vec2 at, std::size_t pattern);
+/// What one edit adds to what its hole shall become. Origins are checked already.
+[[nodiscard]] Done wish_of_hole(const EditScene& scene, const Edit& edit, std::size_t hole,
+                                HoleWish& wish);
+
+/// Makes the rows of holes what is wished, and then those of all that go.
+[[nodiscard]] Done make_holes(EditScene& scene, std::map<std::size_t, HoleWish>& wishes);
 
 }  // namespace kerf::features

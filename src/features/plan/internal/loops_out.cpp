@@ -1,53 +1,85 @@
 #include "features/plan/internal/loops_out.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace kerf::features {
+namespace {
 
-// All rows that ran within these lines are blocks of their own, with what is cut anew among them.
-void write_out(EditScene& scene, Span lines) {
-  std::optional<Span> rows;
-  for (std::uint32_t row = 0; row < scene.recording.count(); ++row) {
-    const std::uint32_t line = scene.recording.line_of(row);
-    if (line < lines.first || line > lines.last) continue;
-    rows = Span{rows ? rows->first : row, row};
-  }
-  if (!rows) return;
-  Stretch whole{.rows = *rows, .written_out = lines};
+using base::CallPath;
+using base::Code;
+
+/// What rows become blocks of their own, and the lines or the call that they replace.
+using Inside = std::function<bool(std::uint32_t row)>;
+
+void write_out(EditScene& scene, Stretch whole, const Inside& is_inside) {
+  const Span rows = whole.rows;
   const auto meets = [&](const Stretch& each) {
-    return each.rows.first <= rows->last && each.rows.last >= rows->first;
+    return each.rows.first <= rows.last && each.rows.last >= rows.first;
   };
   for (const Stretch& each : scene.plan.rows) {
     if (!meets(each)) continue;
     whole.rows.first = std::min(whole.rows.first, each.rows.first);
     whole.rows.last = std::max(whole.rows.last, each.rows.last);
   }
-  for (std::uint32_t row = whole.rows.first; row <= whole.rows.last;) {
-    const auto anew =
-        std::find_if(scene.plan.rows.begin(), scene.plan.rows.end(),
-                     [&](const Stretch& each) { return meets(each) && each.rows.first == row; });
-    if (anew == scene.plan.rows.end()) {
-      whole.becomes.push_back(as_it_is(scene.recording, row++));
-      continue;
-    }
-    whole.becomes.insert(whole.becomes.end(), anew->becomes.begin(), anew->becomes.end());
-    row = anew->rows.last + 1;
-  }
+  auto becomes = scene.take_rows(whole.rows);
+  if (becomes) whole.becomes = std::move(*becomes);
   Vec3 at = scene.recording.from(whole.rows.first);
   for (PlannedRow& row : whole.becomes) {
-    const bool is_inside = row.was && scene.recording.line_of(*row.was) >= lines.first &&
-                           scene.recording.line_of(*row.was) <= lines.last;
     // What stands outside stays: the tool goes to the first new point from where it was.
-    if (row.was && !is_inside) {
+    if (row.was && !is_inside(*row.was)) {
       const bool goes_up = row.kind == Move::Kind::rapid && is_upright(scene.recording, *row.was);
       row = as_it_is(scene.recording, *row.was);
       if (goes_up) row.to = {at.x, at.y, row.to.z};
+    } else {
+      row.was.reset();
     }
-    if (is_inside) row.was.reset();
     at = row.to;
   }
-  std::erase_if(scene.plan.rows, meets);
   scene.plan.rows.push_back(std::move(whole));
+}
+
+}  // namespace
+
+// All rows that ran within these lines are blocks of their own, with what is cut anew among them.
+void write_out(EditScene& scene, Span lines) {
+  const auto is_inside = [&](std::uint32_t row) {
+    const std::uint32_t line = scene.recording.line_of(row);
+    return line >= lines.first && line <= lines.last;
+  };
+  std::optional<Span> rows;
+  for (std::uint32_t row = 0; row < scene.recording.count(); ++row) {
+    if (is_inside(row)) rows = Span{rows ? rows->first : row, row};
+  }
+  if (rows) write_out(scene, {.rows = *rows, .written_out = lines}, is_inside);
+}
+
+Done write_out_call(EditScene& scene, const Call& call, std::uint32_t row) {
+  const Recording& recording = scene.recording;
+  const auto path_of = [&](std::uint32_t each) {
+    return recording.block_of(recording.moves[each]).calls;
+  };
+  const CallPath path = path_of(row);
+  std::optional<Span> rows;
+  for (std::uint32_t each = 0; each < recording.count(); ++each) {
+    if (path_of(each) == path) rows = Span{rows ? rows->first : each, each};
+  }
+  const std::string name = "THE CALL OF LINE " + std::to_string(call.line);
+  if (!rows || call.block.calls != CallPath::main) {
+    return scene.refuse(Code::edit_not_editable,
+                        name + " STANDS IN A PROGRAM THAT IS CALLED ITSELF");
+  }
+  for (std::uint32_t each = rows->first; each <= rows->last; ++each) {
+    const State& state = recording.state_of(recording.moves[each]);
+    if (path_of(each) == CallPath::main)
+      return scene.refuse(Code::edit_in_loop, name + " RUNS MORE THAN ONCE");
+    if (state.cycle != 0 || state.compensation != Compensation::none)
+      return scene.refuse(Code::edit_not_editable,
+                          name + " RUNS A CYCLE OR G41: IT IS WRITTEN OUT BY HAND");
+  }
+  write_out(scene, {.rows = *rows, .called_by = call.block},
+            [span = *rows](std::uint32_t each) { return each >= span.first && each <= span.last; });
+  return {};
 }
 
 // Features that the same blocks cut in other calls change with this one.

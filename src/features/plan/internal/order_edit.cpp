@@ -2,8 +2,34 @@
 
 #include <algorithm>
 
+#include "features/path/tolerance.hpp"
+
 namespace kerf::features {
 using base::Code;
+
+namespace {
+
+// A visit that began where the tool stood goes there first.
+void append_from(const Recording& recording, const std::vector<PlannedRow>& part, Vec3& at,
+                 std::vector<PlannedRow>& rows) {
+  if (part.empty()) return;
+  const PlannedRow& first = part.front();
+  const Vec3 start = recording.from(first.was.value_or(first.like));
+  const bool comes_from_elsewhere =
+      first.kind == Move::Kind::rapid && !is_upright(recording, first.was.value_or(first.like));
+  const bool is_there =
+      geometry::length(Vec2{start.x, start.y} - Vec2{at.x, at.y}) <= kSamePoint_mm;
+  if (!is_there && !comes_from_elsewhere) {
+    rows.push_back({.to = {start.x, start.y, at.z},
+                    .kind = Move::Kind::rapid,
+                    .like = first.like,
+                    .changes_place = first.changes_place});
+  }
+  rows.insert(rows.end(), part.begin(), part.end());
+  at = part.back().to;
+}
+
+}  // namespace
 
 Done change_order(EditScene& scene, const ChangeOrder& order, const std::string& target) {
   const auto spans_of =
@@ -36,20 +62,20 @@ Done change_order(EditScene& scene, const ChangeOrder& order, const std::string&
   }
   const Span whole{std::min(moved->first.first, other->first.first),
                    std::max(moved->first.last, other->first.last)};
-  const auto in_moved = [&](std::uint32_t row) {
-    return row >= moved->first.first && row <= moved->first.last;
-  };
+  const Span rest = whole.first < moved->first.first ? Span{whole.first, moved->first.first - 1}
+                                                     : Span{moved->first.last + 1, whole.last};
+  auto first = scene.take_rows(moved->first);
+  auto second = scene.take_rows(rest);
+  if (!first || !second || (whole.first < moved->first.first && whole.last > moved->first.last)) {
+    return scene.refuse(Code::edit_not_editable,
+                        "THE BLOCKS OF " + target + " AND " + order.other + " ARE NOT APART");
+  }
+  for (PlannedRow& row : *first) row.changes_place = true;
+  if (!order.is_before) std::swap(*first, *second);
   Stretch stretch{.rows = whole};
-  const auto put = [&](bool of_moved) {
-    for (std::uint32_t row = whole.first; row <= whole.last; ++row) {
-      if (in_moved(row) != of_moved) continue;
-      PlannedRow planned = as_it_is(scene.recording, row);
-      planned.changes_place = of_moved;
-      stretch.becomes.push_back(planned);
-    }
-  };
-  put(order.is_before);
-  put(!order.is_before);
+  Vec3 at = scene.recording.from(whole.first);
+  for (std::vector<PlannedRow>* const part : {&*first, &*second})
+    append_from(scene.recording, *part, at, stretch.becomes);
   scene.add(std::move(stretch));
   return {};
 }

@@ -5,6 +5,13 @@
 namespace kerf::output {
 namespace {
 
+std::string affects_json(const features::Argument& argument) {
+  if (!argument.affects) return "null";
+  std::vector<std::string> words;
+  for (const std::string& word : *argument.affects) words.push_back(quoted(word));
+  return json_array(words);
+}
+
 std::string argument_json(const features::Argument& argument) {
   return JsonObject()
       .text("letter", argument.letter)
@@ -13,7 +20,7 @@ std::string argument_json(const features::Argument& argument) {
       .text("text", argument.text)
       .raw("literal", argument.literal ? "true" : "false")
       .raw("column", rounded(argument.column))
-      .raw("affects", "null")
+      .raw("affects", affects_json(argument))
       .done();
 }
 

@@ -52,6 +52,8 @@ TEST(UnifiedDiff, TellsThatAnEndIsMissing) {
   EXPECT_EQ(unified_diff("p", "A\nM30", Stretches{{5, 0, "\nX1"}}),
             "--- a/p\n+++ b/p\n@@ -1,2 +1,3 @@\n A\n-M30\n\\ No newline at end of file\n"
             "+M30\n+X1\n\\ No newline at end of file\n");
+  EXPECT_EQ(unified_diff("/p", "A\nM30", Stretches{{0, 1, "B"}}),
+            unified_diff("p", "A\nM30", Stretches{{0, 1, "B"}}));
   EXPECT_EQ(unified_diff("p", "A\nM30", Stretches{{0, 1, "B"}}),
             "--- a/p\n+++ b/p\n@@ -1,2 +1,2 @@\n-A\n+B\n M30\n\\ No newline at end of file\n");
 }

@@ -85,6 +85,7 @@ void expect_feature(const features::Feature& found, const WantedFeature& wanted,
   EXPECT_EQ(features::word_of(found.type), features::word_of(wanted.type));
   EXPECT_NEAR(found.top, wanted.top, border_mm);
   expect_layers(found, wanted, border_mm);
+  EXPECT_EQ(found.measures.round.has_value() || !wanted.is_round, true) << "round";
   if (wanted.nominal)
     expect_contour(found.layers.front().nominal, *wanted.nominal, 3 * border_mm, "nominal");
   expect_word(found.strategy, wanted.strategy);

@@ -161,6 +161,18 @@ Contour normal_form(const Contour& contour) {
   return normal;
 }
 
+Contour without_slivers(const Contour& contour, double least) {
+  Contour longer{{}, true};
+  double left_out = 0;  // in a row: many short ones are a curve
+  for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+    left_out += contour::length(contour::edge_of(contour, i));
+    if (left_out < least) continue;
+    left_out = 0;
+    longer.vertices.push_back(contour.vertices[i]);
+  }
+  return longer.vertices.size() < 2 ? contour : longer;
+}
+
 bool are_equal(const Contour& a, const Contour& b, double tolerance) {
   if (a.vertices.size() != b.vertices.size() || a.is_closed != b.is_closed) return false;
   if (a.vertices.empty()) return true;

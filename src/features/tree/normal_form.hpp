@@ -10,6 +10,10 @@ namespace kerf::features {
 /// its direction and its ends.
 [[nodiscard]] contour::Contour normal_form(const contour::Contour& contour);
 
+/// A closed contour without its edges that are shorter than `least`: the one before ends
+/// where the next long one begins. Words are rounded, and what touches on a drawing leaves such edges in a program.
+[[nodiscard]] contour::Contour without_slivers(const contour::Contour& contour, double least);
+
 /// Whether two closed contours in normal form are one, point for point within `tolerance`.
 [[nodiscard]] bool are_equal(const contour::Contour& a, const contour::Contour& b,
                              double tolerance);

@@ -77,7 +77,7 @@ void expect_layers(const features::Feature& found, const WantedFeature& wanted, 
     expect_contour(layer.contour, wanted.outline, border_mm, "contour");
     ASSERT_EQ(layer.islands.size(), wanted.islands.size());
     for (std::size_t k = 0; k < wanted.islands.size(); ++k)
-      expect_contour(layer.islands[k], wanted.islands[k], border_mm, "island");
+      expect_contour(layer.islands[k], wanted.islands[k], 2 * border_mm, "island");
   }
 }
 

@@ -50,7 +50,8 @@ void add_islands(const Recording& recording, const Material& material, const Con
   const Region left = material.standing(inside, layer.z);
   if (contour::area(left) <= kEmptyArea_mm2) return;
   for (const Contour& loop : left.loops) {
-    if (contour::is_counterclockwise(loop)) layer.islands.push_back(told(recording, loop));
+    if (contour::is_counterclockwise(loop) && !is_sliver(loop))
+      layer.islands.push_back(told(recording, loop));
   }
 }
 
@@ -157,9 +158,9 @@ bool are_one_shape(const Layer& a, const Layer& b) {
 }
 
 std::size_t outline_count(const Region& region) {
-  return static_cast<std::size_t>(
-      std::count_if(region.loops.begin(), region.loops.end(),
-                    [](const Contour& loop) { return contour::is_counterclockwise(loop); }));
+  return static_cast<std::size_t>(std::count_if(
+      region.loops.begin(), region.loops.end(),
+      [](const Contour& loop) { return contour::is_counterclockwise(loop) && !is_sliver(loop); }));
 }
 
 void tell_contours(const Recording& recording, const Material& material, double radius,

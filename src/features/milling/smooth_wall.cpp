@@ -15,8 +15,8 @@ namespace {
 using contour::Contour;
 using contour::Edge;
 
-constexpr double kLeastRise = 1e-9;  // of a bulge
-constexpr double kBeside_mm = 4e-3;  // what words of inches are rounded to, twice
+constexpr double kMostRise = 1 + 2e-3;  // of a bulge: half a circle of rounded words
+constexpr double kBeside_mm = 4e-3;     // what words of inches are rounded to, twice
 
 /// The way of a row that has cut a wall.
 struct Row {
@@ -63,6 +63,12 @@ bool is_side_of(const Row& row, const Edge& edge) {
   if ((edge.bulge == 0) != (way.bulge == 0)) return false;
   return edge.bulge == 0 ||
          geometry::length(contour::centre(edge) - contour::centre(way)) <= kBeside_mm;
+}
+
+bool are_one_circle(const Edge& a, const Edge& b) {
+  return a.bulge != 0 && b.bulge != 0 && (a.bulge > 0) == (b.bulge > 0) &&
+         std::fabs(contour::radius(a) - contour::radius(b)) <= kBeside_mm &&
+         geometry::length(contour::centre(a) - contour::centre(b)) <= kBeside_mm;
 }
 
 Vec2 onto_curve(const Edge& edge, Vec2 point) {
@@ -117,22 +123,24 @@ class Smoother {
   }
 
  private:
-  static bool takes(const Piece& wall, const Edge& edge, double reach) {
-    return wall.row && wall.row->length >= reach && is_beside(*wall.row, edge);
+  static bool takes(const Piece& wall, const Piece& other) {
+    if (are_one_circle(wall.edge, other.edge))
+      return contour::length(wall.edge) >= contour::length(other.edge);
+    return wall.row && wall.row->length >= other.reach() && is_beside(*wall.row, other.edge);
   }
 
   // An arc of more than half a circle would be another edge.
-  static bool is_short(const Edge& edge) { return std::fabs(edge.bulge) <= 1 + kLeastRise; }
+  static bool is_short(const Edge& edge) { return std::fabs(edge.bulge) <= kMostRise; }
 
   bool take_behind(Piece& wall, const Piece& next) {
-    if (!takes(wall, next.edge, next.reach())) return false;
+    if (!takes(wall, next)) return false;
     const Edge longer = along_curve(wall.edge, wall.edge.from, onto_curve(wall.edge, next.edge.to));
     if (!is_short(longer)) return false;
     wall.edge = longer;
     return true;
   }
   bool take_before(Piece& wall, const Piece& last) {
-    if (!takes(wall, last.edge, last.reach())) return false;
+    if (!takes(wall, last)) return false;
     const Edge longer = along_curve(wall.edge, onto_curve(wall.edge, last.edge.from), wall.edge.to);
     if (!is_short(longer)) return false;
     wall.edge = longer;

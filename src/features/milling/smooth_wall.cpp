@@ -1,6 +1,7 @@
 #include "features/milling/smooth_wall.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -16,7 +17,8 @@ using contour::Contour;
 using contour::Edge;
 
 constexpr double kMostRise = 1 + 2e-3;  // of a bulge: half a circle of rounded words
-constexpr double kBeside_mm = 4e-3;     // what words of inches are rounded to, twice
+constexpr double kLongestBump_mm = 2;
+constexpr double kBeside_mm = 4e-3;  // what words of inches are rounded to, twice
 
 /// The way of a row that has cut a wall.
 struct Row {
@@ -150,8 +152,39 @@ class Smoother {
   void add(Piece piece) {
     if (!pieces_.empty() && take_behind(pieces_.back(), piece)) return;
     while (!pieces_.empty() && take_before(piece, pieces_.back())) pieces_.pop_back();
-    if (!pieces_.empty()) meet(pieces_.back(), piece);
+    if (pieces_.size() > 1 && is_bump(pieces_[pieces_.size() - 2], pieces_.back(), piece)) {
+      pieces_.pop_back();
+      bridge(pieces_.back(), piece);
+    } else if (!pieces_.empty()) {
+      meet(pieces_.back(), piece);
+    }
     pieces_.push_back(std::move(piece));
+  }
+
+  // The round end of a pass where two walls touch each other lies on the one, then on the other.
+  static bool is_bump(const Piece& last, const Piece& bump, const Piece& next) {
+    if (bump.row || contour::length(bump.edge) > kLongestBump_mm) return false;
+    const std::array<Vec2, 3> points{bump.edge.from, contour::point_at(bump.edge, 0.5),
+                                     bump.edge.to};
+    return std::all_of(points.begin(), points.end(),
+                       [&](Vec2 point) { return lies_on(last, point) || lies_on(next, point); });
+  }
+  static bool lies_on(const Piece& wall, Vec2 point) {
+    if (wall.row) return is_beside(*wall.row, point);
+    return wall.edge.bulge != 0 && std::fabs(geometry::length(point - contour::centre(wall.edge)) -
+                                             contour::radius(wall.edge)) <= kBeside_mm;
+  }
+  // The one with a row goes on to where the other begins.
+  static void bridge(Piece& last, Piece& next) {
+    if (last.row) {
+      const Vec2 at = onto_curve(last.edge, next.edge.from);
+      last.edge = along_curve(last.edge, last.edge.from, at);
+      next.edge = along_curve(next.edge, at, next.edge.to);
+    } else {
+      const Vec2 at = onto_curve(next.edge, last.edge.to);
+      next.edge = along_curve(next.edge, at, next.edge.to);
+      last.edge = along_curve(last.edge, last.edge.from, at);
+    }
   }
 
   // They end where the next begins, which may have moved by the tolerance.
@@ -169,6 +202,12 @@ class Smoother {
         pieces_.pop_front();
       } else if (take_before(pieces_.front(), pieces_.back())) {
         pieces_.pop_back();
+      } else if (is_bump(pieces_[pieces_.size() - 2], pieces_.back(), pieces_.front())) {
+        pieces_.pop_back();
+        bridge(pieces_.back(), pieces_.front());
+      } else if (is_bump(pieces_.back(), pieces_.front(), pieces_[1])) {
+        pieces_.pop_front();
+        bridge(pieces_.back(), pieces_.front());
       } else {
         break;
       }

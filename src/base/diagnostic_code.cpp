@@ -1,6 +1,5 @@
 #include "base/diagnostic_code.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace kerf::base {
@@ -16,7 +15,9 @@ constexpr std::string_view remedy_of(std::string_view text) {
   return at == std::string_view::npos ? std::string_view() : text.substr(at + kBetween.size());
 }
 
-constexpr std::array kCodes = {
+// No std::array without a size: clang folds no more than 256 arguments to find it out.
+constexpr CodeText kCodes[] = {
+    // NOLINT(modernize-avoid-c-arrays)
 #define CODE(name, number, message, text) \
   CodeText{#name, number, message, cause_of(text), remedy_of(text)},
 #include "base/diagnostic_codes.def"

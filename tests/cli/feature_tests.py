@@ -376,3 +376,13 @@ def lathe_shape(box):
     equal((turned["origin"]["kind"], turned["origin"]["shape"], turned["editable"]), ("cycle-shape", [6, 10], "contour"), "origin")
     equal([cut["role"] for cut in turned["cuts"]], ["rough", "finish"], "cuts")
     equal(turned["contour"], [[0, 20, 0], [-20, 20, 0], [-30, 30, 0], [-50, 30, 0], [-50, 60, 0]], "contour")
+
+
+@test("features: beyond --max-seconds or --memory the rest is told as not recognised, and the exit status is 5")
+def bounds(box):
+    lines = "".join(f"X{i * 37 % 100}.Y{i * 61 % 80}.\n" for i in range(30000))
+    box.write("part.nc", f"T1M06\nS1000M03\nG00X0Y0Z5.\nG01Z-2.F100\n{lines}G00Z5.\nM30\n")
+    for bound in (["--memory", "1"], ["--max-seconds", "0.02"]):
+        result = box.kerf("features", "part.nc", "--format", "json", *bound)
+        equal(result.status, 5, f"status with {bound}")
+        contains(result.err, "BUDGET", f"what is told with {bound}")

@@ -26,7 +26,7 @@ void add_crossings(const Edge& edge, double height, std::vector<double>& xs) {
   if (std::fabs(up) >= radius) return;
   const double half = std::sqrt(radius * radius - up * up);
   for (const double x : {middle.u - half, middle.u + half}) {
-    if (contour::distance(edge, {x, height}) < 1e-9) xs.push_back(x);
+    if (contour::distance(edge, {x, height}) < 1e-6) xs.push_back(x);
   }
 }
 

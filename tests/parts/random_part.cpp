@@ -232,6 +232,7 @@ class PartMaker {
     choose_strategy(outline, way, wanted);
     wanted.outline = outline.milled(radius());
     if (outline.is_polygon() && wanted.strategy) wanted.nominal = nominal_of(outline);
+    wanted.is_round = outline.is_circle();
     MillCam cam(posted_, radius());
     note("pocket");
     clear_layers(wanted.layers, room.top,

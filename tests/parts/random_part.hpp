@@ -20,6 +20,7 @@ struct WantedFeature {
   Contour outline{};
   std::vector<Contour> islands{};
   std::optional<Contour> nominal{};
+  bool is_round = false;
   std::optional<features::Strategy> strategy{};
   std::optional<features::Order> order{};
   std::optional<features::Milling> milling{};

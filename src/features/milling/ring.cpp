@@ -5,6 +5,7 @@
 
 #include "features/literal/left_inside.hpp"
 #include "features/path/tolerance.hpp"
+#include "features/tree/normal_form.hpp"
 #include "geometry/contour/box_tree.hpp"
 #include "geometry/contour/edit.hpp"
 #include "geometry/contour/sweep.hpp"
@@ -98,7 +99,7 @@ bool is_mostly_loop(const Recording& recording, const Level& level, const Contou
 
 bool has_one_island(const Region& sweep) {
   const auto holes = std::count_if(sweep.loops.begin(), sweep.loops.end(), [](const Contour& loop) {
-    return !contour::is_counterclockwise(loop);
+    return !contour::is_counterclockwise(loop) && !is_sliver(loop);
   });
   return holes == 1;
 }

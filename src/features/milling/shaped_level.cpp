@@ -8,6 +8,7 @@
 #include "features/milling/long_sweep.hpp"
 #include "features/milling/nominal.hpp"
 #include "features/milling/path_corners.hpp"
+#include "features/milling/smooth_wall.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -37,13 +38,20 @@ const Contour* outline_of(const Region& region) {
   return outline;
 }
 
+/// A loop of what was removed as it is told.
+Contour told(const Recording& recording, const Contour& loop) {
+  return normal_form(without_slivers(smooth_wall(recording, loop), kSamePoint_mm));
+}
+
 // What stands in a hole of the region. Where all of it has gone before there is no island.
-void add_islands(const Material& material, const Contour& hole, Layer& layer) {
+void add_islands(const Recording& recording, const Material& material, const Contour& hole,
+                 Layer& layer) {
   const Region inside = filled(hole);
   const Region left = material.standing(inside, layer.z);
   if (contour::area(left) <= kEmptyArea_mm2) return;
   for (const Contour& loop : left.loops) {
-    if (contour::is_counterclockwise(loop)) layer.islands.push_back(normal_form(loop));
+    if (contour::is_counterclockwise(loop) && !is_sliver(loop))
+      layer.islands.push_back(told(recording, loop));
   }
 }
 
@@ -150,9 +158,9 @@ bool are_one_shape(const Layer& a, const Layer& b) {
 }
 
 std::size_t outline_count(const Region& region) {
-  return static_cast<std::size_t>(
-      std::count_if(region.loops.begin(), region.loops.end(),
-                    [](const Contour& loop) { return contour::is_counterclockwise(loop); }));
+  return static_cast<std::size_t>(std::count_if(
+      region.loops.begin(), region.loops.end(),
+      [](const Contour& loop) { return contour::is_counterclockwise(loop) && !is_sliver(loop); }));
 }
 
 void tell_contours(const Recording& recording, const Material& material, double radius,
@@ -161,9 +169,9 @@ void tell_contours(const Recording& recording, const Material& material, double 
   layer.islands.clear();
   const Contour* const outline = outline_of(layer.removed);
   if (outline == nullptr) return;
-  layer.contour = normal_form(*outline);
+  layer.contour = told(recording, *outline);
   for (const Contour& loop : layer.removed.loops) {
-    if (!contour::is_counterclockwise(loop)) add_islands(material, loop, layer);
+    if (!contour::is_counterclockwise(loop)) add_islands(recording, material, loop, layer);
   }
   tell_nominal(recording, radius, layer);
 }

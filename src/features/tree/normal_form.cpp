@@ -14,6 +14,8 @@ using contour::Vec2;
 
 constexpr double kSameCurve_mm = 1e-6;  // how far neighbours may lie beside one line or circle
 constexpr double kShort_mm = 1e-7;
+constexpr double kSliver_mm = 4e-3;   // of inches with four digits, and of arcs
+constexpr double kRoundedArc = 1e-3;  // of half a circle, that a half circle may be more
 
 /// A line, or an arc by its whole angle, which may be more than half a circle.
 struct Piece {
@@ -101,7 +103,7 @@ Vec2 turned(Vec2 arm, double angle_rad) {
 
 void append(const Piece& piece, Contour& contour) {
   const double half_turns = std::fabs(piece.sweep_rad) / std::numbers::pi;
-  const int parts = std::max(1, static_cast<int>(std::ceil(half_turns - 1e-9)));
+  const int parts = std::max(1, static_cast<int>(std::ceil(half_turns - kRoundedArc)));
   const double bulge = piece.is_line() ? 0 : math::tan(piece.sweep_rad / parts / 4);
   const Vec2 arm = piece.from - piece.centre;
   for (int part = 0; part < parts; ++part) {
@@ -159,6 +161,22 @@ Contour normal_form(const Contour& contour) {
   if (!contour::is_counterclockwise(normal)) normal = contour::reversed(normal);
   begin_at_least(normal);
   return normal;
+}
+
+Contour without_slivers(const Contour& contour, double least) {
+  Contour longer{{}, true};
+  double left_out = 0;  // in a row: many short ones are a curve
+  for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+    left_out += contour::length(contour::edge_of(contour, i));
+    if (left_out < least) continue;
+    left_out = 0;
+    longer.vertices.push_back(contour.vertices[i]);
+  }
+  return longer.vertices.size() < 2 ? contour : longer;
+}
+
+bool is_sliver(const Contour& loop) {
+  return std::fabs(contour::area(loop)) <= kSliver_mm * contour::length(loop) / 2;
 }
 
 bool are_equal(const Contour& a, const Contour& b, double tolerance) {

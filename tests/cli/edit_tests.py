@@ -217,6 +217,15 @@ def old_findings(box):
     equal((verified["new_findings"], verified["findings_skipped"]), ([], None), "findings")
 
 
+@test("edit: another tool keeps S and F, and that is told; the old one may be without work")
+def speeds_stay(box):
+    prepare(box)
+    box.write("tools.toml", TOOLS + TOOLS.replace("1\n", "2\n", 1).replace("10", "9"))
+    box.write("edits.json", '{"version":1,"edits":[{"op":"tool","feature":"F1","tool":2}]}')
+    edit(box, "--output", "new.nc", "--report", "r.json")
+    equal([one["code"] for one in box.json("r.json")["warnings"]], ["EDIT_SPEEDS_STAY", "EDIT_TOOL_UNUSED"], "warnings")
+
+
 @test("edit: where no part can be cut the report says that findings were not compared")
 def no_part(box):
     prepare(box)

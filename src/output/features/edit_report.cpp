@@ -102,8 +102,7 @@ std::string verified_json(const EditFacts::Verified& one) {
       .raw("outside_mm3", rounded(one.outside_mm3))
       .raw("corner_rest_mm2", rounded(one.corner_rest_mm2))
       .raw("new_findings", array_of(one.new_findings, quoted))
-      .raw("findings_skipped",
-           one.findings_skipped.empty() ? "null" : quoted(one.findings_skipped))
+      .raw("findings_skipped", one.findings_skipped.empty() ? "null" : quoted(one.findings_skipped))
       .raw("time_s", pair_json(one.time_before_s, one.time_after_s))
       .done();
 }

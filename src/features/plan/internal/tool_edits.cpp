@@ -90,7 +90,7 @@ class ToolChanger {
     }
     if (!changed_.insert(operation).second || its.tool == *member.tool) return {};
     scene_.plan.tools.push_back({its.tool, *member.tool, its.rows});
-    scene_.plan.warnings.push_back({Code::edit_tool_unused,
+    scene_.plan.warnings.push_back({Code::edit_speeds_stay,
                                     "S AND F ARE STILL THOSE OF T" + std::to_string(its.tool), "",
                                     scene_.edit});
     return {};

@@ -128,6 +128,11 @@ export const EDIT_ALARMS_ZH_HANT: Record<string, [message: string, cause: string
       '編輯所切除的部分，有一部分位於毛坯之外。',
       '若毛坯與此不同，請檢查 `--stock` 與輪廓的座標。',
     ],
+    EDIT_SPEEDS_STAY: [
+      '轉速與進給仍屬原刀具',
+      '現在由另一把刀具切削；S 與 F 仍是原刀具的數值。',
+      '進給可用 `feed` 編輯更改，S 請手動更改。',
+    ],
     EDIT_TOOL_UNUSED: [
       '刀具沒有加工',
       '該刀具已沒有任何特徵；換刀及其開頭仍留在程式中。',

@@ -99,7 +99,8 @@ class Tile {
   }
   /// First and last place of material between two places; low > high: there is none.
   [[nodiscard]] Stretch touched_span(std::size_t dexel, float low, float high) const;
-  /// Takes away what is between low and high, unless that is less than kLeast_mm; the length.
+  /// Takes away what is between low and high, but for pieces that reach less than kLeast_mm into
+  /// it, whatever else it takes; the length.
   /// `low_end` and `high_end` say what the tool's lower and upper surface leave: normal and motion.
   /// A dexel that has kMostEnds stays in one piece: it loses its shorter remainder.
   template <class LowEnd, class HighEnd>

@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+
+#include "stock/dexel/run_work.hpp"
 
 namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kDown_mm = 1e-9;  // that a tip must go for its face to cut
+// Sweeps that are worth to be cut together.
+constexpr std::size_t kLeastRun = 4;
+constexpr std::size_t kMostCutsOfRun = 1U << 15;
+// How far they may go along the dexels, as a share of the tool's radius: there each of them leaves
+// something to the next one, and few pass over all that another one does.
+constexpr double kFarthestAlong = 0.5;
 
 float as_float(double value) { return static_cast<float>(value); }
 
@@ -25,6 +34,27 @@ bool may_meet_nothing(const Task& task, ToolPart part) {
 
 const TurningWay* turning(const Task& task) { return std::get_if<TurningWay>(&task.sweep->way); }
 
+/// What it removes is counted by other dexels than those along this axis.
+bool is_run_task(const Task& task, int axis) {
+  return axis != task.main_axis && !may_meet_nothing(task, ToolPart::edge) &&
+         turning(task) == nullptr;
+}
+
+/// How far strokes go along the dexels.
+struct Along {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+
+  void add(const Task& task, int axis) {
+    for (const Stroke& stroke : task.strokes) {
+      const double from = on_axis(stroke.from, axis);
+      const double to = from + on_axis(stroke.way, axis);
+      low = std::min({low, from, to});
+      high = std::max({high, from, to});
+    }
+  }
+};
+
 TurnEnds turn_ends(const Task& task, const TurningWay& way) {
   const Stroke& stroke = task.strokes.front();
   return {stroke.from, stroke.from + stroke.way, task.sweep->axis, way.to_axis};
@@ -37,6 +67,7 @@ TileWork::TileWork(const Lattice& lattice, Tile& tile, int first_column, int fir
       tile_(tile),
       place_{lattice, first_column, first_row},
       middle_(middle),
+      hulls_(tile),
       normals_(place_, tile) {}
 
 Vec3 TileWork::place_of(double along, double b, double c) const {
@@ -116,7 +147,9 @@ void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& 
     if (around.is_decisive()) return false;
     return !around.meet(line, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
   };
-  const auto glimpse = [&](int column, int row) { return window.at_row(near, column, row); };
+  const auto glimpse = [&](int column, int row) {
+    return window.at_row(near, hulls_, column, row);
+  };
   const auto look = [&](const Place& place, bool is_sure) {
     const Passage::Line line = passage.line(place.b, place.c);
     const auto may_meet = [&](double low, double high) {
@@ -150,8 +183,52 @@ void TileWork::visit_turn(const Task& task, const Solid& solid, Meets&& meets, A
 
 void TileWork::cut(std::span<const Task> tasks, std::span<const std::uint32_t> numbers,
                    Tally& tally) {
-  for (const std::uint32_t number : numbers) cut(tasks[number], tally);
+  while (!numbers.empty()) {
+    const std::size_t count = run_of(tasks, numbers);
+    if (count < kLeastRun || !cut_run(tasks, numbers.first(count))) {
+      for (const std::uint32_t number : numbers.first(count)) cut(tasks[number], tally);
+    }
+    numbers = numbers.subspan(count);
+  }
   normals_.settle();
+}
+
+/// Those at the beginning that are to be cut together, or one.
+std::size_t TileWork::run_of(std::span<const Task> tasks,
+                             std::span<const std::uint32_t> numbers) const {
+  const Task& first = tasks[numbers.front()];
+  if (!is_run_task(first, lattice_.axis)) return 1;
+  const std::size_t most = kMostCutsOfRun / first.posed->solids.size();
+  const double farthest = kFarthestAlong * first.posed->tool->widest_edge;
+  std::size_t strokes = 0;
+  std::size_t count = 0;
+  Along along;
+  while (count < numbers.size()) {
+    const Task& next = tasks[numbers[count]];
+    strokes += next.strokes.size();
+    along.add(next, lattice_.axis);
+    const bool is_alike = next.posed == first.posed && is_run_task(next, lattice_.axis);
+    const bool is_far = along.high - along.low > farthest;
+    if (count > 0 && (!is_alike || is_far || strokes > most)) break;
+    ++count;
+  }
+  return count;
+}
+
+bool TileWork::cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers) {
+  std::vector<RunWork::Step> steps;
+  for (const std::uint32_t number : numbers) {
+    bool follows = tasks[number].follows;
+    for (const Stroke& stroke : tasks[number].strokes) {
+      steps.push_back({&stroke, tasks[number].sweep->motion, follows});
+      follows = true;
+    }
+  }
+  RunWork run(place_, tile_, *tasks[numbers.front()].posed, steps);
+  if (run.may_collide()) return false;
+  run.cut(normals_);
+  hulls_.forget();
+  return true;
 }
 
 void TileWork::cut(const Task& task, Tally& tally) {
@@ -164,7 +241,7 @@ void TileWork::cut(const Task& task, Tally& tally) {
   for (const ToolPart part : kParts) {
     if (may_meet_nothing(task, part)) check(task, part, tally);
   }
-  outcome.visited += visited_;
+  if (lattice_.axis == task.main_axis) outcome.visited += visited_;
 }
 
 void TileWork::cut_edges(const Task& task, const Across& across, Outcome& outcome) {
@@ -221,15 +298,20 @@ bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting
 double TileWork::subtract(const Task& task, const Place& place, const Meeting& meeting,
                           const Passage& passage) {
   const std::uint32_t motion = task.sweep->motion;
+  const float low = as_float(meeting.low.along);
+  const float high = as_float(meeting.high.along);
+  double length = 0;
   if (cut_ > 0) {
     const auto end = [&](float at) { return DexelEnd{at, {}, cut_, motion}; };
-    return tile_.subtract(place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
-                          end, end);
+    length = tile_.subtract(place.dexel, low, high, end, end);
+  } else {
+    length = tile_.subtract(
+        place.dexel, low, high,
+        [&](float at) { return end_of(at, passage, meeting.low, place.b, place.c, motion); },
+        [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
   }
-  return tile_.subtract(
-      place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
-      [&](float at) { return end_of(at, passage, meeting.low, place.b, place.c, motion); },
-      [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
+  if (length > 0) hulls_.changed(place.dexel);
+  return length;
 }
 
 void TileWork::count(const Task& task, const Place& place, double length, const Tile::Stretch& span,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stock/dexel/across.hpp"
+#include "stock/dexel/hulls.hpp"
 #include "stock/dexel/late_normals.hpp"
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/passage.hpp"
@@ -47,6 +48,9 @@ class TileWork {
 
  private:
   void cut(const Task& task, Tally& tally);
+  [[nodiscard]] std::size_t run_of(std::span<const Task> tasks,
+                                   std::span<const std::uint32_t> numbers) const;
+  [[nodiscard]] bool cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers);
 
   struct Place {
     std::size_t dexel;
@@ -102,6 +106,7 @@ class TileWork {
   TilePlace place_;
   Vec3 middle_;
   std::uint64_t visited_ = 0;
+  Hulls hulls_;
   LateNormals normals_;
   std::uint16_t cut_ = 0;              // that goes on; 0: ends get their normals at once
   std::vector<Found> found_;           // of each dexel, when there is anything

@@ -3,21 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 
-#include "stock/dexel/run_work.hpp"
+#include "stock/dexel/runs.hpp"
 
 namespace kerf::stock::dexel {
 namespace {
 
 constexpr double kDown_mm = 1e-9;  // that a tip must go for its face to cut
-// Sweeps that are worth to be cut together.
-constexpr std::size_t kLeastRun = 4;
-constexpr std::size_t kMostCutsOfRun = 1U << 15;
-// How far they may go along the dexels, as a share of the tool's radius: there each of them leaves
-// something to the next one, and few pass over all that another one does.
-constexpr double kFarthestAlong = 0.5;
 
 float as_float(double value) { return static_cast<float>(value); }
 
@@ -28,32 +21,10 @@ DexelEnd end_of(float at, const Passage& passage, const Reach& reach, double b, 
 }
 
 bool may_meet_nothing(const Task& task, ToolPart part) {
-  const bool cuts = task.sweep->kind == SweepKind::cut && task.posed->tool->body.cuts;
-  return !cuts || part != ToolPart::edge;
+  return !task.cuts() || part != ToolPart::edge;
 }
 
 const TurningWay* turning(const Task& task) { return std::get_if<TurningWay>(&task.sweep->way); }
-
-/// What it removes is counted by other dexels than those along this axis.
-bool is_run_task(const Task& task, int axis) {
-  return axis != task.main_axis && !may_meet_nothing(task, ToolPart::edge) &&
-         turning(task) == nullptr;
-}
-
-/// How far strokes go along the dexels.
-struct Along {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-
-  void add(const Task& task, int axis) {
-    for (const Stroke& stroke : task.strokes) {
-      const double from = on_axis(stroke.from, axis);
-      const double to = from + on_axis(stroke.way, axis);
-      low = std::min({low, from, to});
-      high = std::max({high, from, to});
-    }
-  }
-};
 
 TurnEnds turn_ends(const Task& task, const TurningWay& way) {
   const Stroke& stroke = task.strokes.front();
@@ -184,7 +155,7 @@ void TileWork::visit_turn(const Task& task, const Solid& solid, Meets&& meets, A
 void TileWork::cut(std::span<const Task> tasks, std::span<const std::uint32_t> numbers,
                    Tally& tally) {
   while (!numbers.empty()) {
-    const std::size_t count = run_of(tasks, numbers);
+    const std::size_t count = run_of(tasks, numbers, lattice_.axis);
     if (count < kLeastRun || !cut_run(tasks, numbers.first(count))) {
       for (const std::uint32_t number : numbers.first(count)) cut(tasks[number], tally);
     }
@@ -193,37 +164,8 @@ void TileWork::cut(std::span<const Task> tasks, std::span<const std::uint32_t> n
   normals_.settle();
 }
 
-/// Those at the beginning that are to be cut together, or one.
-std::size_t TileWork::run_of(std::span<const Task> tasks,
-                             std::span<const std::uint32_t> numbers) const {
-  const Task& first = tasks[numbers.front()];
-  if (!is_run_task(first, lattice_.axis)) return 1;
-  const std::size_t most = kMostCutsOfRun / first.posed->solids.size();
-  const double farthest = kFarthestAlong * first.posed->tool->widest_edge;
-  std::size_t strokes = 0;
-  std::size_t count = 0;
-  Along along;
-  while (count < numbers.size()) {
-    const Task& next = tasks[numbers[count]];
-    strokes += next.strokes.size();
-    along.add(next, lattice_.axis);
-    const bool is_alike = next.posed == first.posed && is_run_task(next, lattice_.axis);
-    const bool is_far = along.high - along.low > farthest;
-    if (count > 0 && (!is_alike || is_far || strokes > most)) break;
-    ++count;
-  }
-  return count;
-}
-
 bool TileWork::cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers) {
-  std::vector<RunWork::Step> steps;
-  for (const std::uint32_t number : numbers) {
-    bool follows = tasks[number].follows;
-    for (const Stroke& stroke : tasks[number].strokes) {
-      steps.push_back({&stroke, tasks[number].sweep->motion, follows});
-      follows = true;
-    }
-  }
+  const std::vector<RunWork::Step> steps = run_steps(tasks, numbers);
   RunWork run(place_, tile_, *tasks[numbers.front()].posed, steps);
   if (run.may_collide()) return false;
   run.cut(normals_);

@@ -29,6 +29,11 @@ struct Task {
   /// The sweep before this one cut with the same body in the same direction and ended where this
   /// one begins.
   bool follows = false;
+
+  /// Its edges may meet material.
+  [[nodiscard]] bool cuts() const {
+    return sweep->kind == SweepKind::cut && posed->tool->body.cuts;
+  }
 };
 
 /// Cuts and checks the dexels of one tile, sweep by sweep. Of a sweep the edges come first; then
@@ -48,8 +53,6 @@ class TileWork {
 
  private:
   void cut(const Task& task, Tally& tally);
-  [[nodiscard]] std::size_t run_of(std::span<const Task> tasks,
-                                   std::span<const std::uint32_t> numbers) const;
   [[nodiscard]] bool cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers);
 
   struct Place {

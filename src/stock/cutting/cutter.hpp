@@ -52,8 +52,7 @@ class Cutter final : public motion::MotionSink {
     CutWatch* watch = nullptr;              ///< sees what the model gets; outlives the cutter
     /// A batch is cut by a thread of its own while the next one comes together. Not with `watch`.
     bool cuts_beside = false;
-    /// So many sweeps are cut at a time: more have more in common, fewer outcomes fit a cache.
-    std::size_t batch = 4096;
+    std::size_t batch = 2048;     ///< so many sweeps are cut at a time: their outcomes fit a cache
     std::optional<CutEnd> end{};  ///< none: all is cut
     /// Tools are as long as they are said to be, not as their offset in force has it (stock.md
     /// §2.6): they reach deeper or less deep by the difference.

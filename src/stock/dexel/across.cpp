@@ -60,7 +60,7 @@ double Across::distance(Vec3 place) const {
 std::size_t Across::bin(double distance) const {
   constexpr double kHalf = static_cast<double>(Outcome::kBins) / 2;
   constexpr double kLast = static_cast<double>(Outcome::kBins) - 1;
-  return static_cast<std::size_t>(std::clamp(std::floor(distance * scale_ + kHalf), 0.0, kLast));
+  return static_cast<std::size_t>(std::clamp(distance * scale_ + kHalf, 0.0, kLast));
 }
 
 }  // namespace kerf::stock::dexel

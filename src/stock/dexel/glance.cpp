@@ -1,6 +1,8 @@
 #include "stock/dexel/glance.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -205,13 +207,22 @@ inline unsigned Glance::surely(const At& at, Four s, Four value) const {
   return bits;
 }
 
+/// What there is of four lines where the form is least.
+struct Glance::Seen {
+  At at;
+  unsigned left = 0;  ///< bits of lines
+  Four value{};       ///< at least
+  Four last{};        ///< when the solid has gone all its way, and where
+  Four last_s{};
+};
+
 /// Over a short way the form is nowhere less than at both its ends by more than a quarter of tt:
 /// for the smallest over s, less tt t², is concave.
-Glance::Answer Glance::may_meet(double b, double c, Four low, Four high) const {
-  if (is_blind_) return {~above(low, high) & 15U, 0};
+inline Glance::Seen Glance::seen(double b, double c, Four low, Four high) const {
   const Four from_b = narrow(b - tip_b_) + steps_;
   const float from_c = narrow(c - tip_c_);
-  At at;
+  Seen all;
+  At& at = all.at;
   at.x = from_b * next_.x + from_c * after_.x;
   at.y = from_b * next_.y + from_c * after_.y;
   at.z = from_b * next_.z + from_c * after_.z;
@@ -222,21 +233,47 @@ Glance::Answer Glance::may_meet(double b, double c, Four low, Four high) const {
   Spans spans{low, high, four(0), four(1)};
   cut_by_planes(at, spans);
   if (behind_.is_asked) cut_behind(at, spans);
-  const unsigned left =
-      ~(above(spans.s_low, spans.s_high) | above(spans.t_low, spans.t_high)) & 15U;
-  if (left == 0) return {};
+  all.left = ~(above(spans.s_low, spans.s_high) | above(spans.t_low, spans.t_high)) & 15U;
+  if (all.left == 0) return all;
   const Four half = at.s + st_;
-  const Four s = within(-half * per_ss_, spans.s_low, spans.s_high);
-  const Four last = s * (ss_ * s + 2 * half) + (tt_ + 2 * at.t + at.rest);
-  Four value{};
+  all.last_s = within(-half * per_ss_, spans.s_low, spans.s_high);
+  all.last = all.last_s * (ss_ * all.last_s + 2 * half) + (tt_ + 2 * at.t + at.rest);
   if (is_short_) {
     const Four first = within(-at.s * per_ss_, spans.s_low, spans.s_high);
-    value = smaller(first * (ss_ * first + 2 * at.s) + at.rest, last) - 0.25F * tt_;
+    all.value = smaller(first * (ss_ * first + 2 * at.s) + at.rest, all.last) - 0.25F * tt_;
   } else {
-    value = least(at, spans);
+    all.value = least(at, spans);
   }
-  const unsigned may = left & ~above(value, four(most_));
-  return {may, may != 0 && is_sure_ ? may & surely(at, s, last) : 0};
+  return all;
+}
+
+Glance::Answer Glance::may_meet(double b, double c, Four low, Four high) const {
+  if (is_blind_) return {~above(low, high) & 15U, 0};
+  const Seen all = seen(b, c, low, high);
+  if (all.left == 0) return {};
+  const unsigned may = all.left & ~above(all.value, four(most_));
+  return {may, may != 0 && is_sure_ ? may & surely(all.at, all.last_s, all.last) : 0};
+}
+
+Glance::Depths Glance::depths(double b, double c, Four low, Four high) const {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  if (is_blind_) {
+    const unsigned may = ~above(low, high) & 15U;
+    return {may, may != 0 ? -kFar : kFar};
+  }
+  const Seen all = seen(b, c, low, high);
+  const unsigned may = all.left & ~above(all.value, four(most_));
+  float least = kFar;
+  for (unsigned i = 0; i < kLines; ++i) {
+    if ((may >> i & 1U) != 0) least = std::min(least, all.value[i]);
+  }
+  return {may, least};
+}
+
+Glance::Four Glance::offsets(Four s, float limit, bool is_low) const {
+  using Wide = double __attribute__((vector_size(32)));
+  const Four within = is_low ? larger(s, four(limit)) : smaller(s, four(limit));
+  return __builtin_convertvector(__builtin_convertvector(within, Wide) - tip_s_, Four);
 }
 
 }  // namespace kerf::stock::dexel

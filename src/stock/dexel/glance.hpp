@@ -29,6 +29,15 @@ class Glance {
   };
   /// Four lines at b, b + step_b ... and c, and on each a stretch, as offset() counts.
   [[nodiscard]] Answer may_meet(double b, double c, Four low, Four high) const;
+  /// The same, and how deep: the least value that the form of the solid may have there, of all
+  /// four.
+  struct Depths {
+    unsigned may = 0;
+    float least = 0;
+  };
+  [[nodiscard]] Depths depths(double b, double c, Four low, Four high) const;
+  /// Of places on four lines, as may_meet() counts; not below a limit, or not above it.
+  [[nodiscard]] Four offsets(Four s, float limit, bool is_low) const;
   /// Of a place on a line, as may_meet() counts.
   [[nodiscard]] float offset(double s) const { return static_cast<float>(s - tip_s_); }
 
@@ -54,6 +63,8 @@ class Glance {
   void note_behind(const Passage& passage, double reach);
   void cut_by_planes(const At& at, Spans& spans) const;
   void cut_behind(const At& at, Spans& spans) const;
+  struct Seen;
+  [[nodiscard]] Seen seen(double b, double c, Four low, Four high) const;
   [[nodiscard]] Four least(const At& at, const Spans& spans) const;
   [[nodiscard]] Four least_at(const At& at, const Spans& spans, Four t) const;
   [[nodiscard]] unsigned surely(const At& at, Four s, Four value) const;

@@ -16,6 +16,10 @@ class LateNormals {
   /// Ends from now on are of this cut; its number, not 0. Those named stay until settle().
   [[nodiscard]] std::uint16_t begin(const Frame& frame, const PosedSolid& solid,
                                     const Stroke& stroke);
+  /// So many cuts may begin without those before being settled.
+  void reserve(std::size_t cuts) {
+    if (cuts_.size() + cuts > kMostCuts) settle();
+  }
   /// That cut has left ends in a block.
   void note(int column, int row);
   /// All ends get their normals.

@@ -67,9 +67,12 @@ void Tile::fill(std::size_t dexel, std::span<const DexelEnd> ends) {
 
 Tile::Piece Tile::touched(const Dexel& dexel, float low, float high) const {
   const DexelEnd* ends = ends_.data() + dexel.begin;
-  const std::size_t first = first_above(dexel, low);
+  const double least_low = double{low} + kLeast_mm;
+  const double most_high = double{high} - kLeast_mm;
+  std::size_t first = first_above(dexel, low);
+  if (first < dexel.count && double{ends[first + 1].at} < least_low) first += 2;
   Piece piece{first, first, 0};
-  for (; piece.after < dexel.count && ends[piece.after].at < high; piece.after += 2) {
+  for (; piece.after < dexel.count && double{ends[piece.after].at} <= most_high; piece.after += 2) {
     piece.removed += double{std::min(ends[piece.after + 1].at, high)} -
                      double{std::max(ends[piece.after].at, low)};
   }

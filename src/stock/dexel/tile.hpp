@@ -78,28 +78,10 @@ class Tile {
     }
     return false;
   }
-  struct Pieces {
-    float low;
-    float high;
-    bool is_one;
-  };
-  /// Holds the intervals that reach into a stretch; low > high: there is none.
-  [[nodiscard]] Pieces around_pieces(std::size_t dexel, float low, float high) const {
-    const Dexel& d = dexels_[dexel];
-    const DexelEnd* ends = ends_.data() + d.begin;
-    if (d.count == 2) {
-      const bool reaches = ends[1].at > low && ends[0].at <= high;
-      return reaches ? Pieces{ends[0].at, ends[1].at, true} : Pieces{1, -1, false};
-    }
-    std::size_t last = first_above(d, low);
-    if (last >= d.count || !(ends[last].at <= high)) return {1, -1, false};
-    const std::size_t first = last;
-    while (last + 2 < d.count && ends[last + 2].at <= high) last += 2;
-    return {ends[first].at, ends[last + 1].at, first == last};
-  }
   /// First and last place of material between two places; low > high: there is none.
   [[nodiscard]] Stretch touched_span(std::size_t dexel, float low, float high) const;
-  /// Takes away what is between low and high, unless that is less than kLeast_mm; the length.
+  /// Takes away what is between low and high, but for pieces that reach less than kLeast_mm into
+  /// it, whatever else it takes; the length.
   /// `low_end` and `high_end` say what the tool's lower and upper surface leave: normal and motion.
   /// A dexel that has kMostEnds stays in one piece: it loses its shorter remainder.
   template <class LowEnd, class HighEnd>

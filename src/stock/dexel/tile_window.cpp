@@ -61,30 +61,13 @@ Glance::Lines TileWindow::lines(double margin_mm, int dexels_apart) const {
   return {lattice.axis, dexels_apart * lattice.cell_b, {low, high}};
 }
 
-// All four at once, also those beside the window: processors wait for vectors that were stored in
-// pieces.
-Glance::Answer TileWindow::at_row(const Glance& near, int column, int row) const {
-  const int most = tile_.columns() - 1;
-  const auto pieces = [&](int i) {
-    return tile_.around_pieces(tile_.index(std::min(column + i, most), row), low_, high_);
-  };
-  const Tile::Pieces p0 = pieces(0);
-  const Tile::Pieces p1 = pieces(1);
-  const Tile::Pieces p2 = pieces(2);
-  const Tile::Pieces p3 = pieces(3);
-  const auto low = [&](const Tile::Pieces& p) {
-    return near.offset(double{std::max(p.low, low_)});
-  };
-  const auto high = [&](const Tile::Pieces& p) {
-    return near.offset(double{std::min(p.high, high_)});
-  };
-  const Glance::Answer answer = near.may_meet(place_.b_of(column), place_.c_of(row),
-                                              Glance::Four{low(p0), low(p1), low(p2), low(p3)},
-                                              Glance::Four{high(p0), high(p1), high(p2), high(p3)});
-  const unsigned single =
-      (p0.is_one ? 1U : 0U) | (p1.is_one ? 2U : 0U) | (p2.is_one ? 4U : 0U) | (p3.is_one ? 8U : 0U);
+Glance::Answer TileWindow::at_row(const Glance& near, Hulls& hulls, int column, int row) const {
+  const Hulls::Four& four = hulls.four(column, row);
+  const Glance::Answer answer =
+      near.may_meet(place_.b_of(column), place_.c_of(row), near.offsets(four.low, low_, true),
+                    near.offsets(four.high, high_, false));
   const unsigned here = bits_between(columns_.first - column, columns_.last - column);
-  return {answer.may & here, answer.surely & here & single};
+  return {answer.may & here, answer.surely & here & four.single};
 }
 
 Glance::Answer TileWindow::at_blocks(const Glance* far, int column, int row) const {
@@ -104,6 +87,27 @@ Glance::Answer TileWindow::at_blocks(const Glance* far, int column, int row) con
   if (far == nullptr || bits == 0) return {bits, 0};
   return far->may_meet(place_.b_of(column) + kMiddle * place_.lattice.cell_b,
                        place_.c_of(row) + kMiddle * place_.lattice.cell_c, low, high);
+}
+
+unsigned TileWindow::at_blocks(const TilePlace& place, const Tile& tile, const Glance& far,
+                               int column, int row, std::uint64_t parts) {
+  constexpr double kMiddle = 0.5 * (kSide - 1);
+  Glance::Four low{1, 1, 1, 1};
+  Glance::Four high{-1, -1, -1, -1};
+  bool any = false;
+  for (int i = 0; i < Glance::kLines && column + i * kSide < tile.columns(); ++i) {
+    const std::uint64_t met = tile.block_parts(column + i * kSide, row) & parts;
+    if (met == 0) continue;
+    any = true;
+    const Tile::Stretch stretch = tile.stretch(met);
+    low[i] = far.offset(double{stretch.low});
+    high[i] = far.offset(double{stretch.high});
+  }
+  if (!any) return 0;
+  return far
+      .may_meet(place.b_of(column) + kMiddle * place.lattice.cell_b,
+                place.c_of(row) + kMiddle * place.lattice.cell_c, low, high)
+      .may;
 }
 
 }  // namespace kerf::stock::dexel

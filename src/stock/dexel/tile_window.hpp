@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stock/dexel/glance.hpp"
+#include "stock/dexel/hulls.hpp"
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/posed_tool.hpp"
 #include "stock/dexel/strokes.hpp"
@@ -41,9 +42,13 @@ class TileWindow {
   /// What a glance at lines so many dexels apart is asked for, in here and by `margin_mm` around.
   [[nodiscard]] Glance::Lines lines(double margin_mm, int dexels_apart) const;
   /// At the dexels of a block's row. Only of those that are in one piece there it is sure.
-  [[nodiscard]] Glance::Answer at_row(const Glance& near, int column, int row) const;
+  [[nodiscard]] Glance::Answer at_row(const Glance& near, Hulls& hulls, int column, int row) const;
   /// At four blocks, of which the first is at `column`. Null: there is no glance that knows more.
   [[nodiscard]] Glance::Answer at_blocks(const Glance* far, int column, int row) const;
+  /// At four blocks of a tile, with material in these parts: those that may be met.
+  [[nodiscard]] static unsigned at_blocks(const TilePlace& place, const Tile& tile,
+                                          const Glance& far, int column, int row,
+                                          std::uint64_t parts);
 
  private:
   TilePlace place_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "stock/dexel/runs.hpp"
+
 namespace kerf::stock::dexel {
 namespace {
 
@@ -19,8 +21,7 @@ DexelEnd end_of(float at, const Passage& passage, const Reach& reach, double b, 
 }
 
 bool may_meet_nothing(const Task& task, ToolPart part) {
-  const bool cuts = task.sweep->kind == SweepKind::cut && task.posed->tool->body.cuts;
-  return !cuts || part != ToolPart::edge;
+  return !task.cuts() || part != ToolPart::edge;
 }
 
 const TurningWay* turning(const Task& task) { return std::get_if<TurningWay>(&task.sweep->way); }
@@ -37,6 +38,7 @@ TileWork::TileWork(const Lattice& lattice, Tile& tile, int first_column, int fir
       tile_(tile),
       place_{lattice, first_column, first_row},
       middle_(middle),
+      hulls_(tile),
       normals_(place_, tile) {}
 
 Vec3 TileWork::place_of(double along, double b, double c) const {
@@ -116,7 +118,9 @@ void TileWork::visit(const PosedSolid& solid, const Frame& frame, const Stroke& 
     if (around.is_decisive()) return false;
     return !around.meet(line, m) || (parts & tile_.parts(m.low.along, m.high.along)) == 0;
   };
-  const auto glimpse = [&](int column, int row) { return window.at_row(near, column, row); };
+  const auto glimpse = [&](int column, int row) {
+    return window.at_row(near, hulls_, column, row);
+  };
   const auto look = [&](const Place& place, bool is_sure) {
     const Passage::Line line = passage.line(place.b, place.c);
     const auto may_meet = [&](double low, double high) {
@@ -150,8 +154,23 @@ void TileWork::visit_turn(const Task& task, const Solid& solid, Meets&& meets, A
 
 void TileWork::cut(std::span<const Task> tasks, std::span<const std::uint32_t> numbers,
                    Tally& tally) {
-  for (const std::uint32_t number : numbers) cut(tasks[number], tally);
+  while (!numbers.empty()) {
+    const std::size_t count = run_of(tasks, numbers, lattice_.axis);
+    if (count < kLeastRun || !cut_run(tasks, numbers.first(count))) {
+      for (const std::uint32_t number : numbers.first(count)) cut(tasks[number], tally);
+    }
+    numbers = numbers.subspan(count);
+  }
   normals_.settle();
+}
+
+bool TileWork::cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers) {
+  const std::vector<RunWork::Step> steps = run_steps(tasks, numbers);
+  RunWork run(place_, tile_, *tasks[numbers.front()].posed, steps);
+  if (run.may_collide()) return false;
+  run.cut(normals_);
+  hulls_.forget();
+  return true;
 }
 
 void TileWork::cut(const Task& task, Tally& tally) {
@@ -164,7 +183,7 @@ void TileWork::cut(const Task& task, Tally& tally) {
   for (const ToolPart part : kParts) {
     if (may_meet_nothing(task, part)) check(task, part, tally);
   }
-  outcome.visited += visited_;
+  if (lattice_.axis == task.main_axis) outcome.visited += visited_;
 }
 
 void TileWork::cut_edges(const Task& task, const Across& across, Outcome& outcome) {
@@ -221,15 +240,20 @@ bool TileWork::take(const Task& task, const Place& place, const Meeting& meeting
 double TileWork::subtract(const Task& task, const Place& place, const Meeting& meeting,
                           const Passage& passage) {
   const std::uint32_t motion = task.sweep->motion;
+  const float low = as_float(meeting.low.along);
+  const float high = as_float(meeting.high.along);
+  double length = 0;
   if (cut_ > 0) {
     const auto end = [&](float at) { return DexelEnd{at, {}, cut_, motion}; };
-    return tile_.subtract(place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
-                          end, end);
+    length = tile_.subtract(place.dexel, low, high, end, end);
+  } else {
+    length = tile_.subtract(
+        place.dexel, low, high,
+        [&](float at) { return end_of(at, passage, meeting.low, place.b, place.c, motion); },
+        [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
   }
-  return tile_.subtract(
-      place.dexel, as_float(meeting.low.along), as_float(meeting.high.along),
-      [&](float at) { return end_of(at, passage, meeting.low, place.b, place.c, motion); },
-      [&](float at) { return end_of(at, passage, meeting.high, place.b, place.c, motion); });
+  if (length > 0) hulls_.changed(place.dexel);
+  return length;
 }
 
 void TileWork::count(const Task& task, const Place& place, double length, const Tile::Stretch& span,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stock/dexel/across.hpp"
+#include "stock/dexel/hulls.hpp"
 #include "stock/dexel/late_normals.hpp"
 #include "stock/dexel/lattice.hpp"
 #include "stock/dexel/passage.hpp"
@@ -28,6 +29,11 @@ struct Task {
   /// The sweep before this one cut with the same body in the same direction and ended where this
   /// one begins.
   bool follows = false;
+
+  /// Its edges may meet material.
+  [[nodiscard]] bool cuts() const {
+    return sweep->kind == SweepKind::cut && posed->tool->body.cuts;
+  }
 };
 
 /// Cuts and checks the dexels of one tile, sweep by sweep. Of a sweep the edges come first; then
@@ -47,6 +53,7 @@ class TileWork {
 
  private:
   void cut(const Task& task, Tally& tally);
+  [[nodiscard]] bool cut_run(std::span<const Task> tasks, std::span<const std::uint32_t> numbers);
 
   struct Place {
     std::size_t dexel;
@@ -102,6 +109,7 @@ class TileWork {
   TilePlace place_;
   Vec3 middle_;
   std::uint64_t visited_ = 0;
+  Hulls hulls_;
   LateNormals normals_;
   std::uint16_t cut_ = 0;              // that goes on; 0: ends get their normals at once
   std::vector<Found> found_;           // of each dexel, when there is anything

@@ -84,12 +84,6 @@ Columns::Tile Columns::tile(std::size_t index) {
           y_.data() + index / across * kTileSide};
 }
 
-BlockPoints Columns::points(std::size_t tile, int block) const {
-  const auto across = static_cast<std::size_t>(grid_.tiles_x());
-  return {x_.data() + tile % across * kTileSide + block % kTileBlocks * kBlockSide,
-          y_.data() + tile / across * kTileSide + block / kTileBlocks * kBlockSide};
-}
-
 BlockValues Columns::tops(std::size_t tile, int block) const {
   BlockValues tops;
   const std::size_t first = tile * kCells + static_cast<std::size_t>(block) * kBlockCells;

@@ -60,9 +60,8 @@ class Columns {
   [[nodiscard]] Tile tile(std::size_t index);
   /// Highest column of a tile, mm over the box.
   [[nodiscard]] double top_of(std::size_t tile) const { return tops_[tile]; }
-  /// Of a block of a tile: where its columns stand; their tops; the highest of them over the box.
-  [[nodiscard]] BlockPoints points(std::size_t tile, int block) const;
-  /// Over the box; below it where a column is empty.
+  /// Of a block of a tile, over the box: the tops of its columns, below it where one is empty; the
+  /// highest of them.
   [[nodiscard]] BlockValues tops(std::size_t tile, int block) const;
   [[nodiscard]] double block_top(std::size_t tile, int block) const;
   /// After work on a tile: its block_tops have been kept; it has been changed `times` more.

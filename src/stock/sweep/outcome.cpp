@@ -10,13 +10,21 @@ namespace {
 constexpr double kPart = 4294967296.0;  // of a unit
 constexpr double kMost = 2147483647.0;  // units
 
+/// As std::nearbyint(), which not every processor has an instruction for: what is small enough has
+/// no digits below 1 when it is added to this.
+double nearest(double value) {
+  constexpr double kShift = 6755399441055744.0;  // 1.5 · 2⁵²
+  constexpr double kSmall = 2251799813685248.0;  // 2⁵¹
+  return std::fabs(value) < kSmall ? (value + kShift) - kShift : std::nearbyint(value);
+}
+
 /// Which of two contacts of equal depth keeps its place.
 bool comes_first(Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 }  // namespace
 
 Exact::Exact(double value)
-    : parts_(static_cast<std::int64_t>(std::nearbyint(std::clamp(value, -kMost, kMost) * kPart))) {}
+    : parts_(static_cast<std::int64_t>(nearest(std::clamp(value, -kMost, kMost) * kPart))) {}
 
 double Exact::value() const { return static_cast<double>(parts_) / kPart; }
 

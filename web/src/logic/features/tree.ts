@@ -180,12 +180,11 @@ class TreeMaker {
   }
 }
 
-/** What stands is what matters of a profile around it. */
+/** What is milled around something is as large as that. */
 const STANDING = new Set(['outside-profile', 'boss']);
 
-function size_of({ type, size, nominal_islands }: Feature): number[] | undefined {
-  const [island] = STANDING.has(type) ? (nominal_islands ?? []) : [];
-  const box = island && extents_of(elements_of(island, true));
+function size_of({ type, size, nominal }: Feature): number[] | undefined {
+  const box = STANDING.has(type) && extents_of(elements_of(nominal ?? [], true));
   return box ? box.high.map((value, i) => value - box.low[i]) : size;
 }
 

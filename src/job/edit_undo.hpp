@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/text_stretch.hpp"
-#include "job/edit_run.hpp"
+#include "job/edit_result.hpp"
 
 namespace kerf::job {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "job/edit_run.hpp"
+#include "job/edit_result.hpp"
 #include "output/features/edit_facts.hpp"
 
 namespace kerf::job {

@@ -33,13 +33,13 @@ void add_tools(const StockJob& job, const SurveyPass& pass, FeaturesResult& resu
 }
 
 /// Says of what was found where its blocks come from.
-void tell_origins(FeaturesResult& result) {
+void tell_origins(const FeaturesResult& result, features::Tree& tree) {
   const machine::BatchRun& machine = result.run->machine();
   const machine::DialectRow* const dialect = machine::find_dialect(machine.definition().dialect);
   const bool is_gcode = dialect != nullptr && dialect->kind == machine::DialectRow::Kind::gcode;
   BlockTexts texts(machine.sources(), machine.control(), is_gcode ? dialect->language : nullptr,
                    result.recording.turns ? BlockTexts::Shapes::some : BlockTexts::Shapes::none);
-  features::find_origins(result.recording, texts, result.tree);
+  features::find_origins(result.recording, texts, tree);
 }
 
 /// What was said of the table and has no effect here is told.
@@ -94,7 +94,7 @@ features::Blank blank_of(const FeaturesResult& result) {
 
 }  // namespace
 
-base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::Method method) {
+base::Outcome<FeaturesResult> record_features(const StockJob& job, const LookOn& look_on) {
   if (auto suited = suits(job.job.definition); !suited) return tl::unexpected(suited.error());
   auto run = Run::of(job.job);
   if (!run) return tl::unexpected(run.error());
@@ -103,6 +103,7 @@ base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::
   ControlModes modes((*run)->machine());
   features::Recorder recorder((*run)->machine().definition().axes, modes);
   (*run)->machine().add_sink(recorder);
+  if (look_on) look_on((*run)->machine());
   result.status = (*run)->go();
   result.run = std::move(*run);
   result.recording = std::move(recorder.recording());
@@ -111,8 +112,18 @@ base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::
   result.knows_stock = job.knows_stock;
   add_tools(job, pass, result);
   add_notes(job, result);
-  result.tree = features::recognise(result.recording, blank_of(result), method);
-  tell_origins(result);
+  return result;
+}
+
+features::Tree recognised(const FeaturesResult& result, features::Method method) {
+  features::Tree tree = features::recognise(result.recording, blank_of(result), method);
+  tell_origins(result, tree);
+  return tree;
+}
+
+base::Outcome<FeaturesResult> recognise_features(const StockJob& job, features::Method method) {
+  auto result = record_features(job);
+  if (result) result->tree = recognised(*result, method);
   return result;
 }
 

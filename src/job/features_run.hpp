@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,6 +24,14 @@ struct FeaturesResult {
   features::Tree tree;
   std::vector<control::Assumption> assumed;
 };
+
+/// Gives the machine of a run sinks of its own.
+using LookOn = std::function<void(machine::BatchRun& machine)>;
+/// Runs the job once: all but the tree. Failures as recognise_features() has them.
+[[nodiscard]] base::Outcome<FeaturesResult> record_features(const StockJob& job,
+                                                            const LookOn& look_on = {});
+/// What such a run has machined.
+[[nodiscard]] features::Tree recognised(const FeaturesResult& result, features::Method method);
 
 /// Runs the job once, and recognises what it machines; of the stock job what it cuts is not asked.
 /// Failures as Run::of() has them, and (usage) for machines that neither mill nor turn.

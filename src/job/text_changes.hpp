@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/text_stretch.hpp"
-#include "job/edit_run.hpp"
+#include "job/edit_result.hpp"
 
 namespace kerf::job {
 

@@ -28,6 +28,7 @@ import access_tests  # noqa: F401
 import budget_tests  # noqa: F401
 import colour_tests  # noqa: F401
 import fault_tests  # noqa: F401
+import feature_tests  # noqa: F401
 import http_tests  # noqa: F401
 import input_tests  # noqa: F401
 import language_tests  # noqa: F401

@@ -154,6 +154,25 @@ Editing<void> ContourEdit::change(const ScaleFeature& wish, Island island) {
   return {};
 }
 
+std::vector<ContourEdit::Shown> ContourEdit::shown() const {
+  std::vector<Shown> all{{std::nullopt, outer_.is_closed(), outer_.steps()}};
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    if (islands_[i]) all.push_back({i, true, islands_[i]->steps()});
+  }
+  for (Shown& one : all) {
+    for (Outline::Step& step : one.elements) {
+      step.edge.from = told(step.edge.from);
+      step.edge.to = told(step.edge.to);
+    }
+  }
+  return all;
+}
+
+// As contours are told: of a lathe the radius is a diameter.
+Vec2 ContourEdit::told(Vec2 point) const {
+  return turns_ ? Vec2{point.u, point.v / kRadiusOfDiameter} : point;
+}
+
 Editing<LayerContours> ContourEdit::finished() const {
   std::vector<MadeContour> made{{&outer_, outer_.steps()}};
   for (const auto& island : islands_) {
@@ -162,13 +181,16 @@ Editing<LayerContours> ContourEdit::finished() const {
   auto sound = check_area(made);
   if (sound) sound = check_closed(made);
   if (sound) sound = check_apart(made, AxisNames{turns_});
-  if (!sound) return tl::make_unexpected(sound.error());
-
-  const auto told = [&](const MadeContour& one) {
+  if (!sound) {
+    EditFault fault = std::move(sound.error());
+    if (fault.at) fault.at = told(*fault.at);
+    return tl::make_unexpected(std::move(fault));
+  }
+  const auto finished = [&](const MadeContour& one) {
     return in_measure(normal_form(bridged(one)), turns_ ? 1 / kRadiusOfDiameter : 1);
   };
-  LayerContours contours{told(made.front()), {}};
-  for (std::size_t i = 1; i < made.size(); ++i) contours.islands.push_back(told(made[i]));
+  LayerContours contours{finished(made.front()), {}};
+  for (std::size_t i = 1; i < made.size(); ++i) contours.islands.push_back(finished(made[i]));
   return contours;
 }
 

@@ -36,6 +36,15 @@ class ContourEdit {
   [[nodiscard]] Editing<void> apply(const EditOperation& operation,
                                     std::optional<std::size_t> island);
 
+  /// A contour as it is between two edits, as contours are told.
+  struct Shown {
+    std::optional<std::size_t> island{};  ///< none: the outer contour
+    bool is_closed = true;                ///< shall be
+    std::vector<Outline::Step> elements{};
+  };
+  /// All of them, also those that are open or cross.
+  [[nodiscard]] std::vector<Shown> shown() const;
+
   /// What they have become, in normal form. Faults in this order: EDIT_NO_AREA, EDIT_OPEN,
   /// EDIT_CROSSES_ITSELF (also: an island not inside, or not apart from another).
   [[nodiscard]] Editing<LayerContours> finished() const;
@@ -47,6 +56,7 @@ class ContourEdit {
   template <typename Map>
   void move_all(std::optional<std::size_t> island, const Map& moved);
   [[nodiscard]] contour::Vec2 centre() const;
+  [[nodiscard]] contour::Vec2 told(contour::Vec2 point) const;
 
   [[nodiscard]] Editing<void> change(const ReplaceContour& wish, std::optional<std::size_t> island);
   [[nodiscard]] Editing<void> change(const AddIsland& wish, std::optional<std::size_t> island);

@@ -61,7 +61,11 @@ void Recording::append_edges(std::uint32_t row, std::vector<Edge>& edges) const 
     if (!(begin == end)) edges.push_back({begin, end, 0, row});
     return;
   }
-  const ArcRow& arc = arc_of(row);
+  features::append_edges(begin, end, arc_of(row), row, edges);
+}
+
+void append_edges(Vec2 begin, Vec2 end, const ArcRow& arc, std::uint32_t owner,
+                  std::vector<Edge>& edges) {
   double sweep = arc.sweep_rad;
   while (std::fabs(sweep) > kTurn_rad * (1 + 1e-9)) sweep -= std::copysign(kTurn_rad, sweep);
   const int parts =
@@ -71,7 +75,7 @@ void Recording::append_edges(std::uint32_t row, std::vector<Edge>& edges) const 
   for (int part = 1; part <= parts; ++part) {
     const Vec2 to =
         part == parts ? end : arc.centre + turned(begin - arc.centre, sweep * part / parts);
-    edges.push_back({at, to, bulge, row});
+    edges.push_back({at, to, bulge, owner});
     at = to;
   }
 }

@@ -61,4 +61,8 @@ struct Recording {
   [[nodiscard]] contour::Contour contour_of(Span rows) const;
 };
 
+/// Appends an arc in the plane: one edge, of more than half a circle several.
+void append_edges(Vec2 begin, Vec2 end, const ArcRow& arc, std::uint32_t owner,
+                  std::vector<contour::Edge>& edges);
+
 }  // namespace kerf::features

@@ -32,6 +32,7 @@ struct WantedTurned {
 struct WantedHole {
   contour::Vec2 at{};
   double bottom = 0;
+  std::size_t like = 0;  ///< the hole that it was, or is made like
 };
 
 /// What edits make of the rows of a program.

@@ -6,6 +6,8 @@
 
 #include "base/decimal.hpp"
 #include "features/path/tolerance.hpp"
+#include "features/plan/edit_sketch.hpp"
+#include "features/plan/internal/contour_limits.hpp"
 #include "features/plan/internal/corner_moves.hpp"
 #include "features/plan/internal/edit_scene.hpp"
 #include "features/plan/internal/hole_edits.hpp"
@@ -68,6 +70,7 @@ class EditPlanner {
         allows_rest_(allowed.rest) {}
 
   [[nodiscard]] Editing<EditPlan> plan(const std::vector<Edit>& edits);
+  [[nodiscard]] EditSketch sketch(const std::vector<Edit>& edits);
 
  private:
   struct FeatureEdit {
@@ -76,7 +79,14 @@ class EditPlanner {
     std::size_t edit = 0;  // the last one that names it
   };
 
+  struct TurnedEdit {
+    ContourEdit contour;
+    std::size_t edit = 0;
+  };
+
+  [[nodiscard]] Done apply_all(const std::vector<Edit>& edits);
   [[nodiscard]] Done apply(const Edit& edit, std::size_t place);
+  [[nodiscard]] Done edit_turned(const Edit& edit, std::size_t feature);
   [[nodiscard]] Done change_contour(const Edit& edit, std::size_t feature);
   [[nodiscard]] Done change_layer(const Edit& edit, std::size_t feature, std::size_t layer);
   [[nodiscard]] Done move(const MoveFeature& by, std::size_t feature);
@@ -86,27 +96,56 @@ class EditPlanner {
   [[nodiscard]] Done cut_anew(std::size_t feature, std::size_t layer,
                               const LayerContours& contours);
   [[nodiscard]] Done check_origin(const Edit& edit, const Origin& origin, Editable editable);
-  [[nodiscard]] Done check_collision(std::size_t feature, std::size_t layer,
-                                     const contour::Region& before, const contour::Region& now);
-
-  [[nodiscard]] Done check_undercut(std::size_t feature, const std::vector<Region>& regions);
 
   EditScene scene_;
   bool allows_rest_ = false;
   std::map<std::size_t, FeatureEdit> edited_{};
+  std::map<std::size_t, TurnedEdit> turned_{};
   std::vector<Span> loops_{};  // lines of those that are written out
 };
 
 }  // namespace
 
-Editing<EditPlan> EditPlanner::plan(const std::vector<Edit>& edits) {
+Done EditPlanner::apply_all(const std::vector<Edit>& edits) {
   for (std::size_t i = 0; i < edits.size(); ++i) {
     scene_.edit = i;
-    if (auto done = apply(edits[i], i); !done) return tl::unexpected(done.error());
+    if (auto done = apply(edits[i], i); !done) return done;
   }
+  return {};
+}
+
+EditSketch EditPlanner::sketch(const std::vector<Edit>& edits) {
+  EditSketch sketch;
+  if (auto done = apply_all(edits); !done) sketch.fault = std::move(done.error());
+  const auto take = [&](const ContourEdit& contour, std::size_t feature, std::size_t layer,
+                        std::size_t edit) {
+    for (ContourEdit::Shown& shown : contour.shown())
+      sketch.contours.push_back({feature, layer, std::move(shown)});
+    if (sketch.fault) return;
+    if (const auto finished = contour.finished(); !finished) {
+      scene_.edit = edit;
+      sketch.fault = scene_.refuse(finished.error()).value();
+    }
+  };
+  for (const auto& [feature, edited] : edited_) {
+    for (const auto& [layer, contour] : edited.layers) take(contour, feature, layer, edited.edit);
+  }
+  for (const auto& [feature, edited] : turned_) take(edited.contour, feature, 0, edited.edit);
+  for (const WantedLayer& wanted : scene_.plan.wanted)
+    take(ContourEdit(wanted.contours), wanted.feature, wanted.layer, scene_.edit);
+  return sketch;
+}
+
+Editing<EditPlan> EditPlanner::plan(const std::vector<Edit>& edits) {
+  if (auto done = apply_all(edits); !done) return tl::unexpected(done.error());
   for (auto& [feature, edited] : edited_) {
     scene_.edit = edited.edit;
     if (auto done = finish(feature, edited); !done) return tl::unexpected(done.error());
+  }
+  for (auto& [feature, edited] : turned_) {
+    scene_.edit = edited.edit;
+    if (auto done = turn_anew(scene_, edited.contour, feature); !done)
+      return tl::unexpected(done.error());
   }
   for (const Span& lines : loops_) write_out(scene_, lines);
   std::sort(scene_.plan.rows.begin(), scene_.plan.rows.end(),
@@ -161,7 +200,7 @@ Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   const Feature& its = scene_.tree.features[*feature];
   if (auto done = check_origin(edit, its.origin, its.editable); !done) return done;
   if (its.origin.kind == Origin::Kind::shared) free_what_shares(scene_, *feature);
-  if (its.turned) return edit_turned(scene_, edit, *feature);
+  if (its.turned) return edit_turned(edit, *feature);
   if (const auto* by = std::get_if<MoveFeature>(&operation)) return move(*by, *feature);
   if (const auto* depth = std::get_if<SetDepth>(&operation)) return set_depth(*depth, *feature);
   if (std::holds_alternative<DeleteFeature>(operation)) return remove(*feature);
@@ -173,6 +212,17 @@ Done EditPlanner::apply(const Edit& edit, std::size_t place) {
   }
   edited_[*feature].edit = place;
   return change_contour(edit, *feature);
+}
+
+Done EditPlanner::edit_turned(const Edit& edit, std::size_t feature) {
+  if (const auto* const depth = std::get_if<SetDepth>(&edit.operation))
+    return deepen_turned(scene_, *depth, feature);
+  TurnedEdit& edited =
+      turned_.try_emplace(feature, TurnedEdit{turned_contour(scene_, feature)}).first->second;
+  edited.edit = scene_.edit;
+  if (auto done = edited.contour.apply(edit.operation, edit.island); !done)
+    return scene_.refuse(done.error());
+  return {};
 }
 
 Done EditPlanner::check_origin(const Edit& edit, const Origin& origin, Editable editable) {
@@ -233,12 +283,8 @@ Done EditPlanner::change_layer(const Edit& edit, std::size_t feature, std::size_
   const Layer& its = scene_.tree.features[feature].layers[layer];
   const auto known = edited.layers.try_emplace(layer, ContourEdit(contours_of(its))).first;
   edited.rules[layer] = edit.layers;
-  auto done = known->second.apply(edit.operation, edit.island);
-  if (!done) {
-    EditFault fault = done.error();
-    fault.edit = scene_.edit;
-    return tl::unexpected(fault);
-  }
+  if (auto done = known->second.apply(edit.operation, edit.island); !done)
+    return scene_.refuse(done.error());
   return {};
 }
 
@@ -250,11 +296,7 @@ Done EditPlanner::finish(std::size_t feature, FeatureEdit& edited) {
   const bool stands = bounds_what_stands(its);
   for (auto& [place, edit] : edited.layers) {
     auto contours = edit.finished();
-    if (!contours) {
-      EditFault fault = contours.error();
-      fault.edit = scene_.edit;
-      return tl::unexpected(fault);
-    }
+    if (!contours) return scene_.refuse(contours.error());
     const Region wanted = region_of(*contours);
     regions[place] = wanted;
     const LayerRule rule = edited.rules[place];
@@ -269,55 +311,16 @@ Done EditPlanner::finish(std::size_t feature, FeatureEdit& edited) {
         regions[other] = is_same(followed, wanted) ? wanted : followed;
     }
   }
-  if (auto done = check_undercut(feature, regions); !done) return done;
+  if (auto done = check_undercut(scene_, feature, regions); !done) return done;
   for (std::size_t layer = 0; layer < regions.size(); ++layer) {
     const Region before = region_of(contours_of(its.layers[layer]));
     if (is_same(regions[layer], before)) continue;
     const auto contours = contours_of(regions[layer]);
     if (!contours)
       return scene_.refuse(Code::edit_not_editable, "THE CONTOUR WOULD FALL INTO SEVERAL");
-    if (auto done = check_collision(feature, layer, before, regions[layer]); !done) return done;
+    if (auto done = check_collision(scene_, feature, layer, before, regions[layer]); !done)
+      return done;
     if (auto done = cut_anew(feature, layer, *contours); !done) return done;
-  }
-  return {};
-}
-
-// No tool cuts below what stands: each layer must hold the one below it.
-Done EditPlanner::check_undercut(std::size_t feature, const std::vector<Region>& regions) {
-  const bool stands = bounds_what_stands(scene_.tree.features[feature]);
-  for (std::size_t layer = 1; layer < regions.size(); ++layer) {
-    const Region& upper = regions[stands ? layer : layer - 1];
-    const Region& lower = regions[stands ? layer - 1 : layer];
-    const Region under = contour::offset(contour::subtract(lower, upper), -kSamePoint_mm);
-    if (contour::area(under) <= kEmptyArea_mm2) continue;
-    return scene_.refuse(Code::edit_undercut, "LAYER " + std::to_string(layer) +
-                                                  " WOULD BE SMALLER THAN LAYER " +
-                                                  std::to_string(layer + 1));
-  }
-  return {};
-}
-
-Done EditPlanner::check_collision(std::size_t feature, std::size_t layer, const Region& before,
-                                  const Region& now) {
-  const Feature& its = scene_.tree.features[feature];
-  if (bounds_what_stands(its)) return {};
-  const Region more = contour::subtract(now, before);
-  for (std::size_t other = 0; other < scene_.tree.features.size(); ++other) {
-    const Feature& its_other = scene_.tree.features[other];
-    const bool is_kin = (its.parent && its.parent->feature == other) ||
-                        (its_other.parent && its_other.parent->feature == feature);
-    if (other == feature || is_kin || its_other.setup != its.setup) continue;
-    for (const Layer& level : its_other.layers) {
-      const bool is_beside = level.z < its.layers[layer].top && its.layers[layer].z < level.top;
-      if (!is_beside) continue;
-      const double area = contour::area(contour::intersect(more, level.removed));
-      if (area <= kEmptyArea_mm2) continue;
-      auto collision = scene_.refuse(Code::edit_collides,
-                                     "F" + std::to_string(feature + 1) + " WOULD CUT INTO F" +
-                                         std::to_string(other + 1) + " BY " + shown(area) + " mm²");
-      if (!scene_.allows_collision) return collision;
-      scene_.plan.warnings.push_back(collision.value());
-    }
   }
   return {};
 }
@@ -417,6 +420,11 @@ Done EditPlanner::remove(std::size_t feature) {
 Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree,
                              const std::vector<Edit>& edits, EditAllowances allowed) {
   return EditPlanner(recording, tree, allowed).plan(edits);
+}
+
+EditSketch sketch_edits(const Recording& recording, const Tree& tree,
+                        const std::vector<Edit>& edits) {
+  return EditPlanner(recording, tree, {}).sketch(edits);
 }
 
 }  // namespace kerf::features

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "features/merge/merge.hpp"
-#include "job/edit_run.hpp"
+#include "job/edit_result.hpp"
 
 namespace kerf::job {
 

@@ -66,7 +66,7 @@ std::string change_json(const EditFacts::Change& change) {
   return object.done();
 }
 
-std::string blocks_json(const EditFacts::Blocks& blocks) {
+std::string block_counts(const EditFacts::Blocks& blocks) {
   return JsonObject()
       .raw("kept", count_json(blocks.kept))
       .raw("patched", count_json(blocks.patched))
@@ -126,16 +126,26 @@ std::string removal_text(double difference_mm3) {
 
 }  // namespace
 
+std::string text_json(const std::string& text) {
+  return dumped(is_utf8(text) ? text : as_latin1(text));
+}
+
+std::string changes_json(const EditFacts& facts) { return array_of(facts.changes, change_json); }
+
+std::string blocks_json(const EditFacts& facts) { return block_counts(facts.blocks); }
+
+std::string warnings_json(const EditFacts& facts) { return array_of(facts.warnings, warning_json); }
+
 std::string edit_report_json(const EditFacts& facts) {
   JsonObject object;
   object.raw("kerf", "\"edit\"").raw("version", "1").raw("edits", count_json(facts.edits));
-  object.raw("changes", array_of(facts.changes, change_json));
+  object.raw("changes", changes_json(facts));
   object.raw("bytes_changed", count_json(facts.bytes_changed));
-  object.raw("blocks", blocks_json(facts.blocks));
+  object.raw("blocks", blocks_json(facts));
   object.raw("regenerated", array_of(facts.regenerated, regenerated_json));
   object.raw("ids", array_of(facts.ids, renamed_json));
   object.raw("verified", verified_json(facts.verified));
-  object.raw("warnings", array_of(facts.warnings, warning_json));
+  object.raw("warnings", warnings_json(facts));
   object.text("crc32", base::hex_text(facts.crc32));
   if (!facts.libraries.empty()) object.raw("libraries", array_of(facts.libraries, library_json));
   return object.done() + "\n";

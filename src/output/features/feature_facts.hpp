@@ -21,6 +21,7 @@ struct FeatureFacts {
   RunFacts run;
   features::Method method = features::Method::both;
   std::optional<Blank> blank;  ///< none: nothing is cut, and nobody has said
+  bool tells_loops = true;     ///< their contours; false: those are empty
   const features::Recording* recording = nullptr;
   const features::Tree* tree = nullptr;
   const base::SourceSet* sources = nullptr;

@@ -13,6 +13,7 @@
 #include "face/cli/run_report.hpp"
 #include "face/cli/stock_order.hpp"
 #include "face/cli/stock_table.hpp"
+#include "job/edit_run.hpp"
 #include "job/edit_undo.hpp"
 #include "job/facts_of_edit.hpp"
 #include "job/text_changes.hpp"

@@ -35,6 +35,7 @@ inline constexpr std::size_t kSetUpBytes = 1U << 20U;   ///< of a program
 inline constexpr std::size_t kHeadBytes = 16U << 10U;   ///< of a text that is to be recognised
 inline constexpr std::size_t kAnswerBytes = 6U << 20U;  ///< a larger answer is refused
 inline constexpr std::size_t kDiagnostics = 1000;       ///< of `check`; the rest is counted
+inline constexpr std::size_t kEditBytes = kTextBytes;   ///< of edits of features
 inline constexpr double kAsideSeconds = 5;  ///< of computing for a check or a curve of speeds
 inline constexpr double kSlowSeconds = 30;  ///< of computing for what keeps a machine busy
 inline constexpr std::size_t kConnections = 256;

@@ -35,6 +35,10 @@ const Handlers& hub_handlers() {
       {"stock_at", [](Hub& hub, const Request& r) { hub.parts().stock_at(r); }},
       {"stock_probe", [](Hub& hub, const Request& r) { hub.parts().stock_probe(r); }},
       {"stock_export", [](Hub& hub, const Request& r) { hub.parts().stock_export(r); }},
+      {"features", [](Hub& hub, const Request& r) { hub.features().features(r); }},
+      {"feature_preview", [](Hub& hub, const Request& r) { hub.features().preview(r); }},
+      {"feature_apply", [](Hub& hub, const Request& r) { hub.feature_edits().apply(r); }},
+      {"feature_undo", [](Hub& hub, const Request& r) { hub.feature_edits().undo(r); }},
       {"set-settings", [](Hub& hub, const Request& r) { hub.machine_files().replace(r); }},
   };
   return handlers;

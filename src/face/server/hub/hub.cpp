@@ -20,6 +20,7 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
       preview_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
       cut_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
       look_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
+      feature_worker_(std::make_unique<Worker>(2, Worker::Priority::background)),
       answers_(std::move(to_sockets), settings.data),
       clients_(*disk_worker_, answers_),
       machines_(clients_),
@@ -28,9 +29,13 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
       orders_(answers_, clock_, machine_disk_),
       background_(*library_, *disk_worker_, *aside_worker_, answers_),
       attendance_(machines_, clock_),
-      parts_({*library_, machines_, answers_, *disk_worker_, *cut_worker_, *look_worker_}),
+      features_({*library_, machines_, answers_, *disk_worker_, *feature_worker_}),
+      parts_(
+          {*library_, machines_, answers_, features_, *disk_worker_, *cut_worker_, *look_worker_}),
       previews_({settings.data, *library_, machines_, answers_, clock_, parts_, *preview_worker_}),
-      programs_({*library_, machines_, machine_disk_, previews_, answers_}),
+      programs_({*library_, machines_, machine_disk_, previews_, answers_, *disk_worker_}),
+      feature_edits_(
+          {*library_, machines_, answers_, features_, programs_, *disk_worker_, *feature_worker_}),
       machine_files_(machines_, machine_disk_, previews_, answers_),
       threads_(std::make_unique<MachineThreads>(
           settings.threads, [this](std::vector<Publication> made) { published(std::move(made)); })),
@@ -40,11 +45,13 @@ Hub::Hub(const Settings& settings, ToSockets to_sockets, std::unique_ptr<Library
 Hub::~Hub() {
   previews_.cancel();
   parts_.cancel();
+  features_.cancel();
   clients_.cut();
   threads_.reset();
   preview_worker_.reset();
   cut_worker_.reset();
   look_worker_.reset();
+  feature_worker_.reset();
   aside_worker_.reset();
   machine_worker_.reset();
   machine_disk_.save_at_the_end();
@@ -107,6 +114,7 @@ void Hub::tick() {
   attendance_.tick();
   previews_.tick();
   parts_.tick();
+  features_.tick();
 }
 
 void Hub::receive(const std::shared_ptr<Client>& client, std::string_view text) {

@@ -10,6 +10,8 @@
 #include "face/server/hub/internal/background_work.hpp"
 #include "face/server/hub/internal/clients.hpp"
 #include "face/server/hub/internal/command_gate.hpp"
+#include "face/server/hub/internal/feature_edits.hpp"
+#include "face/server/hub/internal/features.hpp"
 #include "face/server/hub/internal/machine_disk.hpp"
 #include "face/server/hub/internal/machine_files.hpp"
 #include "face/server/hub/internal/machine_maker.hpp"
@@ -65,6 +67,8 @@ class Hub {
   [[nodiscard]] MachineMaker& maker() { return maker_; }
   [[nodiscard]] MachineFiles& machine_files() { return machine_files_; }
   [[nodiscard]] ProgramLoading& programs() { return programs_; }
+  [[nodiscard]] Features& features() { return features_; }
+  [[nodiscard]] FeatureEdits& feature_edits() { return feature_edits_; }
   [[nodiscard]] Parts& parts() { return parts_; }
   [[nodiscard]] Previews& previews() { return previews_; }
   [[nodiscard]] MachineOrders& orders() { return orders_; }
@@ -91,6 +95,7 @@ class Hub {
   std::unique_ptr<Worker> preview_worker_;
   std::unique_ptr<Worker> cut_worker_;
   std::unique_ptr<Worker> look_worker_;
+  std::unique_ptr<Worker> feature_worker_;
   // Its parts; each knows only those above it.
   Answers answers_;
   Clients clients_;
@@ -100,9 +105,11 @@ class Hub {
   MachineOrders orders_;
   BackgroundWork background_;
   Attendance attendance_;
+  Features features_;
   Parts parts_;
   Previews previews_;
   ProgramLoading programs_;
+  FeatureEdits feature_edits_;
   MachineFiles machine_files_;
   std::unique_ptr<MachineThreads> threads_;
   MachineMaker maker_;

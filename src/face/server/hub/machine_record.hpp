@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "face/server/hub/feature_scene.hpp"
 #include "face/server/hub/machine_threads.hpp"
 #include "face/server/hub/part.hpp"
 #include "face/server/hub/preview.hpp"
@@ -26,6 +27,7 @@ class MachineRecord {
   ~MachineRecord() {
     cancel_preview();
     cancel_part();
+    cancel_scene();
   }
 
   std::string name;
@@ -54,6 +56,8 @@ class MachineRecord {
   std::optional<PartSource> part_source;  ///< none: nothing is loaded
   std::shared_ptr<Part> part;             ///< null: nobody has asked to see it
   std::uint32_t part_number = 0;          ///< of the last one
+  std::shared_ptr<FeatureScene> scene;    ///< null: nobody has asked for its features
+  std::uint32_t feature_revision = 0;     ///< of what a scene is made of
   std::vector<machine::Breakpoint> breakpoint_list;
   Json breakpoints = Json::array();
 
@@ -77,6 +81,9 @@ class MachineRecord {
   }
   void cancel_part() {
     if (part) part->live.cancel();
+  }
+  void cancel_scene() {
+    if (scene) scene->unwanted.request_stop();
   }
 
  private:

@@ -40,6 +40,14 @@ std::string Reply::text_of(const base::Outcome<Json>& outcome) const {
   return refusal(base::refuse(base::Refusal::answer_too_long, {std::to_string(text.size())}));
 }
 
+std::string Reply::text_with(std::string_view members) const {
+  std::string text = dumped({{"id", id_}, {"ok", true}});
+  text.back() = ',';
+  text.append(members).push_back('}');
+  if (text.size() <= limits::kAnswerBytes) return text;
+  return refusal(base::refuse(base::Refusal::answer_too_long, {std::to_string(text.size())}));
+}
+
 void Reply::send(std::string text) const {
   tickets_->clear();
   if (const auto client = client_.lock()) client->send_text(std::move(text));

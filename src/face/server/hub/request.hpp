@@ -4,6 +4,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/refusal.hpp"
@@ -39,6 +40,8 @@ class Reply {
   /// thread. One of more than limits::kAnswerBytes becomes a refusal.
   [[nodiscard]] std::string text_of(const base::Outcome<Json>& outcome) const;
   void send(std::string text) const;
+  /// The same, where the keys are JSON already: `"a":1,"b":[]`.
+  [[nodiscard]] std::string text_with(std::string_view members) const;
 
  private:
   [[nodiscard]] std::string refusal(const base::Failure& failure) const;

@@ -32,6 +32,7 @@ tl::unexpected<Failure> disk(const std::string& message) {
 
 // No program has such a name.
 std::string set_up_of(const std::string& program) { return "set-up/" + program; }
+std::string edits_of(const std::string& program) { return "edits/" + program; }
 
 enum class Entry { nothing, program, other };
 
@@ -238,6 +239,7 @@ Outcome<void> Library::rename(const std::string& from, const std::string& to) {
     try {
       revisions_->rename(from, to);
       revisions_->rename(set_up_of(from), set_up_of(to));
+      revisions_->rename(edits_of(from), edits_of(to));
       renaming.commit();
     } catch (const DatabaseError&) {
       ::unlink(join(to).c_str());
@@ -275,6 +277,40 @@ Outcome<void> Library::keep_set_up(const std::string& name, const std::string& t
     revisions_->add(set_up_of(name), toml, toml.size(), now_ms());
     saving.commit();
     return {};
+  });
+}
+
+// The report comes first: a text whose edit cannot be taken back is worse than a report of none.
+Outcome<Revision> Library::write_edited(const std::string& name, const std::string& text,
+                                        const std::string& report) {
+  return guarded([&]() -> Outcome<Revision> {
+    Transaction keeping = revisions_->begin();
+    const Revision kept = revisions_->add(edits_of(name), report, report.size(), now_ms());
+    keeping.commit();
+    auto made = write(name, text);
+    if (!made) revisions_->take_back(edits_of(name), kept.number);
+    return made;
+  });
+}
+
+Outcome<std::optional<Library::KeptEdit>> Library::last_edit(const std::string& name) {
+  using Kept = std::optional<KeptEdit>;
+  return guarded([&]() -> Outcome<Kept> {
+    const std::vector<Revision> all = revisions_->of(edits_of(name));
+    if (all.empty()) return Kept();
+    auto report = revisions_->text(edits_of(name), all.front().number);
+    if (!report) return Kept();
+    return Kept({all.front().number, std::move(*report), all.size() - 1});
+  });
+}
+
+Outcome<Revision> Library::write_unedited(const std::string& name, const std::string& text,
+                                          const KeptEdit& edit) {
+  auto made = write(name, text);
+  if (!made) return made;
+  return guarded([&]() -> Outcome<Revision> {
+    revisions_->take_back(edits_of(name), edit.number);
+    return made;
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,23 @@ class Library {
   /// program may have; it goes with the program when that is renamed.
   [[nodiscard]] base::Outcome<std::string> set_up(const std::string& name);
   [[nodiscard]] base::Outcome<void> keep_set_up(const std::string& name, const std::string& toml);
+
+  /// Writes what an edit has made of a program, and keeps its report, to take it back.
+  [[nodiscard]] base::Outcome<Revision> write_edited(const std::string& name,
+                                                     const std::string& text,
+                                                     const std::string& report);
+  /// An edit that is kept.
+  struct KeptEdit {
+    std::int64_t number = 0;
+    std::string report;
+    std::size_t before = 0;  ///< how many there are besides, which were made before it
+  };
+  /// The last one; nothing: none is kept. It goes with the program when that is renamed.
+  [[nodiscard]] base::Outcome<std::optional<KeptEdit>> last_edit(const std::string& name);
+  /// Writes what the program was before its last edit, which is kept no longer.
+  [[nodiscard]] base::Outcome<Revision> write_unedited(const std::string& name,
+                                                       const std::string& text,
+                                                       const KeptEdit& edit);
 
   /// A file under a temporary name in the folder, for an upload that comes in pieces.
   [[nodiscard]] base::Outcome<std::unique_ptr<base::OutputFile>> begin_upload(

@@ -74,7 +74,8 @@ class Layer {
                                  ? in_order(first, element(meeting.first), element(meeting.second))
                                  : element_text(first, element(meeting.first)) + " AND " +
                                        element_text(second, element(meeting.second));
-    return refused(Code::edit_crosses_itself, both + how + names_.place(meeting.point));
+    return refused(Code::edit_crosses_itself, both + how + names_.place(meeting.point),
+                   meeting.point);
   }
   static std::string in_order(const Outline& outline, std::size_t a, std::size_t b) {
     return elements_text(outline, std::min(a, b), std::max(a, b));
@@ -156,10 +157,12 @@ Editing<void> check_closed(const std::vector<MadeContour>& made) {
     if (!gap) continue;
     const Outline::Step& step = one.steps[*gap];
     const Outline::Step& next = one.steps[(*gap + 1) % one.steps.size()];
-    return refused(Code::edit_open, contour_text(*one.outline) + " IS OPEN BY " +
-                                        shown(geometry::length(step.edge.to - next.edge.from)) +
-                                        " mm BETWEEN ELEMENTS " + std::to_string(step.element) +
-                                        " AND " + std::to_string(next.element));
+    return refused(Code::edit_open,
+                   contour_text(*one.outline) + " IS OPEN BY " +
+                       shown(geometry::length(step.edge.to - next.edge.from)) +
+                       " mm BETWEEN ELEMENTS " + std::to_string(step.element) + " AND " +
+                       std::to_string(next.element),
+                   step.edge.to);
   }
   return {};
 }

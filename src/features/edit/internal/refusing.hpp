@@ -14,6 +14,12 @@ namespace kerf::features {
   return tl::make_unexpected(EditFault{code, std::move(sentence)});
 }
 
+/// At a place of the contour.
+[[nodiscard]] inline tl::unexpected<EditFault> refused(base::Code code, std::string sentence,
+                                                       geometry::Vec2 at) {
+  return tl::make_unexpected(EditFault{.code = code, .sentence = std::move(sentence), .at = at});
+}
+
 /// A length or a coordinate of a sentence: no more digits than people look at.
 [[nodiscard]] inline std::string shown(double value) {
   const std::string text = base::rounded_text(value, 3);

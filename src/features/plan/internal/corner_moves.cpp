@@ -82,7 +82,7 @@ Contour in_radii(const Contour& contour) {
 }
 
 // Ends of passes and of the finish contour follow its corners; a cycle roughs anew by itself.
-Done turn_anew(EditScene& scene, std::size_t feature, const Contour& contour) {
+Done follow_turned(EditScene& scene, std::size_t feature, const Contour& contour) {
   const Feature& its = scene.tree.features[feature];
   const Contour& before = its.turned->contour;
   if (!keeps_elements(before, contour)) {
@@ -153,31 +153,25 @@ Done follow_vertices(EditScene& scene, std::size_t feature, std::size_t layer,
   return {};
 }
 
-Done edit_turned(EditScene& scene, const Edit& edit, std::size_t feature) {
+ContourEdit turned_contour(const EditScene& scene, std::size_t feature) {
+  return ContourEdit({.outer = told(scene.tree.features[feature].turned->contour)}, true);
+}
+
+Done deepen_turned(EditScene& scene, const SetDepth& depth, std::size_t feature) {
   const TurnedPart& its = *scene.tree.features[feature].turned;
-  if (const auto* depth = std::get_if<SetDepth>(&edit.operation)) {
-    if (!depth->x || !its.bottom)
-      return scene.refuse(Code::edit_not_editable, "THE BOTTOM OF A GROOVE IS AN X");
-    Contour deeper = its.contour;
-    for (auto& vertex : deeper.vertices) {
-      if (std::fabs(vertex.point.v - *its.bottom / 2) <= kSamePoint_mm)
-        vertex.point.v = *depth->x / 2;
-    }
-    return turn_anew(scene, feature, deeper);
+  if (!depth.x || !its.bottom)
+    return scene.refuse(Code::edit_not_editable, "THE BOTTOM OF A GROOVE IS AN X");
+  Contour deeper = its.contour;
+  for (auto& vertex : deeper.vertices) {
+    if (std::fabs(vertex.point.v - *its.bottom / 2) <= kSamePoint_mm) vertex.point.v = *depth.x / 2;
   }
-  ContourEdit contours({.outer = told(its.contour)}, true);
-  if (auto done = contours.apply(edit.operation, edit.island); !done) {
-    EditFault fault = done.error();
-    fault.edit = scene.edit;
-    return tl::unexpected(fault);
-  }
-  auto finished = contours.finished();
-  if (!finished) {
-    EditFault fault = finished.error();
-    fault.edit = scene.edit;
-    return tl::unexpected(fault);
-  }
-  return turn_anew(scene, feature, in_radii(finished->outer));
+  return follow_turned(scene, feature, deeper);
+}
+
+Done turn_anew(EditScene& scene, const ContourEdit& contour, std::size_t feature) {
+  auto finished = contour.finished();
+  if (!finished) return scene.refuse(finished.error());
+  return follow_turned(scene, feature, in_radii(finished->outer));
 }
 
 }  // namespace kerf::features

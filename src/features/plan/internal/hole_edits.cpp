@@ -62,7 +62,7 @@ Done move_hole(EditScene& scene, contour::Vec2 to, std::size_t hole) {
       scene.add(std::move(stretch));
     }
   }
-  scene.plan.wanted_holes.push_back({to, its.bottom});
+  scene.plan.wanted_holes.push_back({to, its.bottom, hole});
   scene.plan.edited_holes.push_back(hole);
   return {};
 }
@@ -81,7 +81,7 @@ Done set_hole_depth(EditScene& scene, double z, std::size_t hole) {
       scene.add(std::move(stretch));
     }
   }
-  scene.plan.wanted_holes.push_back({its.at, z});
+  scene.plan.wanted_holes.push_back({its.at, z, hole});
   scene.plan.edited_holes.push_back(hole);
   return {};
 }
@@ -137,7 +137,7 @@ Done add_hole(EditScene& scene, contour::Vec2 at, std::size_t pattern) {
     stretch.becomes.push_back(more);
     scene.add(std::move(stretch));
   }
-  scene.plan.wanted_holes.push_back({at, last.bottom});
+  scene.plan.wanted_holes.push_back({at, last.bottom, scene.tree.patterns[pattern].holes.back()});
   return {};
 }
 

@@ -25,14 +25,16 @@ bool is_wanted(const MachineRecord& machine) {
 
 void Parts::begin(MachineRecord& machine, PartSource source) {
   thread_.here();
-  end(machine);
+  hide(machine);
   machine.part_source = std::move(source);
+  around_.features.renew(machine);
   if (is_wanted(machine)) cut_again(machine);
 }
 
 void Parts::end(MachineRecord& machine) {
   hide(machine);
   machine.part_source.reset();
+  around_.features.renew(machine);
 }
 
 void Parts::hide(MachineRecord& machine) {
@@ -185,7 +187,9 @@ void Parts::keep_set_up(const Request& request, const std::string& toml) {
     around_.answers.answer(reply, set_up_json(toml));
     around_.answers.to_sockets([this, name] {
       MachineRecord* const machine = around_.machines.find(name);
-      if (machine != nullptr && machine->part) cut_again(*machine);
+      if (machine == nullptr) return;
+      around_.features.renew(*machine);
+      if (machine->part) cut_again(*machine);
     });
   });
 }

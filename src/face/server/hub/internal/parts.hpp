@@ -4,6 +4,7 @@
 #include <string>
 
 #include "face/server/hub/internal/answers.hpp"
+#include "face/server/hub/internal/features.hpp"
 #include "face/server/hub/internal/machine_table.hpp"
 #include "face/server/hub/internal/part_export.hpp"
 #include "face/server/hub/part.hpp"
@@ -23,9 +24,10 @@ class Parts {
     Library& library;
     MachineTable& machines;
     const Answers& answers;
-    Worker& disk;   ///< reads and writes set-ups
-    Worker& cuts;   ///< runs them
-    Worker& looks;  ///< makes what is seen
+    Features& features;  ///< recognised in what they are cut from
+    Worker& disk;        ///< reads and writes set-ups
+    Worker& cuts;        ///< runs them
+    Worker& looks;       ///< makes what is seen
   };
   /// They must outlive this, but for the workers, whose jobs use it.
   explicit Parts(Surroundings around) : around_(std::move(around)) {}

@@ -48,6 +48,32 @@ void ProgramLoading::find(const Loading& loading, const LoadedProgram& program, 
       [this, loading, found = *ready](Runner& /*runner*/) { keep(loading, found); });
 }
 
+void ProgramLoading::load_made(MachineRecord& machine, const Reply& reply, const Made& made) {
+  Loading loading{machine.name, *machine.thread, machine.runner, reply};
+  loading.more = made.more;
+  machine.thread->post(machine.runner, Pace::slow, [this, made, loading](Runner& runner) {
+    const auto possible = guarded([&] {
+      return runner.machine().can_load({base::ProgramText::of(made.name, made.text), made.dialect});
+    });
+    if (!possible) return around_.answers.answer(loading.reply, tl::unexpected(possible.error()));
+    loading.thread.lend(loading.held, around_.library_disk,
+                        [this, loading, made](Runner& /*runner*/) { write(loading, made); });
+  });
+}
+
+// On the thread of the library's disk.
+void ProgramLoading::write(const Loading& loading, const Made& made) {
+  auto written = guarded([&] { return made.write(around_.library); });
+  if (!written) return around_.answers.answer(loading.reply, tl::unexpected(written.error()));
+  Loading next = loading;
+  next.answer = std::move(*written);
+  const LoadedProgram program{.name = made.name, .dialect = made.dialect};
+  const Found found{base::ProgramText::at_path(around_.library.folder() + "/" + made.name),
+                    program};
+  loading.thread.lend(loading.held, around_.disk.worker(),
+                      [this, next, found](Runner& /*runner*/) { keep(next, found); });
+}
+
 // Waits for the disk, and asks all that can be refused.
 Outcome<ProgramLoading::Found> ProgramLoading::found(const LoadedProgram& program,
                                                      Runner& runner) const {
@@ -89,7 +115,9 @@ void ProgramLoading::loaded(const Loading& loading, const LoadedProgram& program
   machine->program = program;
   around_.previews.start(*machine, basis);
   around_.machines.tell();
-  loading.reply.yes(Json{{"program", program.name}});
+  Json answer = loading.answer;
+  answer.update(loading.more ? loading.more(*machine) : Json{{"program", program.name}});
+  loading.reply.yes(std::move(answer));
 }
 
 void ProgramLoading::load_again(MachineRecord& machine) {

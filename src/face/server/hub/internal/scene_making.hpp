@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "base/result.hpp"
+#include "face/server/hub/part.hpp"
+#include "job/edit_scene.hpp"
+
+namespace kerf::server {
+
+/// What a scene is made of.
+struct SceneOrder {
+  PartSource source;
+  std::string set_up;  ///< TOML; empty: nobody has set the program up
+  std::string folder;  ///< of the library
+  std::stop_token unwanted;
+};
+
+/// Runs a program and recognises what it machines, as `kerf features` does. Takes as long.
+class SceneMaking {
+ public:
+  static constexpr double kMostSeconds = 60;  ///< of running
+  /// A row takes about a hundred bytes: a program that moves more is told up to there.
+  static constexpr std::uint64_t kMostMotions = 3'000'000;
+  static constexpr std::uint64_t kMostText = 64U << 20U;
+
+  explicit SceneMaking(SceneOrder order) : order_(std::move(order)) {}
+
+  /// Waits for the disk. Failure: a sentence.
+  [[nodiscard]] base::Outcome<std::shared_ptr<job::EditScene>> make();
+
+ private:
+  [[nodiscard]] base::Outcome<job::StockJob> stock_job() const;
+
+  SceneOrder order_;
+};
+
+}  // namespace kerf::server

@@ -116,7 +116,13 @@ class ContourHand {
   private drag({ target, before, at }: Press, place: Point, frame: Frame): void {
     const element = target && by_id(before, target.element);
     if (!target || !element || contour_editor.waits) return;
-    const gesture = this.gesture(element, target.part, place, { before, from: in_plane(frame, at) }, frame);
+    const gesture = this.gesture(
+      element,
+      target.part,
+      place,
+      { before, from: in_plane(frame, at) },
+      frame,
+    );
     if (gesture) contour_editor.pull(gesture);
   }
 

@@ -10,7 +10,8 @@ const ARROWS: Record<string, Point> = {
   ArrowDown: [0, -1],
 };
 
-const step_of = ({ shiftKey, altKey }: KeyboardEvent): number => (shiftKey ? 1 : altKey ? 0.01 : 0.1);
+const step_of = ({ shiftKey, altKey }: KeyboardEvent): number =>
+  shiftKey ? 1 : altKey ? 0.01 : 0.1;
 
 /** True: the key was meant for the contour. */
 export function contour_key(event: KeyboardEvent): boolean {

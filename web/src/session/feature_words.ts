@@ -13,6 +13,9 @@ const known = (key: string, otherwise: string): string =>
 export const feature_words = {
   type_of: (type: string): string => known(`feature.kind-${type}`, type),
 
+  origin_of: (kind: string): string => known(`feature.origin-${kind}`, kind),
+  strategy_of: (strategy: string): string => known(`feature.strategy-${strategy}`, strategy),
+
   id_of: ({ kind, id, layer }: TreeNode): string =>
     kind === 'layer' ? String(layer ?? id.split('/')[1]) : kind === 'group' ? '' : id,
 

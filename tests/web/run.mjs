@@ -26,6 +26,7 @@ import { pictures } from './scenarios/pictures.mjs';
 import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
+import { features } from './scenarios/features.mjs';
 import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
@@ -52,6 +53,7 @@ const ALL = [
   ...lathe,
   ...link,
   ...files,
+  ...features,
   ...patterns,
   ...setup,
   ...[...part_scenarios, ...colours].map((scenario) => ({ ...scenario, needs_part: true })),

@@ -18,7 +18,7 @@ const told = (nodes: TreeNode[], level = 0): string[] =>
 it('the tree of P1 has its operations, features with layers, and the holes of a pattern together', () => {
   expect(told(tree_of(p1, 'both'))).toEqual([
     'S1 G54',
-    ' O1 T1',
+    ' O1 T1  S3000',
     '  F1 pocket 40 × 28  Z0…-4',
     '   F1/1 Z-2',
     '   F1/2 Z-4',
@@ -26,7 +26,7 @@ it('the tree of P1 has its operations, features with layers, and the holes of a 
     '   F2/1 Z-6',
     '  F3 pocket Ø16  Z0…-3',
     '   F3/1 Z-3',
-    ' O2 T2',
+    ' O2 T2  S3000',
     '  P1 line 2',
     '   H1 plain Ø6  X10 Y50  Z0…-12',
     '   H2 plain Ø6  X30 Y50  Z0…-12',

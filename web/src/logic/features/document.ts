@@ -76,6 +76,7 @@ export interface Operation {
   tool: number;
   setup: string;
   lines: Lines;
+  spindle_rpm?: number | null;
   features: string[];
 }
 

@@ -107,10 +107,11 @@ class TreeMaker {
     };
   }
 
-  private operation({ id, tool, lines, features }: Operation): TreeNode {
+  private operation({ id, tool, lines, spindle_rpm, features }: Operation): TreeNode {
     const own = features.filter((part) => !this.has_parent(part));
     const children = own.flatMap((part) => this.part(part));
-    return { ...bare(id, 'operation'), facts: `T${tool}`, lines, children };
+    const facts = spindle_rpm ? `T${tool}  S${short(spindle_rpm)}` : `T${tool}`;
+    return { ...bare(id, 'operation'), facts, lines, children };
   }
 
   private has_parent(id: string): boolean {

@@ -410,7 +410,7 @@ export const features = [
       await open_features(panel, 'phone.nc', P1);
       await row(panel, 'F1').tap();
       await shot(panel, shots, 'features-phone-tree');
-      await button(dock(panel), 'Edit contour').tap();
+      await button(row(panel, 'F1'), 'Edit contour').tap();
       await editor(panel).waitFor();
       await grip(panel, 1).tap({ force: true });
       await number(panel, 'Outwards by').fill('2');

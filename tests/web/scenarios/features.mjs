@@ -48,8 +48,11 @@ async function set_up(panel, toml) {
   const text = dock.getByRole('textbox', { name: 'Set-up' });
   await text.fill(toml);
   await text.press('Tab');
-  await button(dock, 'Set up').click();
-  await panel.says('is kept');
+  // The one of an earlier run of the tests may be the same.
+  if (await button(dock, 'Set up').isEnabled()) {
+    await button(dock, 'Set up').click();
+    await panel.says('is kept');
+  }
   await panel.tab('Features');
 }
 

@@ -43,9 +43,13 @@ export class Highlight {
     this.group.clear();
     this.region = region && region_group(region, this.colour);
     if (this.region) this.group.add(this.region);
-    if (!store || ranges.length === 0) return;
+    if (region) this.add(outlines_of(region));
+    if (store && ranges.length) this.add(segments_of(store, ranges));
+  }
+
+  private add(segments: Float32Array): void {
     const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(segments_of(store, ranges));
+    geometry.setPositions(segments);
     [this.edge, this.core].forEach((material, i) => {
       const lines = new LineSegments2(geometry, material);
       lines.renderOrder = 5 + i;
@@ -53,6 +57,16 @@ export class Highlight {
       this.group.add(lines);
     });
   }
+}
+
+function outlines_of({ outlines, is_closed }: Region): Float32Array {
+  const segments = outlines.flatMap((outline) =>
+    outline.flatMap((place, i) => {
+      const next = outline[(i + 1) % outline.length];
+      return is_closed || i + 1 < outline.length ? [...place, ...next] : [];
+    }),
+  );
+  return new Float32Array(segments);
 }
 
 function segments_of(store: PathStore, ranges: Range[]): Float32Array {

@@ -1,11 +1,6 @@
-/** The region of a feature in the picture: its outlines, and what they enclose seen through. */
+/** The region of a feature in the picture: what its outlines enclose, seen through. */
 import {
-  BufferGeometry,
-  Float32BufferAttribute,
   Group,
-  LineBasicMaterial,
-  LineLoop,
-  Line,
   Mesh,
   MeshBasicMaterial,
   DoubleSide,
@@ -21,16 +16,7 @@ const OPACITY = 0.28;
 export function region_group({ outlines, is_closed }: Region, colour: string): Group {
   const group = new Group();
   if (is_closed) group.add(...shapes_of(outlines).map((shape) => filled(shape, colour)));
-  return group.add(...outlines.map((outline) => line_of(outline, is_closed, colour)));
-}
-
-function line_of(outline: Place[], is_closed: boolean, colour: string): Line {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(outline.flat(), 3));
-  const material = new LineBasicMaterial({ color: colour, depthTest: false, transparent: true });
-  const line = is_closed ? new LineLoop(geometry, material) : new Line(geometry, material);
-  line.renderOrder = 5;
-  return line;
+  return group;
 }
 
 interface Filled {

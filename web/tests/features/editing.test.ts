@@ -1,4 +1,9 @@
 import { expect, it } from 'vitest';
+import { edits_of_action, lacks, numbers_of } from '../../src/logic/features/actions';
+import { dimensions_of, type Selected } from '../../src/logic/features/dimensions';
+import { elements_of } from '../../src/logic/features/elements';
+import { is_beyond, travel_share } from '../../src/logic/features/insight';
+import { of_layer, outlines_of } from '../../src/logic/features/preview';
 import { diff_rows } from '../../src/logic/features/diff_rows';
 import { edits_name, edits_text, with_diameters } from '../../src/logic/features/edits';
 import { Newest } from '../../src/logic/features/newest';
@@ -14,6 +19,9 @@ import {
   with_outlines,
   with_step,
 } from '../../src/logic/features/steps';
+import { p1, shaft } from './documents';
+
+type Pair = [number, number];
 
 it('of questions one is under way, and of those that wait only the newest is asked', async () => {
   const asked: number[] = [];
@@ -134,4 +142,69 @@ it('a refusal offers what one member of the file is enough for', () => {
   expect(with_offer([{ op: 'depth', z: -1 }], 'scope-all')).toEqual([
     { op: 'depth', z: -1, scope: 'all' },
   ]);
+});
+
+it('regions of layers that lie upon each other are those of one layer', () => {
+  const square = (x: number): [number, number, number][] => [
+    [x, 0, 0],
+    [x + 1, 0, 0],
+    [x + 1, 1, 0],
+  ];
+  const list = [2, 1].map((layer) => ({ feature: 'F1', layer, regions: [square(layer)] }));
+  expect(of_layer(list, null)).toEqual([square(1)]);
+  expect(of_layer(list, 2)).toEqual([square(2)]);
+  expect(of_layer(list, 3)).toEqual([]);
+  expect(of_layer(undefined, null)).toEqual([]);
+});
+
+it('the contours of an answer are those of the feature and layer that are edited', () => {
+  const elements = [{ id: 0, from: [0, 20] as Pair, to: [-5, 20] as Pair, bulge: 0 }];
+  const contour = { feature: 'F1', layer: 1, island: null, closed: false, elements };
+  const answer = { revision: 1, problem: null, contours: [contour, { ...contour, feature: 'F2' }] };
+  const drawn = outlines_of(answer, 'F1', null, true);
+  expect(drawn).toMatchObject([{ island: null, elements: [{ from: [0, 10], to: [-5, 10] }] }]);
+  expect(outlines_of(answer, 'F1', 2, true)).toBeNull();
+  expect(outlines_of(answer, 'F3', null, true)).toBeNull();
+});
+
+it('a contour is made to be as its numbers say', () => {
+  const pocket = elements_of(p1.features[0].nominal!, true);
+  const named = (selected: Selected, name: string) =>
+    dimensions_of(pocket, selected).find((dimension) => dimension.name === name)!;
+  const side: Selected = { island: null, element: 1, part: 'element' };
+  expect(named(side, 'by').edits(2)).toMatchObject([{ from: [52, 10], to: [52, 38] }]);
+  expect(named(side, 'angle').edits(80)).toEqual([
+    { op: 'modify-line', element: 1, angle_deg: 80 },
+  ]);
+  const corner: Selected = { island: null, element: 2, part: 'start' };
+  expect(named(corner, 'y').edits(40)).toEqual([{ op: 'modify-line', element: 2, from: [50, 40] }]);
+  const half = elements_of(shaft.features[0].contour, false, true);
+  const x = dimensions_of(half, { island: null, element: 2, part: 'start' }, true)[1];
+  expect(x.value).toBe(20);
+  expect(x.edits(22)).toEqual([{ op: 'modify-line', element: 2, from: [-0.765685, 11] }]);
+});
+
+it('actions say what they lack, and a line closes the gap', () => {
+  const pocket = elements_of(p1.features[0].nominal!, true);
+  const selected: Selected = { island: null, element: 1, part: 'element' };
+  const all = { elements: pocket, selected, other: null, place: [3.4, 5.6] as Pair };
+  expect(lacks('join', all)).toBe('needs-two-elements');
+  expect(lacks('fillet', { ...all, selected: null })).toBe('needs-element');
+  expect(lacks('fillet', all)).toBeNull();
+  expect(edits_of_action('fillet', { r: 3 }, all)).toEqual([{ op: 'fillet', corner: 1, r: 3 }]);
+  const end = { ...all, selected: { ...selected, part: 'end' as const } };
+  expect(edits_of_action('chamfer', { d1: 1, d2: 2 }, end)).toMatchObject([{ corner: 2 }]);
+  const open = { ...all, elements: pocket.filter(({ id }) => id !== 2) };
+  expect(numbers_of('line', open)).toEqual({ x1: 50, y1: 38, x2: 10, y2: 38 });
+  expect(edits_of_action('island', { x: 30, y: 24, w: 4, h: 2 }, all)[0].contour?.[2]).toEqual([
+    32, 25, 0,
+  ]);
+});
+
+it('what a program is like has its travel as a share, and says what is beyond', () => {
+  const travel = { axis: 'X', from: -10, to: 115, limit_from: 0, limit_to: 500 };
+  expect(travel_share(travel)).toBe(25);
+  expect(is_beyond(travel)).toBe(true);
+  expect(is_beyond({ ...travel, from: 0 })).toBe(false);
+  expect(travel_share({ ...travel, limit_to: null })).toBeNull();
 });

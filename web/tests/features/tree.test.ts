@@ -7,6 +7,7 @@ import {
   tree_of,
   type TreeNode,
 } from '../../src/logic/features/tree';
+import { region_of } from '../../src/logic/features/region';
 import { p1, shaft } from './documents';
 
 const told = (nodes: TreeNode[], level = 0): string[] =>
@@ -114,4 +115,21 @@ it('doubts, what was not recognised and calls are told', () => {
   expect(node_by_id(tree, 'C1')).toMatchObject({ facts: 'G65 O9100 R30.', lines: [6, 6] });
   expect(node_by_id(tree, 'U1')).toMatchObject({ facts: '14 · 31.2 mm', doubts: ['free-motion'] });
   expect(node_by_id(tree, 'F2')?.doubts).toEqual(['ring-by-default']);
+});
+
+it('the region of a part lies at its bottom where its work system is, holes of a pattern together', () => {
+  const moved = structuredClone(p1);
+  moved.setups[0].origin = { X: 100, Y: 0, Z: -50 };
+  const of = (document: typeof p1, id: string, zero: { x: number; z: number } | null = null) =>
+    region_of(document, node_by_id(tree_of(document, 'both'), id)!, zero);
+  const pocket = of(moved, 'F1')!;
+  expect(pocket.is_closed).toBe(true);
+  expect(pocket.outlines[0][0]).toEqual([110, 15, -54]);
+  expect(of(moved, 'F1/1')!.outlines[0][0]).toEqual([110, 15, -52]);
+  expect(of(p1, 'F2')!.outlines).toHaveLength(2);
+  expect(of(p1, 'P1')!.outlines).toHaveLength(2);
+  expect(of(p1, 'O1')).toBeNull();
+  const half = of(shaft, 'F1', { x: 5, z: 100 })!;
+  expect(half).toMatchObject({ is_closed: false });
+  expect(half.outlines[0][2]).toEqual([15, 0, 99.234315]);
 });

@@ -74,6 +74,9 @@ export function outlines_of(
   }));
 }
 
-/** Contours of a layer, or of all of them. */
-export const of_layer = (list: Regions[] | undefined, layer: number | null): ToldVertex[][] =>
-  (list ?? []).filter((each) => layer === null || each.layer === layer).flatMap((r) => r.regions);
+/** Contours of a layer, otherwise of the first one: those of several would lie upon each other. */
+export function of_layer(list: Regions[] | undefined, layer: number | null): ToldVertex[][] {
+  const all = list ?? [];
+  const wanted = layer ?? Math.min(...all.map((each) => each.layer));
+  return all.filter((each) => each.layer === wanted).flatMap(({ regions }) => regions);
+}

@@ -35,7 +35,7 @@ export const en_features = {
     'Runs the edited program, compares, and makes it the next revision. The one before stays.',
   'feature.applying': 'Verifying …',
   'feature.argument': 'Argument',
-  'feature.blocks': '{patched} blocks changed, {inserted} new, {removed} gone, {kept} as they were',
+  'feature.blocks': 'Blocks: {patched} changed, {inserted} new, {removed} gone, {kept} kept',
   'feature.bottom': 'Bottom Z',
   'feature.choose':
     'Choose a part of the tree: it is marked in text and picture. A double click edits its contour.',

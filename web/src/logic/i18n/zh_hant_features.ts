@@ -36,7 +36,7 @@ export const zh_hant_features: Record<keyof typeof en_features, string> = {
   'feature.apply-why': '會先試跑編輯後的程式並比對，再成為下一個版本；原版本保留。',
   'feature.applying': '驗證中…',
   'feature.argument': '引數',
-  'feature.blocks': '變更 {patched} 個單節，新增 {inserted}，移除 {removed}，保持 {kept}',
+  'feature.blocks': '單節：變更 {patched}，新增 {inserted}，移除 {removed}，保持 {kept}',
   'feature.bottom': '底部 Z',
   'feature.choose': '請在樹中選取：文字與圖上會標示。按兩下可編輯輪廓。',
   'feature.deepen': '設定深度',

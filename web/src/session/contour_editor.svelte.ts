@@ -28,6 +28,7 @@ import {
 } from '../logic/features/steps';
 import { feature_edit } from './feature_edit.svelte';
 import { features } from './features.svelte';
+import { notices } from './notices.svelte';
 import { question } from './question.svelte';
 import { t } from './words.svelte';
 
@@ -89,6 +90,13 @@ class ContourEditor {
 
   async apply(): Promise<void> {
     if (await feature_edit.apply()) this.end();
+  }
+
+  /** The program is another one: what was edited is not there any more. */
+  program_changed(): void {
+    const is_lost = feature_edit.wished.length > 0 && !feature_edit.is_applying;
+    if (is_lost) notices.say(t('feature.changed-since'), 'refused');
+    if (!feature_edit.is_applying) this.end();
   }
 
   private end(): void {

@@ -38,6 +38,7 @@ export const zh_hant_features: Record<keyof typeof en_features, string> = {
   'feature.argument': '引數',
   'feature.blocks': '單節：變更 {patched}，新增 {inserted}，移除 {removed}，保持 {kept}',
   'feature.bottom': '底部 Z',
+  'feature.changed-since': '程式已變更：尚未套用的編輯已捨棄。',
   'feature.choose': '請在樹中選取：文字與圖上會標示。按兩下可編輯輪廓。',
   'feature.deepen': '設定深度',
   'feature.delete': '刪除',

@@ -10,8 +10,11 @@ namespace {
 
 // Half of the last digit that programs write, so that rounding makes no difference.
 constexpr double kSameMotion_mm = 5e-4;
-// Beyond this many pairs only what is equal at both ends is looked for.
-constexpr std::size_t kMostPairs = 16'000'000;
+// Beyond this many pairs only what is equal at both ends is looked for: some 4,000 motions of which
+// none is left.
+constexpr std::size_t kMostPairs = 33'000'000;
+// How far apart two equal motions may stand at first, counted in motions.
+constexpr std::size_t kFirstReach = 32;
 
 /// A motion with its beginning, as far as it matters whether two are one.
 struct Whole {
@@ -19,7 +22,10 @@ struct Whole {
   PlannedRow row{};
 };
 
-bool near(Vec3 a, Vec3 b) { return geometry::length(a - b) <= kSameMotion_mm; }
+bool near(Vec3 a, Vec3 b) {
+  return std::fabs(a.x - b.x) <= kSameMotion_mm && std::fabs(a.y - b.y) <= kSameMotion_mm &&
+         geometry::length(a - b) <= kSameMotion_mm;
+}
 
 bool are_equal_arcs(const std::optional<ArcRow>& a, const std::optional<ArcRow>& b) {
   if (a.has_value() != b.has_value()) return false;
@@ -53,26 +59,86 @@ struct Window {
   std::size_t a = 0, a_end = 0, b = 0, b_end = 0;
 };
 
-/// The longest common row by the lengths of what is left behind each pair of places.
-void pair_by_table(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pairs) {
-  const std::size_t rows = in.a_end - in.a + 1;
-  const std::size_t columns = in.b_end - in.b + 1;
-  std::vector<std::uint32_t> left(rows * columns, 0);
-  for (std::size_t i = rows - 1; i-- > 0;) {
-    for (std::size_t j = columns - 1; j-- > 0;) {
-      left[i * columns + j] = same(a[in.a + i], b[in.b + j]) ? left[(i + 1) * columns + j + 1] + 1
-                                                             : std::max(left[(i + 1) * columns + j],
-                                                                        left[i * columns + j + 1]);
+/// The longest common row by the lengths of what is left behind each pair of places; of a table of
+/// all pairs only a band is looked at, `reach` to both sides of its diagonals.
+class BandTable {
+ public:
+  BandTable(const Wholes& a, const Wholes& b, Window in, Same same, std::size_t reach)
+      : a_(a),
+        b_(b),
+        in_(in),
+        same_(same),
+        rows_(in.a_end - in.a),
+        columns_(in.b_end - in.b),
+        before_(reach + (rows_ > columns_ ? rows_ - columns_ : 0)),
+        width_(before_ + 1 + reach + (columns_ > rows_ ? columns_ - rows_ : 0)),
+        left_((rows_ + 1) * width_, 0) {
+    for (std::size_t i = rows_; i-- > 0;) fill(i);
+  }
+
+  /// How many are in neither or only one list.
+  [[nodiscard]] std::size_t differences() const {
+    return rows_ + columns_ - 2 * static_cast<std::size_t>(at(0, 0));
+  }
+  /// Where lists differ in so many places, no longest common row leaves a band that is as wide.
+  [[nodiscard]] static std::size_t reach_for(std::size_t differences) {
+    return 2 * differences + 4;
+  }
+
+  void pair(Pairs& pairs) const {
+    for (std::size_t i = 0, j = 0; i < rows_ && j < columns_;) {
+      if (is_same(i, j)) {
+        pairs.emplace_back(in_.a + i++, in_.b + j++);
+      } else if (at(i + 1, j) >= at(i, j + 1)) {
+        ++i;
+      } else {
+        ++j;
+      }
     }
   }
-  for (std::size_t i = 0, j = 0; i + 1 < rows && j + 1 < columns;) {
-    if (same(a[in.a + i], b[in.b + j])) {
-      pairs.emplace_back(in.a + i++, in.b + j++);
-    } else if (left[(i + 1) * columns + j] >= left[i * columns + j + 1]) {
-      ++i;
-    } else {
-      ++j;
+
+ private:
+  [[nodiscard]] bool is_same(std::size_t i, std::size_t j) const {
+    return same_(a_[in_.a + i], b_[in_.b + j]);
+  }
+  // 0 beyond the band and behind the ends.
+  [[nodiscard]] std::uint32_t at(std::size_t i, std::size_t j) const {
+    if (i >= rows_ || j >= columns_ || j + before_ < i || j + before_ - i >= width_) return 0;
+    return left_[i * width_ + (j + before_ - i)];
+  }
+  void fill(std::size_t i) {
+    const std::size_t first = i > before_ ? i - before_ : 0;
+    const std::size_t end = std::min(columns_, i + width_ - before_);
+    for (std::size_t j = end; j-- > first;) {
+      left_[i * width_ + (j + before_ - i)] =
+          is_same(i, j) ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
     }
+  }
+
+  const Wholes& a_;
+  const Wholes& b_;
+  Window in_;
+  Same same_;
+  std::size_t rows_;
+  std::size_t columns_;
+  std::size_t before_;  // columns of the band before the diagonal
+  std::size_t width_;
+  std::vector<std::uint32_t> left_;
+};
+
+/// Bands, each wider than the one before, until one holds all longest common rows.
+void pair_by_table(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pairs) {
+  const std::size_t rows = in.a_end - in.a;
+  const std::size_t columns = in.b_end - in.b;
+  if (rows == 0 || columns == 0) return;
+  const std::size_t apart = std::max(rows, columns) - std::min(rows, columns);
+  for (std::size_t reach = kFirstReach;; reach *= 2) {
+    const std::size_t whole = std::min(rows, columns);
+    reach = std::min(reach, whole);
+    if ((rows + 1) * (2 * reach + apart + 1) > kMostPairs) return;
+    const BandTable table(a, b, in, same, reach);
+    if (reach < whole && reach < BandTable::reach_for(table.differences())) continue;
+    return table.pair(pairs);
   }
 }
 
@@ -83,7 +149,7 @@ void pair_up(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pair
   Pairs behind;
   while (in.a < in.a_end && in.b < in.b_end && same(a[in.a_end - 1], b[in.b_end - 1]))
     behind.emplace_back(--in.a_end, --in.b_end);
-  if ((in.a_end - in.a) * (in.b_end - in.b) <= kMostPairs) pair_by_table(a, b, in, same, pairs);
+  pair_by_table(a, b, in, same, pairs);
   pairs.insert(pairs.end(), behind.rbegin(), behind.rend());
 }
 

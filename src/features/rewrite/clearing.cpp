@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "features/path/point_index.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/corner.hpp"
 #include "features/tree/normal_form.hpp"
@@ -23,23 +24,23 @@ constexpr double kTouch_mm = 1e-6;  // by how much a wall that is just touched i
 constexpr double kLeastStep_mm = 0.01;
 constexpr int kMostLoops = 10'000;
 
-bool is_corner_of(const Region& region, Vec2 point) {
+PointIndex corners_of(const Region& region) {
+  PointIndex corners;
   for (const Contour& loop : region.loops) {
-    for (const contour::Vertex& vertex : loop.vertices)
-      if (geometry::length(vertex.point - point) <= kSamePoint_mm) return true;
+    for (const contour::Vertex& vertex : loop.vertices) corners.add(vertex.point, 0);
   }
-  return false;
+  return corners;
 }
 
 /// The way with its arcs about corners of the wall as sharp corners.
-Contour sharp(const Clearing& clearing, double distance, const Contour& loop) {
+Contour sharp(const PointIndex& corners, double distance, const Contour& loop) {
   const std::size_t count = loop.vertices.size();
   Contour made{{}, true};
   for (std::size_t i = 0; i < count; ++i) {
     const Edge arc = contour::edge_of(loop, i);
     const bool is_round = arc.bulge != 0 &&
                           std::fabs(contour::radius(arc) - distance) <= kSamePoint_mm &&
-                          is_corner_of(clearing.region, contour::centre(arc));
+                          corners.near(contour::centre(arc)).has_value();
     const auto corner = is_round ? corner_of(contour::edge_of(loop, (i + count - 1) % count), arc,
                                              contour::edge_of(loop, (i + 1) % count))
                                  : std::optional<Vec2>{};
@@ -107,9 +108,11 @@ std::vector<double> halved(const std::vector<double>& distances) {
 std::vector<Contour> loops_at(const Clearing& clearing, double distance) {
   const double way = clearing.is_outside ? distance : -distance;
   std::vector<Contour> loops = contour::offset(clearing.region, way).loops;
+  const PointIndex corners =
+      clearing.has_sharp_corners ? corners_of(clearing.region) : PointIndex();
   for (Contour& loop : loops) {
     if (clearing.has_sharp_corners)
-      loop = without_ends_of_arcs(loop, sharp(clearing, distance, loop));
+      loop = without_ends_of_arcs(loop, sharp(corners, distance, loop));
     const bool is_hole = !contour::is_counterclockwise(loop);
     loop = normal_form(loop);
     if (is_hole) loop = contour::reversed(loop);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "features/path/tolerance.hpp"
+#include "features/rewrite/wall_index.hpp"
 #include "features/tree/normal_form.hpp"
 
 namespace kerf::features {
@@ -13,20 +14,14 @@ using contour::Contour;
 using contour::Edge;
 using contour::Place;
 
+constexpr double kAnyDistance_mm = 1e9;
 constexpr double kFull = 1 - 1e-9;  // share of an edge that is all of it
 
-double distance_to(const std::vector<Contour>& walls, Vec2 point) {
-  double least = contour::distance(walls.front(), point);
-  for (const Contour& wall : walls) least = std::min(least, contour::distance(wall, point));
-  return least;
-}
-
-double distance_to(const std::vector<Contour>& walls, const Contour& path) {
-  double least = distance_to(walls, path.vertices.front().point);
+double distance_to(const WallIndex& wall, const Contour& path) {
+  double least = wall.distance(path.vertices.front().point, kAnyDistance_mm);
   for (std::size_t i = 0; i < contour::edge_count(path); ++i) {
     const Edge edge = contour::edge_of(path, i);
-    least = std::min(
-        {least, distance_to(walls, edge.from), distance_to(walls, contour::point_at(edge, 0.5))});
+    least = wall.distance(contour::point_at(edge, 0.5), wall.distance(edge.from, least));
   }
   return least;
 }
@@ -83,10 +78,12 @@ Vec2 on_circle(const Contour& loop, Vec2 centre, const OldLoop& like) {
 
 std::vector<OldLoop> old_loops(const Recording& recording, const std::vector<Span>& loops,
                                const std::vector<Contour>& walls) {
+  const std::vector<WallIndex> indices(walls.begin(), walls.end());
   std::vector<OldLoop> found;
   for (const Span& rows : loops) {
-    OldLoop loop{.rows = rows, .path = recording.contour_of(rows)};
-    loop.distance = distance_to(walls, loop.path);
+    OldLoop loop{.rows = rows, .path = recording.contour_of(rows), .distance = kAnyDistance_mm};
+    for (const WallIndex& wall : indices)
+      loop.distance = std::min(loop.distance, distance_to(wall, loop.path));
     loop.begins_at_corner = is_vertex(normal_form(loop.path), loop.path.vertices.front().point);
     found.push_back(std::move(loop));
   }

@@ -7,6 +7,7 @@
 #include "features/path/tolerance.hpp"
 #include "features/rewrite/clearing.hpp"
 #include "features/rewrite/loop_rows.hpp"
+#include "features/rewrite/wall_index.hpp"
 #include "geometry/contour/boolean.hpp"
 
 namespace kerf::features {
@@ -37,28 +38,34 @@ double radius_of(const stock::Tool& tool) {
   return tool.value(stock::Measure::diameter).value_or(0) / 2;
 }
 
-/// Whether the old ways turned sharply round what stands out of the wall.
-bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
+/// How often a way turned sharply about what stands out of a wall, and how often round it.
+struct Turns {
   int sharp = 0;
   int round = 0;
-  for (const OldLoop& loop : loops) {
-    for (std::size_t i = 0; i < loop.path.vertices.size(); ++i) {
-      const contour::Edge edge = contour::edge_of(loop.path, i);
-      for (const Contour& wall : walls) {
-        for (const auto& vertex : wall.vertices) {
-          const double off = geometry::length(edge.from - vertex.point);
-          const bool is_about = edge.bulge != 0 && geometry::length(contour::centre(edge) -
-                                                                    vertex.point) <= kSamePoint_mm;
-          round += static_cast<int>(is_about);
-          const bool is_near = off < 2.5 * loop.distance;
-          sharp +=
-              static_cast<int>(is_near && off > loop.distance + kSamePoint_mm &&
-                               contour::distance(wall, edge.from) > loop.distance + kSamePoint_mm);
-        }
-      }
+};
+
+void count_turns(const OldLoop& loop, const WallIndex& wall, Turns& turns) {
+  const double beside = loop.distance + kSamePoint_mm;
+  for (std::size_t i = 0; i < loop.path.vertices.size(); ++i) {
+    const contour::Edge edge = contour::edge_of(loop.path, i);
+    if (edge.bulge != 0) {
+      wall.vertices_near(contour::centre(edge), kSamePoint_mm, [&](double) { ++turns.round; });
     }
+    if (wall.distance(edge.from, 2 * beside) <= beside) continue;
+    wall.vertices_near(edge.from, 2.5 * loop.distance, [&](double off) {
+      if (off > beside && off < 2.5 * loop.distance) ++turns.sharp;
+    });
   }
-  return sharp > round;
+}
+
+/// Whether the old ways turned sharply round what stands out of the wall.
+bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
+  Turns turns;
+  for (const Contour& wall : walls) {
+    const WallIndex index(wall);
+    for (const OldLoop& loop : loops) count_turns(loop, index, turns);
+  }
+  return turns.sharp > turns.round;
 }
 
 double step_of(const std::vector<double>& distances, double radius) {

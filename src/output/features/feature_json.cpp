@@ -82,7 +82,7 @@ std::string operation_json(const FeatureFacts& facts, std::size_t place) {
   return object.raw("cut_mm", rounded(one.cut_mm)).raw("air_mm", rounded(one.air_mm)).done();
 }
 
-std::string unrecognised_json(const FeatureFacts& facts, std::size_t place) {
+std::string span_json(const FeatureFacts& facts, std::size_t place) {
   const features::Unrecognised& span = facts.tree->unrecognised[place];
   return JsonObject()
       .raw("lines", lines_json(first_lines_of(*facts.recording, span.rows)))
@@ -107,6 +107,11 @@ std::string assumed_json(const control::Assumption& one) {
 
 }  // namespace
 
+std::string unrecognised_json(const FeatureFacts& facts) {
+  return list_of(facts.tree->unrecognised.size(),
+                 [&](std::size_t i) { return span_json(facts, i); });
+}
+
 std::string features_json(const FeatureFacts& facts) {
   const Tree& tree = *facts.tree;
   JsonObject object = head_of_report(facts.run);
@@ -123,7 +128,7 @@ std::string features_json(const FeatureFacts& facts) {
   add("calls", tree.calls.size(), call_json);
   object.raw("literal", literal_json(facts));
   add("disagreements", tree.disagreements.size(), disagreement_json);
-  add("unrecognised", tree.unrecognised.size(), unrecognised_json);
+  object.raw("unrecognised", unrecognised_json(facts));
   object.raw("assumed", list_of(facts.run.assumed.size(),
                                 [&](std::size_t i) { return assumed_json(facts.run.assumed[i]); }));
   return object.done() + "\n";

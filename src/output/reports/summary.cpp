@@ -22,16 +22,6 @@ std::string status_name(RunFacts::Status status) {
 
 namespace {
 
-std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
-  if (!alarm) return "null";
-  JsonObject object;
-  object.text("code", alarm->number).text("message", alarm->message).text("file", alarm->file);
-  object.number("line", alarm->line)
-      .number("column", alarm->column)
-      .text("program", alarm->program);
-  return object.done();
-}
-
 std::string chosen_json(const RunFacts::Chosen& chosen) {
   return JsonObject().text("dialect", chosen.dialect).text("machine", chosen.machine).done();
 }
@@ -122,6 +112,16 @@ std::string duration_text(double seconds) {
 }
 
 }  // namespace
+
+std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm) {
+  if (!alarm) return "null";
+  JsonObject object;
+  object.text("code", alarm->number).text("message", alarm->message).text("file", alarm->file);
+  object.number("line", alarm->line)
+      .number("column", alarm->column)
+      .text("program", alarm->program);
+  return object.done();
+}
 
 JsonObject head_of_report(const RunFacts& run) {
   JsonObject object;

@@ -25,6 +25,9 @@ struct SummaryOfOutputs {
 /// The word that reports have for how a run ended.
 [[nodiscard]] std::string status_name(RunFacts::Status status);
 
+/// An alarm as reports tell it, or null.
+[[nodiscard]] std::string alarm_json(const std::optional<RunFacts::Alarm>& alarm);
+
 /// How every report of a run begins: program, file, machine, dialect, status, alarm.
 [[nodiscard]] JsonObject head_of_report(const RunFacts& run);
 

@@ -124,6 +124,13 @@ std::vector<TimeReport::Account> TimeReport::dearest() {
   return list;
 }
 
+std::vector<TimeReport::ToolTime> TimeReport::tool_times() const {
+  std::vector<ToolTime> times;
+  for (const auto& [tool, kinds] : tools_)
+    times.push_back({tool, seconds(kinds[0]), seconds(kinds[1]), seconds(kinds[2])});
+  return times;
+}
+
 TimeReport::Kinds TimeReport::totals() const {
   Kinds totals{};
   for (const auto& [tool, kinds] : tools_) {

@@ -30,6 +30,15 @@ class TimeReport : public motion::AxisPointSink {
   void start(const motion::AxisPoint& at) override { at_ = at.tip.tip; }
   void take(const motion::AxisPoint& point) override;
 
+  struct ToolTime {
+    std::uint32_t tool = 0;
+    double rapid_s = 0;
+    double cut_s = 0;
+    double dwell_s = 0;
+  };
+  /// By the number of the tool.
+  [[nodiscard]] std::vector<ToolTime> tool_times() const;
+
   /// For people; `run` is what the run came to, `sources` are its files.
   [[nodiscard]] std::string text(const RunFacts& run, const base::SourceSet& sources);
   /// One JSON object, a line.

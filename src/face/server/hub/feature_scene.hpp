@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "base/result.hpp"
@@ -22,7 +23,8 @@ struct FeatureScene {
 
   std::uint32_t revision = 0;
   std::stop_source unwanted{};
-  std::optional<Made> made{};  ///< none: not yet; a failure is kept, too
+  std::optional<Made> made{};            ///< none: not yet; a failure is kept, too
+  std::optional<std::string> insight{};  ///< of its run, as soon as that is over: JSON members
   std::vector<Waiting> waiting{};
   std::uint64_t used = 0;  ///< the last one to be used has the greatest
 };

@@ -36,6 +36,7 @@ const Handlers& hub_handlers() {
       {"stock_probe", [](Hub& hub, const Request& r) { hub.parts().stock_probe(r); }},
       {"stock_export", [](Hub& hub, const Request& r) { hub.parts().stock_export(r); }},
       {"features", [](Hub& hub, const Request& r) { hub.features().features(r); }},
+      {"insight", [](Hub& hub, const Request& r) { hub.features().insight(r); }},
       {"feature_preview", [](Hub& hub, const Request& r) { hub.features().preview(r); }},
       {"feature_apply", [](Hub& hub, const Request& r) { hub.feature_edits().apply(r); }},
       {"feature_undo", [](Hub& hub, const Request& r) { hub.feature_edits().undo(r); }},

@@ -96,6 +96,9 @@ blocks that cut has several neighbours in a row, which then names the first of t
 tool was in the material, the most of all motions of the row, 180 in a full slot; null: not known, as of drills and inserts. `design`:
 the file of the set-up that the part is seen against; deviations are told where `stock_at` asks for them. `error`: why the part is not cut, or not to its end.
 
+`features`: `{"event":"features","machine","revision"}`, when another program is loaded, its set-up or the machine has changed: what was told of
+an older revision of its features holds no more.
+
 `machines`: `{"event":"machines","machines":[…]}` with the rows of the command, when machines, clients or operators have changed.
 
 `definition`: `{"event":"definition","machine","definition","settings"}`, when the machine file has been replaced. A definition has

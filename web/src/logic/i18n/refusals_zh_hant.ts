@@ -106,4 +106,8 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'start-alarm': '到達第 {line} 行之前：{why}',
   'joints-cannot': '無法移動：{why}',
   'taught-wrong': '無法教導：{why}',
+  'preview-replaced': '此預覽已由同一用戶端較新的預覽取代',
+  'features-large': '{name} 超過 {most} MiB：任何長度的程式可用 `kerf features` 辨識',
+  'features-left': '沒有人觀看 {machine}，因此不辨識其特徵',
+  'nothing-to-undo': '{name} 沒有保存可復原的編輯',
 };

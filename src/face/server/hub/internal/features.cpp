@@ -8,6 +8,7 @@
 #include "job/edit_preview.hpp"
 #include "job/facts_of_features.hpp"
 #include "output/features/feature_json.hpp"
+#include "output/features/insight.hpp"
 
 namespace kerf::server {
 namespace {
@@ -48,6 +49,23 @@ std::string features_members(job::EditScene& scene, Method method, std::uint32_t
   }
   text.pop_back();  // the line end
   return "\"features\":" + text + more;
+}
+
+/// Calls of programs that nobody has, and all else that the preview run has found.
+std::string findings_members(const Json& findings) {
+  const std::string_view missing_code = base::text_of(base::Code::program_not_found).number;
+  Json missing = Json::array();
+  Json others = Json::array();
+  for (const Json& each : findings) {
+    if (each["code"] == missing_code)
+      missing.push_back({{"program", each["message"]}, {"line", each["line"]}});
+    else
+      others.push_back({{"line", each["line"]},
+                        {"column", each["column"]},
+                        {"code", each["code"]},
+                        {"message", each["message"]}});
+  }
+  return "\"missing\":" + missing.dump() + ",\"not_understood\":" + others.dump();
 }
 
 /// Of a scene that is made, or could not be made.
@@ -96,6 +114,7 @@ void Features::tick() {
     for (const FeatureScene::Waiting& each : waiting)
       each(tl::unexpected(base::refuse(base::Refusal::features_left, {name})));
   }
+  tell_insights();
 }
 
 // The one that was not used for longest goes.
@@ -130,7 +149,12 @@ void Features::make(MachineRecord& machine, std::vector<FeatureScene::Waiting> w
   machine.scene = scene;
   SceneOrder order{*machine.part_source, {}, around_.library.folder(), scene->unwanted.get_token()};
   const auto run = [this, name = machine.name, scene](const SceneOrder& ready) {
-    FeatureScene::Made done = guarded([&] { return SceneMaking(ready).make(); });
+    const auto tell_ran = [&](std::string insight) {
+      around_.answers.to_sockets([this, name, scene, insight = std::move(insight)]() mutable {
+        ran(name, scene, std::move(insight));
+      });
+    };
+    FeatureScene::Made done = guarded([&] { return SceneMaking(ready).make(tell_ran); });
     around_.answers.to_sockets([this, name, scene, done = std::move(done)]() mutable {
       made(name, scene, std::move(done));
     });
@@ -148,6 +172,14 @@ void Features::make(MachineRecord& machine, std::vector<FeatureScene::Waiting> w
   });
 }
 
+void Features::ran(const std::string& name, const Scene& scene, std::string insight) {
+  thread_.here();
+  MachineRecord* const machine = around_.machines.find(name);
+  if (machine == nullptr || machine->scene != scene) return;
+  scene->insight = std::move(insight);
+  tell_insights();
+}
+
 // Whoever waits for a scene that does not hold any more waits for another one.
 void Features::made(const std::string& name, const Scene& scene, FeatureScene::Made done) {
   thread_.here();
@@ -157,6 +189,7 @@ void Features::made(const std::string& name, const Scene& scene, FeatureScene::M
   scene->made = std::move(done);
   for (const FeatureScene::Waiting& each : std::exchange(scene->waiting, {}))
     each(answer_of(scene));
+  tell_insights();
 }
 
 // Commands
@@ -183,6 +216,46 @@ void Features::tell(const Request& request, const Scene& scene) {
 void Features::send(const Reply& reply, const std::string& members) const {
   around_.answers.to_sockets([reply, text = reply.text_with(around_.answers.without_folder(
                                          members))]() mutable { reply.send(std::move(text)); });
+}
+
+// Behind the run and the preview run, whose findings it tells.
+void Features::insight(const Request& request) {
+  thread_.here();
+  insights_.push_back(request);
+  tell_insights();
+}
+
+void Features::tell_insights() {
+  std::erase_if(insights_, [&](const Request& request) { return tell_insight(request); });
+}
+
+/// False: not yet.
+bool Features::tell_insight(const Request& request) {
+  MachineRecord* const machine = request.client->watched();
+  const Reply& reply = request.reply;
+  const auto refuse = [&](const base::Failure& why) { return reply.no(why), true; };
+  if (machine == nullptr || machine != request.machine)
+    return refuse(base::refuse(base::Refusal::features_left, {""}));
+  if (!machine->part_source) return refuse(base::refuse(base::Refusal::no_program));
+  if (!machine->scene) {
+    make_room();
+    make(*machine, {});
+  }
+  const Scene scene = machine->scene;
+  if (scene->made && !*scene->made) return refuse(scene->made->error());
+  if (!scene->insight || !machine->path || !machine->path->done) return false;
+  std::string members = *scene->insight + "," + findings_members(machine->path->findings) +
+                        revision_member(scene->revision) + ",";
+  if (!scene->made) {
+    send(reply, members + output::feature_insight_members({}));
+    return true;
+  }
+  const auto work = [this, reply, scene, members = std::move(members)] {
+    send(reply,
+         members + output::feature_insight_members(job::facts_of((**scene->made)->features())));
+  };
+  around_.worker.post({.work = work, .unwanted = request.unwanted(), .owner = scene.get()});
+  return true;
 }
 
 void Features::preview(const Request& request) {

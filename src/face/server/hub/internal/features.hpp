@@ -51,6 +51,7 @@ class Features {
 
   void features(const Request& request);
   void preview(const Request& request);
+  void insight(const Request& request);
 
  private:
   /// A preview that is not answered yet.
@@ -60,17 +61,21 @@ class Features {
   };
 
   void make(MachineRecord& machine, std::vector<FeatureScene::Waiting> waiting);
+  void ran(const std::string& name, const Scene& scene, std::string insight);
   void made(const std::string& name, const Scene& scene, FeatureScene::Made made);
   void drop(MachineRecord& machine);
   void make_room();
   void tell(const Request& request, const Scene& scene);
   void send(const Reply& reply, const std::string& members) const;
+  void tell_insights();
+  [[nodiscard]] bool tell_insight(const Request& request);
   void try_edits(const Request& request, const std::shared_ptr<Trial>& trial, const Scene& scene);
   void tried(const Client* client, const std::shared_ptr<Trial>& trial, std::string answer);
 
   Surroundings around_;
   ThreadCheck thread_{"that of the sockets"};
   std::map<const Client*, std::shared_ptr<Trial>> trials_;
+  std::vector<Request> insights_;  // that wait for a run or a preview run
   std::uint64_t uses_ = 0;
 };
 

@@ -1,7 +1,12 @@
 #include "face/server/hub/internal/scene_making.hpp"
 
+#include <algorithm>
+
 #include "base/refusal.hpp"
 #include "face/server/hub/internal/part_job.hpp"
+#include "job/facts_of_features.hpp"
+#include "output/features/insight.hpp"
+#include "output/reports/time_report.hpp"
 
 namespace kerf::server {
 
@@ -26,6 +31,19 @@ Outcome<base::ProgramText> whole_text(const PartSource& source) {
   return base::ProgramText::of(source.program, std::move(bytes));
 }
 
+std::string insight_of(const job::StockJob& job, job::FeaturesResult& result,
+                       const output::TimeReport& times) {
+  const std::string& text = *job.job.program.text;
+  output::InsightFacts facts{.features = job::facts_of(result),
+                             .bytes = text.size(),
+                             .tools = times.tool_times(),
+                             .axes = &job.job.definition.axes};
+  const auto ends = std::count(text.begin(), text.end(), '\n');
+  const bool is_open = !text.empty() && text.back() != '\n';
+  facts.lines = static_cast<std::uint64_t>(ends) + (is_open ? 1 : 0);
+  return output::run_insight_members(facts);
+}
+
 }  // namespace
 
 Outcome<job::StockJob> SceneMaking::stock_job() const {
@@ -40,11 +58,15 @@ Outcome<job::StockJob> SceneMaking::stock_job() const {
   return job;
 }
 
-Outcome<std::shared_ptr<job::EditScene>> SceneMaking::make() {
+Outcome<std::shared_ptr<job::EditScene>> SceneMaking::make(const Ran& ran) {
   auto job = stock_job();
   if (!job) return tl::unexpected(job.error());
-  auto result = job::record_features(*job);
+  const machine::MachineDefinition& definition = job->job.definition;
+  output::TimeReport times(definition.axes, definition.interpolator.period_s);
+  auto result = job::record_features(
+      *job, [&](machine::BatchRun& machine) { machine.add_point_sink(times); });
   if (!result) return tl::unexpected(result.error());
+  ran(insight_of(*job, *result, times));
   if (!order_.unwanted.stop_requested())
     result->tree = job::recognised(*result, features::Method::both);
   return std::make_shared<job::EditScene>(std::move(*job), std::move(*result));

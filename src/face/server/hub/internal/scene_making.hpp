@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -28,8 +30,11 @@ class SceneMaking {
 
   explicit SceneMaking(SceneOrder order) : order_(std::move(order)) {}
 
+  /// Called when the program has run, before anything is recognised, with members of the answer of
+  /// `insight`.
+  using Ran = std::function<void(std::string members)>;
   /// Waits for the disk. Failure: a sentence.
-  [[nodiscard]] base::Outcome<std::shared_ptr<job::EditScene>> make();
+  [[nodiscard]] base::Outcome<std::shared_ptr<job::EditScene>> make(const Ran& ran);
 
  private:
   [[nodiscard]] base::Outcome<job::StockJob> stock_job() const;

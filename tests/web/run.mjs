@@ -26,6 +26,7 @@ import { pictures } from './scenarios/pictures.mjs';
 import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
+import { contours } from './scenarios/contours.mjs';
 import { features } from './scenarios/features.mjs';
 import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
@@ -54,6 +55,7 @@ const ALL = [
   ...link,
   ...files,
   ...features,
+  ...contours,
   ...patterns,
   ...setup,
   ...[...part_scenarios, ...colours].map((scenario) => ({ ...scenario, needs_part: true })),

@@ -26,7 +26,7 @@ export interface Insight {
   travel: AxisTravel[];
   missing: { program: string; line: number }[];
   not_understood: { line: number; code: string; message: string }[];
-  unrecognised: { lines: Lines }[];
+  unrecognised: { lines: Lines }[] | null;
 }
 
 /** Of all that the axis may go, from 0 to 100; null: it has no ends. */

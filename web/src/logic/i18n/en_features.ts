@@ -37,7 +37,8 @@ export const en_features = {
   'feature.argument': 'Argument',
   'feature.blocks': 'Blocks: {patched} changed, {inserted} new, {removed} gone, {kept} kept',
   'feature.bottom': 'Bottom Z',
-  'feature.changed-since': 'The program has been changed: the edits that were not applied are gone.',
+  'feature.changed-since':
+    'The program has been changed: the edits that were not applied are gone.',
   'feature.choose':
     'Choose a part of the tree: it is marked in text and picture. A double click edits its contour.',
   'feature.deepen': 'Set depth',

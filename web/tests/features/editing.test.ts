@@ -2,7 +2,7 @@ import { expect, it } from 'vitest';
 import { edits_of_action, lacks, numbers_of } from '../../src/logic/features/actions';
 import { dimensions_of, type Selected } from '../../src/logic/features/dimensions';
 import { elements_of } from '../../src/logic/features/elements';
-import { is_beyond, travel_share } from '../../src/logic/features/insight';
+import { is_too_long, travel_share } from '../../src/logic/features/insight';
 import { of_layer, outlines_of } from '../../src/logic/features/preview';
 import { diff_rows } from '../../src/logic/features/diff_rows';
 import { edits_name, edits_text, with_diameters } from '../../src/logic/features/edits';
@@ -201,10 +201,10 @@ it('actions say what they lack, and a line closes the gap', () => {
   ]);
 });
 
-it('what a program is like has its travel as a share, and says what is beyond', () => {
+it('what a program is like has its travel as a share, and says what no offset makes fit', () => {
   const travel = { axis: 'X', from: -10, to: 115, limit_from: 0, limit_to: 500 };
   expect(travel_share(travel)).toBe(25);
-  expect(is_beyond(travel)).toBe(true);
-  expect(is_beyond({ ...travel, from: 0 })).toBe(false);
+  expect(is_too_long(travel)).toBe(false);
+  expect(is_too_long({ ...travel, to: 500 })).toBe(true);
   expect(travel_share({ ...travel, limit_to: null })).toBeNull();
 });

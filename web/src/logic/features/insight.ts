@@ -35,5 +35,5 @@ export function travel_share({ from, to, limit_from, limit_to }: AxisTravel): nu
   return Math.round((100 * (to - from)) / (limit_to - limit_from));
 }
 
-export const is_beyond = ({ from, to, limit_from, limit_to }: AxisTravel): boolean =>
-  (limit_from !== null && from < limit_from) || (limit_to !== null && to > limit_to);
+/** However the work is clamped: the tool's tip goes farther than the axis does. Where it lies in the travel, the offsets say. */
+export const is_too_long = (travel: AxisTravel): boolean => (travel_share(travel) ?? 0) > 100;

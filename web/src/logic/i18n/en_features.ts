@@ -142,7 +142,7 @@ export const en_features = {
   'feature.verifying': 'verifying …',
   'feature.watching': 'Only who operates the machine can apply it.',
   'insight.about': 'About this program',
-  'insight.beyond': 'beyond the machine',
+  'insight.beyond': 'more than the axis has',
   'insight.features': 'Machines',
   'insight.missing': 'Missing programs',
   'insight.never': 'Do not show again',

@@ -141,7 +141,7 @@ export const zh_hant_features: Record<keyof typeof en_features, string> = {
   'feature.verifying': '驗證中…',
   'feature.watching': '只有操作者可以套用。',
   'insight.about': '關於此程式',
-  'insight.beyond': '超出機台行程',
+  'insight.beyond': '超過軸的行程',
   'insight.features': '加工內容',
   'insight.missing': '缺少的程式',
   'insight.never': '不再顯示',

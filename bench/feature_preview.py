@@ -5,7 +5,7 @@ usage: bench/feature_preview.py [--kerf PATH] [--vertices N] [--loops N] [--prev
 
 A server of its own, a pocket whose contour has N corners, cleared in N loops; a corner of it is dragged, and each place of it is a
 preview with its ways and the text (`feature_preview`). Prints median, 99th percentile and the longest of the times from the
-question to the answer, and the server's memory. Exit status 1: the 99th percentile is above 100 ms.
+question to the answer, what the server computes for each (on a busy computer the better figure), and its memory. Exit status 1: the 99th percentile is above 100 ms.
 """
 
 import argparse
@@ -70,38 +70,52 @@ def drag(client, tree, k, until):
     return took_ms, answer
 
 
-def main():
-    options = argparse.ArgumentParser()
-    options.add_argument("--kerf", default=str(ROOT / "build/release/bin/kerf"))
-    options.add_argument("--vertices", type=int, default=1000)
-    options.add_argument("--loops", type=int, default=20)
-    options.add_argument("--previews", type=int, default=300)
-    options.add_argument("--until", default="paths", choices=("contour", "paths", "verified"))
-    asked = options.parse_args()
+def begun(server, asked):
+    """Who watches a machine with the pocket loaded, its wall in zigzag."""
+    client = server.client()
+    client.do("create", name="bench", definition="mill3")
+    client.watch("bench")
     side = asked.vertices / 4
+    client.load(pocket(side, asked.loops), "pocket.nc")
+    client.do("stock", toml=SET_UP)
+    wall = {"op": "replace", "feature": "F1", "layer": 1, "contour": zigzag(side, asked.vertices)}
+    client.do("feature_apply", edits=json.dumps({"version": 1, "edits": [wall]}))
+    return client
+
+
+def measure(client, asked):
+    """Previews, one behind the other; the 99th percentile of their times in ms."""
+    begin = time.perf_counter()
+    tree = client.do("features")["features"]
+    print(f"recognised in {time.perf_counter() - begin:.2f} s: corners {[len(f['layers'][0]['nominal']) for f in tree['features']]}")
+    measured = [drag(client, tree, k, asked.until) for k in range(asked.previews)]
+    times = sorted(took_ms for took_ms, _ in measured)
+    p99 = times[math.ceil(0.99 * len(times)) - 1]
+    last = measured[-1][1]
+    print(f"a preview has {sum(len(p) for each in last.get('loops', []) for p in each['paths'])} points of ways, blocks {last.get('blocks')}")
+    print(f"{len(times)} previews: median {statistics.median(times):.1f} ms, p99 {p99:.1f} ms, longest {times[-1]:.1f} ms")
+    return p99
+
+
+def options():
+    asked = argparse.ArgumentParser()
+    asked.add_argument("--kerf", default=str(ROOT / "build/release/bin/kerf"))
+    asked.add_argument("--vertices", type=int, default=1000)
+    asked.add_argument("--loops", type=int, default=20)
+    asked.add_argument("--previews", type=int, default=300)
+    asked.add_argument("--until", default="paths", choices=("contour", "paths", "verified"))
+    return asked.parse_args()
+
+
+def main():
+    asked = options()
     with tempfile.TemporaryDirectory() as folder:
         server = harness.Server(asked.kerf, Path(folder) / "data")
-        client = server.client()
-        client.do("create", name="bench", definition="mill3")
-        client.watch("bench")
-        client.load(pocket(side, asked.loops), "pocket.nc")
-        client.do("stock", toml=SET_UP)
-        wall = {"op": "replace", "feature": "F1", "layer": 1, "contour": zigzag(side, asked.vertices)}
-        client.do("feature_apply", edits=json.dumps({"version": 1, "edits": [wall]}))
-        begin = time.perf_counter()
-        tree = client.do("features")["features"]
-        known_s = time.perf_counter() - begin
-        times = []
-        for k in range(asked.previews):
-            took_ms, answer = drag(client, tree, k, asked.until)
-            times.append(took_ms)
-        times.sort()
-        p99 = times[min(len(times) - 1, math.ceil(0.99 * len(times)) - 1)]
-        corners = [len(f["layers"][0]["nominal"]) for f in tree["features"]]
-        loops = sum(len(p) for each in answer.get("loops", []) for p in each["paths"])
-        print(f"recognised in {known_s:.2f} s: corners {corners}; {loops} points of ways a preview")
-        print(f"{len(times)} previews: median {statistics.median(times):.1f} ms, p99 {p99:.1f} ms, longest {times[-1]:.1f} ms")
-        print(f"the server has {server.memory_mib():.0f} MiB")
+        client = begun(server, asked)
+        before_s = server.cpu_seconds()
+        p99 = measure(client, asked)
+        each_ms = 1000 * (server.cpu_seconds() - before_s) / asked.previews
+        print(f"the server has computed {each_ms:.1f} ms for each, recognition included; it has {server.memory_mib():.0f} MiB")
         server.stop()
     return p99 > LIMIT_MS and asked.until != "verified"
 

@@ -8,7 +8,6 @@
 #include "features/rewrite/regenerate.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
-#include "job/internal/named_blocks.hpp"
 #include "job/text_changes.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -32,6 +31,29 @@ const base::Language* language_of(const machine::BatchRun& run) {
   const machine::DialectRow* const dialect = machine::find_dialect(run.definition().dialect);
   const bool is_gcode = dialect != nullptr && dialect->kind == machine::DialectRow::Kind::gcode;
   return is_gcode ? dialect->language : nullptr;
+}
+
+/// The number behind a letter, blanks and zeros left out; 0: there is none.
+std::uint32_t number_behind(std::string_view text, std::size_t at) {
+  std::uint32_t number = 0;
+  for (at = text.find_first_not_of("0 ", at); at < text.size(); ++at) {
+    if (text[at] < '0' || text[at] > '9' || number > 100'000'000) break;
+    number = 10 * number + static_cast<std::uint32_t>(text[at] - '0');
+  }
+  return number;
+}
+
+/// The N words that jumps and calls of a text may name, ascending: GOTO10, P10, Q10. Rather one too
+/// many.
+std::vector<std::uint32_t> named_blocks(std::string_view text) {
+  constexpr const char* kLetters = "PQOpqo";
+  std::vector<std::uint32_t> names;
+  for (std::size_t at = text.find_first_of(kLetters); at != std::string_view::npos;
+       at = text.find_first_of(kLetters, at + 1))
+    names.push_back(number_behind(text, at + 1));
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
 }
 
 double time_of(const FeaturesResult& result) { return result.run->machine().time_s(); }
@@ -180,7 +202,7 @@ EditScene::EditScene(StockJob job, FeaturesResult before)
   sources_->sets_up = [this](const base::BlockId& block) { return blocks_->sets_up(block); };
   sources_->is_named = [this](const base::BlockId& block) {
     const std::vector<std::uint32_t>& names = named_[block.file];
-    return std::binary_search(names.begin(), names.end(), block.sequence);
+    return block.sequence > 0 && std::binary_search(names.begin(), names.end(), block.sequence);
   };
 }
 

@@ -3,6 +3,7 @@
 import json
 import math
 import subprocess
+import time
 
 import harness  # noqa: F401
 from harness import *  # noqa: F403
@@ -70,6 +71,10 @@ def miller(place, name="miller", definition="mill3", set_up=SET_UP, program=POCK
     return client
 
 
+def in_library(client):
+    return [p["name"] for p in client.do("programs")["programs"] if p["name"] == "part.nc"]
+
+
 def told_by_command(place, program=POCKET, set_up=SET_UP, *words, machine="mill3", file="part.nc"):
     """What `kerf features` says of the same."""
     (place.folder / file).write_text(program)
@@ -131,7 +136,7 @@ def _(place):
     for text, line, column in (("", 1, 1), ('{"version":2}', 1, 12), ("[1,2", 1, 5), ('{"version":1,"edits":[{"op":"fly"}]}', 1, None), ("\x00\xff", 1, 1)):
         problem = client.do("feature_preview", edits=text)["problem"]
         equal((problem["edit"], problem["code"], problem["line"]), (None, "EDIT_FILE", line), f"{text!r}")
-        says(problem["message"], "THE EDITS FILE CANNOT BE READ")
+        says(problem["message"], "the edits file cannot be read: ")
     says(client.refused("feature_preview", edits="x" * 1_000_001), "edits")
     says(client.refused("feature_preview", edits=edits(), until="never"), "until")
 
@@ -191,15 +196,15 @@ def _(place):
     answer = client.ask("feature_apply", edits=edits(replaced(), {"op": "delete", "feature": "F1", "layer": 2, "element": 1}))
     equal((answer["ok"], answer["code"], answer["values"]["edit"], answer["values"]["line"]), (False, "EDIT_OPEN", "1", "3"), "refused")
     equal(client.ask("feature_apply", edits="{")["code"], "EDIT_FILE", "no edits file")
-    equal(client.do("programs")["programs"], [], "nothing is written")
+    equal(in_library(client), [], "nothing is written")
     same = client.do("feature_apply", edits=edits(replaced(contour=CONTOUR)))
     equal((same["library_revision"], [w["code"] for w in same["report"]["warnings"]]), (None, ["EDIT_NO_CHANGE"]), "no change")
-    equal(client.do("programs")["programs"], [], "nor then")
+    equal(in_library(client), [], "nor then")
     looker = Client(place.servers[0])
     looker.watch("miller", operate=False)
     equal(looker.ask("feature_apply", edits=edits(replaced()))["code"], "operated-by", "who only looks")
     check(looker.do("feature_preview", edits=edits(replaced()))["problem"] is None, "may try")
-    client.do("mode", to="auto")
+    client.do("mode", mode="auto")
     client.do("cycle-start")
     client.wait_for_status("running")
     for do in ("feature_apply", "feature_undo"):
@@ -207,7 +212,7 @@ def _(place):
         says(answer["error"], "running")
         equal(answer["ok"], False, do)
     check(client.do("feature_preview", edits=edits(replaced()))["problem"] is None, "trying is no work of the machine")
-    equal(client.do("programs")["programs"], [], "nothing is written")
+    equal(in_library(client), [], "nothing is written")
 
 
 @test("of a client's previews the newest is answered, of two clients each his own")
@@ -248,7 +253,7 @@ def _(place):
     equal(revisions, sorted(revisions), "events")
 
 
-@test("without a program, of an alarm, of no end and of no mill there are sentences")
+@test("without a program, of an alarm and of no mill there are sentences")
 def _(place):
     server = place.serve()
     client = server.client()
@@ -263,13 +268,8 @@ def _(place):
     problem = client.do("feature_preview", edits=edits(replaced()))["problem"]
     says(problem["message"], "THE PROGRAM ENDS IN AN ALARM")
     equal(client.ask("feature_apply", edits=edits(replaced()))["code"], "EDIT_NOT_EDITABLE", "nor made")
-    client.load("O1\nS1000 M03\nT1 M06\nG00 X0. Y0. Z5.\nN1 G01 Z-1. F100\nX10.\nG00 Z5.\nX0.\nGOTO 1\nM30\n", "endless.nc")
-    check(client.state["status"] in ("idle", "end"), f"{client.state}")
-    problem = client.do("feature_preview", edits=edits(replaced()))["problem"]
-    says(problem["message"], "NOT RUN TO ITS END")
-    equal(client.do("features")["features"]["status"], "budget", "up to the budget")
-    client.do("create", name="arm", definition="engraver")
-    client.watch("arm")
+    client.do("create", name="fourth", definition="arm4")
+    client.watch("fourth")
     client.load("MOVE(10,10,0)\nEND\n", "arm.bas")
     says(client.refused("features"), "mills and lathes")
 
@@ -285,13 +285,38 @@ def _(place):
     equal(answer["features"], told_by_command(place, LATHE, LATHE_SET_UP, machine="lathe2", file="shaft.nc"), "the tree")
     (turning,) = [f for f in answer["features"]["features"] if f["type"] == "turning"]
     contour = turning["contour"]
-    thinner = [[z, x - 2 if x == 30 else x, b] for z, x, b in contour]
-    preview = client.do("feature_preview", edits=edits({"op": "replace", "feature": turning["id"], "contour": thinner}))
+    farther = [[-12 if z == -10 else z, x, b] for z, x, b in contour]
+    text = edits({"op": "replace", "feature": turning["id"], "contour": farther})
+    preview = client.do("feature_preview", edits=text, until="verified")
     equal(preview["problem"], None, "problem")
-    equal([[e["from"] for e in c["elements"]] for c in preview["contours"]], [[p[:2] for p in thinner[:-1]]], "elements")
+    equal([[e["from"] for e in c["elements"]] for c in preview["contours"]], [[p[:2] for p in farther[:-1]]], "elements")
     check(preview["added"] and not preview["removed"], "more is cut")
-    xs = {x for loop in preview["loops"] for path in loop["paths"] for _, x, _ in path}
-    check(28 in xs and 30 not in xs, f"diameters of the way: {xs}")
+    ends = {z for loop in preview["loops"] for path in loop["paths"] for z, _, _ in path}
+    check(-12 in ends, f"where the ways end: {ends}")
+    check(abs(preview["report"]["verified"]["difference_mm3"] - math.pi * (20**2 - 15**2) * 2) < 1e-3, "what is cut more")
+
+
+@test("a program that never ends holds nobody up: another one is loaded, and told at once")
+def _(place):
+    client = miller(place)
+    client.do("load", name="endless.nc", text="O1\nS1000 M03\nT1 M06\nG00 X0. Y0. Z5.\nN1 G01 Z-1. F100\nX10.\nG00 Z5.\nX0.\nGOTO 1\nM30\n")
+    waiting = [client.post("features"), client.post("feature_preview", edits=edits(replaced()), until="paths"), client.post("insight")]
+    time.sleep(0.3)
+    begin = time.monotonic()
+    check(client.do("machines")["machines"], "the server goes on")
+    client.do("load", name="part.nc", text=POCKET)
+    tree, preview, card = (client.answer(number) for number in waiting)
+    check(time.monotonic() - begin < 20 * harness.PATIENCE, "soon")
+    equal(tree["features"], told_by_command(place), "the one that is loaded now")
+    check(preview["problem"] is None and card["size"]["bytes"] == len(POCKET), f"{preview['problem']}, {card['size']}")
+    revision = client.do("features")["revision"]
+    client.do("load", name="endless.nc", text="O1\nS1000 M03\nT1 M06\nN1 G01 X10. F100\nX0.\nGOTO 1\nM30\n")
+    client.post("features")
+    place.servers[0].client().do("machines")
+    client.close()
+    begin = time.monotonic()
+    equal(place.servers[0].stop(), 0, "it ends")
+    check(time.monotonic() - begin < 10 * harness.PATIENCE and revision > 0, "and soon")
 
 
 @test("the card of a program tells its size, tools, ways and features, and what nobody has")
@@ -308,7 +333,7 @@ def _(place):
     check(abs(answer["time_s"] - path["time_s"]) < 1e-6, f"{answer['time_s']} s, and the preview {path['time_s']} s")
     check(abs(sum(t["time_s"] for t in answer["tools"]) - answer["time_s"]) < 0.1 * answer["time_s"], "the tools' times")
     first, second = answer["tools"]
-    check(abs(first["cut_mm"] - (4 + 2 * (56 + 96 + math.hypot(5, 5)) + 10)) < 1e-3, f"T1 cuts {first['cut_mm']} mm")
+    check(abs(first["cut_mm"] - (7 + 9 + 2 * (56 + 96 + math.hypot(5, 5)))) < 1e-3, f"T1 cuts {first['cut_mm']} mm")
     check(abs(second["cut_mm"] - 17) < 1e-9 and second["cut_s"] > 0, f"T2 cuts {second['cut_mm']} mm")
     equal(second["lines"][0] > first["lines"][0], True, "lines")
     z = [t for t in answer["travel"] if t["axis"] == "Z"][0]

@@ -23,6 +23,7 @@ using contour::Vec2;
 constexpr double kTouch_mm = 1e-6;  // by how much a wall that is just touched is missed
 constexpr double kLeastStep_mm = 0.01;
 constexpr int kMostLoops = 10'000;
+constexpr std::size_t kMostKnown = 256;  // distances whose loops are remembered
 
 PointIndex corners_of(const Region& region) {
   PointIndex corners;
@@ -103,9 +104,7 @@ std::vector<double> halved(const std::vector<double>& distances) {
   return made;
 }
 
-}  // namespace
-
-std::vector<Contour> loops_at(const Clearing& clearing, double distance) {
+std::vector<Contour> made_loops(const Clearing& clearing, double distance) {
   const double way = clearing.is_outside ? distance : -distance;
   std::vector<Contour> loops = contour::offset(clearing.region, way).loops;
   const PointIndex corners =
@@ -118,6 +117,15 @@ std::vector<Contour> loops_at(const Clearing& clearing, double distance) {
     if (is_hole) loop = contour::reversed(loop);
   }
   return loops;
+}
+
+}  // namespace
+
+const std::vector<Contour>& loops_at(const Clearing& clearing, double distance) {
+  const auto known = clearing.known_loops.find(distance);
+  if (known != clearing.known_loops.end()) return known->second;
+  if (clearing.known_loops.size() >= kMostKnown) clearing.known_loops.clear();
+  return clearing.known_loops.emplace(distance, made_loops(clearing, distance)).first->second;
 }
 
 Region reachable(const Clearing& clearing) {

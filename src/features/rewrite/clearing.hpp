@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "geometry/contour/region.hpp"
@@ -12,11 +13,15 @@ struct Clearing {
   bool is_outside = false;
   double tool_radius = 0;
   bool has_sharp_corners = false;  ///< the way turns sharply round corners of the wall, not in arcs
+  /// Those that loops_at() has made, by their distances: it is asked for each several times. What
+  /// loops_at() returns holds until it is asked for another one.
+  mutable std::map<double, std::vector<contour::Contour>> known_loops{};
 };
 
 /// The ways of the tool's centre at `distance` from the wall, with what is cleared on their left;
 /// none: it is too far.
-[[nodiscard]] std::vector<contour::Contour> loops_at(const Clearing& clearing, double distance);
+[[nodiscard]] const std::vector<contour::Contour>& loops_at(const Clearing& clearing,
+                                                            double distance);
 
 /// At which distances from the wall loops go, and what they leave.
 struct LoopDistances {

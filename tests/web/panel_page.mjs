@@ -41,6 +41,8 @@ export class PanelPage {
       newcomer = false,
       /** A screen that shows some ten pictures a second: where a scenario goes on for long, and not about them. */
       slow_screen = false,
+      /** The card that tells what a program is like when it opens. */
+      insight = false,
     } = {},
   ) {
     const context = await browser.newContext({
@@ -57,6 +59,8 @@ export class PanelPage {
         sessionStorage.setItem('kerf.machine', name);
         localStorage.setItem('kerf.start-card', 'away');
       }, machine);
+    if (!insight && !newcomer)
+      await page.addInitScript(() => localStorage.setItem('kerf.insight-card', 'away'));
     if (slow_screen) await page.addInitScript(SLOW_SCREEN, SCREEN_MS);
     const panel = new PanelPage(context, page, base);
     await page.goto(base);

@@ -26,6 +26,8 @@ import { pictures } from './scenarios/pictures.mjs';
 import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
+import { contours } from './scenarios/contours.mjs';
+import { features } from './scenarios/features.mjs';
 import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
 import { panel_states } from './scenarios/panel_states.mjs';
@@ -52,6 +54,8 @@ const ALL = [
   ...lathe,
   ...link,
   ...files,
+  ...features,
+  ...contours,
   ...patterns,
   ...setup,
   ...[...part_scenarios, ...colours].map((scenario) => ({ ...scenario, needs_part: true })),

@@ -64,11 +64,7 @@ describe('texts', () => {
 
   it('are all used somewhere', () => {
     // A key may be put together: `mode.${mode}`.
-    const heads = [
-      ...sources.matchAll(
-        /`([a-z]+\.(?:(?:short|step|colour|measure|field|key|kind|segments|of|limit|lengths|fail-on|material|keep)-)?)\$\{/g,
-      ),
-    ].map((match) => match[1]);
+    const heads = [...sources.matchAll(/`([a-z]+\.(?:[a-z]+-)*)\$\{/g)].map((match) => match[1]);
     const unused = keys.filter(
       (key) => !sources.includes(`'${key}'`) && !heads.some((head) => key.startsWith(head)),
     );

@@ -10,6 +10,7 @@ export const AXE = readFileSync(
 );
 const TABS = [
   'Problems',
+  'Features',
   'Set-up',
   'Variables',
   'Stepping',

@@ -15,12 +15,17 @@ export interface Marks {
   executing: number;
   chosen: number;
   breakpoints: Breakpoint[];
+  /** Lines that belong together: of a feature. */
+  range: [first: number, last: number] | null;
 }
+
+/** A longer range is marked so far. */
+const MOST_MARKED = 20_000;
 
 const set_marks = StateEffect.define<Marks>();
 
 const marks = StateField.define<Marks>({
-  create: () => ({ executing: 0, chosen: 0, breakpoints: [] }),
+  create: () => ({ executing: 0, chosen: 0, breakpoints: [], range: null }),
   update(value, transaction) {
     for (const effect of transaction.effects) if (effect.is(set_marks)) return effect.value;
     return transaction.docChanged ? carried(value, transaction) : value;
@@ -30,12 +35,16 @@ const marks = StateField.define<Marks>({
 });
 
 /** Until the session says where the lines are now: where their first characters went. */
-function carried({ executing, chosen, breakpoints }: Marks, transaction: Transaction): Marks {
+function carried(
+  { executing, chosen, breakpoints, range }: Marks,
+  transaction: Transaction,
+): Marks {
   const line_of = (line: number): number => line_behind(transaction, line) ?? 0;
   return {
     executing: line_of(executing),
     chosen: line_of(chosen),
     breakpoints: breakpoints.map((b) => ({ ...b, line: line_of(b.line ?? 0) })),
+    range: range && [line_of(range[0]), line_of(range[1])],
   };
 }
 
@@ -49,10 +58,19 @@ function line_behind({ startState, newDoc, changes }: Transaction, line: number)
 
 const executing_line = Decoration.line({ class: 'cm-executing' });
 const chosen_line = Decoration.line({ class: 'cm-chosen' });
+const line_of_range = Decoration.line({ class: 'cm-of-feature' });
 
-function lines(doc: Text, { executing, chosen }: Marks) {
+function marked_range(range: Marks['range']): [number, Decoration][] {
+  if (!range) return [];
+  const [first, last] = range;
+  const length = Math.max(0, Math.min(MOST_MARKED, last - first + 1));
+  return Array.from({ length }, (_, i) => [first + i, line_of_range]);
+}
+
+function lines(doc: Text, { executing, chosen, range }: Marks) {
   const builder = new RangeSetBuilder<Decoration>();
   const wanted: [number, Decoration][] = [
+    ...marked_range(range),
     [chosen, chosen_line],
     [executing, executing_line],
   ];
@@ -143,6 +161,7 @@ export function show_marks(view: EditorView, value: Marks): void {
   const same =
     before.executing === value.executing &&
     before.chosen === value.chosen &&
-    before.breakpoints === value.breakpoints;
+    before.breakpoints === value.breakpoints &&
+    String(before.range) === String(value.range);
   if (!same) view.dispatch({ effects: set_marks.of(value) });
 }

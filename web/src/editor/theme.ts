@@ -30,6 +30,10 @@ export const theme = EditorView.theme({
     backgroundColor: 'var(--executing) !important',
     boxShadow: 'inset 3px 0 0 var(--run)',
   },
+  '.cm-of-feature': {
+    backgroundColor: 'color-mix(in srgb, var(--accent) 13%, transparent)',
+    boxShadow: 'inset 3px 0 0 color-mix(in srgb, var(--accent) 55%, transparent)',
+  },
   '.cm-chosen': { backgroundColor: 'var(--chosen)', boxShadow: 'inset 3px 0 0 var(--accent)' },
   '.cm-gutter-lint': { width: '10px' },
   '.cm-gutter-lint .cm-gutterElement': { padding: '0' },

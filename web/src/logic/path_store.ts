@@ -121,10 +121,11 @@ export class PathStore {
     return this.time_of(place.chunk, place.vertex) + place.fraction * span;
   }
 
-  /** All runs of segments that a line of a file made. */
-  ranges_of(file: number, line: number): Range[] {
+  /** All runs of segments that a line of a file made, or those from it to another. */
+  ranges_of(file: number, line: number, last = line): Range[] {
     const ranges: Range[] = [];
-    this.chunks.forEach((chunk, index) => collect_ranges(ranges, chunk, index, file, line));
+    const lines: [number, number] = [line, last];
+    this.chunks.forEach((chunk, index) => collect_ranges(ranges, chunk, index, file, lines));
     return ranges;
   }
 
@@ -260,11 +261,12 @@ function collect_ranges(
   chunk: Chunk,
   index: number,
   file: number,
-  line: number,
+  [from, to]: [number, number],
 ): void {
   let first = -1;
+  const is_between = (line: number): boolean => line >= from && line <= to;
   for (let i = 1; i <= chunk.vertices; i++) {
-    const is_ours = i < chunk.vertices && chunk.line[i] === line && chunk.file[i] === file;
+    const is_ours = i < chunk.vertices && is_between(chunk.line[i]) && chunk.file[i] === file;
     if (is_ours && first < 0) first = i - 1;
     if (!is_ours && first >= 0) {
       ranges.push({ chunk: index, first, last: i - 1 });

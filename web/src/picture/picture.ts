@@ -25,7 +25,7 @@ import {
   travel_edges,
 } from './furniture';
 import { when_drawn } from './frame_fence';
-import { Highlight } from './highlight';
+import { Highlight, type Region } from './highlight';
 import { type Model, type Pose, model_of } from './models';
 import { PartMaker } from './part_maker';
 import { PathLayer } from './path_layer';
@@ -213,8 +213,8 @@ export class Picture {
     if (this.view.goes_with_path) this.fit();
   }
 
-  set_highlight(ranges: Range[]): void {
-    this.highlight.set(this.store, ranges);
+  set_highlight(ranges: Range[], region: Region | null): void {
+    this.highlight.set(this.store, ranges, region);
     this.request();
   }
 

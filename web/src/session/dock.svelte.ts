@@ -1,6 +1,7 @@
 /** Which tab of the dock is open. */
 export const TABS = [
   'problems',
+  'features',
   'setup',
   'variables',
   'stepping',

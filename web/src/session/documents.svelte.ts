@@ -254,6 +254,11 @@ class Documents {
     if (this.current !== file) this.show(file);
   }
 
+  /** The machine has another revision of a program of the library, which this page has not given it. */
+  async take_loaded(name: string): Promise<void> {
+    if (await this.read(name)) this.mark_loaded(name, this.document?.saved ?? '');
+  }
+
   async load_text(): Promise<void> {
     const document = this.document;
     if (!document) return;

@@ -1,6 +1,7 @@
 /** What each key of the keymap does. */
 import { type CommandName, binding_of } from '../logic/keymap';
 import type { Colouring } from '../logic/colour_scale';
+import { contour_editor } from './contour_editor.svelte';
 import { dialogs } from './dialogs.svelte';
 import { dock } from './dock.svelte';
 import { documents } from './documents.svelte';
@@ -116,7 +117,7 @@ const is_text = (target: EventTarget | null): boolean =>
 const may_jog = (): boolean => ['jog', 'teach'].includes(panel.state.mode) && panel.operates;
 
 export function key_down(event: KeyboardEvent): void {
-  if (event.defaultPrevented || dialogs.open || question.asked) return;
+  if (event.defaultPrevented || dialogs.open || question.asked || contour_editor.is_open) return;
   const binding = binding_of(event, is_text(event.target));
   if (!binding || (binding.held && !may_jog())) return;
   event.preventDefault();

@@ -66,6 +66,8 @@ class Panel {
   part_version = $state(0);
   readonly part = new PartStore();
   readonly edits = new UndoStack();
+  /** Of what is loaded with its set-up: features that were told for an earlier one hold no more. */
+  features_revision = $state(0);
 
   /** Where the tip is on the path, by the joints: the machine's position has the tool length in it, the path has not. */
   tip_at(joints: Axes): Point {
@@ -213,6 +215,7 @@ class Panel {
     else if (event.event === 'machines') this.machines = event.machines as MachineEntry[];
     else if (event.event === 'state') this.state = patched(this.state, event);
     else if (event.event === 'stock') this.on_part(event);
+    else if (event.event === 'features') this.features_revision = Number(event.revision);
     else if (event.event === 'path') this.on_path(event as unknown as PathEvent);
     else if (event.event === 'definition') this.definition = event.definition as MachineDefinition;
   }

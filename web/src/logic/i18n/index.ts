@@ -1,18 +1,28 @@
 /** The page's texts: one table a language, the same keys in each (a test holds that). */
 import { en as en_panel } from './en';
+import { en_features } from './en_features';
 import { en_guide } from './en_guide';
 import { en_setup } from './en_setup';
 import { en_stock } from './en_stock';
 import { en_trust } from './en_trust';
 import { en_turning } from './en_turning';
 import { zh_hant } from './zh_hant';
+import { zh_hant_features } from './zh_hant_features';
 import { zh_hant_guide } from './zh_hant_guide';
 import { zh_hant_setup } from './zh_hant_setup';
 import { zh_hant_stock } from './zh_hant_stock';
 import { zh_hant_trust } from './zh_hant_trust';
 import { zh_hant_turning } from './zh_hant_turning';
 
-const en = { ...en_panel, ...en_guide, ...en_setup, ...en_stock, ...en_trust, ...en_turning };
+const en = {
+  ...en_panel,
+  ...en_features,
+  ...en_guide,
+  ...en_setup,
+  ...en_stock,
+  ...en_trust,
+  ...en_turning,
+};
 export type TextKey = keyof typeof en;
 export type Language = 'en' | 'zh-Hant';
 
@@ -20,6 +30,7 @@ export const TABLES: Record<Language, Record<TextKey, string>> = {
   en,
   'zh-Hant': {
     ...zh_hant,
+    ...zh_hant_features,
     ...zh_hant_guide,
     ...zh_hant_setup,
     ...zh_hant_stock,

@@ -23,7 +23,7 @@ struct SceneOrder {
 /// Runs a program and recognises what it machines, as `kerf features` does. Takes as long.
 class SceneMaking {
  public:
-  static constexpr double kMostSeconds = 60;  ///< of running
+  static constexpr double kMostSeconds = 600;  ///< of running, as a preview has
   /// A row takes about a hundred bytes: a program that moves more is told up to there.
   static constexpr std::uint64_t kMostMotions = 3'000'000;
   static constexpr std::uint64_t kMostText = 64U << 20U;

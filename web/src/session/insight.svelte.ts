@@ -2,6 +2,7 @@
 import type { Insight } from '../logic/features/insight';
 import { keep, kept } from './browser_memory';
 import { panel } from './panel.svelte';
+import { start_card } from './start_card.svelte';
 
 const KEY = 'kerf.insight-card';
 const AWAY = 'away';
@@ -16,15 +17,20 @@ class InsightCard {
   is_wanted = $state(kept(KEY) !== AWAY);
   private of = '';
   private questions = 0;
+  private epoch = 0;
 
-  /** A program is loaded, or the page has come to a machine that has one. */
-  async opened(program: string): Promise<void> {
+  /** A program is loaded. One that a machine has when the page comes to it (`epoch`) has been opened before. */
+  async opened(program: string, epoch: number): Promise<void> {
     if (program === this.of) return;
     this.of = program;
+    const has_come = epoch !== this.epoch;
+    this.epoch = epoch;
     this.facts = null;
     this.is_shown = false;
     this.questions = 0;
-    if (program && this.is_wanted) await this.ask(program);
+    // Who is greeted has a card already, which says what comes next.
+    const is_wanted = this.is_wanted && !start_card.shown;
+    if (program && is_wanted && !has_come) await this.ask(program);
   }
 
   /** From the tab, also for who wants no cards. */

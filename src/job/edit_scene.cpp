@@ -4,11 +4,11 @@
 
 #include "base/checksum.hpp"
 #include "base/decimal.hpp"
+#include "features/merge/assignments.hpp"
 #include "features/merge/text_style.hpp"
 #include "features/merge/tool_words.hpp"
 #include "features/plan/edit_planner.hpp"
 #include "features/rewrite/regenerate.hpp"
-#include "job/internal/assignments.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
 #include "job/internal/new_findings.hpp"
@@ -140,8 +140,8 @@ class Drafting {
       return before_.run->machine().sources()[text.first].name() == job_.job.program.name;
     });
     if (main == texts.end()) return refuse(Code::edit_call_unknown, "NO BLOCK SETS " + name, edit);
-    const std::vector<Assignment> all =
-        assignments_of(sources_.language, main->second, argument.variable);
+    const std::vector<features::Assignment> all =
+        features::assignments_of(sources_.language, main->second, argument.variable);
     if (all.size() != 1) {
       return refuse(Code::edit_call_unknown,
                     (all.empty() ? "NO BLOCK" : std::to_string(all.size()) + " BLOCKS") +

@@ -1,6 +1,6 @@
-// Any bytes as a program whose features are told: recognition must end with what it was allowed, and
-// what cuts must be part of exactly one thing that is told. The first byte chooses the machine and
-// what lies on its table.
+// Any bytes as a program whose features are told: recognition must end with what it was allowed,
+// and what cuts must be part of exactly one thing that is told. The first byte chooses the machine
+// and what lies on its table.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -139,14 +139,14 @@ BlockFacts BlockTexts::facts(const base::BlockId& block) {
   if (shapes_ == Shapes::some || file(block.file).has_marks)
     facts_ = facts_in(*language_, text_of(block));
   if (facts_.shape_cycle == 0) return facts_;
-  facts_.shape.first = line_of(marks(block.file), facts_.shape.first, block.line);
-  facts_.shape.last = line_of(marks(block.file), facts_.shape.last, block.line);
+  facts_.shape.first = features::line_of(marks(block.file), facts_.shape.first, block.line);
+  facts_.shape.last = features::line_of(marks(block.file), facts_.shape.last, block.line);
   return facts_;
 }
 
-const FileMarks& BlockTexts::marks(base::FileId id) {
+const features::FileMarks& BlockTexts::marks(base::FileId id) {
   File& its = file(id);
-  if (!its.marks) its.marks = marks_in(sources_[id]);
+  if (!its.marks) its.marks = features::marks_in(sources_[id]);
   return *its.marks;
 }
 
@@ -181,7 +181,7 @@ CallWords BlockTexts::call_of(const base::BlockId& block) {
 
 std::optional<LineSpan> BlockTexts::loop_round(base::FileId id, LineSpan lines) {
   if (language_ == nullptr || !sources_.contains(id)) return std::nullopt;
-  return innermost(marks(id), lines);
+  return features::innermost(marks(id), lines);
 }
 
 }  // namespace kerf::job

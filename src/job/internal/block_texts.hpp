@@ -9,8 +9,8 @@
 #include "base/language.hpp"
 #include "base/source_file.hpp"
 #include "control/core/control.hpp"
+#include "features/merge/file_marks.hpp"
 #include "features/path/block_facts.hpp"
-#include "job/internal/file_marks.hpp"
 
 namespace kerf::job {
 
@@ -37,11 +37,11 @@ class BlockTexts final : public features::BlockReader {
  private:
   struct File {
     bool has_marks = false;  // something of it is a variable, an expression, or left out
-    std::optional<FileMarks> marks{};
+    std::optional<features::FileMarks> marks{};
   };
 
   [[nodiscard]] File& file(base::FileId id);
-  [[nodiscard]] const FileMarks& marks(base::FileId id);
+  [[nodiscard]] const features::FileMarks& marks(base::FileId id);
   [[nodiscard]] std::string text_of(const base::BlockId& block) const;
 
   const base::SourceSet& sources_;

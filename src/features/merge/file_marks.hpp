@@ -7,12 +7,12 @@
 #include "base/source_file.hpp"
 #include "features/path/block_facts.hpp"
 
-namespace kerf::job {
+namespace kerf::features {
 
 /// What stands where in a file.
 struct FileMarks {
   /// Of loops: from WHILE to its END, from a block to the GOTO behind it that leads back to it.
-  std::vector<features::LineSpan> loops;
+  std::vector<LineSpan> loops;
   struct Label {
     std::uint64_t number = 0;  ///< N word
     std::uint32_t line = 0;
@@ -28,7 +28,6 @@ struct FileMarks {
                                     std::uint32_t behind);
 
 /// The shortest loop around lines.
-[[nodiscard]] std::optional<features::LineSpan> innermost(const FileMarks& marks,
-                                                          features::LineSpan lines);
+[[nodiscard]] std::optional<LineSpan> innermost(const FileMarks& marks, LineSpan lines);
 
-}  // namespace kerf::job
+}  // namespace kerf::features

@@ -1,4 +1,4 @@
-#include "job/internal/file_marks.hpp"
+#include "features/merge/file_marks.hpp"
 
 #include <algorithm>
 #include <map>
@@ -8,10 +8,9 @@
 
 #include "base/decimal.hpp"
 
-namespace kerf::job {
+namespace kerf::features {
 namespace {
 
-using features::LineSpan;
 
 constexpr std::uint64_t kLargestFile = std::uint64_t{64} << 20U;
 
@@ -132,4 +131,4 @@ std::optional<LineSpan> innermost(const FileMarks& marks, LineSpan lines) {
   return best;
 }
 
-}  // namespace kerf::job
+}  // namespace kerf::features

@@ -6,7 +6,7 @@
 
 #include "base/language.hpp"
 
-namespace kerf::job {
+namespace kerf::features {
 
 /// The value of a `#n=`: bytes of the text.
 struct Assignment {
@@ -19,4 +19,4 @@ struct Assignment {
 [[nodiscard]] std::vector<Assignment> assignments_of(const base::Language& language,
                                                      const std::string& text, std::uint32_t n);
 
-}  // namespace kerf::job
+}  // namespace kerf::features

@@ -1,8 +1,8 @@
-#include "job/internal/assignments.hpp"
+#include "features/merge/assignments.hpp"
 
 #include <optional>
 
-namespace kerf::job {
+namespace kerf::features {
 namespace {
 
 using base::Token;
@@ -53,4 +53,4 @@ std::vector<Assignment> assignments_of(const base::Language& language, const std
   return found;
 }
 
-}  // namespace kerf::job
+}  // namespace kerf::features

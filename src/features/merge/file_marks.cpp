@@ -11,7 +11,6 @@
 namespace kerf::features {
 namespace {
 
-
 constexpr std::uint64_t kLargestFile = std::uint64_t{64} << 20U;
 
 /// What means something of a line, in capitals.

@@ -67,8 +67,7 @@ Outcome<std::shared_ptr<job::EditScene>> SceneMaking::make(const Ran& ran) {
       *job, [&](machine::BatchRun& machine) { machine.add_point_sink(times); });
   if (!result) return tl::unexpected(result.error());
   ran(insight_of(*job, *result, times));
-  if (!order_.unwanted.stop_requested())
-    job::recognise(*result, features::Method::both);
+  if (!order_.unwanted.stop_requested()) job::recognise(*result, features::Method::both);
   return std::make_shared<job::EditScene>(std::move(*job), std::move(*result));
 }
 

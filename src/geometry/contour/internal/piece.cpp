@@ -170,7 +170,8 @@ bool may_meet(const Piece& a, const Piece& b) { return !is_apart(a, b) && !is_ap
 
 Crossings crossings(const Piece& a, const Piece& b) {
   Crossings result;
-  const Vec2 origin = a.from;
+  // Far from a small arc its squares would take the digits: its own beginning is near to both.
+  const Vec2 origin = std::fabs(a.flexure) > std::fabs(b.flexure) ? a.from : b.from;
   const Form form_a = form_about(a, origin);
   const Form form_b = form_about(b, origin);
   const Candidates found = candidates_of(form_a, form_b);

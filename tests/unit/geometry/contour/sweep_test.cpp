@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
+#include "seeded_random.hpp"
 #include "shapes.hpp"
 
 namespace kerf::contour {
@@ -39,6 +42,45 @@ TEST(SweepOfDisc, AlongASmallArcCoversItsCentre) {
 TEST(SweepOfDisc, AlongAClosedPathIsARing) {
   expect_near(areas(sweep_of_disc(circle20(), 5)), {625 * pi, -225 * pi}, 1e-9);
   expect_near(areas(sweep_of_disc(circle20(), 20)), {1600 * pi}, 1e-9);
+}
+
+Vec2 rounded(Vec2 point) {
+  return {std::round(point.u * 1000) / 1000, std::round(point.v * 1000) / 1000};
+}
+
+/// The way of a tool round a sharp rectangle as a program has it: words of three decimals.
+Contour way_round(const std::vector<Vec2>& island, double radius) {
+  Contour way{{}, true};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 corner = island[i];
+    const Vec2 before = geometry::unit(corner - island[(i + 3) % 4]);
+    const Vec2 behind = geometry::unit(island[(i + 1) % 4] - corner);
+    const Vec2 from = rounded(corner - radius * geometry::left_of(before));
+    const Vec2 to = rounded(corner - radius * geometry::left_of(behind));
+    const Vec2 first = from - rounded(corner);
+    const Vec2 last = to - rounded(corner);
+    way.vertices.push_back({from, std::tan(std::atan2(cross(first, last), dot(first, last)) / 4)});
+    way.vertices.push_back({to});
+  }
+  return way;
+}
+
+// Beside arcs of some ten nanometres lines of many millimetres cross at next to no angle.
+TEST(SweepOfDisc, RoundASharpIslandLeavesItWithRoundedWords) {
+  for (unsigned seed = kerf::test::kSeed; seed != kerf::test::kSeed + 400; ++seed) {
+    kerf::test::SeededRandom random(seed);
+    const Vec2 middle{random.in(20, 80), random.in(20, 80)};
+    const double angle = random.in(0, 2 * pi);
+    const Vec2 along = random.in(5, 20) * Vec2{std::cos(angle), std::sin(angle)};
+    const Vec2 across = random.in(5, 20) * Vec2{-std::sin(angle), std::cos(angle)};
+    const std::vector<Vec2> island{middle - along - across, middle + along - across,
+                                   middle + along + across, middle - along + across};
+    const double radius = std::round(random.in(2, 6) * 200) / 200;
+    const Region swept = sweep_of_disc(way_round(island, radius), radius);
+    ASSERT_EQ(swept.loops.size(), 2U) << seed;
+    const double left = -std::min(area(swept.loops[0]), area(swept.loops[1]));
+    EXPECT_NEAR(left, 4 * geometry::length(along) * geometry::length(across), 0.2) << seed;
+  }
 }
 
 TEST(SweepOfDisc, OfOnePointIsADisc) {

@@ -253,6 +253,18 @@ def _(place):
     equal(revisions, sorted(revisions), "events")
 
 
+@test("a set-up that is answered is the one that features are told with")
+def _(place):
+    client = miller(place)
+    before = client.do("features")["revision"]
+    for depth in range(20, 50):
+        client.do("stock", toml=f'[stock]\nshape = "box:0,0,-{depth},70,60,0"\n' + SET_UP)
+        told = client.do("features")
+        equal(told["features"]["stock"]["box"][0][2], -depth, "told with the new one")
+        check(told["revision"] > before, "it grows")
+        before = told["revision"]
+
+
 @test("without a program, of an alarm and of no mill there are sentences")
 def _(place):
     server = place.serve()

@@ -184,14 +184,17 @@ void Parts::keep_set_up(const Request& request, const std::string& toml) {
       return around_.library.keep_set_up(program, toml);
     });
     if (!kept) return around_.answers.answer(reply, tl::unexpected(kept.error()));
-    around_.answers.answer(reply, set_up_json(toml));
-    around_.answers.to_sockets([this, name] {
-      MachineRecord* const machine = around_.machines.find(name);
-      if (machine == nullptr) return;
-      around_.features.renew(*machine);
-      if (machine->part) cut_again(*machine);
+    around_.answers.to_sockets([this, reply, name, toml] {
+      if (MachineRecord* const machine = around_.machines.find(name)) set_up_changed(*machine);
+      reply.yes(set_up_json(toml));
     });
   });
+}
+
+// Before the answer: who has it asks for the part and the features of the new one.
+void Parts::set_up_changed(MachineRecord& machine) {
+  around_.features.renew(machine);
+  if (machine.part) cut_again(machine);
 }
 
 void Parts::stock_at(const Request& request) {

@@ -58,6 +58,7 @@ class Parts {
   void cut_export(const Reply& reply, const PartExport& part, const ExportFile& file);
   void keep_export(const Reply& reply, const PartExport& part, const ExportFile& file);
   void keep_set_up(const Request& request, const std::string& toml);
+  void set_up_changed(MachineRecord& machine);
   /// Reads the set-up, then cuts.
   void cut_again(MachineRecord& machine);
   void cut(MachineRecord& machine, const base::Outcome<std::string>& set_up);

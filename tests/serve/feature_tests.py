@@ -260,7 +260,7 @@ def _(place):
     for depth in range(20, 50):
         client.do("stock", toml=f'[stock]\nshape = "box:0,0,-{depth},70,60,0"\n' + SET_UP)
         told = client.do("features")
-        equal(told["features"]["stock"]["box"][0][2], -depth, "told with the new one")
+        equal(told["features"]["stock"]["extents"]["Z"], [-depth, 0], "told with the new one")
         check(told["revision"] > before, "it grows")
         before = told["revision"]
 

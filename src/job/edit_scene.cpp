@@ -76,11 +76,16 @@ std::string asked_by(const features::EditPlan& plan) {
 /// Makes a draft of edits.
 class Drafting {
  public:
-  Drafting(const EditScene& scene, const features::MergeSources& sources, const EditWishes& wishes)
-      : job_(scene.job()), before_(scene.features()), sources_(sources), wishes_(wishes) {}
+  Drafting(const EditScene& scene, features::OldWays& ways, const features::MergeSources& sources,
+           const EditWishes& wishes)
+      : job_(scene.job()),
+        before_(scene.features()),
+        ways_(ways),
+        sources_(sources),
+        wishes_(wishes) {}
 
   [[nodiscard]] features::Editing<EditDraft> make() {
-    auto plan = features::plan_edits(before_.recording, before_.tree, wishes_.edits,
+    auto plan = features::plan_edits(before_.recording, before_.tree, ways_, wishes_.edits,
                                      {wishes_.allows_collision, wishes_.allows_rest});
     if (!plan) return tl::unexpected(plan.error());
     plan_ = std::move(*plan);
@@ -248,6 +253,7 @@ class Drafting {
 
   const StockJob& job_;
   const FeaturesResult& before_;
+  features::OldWays& ways_;
   const features::MergeSources& sources_;
   const EditWishes& wishes_;
   features::EditPlan plan_{};
@@ -312,7 +318,7 @@ void EditScene::describe_tools(const std::vector<features::Edit>& edits) {
 features::Editing<EditDraft> EditScene::draft(const EditWishes& wishes) {
   if (!sources_) return refuse(Code::edit_not_editable, "ONLY PROGRAMS IN G-CODE ARE EDITED");
   describe_tools(wishes.edits);
-  return Drafting(*this, *sources_, wishes).make();
+  return Drafting(*this, ways_, *sources_, wishes).make();
 }
 
 base::Outcome<features::Editing<EditResult>> EditScene::verified(EditDraft draft,

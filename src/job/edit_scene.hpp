@@ -12,6 +12,7 @@
 #include "features/merge/merge.hpp"
 #include "features/plan/edit_plan.hpp"
 #include "features/plan/edit_sketch.hpp"
+#include "features/rewrite/old_ways.hpp"
 #include "job/edit_result.hpp"
 #include "job/features_run.hpp"
 #include "job/stock_job.hpp"
@@ -56,6 +57,7 @@ class EditScene {
 
   StockJob job_;
   FeaturesResult before_;
+  features::OldWays ways_{before_.recording};
   std::unique_ptr<BlockTexts> blocks_;
   std::map<base::FileId, std::vector<std::uint32_t>> named_;  // N words that jumps and calls name
   std::optional<features::MergeSources> sources_;             // none: it is no G-code

@@ -24,9 +24,10 @@ bool writes_call_out(const Edit& edit, const Origin& origin) {
 /// Gathers what all edits make of each feature, and changes its blocks once.
 class EditPlanner {
  public:
-  EditPlanner(const Recording& recording, const Tree& tree, EditAllowances allowed)
+  EditPlanner(const Recording& recording, const Tree& tree, OldWays& ways, EditAllowances allowed)
       : scene_{.recording = recording,
                .tree = tree,
+               .ways = ways,
                .allows_collision = allowed.collision,
                .allows_rest = allowed.rest} {}
 
@@ -253,14 +254,15 @@ Done EditPlanner::check_origin(const Edit& edit, const Origin& origin, Editable 
   return {};
 }
 
-Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree,
+Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree, OldWays& ways,
                              const std::vector<Edit>& edits, EditAllowances allowed) {
-  return EditPlanner(recording, tree, allowed).plan(edits);
+  return EditPlanner(recording, tree, ways, allowed).plan(edits);
 }
 
 EditSketch sketch_edits(const Recording& recording, const Tree& tree,
                         const std::vector<Edit>& edits) {
-  return EditPlanner(recording, tree, {}).sketch(edits);
+  OldWays ways(recording);
+  return EditPlanner(recording, tree, ways, {}).sketch(edits);
 }
 
 }  // namespace kerf::features

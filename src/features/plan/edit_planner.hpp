@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "features/plan/edit_plan.hpp"
+#include "features/rewrite/old_ways.hpp"
 
 namespace kerf::features {
 
@@ -13,8 +14,9 @@ struct EditAllowances {
 };
 
 /// Makes a plan of edits: applies them in their order, lets the other layers follow, and cuts anew
-/// what has changed (features-contract §5 to §8).
+/// what has changed (features-contract §5 to §8). `ways`: of this recording.
 [[nodiscard]] Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree,
-                                           const std::vector<Edit>& edits, EditAllowances allowed);
+                                           OldWays& ways, const std::vector<Edit>& edits,
+                                           EditAllowances allowed);
 
 }  // namespace kerf::features

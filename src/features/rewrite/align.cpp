@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "features/rewrite/planned_row.hpp"
@@ -10,11 +12,9 @@ namespace {
 
 // Half of the last digit that programs write, so that rounding makes no difference.
 constexpr double kSameMotion_mm = 5e-4;
-// Beyond this many pairs only what is equal at both ends is looked for: some 4,000 motions of which
-// none is left.
+// Beyond this many reaches only what is equal at both ends is looked for: some 4,000 motions of
+// which none is left.
 constexpr std::size_t kMostPairs = 33'000'000;
-// How far apart two equal motions may stand at first, counted in motions.
-constexpr std::size_t kFirstReach = 32;
 
 /// A motion with its beginning, as far as it matters whether two are one.
 struct Whole {
@@ -59,37 +59,38 @@ struct Window {
   std::size_t a = 0, a_end = 0, b = 0, b_end = 0;
 };
 
-/// The longest common row by the lengths of what is left behind each pair of places; of a table of
-/// all pairs only a band is looked at, `reach` to both sides of its diagonals.
-class BandTable {
+/// How far from the ends of two lists one can begin so that no more than d motions are in only one
+/// of them: for each d and each diagonal (place in `a` less place in `b`) the first place in `a`.
+/// E. W. Myers, An O(ND) difference algorithm and its variations (1986), from behind.
+class Reaches {
  public:
-  BandTable(const Wholes& a, const Wholes& b, Window in, Same same, std::size_t reach)
+  Reaches(const Wholes& a, const Wholes& b, Window in, Same same)
       : a_(a),
         b_(b),
         in_(in),
         same_(same),
-        rows_(in.a_end - in.a),
-        columns_(in.b_end - in.b),
-        before_(reach + (rows_ > columns_ ? rows_ - columns_ : 0)),
-        width_(before_ + 1 + reach + (columns_ > rows_ ? columns_ - rows_ : 0)),
-        left_((rows_ + 1) * width_, 0) {
-    for (std::size_t i = rows_; i-- > 0;) fill(i);
+        rows_(static_cast<std::ptrdiff_t>(in.a_end - in.a)),
+        columns_(static_cast<std::ptrdiff_t>(in.b_end - in.b)) {}
+
+  /// Until the beginning of both is reached. False: they have too little in common.
+  [[nodiscard]] bool find() {
+    for (std::ptrdiff_t d = 0; !has(d - 1, 0, 0); ++d) {
+      if (firsts_.size() + static_cast<std::size_t>(d) + 1 > kMostPairs) return false;
+      begins_.push_back(firsts_.size());
+      for (std::ptrdiff_t k = -d; k <= d; k += 2) firsts_.push_back(first_of(d, k));
+    }
+    return true;
   }
 
-  /// How many are in neither or only one list.
-  [[nodiscard]] std::size_t differences() const {
-    return rows_ + columns_ - 2 * static_cast<std::size_t>(at(0, 0));
-  }
-  /// Where lists differ in so many places, no longest common row leaves a band that is as wide.
-  [[nodiscard]] static std::size_t reach_for(std::size_t differences) {
-    return 2 * differences + 4;
-  }
-
+  /// The longest common row: what is equal as early as it can be, and where either may be passed
+  /// over, that of `a`.
   void pair(Pairs& pairs) const {
-    for (std::size_t i = 0, j = 0; i < rows_ && j < columns_;) {
+    auto left = static_cast<std::ptrdiff_t>(begins_.size()) - 1;
+    for (std::ptrdiff_t i = 0, j = 0; i < rows_ && j < columns_;) {
       if (is_same(i, j)) {
-        pairs.emplace_back(in_.a + i++, in_.b + j++);
-      } else if (at(i + 1, j) >= at(i, j + 1)) {
+        pairs.emplace_back(in_.a + static_cast<std::size_t>(i++),
+                           in_.b + static_cast<std::size_t>(j++));
+      } else if (has(--left, i + 1, j)) {
         ++i;
       } else {
         ++j;
@@ -98,48 +99,54 @@ class BandTable {
   }
 
  private:
-  [[nodiscard]] bool is_same(std::size_t i, std::size_t j) const {
-    return same_(a_[in_.a + i], b_[in_.b + j]);
+  [[nodiscard]] bool is_same(std::ptrdiff_t i, std::ptrdiff_t j) const {
+    return same_(a_[in_.a + static_cast<std::size_t>(i)], b_[in_.b + static_cast<std::size_t>(j)]);
   }
-  // 0 beyond the band and behind the ends.
-  [[nodiscard]] std::uint32_t at(std::size_t i, std::size_t j) const {
-    if (i >= rows_ || j >= columns_ || j + before_ < i || j + before_ - i >= width_) return 0;
-    return left_[i * width_ + (j + before_ - i)];
+  /// The diagonal on which both lists end.
+  [[nodiscard]] std::ptrdiff_t last_diagonal() const { return rows_ - columns_; }
+
+  /// Beyond all places where d does not reach the diagonal.
+  [[nodiscard]] std::ptrdiff_t first(std::ptrdiff_t d, std::ptrdiff_t k) const {
+    if (d < 0 || k < -d || k > d) return kNowhere;
+    return firsts_[begins_[static_cast<std::size_t>(d)] + static_cast<std::size_t>((k + d) / 2)];
   }
-  void fill(std::size_t i) {
-    const std::size_t first = i > before_ ? i - before_ : 0;
-    const std::size_t end = std::min(columns_, i + width_ - before_);
-    for (std::size_t j = end; j-- > first;) {
-      left_[i * width_ + (j + before_ - i)] =
-          is_same(i, j) ? at(i + 1, j + 1) + 1 : std::max(at(i + 1, j), at(i, j + 1));
-    }
+  [[nodiscard]] bool has(std::ptrdiff_t d, std::ptrdiff_t i, std::ptrdiff_t j) const {
+    const std::ptrdiff_t k = i - j - last_diagonal();
+    return d >= 0 && k >= -d && k <= d && (k + d) % 2 == 0 && first(d, k) <= i;
   }
+
+  /// One motion more than d - 1, then along what is equal.
+  [[nodiscard]] std::int32_t first_of(std::ptrdiff_t d, std::ptrdiff_t k) const {
+    std::ptrdiff_t i = d == 0 ? rows_ : kNowhere;
+    const auto begin_at = [&](std::ptrdiff_t place) {
+      if (place >= 0 && place - k - last_diagonal() >= 0) i = std::min(i, place);
+    };
+    if (const auto behind = first(d - 1, k + 1); behind != kNowhere) begin_at(behind - 1);
+    if (const auto behind = first(d - 1, k - 1); behind != kNowhere) begin_at(behind);
+    if (i == kNowhere) return kNowhere;
+    while (i > 0 && is_same_before(i, i - k - last_diagonal())) --i;
+    return static_cast<std::int32_t>(i);
+  }
+  [[nodiscard]] bool is_same_before(std::ptrdiff_t i, std::ptrdiff_t j) const {
+    return j > 0 && is_same(i - 1, j - 1);
+  }
+
+  static constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
 
   const Wholes& a_;
   const Wholes& b_;
   Window in_;
   Same same_;
-  std::size_t rows_;
-  std::size_t columns_;
-  std::size_t before_;  // columns of the band before the diagonal
-  std::size_t width_;
-  std::vector<std::uint32_t> left_;
+  std::ptrdiff_t rows_;
+  std::ptrdiff_t columns_;
+  std::vector<std::int32_t> firsts_{};  // of each d those of diagonals -d, -d + 2, ... d
+  std::vector<std::size_t> begins_{};
 };
 
-/// Bands, each wider than the one before, until one holds all longest common rows.
-void pair_by_table(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pairs) {
-  const std::size_t rows = in.a_end - in.a;
-  const std::size_t columns = in.b_end - in.b;
-  if (rows == 0 || columns == 0) return;
-  const std::size_t apart = std::max(rows, columns) - std::min(rows, columns);
-  for (std::size_t reach = kFirstReach;; reach *= 2) {
-    const std::size_t whole = std::min(rows, columns);
-    reach = std::min(reach, whole);
-    if ((rows + 1) * (2 * reach + apart + 1) > kMostPairs) return;
-    const BandTable table(a, b, in, same, reach);
-    if (reach < whole && reach < BandTable::reach_for(table.differences())) continue;
-    return table.pair(pairs);
-  }
+void pair_by_reaches(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pairs) {
+  if (in.a == in.a_end || in.b == in.b_end) return;
+  Reaches reaches(a, b, in, same);
+  if (reaches.find()) reaches.pair(pairs);
 }
 
 /// What is equal at both ends is paired at once.
@@ -149,7 +156,7 @@ void pair_up(const Wholes& a, const Wholes& b, Window in, Same same, Pairs& pair
   Pairs behind;
   while (in.a < in.a_end && in.b < in.b_end && same(a[in.a_end - 1], b[in.b_end - 1]))
     behind.emplace_back(--in.a_end, --in.b_end);
-  pair_by_table(a, b, in, same, pairs);
+  pair_by_reaches(a, b, in, same, pairs);
   pairs.insert(pairs.end(), behind.rbegin(), behind.rend());
 }
 

@@ -34,7 +34,8 @@ PointIndex corners_of(const Region& region) {
 }
 
 /// The way with its arcs about corners of the wall as sharp corners.
-Contour sharp(const PointIndex& corners, double distance, const Contour& loop) {
+Contour sharp(const PointIndex& corners, double distance, const Contour& loop,
+              std::vector<Mitre>& mitres) {
   const std::size_t count = loop.vertices.size();
   Contour made{{}, true};
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,6 +50,8 @@ Contour sharp(const PointIndex& corners, double distance, const Contour& loop) {
       made.vertices.push_back(loop.vertices[i]);
     } else {
       made.vertices.push_back({*corner, 0, arc.owner});
+      const Vec2 centre = contour::centre(arc);
+      mitres.push_back({centre, geometry::length(*corner - centre) / distance});
     }
   }
   return made;
@@ -109,28 +112,77 @@ std::vector<double> halved(const std::vector<double>& distances) {
   return made;
 }
 
-std::vector<Contour> made_loops(const Clearing& clearing, double distance) {
+LoopsAtDistance made_loops(const Clearing& clearing, double distance) {
   const double way = clearing.is_outside ? distance : -distance;
-  std::vector<Contour> loops = contour::offset(clearing.region, way).loops;
+  LoopsAtDistance made{contour::offset(clearing.region, way).loops};
   const PointIndex corners =
       clearing.has_sharp_corners ? corners_of(clearing.region) : PointIndex();
-  for (Contour& loop : loops) {
+  for (Contour& loop : made.loops) {
     if (clearing.has_sharp_corners)
-      loop = without_ends_of_arcs(loop, sharp(corners, distance, loop));
+      loop = without_ends_of_arcs(loop, sharp(corners, distance, loop, made.mitres));
     const bool is_hole = !contour::is_counterclockwise(loop);
     loop = normal_form(loop);
     if (is_hole) loop = contour::reversed(loop);
   }
-  return loops;
+  return made;
+}
+
+const LoopsAtDistance& known_loops(const Clearing& clearing, double distance) {
+  const auto known = clearing.known_loops.find(distance);
+  if (known != clearing.known_loops.end()) return known->second;
+  if (clearing.known_loops.size() >= kMostKnown) clearing.known_loops.clear();
+  return clearing.known_loops.emplace(distance, made_loops(clearing, distance)).first->second;
+}
+
+/// Between an arc about a corner and the sharp corner in its place nothing stays where the tool
+/// reaches across from the corner's sides, or where the loop before it is as sharp there: a point
+/// between both has one or the other within this share of the step.
+bool are_covered(const std::vector<Mitre>& mitres, double distance,
+                 const std::vector<Mitre>& before, double step, double radius) {
+  PointIndex known;
+  for (const Mitre& mitre : before) known.add(mitre.centre, 0);
+  return std::all_of(mitres.begin(), mitres.end(), [&](const Mitre& mitre) {
+    return distance * (1 - 1 / mitre.length) <= radius ||
+           (step * mitre.length / (1 + mitre.length) <= radius && known.near(mitre.centre));
+  });
+}
+
+/// Whether no loop is farther from the one before it than the tool reaches. Then nothing stays
+/// between two of them: from each point there the way to the wall meets the outer one within that.
+bool follow_closely(const Clearing& clearing, const std::vector<double>& distances) {
+  double last = 0;
+  std::vector<Mitre> mitres;
+  for (const double distance : distances) {
+    const double step = distance - last;
+    if (step > clearing.tool_radius + kSamePoint_mm) return false;
+    const std::vector<Mitre>& now = known_loops(clearing, distance).mitres;
+    if (!are_covered(now, distance, mitres, step, clearing.tool_radius)) return false;
+    mitres = now;
+    last = distance;
+  }
+  return true;
+}
+
+/// What loops go round; sharp corners may make them cross each other.
+Region inside(const std::vector<Contour>& loops) {
+  std::vector<Region> filled, holes;
+  for (const Contour& loop : loops)
+    (contour::is_counterclockwise(loop) ? filled : holes).push_back(contour::region_of(loop));
+  return contour::subtract(contour::unite(filled), contour::unite(holes));
+}
+
+/// What a disc of the tool can reach and has not behind its loops.
+Region left_behind(const Clearing& clearing, const std::vector<double>& distances) {
+  if (follow_closely(clearing, distances))
+    return contour::offset(inside(loops_at(clearing, distances.back())), -clearing.tool_radius);
+  const Region reached = opened(clearing.region, clearing.tool_radius);
+  return contour::subtract(reached, swept_by(clearing, distances));
 }
 
 }  // namespace
 
 const std::vector<Contour>& loops_at(const Clearing& clearing, double distance) {
-  const auto known = clearing.known_loops.find(distance);
-  if (known != clearing.known_loops.end()) return known->second;
-  if (clearing.known_loops.size() >= kMostKnown) clearing.known_loops.clear();
-  return clearing.known_loops.emplace(distance, made_loops(clearing, distance)).first->second;
+  return known_loops(clearing, distance).loops;
 }
 
 Region region_between(const Contour& outer, const std::vector<Contour>& islands) {
@@ -153,8 +205,7 @@ LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& 
     kept.push_back(distance);
   }
   if (kept.empty()) return {};
-  const Region reached = opened(clearing.region, clearing.tool_radius);
-  Region rest = contour::subtract(reached, swept_by(clearing, kept));
+  Region rest = left_behind(clearing, kept);
   while (area_of(rest) > 0 && kept.size() < kMostLoops) {
     const auto next = next_distance(clearing, kept.back(), step);
     if (!next) break;

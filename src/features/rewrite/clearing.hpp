@@ -7,6 +7,17 @@
 
 namespace kerf::features {
 
+/// A corner of the wall round which a way turns sharply.
+struct Mitre {
+  contour::Vec2 centre{};  ///< that corner
+  double length = 1;       ///< of the way's corner from it, in distances of the way from the wall
+};
+
+struct LoopsAtDistance {
+  std::vector<contour::Contour> loops{};
+  std::vector<Mitre> mitres{};
+};
+
 /// What the loops of a layer clear: the inside of a region, or (side milling) what is round it.
 struct Clearing {
   contour::Region region{};
@@ -15,7 +26,7 @@ struct Clearing {
   bool has_sharp_corners = false;  ///< the way turns sharply round corners of the wall, not in arcs
   /// Those that loops_at() has made, by their distances: it is asked for each several times. What
   /// loops_at() returns holds until it is asked for another one.
-  mutable std::map<double, std::vector<contour::Contour>> known_loops{};
+  mutable std::map<double, LoopsAtDistance> known_loops{};
 };
 
 /// The ways of the tool's centre at `distance` from the wall, with what is cleared on their left;

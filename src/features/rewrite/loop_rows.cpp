@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "features/path/tolerance.hpp"
-#include "features/rewrite/wall_index.hpp"
 #include "features/tree/normal_form.hpp"
 
 namespace kerf::features {
@@ -14,23 +13,7 @@ using contour::Contour;
 using contour::Edge;
 using contour::Place;
 
-constexpr double kAnyDistance_mm = 1e9;
 constexpr double kFull = 1 - 1e-9;  // share of an edge that is all of it
-
-double distance_to(const WallIndex& wall, const Contour& path) {
-  double least = wall.distance(path.vertices.front().point, kAnyDistance_mm);
-  for (std::size_t i = 0; i < contour::edge_count(path); ++i) {
-    const Edge edge = contour::edge_of(path, i);
-    least = wall.distance(contour::point_at(edge, 0.5), wall.distance(edge.from, least));
-  }
-  return least;
-}
-
-bool is_vertex(const Contour& contour, Vec2 point) {
-  return std::any_of(contour.vertices.begin(), contour.vertices.end(), [&](const auto& vertex) {
-    return geometry::length(vertex.point - point) <= kSamePoint_mm;
-  });
-}
 
 bool is_same_circle(const Edge& a, const Edge& b) {
   if (a.bulge == 0 || b.bulge == 0 || std::signbit(a.bulge) != std::signbit(b.bulge)) return false;
@@ -75,20 +58,6 @@ Vec2 on_circle(const Contour& loop, Vec2 centre, const OldLoop& like) {
 }
 
 }  // namespace
-
-std::vector<OldLoop> old_loops(const Recording& recording, const std::vector<Span>& loops,
-                               const std::vector<Contour>& walls) {
-  const std::vector<WallIndex> indices(walls.begin(), walls.end());
-  std::vector<OldLoop> found;
-  for (const Span& rows : loops) {
-    OldLoop loop{.rows = rows, .path = recording.contour_of(rows), .distance = kAnyDistance_mm};
-    for (const WallIndex& wall : indices)
-      loop.distance = std::min(loop.distance, distance_to(wall, loop.path));
-    loop.begins_at_corner = is_vertex(normal_form(loop.path), loop.path.vertices.front().point);
-    found.push_back(std::move(loop));
-  }
-  return found;
-}
 
 Contour begun_near(const Contour& loop, Vec2 point) {
   std::size_t best = 0;

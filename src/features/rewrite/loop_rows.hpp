@@ -2,22 +2,10 @@
 
 #include <vector>
 
+#include "features/rewrite/old_ways.hpp"
 #include "features/rewrite/planned_row.hpp"
 
 namespace kerf::features {
-
-/// A loop that was cut.
-struct OldLoop {
-  Span rows{};
-  contour::Contour path{};
-  double distance = 0;  ///< of its nearest point from the wall
-  bool begins_at_corner = true;
-};
-
-/// The loops of a layer in the order in which they were cut. `walls`: its contours.
-[[nodiscard]] std::vector<OldLoop> old_loops(const Recording& recording,
-                                             const std::vector<Span>& loops,
-                                             const std::vector<contour::Contour>& walls);
 
 /// The loop from the point that comes nearest to where `like` begins: at a vertex, if that does.
 [[nodiscard]] contour::Contour begun_like(const contour::Contour& loop, const OldLoop& like);

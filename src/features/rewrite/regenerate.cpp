@@ -7,7 +7,6 @@
 #include "features/path/tolerance.hpp"
 #include "features/rewrite/clearing.hpp"
 #include "features/rewrite/loop_rows.hpp"
-#include "features/rewrite/wall_index.hpp"
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
 
@@ -20,42 +19,6 @@ using contour::Region;
 
 tl::unexpected<CannotCut> refuse(Code code, std::string sentence) {
   return tl::unexpected(CannotCut{code, std::move(sentence)});
-}
-
-std::vector<Contour> walls_of(const Contour& outer, const std::vector<Contour>& islands) {
-  std::vector<Contour> walls{outer};
-  walls.insert(walls.end(), islands.begin(), islands.end());
-  return walls;
-}
-
-/// How often a way turned sharply about what stands out of a wall, and how often round it.
-struct Turns {
-  int sharp = 0;
-  int round = 0;
-};
-
-void count_turns(const OldLoop& loop, const WallIndex& wall, Turns& turns) {
-  const double beside = loop.distance + kSamePoint_mm;
-  for (std::size_t i = 0; i < loop.path.vertices.size(); ++i) {
-    const contour::Edge edge = contour::edge_of(loop.path, i);
-    if (edge.bulge != 0) {
-      wall.vertices_near(contour::centre(edge), kSamePoint_mm, [&](double) { ++turns.round; });
-    }
-    if (wall.distance(edge.from, 2 * beside) <= beside) continue;
-    wall.vertices_near(edge.from, 2.5 * loop.distance, [&](double off) {
-      if (off > beside && off < 2.5 * loop.distance) ++turns.sharp;
-    });
-  }
-}
-
-/// Whether the old ways turned sharply round what stands out of the wall.
-bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour>& walls) {
-  Turns turns;
-  for (const Contour& wall : walls) {
-    const WallIndex index(wall);
-    for (const OldLoop& loop : loops) count_turns(loop, index, turns);
-  }
-  return turns.sharp > turns.round;
 }
 
 double step_of(const std::vector<double>& distances, double radius) {
@@ -82,8 +45,9 @@ std::vector<double> distances_in(const std::vector<OldLoop>& loops) {
 /// Cuts a layer anew.
 class LayerWriter {
  public:
-  LayerWriter(const Recording& recording, const NewLayer& wanted)
+  LayerWriter(const Recording& recording, OldWays& ways, const NewLayer& wanted)
       : recording_(recording),
+        ways_(ways),
         wanted_(wanted),
         layer_(wanted.feature->layers[wanted.layer]),
         visit_(whole_visit(recording, layer_)),
@@ -111,22 +75,20 @@ class LayerWriter {
 
  private:
   [[nodiscard]] tl::expected<void, CannotCut> look() {
-    const std::vector<Contour> walls = walls_of(layer_.nominal, layer_.nominal_islands);
-    std::vector<Span> spans;
-    for (const Loop& loop : layer_.loops) spans.push_back(loop.rows);
     const bool is_one_way = wanted_.centre_line != nullptr ? is_one_pass() : is_one_line();
-    if ((spans.empty() && !is_one_way) || layer_.nominal.vertices.empty() ||
+    if ((layer_.loops.empty() && !is_one_way) || layer_.nominal.vertices.empty() ||
         layer_.visits.size() != 1) {
       return refuse(Code::edit_not_editable,
                     "THIS LAYER IS NOT CUT IN CLOSED LOOPS: IT CAN BE MOVED, DEEPENED OR DELETED");
     }
-    olds_ = old_loops(recording_, spans, walls);
+    const OldWay& old_way = ways_.of(layer_);
+    olds_ = old_way.loops;
     const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
     const bool is_alone = wanted_.feature->cuts.front().role == Cut::Role::only;
     clearing_ = {.region = region_between(wanted_.outer, wanted_.islands),
                  .is_outside = bounds_what_stands(*wanted_.feature),
                  .tool_radius = recording_.diameter_of(is_alone ? wanted_.feature->tool : tool) / 2,
-                 .has_sharp_corners = turned_sharply(olds_, walls)};
+                 .has_sharp_corners = old_way.turns_sharply};
     if (clearing_.tool_radius <= 0)
       return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
     if (wanted_.new_radius > 0) {
@@ -353,6 +315,7 @@ class LayerWriter {
   }
 
   const Recording& recording_;
+  OldWays& ways_;
   const NewLayer& wanted_;
   const Layer& layer_;
   Span visit_;
@@ -403,8 +366,9 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
   return span;
 }
 
-tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, const NewLayer& wanted) {
-  return LayerWriter(recording, wanted).write();
+tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, OldWays& ways,
+                                             const NewLayer& wanted) {
+  return LayerWriter(recording, ways, wanted).write();
 }
 
 }  // namespace kerf::features

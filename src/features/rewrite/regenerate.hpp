@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic_code.hpp"
+#include "features/rewrite/old_ways.hpp"
 #include "features/rewrite/planned_row.hpp"
 #include "features/tree/feature.hpp"
 
@@ -43,7 +44,7 @@ struct NewRows {
 /// the direction and with the entries that the old ones had (features-contract §7). Rows that stay
 /// what they were keep their blocks.
 [[nodiscard]] tl::expected<NewRows, CannotCut> regenerated(const Recording& recording,
-                                                           const NewLayer& wanted);
+                                                           OldWays& ways, const NewLayer& wanted);
 
 /// The rows that belong to a layer from its approach to its retract: the last rapid across that
 /// comes before its first cut included.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "features/plan/edit_plan.hpp"
+#include "features/rewrite/old_ways.hpp"
 
 namespace kerf::features {
 
@@ -12,6 +13,7 @@ namespace kerf::features {
 struct EditScene {
   const Recording& recording;
   const Tree& tree;
+  OldWays& ways;
   bool allows_collision = false;
   bool allows_rest = false;  ///< material that the tool could reach may stay
   EditPlan plan{};

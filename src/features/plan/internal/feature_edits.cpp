@@ -99,14 +99,14 @@ class FeatureMaker {
     const auto given = wish_.centre_lines.find(layer);
     contour::Contour way;
     if (given != wish_.centre_lines.end()) way = moved(given->second, Vec2{} - flat(wish_.by));
-    auto anew =
-        regenerated(scene_.recording, {.feature = &its_,
-                                       .layer = layer,
-                                       .outer = contours.outer,
-                                       .islands = contours.islands,
-                                       .allows_rest = scene_.allows_rest,
-                                       .new_radius = radius,
-                                       .centre_line = way.vertices.empty() ? nullptr : &way});
+    auto anew = regenerated(scene_.recording, scene_.ways,
+                            {.feature = &its_,
+                             .layer = layer,
+                             .outer = contours.outer,
+                             .islands = contours.islands,
+                             .allows_rest = scene_.allows_rest,
+                             .new_radius = radius,
+                             .centre_line = way.vertices.empty() ? nullptr : &way});
     if (!anew) return scene_.refuse(anew.error().code, anew.error().sentence);
     if (anew->left)
       scene_.plan.warnings.push_back(scene_.refuse(anew->left->code, anew->left->sentence).value());

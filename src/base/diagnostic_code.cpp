@@ -16,8 +16,8 @@ constexpr std::string_view remedy_of(std::string_view text) {
 }
 
 // No std::array without a size: clang folds no more than 256 arguments to find it out.
+// NOLINTNEXTLINE(modernize-avoid-c-arrays)
 constexpr CodeText kCodes[] = {
-// NOLINT(modernize-avoid-c-arrays)
 #define CODE(name, number, message, text) \
   CodeText{#name, number, message, cause_of(text), remedy_of(text)},
 #include "base/diagnostic_codes.def"

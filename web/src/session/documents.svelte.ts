@@ -240,12 +240,26 @@ class Documents {
   /** What the machine has loaded, when the page comes to it. */
   async show_what_is_loaded(): Promise<void> {
     const { file } = panel.state;
-    if (!file || this.is_open(file)) return;
+    if (!file) return;
+    if (this.is_open(file)) return this.look_again();
     const { current } = this;
     // Whoever opens another program meanwhile wants to see that.
     if (!(await this.put_what_runs(file, () => this.current === current))) return;
     this.show(file);
     await this.offer_draft(file);
+  }
+
+  /** Somebody else may have given the machine another text of a program that is open here. What is edited here stays. */
+  async look_again(): Promise<void> {
+    const { file } = panel.state;
+    const found = this.is_open(file) ? await this.text_of(file) : null;
+    const known = this.named(file);
+    if (!found || !known || found.text === known.loaded || file !== panel.state.file) return;
+    const { text } = found;
+    const is_own = is_edited(known);
+    this.change(file, is_own ? { loaded: text } : { ...found, saved: text, loaded: text });
+    this.mark_loaded(file, text);
+    if (!is_own) this.revision++;
   }
 
   /** A file that the machine executes and that is not open yet. */

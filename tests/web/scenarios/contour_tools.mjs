@@ -62,7 +62,7 @@ export const contour_tools = [
       });
       await shot(panel, shots, 'features-before-after');
       await views(panel, 'Difference').click();
-      const added = editor(panel).locator('[data-part-picture="difference"] path.added');
+      const added = editor(panel).locator('[data-part-picture="difference"] path.added').first();
       assert.ok((await added.getAttribute('d')).length > 20);
       await shot(panel, shots, 'features-difference');
       await panel.page.evaluate(AXE);

@@ -1,6 +1,7 @@
 /** The part from above (of a lathe its half section) as the tree of its features tells it: what is cut, the deeper the darker. */
 import { type Feature, type FeaturesDocument, is_turned, type ToldVertex } from './document';
 import { type Element, elements_of, type Point } from './elements';
+import type { Extents } from './frame';
 import type { Preview, Regions } from './preview';
 import { path_of, path_of_told } from './svg_path';
 
@@ -32,10 +33,11 @@ export function faces_of(document: FeaturesDocument, edited: Edited, is_after: b
   const depth = depth_of(whole(Z));
   const faces = own
     .filter((feature) => !is_turned(feature))
-    .flatMap((feature) => [
-      ...layers_of(feature, depth),
-      ...(is_after && feature.id === edited.feature.id ? changes_of(edited, depth) : []),
-    ]);
+    .flatMap((feature) =>
+      is_after && feature.id === edited.feature.id
+        ? changed_layers(edited, depth)
+        : layers_of(feature, depth),
+    );
   const holes = document.holes
     .filter((hole) => hole.setup === setup)
     .map(({ at, diameter, z }) => ({ path: circle(at, diameter / 2), depth: depth(z[1]) }));
@@ -55,29 +57,45 @@ const layers_of = (feature: Feature, depth: Depth): Face[] =>
     depth: depth(z),
   }));
 
-/** More is cut from above downwards; what is no more cut is seen from the lowest layer upwards. */
-function changes_of({ feature, answer }: Edited, depth: Depth): Face[] {
-  const of_layer = (list: Regions[] | undefined, n: number): string =>
+/** Whose contour is what stays, not what is cut. */
+const STAYS = new Set(['outside-profile', 'inside-profile', 'boss', 'chamfer']);
+
+/** What is cut from above downwards, then what stays standing from below upwards: that is how it is seen. */
+function changed_layers({ feature, answer }: Edited, depth: Depth): Face[] {
+  const told = (list: readonly Regions[] | undefined, n: number): string =>
     path_of_told(
       (list ?? [])
         .filter((each) => each.feature === feature.id && each.layer === n)
         .flatMap(({ regions }) => regions),
       true,
     );
-  const added = feature.layers.map(({ n, z }) => ({
-    path: of_layer(answer?.added, n),
-    depth: depth(z),
-  }));
-  const left = feature.layers.map(({ n, top }) => ({
-    path: of_layer(answer?.removed, n),
-    depth: depth(top),
-  }));
-  return [...added, ...left.reverse()].filter(({ path }) => path !== '');
+  const own = (answer?.contours ?? []).filter((each) => each.feature === feature.id);
+  const is_cut = !STAYS.has(feature.type);
+  const cut: Face[] = [];
+  const stays: Face[] = [];
+  for (const layer of feature.layers) {
+    const { n, z, top } = layer;
+    const contours = is_cut ? own.filter((each) => each.layer === n) : [];
+    const path = contours.map(({ elements, closed }) => path_of(elements, closed)).join('');
+    const before = layers_of({ ...feature, layers: [layer] }, depth);
+    cut.push(...(path ? [{ path, depth: depth(z) }] : before));
+    if (!path) cut.push({ path: told(answer?.added, n), depth: depth(z) });
+    stays.unshift({ path: told(path ? answer?.rest : answer?.removed, n), depth: depth(top) });
+  }
+  return [...cut, ...stays].filter((face) => face.path !== '');
 }
 
 const box = ([x, x2]: Range, [y, y2]: Range): string => `M${x} ${y}H${x2}V${y2}H${x}Z`;
 const circle = ([x, y]: Point, r: number): string =>
   `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0Z`;
+
+/** How large the picture is: the stock, of a lathe its half. */
+export function extents_of_part({ stock }: FeaturesDocument, turned: boolean): Extents {
+  const [x, x2] = whole(stock.extents.X);
+  const [y, y2] = turned ? [0, 0] : whole(stock.extents.Y);
+  const [z, z2] = whole(stock.extents.Z);
+  return turned ? { low: [z, 0], high: [z2, x2 / 2] } : { low: [x, y], high: [x2, y2] };
+}
 
 /** The bar, and what is turned away between each contour and where its tool has come from. */
 function turned_faces(

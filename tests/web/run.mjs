@@ -157,7 +157,11 @@ async function holds(scenario) {
     base: server?.base ?? values.base,
     shots: values.shots,
     async open(options) {
-      const page = await PanelPage.open(browser, server?.base ?? values.base, options);
+      const slow_screen = !values.shots && !scenario.measures_frames;
+      const page = await PanelPage.open(browser, server?.base ?? values.base, {
+        slow_screen,
+        ...options,
+      });
       opened.push(page);
       return page;
     },

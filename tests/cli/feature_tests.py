@@ -1,19 +1,14 @@
 """kerf features: the tree of programs whose figures are known, as JSON and as text."""
 
 import json
+import sys
+from pathlib import Path
 from xml.etree import ElementTree
 
 from harness import contains, equal, near, refused, status, test
 
-FLATS = """[[tool]]
-number = 1
-type = "flat"
-diameter = 10
-[[tool]]
-number = 2
-type = "flat"
-diameter = 6
-"""
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "programs"))
+from feature_programs import FLATS, PART  # noqa: E402
 
 MACRO = """O1
 T1 M6
@@ -41,60 +36,6 @@ def probe_arguments(box):
     call = json.loads(box.kerf(*words, "--probe-arguments").text)["calls"][0]
     equal({one["letter"]: one["affects"] for one in call["arguments"]},
           {"X": ["position", "contour"], "Y": ["nothing"], "Z": ["depth"], "F": ["feed"], "W": ["nothing"]}, "reached")
-
-
-# Two layers of two loops, a profile with four arcs, a circle, two plunges.
-PART = """G21 G90 G17
-T1 M06
-G00 X0. Y0. Z5. S3000 M03
-G00 X20. Y20.
-G01 Z-2. F100
-G01 X40. F300
-Y28.
-X20.
-Y20.
-X15. Y15.
-X45.
-Y33.
-X15.
-Y15.
-G00 Z5.
-X20. Y20.
-G01 Z-4. F100
-X40. F300
-Y28.
-X20.
-Y20.
-X15. Y15.
-X45.
-Y33.
-X15.
-Y15.
-G00 Z5.
-X80. Y10.
-G01 Z-6. F100
-G01 X110. F250
-G03 X115. Y15. I0 J5.
-G01 Y35.
-G03 X110. Y40. I-5. J0
-G01 X80.
-G03 X75. Y35. I0 J-5.
-G01 Y15.
-G03 X80. Y10. I5. J0
-G00 Z5.
-X65. Y60.
-G01 Z-3. F100
-G02 X65. Y60. I-3. J0 F250
-G00 Z5.
-T2 M06
-G00 X10. Y50.
-G01 Z-12. F80
-G00 Z5.
-X30. Y50.
-G01 Z-12.
-G00 Z5.
-M30
-"""
 
 
 def tree_of(box, program, *words, tools=FLATS, wanted=0):

@@ -6,13 +6,16 @@ usage: run_examples.py --kerf PATH [--update] [NAME ...]
 An example is a folder examples/NN_name/ with these files; each kind may also come in variants, with
 an ending _VARIANT before the point:
 
-  command        one line, as typed in the root of the repository: ./kerf run examples/..., or
-                 ./kerf stock examples/...
-  expected.json  the stable part of the summary that --summary writes, of kerf stock of its --report
+  command        one line, as typed in the root of the repository: ./kerf run examples/..., ./kerf
+                 stock, ./kerf features or ./kerf edit. Only kerf features ends in "> FILE"
+  expected.json  the stable part of the summary that --summary writes, of kerf stock and kerf edit of
+                 the --report, of kerf features of what it tells with --format json
   picture.svg    what --plot wrote, where the command has it (or .png)
   part.png       likewise of --picture
   pattern.svg    likewise of --pattern-plot
-  printed.txt    what --dprnt wrote, where the command has it
+  printed.txt    what --dprnt wrote, where the command has it; of kerf features the tree, unless it
+                 goes to a picture
+  NAME.nc        what kerf edit wrote to --output NAME.nc; other commands may go on with it
   generate.py    writes the program of `command`, where a script made it
   README.md      quotes every command
 
@@ -30,7 +33,6 @@ Exit status: 0 all well, 1 an example fails, 2 wrong usage.
 
 import argparse
 import json
-import math
 import os
 import re
 import shlex
@@ -41,31 +43,18 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from stable_summary import differences, stable
+
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
 TIMES = ROOT / "docs/command-line.md"
 TIMES_HEAD = "| example | time s | without acceleration s | ratio |\n| --- | ---: | ---: | ---: |\n"
 
-STABLE = ("program", "status", "alarm", "blocks", "motions", "tools", "messages", "position",
-          "extents", "time_s", "time_feed_s", "dwell_s", "cut_mm", "rapid_mm", "variables")
-# Where a part was cut, and of the report of kerf stock.
-STABLE_OF_PART = ("findings", "counts", "not_checked")
-STABLE_OF_REPORT = ("program", "status", "alarm", "time_s", "stock", "model", "removed_mm3",
-                    "left_mm3", "extents", "pieces", "tools", "threads", "sheet", "compare",
-                    "against", *STABLE_OF_PART)
-STABLE_WITHIN = {
-    "alarm": ("code", "program", "line"),
-    "findings": ("severity", "code", "line", "tool", "at", "depth_mm", "count"),
-    "model": ("kind", "cell_mm"),
-    "pieces": ("volume_mm3", "held"),
-    "tools": ("tool", "type", "diameter", "source", "cut_mm", "removed_mm3"),
-}
-RELATIVE, ABSOLUTE = 1e-6, 1e-6  # the second one for values about 0
 SPOKEN_OF = (".nc", ".bas", ".tch", ".json", ".svg", ".png", ".txt", ".stl", ".toml")
 PICTURES = {"--plot": "picture", "--picture": "part", "--pattern-plot": "pattern"}
-SUMMARIES = {"run": "--summary", "stock": "--report"}
-PICTURE_BYTES = (4_000, 450_000)
-PICTURE_HEADS = {".svg": b"<?xml", ".png": b"\x89PNG\r\n\x1a\n"}
+SUMMARIES = {"run": "--summary", "stock": "--report", "edit": "--report", "features": ""}
+PICTURE_BYTES = {"run": (4_000, 450_000), "stock": (4_000, 450_000), "features": (1_000, 100_000)}
+PICTURE_HEADS = {".svg": (b"<?xml", b"<svg "), ".png": b"\x89PNG\r\n\x1a\n"}
 EXIT_STATUS = {"end": 0, "stopped": 0, "alarm": 1}
 SECONDS = 60
 
@@ -83,6 +72,7 @@ class Result:
     summary: dict
     pictures: dict = field(default_factory=dict)  # place in the example: file that was written
     printed: Path = None
+    edited: Path = None
 
 
 @dataclass
@@ -110,8 +100,16 @@ class Variant:
         return ROOT / self.words[2]
 
     @property
+    def edited(self) -> Path:
+        return self.folder / self.option("--output")
+
+    @property
     def summary(self) -> str:
         return self.option(SUMMARIES[self.words[1]])
+
+    @property
+    def tells_features(self) -> bool:
+        return self.words[1] == "features"
 
     def picture(self, kind: str, suffix: str) -> Path:
         return self.folder / f"{kind}{self.ending}{suffix}"
@@ -126,10 +124,10 @@ class Variant:
             raise Failed(f"{self.command.name}: must be one line")
         self.words = shlex.split(text)
         if self.words[0] != "./kerf" or self.words[1] not in SUMMARIES:
-            raise Failed(f"{self.command.name}: must begin with ./kerf run or ./kerf stock")
+            raise Failed(f"{self.command.name}: must begin with ./kerf run, stock, features or edit")
         if self.program.parent != self.folder or not self.program.is_file():
             raise Failed(f"{self.command.name}: {self.words[2]} is no program of this example")
-        if not self.summary:
+        if not self.tells_features and not self.summary:
             raise Failed(f"{self.command.name}: needs {SUMMARIES[self.words[1]]}")
         if text.strip() not in readme:
             raise Failed(f"README.md does not quote {self.command.name}")
@@ -144,8 +142,8 @@ def variants_of(folder: Path) -> list:
     found.sort(key=lambda variant: variant.ending)
     for variant in found:
         variant.read(readme.read_text())
-    if not found[0].option("--plot") and not found[0].option("--picture"):
-        raise Failed("command: needs --plot or --picture")
+    if not any(found[0].option(option) for option in ("--plot", "--picture", ">")):
+        raise Failed("command: needs a picture: --plot, --picture or >")
     return found
 
 
@@ -154,7 +152,7 @@ def check_no_orphans(folder: Path, variants: list) -> None:
     known = {variant.program.name for variant in variants}
     for variant in variants:
         known |= {Path(word).name for word in variant.words if (ROOT / word).parent == folder}
-        known |= {variant.expected.name, variant.printed.name}
+        known |= {variant.expected.name, variant.printed.name, variant.edited.name}
         known |= {variant.picture(kind, suffix).name
                   for kind in PICTURES.values() for suffix in PICTURE_HEADS}
     for path in sorted(folder.iterdir()):
@@ -172,10 +170,16 @@ def check_generator(folder: Path, variants: list) -> None:
         raise Failed(f"generate.py does not write {variants[0].program.name}")
 
 
+def call(variant: Variant, kerf: Path, place: Path, words: list) -> subprocess.CompletedProcess:
+    """Runs kerf in `place`, a copy of the repository that holds only the examples."""
+    return subprocess.run([str(kerf), *words], cwd=place, capture_output=True, text=True,
+                          timeout=SECONDS)
+
+
 def run(variant: Variant, kerf: Path, place: Path) -> Result:
-    """Runs a command in `place`, a copy of the repository that holds only the examples."""
-    done = subprocess.run([str(kerf), *variant.words[1:]], cwd=place, capture_output=True,
-                          text=True, timeout=SECONDS)
+    if variant.tells_features:
+        return run_features(variant, kerf, place)
+    done = call(variant, kerf, place, variant.words[1:])
     summary = place / variant.summary
     if not summary.is_file():
         raise Failed(f"{variant.command.name}: exit status {done.returncode} and no summary\n"
@@ -187,25 +191,35 @@ def run(variant: Variant, kerf: Path, place: Path) -> Result:
             result.pictures[variant.picture(kind, drawn.suffix)] = drawn
     if variant.option("--dprnt"):
         result.printed = place / variant.option("--dprnt")
+    if variant.option("--output"):
+        result.edited = place / variant.option("--output")
     return result
 
 
-def stable(summary: dict) -> dict:
-    """What must be as expected, of a summary or of a report of kerf stock."""
-    if "stock" in summary:
-        kept = {key: summary[key] for key in STABLE_OF_REPORT if key in summary}
+def run_features(variant: Variant, kerf: Path, place: Path) -> Result:
+    """What is told goes where the command says, and once more as JSON into the expectation."""
+    target = variant.option(">")
+    words = variant.words[1:-2] if target else variant.words[1:]
+    told = call(variant, kerf, place, words)
+    written = place / (target or "printed.txt")
+    written.write_text(told.stdout)
+    as_json = call(variant, kerf, place, [*without_format(words), "--format", "json"])
+    if told.returncode != as_json.returncode or not as_json.stdout:
+        raise Failed(f"{variant.command.name}: exit status {told.returncode}, "
+                     f"as JSON {as_json.returncode}\n" + told.stderr.rstrip())
+    result = Result(told.returncode, told.stderr, stable(json.loads(as_json.stdout)))
+    if target:
+        result.pictures[variant.picture("picture", written.suffix)] = written
     else:
-        kept = {key: summary.get(key) for key in STABLE}
-        kept |= {key: summary[key] for key in STABLE_OF_PART if key in summary}
-    return {key: stable_within(key, value) for key, value in kept.items()}
+        result.printed = written
+    return result
 
 
-def stable_within(key: str, value):
-    if isinstance(value, list):
-        return [stable_within(key, one) for one in value]
-    if key not in STABLE_WITHIN or not isinstance(value, dict):
-        return value
-    return {name: value.get(name) for name in STABLE_WITHIN[key]}
+def without_format(words: list) -> list:
+    if "--format" not in words:
+        return words
+    at = words.index("--format")
+    return words[:at] + words[at + 2:]
 
 
 def ending(summary: dict) -> str:
@@ -220,26 +234,6 @@ def wanted_exit_status(variant: Variant, summary: dict) -> int:
     severities = [finding["severity"] for finding in summary.get("findings") or []]
     fails = fails_on != "never" and (fails_on == "warning" and severities or "error" in severities)
     return 1 if fails else EXIT_STATUS.get(summary["status"])
-
-
-def differences(expected, actual, path: str = "") -> list:
-    """One line for each place where two JSON values differ."""
-    if isinstance(expected, dict) and isinstance(actual, dict):
-        return [line for key in [*expected, *(key for key in actual if key not in expected)]
-                for line in differences(expected.get(key, "nothing"), actual.get(key, "nothing"),
-                                        f"{path}.{key}" if path else key)]
-    if isinstance(expected, list) and isinstance(actual, list) and len(expected) == len(actual):
-        return [line for i, pair in enumerate(zip(expected, actual))
-                for line in differences(*pair, f"{path}[{i}]")]
-    if is_number(expected) and is_number(actual):
-        same = math.isclose(expected, actual, rel_tol=RELATIVE, abs_tol=ABSOLUTE)
-    else:
-        same = expected == actual
-    return [] if same else [f"{path}: expected {json.dumps(expected)}, got {json.dumps(actual)}"]
-
-
-def is_number(value) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def check_ending(variant: Variant, result: Result) -> None:
@@ -263,11 +257,13 @@ def check_outputs(variant: Variant, result: Result) -> None:
         data = drawn.read_bytes()
         if not data.startswith(PICTURE_HEADS[drawn.suffix]):
             raise Failed(f"{drawn.name}: is not {drawn.suffix}")
-        if not PICTURE_BYTES[0] <= len(data) <= PICTURE_BYTES[1]:
-            raise Failed(f"{drawn.name}: {len(data)} bytes, not within "
-                         f"{PICTURE_BYTES[0]} to {PICTURE_BYTES[1]}")
+        least, most = PICTURE_BYTES[variant.words[1]]
+        if not least <= len(data) <= most:
+            raise Failed(f"{drawn.name}: {len(data)} bytes, not within {least} to {most}")
     if result.printed is not None and not result.printed.is_file():
         raise Failed(f"{variant.command.name}: nothing was printed to {result.printed.name}")
+    if result.edited is not None and not result.edited.is_file():
+        raise Failed(f"{variant.command.name}: no program was written to {result.edited.name}")
 
 
 def compare(variant: Variant, result: Result) -> None:
@@ -279,6 +275,9 @@ def compare(variant: Variant, result: Result) -> None:
         if result.printed.read_text() != before:
             found.append(f"{variant.printed.name}: expected\n{before}got\n"
                          + result.printed.read_text().rstrip())
+    if result.edited is not None and (not variant.edited.is_file()
+                                      or variant.edited.read_bytes() != result.edited.read_bytes()):
+        found.append(f"{variant.edited.name} is not what was written; --update writes it")
     found += [f"{picture.name} is {state}; --update writes it"
               for picture, drawn in result.pictures.items()
               if (state := state_of_picture(picture, drawn))]
@@ -299,6 +298,8 @@ def update(variant: Variant, result: Result) -> None:
     replace(variant.expected, ("{\n" + ",\n".join(lines) + "\n}\n").encode())
     if result.printed is not None:
         replace(variant.printed, result.printed.read_bytes())
+    if result.edited is not None:
+        replace(variant.edited, result.edited.read_bytes())
     for picture, drawn in result.pictures.items():
         replace(picture, drawn.read_bytes())
 

@@ -3,47 +3,18 @@
 import json
 import math
 import subprocess
+import sys
 import time
+from pathlib import Path
 
 import harness  # noqa: F401
 from harness import *  # noqa: F403
 from stock_tests import LATHE, LATHE_SET_UP
 
-# A pocket of two layers and a hole.
-POCKET = """O1
-N20 T1 M06
-N30 G00 X0. Y0. Z5. S3000 M03
-N40 G00 X20. Y20.
-N50 G01 Z-2. F100
-N60 G01 X40. F300
-N70 Y28.
-N80 X20.
-N90 Y20.
-N100 X15. Y15.
-N110 X45.
-N120 Y33.
-N130 X15.
-N140 Y15.
-N150 G00 Z5.
-N160 X20. Y20.
-N170 G01 Z-4. F100
-N180 X40. F300
-N190 Y28.
-N200 X20.
-N210 Y20.
-N220 X15. Y15.
-N230 X45.
-N240 Y33.
-N250 X15.
-N260 Y15.
-N270 G00 Z5.
-N430 T2 M06
-N440 G00 X10. Y50.
-N450 G01 Z-12. F80
-N460 G00 Z5.
-N500 M30
-"""
-SET_UP = '[[tool]]\nnumber = 1\ntype = "flat"\ndiameter = 10\n[[tool]]\nnumber = 2\ntype = "flat"\ndiameter = 6\n'
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "programs"))
+from feature_programs import FLATS, POCKET  # noqa: E402
+
+SET_UP = FLATS
 CONTOUR = [[10, 10, 0], [50, 10, 0], [50, 38, 0], [10, 38, 0]]
 NARROWER = [[10, 10, 0], [40, 10, 0], [40, 38, 0], [10, 38, 0]]
 
@@ -353,6 +324,7 @@ def _(place):
     client.load(POCKET.replace("N430", "M98 P1234\nG01 X[1/0]\nN430"), "calls.nc")
     answer = client.do("insight")
     equal([(m["line"]) for m in answer["missing"]], [28], "calls")
-    says(answer["missing"][0]["program"], "1234")
+    equal(answer["missing"][0]["program"], "O1234", "whose program is missing")
+    says(answer["missing"][0]["message"], "there is no program O1234")
     equal([f["line"] for f in answer["not_understood"]], [29], "findings")
     equal(answer["status"], "alarm", "status")

@@ -6,7 +6,7 @@ export const PHONE = { width: 360, height: 800, touch: true };
 
 export const dock = (panel) => panel.page.locator('#dock-features');
 export const row = (panel, id) => dock(panel).locator(`[data-node="${id}"]`);
-export const editor = (panel) => panel.page.locator('dialog.contour');
+export const editor = (panel) => panel.page.locator('dialog.full');
 export const button = (where, name) => where.getByRole('button', { name, exact: true });
 /** Where an element is gripped: its middle, or its corner. */
 export const grip = (panel, id, part = 'element') =>
@@ -70,6 +70,22 @@ export async function drag(panel, from, [dx, dy], { lets_go = true } = {}) {
   await mouse.move(x + scale * dx, y - scale * dy, { steps: 3 });
   if (lets_go) await mouse.up();
 }
+
+/** What the plan says of what has been snapped to. */
+export const snapped_to = (panel) => editor(panel).locator('.plan .now');
+/** Of the colours of the picture of the part, in a place of the plan in mm. */
+export const shade_at = (panel, picture, [x, y]) =>
+  editor(panel)
+    .locator(`[data-part-picture="${picture}"]`)
+    .evaluate(
+      (group, [x, y]) => {
+        const point = new DOMPoint(x, y);
+        const paths = [...group.querySelectorAll('path')].reverse();
+        const seen = paths.find((path) => path.isPointInFill(point));
+        return seen?.getAttribute('fill') ?? 'gone';
+      },
+      [x, y],
+    );
 
 export const verified = (panel, where = editor(panel)) =>
   where.getByText('verified', { exact: true }).waitFor();

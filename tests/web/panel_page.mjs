@@ -39,8 +39,8 @@ export class PanelPage {
       touch = false,
       /** Nothing of the panel is known to this browser yet. */
       newcomer = false,
-      /** A screen that shows some ten pictures a second: where a scenario goes on for long, and not about them. */
-      slow_screen = false,
+      /** A screen that shows some ten pictures a second: wherever nobody counts them, or takes one to show it. */
+      slow_screen = true,
       /** The card that tells what a program is like when it opens. */
       insight = false,
     } = {},

@@ -27,6 +27,7 @@ import { starting } from './scenarios/starting.mjs';
 import { states } from './scenarios/states.mjs';
 import { drafts } from './scenarios/drafts.mjs';
 import { contours } from './scenarios/contours.mjs';
+import { contour_tools } from './scenarios/contour_tools.mjs';
 import { features } from './scenarios/features.mjs';
 import { files } from './scenarios/files.mjs';
 import { patterns } from './scenarios/patterns.mjs';
@@ -56,6 +57,7 @@ const ALL = [
   ...files,
   ...features,
   ...contours,
+  ...contour_tools,
   ...patterns,
   ...setup,
   ...[...part_scenarios, ...colours].map((scenario) => ({ ...scenario, needs_part: true })),
@@ -155,7 +157,11 @@ async function holds(scenario) {
     base: server?.base ?? values.base,
     shots: values.shots,
     async open(options) {
-      const page = await PanelPage.open(browser, server?.base ?? values.base, options);
+      const slow_screen = !values.shots && !scenario.measures_frames;
+      const page = await PanelPage.open(browser, server?.base ?? values.base, {
+        slow_screen,
+        ...options,
+      });
       opened.push(page);
       return page;
     },

@@ -41,8 +41,10 @@ export async function findings(panel, where, part = 'html') {
 /** As `findings`, of all places of a tour: there the light changes once, for a picture is drawn anew with it. */
 async function findings_of_tour(panel, tour) {
   const found = [];
-  const look_by = (rules, light) => async (where) =>
-    found.push(...(await violations(panel, `${where}${light}`, 'html', rules)));
+  const look_by =
+    (rules, light) =>
+    async (where, part = 'html') =>
+      found.push(...(await violations(panel, `${where}${light}`, part, rules)));
   await tour(panel, look_by(RULES, ''));
   const light = await other_light(panel.page);
   await tour(panel, look_by(RULES_OF_COLOURS, `, ${light}`));
@@ -71,13 +73,24 @@ async function other_light(page) {
   return colorScheme;
 }
 
-/** All tabs, dialogs and what opens beside its key. */
+/** Nothing glides any more: the colours between are nobody's. */
+const at_rest = (panel) =>
+  panel.until(() =>
+    document
+      .getAnimations()
+      .every(
+        (each) =>
+          each.playState !== 'running' || each.effect.getComputedTiming().endTime === Infinity,
+      ),
+  );
+
+/** `look` at the page as it is first, then at what is another one of it. All tabs, dialogs and what opens beside its key. */
 async function desk_tour(panel, look) {
   await look('page');
   for (const tab of TABS) {
     await panel.tab(tab);
-    await panel.page.waitForTimeout(300);
-    await look(tab);
+    await at_rest(panel);
+    await look(tab, '.dock');
   }
   for (const [name, key] of [
     ['keyboard', '?'],
@@ -87,13 +100,13 @@ async function desk_tour(panel, look) {
     await panel.page.locator('h1').click();
     await panel.page.keyboard.press(key);
     await panel.page.getByRole('dialog').waitFor();
-    await look(name);
+    await look(name, 'dialog');
     await panel.page.keyboard.press('Escape');
     await panel.page.getByRole('dialog').waitFor({ state: 'detached' });
   }
   await panel.page.getByRole('button', { name: 'Settings of the machine' }).click();
   await panel.page.getByRole('dialog').waitFor();
-  await look('settings');
+  await look('settings', 'dialog');
   await panel.page.keyboard.press('Escape');
   const openers = await panel.page.locator('.popover > .opener:visible').all();
   assert.ok(openers.length >= 4, 'machines, files, operator, what is shown');
@@ -114,8 +127,8 @@ async function phone_tour(panel, look) {
   }
   for (const tab of TABS) {
     await panel.tab(tab);
-    await panel.page.waitForTimeout(300);
-    await look(tab);
+    await at_rest(panel);
+    await look(tab, '.dock');
   }
   await pane('Program');
   await panel.open_library();

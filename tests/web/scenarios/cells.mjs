@@ -5,7 +5,7 @@ export const cells = [
   {
     name: 'every cell of every table is edited twice, and what is typed replaces what was there',
     async run({ open }) {
-      const panel = await open({ slow_screen: true });
+      const panel = await open();
       await panel.fresh();
       await panel.run_text('nothing.nc', 'O1\nM30\n'); // no path and no part to be made anew with each offset
       await panel.tab('Offsets');

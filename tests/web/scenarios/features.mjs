@@ -144,4 +144,34 @@ export const features = [
       assert.equal(await card.count(), 0);
     },
   },
+  {
+    name: 'features: a page that watches has the text of an edit that is applied elsewhere, and keeps what is edited in it',
+    async run({ open }) {
+      const panel = await open(DESK);
+      await open_features(panel, 'watched.nc', P1);
+      const watcher = await panel.another_page();
+      await watcher.tab('Features');
+      await line_with(watcher, 'N60 G01 X40. F300.').waitFor();
+      await edit_contour(panel, 'F1');
+      await grip(panel, 0).click();
+      await number(panel, 'Length').fill('42');
+      await number(panel, 'Length').press('Enter');
+      await apply(panel);
+      await panel.says('watched.nc is edited');
+      await line_with(watcher, 'N60 G01 X42. F300.').waitFor();
+      await row(watcher, 'F1').filter({ hasText: '42 × 28' }).waitFor();
+      assert.equal(await watcher.page.locator('.file.current .dirty').count(), 0);
+      // What somebody has typed there stays, and the machine's text is another one.
+      await watcher.go_to_line(2);
+      await watcher.page.keyboard.press('End');
+      await watcher.page.keyboard.type(' (MINE)');
+      await watcher.page.locator('.file.current .dirty').waitFor();
+      await button(dock(panel), 'Undo last edit').click();
+      await panel.says('watched.nc is as it was before');
+      await row(watcher, 'F1').filter({ hasText: '40 × 28' }).waitFor();
+      await line_with(watcher, '(MINE)').waitFor();
+      await line_with(watcher, 'N60 G01 X42. F300.').waitFor();
+      await watcher.page.close();
+    },
+  },
 ];

@@ -120,7 +120,7 @@ export const keys = Array.from({ length: SHARES }, (_, share) => ({
   name: `every key that the panel advertises acts on the machine, in the program and outside of it (${share + 1} of ${SHARES})`,
   limit_ms: 600_000,
   async run({ open }) {
-    const panel = await open({ slow_screen: true });
+    const panel = await open();
     await panel.fresh();
     await panel.upload('beside.nc', 'O201\nM30\n'); // the last tab that is open has no ×
     await panel.open_program('beside.nc');

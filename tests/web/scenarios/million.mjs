@@ -9,6 +9,7 @@ const ALL_OF_IT_MS = 150_000; // seconds on a quiet computer
 export const million = [
   {
     name: 'a million motions are seen at once and can be turned',
+    measures_frames: true,
     async run({ open, browser }) {
       const panel = await open();
       await panel.fresh();

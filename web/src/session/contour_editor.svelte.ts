@@ -13,6 +13,7 @@ import { type Edit, with_diameters } from '../logic/features/edits';
 import { by_id, type Element, elements_of, type Point } from '../logic/features/elements';
 import { applied, edits_of, type Gesture, nudge } from '../logic/features/gestures';
 import { type Preview, outlines_of } from '../logic/features/preview';
+import { type Mark } from '../logic/features/pulls';
 import { SNAP_KINDS, type SnapKind } from '../logic/features/snap';
 import {
   before_step,
@@ -35,6 +36,9 @@ import { t } from './words.svelte';
 /** How the other layers follow. */
 export type LayerRule = 'rebuild' | 'all' | 'only';
 
+export const PLAN_VIEWS = ['contour', 'part', 'difference'] as const;
+export type PlanViewName = (typeof PLAN_VIEWS)[number];
+
 interface Drag {
   edits: Edit[];
   outlines: Outline[];
@@ -55,6 +59,14 @@ class ContourEditor {
   form = $state<FormAction | null>(null);
   rule = $state<LayerRule>('rebuild');
   snaps = $state.raw<ReadonlySet<SnapKind>>(new Set(SNAP_KINDS));
+  /** What the last movement has snapped to. */
+  mark = $state.raw<Mark | null>(null);
+  /** The key has looked for that, and there is none. */
+  finds_nothing = $state(false);
+  /** What the plan shows: the contour, the part before and after, or what would differ. */
+  view = $state<PlanViewName>('contour');
+  /** Of the picture that is before, from 0 to 1. */
+  share_before = $state(0.5);
   /** Where the pointer is, or what is in the middle. */
   place = $state.raw<Point>([0, 0]);
 
@@ -63,6 +75,8 @@ class ContourEditor {
   outlines = $derived(this.drag?.outlines ?? outlines_of_steps(this.steps, this.original));
   outline = $derived(this.outline_of(this.outlines, this.selected?.island ?? null));
   elements = $derived<Element[]>(this.outline?.elements ?? []);
+  /** Of the outer contour, whatever is selected. */
+  elements_shown = $derived<Element[]>(this.outline_of(this.outlines, null)?.elements ?? []);
   is_changed = $derived(this.steps.done.length > 0);
   /** What the last step makes is not known yet: another one would have nothing to begin from. */
   waits = $derived(this.steps.done.at(-1)?.outlines === null);
@@ -76,6 +90,7 @@ class ContourEditor {
     if (!original[0]?.elements.length) return false;
     Object.assign(this, { feature, layer, original, steps: NO_STEPS, drag: null });
     Object.assign(this, { selected: null, other: null, form: null, rule: 'rebuild' });
+    Object.assign(this, { mark: null, finds_nothing: false, view: 'contour', share_before: 0.5 });
     feature_edit.forget();
     feature_edit.listens = (answer) => this.heard(answer);
     return true;
@@ -109,6 +124,7 @@ class ContourEditor {
     const is_same =
       selected?.element === this.selected?.element && selected?.island === this.selected?.island;
     if (this.selected && !is_same) this.other = this.selected;
+    if (!is_same || selected?.part !== this.selected?.part) this.forget_mark();
     this.selected = selected;
   }
 
@@ -122,13 +138,15 @@ class ContourEditor {
   }
 
   let_go(): void {
-    const { drag } = this;
+    const { drag, mark } = this;
     this.drag = null;
     if (drag) this.step(drag.edits, drag.outlines);
+    this.mark = mark;
   }
 
   call_off(): void {
     this.drag = null;
+    this.forget_mark();
     this.want();
   }
 
@@ -173,11 +191,13 @@ class ContourEditor {
 
   undo(): void {
     this.nudged = null;
+    this.forget_mark();
     this.steps = taken_back(this.steps);
     this.want();
   }
   redo(): void {
     this.nudged = null;
+    this.forget_mark();
     this.steps = done_again(this.steps);
     this.want();
   }
@@ -193,8 +213,14 @@ class ContourEditor {
     this.snaps = snaps;
   }
 
+  private forget_mark(): void {
+    this.mark = null;
+    this.finds_nothing = false;
+  }
+
   private step(edits: Edit[], outlines: Outline[] | null, merges = ''): void {
     if (merges === '') this.nudged = null;
+    this.forget_mark();
     const island = this.selected?.island ?? null;
     const of_island = edits[0].op === 'add-island' || island === null ? {} : { island };
     const own = edits.map((edit) => ({ ...edit, ...of_island }));
@@ -205,7 +231,8 @@ class ContourEditor {
   private before_outlines(merges: string): Outline[] {
     return before_step(this.steps, merges, this.original);
   }
-  private before(merges: string): Element[] {
+  /** The contour as it was before steps that belong together. */
+  before(merges: string): Element[] {
     const island = this.selected?.island ?? null;
     return this.outline_of(this.before_outlines(merges), island)?.elements ?? [];
   }

@@ -1,17 +1,24 @@
 /** What a hand does in the plan of a contour: it selects, drags, moves and enlarges the view, by mouse, pen or two fingers. */
-import { type Part, type Selected } from '../logic/features/dimensions';
+import { type Selected } from '../logic/features/dimensions';
 import {
   by_id,
   type Element,
   is_arc,
   length,
-  midpoint,
   type Point,
   radius,
 } from '../logic/features/elements';
 import { type Frame, in_plane, panned, pinched } from '../logic/features/frame';
-import { drag_of, type Gesture, radius_through } from '../logic/features/gestures';
-import { grid_of, on_grid, snapped, snapped_edge, type SnapScene } from '../logic/features/snap';
+import { edits_of } from '../logic/features/gestures';
+import {
+  type Grip,
+  held_by,
+  pulled,
+  pulls_of,
+  scene_of,
+  type Snapping,
+  without_grid,
+} from '../logic/features/pulls';
 import { contour_editor } from './contour_editor.svelte';
 
 const CLICK_PX = 4;
@@ -29,6 +36,8 @@ interface Press {
 
 class ContourHand {
   frame: Frame = { scale: 1, origin: [0, 0] };
+  /** Where a finger that holds something covers it, on the screen. */
+  finger = $state.raw<Point | null>(null);
   private pressed: Press | null = null;
   private readonly fingers = new Map<number, Point>();
   private long: ReturnType<typeof setTimeout> | null = null;
@@ -59,6 +68,7 @@ class ContourHand {
     if (target && !pans) contour_editor.select(target);
     const before = contour_editor.elements;
     this.pressed = { at, target, before, has_moved: false, pans };
+    if (event.pointerType === 'touch' && target) this.finger = at;
     if (event.pointerType !== 'mouse')
       this.long = setTimeout(() => this.long_press(at, open_menu), LONG_PRESS_MS);
   }
@@ -69,6 +79,7 @@ class ContourHand {
     const last = this.fingers.get(event.pointerId);
     if (this.fingers.size > 1) return this.pinch(event.pointerId, at, frame);
     if (last) this.fingers.set(event.pointerId, at);
+    if (this.finger) this.finger = at;
     const { pressed } = this;
     if (!pressed || !last) return null;
     const far = Math.hypot(at[0] - pressed.at[0], at[1] - pressed.at[1]);
@@ -85,6 +96,7 @@ class ContourHand {
     this.end_long_press();
     const { pressed } = this;
     this.pressed = null;
+    this.finger = null;
     if (!pressed) return;
     if (event.type === 'pointercancel') contour_editor.call_off();
     else if (contour_editor.drag) contour_editor.let_go();
@@ -93,6 +105,7 @@ class ContourHand {
 
   private pinch_begins(): void {
     this.pressed = null;
+    this.finger = null;
     if (contour_editor.drag) contour_editor.call_off();
   }
 
@@ -105,6 +118,7 @@ class ContourHand {
 
   private long_press(at: Point, open_menu: (at: Point) => void): void {
     this.pressed = null;
+    this.finger = null;
     contour_editor.place = in_plane(this.frame, at);
     open_menu(at);
   }
@@ -116,64 +130,47 @@ class ContourHand {
   private drag({ target, before, at }: Press, place: Point, frame: Frame): void {
     const element = target && by_id(before, target.element);
     if (!target || !element || contour_editor.waits) return;
-    const gesture = this.gesture(
-      element,
-      target.part,
-      place,
-      { before, from: in_plane(frame, at) },
-      frame,
-    );
-    if (gesture) contour_editor.pull(gesture);
+    const grip = { element, part: target.part, before };
+    const pull = pulled(grip, in_plane(frame, at), place, snapping(grip, frame));
+    if (!pull) return;
+    contour_editor.pull(pull.gesture);
+    contour_editor.mark = pull.mark;
   }
 
-  private gesture(
-    element: Element,
-    part: Part,
-    place: Point,
-    { before, from }: { before: Element[]; from: Point },
-    frame: Frame,
-  ): Gesture | null {
-    const { snaps } = contour_editor;
-    const scene = this.scene(element, before, part, frame);
-    const reach = REACH_PX / frame.scale;
-    const { id } = element;
-    if (part !== 'element') {
-      const { at } = snapped(place, scene, snaps, reach);
-      return { kind: 'corner', element: id, at_end: part === 'end', to: at };
-    }
-    if (!is_arc(element)) {
-      const { by } = snapped_edge(element, drag_of(element, from, place), scene, snaps, reach);
-      return { kind: 'edge', element: id, by };
-    }
-    const r = this.radius_at(element, before, place);
-    if (r === null) return null;
-    return { kind: 'arc', element: id, radius: snaps.has('grid') ? on_grid(r, scene.grid_mm) : r };
+  /** Without a hand: what is selected goes to what is nearest, and with the same key again to what comes next. */
+  snap_next(): void {
+    const { selected } = contour_editor;
+    if (!selected || contour_editor.waits) return;
+    const merges = `snap ${selected.island} ${selected.element} ${selected.part}`;
+    const is_again = contour_editor.steps.done.at(-1)?.merges === merges;
+    this.turn = is_again ? this.turn + 1 : 0;
+    const before = contour_editor.before(merges);
+    const element = by_id(before, selected.element);
+    if (!element) return;
+    const grip = { element, part: selected.part, before };
+    const own = snapping(grip, this.frame);
+    const pulls = pulls_of(grip, { ...own, kinds: without_grid(own.kinds) });
+    const pull = pulls[this.turn % Math.max(1, pulls.length)];
+    if (!pull) return void (contour_editor.finds_nothing = true);
+    contour_editor.perform(edits_of(before, pull.gesture), merges);
+    contour_editor.mark = pull.mark;
   }
+  private turn = 0;
 
-  /** A circle of two halves follows the pointer from its middle. */
-  private radius_at(element: Element, before: Element[], place: Point): number | null {
-    const is_round = before.length === 2 && before.every((e) => Math.abs(e.bulge) === 1);
-    if (!is_round) return radius_through(element, place);
-    const [a, b] = before.map(midpoint);
-    return Math.hypot(place[0] - (a[0] + b[0]) / 2, place[1] - (a[1] + b[1]) / 2);
+  /** What holds where the keys have moved it to. */
+  look_at_place(): void {
+    const { selected, elements } = contour_editor;
+    const element = selected && by_id(elements, selected.element);
+    if (!element) return;
+    const grip = { element, part: selected.part, before: elements };
+    contour_editor.mark = held_by(grip, snapping(grip, this.frame));
   }
+}
 
-  private scene(element: Element, before: Element[], part: Part, frame: Frame): SnapScene {
-    const moving = part === 'end' ? element.to : element.from;
-    const meets = ({ from, to }: Element): boolean =>
-      [from, to].some(([x, y]) => x === moving[0] && y === moving[1]);
-    const still = before.filter((each) => each.id !== element.id && !meets(each));
-    const anchors = before
-      .filter(meets)
-      .map(({ from, to }) => (from[0] === moving[0] && from[1] === moving[1] ? to : from));
-    const { original } = contour_editor;
-    return {
-      still,
-      original: original.flatMap(({ elements }) => elements),
-      anchors,
-      grid_mm: grid_of(1 / frame.scale),
-    };
-  }
+function snapping(grip: Grip, { scale }: Frame): Snapping {
+  const original = contour_editor.original.flatMap(({ elements }) => elements);
+  const scene = scene_of(grip, original, 1 / scale);
+  return { scene, kinds: contour_editor.snaps, reach: REACH_PX / scale };
 }
 
 export const contour_hand = new ContourHand();

@@ -2,6 +2,7 @@
 import { ACTION_KEYS } from '../logic/features/actions';
 import type { Point } from '../logic/features/elements';
 import { contour_editor } from './contour_editor.svelte';
+import { contour_hand } from './contour_hand.svelte';
 
 const ARROWS: Record<string, Point> = {
   ArrowLeft: [-1, 0],
@@ -9,6 +10,8 @@ const ARROWS: Record<string, Point> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
+
+const SNAP_KEY = 's';
 
 const step_of = ({ shiftKey, altKey }: KeyboardEvent): number =>
   shiftKey ? 1 : altKey ? 0.01 : 0.1;
@@ -20,6 +23,11 @@ export function contour_key(event: KeyboardEvent): boolean {
   if (way) {
     const by = step_of(event);
     contour_editor.nudge([by * way[0], by * way[1]]);
+    contour_hand.look_at_place();
+    return true;
+  }
+  if (event.key.toLowerCase() === SNAP_KEY && !event.altKey) {
+    contour_hand.snap_next();
     return true;
   }
   const action = ACTION_KEYS[event.key] ?? ACTION_KEYS[event.key.toLowerCase()];

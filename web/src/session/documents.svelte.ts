@@ -2,7 +2,6 @@
 import { moved } from '../logic/breakpoints';
 import { is_listing } from '../logic/dialects';
 import { DatabaseDrafts, DraftKeeper, type Draft } from '../logic/drafts';
-import { line_end_name, line_ends_of } from '../logic/line_ends';
 import { type LineMap, line_map } from '../logic/line_map';
 import { text_fits } from '../logic/message_size';
 import { MDI_ENTRY, type Breakpoint, type ProgramEntry } from '../logic/protocol';
@@ -16,12 +15,12 @@ import {
   read,
   REPLACEMENT,
 } from '../logic/text_bytes';
+import { ask_before_closing, refuse_character, tell_reading } from './document_words';
 import { languages } from './languages.svelte';
 import { get_bytes, get_text, put_file } from './library_files';
 import { notices } from './notices.svelte';
 import { put_listing } from './pattern_files';
 import { panel } from './panel.svelte';
-import { question } from './question.svelte';
 import { upload } from './uploads';
 import { t } from './words.svelte';
 
@@ -240,12 +239,26 @@ class Documents {
   /** What the machine has loaded, when the page comes to it. */
   async show_what_is_loaded(): Promise<void> {
     const { file } = panel.state;
-    if (!file || this.is_open(file)) return;
+    if (!file) return;
+    if (this.is_open(file)) return this.look_again();
     const { current } = this;
     // Whoever opens another program meanwhile wants to see that.
     if (!(await this.put_what_runs(file, () => this.current === current))) return;
     this.show(file);
     await this.offer_draft(file);
+  }
+
+  /** Somebody else may have given the machine another text of a program that is open here. What is edited here stays. */
+  async look_again(): Promise<void> {
+    const { file } = panel.state;
+    const found = this.is_open(file) ? await this.text_of(file) : null;
+    const known = this.named(file);
+    if (!found || !known || found.text === known.loaded || file !== panel.state.file) return;
+    const { text } = found;
+    const is_own = is_edited(known);
+    this.change(file, is_own ? { loaded: text } : { ...found, saved: text, loaded: text });
+    this.mark_loaded(file, text);
+    if (!is_own) this.revision++;
   }
 
   /** A file that the machine executes and that is not open yet. */
@@ -412,30 +425,6 @@ class Documents {
   private change(name: string, change: Partial<TextDocument>): void {
     this.open = this.open.map((d) => (d.name === name ? { ...d, ...change } : d));
   }
-}
-
-/** Null: it stays open. */
-const ask_before_closing = (name: string): Promise<string | null> =>
-  question.ask(t('program.close-edited', { name }), t('program.close-why'), [
-    { answer: 'discard', label: t('program.discard'), tone: 'danger' },
-    { answer: 'save', label: t('program.save'), tone: 'main' },
-  ]);
-
-/** False: nothing is written. */
-function refuse_character(character: string, encoding: Encoding): false {
-  const name = ENCODING_NAMES[encoding];
-  notices.say(t('notice.not-in', { character, encoding: name }), 'refused');
-  return false;
-}
-
-/** What saving would change in a file beside what is edited. */
-function tell_reading(name: string, { text, read_as }: Decoded): void {
-  const { end, is_mixed } = line_ends_of(text);
-  const encoding = ENCODING_NAMES[read_as];
-  if (!is_kept(read_as)) notices.say(t('notice.read-as-wide', { name, encoding }), 'refused');
-  else if (read_as !== 'utf-8') notices.say(t('notice.read-as', { name, encoding }), 'refused');
-  else if (text.includes(REPLACEMENT)) notices.say(t('notice.damaged', { name }), 'refused');
-  if (is_mixed) notices.say(t('notice.mixed-ends', { name, end: line_end_name(end) }), 'refused');
 }
 
 export const documents = new Documents();

@@ -115,6 +115,7 @@ export interface FeaturesDocument {
   file: string;
   status: string;
   alarm: unknown;
+  stock: { extents: Record<string, [number, number] | undefined> };
   setups: { id: string; zero: string; origin: Record<string, number> }[];
   operations: Operation[];
   features: Feature[];

@@ -4,6 +4,7 @@
  */
 import type { ToldVertex } from './document';
 import type { Edit } from './edits';
+import type { Follower } from './snap_relations';
 import {
   bulge_through,
   by_id,
@@ -129,6 +130,18 @@ const moved_arc = (arc: Element, way: Point, by: number): Edit => ({
   element: arc.id,
   center: rounded_point(plus(centre(arc), way, by)),
 });
+
+/** The lines beside an edge that become longer or shorter when it moves; fillets between them have no length of their own. */
+export function followers_of(elements: readonly Element[], edge: Element): Follower[] {
+  const normal = left_of(unit(minus(edge.to, edge.from)));
+  return [false, true].flatMap((at_end) => {
+    const other = neighbour(elements, edge, at_end);
+    if (!other || is_arc(other)) return [];
+    const { way } = beside(elements, edge, at_end, normal);
+    const [anchor, end] = at_end ? [other.to, other.from] : [other.from, other.to];
+    return [{ id: other.id, anchor, end, way }];
+  });
+}
 
 /** How an end of an edge moves when the edge moves by 1: along the line beside it, or along the one behind a fillet. */
 function beside(

@@ -24,7 +24,8 @@ export interface Insight {
   /** How many of each type; null: not recognised yet. */
   features: Record<string, number> | null;
   travel: AxisTravel[];
-  missing: { program: string; line: number }[];
+  /** `program` is null where the call names none. */
+  missing: { program: string | null; message: string; line: number }[];
   not_understood: { line: number; code: string; message: string }[];
   unrecognised: { lines: Lines }[] | null;
 }

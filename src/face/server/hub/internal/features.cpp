@@ -51,6 +51,13 @@ std::string features_members(job::EditScene& scene, Method method, std::uint32_t
   return "\"features\":" + text + more;
 }
 
+/// Which one a call did not find, as the control's sentence names it; null: the call names none.
+Json missing_program(const std::string& message) {
+  constexpr std::string_view kNames = "there is no program ";
+  const std::size_t at = message.find(kNames);
+  return at == std::string::npos ? Json(nullptr) : Json(message.substr(at + kNames.size()));
+}
+
 /// Calls of programs that nobody has, and all else that the preview run has found.
 std::string findings_members(const Json& findings) {
   const std::string_view missing_code = base::text_of(base::Code::program_not_found).number;
@@ -58,7 +65,9 @@ std::string findings_members(const Json& findings) {
   Json others = Json::array();
   for (const Json& each : findings) {
     if (each["code"] == missing_code)
-      missing.push_back({{"program", each["message"]}, {"line", each["line"]}});
+      missing.push_back({{"program", missing_program(each["message"])},
+                         {"message", each["message"]},
+                         {"line", each["line"]}});
     else
       others.push_back({{"line", each["line"]},
                         {"column", each["column"]},

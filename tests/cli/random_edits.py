@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random pockets of loops, cut in layers, and random edits of them. What is written must have been verified, must
+"""Random pockets of loops, lines or spirals, cut in layers, and random edits of them. What is written must have been verified, must
 cut what the swept area of its own motions says, and must come back to the byte; what is refused writes nothing.
 
 usage: random_edits.py --kerf PATH [--programs N] [--seed S] [--keep FOLDER]
@@ -11,6 +11,7 @@ passed.
 
 import argparse
 import json
+import math
 import random
 import subprocess
 import sys
@@ -69,7 +70,118 @@ class Pocket:
             at = to
 
 
+class LinedPocket(Pocket):
+    """A rectangle, cleared in parallel lines at any angle, one way or there and back, with a round along its
+    walls or without one."""
+
+    def __init__(self, chance):
+        super().__init__(chance)
+        self.is_one_way = chance.random() < 0.4
+        self.has_round = chance.random() < 0.7
+        self.angle = math.radians(chance.choice([0, 90, 30, 45, 17.5]) if self.has_round else chance.choice([0, 90]))
+        self.step = chance.choice([3, 4, 4.7, 6])
+
+    def line(self, across):
+        """The ends of a line through where the centre of the tool may be, forwards."""
+        along = (math.cos(self.angle), math.sin(self.angle))
+        low, high = -1e9, 1e9
+        foot = (-across * along[1], across * along[0])
+        for axis, (least, most) in enumerate(self.room()):
+            if abs(along[axis]) < 1e-9:
+                continue
+            ends = sorted((edge - foot[axis]) / along[axis] for edge in (least, most))
+            low, high = max(low, ends[0]), min(high, ends[1])
+        return [tuple(foot[i] + t * along[i] for i in (0, 1)) for t in (low, high)]
+
+    def room(self):
+        return ((self.x + RADIUS, self.x + self.width - RADIUS), (self.y + RADIUS, self.y + self.height - RADIUS))
+
+    def lines(self):
+        (left, right), (low, high) = self.room()
+        across = [y * math.cos(self.angle) - x * math.sin(self.angle) for x in (left, right) for y in (low, high)]
+        tip = 0 if self.has_round is False or self.angle in (0, math.radians(90)) else 1.5
+        first, last = min(across) + tip, max(across) - tip
+        count = math.ceil((last - first) / self.step - 1e-9)
+        return [self.line(min(first + i * self.step, last)) for i in range(count + 1)]
+
+    def text(self):
+        lines = ["O1", "T1M6", "S3000M3", "G90G54G0X0.Y0.", "G43H1Z5."]
+        for layer in range(self.layers):
+            down = f"G1Z{number(-2 * layer - 2)}F100."
+            for place, (start, end) in enumerate(self.lines()):
+                if place % 2 and not self.is_one_way:
+                    start, end = end, start
+                if place and not self.is_one_way:
+                    lines.append(self.point(start))
+                else:
+                    lines += (["G0Z5."] if place else []) + ["G0" + self.point(start), down]
+                lines.append("G1" + self.point(end) + "F300.")
+            if self.has_round:
+                corners = self.loop(RADIUS)
+                lines += ["G0Z5.", "G0" + self.point(corners[0]), down] if self.is_one_way else [self.point(corners[0])]
+                lines += self.sides(corners)
+            lines.append("G0Z5.")
+        return "\n".join(lines + ["M30"]) + "\n"
+
+    @staticmethod
+    def point(point):
+        return "X{}Y{}".format(*(number(round(value, 3) + 0.0) for value in point))
+
+
+class SpiralPocket(Pocket):
+    """A round pocket, cleared by half circles from the middle or towards it, with a round along the wall."""
+
+    def __init__(self, chance):
+        super().__init__(chance)
+        self.radius = chance.randint(24, 40)
+        self.growth = chance.choice([1.5, 2, 2.3])
+        self.turn = chance.choice([2, 3])
+        self.is_inwards = chance.random() < 0.4
+
+    def text(self):
+        lines = ["O1", "T1M6", "S3000M3", "G90G54G0X0.Y0.", "G43H1Z5."]
+        wall = self.radius - RADIUS
+        offs = [2 + self.growth * i for i in range(100) if 2 + self.growth * i < wall - 0.01] + [wall]
+        places = [self.x + off * (-1) ** i for i, off in enumerate(offs)]
+        if self.is_inwards:
+            places.reverse()
+        edge = places[0] if self.is_inwards else places[-1]
+        around = f"G{self.turn}X{number(edge)}Y{number(self.y)}I{number(self.x - edge)}J0."
+        for layer in range(self.layers):
+            lines += [f"G0X{number(places[0])}Y{number(self.y)}", f"G1Z{number(-2 * layer - 2)}F100."]
+            turns = [f"G{self.turn}X{number(to)}Y{number(self.y)}I{number((to - at) / 2)}J0."
+                     for at, to in zip(places, places[1:])]
+            turns = [around, *turns] if self.is_inwards else [*turns, around]
+            lines += [turns[0] + "F300.", *turns[1:], "G0Z5."]
+        return "\n".join(lines + ["M30"]) + "\n"
+
+
+def random_round_edit(chance, pocket):
+    x, y, radius = pocket.x + chance.randint(-4, 4), pocket.y, chance.randint(19, 50)
+    return chance.choice([
+        {"op": "replace", "layer": chance.randint(1, pocket.layers), "contour": [[x - radius, y, 1], [x + radius, y, 1]]},
+        {"op": "replace", "contour": [[x - radius, y, 1], [x + radius, y, 1]]},
+        {"op": "scale", "factor": chance.choice([0.8, 1.1, 1.37])},
+        {"op": "move", "dx": chance.randint(-9, 9), "dy": chance.randint(-9, 9)},
+        {"op": "depth", "z": -chance.randint(1, 2 * pocket.layers + 5)},
+        {"op": "feed", "cut": chance.randint(100, 900), "entry": chance.randint(20, 90)},
+    ])
+
+
+def random_pocket(chance):
+    return chance.choice([Pocket, Pocket, LinedPocket, LinedPocket, SpiralPocket])(chance)
+
+
+def may_be_refused(pocket):
+    """Where the tool does not fit; of turns and of lines without a round also what they cannot clear."""
+    if isinstance(pocket, SpiralPocket) or (isinstance(pocket, LinedPocket) and not pocket.has_round):
+        return (*MAY_BE_REFUSED, "EDIT_LEAVES_REST", "EDIT_NOT_EDITABLE")
+    return MAY_BE_REFUSED
+
+
 def random_edit(chance, pocket):
+    if isinstance(pocket, SpiralPocket):
+        return random_round_edit(chance, pocket)
     x, y, width, height = pocket.x, pocket.y, pocket.width, pocket.height
     layer = chance.randint(1, pocket.layers)
     right, top = x + chance.randint(14, 80), y + chance.randint(14, 80)
@@ -115,13 +227,13 @@ def cut_of(options, folder, name):
     return layers, [operation["feeds"] for operation in tree["operations"]]
 
 
-def difference_of_two_runs(options, folder, edits):
+def difference_of_two_runs(options, folder, edits, refusals):
     """What two edits one after the other make otherwise than both in one file; None: nothing."""
     at = "part.nc"
     for place, edit in enumerate(edits):
         (folder / "one.json").write_text(json.dumps({"version": 1, "edits": [edit]}))
         made = kerf(options, folder, at, "--edits", "one.json", "--output", f"step{place}.nc", "--tools", "tools.toml")
-        if made.returncode == 1 and any(code in made.stderr for code in MAY_BE_REFUSED):
+        if made.returncode == 1 and any(code in made.stderr for code in refusals):
             return None
         if made.returncode != 0:
             return f"edit {place} alone: exit status {made.returncode}: {made.stderr[:200]}"
@@ -138,14 +250,15 @@ def kerf(options, folder, *words):
 def fault_of(options, folder, seed):
     """What is wrong with one edit; None: nothing."""
     chance = random.Random(seed)
-    pocket = Pocket(chance)
+    pocket = random_pocket(chance)
+    refusals = may_be_refused(pocket)
     text = pocket.text()
     edits = [edit | {"feature": "F1"} for edit in random_edits(chance, pocket)]
     (folder / "part.nc").write_text(text)
     (folder / "tools.toml").write_text(TOOLS)
     (folder / "edits.json").write_text(json.dumps({"version": 1, "edits": edits}))
     made = kerf(options, folder, "part.nc", "--edits", "edits.json", "--output", "new.nc", "--report", "report.json", "--tools", "tools.toml")
-    if made.returncode == 1 and any(code in made.stderr for code in MAY_BE_REFUSED):
+    if made.returncode == 1 and any(code in made.stderr for code in refusals):
         return "it has written a file" if (folder / "new.nc").exists() else None
     if made.returncode != 0:
         return f"exit status {made.returncode}: {made.stderr[:200]}"
@@ -155,7 +268,7 @@ def fault_of(options, folder, seed):
     undone = kerf(options, folder, "new.nc", "--undo", "report.json", "--output", "old.nc")
     if undone.returncode != 0 or (folder / "old.nc").read_text() != text:
         return f"not taken back: {undone.stderr[:200]}"
-    return difference_of_two_runs(options, folder, edits) if len(edits) > 1 else None
+    return difference_of_two_runs(options, folder, edits, refusals) if len(edits) > 1 else None
 
 
 def main():

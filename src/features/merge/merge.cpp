@@ -8,7 +8,9 @@
 
 #include "features/merge/follow_block.hpp"
 #include "features/merge/new_block.hpp"
+#include "features/merge/still_block.hpp"
 #include "features/merge/writing_out.hpp"
+#include "features/path/tolerance.hpp"
 
 namespace kerf::features {
 namespace {
@@ -17,6 +19,7 @@ using base::Code;
 
 constexpr std::size_t kMostLooks = 4000;  // blocks that tell how a program is written
 constexpr std::uint32_t kMostBack = 100'000;
+constexpr double kNoWay_mm = 1e-6;
 
 class Merger {
  public:
@@ -102,6 +105,7 @@ class Merger {
       rows.rows.push_back(as_it_is(s_.recording, row));
       ++row;
     }
+    stay_still(s_, rows.old.first);
     carry(rows);
     follow_block(s_, rows, old_);
     old_ = behind(rows.old, old_);
@@ -148,9 +152,10 @@ class Merger {
                         const std::map<std::uint32_t, Inherited>& before) {
     const PlannedRow& row = stretch.becomes[i];
     if (!row.was) {
-      insert_block(s_, row);
+      come_in(row, i + 1 < stretch.becomes.size() ? stretch.becomes[i + 1].was : std::nullopt);
       return i + 1;
     }
+    go_above(stretch, i);
     const std::uint32_t block = s_.recording.moves[*row.was].block;
     BlockRows rows{.block = block, .old = s_.recording.of_one_block(*row.was)};
     for (; i < stretch.becomes.size() && stretch.becomes[i].was &&
@@ -158,9 +163,51 @@ class Merger {
          ++i) {
       rows.rows.push_back(stretch.becomes[i]);
     }
+    if (rows.rows.front().changes_place) {
+      remove_stills(rows.old.first);
+    } else {
+      stay_still(s_, rows.old.first);
+    }
     const bool is_changed = follow_block(s_, rows, before.at(block));
     (is_changed ? s_.merged.patched : s_.merged.kept) += 1;
     return i;
+  }
+
+  // A block that stood still goes there, if there is one; what goes nowhere needs none.
+  void come_in(const PlannedRow& row, std::optional<std::uint32_t> next) {
+    if (!row.arc && geometry::length(row.to - s_.at) < kNoWay_mm) return;
+    const bool is_rapid = row.kind == Move::Kind::rapid && next.has_value();
+    if (!is_rapid || !can_go(s_, *next, row)) return insert_block(s_, row);
+    const Vec3 by = s_.programmed(s_.recording.state_of(s_.recording.moves[*next]), row.to - s_.at);
+    for (std::size_t axis = 0; axis < kMergedAxes.size(); ++axis) {
+      if (s_.now.axes[axis]) *s_.now.axes[axis] += axis_of(by, axis);
+    }
+    s_.at = row.to;
+  }
+
+  // What goes straight down or up does so where it shall, though the row that brought it there is
+  // not the one before it any more.
+  void go_above(const Stretch& stretch, std::size_t i) {
+    const PlannedRow& row = stretch.becomes[i];
+    const bool follows =
+        i > 0 && stretch.becomes[i - 1].was && *stretch.becomes[i - 1].was + 1 == *row.was;
+    const bool is_cycle = s_.recording.state_of(s_.recording.moves[*row.was]).cycle != 0;
+    if (follows || is_cycle || s_.recording.turns || !is_upright(s_.recording, *row.was)) return;
+    const Vec2 off = Vec2{row.to.x, row.to.y} - Vec2{s_.at.x, s_.at.y};
+    const bool is_up = row.to.z > s_.at.z + kSameZ_mm;
+    if (is_up || geometry::length(off) <= kSamePoint_mm) return;
+    come_in({.to = {row.to.x, row.to.y, s_.at.z}, .kind = Move::Kind::rapid, .like = *row.was},
+            row.was);
+  }
+
+  void remove_stills(std::uint32_t row) {
+    for (const StillBlock& still : still_before(s_, row)) {
+      const BlockWord* const label = find(still.words, 'N');
+      base::BlockId its = s_.id(s_.recording.moves[row].block);
+      its.sequence = label != nullptr ? static_cast<std::uint32_t>(label->number().value_or(0)) : 0;
+      if (s_.sources.is_named && s_.sources.is_named(its)) return cannot_go(its.line);
+      s_.put(s_.recording.moves[row].block, still.line, "");
+    }
   }
 
   // What holds behind a block as the program was.
@@ -205,18 +252,21 @@ class Merger {
       const std::uint32_t block = s_.recording.moves[row].block;
       if (last == block || std::binary_search(kept.begin(), kept.end(), block)) continue;
       last = block;
+      remove_stills(row);
       remove(block);
     }
+  }
+
+  void cannot_go(std::uint32_t line) {
+    s_.refuse(Code::edit_not_editable,
+              "LINE " + std::to_string(line) +
+                  " CANNOT GO: IT ALSO SETS SOMETHING UP, OR A JUMP NAMES IT");
   }
 
   void remove(std::uint32_t block) {
     const bool stays = (s_.sources.sets_up && s_.sources.sets_up(s_.id(block))) ||
                        (s_.sources.is_named && s_.sources.is_named(s_.id(block)));
-    if (stays) {
-      return s_.refuse(Code::edit_not_editable,
-                       "LINE " + std::to_string(s_.id(block).line) +
-                           " CANNOT GO: IT ALSO SETS SOMETHING UP, OR A JUMP NAMES IT");
-    }
+    if (stays) return cannot_go(s_.id(block).line);
     ++s_.merged.removed;
     s_.put(block, s_.line_of(block), "");
   }

@@ -91,14 +91,19 @@ class LayerBook {
 Region reached_in(const Region& region, double diameter) {
   return opened(region, diameter / 2 - kSamePoint_mm);
 }
+/// Likewise of a layer, without what its passes leave.
+Region reached_in(const WantedLayer& wanted, double diameter) {
+  const Region asked = region_between(wanted.contours.outer, wanted.contours.islands);
+  const Region reached = reached_in(asked, diameter);
+  return wanted.stays.is_empty() ? reached : contour::subtract(reached, wanted.stays);
+}
 
 Sought sought_of(const Recording& recording, const Tree& tree, const WantedLayer& wanted) {
   const Feature& feature = tree.features[wanted.feature];
   const std::uint32_t tool = wanted.tool.value_or(feature.tool);
   Sought sought{wanted.z, tool, feature.setup, &wanted.contours.outer, &wanted.contours.islands};
   if (!bounds_what_stands(feature)) {
-    sought.reached = reached_in(region_between(wanted.contours.outer, wanted.contours.islands),
-                                recording.diameter_of(tool));
+    sought.reached = reached_in(wanted, recording.diameter_of(tool));
   }
   return sought;
 }
@@ -147,7 +152,7 @@ double outside_of(const Layer& before, const Layer& after, const WantedLayer& wa
         contour::offset(contour::symmetric_difference(old_wall, asked), kRing * diameter);
     return (area_beyond(more, allowed) + area_beyond(less, allowed)) * height;
   }
-  const Region reached = reached_in(asked, diameter);
+  const Region reached = reached_in(wanted, diameter);
   const Region missed = contour::offset(
       contour::intersect(less, contour::offset(reached, -kSameContour_mm)), -kSameContour_mm);
   return (area_beyond(more, reached) + contour::area(missed)) * height;

@@ -22,6 +22,7 @@ struct WantedLayer {
   LayerContours contours{};
   double z = 0;
   std::optional<std::uint32_t> tool{};  ///< another one than before
+  contour::Region stays{};              ///< of what the tool could reach, between ends of passes
 };
 
 /// An operation that another tool shall cut: T, H and D of its opening become another number.

@@ -196,7 +196,12 @@ Pairs pairs_of(const Wholes& olds, const Wholes& news) {
 
 }  // namespace
 
+// What came straight down comes straight down where it shall: nothing has to bring the tool there
+// before, or a block that no row tells of.
 void align(const Recording& recording, Span old, Vec3 begin, std::vector<PlannedRow>& rows) {
+  const bool is_down =
+      !rows.empty() && rows.front().was && is_upright(recording, *rows.front().was);
+  if (is_down) begin = {rows.front().to.x, rows.front().to.y, begin.z};
   for (PlannedRow& row : rows) row.was.reset();
   for (const auto& [a, b] : pairs_of(olds_of(recording, old), news_of(begin, rows)))
     rows[b].was = old.first + static_cast<std::uint32_t>(a);

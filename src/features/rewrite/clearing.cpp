@@ -219,6 +219,16 @@ LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& 
   return {kept, area_of(rest), corner_of(rest)};
 }
 
+Region rest_behind(const Clearing& clearing, const std::vector<Contour>& ways) {
+  std::vector<Region> parts;
+  for (const Contour& way : ways)
+    parts.push_back(contour::sweep_of_disc(way, clearing.tool_radius));
+  const Region reached = opened(clearing.region, clearing.tool_radius);
+  const Region rest = contour::subtract(reached, contour::unite(parts));
+  const Region thick = contour::offset(rest, -kSamePoint_mm);
+  return contour::area(thick) > kEmptyArea_mm2 ? rest : Region{};
+}
+
 bool is_clear(const Clearing& clearing, Vec2 from, Vec2 to) {
   const Contour way{{{from}, {to}}, false};
   const Region swept = contour::sweep_of_disc(way, clearing.tool_radius - kTouch_mm);

@@ -51,6 +51,10 @@ struct LoopDistances {
 /// What a disc can reach of a region.
 [[nodiscard]] contour::Region opened(const contour::Region& region, double radius);
 
+/// What a disc of the tool could reach, and these ways of its centre do not, but for hairs.
+[[nodiscard]] contour::Region rest_behind(const Clearing& clearing,
+                                          const std::vector<contour::Contour>& ways);
+
 /// Whether the tool may go straight from one point to the other without touching the wall.
 [[nodiscard]] bool is_clear(const Clearing& clearing, contour::Vec2 from, contour::Vec2 to);
 

@@ -68,6 +68,10 @@ Contour begun_near(const Contour& loop, Vec2 point) {
   return begun_at(loop, best);
 }
 
+Contour begun_beside(const Contour& loop, Vec2 point) {
+  return begun_at(loop, contour::nearest_place(loop, point));
+}
+
 Contour begun_like(const Contour& loop, const OldLoop& like) {
   const Vec2 start = like.path.vertices.front().point;
   if (const auto centre = centre_of_circle(loop))

@@ -30,22 +30,6 @@ bool is_vertex(const Contour& contour, Vec2 point) {
   });
 }
 
-/// `walls`: the contours of the layer.
-std::vector<OldLoop> old_loops(const Recording& recording, const Layer& layer,
-                               const std::vector<Contour>& walls) {
-  const std::vector<WallIndex> indices(walls.begin(), walls.end());
-  std::vector<OldLoop> found;
-  for (const auto& each : layer.loops) {
-    OldLoop loop{
-        .rows = each.rows, .path = recording.contour_of(each.rows), .distance = kAnyDistance_mm};
-    for (const WallIndex& wall : indices)
-      loop.distance = std::min(loop.distance, distance_to(wall, loop.path));
-    loop.begins_at_corner = is_vertex(normal_form(loop.path), loop.path.vertices.front().point);
-    found.push_back(std::move(loop));
-  }
-  return found;
-}
-
 /// How often a way turned sharply about what stands out of a wall, and how often round it.
 struct Turns {
   int sharp = 0;
@@ -78,13 +62,29 @@ bool turned_sharply(const std::vector<OldLoop>& loops, const std::vector<Contour
 
 }  // namespace
 
+std::vector<OldLoop> old_loops(const Recording& recording, const std::vector<Span>& loops,
+                               const std::vector<Contour>& walls) {
+  const std::vector<WallIndex> indices(walls.begin(), walls.end());
+  std::vector<OldLoop> found;
+  for (const Span& rows : loops) {
+    OldLoop loop{.rows = rows, .path = recording.contour_of(rows), .distance = kAnyDistance_mm};
+    for (const WallIndex& wall : indices)
+      loop.distance = std::min(loop.distance, distance_to(wall, loop.path));
+    loop.begins_at_corner = is_vertex(normal_form(loop.path), loop.path.vertices.front().point);
+    found.push_back(std::move(loop));
+  }
+  return found;
+}
+
 const OldWay& OldWays::of(const Layer& layer) {
   const std::uint32_t first = layer.visits.front().first;
   const auto known = known_.find(first);
   if (known != known_.end()) return known->second;
   std::vector<Contour> walls{layer.nominal};
   walls.insert(walls.end(), layer.nominal_islands.begin(), layer.nominal_islands.end());
-  OldWay way{.loops = old_loops(recording_, layer, walls)};
+  std::vector<Span> spans;
+  for (const Loop& loop : layer.loops) spans.push_back(loop.rows);
+  OldWay way{.loops = old_loops(recording_, spans, walls)};
   way.turns_sharply = turned_sharply(way.loops, walls);
   return known_.emplace(first, std::move(way)).first->second;
 }

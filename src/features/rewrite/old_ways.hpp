@@ -17,6 +17,11 @@ struct OldLoop {
   bool begins_at_corner = true;
 };
 
+/// The loops of a layer in the order in which they were cut. `walls`: its contours.
+[[nodiscard]] std::vector<OldLoop> old_loops(const Recording& recording,
+                                             const std::vector<Span>& loops,
+                                             const std::vector<contour::Contour>& walls);
+
 /// How a layer was cut.
 struct OldWay {
   std::vector<OldLoop> loops{};  ///< in the order in which they were cut

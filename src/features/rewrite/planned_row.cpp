@@ -1,5 +1,7 @@
 #include "features/rewrite/planned_row.hpp"
 
+#include <cmath>
+
 #include "features/path/tolerance.hpp"
 
 namespace kerf::features {
@@ -14,6 +16,12 @@ PlannedRow as_it_is(const Recording& recording, std::uint32_t row) {
 bool is_upright(const Recording& recording, std::uint32_t row) {
   return recording.moves[row].shape != Move::Shape::arc &&
          geometry::length(recording.flat_to(row) - recording.flat_from(row)) <= kSamePoint_mm;
+}
+
+bool cuts_across_at(const Recording& recording, std::uint32_t row, double z) {
+  return recording.moves[row].cuts() && recording.goes_across(row) &&
+         std::fabs(recording.moves[row].to.z - z) <= kSameZ_mm &&
+         std::fabs(recording.from(row).z - z) <= kSameZ_mm;
 }
 
 }  // namespace kerf::features

@@ -38,6 +38,9 @@ using RowPlan = std::vector<Stretch>;
 /// From which point a row of the recording goes, and where to, in its plane and upright.
 [[nodiscard]] bool is_upright(const Recording& recording, std::uint32_t row);
 
+/// Whether a row cuts across at a height all along.
+[[nodiscard]] bool cuts_across_at(const Recording& recording, std::uint32_t row, double z);
+
 /// Says of new rows which old ones of `old` they are (features-contract §8.1): equal motions first,
 /// the longest common row of them; between those lines with lines and arcs with arcs. `begin`:
 /// where the first of them begins.

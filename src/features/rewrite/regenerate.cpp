@@ -7,6 +7,8 @@
 #include "features/path/tolerance.hpp"
 #include "features/rewrite/clearing.hpp"
 #include "features/rewrite/loop_rows.hpp"
+#include "features/rewrite/open_layer.hpp"
+#include "features/rewrite/tool_fit.hpp"
 #include "geometry/contour/boolean.hpp"
 #include "geometry/contour/offset.hpp"
 
@@ -55,7 +57,7 @@ class LayerWriter {
 
   [[nodiscard]] tl::expected<NewRows, CannotCut> write() {
     if (auto known = look(); !known) return tl::unexpected(known.error());
-    if (const auto small = smallest_corner()) return too_small(*small);
+    if (auto fits = check_corners(clearing_); !fits) return tl::unexpected(fits.error());
     if (wanted_.centre_line != nullptr) return along_path(*wanted_.centre_line);
     if (layer_.loops.empty()) return along_line();
     if (shift_ != 0) look_for_rest();
@@ -64,7 +66,7 @@ class LayerWriter {
     const double step = step_of(old_distances, clearing_.tool_radius);
     for (double& distance : old_distances) distance += shift_;
     const auto distances = distances_of(clearing_, old_distances, step);
-    if (distances.from_wall.empty()) return does_not_fit();
+    if (distances.from_wall.empty()) return does_not_fit(wanted_.feature->tool);
     if (distances.rest_mm2 > 0) left_ = left_uncut(distances.rest_mm2, distances.rest_at);
     if (left_ && !wanted_.allows_rest) return tl::unexpected(*left_);
     for (const double distance : in_order(distances.from_wall)) cut_round(distance);
@@ -83,14 +85,11 @@ class LayerWriter {
     }
     const OldWay& old_way = ways_.of(layer_);
     olds_ = old_way.loops;
-    const std::uint32_t tool = recording_.state_of(recording_.moves[visit_.first + 1]).tool;
-    const bool is_alone = wanted_.feature->cuts.front().role == Cut::Role::only;
     clearing_ = {.region = region_between(wanted_.outer, wanted_.islands),
                  .is_outside = bounds_what_stands(*wanted_.feature),
-                 .tool_radius = recording_.diameter_of(is_alone ? wanted_.feature->tool : tool) / 2,
+                 .tool_radius = radius_of_tool(recording_, wanted_, visit_),
                  .has_sharp_corners = old_way.turns_sharply};
-    if (clearing_.tool_radius <= 0)
-      return refuse(Code::edit_tool_unknown, "NOBODY SAYS HOW WIDE THE TOOL IS");
+    if (clearing_.tool_radius <= 0) return unknown_tool();
     if (wanted_.new_radius > 0) {
       shift_ = wanted_.new_radius - clearing_.tool_radius;
       clearing_.tool_radius = wanted_.new_radius;
@@ -127,28 +126,6 @@ class LayerWriter {
     for (std::uint32_t row = cut.last + 1; row <= visit_.last; ++row) put_moved(row, by);
     align(recording_, visit_, recording_.from(visit_.first), rows_);
     return NewRows{{visit_, std::move(rows_)}, std::nullopt};
-  }
-
-  // Of the arcs that the tool would have to go round on their inside the smallest, if it cannot.
-  [[nodiscard]] std::optional<double> smallest_corner() const {
-    std::optional<double> least;
-    if (clearing_.is_outside) return least;
-    for (const Contour& wall : clearing_.region.loops) {
-      for (std::size_t i = 0; i < contour::edge_count(wall); ++i) {
-        const contour::Edge edge = contour::edge_of(wall, i);
-        if (edge.bulge <= 0) continue;
-        const double radius = contour::radius(edge);
-        if (radius < clearing_.tool_radius - 3 * kSamePoint_mm)
-          least = std::min(least.value_or(radius), radius);
-      }
-    }
-    return least;
-  }
-  [[nodiscard]] tl::unexpected<CannotCut> too_small(double radius) const {
-    return refuse(Code::edit_tool_too_big, "CORNER RADIUS " + base::rounded_text(radius, 3) +
-                                               " IS SMALLER THAN THE TOOL'S " +
-                                               base::rounded_text(clearing_.tool_radius, 3) +
-                                               ": LEAVE IT SHARP");
   }
 
   // What another tool does not reach, but for sharp corners: those no tool reaches.
@@ -206,17 +183,6 @@ class LayerWriter {
         return false;
     }
     return true;
-  }
-
-  [[nodiscard]] static CannotCut left_uncut(double area, Vec2 at) {
-    return {Code::edit_leaves_rest, base::rounded_text(area, 3) + " mm² STAY UNCUT AT X" +
-                                        base::rounded_text(at.u, 3) + " Y" +
-                                        base::rounded_text(at.v, 3)};
-  }
-
-  [[nodiscard]] tl::unexpected<CannotCut> does_not_fit() const {
-    return refuse(Code::edit_tool_too_big,
-                  "T" + std::to_string(wanted_.feature->tool) + " DOES NOT FIT");
   }
 
   [[nodiscard]] std::vector<double> in_order(std::vector<double> distances) const {
@@ -368,6 +334,8 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
 
 tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, OldWays& ways,
                                              const NewLayer& wanted) {
+  if (wanted.centre_line == nullptr && is_in_lines_or_turns(recording, wanted))
+    return in_lines_or_turns(recording, wanted);
   return LayerWriter(recording, ways, wanted).write();
 }
 

@@ -2,22 +2,15 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "base/diagnostic_code.hpp"
+#include "features/rewrite/cannot_cut.hpp"
 #include "features/rewrite/old_ways.hpp"
 #include "features/rewrite/planned_row.hpp"
 #include "features/tree/feature.hpp"
 
 namespace kerf::features {
-
-/// Why a layer cannot be cut anew: a code of edits, and its sentence.
-struct CannotCut {
-  base::Code code{};
-  std::string sentence{};
-};
 
 /// A layer as it shall be: contours as they are edited (nominal).
 struct NewLayer {
@@ -35,6 +28,8 @@ struct NewLayer {
 struct NewRows {
   Stretch stretch{};
   std::optional<CannotCut> left{};  ///< what would refuse it, and is allowed
+  /// What the tool could reach and its passes leave, as the old ones did: between their ends.
+  contour::Region stays{};
 };
 
 /// Whether the contour of a feature bounds what stands, not what is removed.

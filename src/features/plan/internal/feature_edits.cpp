@@ -73,6 +73,7 @@ class FeatureMaker {
                          geometry::length(wish_.by) == 0 && !wish_.feed.cut && !wish_.feed.entry &&
                          !wish_.tool;
     if (is_same) return {};
+    stays_ = {};
     auto stretch = rows_of(layer);
     if (!stretch) return tl::unexpected(stretch.error());
     for (PlannedRow& row : stretch->becomes) change(row, layer, *z);
@@ -83,8 +84,10 @@ class FeatureMaker {
   }
 
   void want(std::size_t as, std::size_t layer, double z) {
-    scene_.plan.wanted.push_back(
-        {feature_, as, moved(rules_.contours(layer), flat(wish_.by)), z + wish_.by.z, wish_.tool});
+    contour::Region stays = stays_;
+    for (contour::Contour& loop : stays.loops) loop = moved(std::move(loop), flat(wish_.by));
+    scene_.plan.wanted.push_back({feature_, as, moved(rules_.contours(layer), flat(wish_.by)),
+                                  z + wish_.by.z, wish_.tool, std::move(stays)});
   }
 
   [[nodiscard]] Editing<Stretch> rows_of(std::size_t layer) {
@@ -110,6 +113,7 @@ class FeatureMaker {
     if (!anew) return scene_.refuse(anew.error().code, anew.error().sentence);
     if (anew->left)
       scene_.plan.warnings.push_back(scene_.refuse(anew->left->code, anew->left->sentence).value());
+    stays_ = std::move(anew->stays);
     return std::move(anew->stretch);
   }
 
@@ -162,6 +166,7 @@ class FeatureMaker {
   const Feature& its_;
   FeatureWish& wish_;
   LayerRules rules_;
+  contour::Region stays_{};  // of the layer that is made
 };
 
 // As far as it was moved before.

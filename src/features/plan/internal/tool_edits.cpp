@@ -17,21 +17,14 @@ struct Member {
   std::size_t edit = 0;
 };
 
-Member member_of(const Feature& feature, std::size_t place, const EditWishes& wishes) {
-  Member member{.name = "F" + std::to_string(place + 1)};
-  for (const Cut& cut : feature.cuts) member.operations.push_back(cut.operation);
-  const auto wish = wishes.features.find(place);
-  if (wish == wishes.features.end() || wish->second.goes) return member;
-  member.tool = wish->second.tool;
-  member.edit = wish->second.edit;
-  return member;
-}
-
-Member member_of(const Hole& hole, std::size_t place, const EditWishes& wishes) {
-  Member member{.name = "H" + std::to_string(place + 1)};
-  for (const HoleStep& step : hole.steps) member.operations.push_back(step.operation);
-  const auto wish = wishes.holes.find(place);
-  if (wish == wishes.holes.end() || wish->second.goes) return member;
+/// `parts`: its cuts or steps, each of an operation.
+template <typename Part, typename Wish>
+Member member_of(char kind, std::size_t place, const std::vector<Part>& parts,
+                 const std::map<std::size_t, Wish>& wishes) {
+  Member member{.name = kind + std::to_string(place + 1)};
+  for (const Part& part : parts) member.operations.push_back(part.operation);
+  const auto wish = wishes.find(place);
+  if (wish == wishes.end() || wish->second.goes) return member;
   member.tool = wish->second.tool;
   member.edit = wish->second.edit;
   return member;
@@ -40,9 +33,9 @@ Member member_of(const Hole& hole, std::size_t place, const EditWishes& wishes) 
 std::vector<Member> members_of(const Tree& tree, const EditWishes& wishes) {
   std::vector<Member> members;
   for (std::size_t i = 0; i < tree.features.size(); ++i)
-    members.push_back(member_of(tree.features[i], i, wishes));
+    members.push_back(member_of('F', i, tree.features[i].cuts, wishes.features));
   for (std::size_t i = 0; i < tree.holes.size(); ++i)
-    members.push_back(member_of(tree.holes[i], i, wishes));
+    members.push_back(member_of('H', i, tree.holes[i].steps, wishes.holes));
   return members;
 }
 

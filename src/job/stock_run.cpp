@@ -48,6 +48,13 @@ std::vector<stock::WorkTurn> turns_of(const StockPlan& plan,
 /// So many sweeps are cut before those who look on see them.
 constexpr std::size_t kWatchedBatch = 1024;
 
+/// Of dexels those across the tool are cut by all sweeps of a batch at once: the more of them there
+/// are, the fewer are looked at for nothing. Outcomes of so many take 12 MiB.
+std::size_t batch_of(StockModel kind) {
+  constexpr std::size_t kOfDexels = 16384;
+  return kind == StockModel::tridexel ? kOfDexels : stock::Cutter::Settings{}.batch;
+}
+
 /// One pass over the program with a plan, and what it has shown of the plan.
 class Pass final : public motion::MotionSink, private motion::SkipSignal {
  public:
@@ -226,7 +233,7 @@ class Pass final : public motion::MotionSink, private motion::SkipSignal {
             .cuts = &clock_,
             .watch = watch_ ? &watch_->cuts() : nullptr,
             .cuts_beside = job.jobs != 1 && !watch_,
-            .batch = watch_ ? kWatchedBatch : stock::Cutter::Settings{}.batch,
+            .batch = watch_ ? kWatchedBatch : batch_of(plan_.kind),
             .end = plan_.end,
             .has_real_lengths = job.has_real_lengths,
             .stock = stock::bounds(plan_.shape),

@@ -55,6 +55,7 @@ import journal_tests  # noqa: F401
 import replay_tests  # noqa: F401
 import row_tests  # noqa: F401
 import saved_part_tests  # noqa: F401
+import scarce_tests  # noqa: F401
 import set_point_tests  # noqa: F401
 import set_up_tests  # noqa: F401
 import sheet_tests  # noqa: F401

@@ -5,9 +5,9 @@
 #include <span>
 #include <utility>
 
+#include "base/each_by_threads.hpp"
 #include "stock/compare/internal/line_differences.hpp"
 #include "stock/compare/internal/region_finder.hpp"
-#include "stock/compare/internal/threads.hpp"
 #include "stock/dexel/lattice.hpp"
 
 namespace kerf::stock::compare {
@@ -108,7 +108,7 @@ class PartRow {
 
  private:
   void look_at(const SurfacePoint& point) {
-    const Near near = design_.near(point.at, design_hint_);
+    const Near near = design_.near(point.at, hint_for(point.normal));
     const double deviation = settled(near.distance_mm, scale_.farthest_mm);
     deviations_.push_back(deviation);
     result_.sums.see(deviation);
@@ -121,6 +121,11 @@ class PartRow {
     const Side side = side_of(deviation);
     if (std::fabs(deviation) > scale_.tolerance.of(side))
       result_.found.add_point(side, point, std::fabs(deviation), false, near.motion);
+  }
+
+  /// Points at the lower and at the upper ends of lines take turns, and lie apart.
+  [[nodiscard]] Hint& hint_for(Vec3 normal) {
+    return design_hints_[normal.x + normal.y + normal.z > 0 ? 1 : 0];
   }
 
   [[nodiscard]] static Vec3 place(const Part::Line& line, const Border& border) {
@@ -163,7 +168,7 @@ class PartRow {
   RowResult& result_;
   Part::Row row_;
   std::vector<double> deviations_;  // of the row's points
-  Hint design_hint_;
+  std::array<Hint, 2> design_hints_;
   Hint part_hint_;
 };
 
@@ -219,7 +224,7 @@ Comparison compare(const Part& part, const Solid& design, const Tolerance& toler
   const std::size_t own = part.rows();
   const std::size_t all = own + design.rows();
   std::vector<RowResult> results(all, RowResult{RowFound(grid), {}});
-  each_by_threads(all, jobs, [&](std::size_t i) {
+  base::each_by_threads(all, base::useful_threads(jobs), [&](std::size_t i) {
     if (i < own) {
       PartRow(part, design, scale, results[i]).compare(i);
     } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "stock/compare/internal/beyond.hpp"
 #include "stock/compare/internal/triangle.hpp"
@@ -19,6 +20,29 @@ std::vector<double> nodes(int count, double low, double high, const auto& middle
   for (int i = 0; i < count; ++i) at.push_back(middle_of(i));
   at.insert(at.end(), {high, high});
   return at;
+}
+
+/// Cells in a row are asked one by one if there are no more of them.
+constexpr std::size_t kFewCells = 4;
+
+/// Cells of a row.
+struct Reached {
+  std::size_t first;
+  std::size_t last;
+
+  [[nodiscard]] std::size_t count() const { return last - first + 1; }
+};
+
+/// Those that are no farther than `reach` from a place, around the one that it is in or next to;
+/// of more than kFewCells not all.
+Reached reached(const std::vector<double>& nodes, std::size_t cell, double place, double reach) {
+  Reached all{cell, cell};
+  while (all.first > 0 && place - nodes[all.first] <= reach && all.count() <= kFewCells)
+    --all.first;
+  while (all.last + 2 < nodes.size() && nodes[all.last + 1] - place <= reach &&
+         all.count() <= kFewCells)
+    ++all.last;
+  return all;
 }
 
 int clamped(std::size_t node, int count) {
@@ -55,8 +79,7 @@ double FieldSolid::cell_mm() const { return std::max(grid_.cell_x(), grid_.cell_
 FieldSolid::Node FieldSolid::node(std::size_t i, std::size_t j) const {
   const int column = clamped(i, grid_.nx);
   const int row = clamped(j, grid_.ny);
-  Node node{columns_.bottom(column, row), columns_.height(column, row),
-            columns_.owner(column, row)};
+  Node node{columns_.bottom(column, row), columns_.height(column, row)};
   const bool is_beside = i == 0 || j == 0 || i + 1 == x_.size() || j + 1 == y_.size();
   if (is_beside) node.top = node.bottom;
   return node;
@@ -80,9 +103,8 @@ bool FieldSolid::is_slope(const Corners& corners) const {
   return double{range.high} - double{range.low} <= kWall * cell_mm();
 }
 
-HeightRange FieldSolid::tops(Cell cell) const {
+HeightRange FieldSolid::tops_of(const Corners& around) {
   HeightRange range;
-  const Corners around = corners(cell);
   const bool is_all =
       std::none_of(around.begin(), around.end(), [](const Node& node) { return node.is_empty(); });
   for (const Node& node : around) {
@@ -91,9 +113,9 @@ HeightRange FieldSolid::tops(Cell cell) const {
   return range;
 }
 
-HeightRange FieldSolid::bottoms(Cell cell) const {
+HeightRange FieldSolid::bottoms_of(const Corners& around) {
   HeightRange range;
-  for (const Node& node : corners(cell)) {
+  for (const Node& node : around) {
     if (node.is_empty()) return {};
     range.take({node.bottom, node.bottom});
   }
@@ -111,31 +133,40 @@ double FieldSolid::square_to_box(Cell cell, Vec3 place, HeightRange range) const
   return x * x + y * y + z * z;
 }
 
-void FieldSolid::look_at_tops(Cell cell, Vec3 place, double& square, Best& best) const {
-  const Corners around = corners(cell);
-  double found = 0;
-  if (tops(cell).is_none()) return;
+// What cut deepest made the surface here, whatever made the other side of a wall.
+std::uint32_t FieldSolid::cut_by(Cell cell, const Corners& around) const {
+  std::uint32_t motion = 0;
+  float top = std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const std::uint32_t here =
+        columns_.owner(clamped(cell.i + i % 2, grid_.nx), clamped(cell.j + i / 2, grid_.ny));
+    if (here == 0 || around[i].top >= top) continue;
+    motion = here;
+    top = around[i].top;
+  }
+  return motion;
+}
+
+void FieldSolid::look_at_tops(Cell cell, const Corners& around, Vec3 place, double& square,
+                              Best& best) const {
+  const HeightRange range = tops_of(around);
+  if (range.is_none()) return;
+  double found = square_to_box(cell, place, range);
+  if (found >= square) return;
   if (is_slope(around)) {
     std::array<Vec3, 4> at;
     for (std::size_t i = 0; i < 4; ++i) at[i] = corner_point(cell, i, double{around[i].top});
     const Vec3 one = place - nearest_on(at[0], at[1], at[3], place).point;
     const Vec3 other = place - nearest_on(at[0], at[3], at[2], place).point;
     found = std::min(dot(one, one), dot(other, other));
-  } else {
-    found = square_to_box(cell, place, tops(cell));
   }
   if (found >= square) return;
   square = found;
-  if (is_side(cell) && place.z < double{tops(cell).high}) {
+  if (is_side(cell) && place.z < double{range.high}) {
     best.motion = 0;
     return;
   }
-  // What cut deepest made the surface here, whatever made the other side of a wall.
-  const auto lowest =
-      std::min_element(around.begin(), around.end(), [](const Node& a, const Node& b) {
-        return (a.motion == 0) != (b.motion == 0) ? a.motion != 0 : a.top < b.top;
-      });
-  best.motion = lowest->motion;
+  best.motion = cut_by(cell, around);
 }
 
 FieldSolid::Cell FieldSolid::cell_at(Vec3 place) const {
@@ -161,8 +192,9 @@ bool FieldSolid::holds(Vec3 place) const {
   return place.z < height;
 }
 
-void FieldSolid::look_at_bottoms(Cell cell, Vec3 place, double& square, Best& best) const {
-  const HeightRange range = bottoms(cell);
+void FieldSolid::look_at_bottoms(Cell cell, const Corners& around, Vec3 place, double& square,
+                                 Best& best) const {
+  const HeightRange range = bottoms_of(around);
   if (range.is_none()) return;
   const double found = square_to_box(cell, place, range);
   if (found >= square) return;
@@ -170,22 +202,43 @@ void FieldSolid::look_at_bottoms(Cell cell, Vec3 place, double& square, Best& be
   best.motion = 0;
 }
 
+// Most places are nearer to the surface than a cell is wide: few cells are left, and to ask all of
+// them costs less than to look for them from above.
+bool FieldSolid::look_around(Cell cell, Vec3 place, double& square, Best& best) const {
+  const double reach = std::sqrt(square);
+  const Reached i = reached(x_, cell.i, place.x, reach);
+  const Reached j = reached(y_, cell.j, place.y, reach);
+  if (i.count() > kFewCells || j.count() > kFewCells) return false;
+  for (std::size_t row = j.first; row <= j.last; ++row) {
+    for (std::size_t column = i.first; column <= i.last; ++column) {
+      const Cell beside{column, row};
+      const Corners around = corners(beside);
+      if (column != cell.i || row != cell.j) look_at_tops(beside, around, place, square, best);
+      look_at_bottoms(beside, around, place, square, best);
+    }
+  }
+  return true;
+}
+
+void FieldSolid::search(Vec3 place, double& square, Best& best) const {
+  tops_.search(
+      place, square, [this](Cell cell) { return tops(cell); },
+      [&](Cell cell, double& least) { look_at_tops(cell, corners(cell), place, least, best); });
+  bottoms_.search(
+      place, square, [this](Cell cell) { return bottoms(cell); },
+      [&](Cell cell, double& least) { look_at_bottoms(cell, corners(cell), place, least, best); });
+}
+
 // What is over and under the place bounds the search from the beginning.
 Near FieldSolid::near(Vec3 place, Hint&) const {
   const Vec3 over = place - Vec3{0, 0, grid_.box.low.z};
   Best best;
   double square = std::numeric_limits<double>::infinity();
-  const auto look_top = [&](Cell cell, double& least) { look_at_tops(cell, over, least, best); };
-  const auto look_bottom = [&](Cell cell, double& least) {
-    look_at_bottoms(cell, over, least, best);
-  };
   const Cell here = cell_at(over);
-  look_top(here, square);
-  look_bottom(here, square);
-  tops_.search(
-      over, square, [this](Cell cell) { return tops(cell); }, look_top);
-  bottoms_.search(
-      over, square, [this](Cell cell) { return bottoms(cell); }, look_bottom);
+  const Corners around = corners(here);
+  look_at_tops(here, around, over, square, best);
+  look_at_bottoms(here, around, over, square, best);
+  if (!look_around(here, over, square, best)) search(over, square, best);
   const double distance = std::sqrt(square);
   return {distance > 0 && holds(over) ? -distance : distance, best.motion};
 }

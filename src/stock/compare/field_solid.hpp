@@ -31,7 +31,6 @@ class FieldSolid final : public Part {
   struct Node {
     float bottom = 0;
     float top = 0;
-    std::uint32_t motion = 0;
 
     [[nodiscard]] bool is_empty() const { return !(top > bottom); }
   };
@@ -41,15 +40,22 @@ class FieldSolid final : public Part {
 
   [[nodiscard]] Node node(std::size_t i, std::size_t j) const;
   [[nodiscard]] Corners corners(Cell cell) const;
-  [[nodiscard]] HeightRange tops(Cell cell) const;
-  [[nodiscard]] HeightRange bottoms(Cell cell) const;
+  [[nodiscard]] static HeightRange tops_of(const Corners& around);
+  [[nodiscard]] static HeightRange bottoms_of(const Corners& around);
+  [[nodiscard]] HeightRange tops(Cell cell) const { return tops_of(corners(cell)); }
+  [[nodiscard]] HeightRange bottoms(Cell cell) const { return bottoms_of(corners(cell)); }
   /// Their tops are a slope, and no wall.
   [[nodiscard]] bool is_slope(const Corners& corners) const;
   /// The border of the box, which nothing has cut.
   [[nodiscard]] bool is_side(Cell cell) const;
   [[nodiscard]] Vec3 corner_point(Cell cell, std::size_t which, double z) const;
-  void look_at_tops(Cell cell, Vec3 place, double& square, Best& best) const;
-  void look_at_bottoms(Cell cell, Vec3 place, double& square, Best& best) const;
+  void look_at_tops(Cell cell, const Corners& around, Vec3 place, double& square, Best& best) const;
+  void look_at_bottoms(Cell cell, const Corners& around, Vec3 place, double& square,
+                       Best& best) const;
+  [[nodiscard]] std::uint32_t cut_by(Cell cell, const Corners& around) const;
+  /// What cells are as near as that, seen along Z; false, and nothing is done: they are many.
+  [[nodiscard]] bool look_around(Cell cell, Vec3 place, double& square, Best& best) const;
+  void search(Vec3 place, double& square, Best& best) const;
   [[nodiscard]] double square_to_box(Cell cell, Vec3 place, HeightRange range) const;
   [[nodiscard]] bool holds(Vec3 place) const;
   [[nodiscard]] Cell cell_at(Vec3 place) const;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/math.hpp"
+#include "stock/compare/internal/beyond.hpp"
 #include "stock/compare/internal/triangle.hpp"
 #include "stock/dexel/lattice.hpp"
 
@@ -73,6 +74,15 @@ std::vector<Stretch> stretches(std::vector<std::pair<double, int>> crossings) {
   }
   std::erase_if(out, [](const Stretch& one) { return !(one.low < one.high); });
   return out;
+}
+
+/// Surely: the box of a triangle is, by more than rounding.
+bool is_farther(Vec3 a, Vec3 b, Vec3 c, Vec3 place, double square) {
+  constexpr double kRounding = 1 + 1e-9;
+  const double x = beyond(place.x, std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}));
+  const double y = beyond(place.y, std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+  const double z = beyond(place.z, std::min({a.z, b.z, c.z}), std::max({a.z, b.z, c.z}));
+  return x * x + y * y + z * z > square * kRounding;
 }
 
 }  // namespace
@@ -202,8 +212,11 @@ Near MeshSolid::near(Vec3 place, Hint& hint) const {
   Nearest nearest;
   double square = std::numeric_limits<double>::infinity();
   const auto look = [&](std::uint32_t triangle, double& best) {
-    const OnTriangle on =
-        nearest_on(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2), place);
+    const Vec3 a = corner(triangle, 0);
+    const Vec3 b = corner(triangle, 1);
+    const Vec3 c = corner(triangle, 2);
+    if (is_farther(a, b, c, place, best)) return;
+    const OnTriangle on = nearest_on(a, b, c, place);
     const Vec3 away = place - on.point;
     const double far = dot(away, away);
     // Of equals the first by number, wherever the search began.
@@ -212,6 +225,7 @@ Near MeshSolid::near(Vec3 place, Hint& hint) const {
     best = far;
   };
   if (hint.thing < mesh_.triangles.size()) look(hint.thing, square);
+  if (square == 0) return {0, 0};  // whichever of those that it lies on
   tree_.search(place, square, look);
   hint.thing = nearest.triangle;
   const double distance = std::sqrt(square);

@@ -1,12 +1,12 @@
 #include "stock/compare/near_tree.hpp"
 
-#include <tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "base/each_by_threads.hpp"
 
 namespace kerf::stock::compare {
 namespace {
@@ -14,6 +14,8 @@ namespace {
 using Point = std::array<float, 3>;
 
 constexpr std::size_t kWorthAThread = 1 << 14;
+/// Halves of less than such a share of all are made by the thread that has them.
+constexpr std::size_t kParts = 8;
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 float below(double value) {
@@ -89,13 +91,9 @@ void NearTree::build(const Part& part, const Middles& middles,
     const float at_b = middles.points[b][axis];
     return at_a < at_b || (at_a == at_b && a < b);
   });
-  const auto build_one = [&](const Part& half) { build(half, middles, box_of); };
-  if (part.count > kWorthAThread) {
-    tbb::parallel_invoke([&] { build_one(first); }, [&] { build_one(second); });
-  } else {
-    build_one(first);
-    build_one(second);
-  }
+  const bool is_worth = part.count > kWorthAThread && part.count > order_.size() / kParts;
+  base::each_by_threads(2, is_worth ? 2 : 1,
+                        [&](std::size_t i) { build(i == 0 ? first : second, middles, box_of); });
   take(box, boxes_[first.node]);
   take(box, boxes_[second.node]);
 }

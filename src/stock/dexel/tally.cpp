@@ -5,8 +5,8 @@
 
 namespace kerf::stock::dexel {
 
-Tally& Tallies::own(std::size_t sweeps) {
-  Tally& tally = all_.local();
+Tally& Tallies::own(std::size_t thread, std::size_t sweeps) {
+  Tally& tally = all_[thread];
   if (tally.outcomes.size() < sweeps) tally.outcomes.resize(sweeps);
   return tally;
 }

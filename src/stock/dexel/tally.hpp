@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -29,8 +27,10 @@ class Tallies {
  public:
   static constexpr std::size_t kTogether = 256;  ///< sweeps that one thread adds up
 
-  /// That of the thread that asks, for so many sweeps.
-  [[nodiscard]] Tally& own(std::size_t sweeps);
+  explicit Tallies(std::size_t threads) : all_(threads) {}
+
+  /// That of a thread, by its number, for so many sweeps.
+  [[nodiscard]] Tally& own(std::size_t thread, std::size_t sweeps);
   /// Adds what was counted to the outcomes. `each(count, work)` does work(i)
   /// for i below count, in several threads. Contacts aside count where there
   /// are no others: of the first rank that has any.
@@ -49,7 +49,7 @@ class Tallies {
   [[nodiscard]] bool has_contact(const AsideContact& one);
   void take_some(std::size_t first, std::size_t after, std::span<Outcome> outcomes);
 
-  tbb::enumerable_thread_specific<Tally> all_;
+  std::vector<Tally> all_;
 };
 
 }  // namespace kerf::stock::dexel

@@ -1,14 +1,10 @@
 #include "stock/dexel/tri_dexel.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
+#include "base/each_by_threads.hpp"
 #include "math/math.hpp"
 #include "stock/dexel/ball_contact.hpp"
 #include "stock/dexel/dexel_ends.hpp"
@@ -22,7 +18,7 @@
 namespace kerf::stock::dexel {
 namespace {
 
-constexpr std::size_t kSweepsAtOnce = 4096;
+constexpr std::size_t kSweepsAtOnce = 16384;
 // Of a probe thinner than a cell.
 constexpr double kMostLooks = 1e6;
 constexpr int kHalvings = 40;
@@ -42,25 +38,15 @@ TriDexel::CellCounts cells_of(const Bounds& box, double cell) {
 }  // namespace
 
 struct TriDexel::Threads {
-  explicit Threads(unsigned jobs)
-      : arena(jobs == 0 ? tbb::info::default_concurrency()
-                        : std::min(static_cast<int>(std::min(jobs, 4096U)),
-                                   tbb::info::default_concurrency())) {}
+  explicit Threads(unsigned jobs) : count(base::useful_threads(jobs)), tallies(count) {}
 
-  /// work(i) for i below count, each once, in any order.
+  /// As base::each_by_threads().
   template <class Work>
-  void each(std::size_t count, Work&& work) {
-    arena.execute([&] {
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(0, count, 1),
-          [&](const auto& range) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i) work(i);
-          },
-          tbb::simple_partitioner());
-    });
+  void each(std::size_t items, const Work& work) {
+    base::each_by_threads(items, count, work);
   }
 
-  tbb::task_arena arena;
+  unsigned count;
   Tallies tallies;
 };
 
@@ -182,10 +168,10 @@ void TriDexel::cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
 void TriDexel::cut_some(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) {
   const Preparation ready(sweeps, tools_, {middle_, half(), cell_, block_}, *trail_);
   const std::vector<Touched> touched = this->touched(ready);
-  threads_->each(touched.size(), [&](std::size_t i) {
+  threads_->each(touched.size(), [&](std::size_t i, std::size_t worker) {
     Grid& grid = *grids_[touched[i].grid];
     grid.work(touched[i].tile, middle_)
-        .cut(ready.tasks(), touched[i].tasks, threads_->tallies.own(sweeps.size()));
+        .cut(ready.tasks(), touched[i].tasks, threads_->tallies.own(worker, sweeps.size()));
   });
   threads_->tallies.take(outcomes,
                          [&](std::size_t count, const auto& work) { threads_->each(count, work); });

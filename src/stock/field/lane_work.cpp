@@ -22,11 +22,15 @@ void for_parts(const Do& act) {
   (std::make_integer_sequence<int, kBlockCells / static_cast<int>(kLanes)>{});
 }
 
-/// More than √(lean2 - lean out²) past the end.
-LaneInts is_past(const Behind& behind, Lanes along, Lanes beside) {
-  const Lanes past = along - behind.after;
+/// What is within [first, last] along the way and `beside` it is behind its beginning: before it,
+/// or more than √(lean2 - lean out²) past the end.
+[[gnu::always_inline]] inline LaneInts is_behind(const Behind& behind, Lanes first, Lanes last,
+                                                 Lanes beside) {
+  if (behind.after >= kNowhere) return last < all(behind.before);
+  const Lanes past = first - behind.after;
   const Lanes out = larger(beside - behind.core, Lanes{});
-  return (past > Lanes{}) & (past * past > behind.lean2 - behind.lean * out * out);
+  return (last < all(behind.before)) |
+         ((past > Lanes{}) & (past * past > behind.lean2 - behind.lean * out * out));
 }
 
 /// Blocks of a row as rectangles along and across the way that hold their columns.
@@ -39,9 +43,8 @@ struct BlockLanes {
     const Lanes past = larger(larger(-along, along - way.length) - way.half_along, none);
     tip = way.lowest_z + way.slope * larger(along - way.reach, none);
     if (way.begins_behind) {
-      const LaneInts is_behind = (along + way.half_along < all(way.behind.before)) |
-                                 is_past(way.behind, along - way.half_along, u);
-      tip = is_behind ? all(kNowhere) : tip;
+      tip = is_behind(way.behind, along - way.half_along, along + way.half_along, u) ? all(kNowhere)
+                                                                                     : tip;
     }
     distance2 = u * u + past * past;
   }
@@ -112,9 +115,8 @@ unsigned below(const float* low, const float* high) {
   const Lanes u = y * way.dx - x * way.dy;
   ColumnLanes at{x * way.dx + y * way.dy, u * u, way.left * u};
   if (way.begins_behind) {
-    const LaneInts is_behind =
-        (at.along < all(way.behind.before)) | is_past(way.behind, at.along, larger(u, -u));
-    at.across2 = is_behind ? all(kNowhere) : at.across2;
+    at.across2 =
+        is_behind(way.behind, at.along, at.along, larger(u, -u)) ? all(kNowhere) : at.across2;
   }
   return at;
 }

@@ -39,14 +39,19 @@ void Tally::take_to(Outcome& outcome, double cell_mm2) {
   for (std::uint64_t bins = bins_; bins != 0; bins &= bins - 1) {
     const auto bin = static_cast<std::size_t>(std::countr_zero(bins));
     outcome.across[bin] += Exact(across_[bin] * cell_mm2);
+    across_[bin] = 0;
   }
   for (std::size_t i = 0; i < kToolParts; ++i) {
     Contact met = met_[i].deepest;
     if (!met.is_one()) continue;
     met.volume = Exact(met_[i].depths * cell_mm2);
     outcome.contacts[i].add(met);
+    met_[i] = {};
   }
-  *this = Tally();
+  // What is not 0 any more; all of it would take as long as what has been added.
+  sides_ = no_sides();
+  removed_ = core_ = 0;
+  visited_ = bins_ = 0;
 }
 
 }  // namespace kerf::stock::field

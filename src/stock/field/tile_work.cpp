@@ -1,11 +1,9 @@
 #include "stock/field/tile_work.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <system_error>
-#include <thread>
 
+#include "base/each_by_threads.hpp"
 #include "stock/field/tile_cutter.hpp"
 
 namespace kerf::stock::field {
@@ -74,21 +72,8 @@ void TileWork::list_at(std::size_t tile, std::uint32_t number) {
 }
 
 void TileWork::share() {
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < busy_.size(); i = next++) work_on(busy_[i]);
-  };
-  const std::size_t useful =
-      columns_met_ < kWorthThreads ? 1 : std::min<std::size_t>(jobs_, busy_.size());
-  std::vector<std::thread> threads;
-  threads.reserve(useful);
-  try {
-    while (threads.size() + 1 < useful) threads.emplace_back(work);
-  } catch (const std::system_error&) {
-    // The computer gives no more threads; those that there are do the work.
-  }
-  work();
-  for (std::thread& thread : threads) thread.join();
+  base::each_by_threads(busy_.size(), columns_met_ < kWorthThreads ? 1 : jobs_,
+                        [&](std::size_t i) { work_on(busy_[i]); });
 }
 
 void TileWork::work_on(std::size_t tile) {

@@ -1,9 +1,8 @@
 #include "stock/sheet/sheet.hpp"
 
-#include <atomic>
 #include <limits>
-#include <thread>
 
+#include "base/each_by_threads.hpp"
 #include "stock/sheet/internal/tile_painter.hpp"
 
 namespace kerf::stock::sheet {
@@ -36,19 +35,6 @@ bool is_sound(const Burn& burn) {
 bool is_sound(const Trace& trace) {
   return is_finite(trace.from) && is_finite(trace.to) && is_finite(trace.centre) &&
          std::isfinite(trace.radius);
-}
-
-/// Calls work(i) for every i below `count`, each on one of several threads.
-template <typename Work>
-void share_out(std::size_t count, std::size_t threads, const Work& work) {
-  std::atomic<std::size_t> next{0};
-  const auto some = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min(threads, count); ++i) others.emplace_back(some);
-  some();
-  for (std::thread& other : others) other.join();
 }
 
 }  // namespace
@@ -106,7 +92,8 @@ void Sheet::work(std::span<const Item> items, double reach) {
     const std::vector<TileList::Run> runs = list.runs();
     std::vector<Tile*> tiles;
     for (const TileList::Run& run : runs) tiles.push_back(touch(run.tile));
-    share_out(runs.size(), list.size() < kWorthThreads ? 1 : settings_.jobs, [&](std::size_t n) {
+    const std::size_t jobs = list.size() < kWorthThreads ? 1 : settings_.jobs;
+    base::each_by_threads(runs.size(), jobs, [&](std::size_t n) {
       if (tiles[n] == nullptr) return;
       const TilePainter painter(grid_, runs[n].tile);
       for (std::size_t i = runs[n].first; i < runs[n].end; ++i) {

@@ -1,12 +1,8 @@
 #include "stock/surface/contouring.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
+#include "base/each_by_threads.hpp"
 #include "stock/surface/internal/patch_maker.hpp"
 #include "stock/surface/internal/places.hpp"
 
@@ -131,14 +127,10 @@ Bounds Contouring::seen(Place block) const {
 Surface Contouring::surface(unsigned jobs) const {
   const std::size_t count = index(blocks_[0]) * index(blocks_[1]) * index(blocks_[2]);
   std::vector<Part> parts(count);
-  const int most = tbb::info::default_concurrency();
-  tbb::task_arena arena(jobs == 0 ? most : std::min(static_cast<int>(std::min(jobs, 4096U)), most));
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t b) {
-      const int number = static_cast<int>(b);
-      parts[b].patch = patch({number % blocks_[0], number / blocks_[0] % blocks_[1],
-                              number / (blocks_[0] * blocks_[1])});
-    });
+  base::each_by_threads(count, base::useful_threads(jobs), [&](std::size_t b) {
+    const int number = static_cast<int>(b);
+    parts[b].patch = patch({number % blocks_[0], number / blocks_[0] % blocks_[1],
+                            number / (blocks_[0] * blocks_[1])});
   });
   return Joiner(samples_, blocks_).join(parts);
 }

@@ -1,13 +1,10 @@
 #include "output/picture/solid/renderer.hpp"
 
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/each_by_threads.hpp"
 #include "output/picture/solid/internal/band.hpp"
 #include "output/picture/solid/internal/corner_normals.hpp"
 #include "output/picture/solid/internal/corner_shade.hpp"
@@ -47,14 +44,13 @@ class Renderer {
   Rendering draw(unsigned jobs) {
     const int bands = (height_ + kBandRows - 1) / kBandRows;
     project(bands);
-    const int most = tbb::info::default_concurrency();
-    tbb::task_arena arena(jobs == 0 ? most
-                                    : std::min(static_cast<int>(std::min(jobs, 4096U)), most));
+    const unsigned threads = base::useful_threads(jobs);
     std::vector<float> open(lights_.size(), 1);
     const float reach = kReach * static_cast<float>(std::min(width_, height_));
-    arena.execute([&] {
-      tbb::parallel_for(0, bands, [&](int band) { draw_band(band); });
-      tbb::parallel_for(0, height_, [&](int row) { shade_row(relief_, row, mm_, reach, open); });
+    base::each_by_threads(index(bands), threads,
+                          [&](std::size_t band) { draw_band(static_cast<int>(band)); });
+    base::each_by_threads(index(height_), threads, [&](std::size_t row) {
+      shade_row(relief_, static_cast<int>(row), mm_, reach, open);
     });
     return result(open);
   }

@@ -147,7 +147,10 @@ void RowFound::link(Side side, Vec3 one, Vec3 other) {
   if (from != to) links_.emplace_back(from, to);
 }
 
-void RowFound::settle() { sum_equal(cells_); }
+void RowFound::settle() {
+  sum_equal(cells_);
+  cells_.shrink_to_fit();  // of the points of all rows together there may be a gigabyte
+}
 
 void RegionFinder::take(RowFound&& row) {
   cells_.insert(cells_.end(), row.cells_.begin(), row.cells_.end());

@@ -84,8 +84,8 @@ void HoleBook::add(std::size_t setup, Vec2 at, HoleStep step) {
   add_step(known->steps, std::move(step));
 }
 
-HoleBook::Entry* HoleBook::find(std::size_t setup, Vec2 at) {
-  const auto place = places_[setup].near(at);
+HoleBook::Entry* HoleBook::find(std::size_t setup, Vec2 at, double tolerance) {
+  const auto place = places_[setup].near(at, tolerance);
   return place ? &entries_[*place] : nullptr;
 }
 

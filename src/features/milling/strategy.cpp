@@ -17,7 +17,6 @@ using contour::Contour;
 using contour::Edge;
 
 constexpr std::size_t kMostWallSamples = 4096;
-constexpr double kRoundedCentre_mm = 5e-3;
 constexpr double kBothShare = 0.05;  // of the walls' length, below which one side does not count
 
 std::optional<double> median(std::vector<double> values) {
@@ -133,7 +132,7 @@ std::optional<Edge> edge_near(const Recording& recording, std::uint32_t row, Vec
 bool go_one_way(const Edge& wall, const Edge& row) {
   const Vec2 point = contour::point_at(wall, 0.5);
   if (wall.bulge != 0 && row.bulge != 0 &&
-      geometry::length(contour::centre(wall) - contour::centre(row)) <= kRoundedCentre_mm)
+      geometry::length(contour::centre(wall) - contour::centre(row)) <= kRounded_mm)
     return (wall.bulge > 0) == (row.bulge > 0);
   const Vec2 along = contour::tangent_at_start(contour::part(wall, 0.5, 1));
   return geometry::dot(along, direction_near(row, point)) > 0;

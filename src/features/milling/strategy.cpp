@@ -73,6 +73,13 @@ std::vector<double> loop_distances(const Recording& recording, const ShapedLevel
   return distances;
 }
 
+/// Loops and the single rows that lead from one to the next: how straight their sides are does not
+/// count.
+bool is_loops_alone(const ShapedLevel& shaped) {
+  const std::size_t loops = shaped.loops.loops.size();
+  return loops >= 2 && shaped.loops.links.size() <= loops;
+}
+
 // No closed loop but the last one, and round the middle more than twice.
 bool is_spiral(const Recording& recording, const ShapedLevel& shaped) {
   if (shaped.loops.loops.size() > 1 || shaped.level.runs.size() != 1) return false;
@@ -157,7 +164,7 @@ Clearing clearing_of(const Recording& recording, const ShapedLevel& shaped) {
   const auto& loops = shaped.loops.loops;
   const LinePasses passes = line_passes_of(recording, shaped);
   if (loops.size() >= 2 && is_trochoidal(recording, shaped)) return {Strategy::trochoidal, {}};
-  if (passes.clears) {
+  if (passes.clears && !is_loops_alone(shaped)) {
     return {passes.goes_both_ways ? Strategy::zig_zag : Strategy::zig, median(passes.steps)};
   }
   const double links = length_of(recording, shaped.loops.links);

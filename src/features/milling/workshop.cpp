@@ -203,7 +203,18 @@ void Workshop::add_thread(std::size_t number, const Operation& operation, const 
 }
 
 void Workshop::leave_idle_pecks() {
-  for (const PlungeRun& peck : idle_.take()) leave(peck.rows, Unrecognised::Why::air);
+  for (const PlungeRun& peck : idle_.take()) {
+    const State& state = recording_.state_of(recording_.moves[peck.rows.first]);
+    leave(peck.rows, why_air(state.setup, peck.bottom));
+  }
+}
+
+// What nobody has described may be higher: then it is no air.
+Unrecognised::Why Workshop::why_air(std::size_t setup, double lowest) const {
+  const Blank& blank = materials_[setup].blank();
+  const bool is_above = lowest >= blank.top - kSameZ_mm;
+  return is_above && !blank.is_known ? Unrecognised::Why::above_assumed_stock
+                                     : Unrecognised::Why::air;
 }
 
 void Workshop::take(std::size_t number, const Operation& operation, const PlungeRun& plunge) {
@@ -258,7 +269,7 @@ void Workshop::take(const Operation& operation, const FreeRun& run) {
   if (first.kind == Move::Kind::probe) return leave(run.rows, Unrecognised::Why::probing);
   if (recording_.setups[operation.setup].is_turned())
     return leave(run.rows, Unrecognised::Why::rotary);
-  if (lowest >= top - kSameZ_mm) return leave(run.rows, Unrecognised::Why::air);
+  if (lowest >= top - kSameZ_mm) return leave(run.rows, why_air(operation.setup, lowest));
   if (run.rows.last - run.rows.first + 1 >= kLeastSurface)
     return add_surface(air_mm_.size() - 1, operation, {run.rows}, run.visit);
   leave(run.rows, Unrecognised::Why::free_motion);

@@ -226,6 +226,32 @@ TEST(Milling, ACounterboreIsAboutTheAxisOfItsHoleAsFarAsWordsSayIt) {
   EXPECT_NEAR(tree.holes[0].at.v, 20, kExact);
 }
 
+TEST(Milling, AReamedHoleIsAsWideAsTheReamerAndHasNoStep) {
+  FeaturePath path;
+  path.tool(1, 6.045, ToolKind::drill).spindle(3000);
+  path.rapid(30, 20, 5).line(30, 20, -20).rapid(30, 20, 5);
+  path.tool(2, 6.337, ToolKind::reamer).spindle(1000);
+  path.rapid(30, 20, 5).line(30, 20, -15).line(30, 20, 5);
+  const Tree tree = recognise(path.recording(), block(0, 0, 60, 40, -30), Method::swept);
+  ASSERT_EQ(tree.holes.size(), 1U);
+  EXPECT_EQ(tree.holes[0].form, Hole::Form::plain);
+  EXPECT_NEAR(tree.holes[0].diameter, 6.337, kExact);
+  EXPECT_NEAR(tree.holes[0].bottom, -20, kExact);
+  EXPECT_EQ(tree.holes[0].steps.size(), 2U);
+}
+
+// Nobody has said how high it is there.
+TEST(Milling, WhatIsFedAboveAnAssumedBlankIsNoAir) {
+  FlatPath path(10);
+  path.rapid(10, 10, 5).line(10, 10, 2).line(40, 10, 2).rapid(40, 10, 5);
+  const Tree assumed = recognise(path.recording(), {}, Method::swept);
+  ASSERT_EQ(assumed.unrecognised.size(), 1U);
+  EXPECT_EQ(assumed.unrecognised[0].why, Unrecognised::Why::above_assumed_stock);
+  const Tree known = recognise(path.recording(), block(0, 0, 60, 40, -20), Method::swept);
+  ASSERT_EQ(known.unrecognised.size(), 1U);
+  EXPECT_EQ(known.unrecognised[0].why, Unrecognised::Why::air);
+}
+
 TEST(Milling, AHelixLeadsIntoThePocketBelowIt) {
   FlatPath path(10);
   path.rapid(43, 30, 5).line(43, 30, 0);

@@ -7,8 +7,9 @@
 
 namespace kerf::parts {
 
-inline constexpr double kLongSlot = 3;       // of its width, from which a pocket is a slot
-inline constexpr double kMostOfDrilled = 3;  // a round pocket up to so many times a hole is its step
+inline constexpr double kLongSlot = 3;  // of its width, from which a pocket is a slot
+inline constexpr double kMostOfDrilled =
+    3;  // a round pocket up to so many times a hole is its step
 
 /// Machines one thing in a room: pockets, with islands or finished, slots, profiles, holes.
 class ThingMaker : protected Machinist {

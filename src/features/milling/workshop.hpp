@@ -43,7 +43,6 @@ class Workshop {
   void keep(const ShapedLevel& shaped);
   void take(std::size_t number, const Operation& operation, const PlungeRun& plunge);
   void leave_idle_pecks();
-  [[nodiscard]] Unrecognised::Why why_air(std::size_t setup, double lowest) const;
   void take(std::size_t number, const Operation& operation, const HelixRun& helix);
   void take(const Operation& operation, const FreeRun& run);
   void take(const Operation& operation, Level& level);

@@ -1,6 +1,7 @@
 // Parts of random things, programmed by a small CAM, run by the control and recognised: what is
-// told is what was meant. KERF_PARTS=N makes as many, KERF_PARTS_FIRST the first seed; a part that
-// fails is written into the folder KERF_PARTS_TEXT, with its tools.
+// told is what was meant, whatever the seed. KERF_PARTS=N makes as many, KERF_PARTS_FIRST the first
+// seed, KERF_PARTS_ALL=1 goes on behind one that fails; it is written into the folder
+// KERF_PARTS_TEXT, with its tools.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -134,8 +135,8 @@ void print(const RandomPart& part) {
 }
 
 TEST(GeneratedPrograms, AreRecognisedAsWhatTheyWereMadeOf) {
-  const std::uint64_t first = from_environment("KERF_PARTS_FIRST", 103);
-  const std::uint64_t count = from_environment("KERF_PARTS", 78);
+  const std::uint64_t first = from_environment("KERF_PARTS_FIRST", 1);
+  const std::uint64_t count = from_environment("KERF_PARTS", 120);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const RandomPart part = random_part(seed);
     SCOPED_TRACE("KERF_PARTS_FIRST=" + std::to_string(seed) + " KERF_PARTS=1: " + part.made_of);

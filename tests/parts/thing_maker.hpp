@@ -8,6 +8,8 @@
 namespace kerf::parts {
 
 inline constexpr double kLongSlot = 3;  // of its width, from which a pocket is a slot
+inline constexpr double kMostOfDrilled =
+    3;  // a round pocket up to so many times a hole is its step
 
 /// Machines one thing in a room: pockets, with islands or finished, slots, profiles, holes.
 class ThingMaker : protected Machinist {
@@ -134,6 +136,22 @@ class ThingMaker : protected Machinist {
     const double inside = outline.inner_radius() * 0.75;
     if (depth < 2 && !is_sloped && inside > 6 && random_.coin())
       thing({outline.middle(), inside, bottom, std::pair{place, RelationKind::nested}}, depth + 1);
+    join_counterbore(place);
+  }
+
+  // A round pocket over a drilled hole that is not much narrower is the hole's.
+  void join_counterbore(std::size_t place) {
+    const WantedFeature& pocket = part_.features[place];
+    const Parent nested = std::pair{place, RelationKind::nested};
+    if (part_.holes.empty() || part_.holes.back().parent != nested || !pocket.is_round) return;
+    WantedHole& hole = part_.holes.back();
+    const bool is_drilled = hole.diameter == 2 * radius_of(kDrill);
+    const contour::Box box = contour::extents(pocket.outline);
+    if (!is_drilled || box.high.u - box.low.u > kMostOfDrilled * hole.diameter) return;
+    hole.form = features::Hole::Form::counterbore;
+    hole.top = pocket.top;
+    hole.parent = pocket.parent;
+    part_.features.pop_back();
   }
 
   std::optional<Contour> nominal_of(const Outline& outline) {

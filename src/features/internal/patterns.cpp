@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-constexpr double kRounded_mm = 0.01;  // programs write points of circles with three digits
+constexpr double kRoundedPoint_mm = 0.01;  // programs write points of circles with three digits
 constexpr std::size_t kLeastOnCircle = 4;
 
 bool are_alike(const HoleStep& a, const HoleStep& b) {
@@ -26,14 +26,14 @@ bool are_alike(const Hole& a, const Hole& b) {
                     [](const HoleStep& x, const HoleStep& y) { return are_alike(x, y); });
 }
 
-bool are_near(double a, double b) { return std::fabs(a - b) <= kRounded_mm; }
+bool are_near(double a, double b) { return std::fabs(a - b) <= kRoundedPoint_mm; }
 
 /// The middle of the circle through three points; nothing: they lie on a line.
 std::optional<Vec2> centre_of(Vec2 a, Vec2 b, Vec2 c) {
   const Vec2 u = b - a;
   const Vec2 v = c - a;
   const double twice = 2 * geometry::cross(u, v);
-  if (std::fabs(twice) < kRounded_mm) return std::nullopt;
+  if (std::fabs(twice) < kRoundedPoint_mm) return std::nullopt;
   const double uu = geometry::dot(u, u);
   const double vv = geometry::dot(v, v);
   return a + (1 / twice) * Vec2{uu * v.v - vv * u.v, vv * u.u - uu * v.u};
@@ -58,7 +58,7 @@ bool are_equally_spaced(const Points& points, Vec2 centre, double radius) {
   }
   // Of an arc one step is the way round from its end to its begin.
   std::sort(steps.begin(), steps.end());
-  const double most_deg = geometry::degrees(2 * kRounded_mm / radius);
+  const double most_deg = geometry::degrees(2 * kRoundedPoint_mm / radius);
   return steps[steps.size() - 2] - steps.front() <= most_deg && steps.front() > most_deg;
 }
 
@@ -101,7 +101,7 @@ struct Lattice {
 // Along the way from the first to the second, and across it.
 std::optional<Lattice> lattice_of(const Points& points) {
   const Vec2 way = points[1] - points[0];
-  if (geometry::length(way) < kRounded_mm) return std::nullopt;
+  if (geometry::length(way) < kRoundedPoint_mm) return std::nullopt;
   Lattice lattice{.along = geometry::unit(way)};
   std::vector<double> u;
   std::vector<double> v;

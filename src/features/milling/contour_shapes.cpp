@@ -16,8 +16,6 @@ using contour::Contour;
 using contour::Edge;
 using geometry::Vec2;
 
-constexpr double kRounded_mm = 5e-3;  // programs write three digits, of inches four
-
 /// How far apart arcs are at most that lead from one point to another.
 double apart(const Edge& edge, double bulge) {
   return std::fabs(edge.bulge - bulge) * geometry::length(edge.to - edge.from) / 2;

@@ -56,11 +56,11 @@ void give_to_holes(HoleBook& holes, std::vector<Draft>& drafts) {
   for (Draft& draft : drafts) {
     const auto disc = disc_of_all(draft);
     if (!disc || draft.shares.size() > 1) continue;
-    const auto* const hole = holes.find(draft.feature.setup, disc->centre);
+    const auto* const hole = holes.find(draft.feature.setup, disc->centre, kRounded_mm);
     if (hole == nullptr) continue;
     const double drilled = drilled_diameter(hole->steps);
     if (drilled <= 0 || 2 * disc->radius > kMostOfDrilled * drilled + kSamePoint_mm) continue;
-    holes.add(draft.feature.setup, disc->centre, step_of(draft, *disc));
+    holes.add(draft.feature.setup, hole->at, step_of(draft, *disc));
     draft.is_gone = true;
   }
 }

@@ -13,6 +13,7 @@ using How = HoleStep::How;
 using Form = Hole::Form;
 
 constexpr double kWider_mm = 1e-3;
+constexpr double kMostFinished = 1.2;  // times what was drilled; what is wider is a step of its own
 
 bool is_cylinder(How how) {
   return how == How::drill || how == How::ream || how == How::bore || how == How::mill ||
@@ -34,13 +35,26 @@ const HoleStep& main_step(const std::vector<HoleStep>& steps) {
   return *std::min_element(steps.begin(), steps.end(), deeper);
 }
 
-Form form_of(const std::vector<HoleStep>& steps, const HoleStep& main) {
+/// As wide as reaming or boring has left what was drilled for it, if it goes down far enough to be
+/// the same hole: the drill's tip is deeper.
+double finished_diameter(const std::vector<HoleStep>& steps, const HoleStep& main) {
+  double widest = main.diameter;
+  for (const HoleStep& step : steps) {
+    const bool finishes = step.how == How::ream || step.how == How::bore;
+    const bool is_deep = step.bottom <= (main.top + main.bottom) / 2;
+    if (finishes && is_deep && step.diameter <= kMostFinished * main.diameter)
+      widest = std::max(widest, step.diameter);
+  }
+  return widest;
+}
+
+Form form_of(const std::vector<HoleStep>& steps, const HoleStep& main, double diameter) {
   if (has(steps, How::tap)) return Form::tapped;
   if (!is_cylinder(main.how))
     return has(steps, How::countersink) && steps.size() > 1 ? Form::countersink : Form::spot;
   bool is_stepped = false;
   for (const HoleStep& step : steps) {
-    const bool is_wider = step.diameter > main.diameter + kWider_mm;
+    const bool is_wider = step.diameter > diameter + kWider_mm;
     if (!is_wider) continue;
     if (step.how == How::countersink || step.how == How::spot) return Form::countersink;
     if (step.how == How::mill || step.how == How::helix) return Form::counterbore;
@@ -84,8 +98,8 @@ void HoleBook::add(std::size_t setup, Vec2 at, HoleStep step) {
   add_step(known->steps, std::move(step));
 }
 
-HoleBook::Entry* HoleBook::find(std::size_t setup, Vec2 at) {
-  const auto place = places_[setup].near(at);
+HoleBook::Entry* HoleBook::find(std::size_t setup, Vec2 at, double tolerance) {
+  const auto place = places_[setup].near(at, tolerance);
   return place ? &entries_[*place] : nullptr;
 }
 
@@ -114,7 +128,7 @@ Hole hole_of(const HoleBook::Entry& entry, const std::optional<double>& bottom) 
   Hole hole{.setup = entry.setup, .tool = entry.steps.front().tool, .at = entry.at};
   hole.steps = entry.steps;
   const HoleStep& main = main_step(hole.steps);
-  hole.diameter = main.diameter;
+  hole.diameter = finished_diameter(hole.steps, main);
   hole.top = hole.steps.front().top;
   hole.bottom = main.bottom;
   for (const HoleStep& step : hole.steps) {
@@ -123,7 +137,7 @@ Hole hole_of(const HoleBook::Entry& entry, const std::optional<double>& bottom) 
     const auto pitch = step.thread_pitch;
     if (pitch) hole.thread = HoleThread{*pitch, step.diameter};
   }
-  hole.form = form_of(hole.steps, main);
+  hole.form = form_of(hole.steps, main, hole.diameter);
   if (hole.thread && hole.form != Form::tapped) hole.form = Form::threaded;
   hole.through = bottom && hole.bottom <= *bottom + kSameZ_mm;
   hole.volume = volume_of(hole.steps, hole.top);

@@ -22,7 +22,7 @@ class HoleBook {
   /// operation: a peck.
   void add(std::size_t setup, Vec2 at, HoleStep step);
   /// The hole at a place; null: there is none.
-  [[nodiscard]] Entry* find(std::size_t setup, Vec2 at);
+  [[nodiscard]] Entry* find(std::size_t setup, Vec2 at, double tolerance = kSamePoint_mm);
   /// In the order of their first rows, with the steps in that of theirs.
   [[nodiscard]] std::vector<Entry> done();
 

@@ -97,11 +97,10 @@ bool is_mostly_loop(const Recording& recording, const Level& level, const Contou
   return all <= 2 * contour::length(loop);
 }
 
-bool has_one_island(const Region& sweep) {
-  const auto holes = std::count_if(sweep.loops.begin(), sweep.loops.end(), [](const Contour& loop) {
+std::ptrdiff_t islands_of(const Region& sweep) {
+  return std::count_if(sweep.loops.begin(), sweep.loops.end(), [](const Contour& loop) {
     return !contour::is_counterclockwise(loop) && !is_sliver(loop);
   });
-  return holes == 1;
 }
 
 // The first or last point of the rows that is not on the loop.
@@ -128,7 +127,8 @@ std::optional<Ring> ring_of(const Recording& recording, const Level& level,
   if (!loop || !is_mostly_loop(recording, level, *loop)) return std::nullopt;
   if (!is_left_inside(*loop, level.radius)) return std::nullopt;
   Ring ring{.loop = *loop, .sweep = contour::sweep_of_disc(opened(*loop), level.radius)};
-  if (!has_one_island(ring.sweep)) return std::nullopt;
+  // What the way to the loop clears does not stand inside of it.
+  if (islands_of(ring.sweep) != 1 || islands_of(level.sweep) == 0) return std::nullopt;
   ring.lead = lead_beside(recording, level, *loop);
   return ring;
 }

@@ -5,10 +5,12 @@
 #include <memory>
 
 #include "features/milling/entry.hpp"
+#include "features/milling/layer_rows.hpp"
 #include "features/milling/long_sweep.hpp"
 #include "features/milling/nominal.hpp"
 #include "features/milling/path_corners.hpp"
 #include "features/milling/smooth_wall.hpp"
+#include "features/milling/wall_passes.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -39,30 +41,21 @@ const Contour* outline_of(const Region& region) {
 }
 
 /// A loop of what was removed as it is told.
-Contour told(const Recording& recording, const Contour& loop) {
-  return normal_form(without_slivers(smooth_wall(recording, loop), kSamePoint_mm));
+Contour told(const Recording& recording, WallPasses& passes, const Contour& loop) {
+  const Contour wall = passes.cleaned(loop).value_or(loop);
+  return normal_form(without_slivers(smooth_wall(recording, wall), kSamePoint_mm));
 }
 
 // What stands in a hole of the region. Where all of it has gone before there is no island.
 void add_islands(const Recording& recording, const Material& material, const Contour& hole,
-                 Layer& layer) {
+                 WallPasses& passes, Layer& layer) {
   const Region inside = filled(hole);
   const Region left = material.standing(inside, layer.z);
   if (contour::area(left) <= kEmptyArea_mm2) return;
   for (const Contour& loop : left.loops) {
     if (contour::is_counterclockwise(loop) && !is_sliver(loop))
-      layer.islands.push_back(told(recording, loop));
+      layer.islands.push_back(told(recording, passes, loop));
   }
-}
-
-std::vector<std::uint32_t> rows_across(const Recording& recording, const Layer& layer) {
-  std::vector<std::uint32_t> rows;
-  for (const Span& span : layer.cuts) {
-    for (std::uint32_t row = span.first; row <= span.last; ++row) {
-      if (recording.moves[row].cuts() && recording.goes_across(row)) rows.push_back(row);
-    }
-  }
-  return rows;
 }
 
 double radius_of_owner(const Recording& recording, std::uint32_t owner) {
@@ -169,9 +162,10 @@ void tell_contours(const Recording& recording, const Material& material, double 
   layer.islands.clear();
   const Contour* const outline = outline_of(layer.removed);
   if (outline == nullptr) return;
-  layer.contour = told(recording, *outline);
+  WallPasses passes(recording, layer);
+  layer.contour = told(recording, passes, *outline);
   for (const Contour& loop : layer.removed.loops) {
-    if (!contour::is_counterclockwise(loop)) add_islands(recording, material, loop, layer);
+    if (!contour::is_counterclockwise(loop)) add_islands(recording, material, loop, passes, layer);
   }
   tell_nominal(recording, radius, layer);
 }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "features/milling/tool_reach.hpp"
+#include "features/milling/wall_row.hpp"
 
 namespace kerf::features {
 namespace {
@@ -18,54 +18,6 @@ using contour::Edge;
 
 constexpr double kMostRise = 1 + 2e-3;  // of a bulge: half a circle of rounded words
 constexpr double kLongestBump_mm = 2;
-constexpr double kBeside_mm = 4e-3;  // what words of inches are rounded to, twice
-
-/// The way of a row that has cut a wall.
-struct Row {
-  std::uint32_t number = 0;
-  std::vector<Edge> path{};
-  double radius = 0;  ///< of its tool
-  double length = 0;
-};
-
-std::optional<Row> row_of(const Recording& recording, std::uint32_t owner) {
-  if (owner >= recording.count() || !recording.moves[owner].cuts()) return std::nullopt;
-  const auto tool = recording.tools.find(recording.state_of(recording.moves[owner]).tool);
-  if (tool == recording.tools.end() || is_conical(tool->second)) return std::nullopt;
-  Row row{.number = owner, .radius = reach_of(tool->second).radius};
-  recording.append_edges(owner, row.path);
-  if (row.path.empty()) return std::nullopt;
-  for (const Edge& edge : row.path) row.length += contour::length(edge);
-  return row;
-}
-
-/// Beside the row, its ends no farther off than the tolerance.
-bool is_beside(const Row& row, Vec2 point) {
-  for (const Edge& edge : row.path) {
-    if (std::fabs(contour::distance(edge, point) - row.radius) > kBeside_mm) continue;
-    const double share = contour::nearest_share(edge, point);
-    if (share > 0 && share < 1) return true;
-    const Vec2 way =
-        geometry::unit(share > 0 ? contour::tangent_at_end(edge) : contour::tangent_at_start(edge));
-    const Vec2 arm = point - (share > 0 ? edge.to : edge.from);
-    if (std::fabs(geometry::dot(way, arm)) <= kBeside_mm) return true;
-  }
-  return false;
-}
-
-bool is_beside(const Row& row, const Edge& edge) {
-  return is_beside(row, edge.from) && is_beside(row, edge.to) &&
-         is_beside(row, contour::point_at(edge, 0.5));
-}
-
-/// What a row leaves beside it goes as it goes: a line, or about the same centre. Its round ends do
-/// not.
-bool is_side_of(const Row& row, const Edge& edge) {
-  const Edge& way = row.path.front();
-  if ((edge.bulge == 0) != (way.bulge == 0)) return false;
-  return edge.bulge == 0 ||
-         geometry::length(contour::centre(edge) - contour::centre(way)) <= kBeside_mm;
-}
 
 bool are_one_circle(const Edge& a, const Edge& b) {
   return a.bulge != 0 && b.bulge != 0 && (a.bulge > 0) == (b.bulge > 0) &&
@@ -100,7 +52,7 @@ Edge along_curve(const Edge& edge, Vec2 from, Vec2 to) {
 /// An edge of the wall, and the row that has cut it where it goes beside that: not round its end.
 struct Piece {
   Edge edge;
-  std::optional<Row> row;
+  std::optional<WallRow> row;
 
   [[nodiscard]] double reach() const { return row ? row->length : 0; }
 };
@@ -110,7 +62,7 @@ class Smoother {
   Smoother(const Recording& recording, const Contour& wall) {
     for (std::size_t i = 0; i < contour::edge_count(wall); ++i) {
       Piece piece{contour::edge_of(wall, i), {}};
-      piece.row = row_of(recording, piece.edge.owner);
+      piece.row = wall_row(recording, piece.edge.owner);
       if (piece.row && !is_side_of(*piece.row, piece.edge)) piece.row.reset();
       add(std::move(piece));
     }

@@ -17,7 +17,6 @@ using contour::Contour;
 using contour::Edge;
 
 constexpr std::size_t kMostWallSamples = 4096;
-constexpr double kRoundedCentre_mm = 5e-3;
 constexpr double kBothShare = 0.05;  // of the walls' length, below which one side does not count
 
 std::optional<double> median(std::vector<double> values) {
@@ -72,6 +71,13 @@ std::vector<double> loop_distances(const Recording& recording, const ShapedLevel
     distances.push_back(*median(samples));
   }
   return distances;
+}
+
+/// Loops and the single rows that lead from one to the next: how straight their sides are does not
+/// count.
+bool is_loops_alone(const ShapedLevel& shaped) {
+  const std::size_t loops = shaped.loops.loops.size();
+  return loops >= 2 && shaped.loops.links.size() <= loops;
 }
 
 // No closed loop but the last one, and round the middle more than twice.
@@ -133,7 +139,7 @@ std::optional<Edge> edge_near(const Recording& recording, std::uint32_t row, Vec
 bool go_one_way(const Edge& wall, const Edge& row) {
   const Vec2 point = contour::point_at(wall, 0.5);
   if (wall.bulge != 0 && row.bulge != 0 &&
-      geometry::length(contour::centre(wall) - contour::centre(row)) <= kRoundedCentre_mm)
+      geometry::length(contour::centre(wall) - contour::centre(row)) <= kRounded_mm)
     return (wall.bulge > 0) == (row.bulge > 0);
   const Vec2 along = contour::tangent_at_start(contour::part(wall, 0.5, 1));
   return geometry::dot(along, direction_near(row, point)) > 0;
@@ -158,7 +164,7 @@ Clearing clearing_of(const Recording& recording, const ShapedLevel& shaped) {
   const auto& loops = shaped.loops.loops;
   const LinePasses passes = line_passes_of(recording, shaped);
   if (loops.size() >= 2 && is_trochoidal(recording, shaped)) return {Strategy::trochoidal, {}};
-  if (passes.clears) {
+  if (passes.clears && !is_loops_alone(shaped)) {
     return {passes.goes_both_ways ? Strategy::zig_zag : Strategy::zig, median(passes.steps)};
   }
   const double links = length_of(recording, shaped.loops.links);

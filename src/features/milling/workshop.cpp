@@ -7,6 +7,7 @@
 #include "features/milling/contour_shapes.hpp"
 #include "features/milling/plunge_step.hpp"
 #include "features/milling/thread_milling.hpp"
+#include "features/milling/why_air.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"
@@ -203,7 +204,10 @@ void Workshop::add_thread(std::size_t number, const Operation& operation, const 
 }
 
 void Workshop::leave_idle_pecks() {
-  for (const PlungeRun& peck : idle_.take()) leave(peck.rows, Unrecognised::Why::air);
+  for (const PlungeRun& peck : idle_.take()) {
+    const State& state = recording_.state_of(recording_.moves[peck.rows.first]);
+    leave(peck.rows, why_air(materials_[state.setup].blank(), peck.bottom));
+  }
 }
 
 void Workshop::take(std::size_t number, const Operation& operation, const PlungeRun& plunge) {
@@ -250,7 +254,7 @@ void Workshop::take(std::size_t number, const Operation& operation, const HelixR
 }
 
 void Workshop::take(const Operation& operation, const FreeRun& run) {
-  const double top = materials_[operation.setup].blank().top;
+  const Blank& blank = materials_[operation.setup].blank();
   const Move& first = recording_.moves[run.rows.first];
   double lowest = recording_.from(run.rows.first).z;
   for (std::uint32_t row = run.rows.first; row <= run.rows.last; ++row)
@@ -258,7 +262,7 @@ void Workshop::take(const Operation& operation, const FreeRun& run) {
   if (first.kind == Move::Kind::probe) return leave(run.rows, Unrecognised::Why::probing);
   if (recording_.setups[operation.setup].is_turned())
     return leave(run.rows, Unrecognised::Why::rotary);
-  if (lowest >= top - kSameZ_mm) return leave(run.rows, Unrecognised::Why::air);
+  if (lowest >= blank.top - kSameZ_mm) return leave(run.rows, why_air(blank, lowest));
   if (run.rows.last - run.rows.first + 1 >= kLeastSurface)
     return add_surface(air_mm_.size() - 1, operation, {run.rows}, run.visit);
   leave(run.rows, Unrecognised::Why::free_motion);

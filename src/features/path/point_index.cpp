@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "features/path/tolerance.hpp"
-
 namespace kerf::features {
 namespace {
 
@@ -45,25 +43,24 @@ void PointIndex::add(geometry::Vec2 at, std::uint32_t item) {
   put({cell_of(at.u), cell_of(at.v), age_, item, at});
 }
 
-void PointIndex::look(std::int64_t u, std::int64_t v, geometry::Vec2 at,
+void PointIndex::look(std::int64_t u, std::int64_t v, geometry::Vec2 at, double tolerance,
                       std::optional<std::uint32_t>& found) const {
   for (std::size_t place = place_of(u, v); slots_[place].age == age_;
        place = (place + 1) & (slots_.size() - 1)) {
     const Slot& slot = slots_[place];
-    const bool is_near =
-        slot.u == u && slot.v == v && geometry::length(slot.at - at) <= kSamePoint_mm;
+    const bool is_near = slot.u == u && slot.v == v && geometry::length(slot.at - at) <= tolerance;
     if (is_near && (!found || slot.item > *found)) found = slot.item;
   }
 }
 
-std::optional<std::uint32_t> PointIndex::near(geometry::Vec2 at) const {
-  const std::int64_t low_u = cell_of(at.u - kSamePoint_mm);
-  const std::int64_t high_u = cell_of(at.u + kSamePoint_mm);
-  const std::int64_t low_v = cell_of(at.v - kSamePoint_mm);
-  const std::int64_t high_v = cell_of(at.v + kSamePoint_mm);
+std::optional<std::uint32_t> PointIndex::near(geometry::Vec2 at, double tolerance) const {
+  const std::int64_t low_u = cell_of(at.u - tolerance);
+  const std::int64_t high_u = cell_of(at.u + tolerance);
+  const std::int64_t low_v = cell_of(at.v - tolerance);
+  const std::int64_t high_v = cell_of(at.v + tolerance);
   std::optional<std::uint32_t> found;
   for (std::int64_t u = low_u; u <= high_u; ++u) {
-    for (std::int64_t v = low_v; v <= high_v; ++v) look(u, v, at, found);
+    for (std::int64_t v = low_v; v <= high_v; ++v) look(u, v, at, tolerance, found);
   }
   return found;
 }

@@ -4,11 +4,12 @@
 #include <optional>
 #include <vector>
 
+#include "features/path/tolerance.hpp"
 #include "geometry/vec2.hpp"
 
 namespace kerf::features {
 
-/// Finds points again within kSamePoint_mm, at the cost of a look into a table. Forgetting all of
+/// Finds points again within a tolerance, at the cost of a look into a table. Forgetting all of
 /// them costs nothing.
 class PointIndex {
  public:
@@ -16,8 +17,10 @@ class PointIndex {
 
   void forget() { ++age_; }
   void add(geometry::Vec2 at, std::uint32_t item);
-  /// The item that was added last near to a point, since forget().
-  [[nodiscard]] std::optional<std::uint32_t> near(geometry::Vec2 at) const;
+  /// The item that was added last near to a point, since forget(). The tolerance is at most
+  /// kRounded_mm.
+  [[nodiscard]] std::optional<std::uint32_t> near(geometry::Vec2 at,
+                                                  double tolerance = kSamePoint_mm) const;
 
  private:
   struct Slot {
@@ -31,7 +34,7 @@ class PointIndex {
   [[nodiscard]] std::size_t place_of(std::int64_t u, std::int64_t v) const;
   void grow();
   void put(const Slot& slot);
-  void look(std::int64_t u, std::int64_t v, geometry::Vec2 at,
+  void look(std::int64_t u, std::int64_t v, geometry::Vec2 at, double tolerance,
             std::optional<std::uint32_t>& found) const;
 
   std::vector<Slot> slots_;

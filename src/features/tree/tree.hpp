@@ -52,8 +52,9 @@ struct Unrecognised {
     free_motion,
     rotary,
     probing,
-    air,    ///< above all that there is to cut
-    budget  ///< time or memory were over
+    air,                  ///< where there is nothing to cut
+    above_assumed_stock,  ///< above a blank that nobody has described
+    budget                ///< time or memory were over
   };
   Why why = Why::free_motion;
   Span rows{};

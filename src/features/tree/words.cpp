@@ -109,8 +109,8 @@ std::string_view word_of(Pattern::Kind kind) {
 }
 
 std::string_view word_of(Unrecognised::Why why) {
-  static constexpr std::array<std::string_view, 5> kWords = {"free-motion", "rotary", "probing",
-                                                             "air", "budget"};
+  static constexpr std::array<std::string_view, 6> kWords = {
+      "free-motion", "rotary", "probing", "air", "above-assumed-stock", "budget"};
   return nth(kWords, why);
 }
 

@@ -31,12 +31,13 @@ std::uint32_t cell_of(double value, double low, double size) {
   return static_cast<std::uint32_t>(share * (kCells - 1));
 }
 
-// Place on the curve and number of each box in one word, to be sorted.
+// Place on the curve and number of each box in one word, to be sorted. One that holds nothing has
+// no middle, and is met by none.
 std::vector<std::uint64_t> keys_of(std::span<const Box> boxes, const Box& all) {
   std::vector<std::uint64_t> keys(boxes.size());
   const Vec2 size = all.high - all.low;
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec2 middle = boxes[i].middle();
+    const Vec2 middle = boxes[i].is_empty() ? all.low : boxes[i].middle();
     const std::uint64_t place =
         hilbert(cell_of(middle.u, all.low.u, size.u), cell_of(middle.v, all.low.v, size.v));
     keys[i] = place << 32U | i;

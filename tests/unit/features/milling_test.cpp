@@ -170,6 +170,30 @@ TEST(Milling, WhatIsLeftInTheCornersAndCutLaterIsTheSamePocket) {
   EXPECT_EQ(tree.features[0].cuts[1].role, Cut::Role::rest);
 }
 
+// The lines and the ways between them stand out by 2 µm; the last line's way goes along a wall.
+TEST(Milling, AWallIsThatOfThePassAlongItWhereverOthersEnd) {
+  FlatPath path(10);
+  path.rapid(14.998, 15, 5).line(14.998, 15, -2);
+  for (double y = 15; y < 35; y += 10) {
+    path.line(45.002, y, -2).line(45.002, y + 5, -2);
+    path.line(14.998, y + 5, -2).line(14.998, y + 10, -2);
+  }
+  path.line(45.002, 35, -2).line(45, 15, -2);
+  path.line(45, 35, -2).line(15, 35, -2).line(15, 15, -2).line(45, 15, -2).rapid(45, 15, 5);
+  const Tree tree = recognise(path.recording(), {}, Method::both);
+  ASSERT_EQ(tree.features.size(), 1U);
+  const Feature& pocket = tree.features[0];
+  EXPECT_EQ(pocket.type, FeatureType::pocket);
+  EXPECT_EQ(pocket.strategy, Strategy::zig_zag);
+  EXPECT_EQ(pocket.milling, Milling::climb);
+  const Layer& layer = pocket.layers.front();
+  EXPECT_EQ(layer.contour.vertices.size(), 8U);
+  EXPECT_NEAR(contour::area(layer.contour), 1200 - (4 - kPi) * 25, kExact);
+  ASSERT_EQ(layer.nominal.vertices.size(), 4U);
+  EXPECT_NEAR(contour::area(layer.nominal), 1200, kExact);
+  EXPECT_NEAR(contour::length(layer.nominal), 140, kExact);
+}
+
 TEST(Milling, RoundThingsAboutOneAxisAreOneHole) {
   FeaturePath path;
   path.tool(1, 6.6, ToolKind::drill).spindle(2000);
@@ -183,6 +207,49 @@ TEST(Milling, RoundThingsAboutOneAxisAreOneHole) {
   EXPECT_TRUE(tree.holes[0].through);
   ASSERT_EQ(tree.holes[0].steps.size(), 2U);
   EXPECT_NEAR(tree.holes[0].steps[1].diameter, 11, kExact);
+}
+
+// Words of inches put its middle beside the axis.
+TEST(Milling, ACounterboreIsAboutTheAxisOfItsHoleAsFarAsWordsSayIt) {
+  FlatPath path(6);
+  path.rapid(35.002, 20, 5).line(35.002, 20, -3);
+  path.arc(35.002, 20, -3, 30.002, 20.001, Direction::counterclockwise).rapid(35.002, 20, 5);
+  path.line(32.002, 20, -3).arc(32.002, 20, -3, 30.002, 20.001, Direction::counterclockwise);
+  path.rapid(32.002, 20, 5);
+  path.tool(2, 6.6, ToolKind::drill).spindle(2000);
+  path.rapid(30, 20, 5).line(30, 20, -12).rapid(30, 20, 5);
+  const Tree tree = recognise(path.recording(), {}, Method::both);
+  EXPECT_EQ(tree.features.size(), 0U);
+  ASSERT_EQ(tree.holes.size(), 1U);
+  EXPECT_EQ(tree.holes[0].form, Hole::Form::counterbore);
+  EXPECT_NEAR(tree.holes[0].at.u, 30, kExact);
+  EXPECT_NEAR(tree.holes[0].at.v, 20, kExact);
+}
+
+TEST(Milling, AReamedHoleIsAsWideAsTheReamerAndHasNoStep) {
+  FeaturePath path;
+  path.tool(1, 6.045, ToolKind::drill).spindle(3000);
+  path.rapid(30, 20, 5).line(30, 20, -20).rapid(30, 20, 5);
+  path.tool(2, 6.337, ToolKind::reamer).spindle(1000);
+  path.rapid(30, 20, 5).line(30, 20, -15).line(30, 20, 5);
+  const Tree tree = recognise(path.recording(), block(0, 0, 60, 40, -30), Method::swept);
+  ASSERT_EQ(tree.holes.size(), 1U);
+  EXPECT_EQ(tree.holes[0].form, Hole::Form::plain);
+  EXPECT_NEAR(tree.holes[0].diameter, 6.337, kExact);
+  EXPECT_NEAR(tree.holes[0].bottom, -20, kExact);
+  EXPECT_EQ(tree.holes[0].steps.size(), 2U);
+}
+
+// Nobody has said how high it is there.
+TEST(Milling, WhatIsFedAboveAnAssumedBlankIsNoAir) {
+  FlatPath path(10);
+  path.rapid(10, 10, 5).line(10, 10, 2).line(40, 10, 2).rapid(40, 10, 5);
+  const Tree assumed = recognise(path.recording(), {}, Method::swept);
+  ASSERT_EQ(assumed.unrecognised.size(), 1U);
+  EXPECT_EQ(assumed.unrecognised[0].why, Unrecognised::Why::above_assumed_stock);
+  const Tree known = recognise(path.recording(), block(0, 0, 60, 40, -20), Method::swept);
+  ASSERT_EQ(known.unrecognised.size(), 1U);
+  EXPECT_EQ(known.unrecognised[0].why, Unrecognised::Why::air);
 }
 
 TEST(Milling, AHelixLeadsIntoThePocketBelowIt) {

@@ -59,6 +59,7 @@ struct EditWishes {
   std::vector<features::Edit> edits{};
   bool allows_collision = false;
   bool allows_rest = false;
+  bool allows_other_files = false;  ///< those of the library may change
 };
 
 }  // namespace kerf::job

@@ -9,6 +9,7 @@
 #include "features/merge/tool_words.hpp"
 #include "features/plan/edit_planner.hpp"
 #include "features/rewrite/regenerate.hpp"
+#include "job/changed_library.hpp"
 #include "job/internal/block_texts.hpp"
 #include "job/internal/changed_lines.hpp"
 #include "job/internal/new_findings.hpp"
@@ -205,7 +206,7 @@ class Drafting {
     for (const auto& [file, replacements] : merged.replacements) {
       const std::string& name = sources[file].name();
       const bool is_main = name == job_.job.program.name;
-      if (!is_main) return refuse(Code::edit_other_file, "THE BLOCKS STAND IN " + name);
+      if (!is_main && !wishes_.allows_other_files) return other_file(name);
       const std::string& text = sources_.texts.at(file);
       EditedText edited{name, is_main, text, features::replaced(text, replacements)};
       if (edited.after == text) continue;
@@ -213,13 +214,21 @@ class Drafting {
         report.bytes_changed += std::max<std::uint64_t>(each.length, each.text.size());
       for (TextChange& change : changes_of(name, text, replacements))
         report.changes.push_back(std::move(change));
-      report.crc32 = base::crc32(edited.after);
+      if (is_main) report.crc32 = base::crc32(edited.after);
       result_.texts.push_back(std::move(edited));
     }
     tell_regenerated();
     report.warnings = plan_.warnings;
     warn_outside_stock();
     return {};
+  }
+
+  [[nodiscard]] static tl::unexpected<EditFault> other_file(const std::string& name) {
+    return tl::unexpected(EditFault{
+        Code::edit_other_file, "THE BLOCKS STAND IN " + name,
+        "--output-library names a folder for changed files; `\"scope\":\"this\"` writes the call "
+        "out in the program",
+        0});
   }
 
   // Of a stock that somebody has described.
@@ -337,8 +346,9 @@ base::Outcome<features::Editing<EditResult>> EditScene::verified(EditDraft draft
   StockJob original = on_same_stock(job_, before_);
   if (unwanted.stop_possible()) original.job.budget.unwanted = std::move(unwanted);
   StockJob again = original;
-  again.job.program =
-      base::ProgramText::of(job_.job.program.name, draft.result.texts.front().after);
+  auto library = ChangedLibrary::of(draft.result.texts);
+  if (!library) return tl::unexpected(library.error());
+  library->change(again.job);
   auto after = recognise_features(again, features::Method::both);
   if (!after) return tl::unexpected(after.error());
   if (after->status != before_.status) return not_verified("IT ENDS OTHERWISE THAN THE ORIGINAL");

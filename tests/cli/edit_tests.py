@@ -341,6 +341,32 @@ def undo_in_a_library(box):
     equal((box.read("back/O9100.nc"), box.read("old.nc")), (b"".join(before), main), "files")
 
 
+@test("edit: a pocket in a file of the library, which goes where --output-library says, and back")
+def edit_in_a_library(box):
+    prepare(box)
+    lines = PART.splitlines(keepends=True)
+    main = "".join(lines[:3]) + "M98 P9100\nM30\n"
+    library = "O9100\n" + "".join(lines[3:-1]) + "M99\n"
+    box.write("part.nc", main)
+    box.write("lib/O9100.nc", library)
+    files = box.files()
+    words = ("--output", "new.nc", "--report", "r.json", "--library", "lib")
+    result = edit(box, *words, wanted=1)
+    contains(result.err, "error: EDIT_OTHER_FILE ", "refusal")
+    contains(result.err, "--output-library", "hint")
+    equal(box.files(), files, "files behind it")
+    os.mkdir(box.path("changed"))
+    edit(box, *words, "--output-library", "changed")
+    wanted = library.replace("N180 X40 ", "N180 X30 ")
+    wanted = wanted.replace("N230 X45\n", "N230 X35\n")
+    equal(box.read("changed/O9100.nc").decode(), wanted, "the file of the library")
+    equal((box.read("new.nc").decode(), box.read("lib/O9100.nc").decode()), (main, library), "all else")
+    os.mkdir(box.path("back"))
+    status(box.kerf("edit", "new.nc", "--undo", "r.json", "--output", "old.nc", "--library", "changed",
+                    "--output-library", "back"), 0)
+    equal(box.read("back/O9100.nc").decode(), library, "what undoing gives")
+
+
 @test("edit: undo and diff of 100,000 lines take a moment")
 def long_program(box):
     before = [b"N%d G1 X%d.\n" % (i, i % 7) for i in range(100_000)]

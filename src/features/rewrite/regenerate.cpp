@@ -334,8 +334,12 @@ Span whole_visit(const Recording& recording, const Layer& layer) {
 
 tl::expected<NewRows, CannotCut> regenerated(const Recording& recording, OldWays& ways,
                                              const NewLayer& wanted) {
-  if (wanted.centre_line == nullptr && is_in_lines_or_turns(recording, wanted))
-    return in_lines_or_turns(recording, wanted);
+  if (wanted.centre_line == nullptr && is_in_lines_or_turns(recording, wanted)) {
+    auto made = in_lines_or_turns(recording, wanted);
+    const bool has_loops = wanted.feature->strategy == Strategy::single ||
+                           wanted.feature->strategy == Strategy::contour_parallel;
+    if (made || !has_loops || made.error().code != Code::edit_not_editable) return made;
+  }
   return LayerWriter(recording, ways, wanted).write();
 }
 

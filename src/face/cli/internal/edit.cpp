@@ -141,8 +141,11 @@ ExitStatus make_edit(const EditOptions& options) {
   auto order = order_on_table(options.run, std::move(*set_up));
   if (!order) return fail(order.error());
   order->job.job.input = kept_operator_input();
-  auto ran = job::edit_features(order->job,
-                                {edits->edits(), options.allows_collision, options.allows_rest});
+  auto ran =
+      job::edit_features(order->job, {.edits = edits->edits(),
+                                      .allows_collision = options.allows_collision,
+                                      .allows_rest = options.allows_rest,
+                                      .allows_other_files = !options.output_library.empty()});
   if (!ran) return fail(ran.error());
   order->ready.run = std::move(ran->run);
   report_diagnostics(order->ready, options.run.diagnostics);

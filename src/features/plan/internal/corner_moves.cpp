@@ -41,7 +41,34 @@ class Shift {
     return new_z ? std::optional(*new_z - *old_z) : std::nullopt;
   }
 
+  /// Of the point where a row begins that runs along an element from before it: it stays on that
+  /// element's line, as far from its end as it can.
+  [[nodiscard]] std::optional<Vec2> before_element(Vec2 from, Vec2 to) const {
+    for (std::size_t i = 0; i < contour::edge_count(before_); ++i) {
+      const Edge was = contour::edge_of(before_, i);
+      const Edge is = contour::edge_of(now_, i);
+      if (was.bulge != 0 || geometry::length(was.to - to) > kSamePoint_mm) continue;
+      const Vec2 way = geometry::unit(was.to - was.from);
+      const Vec2 arm = from - was.to;
+      const bool is_before = geometry::dot(way, arm) < 0;
+      if (!is_before || std::fabs(geometry::cross(way, arm)) > kSamePoint_mm) continue;
+      return on_line(is, from) - from;
+    }
+    return std::nullopt;
+  }
+
  private:
+  /// The point of a line that is at the same place along the axis, or, where it is square to that,
+  /// from it.
+  static Vec2 on_line(const Edge& line, Vec2 near) {
+    const Vec2 way = line.to - line.from;
+    if (geometry::length(way) <= kSamePoint_mm) return near;
+    const bool is_square = std::fabs(way.u) < std::fabs(way.v);
+    const double share =
+        is_square ? (near.v - line.from.v) / way.v : (near.u - line.from.u) / way.u;
+    return line.from + share * way;
+  }
+
   /// Where a contour has a radius, nearest to a place.
   static std::optional<double> z_at(const Contour& contour, double radius, double near) {
     std::optional<double> found;
@@ -109,6 +136,9 @@ Done follow_turned(EditScene& scene, std::size_t feature, const Contour& contour
           planned.to = planned.to + Vec3{by->v, 0, by->u};
         } else if (follows && !is_shape) {
           if (const auto farther = shift.along_z(end)) planned.to.z += *farther;
+        } else if (!is_shape && row < visit.last && scene.recording.moves[row + 1].cuts()) {
+          const auto start = shift.before_element(end, scene.recording.flat_to(row + 1));
+          if (start) planned.to = planned.to + Vec3{start->v, 0, start->u};
         }
         stretch.becomes.push_back(planned);
       }

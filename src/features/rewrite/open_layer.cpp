@@ -41,8 +41,9 @@ bool is_in_lines_or_turns(const Recording& recording, const NewLayer& wanted) {
     case Strategy::contour_parallel:
     case Strategy::adaptive: {
       const Layer& layer = feature.layers[wanted.layer];
-      return !bounds_what_stands(feature) && layer.links.size() > 2 * layer.loops.size() + 2 &&
-             is_mostly_open(recording, layer);
+      const bool has_many_links = layer.links.size() > 2 * layer.loops.size() + 2;
+      return !bounds_what_stands(feature) &&
+             (layer.visits.size() > 1 || (has_many_links && is_mostly_open(recording, layer)));
     }
     default: return false;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "features/literal/left_inside.hpp"
 #include "features/path/tolerance.hpp"
@@ -19,6 +20,7 @@ using contour::Edge;
 
 constexpr std::size_t kMostEdges = 20'000;
 constexpr double kLeastPart = 1e-9;
+constexpr double kLeastRound = 0.5;
 
 /// Where two edges have a point in common, by their shares.
 struct Meeting {
@@ -97,10 +99,16 @@ bool is_mostly_loop(const Recording& recording, const Level& level, const Contou
   return all <= 2 * contour::length(loop);
 }
 
-std::ptrdiff_t islands_of(const Region& sweep) {
-  return std::count_if(sweep.loops.begin(), sweep.loops.end(), [](const Contour& loop) {
-    return !contour::is_counterclockwise(loop) && !is_sliver(loop);
-  });
+// One island, of a loop that goes round it: it is shorter by the tool's own round. Lines that clear
+// something and come back to where they began go to and fro instead.
+bool goes_round_island(const Ring& ring, double radius) {
+  std::vector<double> lengths;
+  for (const Contour& loop : ring.sweep.loops) {
+    if (!contour::is_counterclockwise(loop) && !is_sliver(loop))
+      lengths.push_back(contour::length(loop));
+  }
+  return lengths.size() == 1 && lengths.front() + 2 * std::numbers::pi * radius >=
+                                    kLeastRound * contour::length(ring.loop);
 }
 
 // The first or last point of the rows that is not on the loop.
@@ -127,8 +135,7 @@ std::optional<Ring> ring_of(const Recording& recording, const Level& level,
   if (!loop || !is_mostly_loop(recording, level, *loop)) return std::nullopt;
   if (!is_left_inside(*loop, level.radius)) return std::nullopt;
   Ring ring{.loop = *loop, .sweep = contour::sweep_of_disc(opened(*loop), level.radius)};
-  // What the way to the loop clears does not stand inside of it.
-  if (islands_of(ring.sweep) != 1 || islands_of(level.sweep) == 0) return std::nullopt;
+  if (!goes_round_island(ring, level.radius)) return std::nullopt;
   ring.lead = lead_beside(recording, level, *loop);
   return ring;
 }

@@ -7,7 +7,6 @@
 #include "features/milling/contour_shapes.hpp"
 #include "features/milling/plunge_step.hpp"
 #include "features/milling/thread_milling.hpp"
-#include "features/milling/why_air.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/normal_form.hpp"
 #include "geometry/contour/boolean.hpp"

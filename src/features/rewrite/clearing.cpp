@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/each_by_threads.hpp"
 #include "features/path/point_index.hpp"
 #include "features/path/tolerance.hpp"
 #include "features/tree/corner.hpp"
@@ -24,6 +25,7 @@ constexpr double kTouch_mm = 1e-6;  // by how much a wall that is just touched i
 constexpr double kLeastStep_mm = 0.01;
 constexpr int kMostLoops = 10'000;
 constexpr std::size_t kMostKnown = 256;  // distances whose loops are remembered
+constexpr std::size_t kManyVertices = 100;
 
 PointIndex corners_of(const Region& region) {
   PointIndex corners;
@@ -134,6 +136,20 @@ const LoopsAtDistance& known_loops(const Clearing& clearing, double distance) {
   return clearing.known_loops.emplace(distance, made_loops(clearing, distance)).first->second;
 }
 
+/// Those at several distances, by two threads where that is worth its while: each is an offset of
+/// the whole wall.
+void know_loops(const Clearing& clearing, const std::vector<double>& distances) {
+  std::size_t vertices = 0;
+  for (const Contour& wall : clearing.region.loops) vertices += wall.vertices.size();
+  if (vertices < kManyVertices || distances.size() > kMostKnown) return;
+  std::vector<LoopsAtDistance> made(distances.size());
+  base::each_by_threads(distances.size(), base::useful_threads(2), [&](std::size_t i) {
+    if (clearing.known_loops.count(distances[i]) == 0) made[i] = made_loops(clearing, distances[i]);
+  });
+  for (std::size_t i = 0; i < distances.size(); ++i)
+    clearing.known_loops.emplace(distances[i], std::move(made[i]));
+}
+
 /// Between an arc about a corner and the sharp corner in its place nothing stays where the tool
 /// reaches across from the corner's sides, or where the loop before it is as sharp there: a point
 /// between both has one or the other within this share of the step.
@@ -199,6 +215,7 @@ Region opened(const Region& region, double radius) {
 LoopDistances distances_of(const Clearing& clearing, const std::vector<double>& wanted,
                            double step) {
   if (clearing.is_outside) return {wanted};
+  know_loops(clearing, wanted);
   std::vector<double> kept;
   for (const double distance : wanted) {
     if (loops_at(clearing, distance).empty()) break;

@@ -73,11 +73,19 @@ std::vector<double> loop_distances(const Recording& recording, const ShapedLevel
   return distances;
 }
 
+/// Much longer than round what it lies in: a zig-zag that comes back to where it began.
+bool goes_to_and_fro(const Recording& recording, const Loop& loop) {
+  const contour::Box box = contour::extents(recording.contour_of(loop.rows));
+  return loop.perimeter > 3 * (box.high.u - box.low.u + box.high.v - box.low.v);
+}
+
 /// Loops and the single rows that lead from one to the next: how straight their sides are does not
 /// count.
-bool is_loops_alone(const ShapedLevel& shaped) {
-  const std::size_t loops = shaped.loops.loops.size();
-  return loops >= 2 && shaped.loops.links.size() <= loops;
+bool is_loops_alone(const Recording& recording, const ShapedLevel& shaped) {
+  const auto& loops = shaped.loops.loops;
+  return loops.size() >= 2 && shaped.loops.links.size() <= loops.size() &&
+         std::none_of(loops.begin(), loops.end(),
+                      [&](const Loop& loop) { return goes_to_and_fro(recording, loop); });
 }
 
 // No closed loop but the last one, and round the middle more than twice.
@@ -164,7 +172,7 @@ Clearing clearing_of(const Recording& recording, const ShapedLevel& shaped) {
   const auto& loops = shaped.loops.loops;
   const LinePasses passes = line_passes_of(recording, shaped);
   if (loops.size() >= 2 && is_trochoidal(recording, shaped)) return {Strategy::trochoidal, {}};
-  if (passes.clears && !is_loops_alone(shaped)) {
+  if (passes.clears && !is_loops_alone(recording, shaped)) {
     return {passes.goes_both_ways ? Strategy::zig_zag : Strategy::zig, median(passes.steps)};
   }
   const double links = length_of(recording, shaped.loops.links);

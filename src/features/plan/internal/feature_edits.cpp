@@ -78,7 +78,9 @@ class FeatureMaker {
     if (!stretch) return tl::unexpected(stretch.error());
     for (PlannedRow& row : stretch->becomes) change(row, layer, *z);
     want(layer, layer, *z);
-    if (is_deeper) go_deeper(layer, *stretch);
+    if (is_deeper) {
+      if (auto done = go_deeper(layer, *stretch); !done) return done;
+    }
     scene_.add(std::move(*stretch));
     return {};
   }
@@ -142,13 +144,15 @@ class FeatureMaker {
   }
 
   // Copies of the last visit, a step apart.
-  void go_deeper(std::size_t layer, Stretch& stretch) {
+  [[nodiscard]] Done go_deeper(std::size_t layer, Stretch& stretch) {
     const Layer& last = its_.layers[layer];
     const double step = std::max(its_.stepdown.value_or(last.top - last.z), kSamePoint_mm);
     const std::vector<PlannedRow> pattern = stretch.becomes;
+    if (last.z - *wish_.bottom > kMostSteps * step || pattern.empty()) return too_deep(step);
     std::size_t count = its_.layers.size();
-    for (double above = last.z; above > *wish_.bottom + kSameZ_mm && count < kMostLayers;) {
+    for (double above = last.z; above > *wish_.bottom + kSameZ_mm;) {
       const double z = std::max(above - step, *wish_.bottom);
+      come_back(pattern.front(), stretch);
       for (PlannedRow row : pattern) {
         if (std::fabs(row.to.z - wish_.by.z - last.z) <= kSameZ_mm) row.to.z = z + wish_.by.z;
         row.was.reset();
@@ -157,9 +161,26 @@ class FeatureMaker {
       want(count++, layer, z);
       above = z;
     }
+    return {};
   }
 
-  static constexpr std::size_t kMostLayers = 10'000;
+  // A visit that began where the tool stood goes there first where it ends elsewhere now.
+  void come_back(const PlannedRow& first, Stretch& stretch) const {
+    const Vec3 from = stretch.becomes.back().to;
+    const bool is_beside = geometry::length(flat(first.to) - flat(from)) > kSamePoint_mm;
+    const bool is_above = from.z > its_.layers.front().top + wish_.by.z - kSameZ_mm;
+    if (!is_beside || !is_above || !is_upright(scene_.recording, first.like)) return;
+    stretch.becomes.push_back(
+        {.to = {first.to.x, first.to.y, from.z}, .kind = Move::Kind::rapid, .like = first.like});
+  }
+
+  [[nodiscard]] Done too_deep(double step) const {
+    return scene_.refuse(Code::edit_not_editable, "THE DEPTH TAKES MORE THAN " +
+                                                      std::to_string(kMostSteps) + " STEPS OF " +
+                                                      base::rounded_text(step, 3));
+  }
+
+  static constexpr int kMostSteps = 1000;
 
   EditScene& scene_;
   std::size_t feature_;

@@ -100,7 +100,7 @@ bool is_mostly_loop(const Recording& recording, const Level& level, const Contou
 }
 
 // One island, of a loop that goes round it: it is shorter by the tool's own round. Lines that clear
-// something and come back to where they began go to and fro instead.
+// something and come back to where they began go there and back instead.
 bool goes_round_island(const Ring& ring, double radius) {
   std::vector<double> lengths;
   for (const Contour& loop : ring.sweep.loops) {

@@ -74,7 +74,7 @@ std::vector<double> loop_distances(const Recording& recording, const ShapedLevel
 }
 
 /// Much longer than round what it lies in: a zig-zag that comes back to where it began.
-bool goes_to_and_fro(const Recording& recording, const Loop& loop) {
+bool comes_back_to_itself(const Recording& recording, const Loop& loop) {
   const contour::Box box = contour::extents(recording.contour_of(loop.rows));
   return loop.perimeter > 3 * (box.high.u - box.low.u + box.high.v - box.low.v);
 }
@@ -85,7 +85,7 @@ bool is_loops_alone(const Recording& recording, const ShapedLevel& shaped) {
   const auto& loops = shaped.loops.loops;
   return loops.size() >= 2 && shaped.loops.links.size() <= loops.size() &&
          std::none_of(loops.begin(), loops.end(),
-                      [&](const Loop& loop) { return goes_to_and_fro(recording, loop); });
+                      [&](const Loop& loop) { return comes_back_to_itself(recording, loop); });
 }
 
 // No closed loop but the last one, and round the middle more than twice.

@@ -61,7 +61,7 @@ struct Window {
 
 /// How far from the ends of two lists one can begin so that no more than d motions are in only one
 /// of them: for each d and each diagonal (place in `a` less place in `b`) the first place in `a`.
-/// E. W. Myers, An O(ND) difference algorithm and its variations (1986), from behind.
+/// The greedy algorithm of E. W. Myers (1986) for differences, from behind.
 class Reaches {
  public:
   Reaches(const Wholes& a, const Wholes& b, Window in, Same same)

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kParallel_rad = std::numbers::pi / 180;
 constexpr std::size_t kLeastRun = 3;  // passes that go on to one side, where there are loops
+// Of the length where there are loops: the round that closes a small pocket may be longer than the
+// passes, and loops alone do not go on to one side.
+constexpr double kShareBesideRound = 1.0 / 3;
 
 /// A straight row: its length, direction, and distance of its line from the origin.
 struct Line {
@@ -131,9 +134,9 @@ LinePasses line_passes_of(const Recording& recording, const ShapedLevel& shaped)
   double all = 0;
   for (const std::uint32_t row : rows) all += recording.length_of(row);
   const std::vector<Pass> passes = passes_along(lines, main_direction(lines));
-  const std::size_t least = shaped.loops.loops.empty() ? 2 : kLeastRun;
-  const GoingOn going_on(passes, least, 2 * shaped.level.radius);
-  found.clears = going_on.length() > all / 2;
+  const bool has_loops = !shaped.loops.loops.empty();
+  const GoingOn going_on(passes, has_loops ? kLeastRun : 2, 2 * shaped.level.radius);
+  found.clears = going_on.length() > all * (has_loops ? kShareBesideRound : 0.5);
   found.goes_both_ways = going_on.goes_both_ways();
   found.steps = going_on.steps();
   return found;

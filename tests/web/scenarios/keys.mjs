@@ -94,7 +94,7 @@ const OUTSIDE = {
   'View from the front': { begin: turned, does: looks_otherwise },
   'View from the right': { begin: turned, does: looks_otherwise },
   'Fit the path into the picture': { begin: turned, does: looks_otherwise },
-  'Next colouring of the path': { begin: turned, does: looks_otherwise },
+  'Next colouring of the path': { begin: turned_with_path, does: looks_otherwise },
   'One second back in the run': { begin: (p) => p.go_to_instant(5), does: instant_is('0:04') },
   'One second on in the run': { begin: (p) => p.go_to_instant(5), does: instant_is('0:06') },
   'Back to now': {
@@ -269,6 +269,11 @@ async function turned(p) {
   await p.page.mouse.up();
   await p.page.mouse.move(5, 5);
   p.picture_before = await still_picture(p);
+}
+/** The part may lie over the path. */
+async function turned_with_path(p) {
+  await p.shows('Path over the part', true);
+  await turned(p);
 }
 async function still_picture(p) {
   let before;

@@ -45,8 +45,18 @@ async function cursor_is(panel, line) {
   );
   assert.equal(await cursor_line(panel), line);
 }
-async function expect_below(panel, card_box, line_box) {
-  assert.ok(card_box.y >= line_box.y + line_box.height - 2, 'the card stands below its line');
+/** It is put there with the next picture. */
+async function is_below(panel, card, line) {
+  const late = Date.now() + 10_000;
+  for (;;) {
+    const [at, mark] = [await box(card), await box(line)];
+    if (at.y >= mark.y + mark.height - 2) return at;
+    assert.ok(Date.now() < late, 'the card stands below its line');
+    await panel.page.waitForTimeout(30);
+  }
+}
+async function expect_below(panel, card, line) {
+  const card_box = await is_below(panel, card, line);
   const buttons = await panel.page.locator('button:visible').all();
   for (const button of buttons) {
     const { inside, words } = await button.evaluate((e) => ({
@@ -331,7 +341,7 @@ export const newcomer = [
       await mark.hover();
       const bubble = panel.page.locator('.cm-tooltip-lint');
       await bubble.getByText('PS0007').waitFor();
-      await expect_below(panel, await box(bubble), await box(mark));
+      await expect_below(panel, bubble, mark);
       await bubble.getByRole('button', { name: 'Manual' }).click();
       await panel.page.getByRole('dialog', { name: 'Manual' }).waitFor();
     },

@@ -105,6 +105,7 @@ class Merger {
       rows.rows.push_back(as_it_is(s_.recording, row));
       ++row;
     }
+    go_above(rows.old.first, s_.recording.moves[rows.old.first].to);
     stay_still(s_, rows.old.first);
     carry(rows);
     follow_block(s_, rows, old_);
@@ -191,13 +192,15 @@ class Merger {
     const PlannedRow& row = stretch.becomes[i];
     const bool follows =
         i > 0 && stretch.becomes[i - 1].was && *stretch.becomes[i - 1].was + 1 == *row.was;
-    const bool is_cycle = s_.recording.state_of(s_.recording.moves[*row.was]).cycle != 0;
-    if (follows || is_cycle || s_.recording.turns || !is_upright(s_.recording, *row.was)) return;
-    const Vec2 off = Vec2{row.to.x, row.to.y} - Vec2{s_.at.x, s_.at.y};
-    const bool is_up = row.to.z > s_.at.z + kSameZ_mm;
+    if (!follows) go_above(*row.was, row.to);
+  }
+  void go_above(std::uint32_t was, Vec3 to) {
+    const bool is_cycle = s_.recording.state_of(s_.recording.moves[was]).cycle != 0;
+    if (is_cycle || s_.recording.turns || !is_upright(s_.recording, was)) return;
+    const Vec2 off = Vec2{to.x, to.y} - Vec2{s_.at.x, s_.at.y};
+    const bool is_up = to.z > s_.at.z + kSameZ_mm;
     if (is_up || geometry::length(off) <= kSamePoint_mm) return;
-    come_in({.to = {row.to.x, row.to.y, s_.at.z}, .kind = Move::Kind::rapid, .like = *row.was},
-            row.was);
+    come_in({.to = {to.x, to.y, s_.at.z}, .kind = Move::Kind::rapid, .like = was}, was);
   }
 
   void remove_stills(std::uint32_t row) {

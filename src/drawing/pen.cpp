@@ -1,0 +1,159 @@
+#include "drawing/pen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "drawing/fit.hpp"
+
+namespace kerf::drawing {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// An edge that was fitted, and one that goes on from it: whether both are of one circle.
+bool is_one_circle(const contour::Edge& a, const contour::Edge& b) {
+  constexpr double kSameCircle_mm = 1e-6;
+  if (a.bulge == 0 || b.bulge == 0 || (a.bulge > 0) != (b.bulge > 0)) return false;
+  return std::abs(radius(a) - radius(b)) <= kSameCircle_mm &&
+         geometry::length(centre(a) - centre(b)) <= kSameCircle_mm;
+}
+
+}  // namespace
+
+Pen::Pen(Canvas& canvas, EntityId entity, const Affine& to_mm)
+    : canvas_(canvas),
+      entity_(entity),
+      to_mm_(to_mm),
+      mirror_(to_mm.determinant() < 0 ? -1 : 1),
+      keeps_circles_(to_mm.scale().has_value()) {}
+
+void Pen::begin(Vec2 at) {
+  end();
+  begin_ = at_ = at;
+  has_begun_ = true;
+  vertices_.assign(1, {to_mm_(at), 0, entity_});
+}
+
+void Pen::start_where(Vec2 point) {
+  if (!has_begun_)
+    begin(point);
+  else if (point != at_)
+    line_to(point);
+}
+
+void Pen::go_on(Vec2 to, double bulge) {
+  vertices_.back().bulge = bulge;
+  vertices_.push_back({to, 0, entity_});
+}
+
+void Pen::line_to(Vec2 to) {
+  at_ = to;
+  go_on(to_mm_(to), 0);
+}
+
+void Pen::bulge_to(Vec2 to, double bulge) {
+  if (to == at_ || bulge == 0) return line_to(to);
+  if (keeps_circles_) {
+    at_ = to;
+    return go_on(to_mm_(to), mirror_ * bulge);
+  }
+  const contour::Edge arc{at_, to, bulge};
+  const Vec2 middle = centre(arc);
+  const Vec2 from = at_ - middle;
+  ellipse({middle, {length(from), 0}, {0, length(from)}}, math::atan2(from.v, from.u),
+          sweep_rad(arc));
+  vertices_.back().point = to_mm_(to);
+  at_ = to;
+}
+
+void Pen::ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad) {
+  const auto at = [&](double angle) {
+    return ellipse.centre + math::cos(angle) * ellipse.first + math::sin(angle) * ellipse.second;
+  };
+  const double to_rad = from_rad + sweep_rad;
+  start_where(at(from_rad));
+  const Ellipse seen{to_mm_(ellipse.centre), to_mm_.direction(ellipse.first),
+                     to_mm_.direction(ellipse.second)};
+  const Affine axes{seen.first, seen.second, {}};
+  if (axes.scale()) {
+    // Halves: a bulge of a whole turn is none.
+    const double way = axes.determinant() < 0 ? -1 : 1;
+    const double bulge = way * math::tan(0.125 * sweep_rad);
+    go_on(to_mm_(at(from_rad + 0.5 * sweep_rad)), bulge);
+    go_on(to_mm_(at(to_rad)), bulge);
+  } else {
+    draw([&](Fit& fit) { fit_ellipse(seen, from_rad, sweep_rad, fit); });
+  }
+  at_ = at(to_rad);
+}
+
+void Pen::whole(const Ellipse& shape) {
+  end();
+  ellipse(shape, 0, kTurn);
+  close();
+}
+
+void Pen::quadratic_to(Vec2 control, Vec2 to) {
+  const double third = 1.0 / 3;
+  cubic_to(at_ + 2 * third * (control - at_), to + 2 * third * (control - to), to);
+}
+
+void Pen::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
+  draw([&](Fit& fit) { fit_cubic({to_mm_(at_), to_mm_(first), to_mm_(second), to_mm_(to)}, fit); });
+  at_ = to;
+}
+
+void Pen::rational_to(double weight, std::span<const Weighted> rest) {
+  std::vector<Weighted> points{{to_mm_(at_), weight}};
+  for (const Weighted& point : rest) points.push_back({to_mm_(point.at), point.weight});
+  draw([&](Fit& fit) { fit_rational(points, fit); });
+  at_ = rest.back().at;
+}
+
+template <typename FitIt>
+void Pen::draw(FitIt&& fit_it) {
+  steps_.clear();
+  Fit fit{steps_, canvas_.reading().tolerance_mm, 0};
+  fit_it(fit);
+  canvas_.allow_error(fit.error);
+  for (const Step& step : steps_) take_fitted(step);
+}
+
+void Pen::take_fitted(const Step& step) {
+  if (fitted_at_ + 1 == vertices_.size() && fitted_at_ > 0) {
+    const contour::Vertex& before = vertices_[fitted_at_ - 1];
+    const contour::Edge last{before.point, vertices_.back().point, before.bulge};
+    const contour::Edge next{last.to, step.to, step.bulge};
+    const double sweep = sweep_rad(last) + sweep_rad(next);
+    constexpr double kMost = 1.5 * std::numbers::pi + 1e-9;
+    if (is_one_circle(last, next) && std::abs(sweep) <= kMost) {
+      vertices_.pop_back();
+      go_on(step.to, math::tan(0.25 * sweep));
+      fitted_at_ = vertices_.size() - 1;
+      return;
+    }
+  }
+  go_on(step.to, step.bulge);
+  fitted_at_ = vertices_.size() - 1;
+}
+
+void Pen::close() {
+  if (!has_begun_) return;
+  const Vec2 first = vertices_.front().point;
+  const bool is_back = geometry::length(vertices_.back().point - first) <= kStraight_mm;
+  if (is_back && vertices_.size() > 1) vertices_.pop_back();
+  canvas_.add(vertices_, vertices_.size() > 1, entity_);
+  has_begun_ = false;
+  fitted_at_ = 0;
+  at_ = begin_;
+}
+
+void Pen::end() {
+  if (!has_begun_) return;
+  canvas_.add(vertices_, false, entity_);
+  has_begun_ = false;
+  fitted_at_ = 0;
+}
+
+}  // namespace kerf::drawing

@@ -103,8 +103,8 @@ double bound(Coefficients of) {
   return most;
 }
 
-/// How far the curve is from a circle at most: |B - c|² - r² bounds it, in quarters.
-double distance_bound(const Cubic& cubic, Vec2 centre, double radius, int parts = 2) {
+/// How far the curve is from a circle at most: |B - c|² - r² bounds it, piece by piece.
+double distance_bound(const Cubic& cubic, Vec2 centre, double radius, int parts = 4) {
   if (parts > 0) {
     const auto [low, high] = cubic.halves();
     return std::max(distance_bound(low, centre, radius, parts - 1),
@@ -135,6 +135,8 @@ bool fit_arc(const Cubic& cubic, Fit& fit) {
   const double centre_height = (1 - bulge * bulge) / (4 * bulge);
   const Vec2 centre =
       0.5 * (cubic.begin() + cubic.end()) + centre_height * geometry::left_of(chord);
+  const double least = std::abs(geometry::length(cubic.parted(0.2).first.end() - centre) - radius);
+  if (least > 0.1 * fit.tolerance) return false;  // as nearly always: it is no circle
   const double error = distance_bound(cubic, centre, radius);
   if (!(error <= 0.1 * fit.tolerance)) return false;
   fit.error = std::max(fit.error, error);

@@ -117,7 +117,7 @@ double distance_bound(const Cubic& cubic, Vec2 centre, double radius, int parts 
   }
   Polynomial<7> square = dot(away, away);
   for (double& coefficient : square) coefficient -= radius * radius;
-  return bound(square) / radius;
+  return way_from_square(bound(square), radius);
 }
 
 /// A cubic that stands for an arc of a circle: it touches it at both ends.

@@ -138,7 +138,7 @@ bool fit_circle(const RationalPiece& piece, Fit& fit) {
   for (std::size_t i = 0; i < square.size(); ++i)
     most = std::max(most, std::abs(square[i] - radius * radius * weight[i]));
   const double least = *std::min_element(weight.begin(), weight.end());
-  const double error = most / (least * radius);
+  const double error = way_from_square(most / least, radius);
   if (!(error <= 0.1 * fit.tolerance)) return false;
   fit.error = std::max(fit.error, error);
   fit.steps.push_back({piece.end(), bulge});

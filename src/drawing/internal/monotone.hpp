@@ -14,6 +14,12 @@ inline double half_tangent(Vec2 a, Vec2 b) {
   return geometry::cross(a, b) / (lengths + geometry::dot(a, b));
 }
 
+/// How far a point is from a circle at most, whose distance from the centre, squared, differs by
+/// `square` at most from the radius squared: (d - r)(d + r) = d² - r².
+inline double way_from_square(double square, double radius) {
+  return square / (radius + std::sqrt(std::max(0.0, radius * radius - square)));
+}
+
 /// The lens of a piece between its ends: the heights of the two arcs over the chord, mm, positive
 /// to the right of it (a piece that turns left).
 struct Lens {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/decimal.hpp"
 #include "geometry/contour/edge.hpp"
 #include "process/along.hpp"
 

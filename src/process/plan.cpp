@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "motion/feed.hpp"
 #include "process/along.hpp"
 #include "process/layers.hpp"
 
@@ -113,6 +114,13 @@ class Planner {
     return {};
   }
 
+  /// E = P / (v · width).
+  [[nodiscard]] double energy_per_mm2(const PlannedOperation& planned) const {
+    const double power_w = planned.settled.power_percent / 100 * plan_.machine.max_power_w;
+    const double speed = planned.settled.feed / motion::kSecondsPerMinute;
+    return power_w / (speed * planned.operation.track_width.value_or(1));
+  }
+
   [[nodiscard]] double run_up(const Operation& operation, const Settled& settled) const {
     const double angle = operation.angle_deg * std::numbers::pi / 180;
     return run_up_mm(plan_.machine, settled.feed, {std::cos(angle), std::sin(angle)});
@@ -130,6 +138,7 @@ class Planner {
     planned.rules = passes.rules;
     planned.passes = std::move(passes.passes);
     planned.scan_lines = passes.scan_lines;
+    if (operation.process == Process::heat) planned.j_mm2 = energy_per_mm2(planned);
     planned.contours = taken.outlines.size() + taken.points.size();
     for (const Remark& remark : passes.remarks) tell(remark, operation);
     plan_.operations.push_back(std::move(planned));

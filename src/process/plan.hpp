@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct PlannedOperation {
   std::vector<Turn> turns;  ///< their items are passes
   std::size_t contours = 0;
   std::size_t scan_lines = 0;
+  std::optional<double> j_mm2;  ///< of heat: what the surface gets
 };
 
 /// What is made of a drawing on a machine: everything but the motions, which PlanReader makes.

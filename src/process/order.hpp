@@ -30,10 +30,10 @@ struct Turn {
 };
 
 struct Order {
-  std::vector<Turn> turns;  ///< each item once
-  double travel_mm = 0;     ///< from `from` to the first, between them, and to `to`
-  double travel_file_mm = 0;
-  double travel_nearest_mm = 0;
+  std::vector<Turn> turns;       ///< each item once
+  double travel_mm = 0;          ///< from `from` to the first, between them, and to `to`
+  double travel_file_mm = 0;     ///< of file_order(), whether or not that keeps `before`
+  double travel_nearest_mm = 0;  ///< always to the nearest that may be made
 };
 
 /// Where the way begins, and where it leads in the end.
@@ -43,12 +43,14 @@ struct Ends {
   Vec2 to;  ///< of a way that comes back
 };
 
-/// The order of the items with the least way between them that a fixed amount of work finds: the
-/// best there is up to 9 items without any `before`; else greedy, then 2-opt and Or-opt over
-/// neighbour lists, reversals and other entries. Never longer than the order of the list with the
-/// first entries, nor than going to the nearest next one. The same for the same items.
+/// The order of the items with the least way between them that a fixed amount of work finds. Up to
+/// 9 items the best one there is, where that amount is enough (it is for 9 contours of 100
+/// vertices); else going to the nearest next one, and parts one after the other, each made shorter
+/// by 2-opt, Or-opt and other entries among neighbours. `before` is kept; where it goes in circles,
+/// as far as it can be. Never longer than going to the nearest, nor than the list with the first
+/// entries where that keeps `before`. The same for the same items.
 [[nodiscard]] Order find_order(std::span<const Item> items, const Ends& ends);
-/// As the list has them, with the first entries, `before` kept where the list does.
+/// As the list has them, with the first entries, whatever is said of `before`.
 [[nodiscard]] Order file_order(std::span<const Item> items, const Ends& ends);
 
 }  // namespace kerf::process

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/notices.hpp"
+#include "face/cli/internal/draw_arguments.hpp"
 #include "face/cli/internal/edit_arguments.hpp"
 #include "face/cli/option_groups.hpp"
 #include "face/cli/stock_arguments.hpp"
@@ -282,6 +283,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   EditOptions edit_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  DrawOptions draw_options;
   PatternOptions pattern_options;
   MachinesOptions machines_options;
   ServeOptions serve_options;
@@ -293,6 +295,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_features(app, features_options);
   add_edit(app, edit_options);
   add_check(app, check_options);
+  add_draw(app, draw_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
   add_replay(app, replay_options);
@@ -309,8 +312,8 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) {
     return tl::unexpected(
         base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, time, stock, features, edit, check, pattern, "
-                      "serve, replay, tools, machines or notices; `kerf --help` lists them"});
+                      "a command is needed: run, time, stock, features, edit, check, draw, "
+                      "pattern, serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -328,6 +331,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("stock")) return stock_options;
   if (app.got_subcommand("features")) return features_options;
+  if (app.got_subcommand("draw")) return draw_options;
   if (app.got_subcommand("edit")) return edit_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;

@@ -19,7 +19,7 @@ struct Answer {
 
 /// What a command line asks for.
 using Request = std::variant<RunOptions, TimeOptions, StockOptions, FeaturesOptions, EditOptions,
-                             CheckOptions, PatternOptions, ReplayOptions, MachinesOptions,
+                             CheckOptions, DrawOptions, PatternOptions, ReplayOptions, MachinesOptions,
                              ServeOptions, ToolsOptions, Answer>;
 
 /// Reads the words behind `kerf`. Failure (usage): one sentence.

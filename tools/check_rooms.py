@@ -25,6 +25,8 @@ ROOMS = {
     "geometry": ["math", "base"],
     "geometry/contour": ["geometry"],
     "geometry/mesh": ["geometry"],
+    "drawing": ["geometry/contour"],
+    "drawing/dxf": ["drawing"],
     "motion": ["geometry"],
     "stock/tool": ["geometry/contour"],
     "stock/sweep": ["stock/tool"],

@@ -26,6 +26,7 @@ ROOMS = {
     "geometry/contour": ["geometry"],
     "geometry/mesh": ["geometry"],
     "drawing": ["geometry/contour"],
+    "drawing/dxf": ["drawing"],
     "motion": ["geometry"],
     "process": ["drawing", "motion"],
     "stock/tool": ["geometry/contour"],

@@ -112,11 +112,23 @@ void Canvas::tell_over(base::Code code, const std::string& detail) {
 bool Canvas::is_over() {
   constexpr std::uint64_t kBetweenLooks = 1024;
   if (over_) return true;
-  if (drawing_.entities.size() > reading_.max_entities)
-    tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
+  const std::uint64_t most = reading_.max_entities;
+  if (drawing_.entities.size() > most)
+    tell_over(base::Code::draw_limit, fmt::format("more than {}", most));
+  else if (drawing_.vertices.size() / kVerticesOfAnEntity > most)
+    tell_over(base::Code::draw_limit,
+              fmt::format("more than {} lines and arcs for each of {}", kVerticesOfAnEntity, most));
   else if (++work_ % kBetweenLooks == 0 && reading_.limit.reached())
     tell_over(base::Code::budget_spent, reading_.limit.reason());
   return over_;
+}
+
+bool Canvas::has_room_for(double entities) {
+  if (is_over()) return false;
+  const auto most = static_cast<double>(reading_.max_entities);
+  if (static_cast<double>(drawing_.entities.size()) + entities <= most) return true;
+  tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
+  return false;
 }
 
 }  // namespace kerf::drawing

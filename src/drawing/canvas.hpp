@@ -61,6 +61,11 @@ class Canvas {
 
   /// The budget is used up (told by a finding of DRAW_LIMIT or BUDGET).
   [[nodiscard]] bool is_over();
+  /// Whether the budget is enough for so many entities more; if not it is used up now, without
+  /// their being made one by one.
+  [[nodiscard]] bool has_room_for(double entities);
+  /// No more lines and arcs than this for each of the entities that are allowed.
+  static constexpr std::uint64_t kVerticesOfAnEntity = 8;
 
  private:
   void tell_over(base::Code code, const std::string& detail);

@@ -310,10 +310,10 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, time, stock, features, edit, check, draw, "
-                      "pattern, serve, replay, tools, machines or notices; `kerf --help` lists them"});
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage,
+        "a command is needed: run, time, stock, features, edit, check, draw, "
+        "pattern, serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));

@@ -175,12 +175,12 @@ struct DrawOptions {
   RunOptions run;  ///< machine, memory, limits; of the outputs `plot`
   std::vector<std::string> drawings;
   std::string job;
-  std::string process = "engrave";        ///< without a job
-  std::vector<std::string> job_keys;      ///< "KEY=VALUE"
+  std::string process = "engrave";    ///< without a job
+  std::vector<std::string> job_keys;  ///< "KEY=VALUE"
   std::vector<std::string> material_files;
-  std::vector<std::string> variables;     ///< "NAME=VALUE"
+  std::vector<std::string> variables;  ///< "NAME=VALUE"
   std::vector<std::string> outputs;
-  std::string language;                   ///< of the outputs; empty: by their endings
+  std::string language;  ///< of the outputs; empty: by their endings
   std::string flavour = "plain";
   std::string contours;
   std::string report;

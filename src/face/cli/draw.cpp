@@ -4,8 +4,8 @@
 #include "face/cli/commands.hpp"
 #include "face/cli/draw_order.hpp"
 #include "face/cli/failure.hpp"
-#include "face/cli/output_files.hpp"
 #include "face/cli/internal/draw_outputs.hpp"
+#include "face/cli/output_files.hpp"
 #include "face/cli/run_report.hpp"
 #include "job/drawing/draw_run.hpp"
 #include "output/drawings/draw_report.hpp"
@@ -50,8 +50,8 @@ output::DrawFacts facts_of(const Ordered& ordered, const job::DrawnPlan& plan,
                           .drawing = plan.drawing(),
                           .cleaned = plan.cleaned(),
                           .nests = plan.nests(),
-                          .texts = plan.texts(),
-                          .rasters = plan.rasters(),
+                          .texts = {},
+                          .rasters = {},
                           .plan = &plan.plan(),
                           .made = made.made,
                           .made_by_operation = made.by_operation,

@@ -14,7 +14,8 @@ constexpr const char* kUsualMachine = "laser3";
 Outcome<void> take_length(const std::string& text, const char* option, double& length) {
   if (text.empty()) return {};
   const auto value = base::read_number(text);
-  if (!value || !(*value > 0)) return usage(std::string(option) + " " + text + ": a length above 0 mm is expected");
+  if (!value || !(*value > 0))
+    return usage(std::string(option) + " " + text + ": a length above 0 mm is expected");
   length = *value;
   return {};
 }
@@ -82,6 +83,7 @@ Outcome<Ordered> draw_order_of(const DrawOptions& options) {
   order.reading.dpi = options.dpi;
   order.reading.layers = options.layers;
   order.reading.max_entities = options.max_entities;
+  order.max_seconds = options.run.max_seconds;
   order.reading.limit = base::WorkLimit(options.run.max_seconds);
   if (auto taken = take_variables(options, order); !taken) return tl::unexpected(taken.error());
   return ordered;

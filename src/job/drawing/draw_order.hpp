@@ -17,8 +17,9 @@ struct DrawOrder {
   process::Recipe recipe;
   drawing::Reading reading;
   machine::MachineDefinition definition;
-  std::vector<process::Material> materials;         ///< besides those that Kerf knows
+  std::vector<process::Material> materials;        ///< besides those that Kerf knows
   std::map<std::string, std::string> variables{};  ///< of texts
+  double max_seconds = 60;                         ///< for reading and planning
 };
 
 }  // namespace kerf::job

@@ -88,7 +88,7 @@ std::unique_ptr<base::SourceFile> named_like(const DrawnPlan& plan) {
 }  // namespace
 
 DrawResult make_drawing(const DrawOrder& order, const std::shared_ptr<const DrawnPlan>& plan,
-                        const machine::Budget& budget) {
+                        const machine::Budget& budget, const DrawWatchers& watchers) {
   DrawResult result;
   TravelCheck travel(*plan, order.definition.axes);
   travel.look();
@@ -99,6 +99,8 @@ DrawResult make_drawing(const DrawOrder& order, const std::shared_ptr<const Draw
   MadeMeter meter(plan->plan(), plan->drawing());
   run.add_sink(meter);
   run.tell_ends(meter);
+  for (motion::MotionSink* const sink : watchers.motions) run.add_sink(*sink);
+  for (motion::AxisPointSink* const sink : watchers.points) run.add_point_sink(*sink);
   run.load(named_like(*plan));
   result.status = run.run_to_end(budget);
   if (run.alarm()) result.findings.push_back({*run.alarm(), {}, {}});

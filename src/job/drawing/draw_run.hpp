@@ -20,10 +20,16 @@ struct DrawResult {
   std::vector<drawing::Finding> findings;  ///< what the plan meets on the machine
 };
 
+/// What looks at the motions while they are made; each outlives the run.
+struct DrawWatchers {
+  std::vector<motion::MotionSink*> motions;
+  std::vector<motion::AxisPointSink*> points;
+};
+
 /// Has a machine of the order's definition make it: times and energies, and whether it stays within
 /// the travel (DRAW_OUTSIDE) and within reach.
 [[nodiscard]] DrawResult make_drawing(const DrawOrder& order,
                                       const std::shared_ptr<const DrawnPlan>& plan,
-                                      const machine::Budget& budget);
+                                      const machine::Budget& budget, const DrawWatchers& watchers);
 
 }  // namespace kerf::job

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,10 +9,11 @@
 
 namespace kerf::job {
 
-/// Reads drawings one after the other; each gets the FileId of its place. A format is told by the
+/// Reads drawings one after the other, and keeps them among `sources`. A format is told by the
 /// file's bytes, then by its ending: what is none is a finding (DRAW_FORMAT). Failure (input): a
 /// file cannot be opened.
-[[nodiscard]] base::Outcome<std::vector<std::shared_ptr<base::SourceFile>>> read_drawings(
-    const std::vector<std::string>& names, drawing::Canvas& canvas);
+[[nodiscard]] base::Outcome<void> read_drawings(const std::vector<std::string>& names,
+                                                double most_seconds, base::SourceSet& sources,
+                                                drawing::Canvas& canvas);
 
 }  // namespace kerf::job

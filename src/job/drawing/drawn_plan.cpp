@@ -15,8 +15,7 @@ using base::Outcome;
 /// The motions of a plan without what only texts tell.
 class PlanStream final : public control::MotionStream {
  public:
-  PlanStream(const process::Plan& plan, const drawing::Drawing& drawing)
-      : reader_(plan, drawing) {}
+  PlanStream(const process::Plan& plan, const drawing::Drawing& drawing) : reader_(plan, drawing) {}
 
   bool next(std::vector<motion::Motion>& motions) override {
     const std::size_t before = motions.size();
@@ -76,12 +75,14 @@ Outcome<void> DrawnPlan::make() {
   order_.reading.tolerance_mm = order_.recipe.tolerance;
   order_.reading.same_mm = order_.recipe.same;
   drawing::Canvas canvas(order_.reading, drawing_);
-  auto files = read_drawings(order_.drawings, canvas);
-  if (!files) return tl::unexpected(files.error());
-  files_ = std::move(*files);
+  const auto read = read_drawings(order_.drawings, order_.max_seconds, sources_, canvas);
+  if (!read) return tl::unexpected(read.error());
   cleaned_ = clean(drawing_, rules_of(order_.recipe), canvas);
   if (cleaned_.chains.empty() && cleaned_.points.empty() && drawing_.images.empty())
     canvas.find(base::Severity::error, base::Code::draw_empty, {}, "");
+  std::vector<contour::Contour> paths;
+  for (const drawing::Chain& chain : cleaned_.chains) paths.push_back(chain.path);
+  nests_ = drawing::nests_of(paths);
   const drawing::Affine map =
       process::placement(order_.recipe.place, process::extents_of(cleaned_));
   sheet_ = process::placed(drawing_, cleaned_, map, order_.recipe.tolerance);
@@ -94,9 +95,11 @@ std::unique_ptr<control::MotionStream> DrawnPlan::stream() const {
 }
 
 std::string DrawnPlan::name() const {
-  if (files_.empty()) return "drawing";
-  return std::filesystem::path(files_.front()->name()).filename().string();
+  if (order_.drawings.empty()) return "drawing";
+  return std::filesystem::path(order_.drawings.front()).filename().string();
 }
+
+std::vector<std::string> DrawnPlan::file_names() const { return order_.drawings; }
 
 std::vector<drawing::Finding> DrawnPlan::findings() const {
   std::vector<drawing::Finding> all = drawing_.findings;

@@ -25,12 +25,14 @@ class DrawnPlan final : public control::MotionMaker {
   [[nodiscard]] std::unique_ptr<control::MotionStream> stream() const override;
   [[nodiscard]] std::string name() const override;
 
-  [[nodiscard]] const std::vector<std::shared_ptr<base::SourceFile>>& files() const {
-    return files_;
-  }
+  [[nodiscard]] const base::SourceSet& sources() const { return sources_; }
+  /// By FileId.
+  [[nodiscard]] std::vector<std::string> file_names() const;
   [[nodiscard]] const drawing::Drawing& drawing() const { return drawing_; }
   [[nodiscard]] const drawing::Cleaned& cleaned() const { return cleaned_; }
   [[nodiscard]] const process::Sheet& sheet() const { return sheet_; }
+  /// How the contours lie in each other, before they are placed.
+  [[nodiscard]] const std::vector<drawing::Nest>& nests() const { return nests_; }
   [[nodiscard]] const process::Plan& plan() const { return plan_; }
   /// Of the drawing, then of the plan.
   [[nodiscard]] std::vector<drawing::Finding> findings() const;
@@ -42,9 +44,10 @@ class DrawnPlan final : public control::MotionMaker {
   [[nodiscard]] base::Outcome<void> make();
 
   DrawOrder order_;
-  std::vector<std::shared_ptr<base::SourceFile>> files_;
+  base::SourceSet sources_;
   drawing::Drawing drawing_;
   drawing::Cleaned cleaned_;
+  std::vector<drawing::Nest> nests_;
   process::Sheet sheet_;
   process::Plan plan_;
 };

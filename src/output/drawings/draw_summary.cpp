@@ -10,9 +10,9 @@ namespace {
 std::string file_line(const DrawFacts& facts, const drawing::FileFacts& file) {
   const auto index = static_cast<std::size_t>(file.file);
   const std::string name = index < facts.files.size() ? facts.files[index] : "";
-  std::string line = fmt::format("  {}: {}{}{}, unit {} ({})\n", printable(name), file.format,
-                                 file.version.empty() ? "" : " ", file.version, file.unit,
-                                 file.unit_from);
+  std::string line =
+      fmt::format("  {}: {}{}{}, unit {} ({})\n", printable(name), file.format,
+                  file.version.empty() ? "" : " ", file.version, file.unit, file.unit_from);
   for (const drawing::Ignored& ignored : file.ignored)
     line += fmt::format("    not drawn: {} x {}{}\n", ignored.count, printable(ignored.what),
                         ignored.why.empty() ? "" : ": " + ignored.why);
@@ -39,10 +39,9 @@ std::string plan_lines(const DrawFacts& facts) {
   for (std::size_t i = 0; i < facts.plan->operations.size(); ++i) {
     const process::PlannedOperation& planned = facts.plan->operations[i];
     const Made& of = facts.made_by_operation[i];
-    lines += fmt::format("  {:<16} {:<8} {:>10.1f} mm {:>9.1f} s {:>9.1f} J\n",
-                         printable(planned.operation.name),
-                         process::name_of(planned.operation.process), of.beam_mm, of.time_s,
-                         of.energy_j);
+    lines += fmt::format(
+        "  {:<16} {:<8} {:>10.1f} mm {:>9.1f} s {:>9.1f} J\n", printable(planned.operation.name),
+        process::name_of(planned.operation.process), of.beam_mm, of.time_s, of.energy_j);
   }
   lines += fmt::format("  time {:.1f} s, beam {:.1f} mm, travel {:.1f} mm (as drawn {:.1f})\n",
                        made.time_s, made.beam_mm, made.travel_mm, facts.plan->travel_file_mm);
@@ -56,7 +55,8 @@ std::string draw_summary(const DrawFacts& facts) {
   for (const drawing::FileFacts& file : facts.drawing.files) text += file_line(facts, file);
   text += contours_line(facts);
   if (facts.plan != nullptr) text += plan_lines(facts);
-  for (const std::string& assumed : facts.assumed) text += "  assumed: " + printable(assumed) + "\n";
+  for (const std::string& assumed : facts.assumed)
+    text += "  assumed: " + printable(assumed) + "\n";
   for (const DrawTarget& target : facts.targets)
     text += fmt::format("  wrote {}\n", printable(target.file));
   return text;

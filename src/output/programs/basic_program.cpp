@@ -34,7 +34,9 @@ BasicProgram::BasicProgram(const motion::AxisSetup& axes, const std::string& tit
   comment("mm from the work origin, speeds in mm/s, power in percent");
 }
 
-void BasicProgram::comment(const std::string& text) { file_.write("REM " + printable(text) + "\n"); }
+void BasicProgram::comment(const std::string& text) {
+  file_.write("REM " + printable(text) + "\n");
+}
 
 void BasicProgram::statement(const char* name, const std::vector<double>& values) {
   std::string text = name;

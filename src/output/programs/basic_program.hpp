@@ -12,9 +12,9 @@ namespace kerf::output {
 
 /// Writes motions as a program of laser BASIC (docs/laser-basic.md), mm and mm/s from the work
 /// origin: rapids are MOVE, cuts LINE and ARC (by the end and the radius, from half a circle on by
-/// centre and angles), whole circles CIRCLE or ARC, dwells WAIT or, with the beam on, BURN, air AIR.
-/// A cut without beam is one at POWER(0). What the language cannot say is a comment and in lost():
-/// power that follows the speed, other axes than X Y Z.
+/// centre and angles), whole circles CIRCLE or ARC, dwells WAIT or, with the beam on, BURN, air
+/// AIR. A cut without beam is one at POWER(0). What the language cannot say is a comment and in
+/// lost(): power that follows the speed, other axes than X Y Z.
 class BasicProgram : public motion::MotionSink {
  public:
   /// Axes and file must outlive this; `title` as people call what is made.

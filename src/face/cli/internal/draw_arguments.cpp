@@ -34,8 +34,7 @@ void add_reading(CLI::App& draw, DrawOptions& o) {
       ->type_name("MM");
   draw.add_option("--same", o.same, "what differs less is the same, mm; default 0.005")
       ->type_name("MM");
-  repeated(draw.add_option("--layer", o.layers,
-                           "only this layer, * and ? match; may be repeated"))
+  repeated(draw.add_option("--layer", o.layers, "only this layer, * and ? match; may be repeated"))
       ->type_name("NAME");
 }
 
@@ -92,7 +91,8 @@ void add_draw(CLI::App& app, DrawOptions& o) {
   add_reading(*draw, o);
   add_limits(*draw, o);
   add_outputs(*draw, o);
-  draw->footer("Example: kerf draw plate.dxf --job plate.toml --output plate.nc --picture plate.png");
+  draw->footer(
+      "Example: kerf draw plate.dxf --job plate.toml --output plate.nc --picture plate.png");
 }
 
 }  // namespace kerf::cli

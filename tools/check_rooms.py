@@ -27,6 +27,8 @@ ROOMS = {
     "geometry/mesh": ["geometry"],
     "drawing": ["geometry/contour"],
     "drawing/dxf": ["drawing"],
+    "drawing/trace": ["drawing"],
+    "drawing/contours": ["drawing"],
     "motion": ["geometry"],
     "process": ["drawing", "motion"],
     "stock/tool": ["geometry/contour"],

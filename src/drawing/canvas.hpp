@@ -17,6 +17,7 @@ struct Reading {
   double dpi = 0;                   ///< px an inch; 0: as the format has it
   double tolerance_mm = 0.01;       ///< an arc in place of a curve
   double same_mm = 0.005;           ///< what is shorter is nothing
+  char lens_side = 0;               ///< of a trace: R or L; 0: as the file has it
   std::vector<std::string> layers;  ///< only these, with * and ?; empty: all
   std::uint64_t max_entities = 5'000'000;
   base::WorkLimit limit;

@@ -6,7 +6,7 @@ namespace kerf::drawing {
 namespace {
 
 /// A row of equations in which each unknown meets its neighbours alone.
-struct Row {
+struct SplineRow {
   double before = 0;
   double own = 1;
   double behind = 0;
@@ -14,7 +14,7 @@ struct Row {
 };
 
 /// Gauss' elimination; the rows are dominated by `own`, so that nothing has to be exchanged.
-std::vector<double> solve(std::vector<Row> rows) {
+std::vector<double> solve_rows(std::vector<SplineRow> rows) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double factor = rows[i].before / rows[i - 1].own;
     rows[i].own -= factor * rows[i - 1].behind;
@@ -29,7 +29,8 @@ std::vector<double> solve(std::vector<Row> rows) {
 }
 
 /// The second derivatives are the same on both sides of a value.
-Row steady_row(double width_before, double rise_before, double width_behind, double rise_behind) {
+SplineRow steady_row(double width_before, double rise_before, double width_behind,
+                     double rise_behind) {
   const double before = 1 / width_before;
   const double behind = 1 / width_behind;
   return {before, 2 * (before + behind), behind,
@@ -44,13 +45,14 @@ std::vector<double> spline_slopes(std::span<const double> at, std::span<const do
   const std::size_t last = values.size() - 1;
   const auto width = [&](std::size_t i) { return at[i + 1] - at[i]; };
   const auto rise = [&](std::size_t i) { return values[i + 1] - values[i]; };
-  std::vector<Row> rows(values.size());
-  rows[0] = first_slope ? Row{0, 1, 0, *first_slope} : Row{0, 2, 1, 3 * rise(0) / width(0)};
+  std::vector<SplineRow> rows(values.size());
+  rows[0] =
+      first_slope ? SplineRow{0, 1, 0, *first_slope} : SplineRow{0, 2, 1, 3 * rise(0) / width(0)};
   for (std::size_t i = 1; i < last; ++i)
     rows[i] = steady_row(width(i - 1), rise(i - 1), width(i), rise(i));
-  rows[last] =
-      last_slope ? Row{0, 1, 0, *last_slope} : Row{1, 2, 0, 3 * rise(last - 1) / width(last - 1)};
-  return solve(std::move(rows));
+  rows[last] = last_slope ? SplineRow{0, 1, 0, *last_slope}
+                          : SplineRow{1, 2, 0, 3 * rise(last - 1) / width(last - 1)};
+  return solve_rows(std::move(rows));
 }
 
 // The corners of the matrix, which make the ring, are a product of two vectors taken off it
@@ -59,7 +61,7 @@ std::vector<double> periodic_slopes(std::span<const double> at, std::span<const 
   const std::size_t count = values.size();
   const auto width = [&](std::size_t i) { return at[i + 1] - at[i]; };
   const auto rise = [&](std::size_t i) { return values[(i + 1) % count] - values[i]; };
-  std::vector<Row> rows(count);
+  std::vector<SplineRow> rows(count);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t before = (i + count - 1) % count;
     rows[i] = steady_row(width(before), rise(before), width(i), rise(i));
@@ -68,12 +70,12 @@ std::vector<double> periodic_slopes(std::span<const double> at, std::span<const 
   const double gamma = -rows[0].own;
   rows[0].own -= gamma;
   rows[count - 1].own -= corner * corner / gamma;
-  std::vector<Row> ring = rows;
-  for (Row& row : ring) row.right = 0;
+  std::vector<SplineRow> ring = rows;
+  for (SplineRow& row : ring) row.right = 0;
   ring[0].right = gamma;
   ring[count - 1].right = corner;
-  std::vector<double> slopes = solve(std::move(rows));
-  const std::vector<double> away = solve(std::move(ring));
+  std::vector<double> slopes = solve_rows(std::move(rows));
+  const std::vector<double> away = solve_rows(std::move(ring));
   const double share = corner / gamma;
   const double factor =
       (slopes[0] + share * slopes[count - 1]) / (1 + away[0] + share * away[count - 1]);

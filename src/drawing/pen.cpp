@@ -115,6 +115,12 @@ void Pen::quadratic_to(Vec2 control, Vec2 to) {
   cubic_to(at_ + 2 * third * (control - at_), to + 2 * third * (control - to), to);
 }
 
+void Pen::polar_to(const Polar& curve) {
+  draw([&](Fit& fit) { fit_polar(curve, fit); });
+  ++curves_.count;
+  at_ = curve.end();
+}
+
 void Pen::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
   const std::array<Vec2, 4> cubic{to_mm_(at_), to_mm_(first), to_mm_(second), to_mm_(to)};
   draw([&](Fit& fit) { fit_cubic(cubic, fit); });

@@ -40,7 +40,7 @@ Weighted polar_value(const Spline& spline, std::size_t span, const std::vector<d
 }
 
 /// The Bezier points of the piece between the knots `span` and span + 1.
-std::vector<Weighted> bezier(const Spline& spline, std::size_t span) {
+std::vector<Weighted> bezier_of(const Spline& spline, std::size_t span) {
   const auto degree = static_cast<std::size_t>(spline.degree);
   std::vector<double> places(degree, spline.knots[span]);
   std::vector<Weighted> points{polar_value(spline, span, places)};
@@ -71,7 +71,7 @@ std::size_t first_span(const Spline& spline) {
   return span;
 }
 
-bool is_far(Vec2 a, Vec2 b) {
+bool is_apart(Vec2 a, Vec2 b) {
   constexpr double kSame = 1e-9;  // of what coordinates are large
   const double most = std::max({std::abs(a.u), std::abs(a.v), 1.0});
   return std::abs(a.u - b.u) > kSame * most || std::abs(a.v - b.v) > kSame * most;
@@ -109,8 +109,8 @@ Vec2 begin_of(const Spline& spline) {
 void draw(const Spline& spline, Pen& pen) {
   for (std::size_t span = first_span(spline); span < spline.points.size(); ++span) {
     if (spline.knots[span + 1] <= spline.knots[span]) continue;
-    const std::vector<Weighted> points = bezier(spline, span);
-    if (is_far(points[0].at, pen.at())) pen.begin(points[0].at);
+    const std::vector<Weighted> points = bezier_of(spline, span);
+    if (is_apart(points[0].at, pen.at())) pen.begin(points[0].at);
     draw_piece(points, pen);
   }
 }

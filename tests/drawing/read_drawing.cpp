@@ -1,6 +1,7 @@
 // Reads a drawing and prints what came of it as JSON, one object: what the readers are compared by
 // with files that other programs wrote.
-//   read_drawing FILE [--layer NAME]… [--unit U] [--max-entities N] [--quiet]
+//   read_drawing FILE.dxf|.json|.oma [--layer NAME]… [--unit U] [--side R|L] [--max-entities N]
+//                [--quiet] [--write dxf|json|svg]: in place of what came of it, its contours
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -8,7 +9,10 @@
 
 #include "base/decimal.hpp"
 #include "base/diagnostic_code.hpp"
+#include "drawing/contours/contours_reader.hpp"
+#include "drawing/contours/contours_writer.hpp"
 #include "drawing/dxf/dxf_reader.hpp"
+#include "drawing/trace/trace_reader.hpp"
 
 namespace {
 
@@ -107,11 +111,43 @@ void print_counts(const drawing::Drawing& drawing) {
               drawing.vertices.size(), drawing.findings.size());
 }
 
+std::vector<drawing::ContourLayer> layers_of(const drawing::Drawing& drawing) {
+  std::vector<drawing::ContourLayer> layers;
+  const auto layer_of = [&](const drawing::Entity& entity) -> drawing::ContourLayer& {
+    const std::string name(drawing.names[entity.layer]);
+    for (drawing::ContourLayer& layer : layers)
+      if (layer.name == name) return layer;
+    layers.push_back({name, entity.colour, {}});
+    return layers.back();
+  };
+  for (const drawing::Path& path : drawing.paths)
+    layer_of(drawing.entities[drawing.vertices[path.first].owner])
+        .contours.push_back(contour_of(drawing, path));
+  return layers;
+}
+
+void print_contours(const drawing::Drawing& drawing, std::string_view format) {
+  const auto print = [](std::string_view piece) {
+    std::fwrite(piece.data(), 1, piece.size(), stdout);
+  };
+  const std::vector<drawing::ContourLayer> layers = layers_of(drawing);
+  if (format == "json") drawing::write_contours_json(layers, print);
+  if (format == "dxf") drawing::write_contours_dxf(layers, print);
+  if (format == "svg") drawing::write_contours_svg(layers, print);
+}
+
+Reader reader_of(std::string_view path) {
+  if (path.ends_with(".json")) return drawing::read_contours;
+  if (path.ends_with(".oma")) return drawing::read_trace;
+  return drawing::read_dxf;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   drawing::Reading reading;
   std::string path;
+  std::string format;
   bool quiet = false;
   for (int i = 1; i < count; ++i) {
     const std::string_view word = words[i];
@@ -120,6 +156,10 @@ int main(int count, char** words) {
       quiet = true;
     else if (word == "--layer" && has_value)
       reading.layers.emplace_back(words[++i]);
+    else if (word == "--side" && has_value)
+      reading.lens_side = words[++i][0];
+    else if (word == "--write" && has_value)
+      format = words[++i];
     else if (word == "--unit" && has_value)
       reading.unit = words[++i];
     else if (word == "--max-entities" && has_value)
@@ -134,8 +174,10 @@ int main(int count, char** words) {
   }
   drawing::Drawing drawing;
   drawing::Canvas canvas(reading, drawing);
-  drawing::read_dxf(**file, base::FileId{0}, canvas);
-  if (quiet)
+  reader_of(path)(**file, base::FileId{0}, canvas);
+  if (!format.empty())
+    print_contours(drawing, format);
+  else if (quiet)
     print_counts(drawing);
   else
     std::printf("%s\n", json_of(drawing).dump().c_str());

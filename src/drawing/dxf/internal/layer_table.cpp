@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "drawing/dxf/internal/aci.hpp"
+#include "drawing/colour_index.hpp"
 
 namespace kerf::drawing::dxf {
 

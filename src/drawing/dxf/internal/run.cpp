@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawing/dxf/internal/aci.hpp"
+#include "drawing/colour_index.hpp"
 #include "drawing/dxf/internal/kinds.hpp"
 #include "drawing/dxf/internal/sweep.hpp"
 

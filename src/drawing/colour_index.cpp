@@ -1,9 +1,10 @@
-#include "drawing/dxf/internal/aci.hpp"
+#include "drawing/colour_index.hpp"
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
-namespace kerf::drawing::dxf {
+namespace kerf::drawing {
 namespace {
 
 constexpr std::array<std::uint32_t, 10> kNamed{0x000000, 0xFF0000, 0xFFFF00, 0x00FF00, 0x00FFFF,
@@ -51,4 +52,24 @@ Colour colour_of_index(int index) {
   return Colour{kGreys[static_cast<std::size_t>(index - kFirstGrey)]};
 }
 
-}  // namespace kerf::drawing::dxf
+int nearest_index(Colour colour) {
+  if (colour == Colour{}) return kForeground;
+  const auto channel = [](Colour of, unsigned shift) {
+    return static_cast<int>((static_cast<std::uint32_t>(of) >> shift) & 0xFFU);
+  };
+  int nearest = 1;
+  int least = std::numeric_limits<int>::max();
+  for (int index = 1; index <= kLast; ++index) {
+    int away = 0;
+    for (const unsigned shift : {0U, 8U, 16U}) {
+      const int way = channel(colour, shift) - channel(colour_of_index(index), shift);
+      away += way * way;
+    }
+    if (away >= least) continue;
+    nearest = index;
+    least = away;
+  }
+  return nearest;
+}
+
+}  // namespace kerf::drawing

@@ -9,8 +9,6 @@
 namespace kerf::drawing {
 namespace {
 
-constexpr double kFarthest_mm = 1e6;
-
 enum class Reach : std::uint8_t { near, far, nowhere };
 
 Reach reach_of(Vec2 point) {
@@ -112,11 +110,16 @@ void Canvas::tell_over(base::Code code, const std::string& detail) {
 bool Canvas::is_over() {
   constexpr std::uint64_t kBetweenLooks = 1024;
   if (over_) return true;
-  if (drawing_.entities.size() > reading_.max_entities)
+  if (std::max<std::uint64_t>(drawing_.entities.size(), clones_) > reading_.max_entities)
     tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
   else if (++work_ % kBetweenLooks == 0 && reading_.limit.reached())
     tell_over(base::Code::budget_spent, reading_.limit.reason());
   return over_;
+}
+
+bool Canvas::is_over_with_clone() {
+  ++clones_;
+  return is_over();
 }
 
 }  // namespace kerf::drawing

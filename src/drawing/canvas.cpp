@@ -9,8 +9,6 @@
 namespace kerf::drawing {
 namespace {
 
-constexpr double kFarthest_mm = 1e6;
-
 enum class Reach : std::uint8_t { near, far, nowhere };
 
 Reach reach_of(Vec2 point) {
@@ -113,7 +111,7 @@ bool Canvas::is_over() {
   constexpr std::uint64_t kBetweenLooks = 1024;
   if (over_) return true;
   const std::uint64_t most = reading_.max_entities;
-  if (drawing_.entities.size() > most)
+  if (std::max<std::uint64_t>(drawing_.entities.size(), clones_) > most)
     tell_over(base::Code::draw_limit, fmt::format("more than {}", most));
   else if (drawing_.vertices.size() / kVerticesOfAnEntity > most)
     tell_over(base::Code::draw_limit,
@@ -129,6 +127,11 @@ bool Canvas::has_room_for(double entities) {
   if (static_cast<double>(drawing_.entities.size()) + entities <= most) return true;
   tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
   return false;
+}
+
+bool Canvas::is_over_with_clone() {
+  ++clones_;
+  return is_over();
 }
 
 }  // namespace kerf::drawing

@@ -11,6 +11,9 @@
 
 namespace kerf::drawing {
 
+/// What is farther from zero is drawn by no machine, and not drawn here.
+inline constexpr double kFarthest_mm = 1e6;
+
 /// How files are read, whatever their format.
 struct Reading {
   std::string unit;                 ///< in place of what the file says or lacks; empty: as it says
@@ -34,6 +37,7 @@ class Canvas {
   FileFacts& begin_file(base::FileId file, std::string format);
   [[nodiscard]] FileFacts& facts() { return drawing_.files.back(); }
   [[nodiscard]] const Reading& reading() const { return reading_; }
+  [[nodiscard]] const Drawing& drawn() const { return drawing_; }
   [[nodiscard]] Name name(std::string_view text) { return drawing_.names.find(text); }
   [[nodiscard]] std::string_view text_of(Name name) const { return drawing_.names[name]; }
 
@@ -67,6 +71,9 @@ class Canvas {
   [[nodiscard]] bool has_room_for(double entities);
   /// No more lines and arcs than this for each of the entities that are allowed.
   static constexpr std::uint64_t kVerticesOfAnEntity = 8;
+  /// As is_over(), of a clone or what stands in a block: the budget of entities counts it too, also
+  /// where nothing of it is drawn.
+  [[nodiscard]] bool is_over_with_clone();
 
  private:
   void tell_over(base::Code code, const std::string& detail);
@@ -79,6 +86,7 @@ class Canvas {
   std::unordered_map<std::string, bool> wanted_;           // layers
   std::unordered_map<std::uint32_t, std::size_t*> kinds_;  // Name -> its count in the facts
   std::uint64_t work_ = 0;
+  std::uint64_t clones_ = 0;
   bool over_ = false;
 };
 

@@ -67,6 +67,7 @@ class Pen {
 
  private:
   void start_where(Vec2 point);
+  bool leads_away(std::span<const Vec2> points_mm);
   void forget();
   void make_circle();
   void go_on(Vec2 to_mm, double bulge);

@@ -74,20 +74,6 @@ Settled settle(const Operation& operation, const MachineFacts& machine) {
   return settled;
 }
 
-const char* name_of(Process process) {
-  switch (process) {
-    case Process::engrave: return "engrave";
-    case Process::mark: return "mark";
-    case Process::cut: return "cut";
-    case Process::fill: return "fill";
-    case Process::raster: return "raster";
-    case Process::weld: return "weld";
-    case Process::heat: return "heat";
-    case Process::drill: break;
-  }
-  return "drill";
-}
-
 double run_up_mm(const MachineFacts& machine, double feed, Vec2 direction) {
   constexpr double kMargin_mm = 0.1;
   const double speed = feed / motion::kSecondsPerMinute;

@@ -64,11 +64,19 @@ output::DrawFacts facts_of(const Ordered& ordered, const job::DrawnPlan& plan,
   return facts;
 }
 
+ExitStatus fail_job(const JobFault& fault, const base::SourceSet& sources,
+                    DiagnosticFormat format) {
+  if (fault.failure) return fail(*fault.failure);
+  for (const base::Diagnostic& wrong : fault.wrong) tell(wrong, sources, format);
+  return ExitStatus::files;
+}
+
 }  // namespace
 
 ExitStatus draw(const DrawOptions& options) {
-  auto ordered = draw_order_of(options);
-  if (!ordered) return fail(ordered.error());
+  base::SourceSet job_sources;
+  auto ordered = draw_order_of(options, job_sources);
+  if (!ordered) return fail_job(ordered.error(), job_sources, options.run.diagnostics);
   auto plan = job::DrawnPlan::of(ordered->order);
   if (!plan) return fail(plan.error());
   DrawOutputs outputs(options, ordered->order, *plan);

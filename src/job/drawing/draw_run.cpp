@@ -95,7 +95,8 @@ DrawResult make_drawing(const DrawOrder& order, const std::shared_ptr<const Draw
   result.findings = travel.findings();
   machine::Machine::Settings settings;
   settings.plan = plan;
-  machine::BatchRun run(order.definition, control::Memory{}, settings);
+  machine::BatchRun run(order.definition, control::Memory(order.definition.parameters.n_offsets),
+                        settings);
   MadeMeter meter(plan->plan(), plan->drawing());
   run.add_sink(meter);
   run.tell_ends(meter);

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
+#include "drawing/contours/contours_reader.hpp"
 #include "drawing/dxf/dxf_reader.hpp"
+#include "drawing/image/picture.hpp"
+#include "drawing/image/read_image.hpp"
+#include "drawing/svg/read_svg.hpp"
+#include "drawing/trace/lens_shape.hpp"
+#include "drawing/trace/trace_reader.hpp"
 
 namespace kerf::job {
 namespace {
@@ -32,8 +39,36 @@ bool begins_as_dxf(std::string_view head) {
   return has_group && head.find("SECTION") != std::string_view::npos;
 }
 
+bool begins_as_svg(std::string_view head) {
+  const std::string_view text = without_blanks(head);
+  const bool is_xml =
+      text.starts_with("<?xml") || text.starts_with("<!DOCTYPE") || text.starts_with("<!--");
+  return text.starts_with("<svg") || (is_xml && head.find("svg") != std::string_view::npos);
+}
+
+bool begins_as_trace(std::string_view head) {
+  return head.find("TRCFMT=") != std::string_view::npos;
+}
+
+bool begins_as_contours(std::string_view head) {
+  return without_blanks(head).starts_with('{') && head.find("\"layers\"") != std::string_view::npos;
+}
+
+/// Pictures of a drawing lie beside it.
+void read_svg_in_its_folder(const base::SourceFile& file, base::FileId id,
+                            drawing::Canvas& canvas) {
+  const std::filesystem::path folder = std::filesystem::path(file.name()).parent_path();
+  drawing::read_svg(file, id, canvas, folder.empty() ? "." : folder.string());
+}
+
 const std::array kFormats = {
     Format{{".dxf", ".dwg", ""}, begins_as_dxf, drawing::read_dxf},
+    Format{{".svg", "", ""}, begins_as_svg, read_svg_in_its_folder},
+    Format{{".png", ".jpg", ".jpeg"},
+           [](std::string_view head) { return drawing::picture_kind(head).has_value(); },
+           drawing::read_image},
+    Format{{".oma", ".vca", ""}, begins_as_trace, drawing::read_trace},
+    Format{{".json", "", ""}, begins_as_contours, drawing::read_contours},
 };
 
 std::string lower(std::string text) {
@@ -62,6 +97,12 @@ const Format* format_of(const base::SourceFile& file) {
 base::Outcome<void> read_drawings(const std::vector<std::string>& names, double most_seconds,
                                   base::SourceSet& sources, drawing::Canvas& canvas) {
   for (const std::string& name : names) {
+    if (drawing::is_lens_shape(name)) {
+      auto shape = drawing::read_lens_shape(name);
+      if (!shape) return tl::unexpected(shape.error());
+      draw_lens_shape(*shape, sources.add(base::SourceFile::from_text(name, "")), canvas);
+      continue;
+    }
     auto file = base::SourceFile::open(name, {.seconds = most_seconds});
     if (!file) return tl::unexpected(file.error());
     const base::FileId id = sources.add(std::move(*file));

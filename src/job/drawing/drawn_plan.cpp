@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "job/drawing/drawing_files.hpp"
@@ -61,6 +63,23 @@ process::MachineFacts facts_of(const machine::MachineDefinition& definition) {
       facts.fastest_feed = std::min(facts.fastest_feed, facts.axes[*axis].rapid_per_min);
   }
   return facts;
+}
+
+std::vector<drawing::ContourLayer> layers_of(const DrawnPlan& plan) {
+  std::vector<drawing::ContourLayer> layers;
+  std::map<drawing::Name, std::size_t> places;
+  const auto layer_of = [&](drawing::EntityId id) -> drawing::ContourLayer& {
+    const drawing::Entity& entity = plan.drawing().entities[id];
+    const auto [place, is_new] = places.try_emplace(entity.layer, layers.size());
+    if (is_new)
+      layers.push_back({std::string(plan.drawing().names[entity.layer]), entity.colour, {}});
+    return layers[place->second];
+  };
+  for (const drawing::Chain& chain : plan.cleaned().chains)
+    layer_of(chain.entity).contours.push_back(chain.path);
+  for (const drawing::Point& point : plan.cleaned().points)
+    layer_of(point.entity).contours.push_back({{{point.at, 0, point.entity}}, false});
+  return layers;
 }
 
 DrawnPlan::DrawnPlan(const DrawOrder& order) : order_(order) {}

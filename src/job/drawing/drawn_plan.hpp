@@ -8,6 +8,7 @@
 #include "base/source_file.hpp"
 #include "control/plan/motion_maker.hpp"
 #include "drawing/cleaning.hpp"
+#include "drawing/contours/contour_layer.hpp"
 #include "drawing/nesting.hpp"
 #include "job/drawing/draw_order.hpp"
 #include "process/plan.hpp"
@@ -51,6 +52,9 @@ class DrawnPlan final : public control::MotionMaker {
   process::Sheet sheet_;
   process::Plan plan_;
 };
+
+/// What was read and cleaned, before it is placed, by layer.
+[[nodiscard]] std::vector<drawing::ContourLayer> layers_of(const DrawnPlan& plan);
 
 /// What a plan has to know of a machine.
 [[nodiscard]] process::MachineFacts facts_of(const machine::MachineDefinition& definition);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "drawing/contours/contours_writer.hpp"
 #include "face/cli/failure.hpp"
 #include "machine/dialect/taught_for.hpp"
 #include "output/drawings/draw_report.hpp"
@@ -92,6 +93,7 @@ Outcome<void> DrawOutputs::open() {
   files_.keep_from(options_.job);
   for (const std::string& path : options_.outputs)
     if (auto opened = open_target(path); !opened) return opened;
+  if (auto opened = open_contours(); !opened) return opened;
   if (auto opened = open_picture(); !opened) return opened;
   return files_.open(options_.report, Kind::record, [&](base::OutputFile&) {
     files_.when_over([this](base::OutputFile& file) { file.write(report_text_); });
@@ -149,6 +151,20 @@ Outcome<void> DrawOutputs::open_taught(const std::string& path) {
 Outcome<void> DrawOutputs::open_motions(const std::string& path) {
   return files_.open(path, Kind::record, [&](base::OutputFile& file) {
     add(std::make_unique<output::MotionJson>(order_.definition.axes, nullptr, file));
+  });
+}
+
+Outcome<void> DrawOutputs::open_contours() {
+  const std::string& path = options_.contours;
+  using Write = void (*)(const std::vector<drawing::ContourLayer>&, const drawing::WritePiece&);
+  const Write write = path.ends_with(".svg")   ? drawing::write_contours_svg
+                      : path.ends_with(".dxf") ? drawing::write_contours_dxf
+                                               : drawing::write_contours_json;
+  const bool fits = path.empty() || path == "-" || path.ends_with(".svg") ||
+                    path.ends_with(".dxf") || path.ends_with(".json");
+  if (!fits) return usage("--contours " + path + ": its name has to end in .json, .svg or .dxf");
+  return files_.open(path, Kind::record, [&](base::OutputFile& file) {
+    write(job::layers_of(*plan_), [&](std::string_view piece) { file.write(piece); });
   });
 }
 

@@ -33,6 +33,7 @@ class DrawOutputs {
   base::Outcome<void> open_basic(const std::string& path);
   base::Outcome<void> open_taught(const std::string& path);
   base::Outcome<void> open_motions(const std::string& path);
+  base::Outcome<void> open_contours();
   base::Outcome<void> open_picture();
   void add(std::unique_ptr<motion::MotionSink> sink);
   /// Calls `say` where a contour begins, with what text targets tell of it.

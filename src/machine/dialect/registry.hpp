@@ -17,6 +17,9 @@ namespace kerf::machine {
 /// The dialect of patterns, whose programs are pulses and no motions that a servo plans.
 inline constexpr const char* kPatternDialect = "pattern";
 
+/// What a run is called that makes motions which were planned: no language of programs.
+inline constexpr const char* kDrawingDialect = "drawing";
+
 /// A dialect that Kerf runs: a language, and what executes it.
 struct DialectRow {
   enum class Kind : std::uint8_t { gcode, basic, teach, pattern };

@@ -13,7 +13,9 @@ Machine::Machine(const MachineDefinition& definition, control::Memory memory,
       turning_statistics_(definition_.axes),
       spindle_beam_(definition_.drive.laser),
       dotted_cut_(definition_.drive.laser),
-      dialect_name_(settings.dialect.empty() ? definition.dialect : settings.dialect),
+      dialect_name_(settings.plan               ? kDrawingDialect
+                    : settings.dialect.empty() ? definition.dialect
+                                               : settings.dialect),
       servo_(definition_,
              dialect_name_ == kPatternDialect && !settings.by_hand ? &records_ : nullptr),
       joints_(servo_.kinematics(), definition_.axes, definition_.start),

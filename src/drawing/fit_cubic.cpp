@@ -6,6 +6,7 @@
 #include "drawing/internal/bernstein.hpp"
 #include "drawing/internal/bezier.hpp"
 #include "drawing/internal/monotone.hpp"
+#include "drawing/round_path.hpp"
 
 namespace kerf::drawing {
 namespace {
@@ -103,12 +104,12 @@ double bound(Coefficients of) {
   return most;
 }
 
-/// How far the curve is from a circle at most: |B - c|² - r² bounds it, piece by piece.
-double distance_bound(const Cubic& cubic, Vec2 centre, double radius, int parts = 4) {
+// |B - c|² - r² bounds it, piece by piece.
+double bound_by_parts(const Cubic& cubic, Vec2 centre, double radius, int parts) {
   if (parts > 0) {
     const auto [low, high] = cubic.halves();
-    return std::max(distance_bound(low, centre, radius, parts - 1),
-                    distance_bound(high, centre, radius, parts - 1));
+    return std::max(bound_by_parts(low, centre, radius, parts - 1),
+                    bound_by_parts(high, centre, radius, parts - 1));
   }
   Hodograph<4> away;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -137,7 +138,7 @@ bool fit_arc(const Cubic& cubic, Fit& fit) {
       0.5 * (cubic.begin() + cubic.end()) + centre_height * geometry::left_of(chord);
   const double least = std::abs(geometry::length(cubic.parted(0.2).first.end() - centre) - radius);
   if (least > 0.1 * fit.tolerance) return false;  // as nearly always: it is no circle
-  const double error = distance_bound(cubic, centre, radius);
+  const double error = bound_by_parts(cubic, centre, radius, 4);
   if (!(error <= 0.1 * fit.tolerance)) return false;
   fit.error = std::max(fit.error, error);
   fit.steps.push_back({cubic.end(), bulge});
@@ -145,6 +146,10 @@ bool fit_arc(const Cubic& cubic, Fit& fit) {
 }
 
 }  // namespace
+
+double distance_bound(const std::array<Vec2, 4>& points, Vec2 centre, double radius) {
+  return bound_by_parts(Cubic{points}, centre, radius, 4);
+}
 
 void fit_cubic(const std::array<Vec2, 4>& points, Fit& fit) {
   Cubic rest{points};

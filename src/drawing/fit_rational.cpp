@@ -37,8 +37,7 @@ Series product(const Series& a, const Series& b) {
 }
 
 /// a b + factor · c d, which have the same degree.
-Series sum(const Series& a, const Series& b, double factor, const Series& c,
-               const Series& d) {
+Series sum(const Series& a, const Series& b, double factor, const Series& c, const Series& d) {
   Series left = product(a, b);
   const Series right = product(c, d);
   for (std::size_t i = 0; i < left.size(); ++i) left[i] += factor * right[i];

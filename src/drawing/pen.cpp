@@ -10,6 +10,7 @@ namespace kerf::drawing {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kMostOfOneArc = 1.5 * std::numbers::pi + 1e-9;
 
 /// An edge that was fitted, and one that goes on from it: whether both are of one circle.
 bool is_one_circle(const contour::Edge& a, const contour::Edge& b) {
@@ -28,6 +29,12 @@ Pen::Pen(Canvas& canvas, EntityId entity, const Affine& to_mm)
       mirror_(to_mm.determinant() < 0 ? -1 : 1),
       keeps_circles_(to_mm.scale().has_value()) {}
 
+void Pen::forget() {
+  has_begun_ = false;
+  fitted_at_ = 0;
+  curves_.clear();
+}
+
 void Pen::begin(Vec2 at) {
   end();
   begin_ = at_ = at;
@@ -38,7 +45,7 @@ void Pen::begin(Vec2 at) {
 void Pen::start_where(Vec2 point) {
   if (!has_begun_)
     begin(point);
-  else if (point != at_)
+  else if (geometry::length(to_mm_(point) - vertices_.back().point) > kStraight_mm)
     line_to(point);
 }
 
@@ -49,11 +56,13 @@ void Pen::go_on(Vec2 to, double bulge) {
 
 void Pen::line_to(Vec2 to) {
   at_ = to;
+  curves_.all = false;
   go_on(to_mm_(to), 0);
 }
 
 void Pen::bulge_to(Vec2 to, double bulge) {
   if (to == at_ || bulge == 0) return line_to(to);
+  curves_.all = false;
   if (keeps_circles_) {
     at_ = to;
     return go_on(to_mm_(to), mirror_ * bulge);
@@ -63,8 +72,12 @@ void Pen::bulge_to(Vec2 to, double bulge) {
   const Vec2 from = at_ - middle;
   ellipse({middle, {length(from), 0}, {0, length(from)}}, math::atan2(from.v, from.u),
           sweep_rad(arc));
-  vertices_.back().point = to_mm_(to);
-  at_ = to;
+  end_at(to);
+}
+
+void Pen::end_at(Vec2 exactly) {
+  if (has_begun_) vertices_.back().point = to_mm_(exactly);
+  at_ = exactly;
 }
 
 void Pen::ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad) {
@@ -77,13 +90,16 @@ void Pen::ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad) {
                      to_mm_.direction(ellipse.second)};
   const Affine axes{seen.first, seen.second, {}};
   if (axes.scale()) {
-    // Halves: a bulge of a whole turn is none.
+    // Of nearly a whole turn halves: a bulge of a whole one is none.
+    curves_.all = false;
+    const int parts = std::abs(sweep_rad) > kMostOfOneArc ? 2 : 1;
     const double way = axes.determinant() < 0 ? -1 : 1;
-    const double bulge = way * math::tan(0.125 * sweep_rad);
-    go_on(to_mm_(at(from_rad + 0.5 * sweep_rad)), bulge);
+    const double bulge = way * math::tan(0.25 * sweep_rad / parts);
+    if (parts == 2) go_on(to_mm_(at(from_rad + 0.5 * sweep_rad)), bulge);
     go_on(to_mm_(at(to_rad)), bulge);
   } else {
     draw([&](Fit& fit) { fit_ellipse(seen, from_rad, sweep_rad, fit); });
+    ++curves_.count;
   }
   at_ = at(to_rad);
 }
@@ -100,7 +116,9 @@ void Pen::quadratic_to(Vec2 control, Vec2 to) {
 }
 
 void Pen::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
-  draw([&](Fit& fit) { fit_cubic({to_mm_(at_), to_mm_(first), to_mm_(second), to_mm_(to)}, fit); });
+  const std::array<Vec2, 4> cubic{to_mm_(at_), to_mm_(first), to_mm_(second), to_mm_(to)};
+  draw([&](Fit& fit) { fit_cubic(cubic, fit); });
+  curves_.take(cubic);
   at_ = to;
 }
 
@@ -108,6 +126,7 @@ void Pen::rational_to(double weight, std::span<const Weighted> rest) {
   std::vector<Weighted> points{{to_mm_(at_), weight}};
   for (const Weighted& point : rest) points.push_back({to_mm_(point.at), point.weight});
   draw([&](Fit& fit) { fit_rational(points, fit); });
+  ++curves_.count;
   at_ = rest.back().at;
 }
 
@@ -118,6 +137,7 @@ void Pen::draw(FitIt&& fit_it) {
   fit_it(fit);
   canvas_.allow_error(fit.error);
   for (const Step& step : steps_) take_fitted(step);
+  curves_.error = std::max(curves_.error, fit.error);
 }
 
 void Pen::take_fitted(const Step& step) {
@@ -126,8 +146,7 @@ void Pen::take_fitted(const Step& step) {
     const contour::Edge last{before.point, vertices_.back().point, before.bulge};
     const contour::Edge next{last.to, step.to, step.bulge};
     const double sweep = sweep_rad(last) + sweep_rad(next);
-    constexpr double kMost = 1.5 * std::numbers::pi + 1e-9;
-    if (is_one_circle(last, next) && std::abs(sweep) <= kMost) {
+    if (is_one_circle(last, next) && std::abs(sweep) <= kMostOfOneArc) {
       vertices_.pop_back();
       go_on(step.to, math::tan(0.25 * sweep));
       fitted_at_ = vertices_.size() - 1;
@@ -138,22 +157,31 @@ void Pen::take_fitted(const Step& step) {
   fitted_at_ = vertices_.size() - 1;
 }
 
+void Pen::make_circle() {
+  const auto round = round_path(vertices_, curves_, 0.1 * canvas_.reading().tolerance_mm);
+  if (!round) return;
+  canvas_.allow_error(round->error);
+  const Vec2 first = vertices_.front().point - round->centre;
+  const Vec2 out = (round->radius / geometry::length(first)) * first;
+  const double bulge = vertices_.front().bulge < 0 ? -1 : 1;
+  vertices_ = {{round->centre + out, bulge, entity_}, {round->centre - out, bulge, entity_}};
+}
+
 void Pen::close() {
   if (!has_begun_) return;
   const Vec2 first = vertices_.front().point;
   const bool is_back = geometry::length(vertices_.back().point - first) <= kStraight_mm;
   if (is_back && vertices_.size() > 1) vertices_.pop_back();
+  if (is_back && curves_.all) make_circle();
   canvas_.add(vertices_, vertices_.size() > 1, entity_);
-  has_begun_ = false;
-  fitted_at_ = 0;
+  forget();
   at_ = begin_;
 }
 
 void Pen::end() {
   if (!has_begun_) return;
   canvas_.add(vertices_, false, entity_);
-  has_begun_ = false;
-  fitted_at_ = 0;
+  forget();
 }
 
 }  // namespace kerf::drawing

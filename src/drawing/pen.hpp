@@ -6,6 +6,7 @@
 #include "drawing/affine.hpp"
 #include "drawing/canvas.hpp"
 #include "drawing/fit.hpp"
+#include "drawing/round_path.hpp"
 
 namespace kerf::drawing {
 
@@ -40,9 +41,11 @@ class Pen {
   /// An arc whose bulge (contour::Edge) is that of the entity's own plane.
   void bulge_to(Vec2 to, double bulge);
   /// Along an ellipse from the parameter `from_rad` on by `sweep_rad`, at most a whole turn either
-  /// way. A path that is begun is led to its first point by a line, where it is not there;
-  /// otherwise it begins there.
+  /// way. A path that is begun is led to its first point by a line, where it is not there (within
+  /// kStraight_mm); otherwise it begins there.
   void ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad);
+  /// The end of what was drawn last is known better than it was computed: it is here.
+  void end_at(Vec2 exactly);
   /// A whole circle or ellipse as a closed path of its own.
   void whole(const Ellipse& ellipse);
   void quadratic_to(Vec2 control, Vec2 to);
@@ -50,7 +53,9 @@ class Pen {
   /// A rational Bezier curve of the degree `rest.size()`, 1 to 10, that begins where the pen stands
   /// with the weight `weight`.
   void rational_to(double weight, std::span<const Weighted> rest);
-  /// Back to the beginning, by a line where the pen is not there.
+  /// Back to the beginning, by a line where the pen is not there. Where curves alone were drawn,
+  /// and what became of them lies on one circle within a tenth of the tolerance, bounds counted,
+  /// that circle is drawn, as two halves.
   void close();
   void end();
 
@@ -60,6 +65,8 @@ class Pen {
 
  private:
   void start_where(Vec2 point);
+  void forget();
+  void make_circle();
   void go_on(Vec2 to_mm, double bulge);
   template <typename FitIt>
   void draw(FitIt&& fit_it);
@@ -74,6 +81,7 @@ class Pen {
   Vec2 begin_;
   bool has_begun_ = false;
   std::size_t fitted_at_ = 0;  ///< the vertex that a fitted edge ends in; 0: none
+  Curves curves_;
   std::vector<contour::Vertex> vertices_;
   std::vector<Step> steps_;
 };

@@ -10,9 +10,9 @@ using geometry::Vec2;
 
 /// A stretch of a scan line with the beam on.
 struct Run {
-  double from = 0;             ///< mm from the line's origin
-  double to = 0;               ///< > from
-  double power_percent = 100;  ///< of the operation's power
+  double from = 0;   ///< mm from the line's origin
+  double to = 0;     ///< > from
+  double power = 1;  ///< share of the operation's power
 };
 
 /// A straight way of the tool, at feed, with runs of beam in ascending order.

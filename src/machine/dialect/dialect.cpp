@@ -5,6 +5,7 @@
 #include "machine/dialect/internal/basic_dialect.hpp"
 #include "machine/dialect/internal/gcode_dialect.hpp"
 #include "machine/dialect/internal/pattern_dialect.hpp"
+#include "machine/dialect/internal/plan_dialect.hpp"
 #include "machine/dialect/internal/teach_dialect.hpp"
 #include "machine/dialect/registry.hpp"
 
@@ -30,6 +31,7 @@ base::Outcome<void> check_dialect(const MachineDefinition& machine, std::string_
 }
 
 std::unique_ptr<Dialect> make_dialect(std::string_view name, const Dialect::Around& around) {
+  if (around.plan) return std::make_unique<PlanDialect>(around);
   const DialectRow* const row = find_dialect(name);
   assert(row != nullptr);
   switch (row->kind) {

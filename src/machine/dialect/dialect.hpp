@@ -15,6 +15,7 @@
 #include "control/core/control.hpp"
 #include "control/core/memory.hpp"
 #include "control/core/surroundings.hpp"
+#include "control/plan/motion_maker.hpp"
 #include "lang/vm/page_store.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "machine/dialect/pattern_queue.hpp"
@@ -38,6 +39,8 @@ class Dialect {
     motion::MotionSink& sink;
     vm::PageSettings pages;
     PatternQueue& records;  ///< of a pattern
+    /// Motions that were planned, in place of a program; null: there are none.
+    std::shared_ptr<const control::MotionMaker> plan{};
   };
 
   explicit Dialect(const base::SourceSet& sources) : sources_(sources) {}

@@ -18,7 +18,7 @@ Machine::Machine(const MachineDefinition& definition, control::Memory memory,
              dialect_name_ == kPatternDialect && !settings.by_hand ? &records_ : nullptr),
       joints_(servo_.kinematics(), definition_.axes, definition_.start),
       dialect_(make_dialect(dialect_name_, {definition_, memory_, sources_, signals_, *this, *this,
-                                            settings.pages, records_})) {
+                                            settings.pages, records_, settings.plan})) {
   for (const std::string& folder : settings.library_folders) dialect_->add_library_folder(folder);
   if (settings.on_one_thread) servo_.stay_on_one_thread();
   control().set_block_skip(settings.block_skip);

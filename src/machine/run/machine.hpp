@@ -44,6 +44,8 @@ class Machine : private control::Surroundings, private motion::MotionSink {
     bool optional_stop = false;
     bool by_hand = false;  ///< what the operator commands moves the axes, and no program
     vm::PageSettings pages{};
+    /// Motions that were planned, in place of a program; null: there are none.
+    std::shared_ptr<const control::MotionMaker> plan{};
     bool on_one_thread = false;  ///< the planner, too (Servo): the same, and to compare
   };
 

@@ -87,6 +87,8 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'no-variable-name': '應為「#號碼」，而非「{name}」',
   'no-level': '沒有此呼叫層',
   'no-program-variable': '程式沒有此名稱的變數',
+  'drawn-variables': '圖形沒有變數',
+  'drawn-conditions': '圖形沒有變數，因此也沒有條件',
   'taught-variables': '教導點沒有變數',
   'answer-too-long': '回應會有 {bytes} 位元組；最多 6 MiB',
   'path-too-long': '路徑太長，無法查看速度',

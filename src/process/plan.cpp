@@ -1,0 +1,212 @@
+#include "process/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "motion/feed.hpp"
+#include "process/along.hpp"
+#include "process/layers.hpp"
+
+namespace kerf::process {
+namespace {
+
+using drawing::Affine;
+
+std::vector<Affine> ring_of(const Array& array) {
+  std::vector<Affine> copies;
+  for (std::uint32_t i = 0; i < array.count; ++i) {
+    const Affine turn = Affine::turned(i * array.angle_deg * std::numbers::pi / 180);
+    copies.push_back(then(then(Affine::moved(-array.centre), turn), Affine::moved(array.centre)));
+  }
+  return copies;
+}
+
+/// Row by row, to and fro.
+std::vector<Affine> copies_of(const Array& array) {
+  if (array.count > 0) return ring_of(array);
+  std::vector<Affine> copies;
+  for (std::uint32_t row = 0; row < array.rows; ++row) {
+    for (std::uint32_t i = 0; i < array.columns; ++i) {
+      const std::uint32_t column = row % 2 == 0 ? i : array.columns - 1 - i;
+      copies.push_back(Affine::moved({column * array.dx, row * array.dy}));
+    }
+  }
+  return copies;
+}
+
+Entry entry_of(const Scan& scan) {
+  const ScanLine& first = scan.lines.front();
+  const ScanLine& last = scan.lines.back();
+  return {first.origin + (first.runs.front().from - scan.run_up) * first.along,
+          last.origin + (last.runs.back().to + scan.run_up) * last.along};
+}
+
+/// The ways in which a pass can be made, as the order wants them.
+std::vector<Entry> entries_of(const Pass& pass, const AlongRules& rules) {
+  if (const auto* scan = std::get_if<Scan>(&pass.what)) return {entry_of(*scan)};
+  if (const auto* spot = std::get_if<Spot>(&pass.what)) return {{spot->at, spot->at}};
+  const Along& along = std::get<Along>(pass.what);
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < entry_count(along); ++i) entries.push_back(entry_of(along, i, rules));
+  return entries;
+}
+
+class Planner {
+ public:
+  Planner(const drawing::Drawing& drawing, const Sheet& sheet, const Recipe& recipe,
+          const MachineFacts& machine)
+      : drawing_(drawing), sheet_(sheet), recipe_(recipe), layers_(drawing, recipe.operations) {
+    plan_.machine = machine;
+    plan_.copies = copies_of(recipe.array);
+    plan_.end = recipe.end;
+  }
+
+  Plan plan() {
+    tell_layers();
+    for (std::size_t i = 0; i < recipe_.operations.size(); ++i)
+      if (recipe_.operations[i].enabled) add(i);
+    for (std::size_t i = 0; i < plan_.operations.size(); ++i) put_in_order(i);
+    return std::move(plan_);
+  }
+
+ private:
+  void find(base::Severity severity, base::Code code, base::Place place, const std::string& detail,
+            drawing::Name layer = {}, drawing::Name entity = {}) {
+    base::Diagnostic diagnostic = base::make_error(code, place, detail);
+    diagnostic.severity = severity;
+    plan_.findings.push_back({std::move(diagnostic), layer, entity});
+  }
+
+  void tell_layers() {
+    for (std::size_t i = 0; i < recipe_.operations.size(); ++i) {
+      for (const std::string& layer : layers_.missing(i))
+        find(base::Severity::warning, base::Code::draw_layer, {},
+             fmt::format("'{}' of operation '{}'", layer, recipe_.operations[i].name));
+    }
+    for (const std::string& layer : layers_.unused())
+      find(base::Severity::warning, base::Code::draw_layer_unused, {}, "'" + layer + "'");
+  }
+
+  [[nodiscard]] Taken taken_by(std::size_t operation) const {
+    Taken taken;
+    for (const Outline& outline : sheet_.outlines)
+      if (layers_.takes(operation, outline.entity)) taken.outlines.push_back(outline);
+    for (const drawing::Point& point : sheet_.points)
+      if (layers_.takes(operation, point.entity)) taken.points.push_back(point);
+    return taken;
+  }
+
+  [[nodiscard]] Passes passes_of(const Operation& operation, const Settled& settled,
+                                 const Taken& taken) const {
+    switch (operation.process) {
+      case Process::engrave:
+      case Process::mark: return engrave_passes(operation, settled, taken);
+      case Process::cut: return cut_passes(operation, settled, taken);
+      case Process::fill:
+      case Process::heat: return fill_passes(operation, settled, taken, run_up(operation, settled));
+      case Process::weld: return weld_passes(operation, settled, taken);
+      case Process::drill: return drill_passes(operation, taken);
+      case Process::raster: break;
+    }
+    return {};
+  }
+
+  /// E = P / (v · width).
+  [[nodiscard]] double energy_per_mm2(const PlannedOperation& planned) const {
+    const double power_w = planned.settled.power_percent / 100 * plan_.machine.max_power_w;
+    const double speed = planned.settled.feed / motion::kSecondsPerMinute;
+    return power_w / (speed * planned.operation.track_width.value_or(1));
+  }
+
+  [[nodiscard]] double run_up(const Operation& operation, const Settled& settled) const {
+    const double angle = operation.angle_deg * std::numbers::pi / 180;
+    return run_up_mm(plan_.machine, settled.feed, {std::cos(angle), std::sin(angle)});
+  }
+
+  void add(std::size_t index) {
+    const Operation& operation = recipe_.operations[index];
+    PlannedOperation planned;
+    planned.operation = operation;
+    planned.settled = settle(operation, plan_.machine);
+    tell_assumed(operation, planned.settled);
+    if (is_impossible(operation)) return;
+    const Taken taken = taken_by(index);
+    Passes passes = passes_of(operation, planned.settled, taken);
+    planned.rules = passes.rules;
+    planned.passes = std::move(passes.passes);
+    planned.scan_lines = passes.scan_lines;
+    if (operation.process == Process::heat) planned.j_mm2 = energy_per_mm2(planned);
+    planned.contours = taken.outlines.size() + taken.points.size();
+    for (const Remark& remark : passes.remarks) tell(remark, operation);
+    plan_.operations.push_back(std::move(planned));
+  }
+
+  bool is_impossible(const Operation& operation) {
+    const bool needs_beam = operation.process == Process::raster ||
+                            operation.process == Process::weld ||
+                            operation.process == Process::heat;
+    if (!needs_beam || (plan_.machine.has_beam && !plan_.machine.makes_patterns)) return false;
+    find(base::Severity::error, base::Code::process_machine, {},
+         fmt::format("operation '{}': {} needs a beam whose power can be set, {} has none",
+                     operation.name, name_of(operation.process), plan_.machine.name));
+    return true;
+  }
+
+  void tell_assumed(const Operation& operation, const Settled& settled) {
+    if (plan_.machine.makes_patterns) return;
+    if (settled.power_is_assumed && plan_.machine.has_beam)
+      plan_.assumed.push_back(fmt::format("operation '{}' says no power: {:.6g} %", operation.name,
+                                          settled.power_percent));
+    if (settled.feed_is_assumed)
+      plan_.assumed.push_back(
+          fmt::format("operation '{}' says no feed: {:.6g} mm/min, half of the machine's fastest",
+                      operation.name, settled.feed));
+  }
+
+  void tell(const Remark& remark, const Operation& operation) {
+    const drawing::Entity& entity = drawing_.entities[remark.entity];
+    const std::string detail = remark.detail.empty() ? "" : ": " + remark.detail;
+    find(remark.is_error ? base::Severity::error : base::Severity::warning, remark.code,
+         {entity.file, entity.line, 1},
+         fmt::format("{} on layer {} in operation '{}'{}", drawing_.names[entity.kind],
+                     drawing_.names[entity.layer], operation.name, detail),
+         entity.layer, entity.kind);
+  }
+
+  void put_in_order(std::size_t index) {
+    PlannedOperation& planned = plan_.operations[index];
+    std::vector<Item> items;
+    for (const Pass& pass : planned.passes)
+      items.push_back({entries_of(pass, planned.rules), pass.before});
+    const bool is_last = index + 1 == plan_.operations.size();
+    const bool comes_back = is_last && plan_.end.kind != EndKind::stay;
+    const Ends ends{at_, comes_back, plan_.end.kind == EndKind::point ? plan_.end.at : Vec2{}};
+    Order order = recipe_.by_travel ? find_order(items, ends) : file_order(items, ends);
+    planned.turns = std::move(order.turns);
+    plan_.travel_file_mm += order.travel_file_mm;
+    plan_.travel_nearest_mm += order.travel_nearest_mm;
+    if (!planned.turns.empty()) {
+      const Turn& last = planned.turns.back();
+      at_ = items[last.item].entries[last.entry].end;
+    }
+  }
+
+  const drawing::Drawing& drawing_;
+  const Sheet& sheet_;
+  const Recipe& recipe_;
+  Layers layers_;
+  Plan plan_;
+  Vec2 at_;
+};
+
+}  // namespace
+
+Plan plan_of(const drawing::Drawing& drawing, const Sheet& sheet, const Recipe& recipe,
+             const MachineFacts& machine) {
+  return Planner(drawing, sheet, recipe, machine).plan();
+}
+
+}  // namespace kerf::process

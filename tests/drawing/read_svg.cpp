@@ -62,7 +62,7 @@ std::string as_svg(const Drawing& drawing, bool is_filled) {
       data += data_of(drawing, paths[i], page.v);
     const bool is_even_odd = drawing.entities[entity].rule == drawing::FillRule::even_odd;
     out += fmt::format("<path fill-rule='{}' {} d='{}'/>\n", is_even_odd ? "evenodd" : "nonzero",
-                       is_filled ? "" : "fill='none' stroke='black' stroke-width='0.1'", data);
+                       is_filled ? "" : "fill='none' stroke='black' stroke-width='0.3'", data);
   }
   return out + "</svg>\n";
 }

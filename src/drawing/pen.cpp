@@ -172,8 +172,9 @@ void Pen::take_fitted(const Step& step) {
     const contour::Vertex& before = vertices_[fitted_at_ - 1];
     const contour::Edge last{before.point, vertices_.back().point, before.bulge};
     const contour::Edge next{last.to, step.to, step.bulge};
-    const double sweep = sweep_rad(last) + sweep_rad(next);
-    if (is_one_circle(last, next) && std::abs(sweep) <= kMostOfOneArc) {
+    const bool goes_on_round = is_one_circle(last, next);  // seldom: angles take long
+    const double sweep = goes_on_round ? sweep_rad(last) + sweep_rad(next) : 0;
+    if (goes_on_round && std::abs(sweep) <= kMostOfOneArc) {
       vertices_.pop_back();
       go_on(step.to, math::tan(0.25 * sweep));
       fitted_at_ = vertices_.size() - 1;

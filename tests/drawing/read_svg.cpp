@@ -1,6 +1,8 @@
 // What the reader of SVG makes of a file, for comparison with another renderer:
 //   read_svg draw IN.svg OUT.svg fill|stroke   the contours as paths of lines and arcs, black; what
 //                                              was found goes to the standard error, a line each
+//                                              (OUT -: nothing is written)
+//   read_svg text FONT WORDS OUT.svg           words of capitals 10 mm high; \n begins a line
 //   read_svg compare A.png B.png               "iou 0.998 farthest 1.0": of the black pixels, how
 //                                              much both share, and how far one is from the other's
 #include "drawing/svg/read_svg.hpp"
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "base/decimal.hpp"
+#include "drawing/font/layout.hpp"
 #include "drawing/image/picture.hpp"
 
 namespace {
@@ -59,7 +62,7 @@ std::string as_svg(const Drawing& drawing, bool is_filled) {
       data += data_of(drawing, paths[i], page.v);
     const bool is_even_odd = drawing.entities[entity].rule == drawing::FillRule::even_odd;
     out += fmt::format("<path fill-rule='{}' {} d='{}'/>\n", is_even_odd ? "evenodd" : "nonzero",
-                       is_filled ? "" : "fill='none' stroke='black' stroke-width='0.1'", data);
+                       is_filled ? "" : "fill='none' stroke='black' stroke-width='0.3'", data);
   }
   return out + "</svg>\n";
 }
@@ -78,7 +81,28 @@ int draw(const std::string& in, const std::string& out, bool is_filled) {
   for (const drawing::Ignored& ignored : drawing.files.front().ignored)
     fmt::print(stderr, "{}: ignored {} x {}: {}\n", ignored.line, ignored.count, ignored.what,
                ignored.why);
-  std::ofstream(out) << as_svg(drawing, is_filled);
+  if (out != "-") std::ofstream(out) << as_svg(drawing, is_filled);
+  return 0;
+}
+
+int write_text(const std::string& name, std::string words, const std::string& out) {
+  const auto font = drawing::open_font(name);
+  if (!font) return 3;
+  for (std::size_t at = 0; (at = words.find("\\n", at)) != std::string::npos;)
+    words.replace(at, 2, "\n");
+  drawing::Reading reading;
+  Drawing drawing;
+  drawing::Canvas canvas(reading, drawing);
+  const auto lines = 1 + std::count(words.begin(), words.end(), '\n');
+  const double width = 10 * drawing::width_of(words, **font, {});
+  canvas.begin_file({}, "text").page_mm = {width + 10, 17.0 * static_cast<double>(lines) + 10};
+  drawing::Text text;
+  text.words = words;
+  text.height = 10;
+  text.to_mm = drawing::Affine::moved({5, drawing.files.front().page_mm.v - 17});
+  text.entity = canvas.add(drawing::Entity{});
+  draw_text(text, **font, {}, canvas);
+  std::ofstream(out) << as_svg(drawing, false);
   return 0;
 }
 
@@ -136,6 +160,7 @@ int compare(const std::string& first, const std::string& second) {
 int main(int count, char** words) {
   const std::vector<std::string> all(words + 1, words + count);
   if (all.size() == 4 && all[0] == "draw") return draw(all[1], all[2], all[3] == "fill");
+  if (all.size() == 4 && all[0] == "text") return write_text(all[1], all[2], all[3]);
   if (all.size() == 3 && all[0] == "compare") return compare(all[1], all[2]);
   return 2;
 }

@@ -23,8 +23,8 @@ bool is_too_much(const svg::Tree& tree, Canvas& canvas) {
       expansion.cloned_bytes > std::max(kLeastClonedBytes, kBytesAnEntity * most);
   if (expansion.elements <= most && !has_bytes) return false;
   canvas.find(base::Severity::error, base::Code::draw_limit, {},
-              has_bytes ? std::string("its clones repeat too much path data")
-                        : fmt::format("more than {}", most));
+              expansion.elements > most ? fmt::format("more than {}", most)
+                                        : "its clones repeat too much path data");
   return true;
 }
 

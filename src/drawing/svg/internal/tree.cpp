@@ -23,7 +23,7 @@ void Tree::add_attribute(Key key, std::string_view value) {
 void Tree::index() {
   last_child_ = {};
   for (ElementId id = 0; id < elements_.size(); ++id)
-    if (const auto name = attribute(id, Key::id)) ids_.try_emplace(*name, id);
+    if (const auto name = attribute(id, Key::id)) ids_.try_emplace(std::string(*name), id);
 }
 
 std::optional<std::string_view> Tree::attribute(ElementId id, Key key) const {
@@ -36,7 +36,7 @@ std::optional<std::string_view> Tree::attribute(ElementId id, Key key) const {
 }
 
 ElementId Tree::by_id(std::string_view name) const {
-  const auto entry = ids_.find(name);
+  const auto entry = ids_.find(std::string(name));
   return entry == ids_.end() ? kNoElement : entry->second;
 }
 

@@ -72,7 +72,7 @@ class Tree {
   std::vector<Attribute> attributes_;
   std::string values_;
   std::string style_sheets_;
-  std::unordered_map<std::string_view, ElementId> ids_;
+  std::unordered_map<std::string, ElementId> ids_;  // whose keys move with it
 };
 
 }  // namespace kerf::drawing::svg

@@ -102,9 +102,9 @@ void Canvas::add(std::vector<contour::Vertex>& vertices, bool is_closed, EntityI
   drawing_.vertices.insert(drawing_.vertices.end(), vertices.begin(), vertices.end());
 }
 
-void Canvas::tell_over(base::Code code, const std::string& detail) {
+void Canvas::tell_over(base::Code code, const std::string& detail, std::uint32_t line) {
   over_ = true;
-  find(base::Severity::error, code, {}, detail);
+  find(base::Severity::error, code, {base::kNoFile, line, line > 0 ? 1U : 0U}, detail);
 }
 
 bool Canvas::is_over() {
@@ -121,11 +121,11 @@ bool Canvas::is_over() {
   return over_;
 }
 
-bool Canvas::has_room_for(double entities) {
+bool Canvas::has_room_for(double entities, std::uint32_t line) {
   if (is_over()) return false;
   const auto most = static_cast<double>(reading_.max_entities);
   if (static_cast<double>(drawing_.entities.size()) + entities <= most) return true;
-  tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
+  tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities), line);
   return false;
 }
 

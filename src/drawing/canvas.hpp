@@ -66,9 +66,9 @@ class Canvas {
 
   /// The budget is used up (told by a finding of DRAW_LIMIT or BUDGET).
   [[nodiscard]] bool is_over();
-  /// Whether the budget is enough for so many entities more; if not it is used up now, without
-  /// their being made one by one.
-  [[nodiscard]] bool has_room_for(double entities);
+  /// Whether the budget is enough for so many entities more, which those of a line would be; if not
+  /// it is used up now, without their being made one by one.
+  [[nodiscard]] bool has_room_for(double entities, std::uint32_t line);
   /// No more lines and arcs than this for each of the entities that are allowed.
   static constexpr std::uint64_t kVerticesOfAnEntity = 8;
   /// As is_over(), of a clone or what stands in a block: the budget of entities counts it too, also
@@ -76,7 +76,7 @@ class Canvas {
   [[nodiscard]] bool is_over_with_clone();
 
  private:
-  void tell_over(base::Code code, const std::string& detail);
+  void tell_over(base::Code code, const std::string& detail, std::uint32_t line = 0);
   [[nodiscard]] bool is_drawable(const std::vector<contour::Vertex>& vertices, EntityId entity);
 
   const Reading& reading_;

@@ -85,7 +85,7 @@ Vec2 direction_of_line(const Record& record) {
     if (group.code == 11) direction = {group.number, 0};
     if (group.code == 21) direction.v = group.number;
     if (group.code != 50) continue;
-    const double angle = std::fmod(group.number, 2 * std::numbers::pi);
+    const double angle = kRadian * std::fmod(group.number, 360);  // whatever the reference says
     direction = {math::cos(angle), math::sin(angle)};
     if (facing_of(record) == Facing::down) direction.u = -direction.u;
   }

@@ -192,7 +192,7 @@ void Run::insert(const Block& block, const Record& record, const Looks& looks) {
   const auto to_mm = out_of_own_plane(record);
   if (!to_mm) return;
   const Grid grid = grid_of(record);
-  if (!sheet_.canvas.has_room_for(grid.rows * grid.columns * block.weight)) return;
+  if (!sheet_.canvas.has_room_for(grid.rows * grid.columns * block.weight, record.line())) return;
   const Placement placement = placement_of(block, record);
   Around inside{{}, &looks.layer, looks.colour, around_.depth + 1};
   for (double row = 0; row < grid.rows; ++row) {

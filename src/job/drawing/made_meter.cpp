@@ -6,6 +6,7 @@
 #include "geometry/arc.hpp"
 #include "motion/feed.hpp"
 #include "motion/motion_extent.hpp"
+#include "motion/space_arc_path.hpp"
 
 namespace kerf::job {
 namespace {
@@ -32,12 +33,17 @@ double way_of(const motion::AxisSetup& axes, const base::TipPoint& from, const M
                                 {arc->center[0], arc->center[1]},
                                 arc->direction == motion::Direction::clockwise, arc->turns, 0);
   }
+  if (const auto* arc = std::get_if<motion::SpaceArc>(&motion.action)) {
+    const motion::SpaceArcPath path(axes, from, *arc);
+    return path.circle().radius() * path.circle().sweep_rad();
+  }
   return distance(axes, from, *motion::target_of(motion));
 }
 
 double feed_of(const Motion& motion) {
   if (const auto* line = std::get_if<motion::Line>(&motion.action)) return line->feed.value;
   if (const auto* arc = std::get_if<motion::Arc>(&motion.action)) return arc->feed.value;
+  if (const auto* arc = std::get_if<motion::SpaceArc>(&motion.action)) return arc->feed.value;
   return 0;
 }
 

@@ -83,6 +83,24 @@ bool is_within(Vec3 place, const Bounds& box) {
          place.y <= box.high.y && place.z < box.high.z;
 }
 
+/// A model has a helper, until what it does has ended.
+class WithHelper {
+ public:
+  WithHelper(Model& model, base::Helper& helper) : model_(model), helper_(helper) {
+    model.use(&helper);
+  }
+  ~WithHelper() {
+    model_.use(nullptr);
+    helper_.end();
+  }
+  WithHelper(const WithHelper&) = delete;
+  WithHelper& operator=(const WithHelper&) = delete;
+
+ private:
+  Model& model_;
+  base::Helper& helper_;
+};
+
 }  // namespace
 
 Cutter::Cutter(const motion::AxisSetup& axes, const WorkFrame& frame, Model& model, ToolRack& rack,
@@ -301,7 +319,9 @@ void Cutter::finish() {
 }
 
 void Cutter::await_model() {
-  if (cutting_.valid()) cutting_.get();
+  if (!cutting_.valid()) return;
+  helper_.wait();
+  cutting_.get();
 }
 
 // The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
@@ -338,19 +358,27 @@ void Cutter::cut_batch() {
   await_model();
   std::swap(now_, before_);
   before_.outcomes.assign(before_.sweeps.size(), Outcome{});
-  const auto cut = [this] { model_.cut(before_.sweeps, before_.outcomes); };
   if (settings_.cuts_beside) {
-    try {
-      cutting_ = std::async(std::launch::async, cut);
-    } catch (const std::system_error&) {
-      cut();  // the computer gives no more threads
-    }
+    cut_beside();
     settle_batch(now_);
     return;
   }
-  cut();
+  model_.cut(before_.sweeps, before_.outcomes);
   if (settings_.watch != nullptr) settings_.watch->cut(before_.sweeps);
   settle_batch(before_);
+}
+
+void Cutter::cut_beside() {
+  const auto cut = [this] {
+    const WithHelper model(model_, helper_);
+    model_.cut(before_.sweeps, before_.outcomes);
+  };
+  helper_.begin();
+  try {
+    cutting_ = std::async(std::launch::async, cut);
+  } catch (const std::system_error&) {
+    cut();  // the computer gives no more threads
+  }
 }
 
 void Cutter::settle_batch(Batch& batch) {

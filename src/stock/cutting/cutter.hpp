@@ -50,7 +50,8 @@ class Cutter final : public motion::MotionSink {
     std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
     MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
     CutWatch* watch = nullptr;              ///< sees what the model gets; outlives the cutter
-    /// A batch is cut by a thread of its own while the next one comes together. Not with `watch`.
+    /// A batch is cut by a thread of its own while the next one comes together; who waits for it
+    /// then helps. Not with `watch`.
     bool cuts_beside = false;
     std::size_t batch = 2048;     ///< so many sweeps are cut at a time: their outcomes fit a cache
     std::optional<CutEnd> end{};  ///< none: all is cut
@@ -146,6 +147,7 @@ class Cutter final : public motion::MotionSink {
   void check_pitch(const Waiting& of);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
+  void cut_beside();
   void await_model();
   void settle_batch(Batch& batch);  // what the model did; then it is empty
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
@@ -188,6 +190,7 @@ class Cutter final : public motion::MotionSink {
   std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
   Batch before_;                           // has been given to the model, and is not settled
+  base::Helper helper_;                    // of the model: who waits for it
   std::future<void> cutting_;              // of `before_`; last: its end waits for the thread
 };
 

@@ -72,8 +72,9 @@ void TileWork::list_at(std::size_t tile, std::uint32_t number) {
 }
 
 void TileWork::share() {
-  base::each_by_threads(busy_.size(), columns_met_ < kWorthThreads ? 1 : jobs_,
-                        [&](std::size_t i) { work_on(busy_[i]); });
+  base::each_by_threads(
+      busy_.size(), columns_met_ < kWorthThreads ? 1 : jobs_,
+      [&](std::size_t i) { work_on(busy_[i]); }, helper_);
 }
 
 void TileWork::work_on(std::size_t tile) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "math/math.hpp"
 #include "motion/feed.hpp"
@@ -82,24 +81,6 @@ bool is_within(Vec3 place, const Bounds& box) {
   return place.x >= box.low.x && place.x <= box.high.x && place.y >= box.low.y &&
          place.y <= box.high.y && place.z < box.high.z;
 }
-
-/// A model has a helper, until what it does has ended.
-class WithHelper {
- public:
-  WithHelper(Model& model, base::Helper& helper) : model_(model), helper_(helper) {
-    model.use(&helper);
-  }
-  ~WithHelper() {
-    model_.use(nullptr);
-    helper_.end();
-  }
-  WithHelper(const WithHelper&) = delete;
-  WithHelper& operator=(const WithHelper&) = delete;
-
- private:
-  Model& model_;
-  base::Helper& helper_;
-};
 
 }  // namespace
 
@@ -307,21 +288,15 @@ void Cutter::check_pitch(const Waiting& of) {
 BodyId Cutter::body_of(const CuttingTool& tool) {
   const auto known = bodies_.find(tool.number());
   if (known != bodies_.end()) return known->second;
-  await_model();
+  beside_.await();
   if (settings_.watch != nullptr) settings_.watch->added(tool.body);
   return bodies_.emplace(tool.number(), model_.add_body(tool.body)).first->second;
 }
 
 void Cutter::finish() {
   cut_batch();
-  await_model();
+  beside_.await();
   settle_batch(before_);
-}
-
-void Cutter::await_model() {
-  if (!cutting_.valid()) return;
-  helper_.wait();
-  cutting_.get();
 }
 
 // The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
@@ -355,30 +330,17 @@ std::optional<double> Cutter::first_touch(const BallWay& ball) const {
 }
 
 void Cutter::cut_batch() {
-  await_model();
+  beside_.await();
   std::swap(now_, before_);
   before_.outcomes.assign(before_.sweeps.size(), Outcome{});
   if (settings_.cuts_beside) {
-    cut_beside();
+    beside_.begin(model_, before_.sweeps, before_.outcomes);
     settle_batch(now_);
     return;
   }
   model_.cut(before_.sweeps, before_.outcomes);
   if (settings_.watch != nullptr) settings_.watch->cut(before_.sweeps);
   settle_batch(before_);
-}
-
-void Cutter::cut_beside() {
-  const auto cut = [this] {
-    const WithHelper model(model_, helper_);
-    model_.cut(before_.sweeps, before_.outcomes);
-  };
-  helper_.begin();
-  try {
-    cutting_ = std::async(std::launch::async, cut);
-  } catch (const std::system_error&) {
-    cut();  // the computer gives no more threads
-  }
 }
 
 void Cutter::settle_batch(Batch& batch) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include "motion/axis_setup.hpp"
 #include "motion/motion.hpp"
 #include "motion/move_curves.hpp"
+#include "stock/cutting/cut_beside.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/findings.hpp"
 #include "stock/cutting/judge.hpp"
@@ -147,8 +147,6 @@ class Cutter final : public motion::MotionSink {
   void check_pitch(const Waiting& of);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
-  void cut_beside();
-  void await_model();
   void settle_batch(Batch& batch);  // what the model did; then it is empty
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
   void settle(const Batch& batch, const Waiting& waiting, const Outcome& outcome);
@@ -190,8 +188,7 @@ class Cutter final : public motion::MotionSink {
   std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
   Batch before_;                           // has been given to the model, and is not settled
-  base::Helper helper_;                    // of the model: who waits for it
-  std::future<void> cutting_;              // of `before_`; last: its end waits for the thread
+  CutBeside beside_;                       // of `before_`; last: its end waits for the thread
 };
 
 }  // namespace kerf::stock

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <initializer_list>
 #include <numbers>
 
@@ -49,7 +50,7 @@ TEST(Dxf, a_file_that_is_cut_off_says_inside_what_and_draws_what_is_whole) {
       read(kMm + "  0\nSECTION\n  2\nENTITIES\n" + entity("LINE 8 CUT 10 0 20 0 11 5 21 0") +
            entity("LWPOLYLINE 5 3F 8 CUT 10 0 20 0 10 9"));
   EXPECT_EQ(drawn.findings(),
-            "DXF_TRUNCATED:46 the drawing is cut off: the file ends inside LWPOLYLINE 3F on layer "
+            "DXF_TRUNCATED:42 the drawing is cut off: the file ends inside LWPOLYLINE 3F on layer "
             "CUT: the end of section ENTITIES is missing\n");
   ASSERT_EQ(drawn.drawing.paths.size(), 1U);
   EXPECT_DOUBLE_EQ(length(drawn.path(0)), 5);
@@ -58,7 +59,7 @@ TEST(Dxf, a_file_that_is_cut_off_says_inside_what_and_draws_what_is_whole) {
 TEST(Dxf, a_missing_end_is_told_where_everything_was_drawn) {
   EXPECT_EQ(
       read(kMm + entities({"LINE 11 1"})).findings(),
-      "DXF_TRUNCATED:28 the drawing is cut off: the file ends behind section ENTITIES: EOF is "
+      "DXF_TRUNCATED:24 the drawing is cut off: the file ends behind section ENTITIES: EOF is "
       "missing\n");
   EXPECT_EQ(read(kMm + "  0\nSECTION\n  2\nENTITIES\n" + entity("LINE 11 1") + kEnd).codes(),
             "DXF_TRUNCATED");

@@ -69,8 +69,8 @@ const char* feed_mode_name(FeedMode mode) {
 }  // namespace
 
 MotionJson::MotionJson(const AxisSetup& axes, const base::SourceSet* sources,
-                       base::OutputFile& file)
-    : axes_(axes), sources_(sources), file_(file), at_(axes.start) {
+                       base::OutputFile& file, std::string source)
+    : axes_(axes), sources_(sources), file_(file), at_(axes.start), title_(std::move(source)) {
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }
@@ -84,6 +84,12 @@ void MotionJson::name_file(base::FileId id) {
   source_ = ",\"file\":" + quoted((*sources_)[id].name());
 }
 
+void MotionJson::name_source(base::ProgramNumber first) {
+  const std::string name = base::program_name(static_cast<std::uint32_t>(first));
+  if (!title_->empty() && *title_ != name) line_ += ",\"source\":" + output::quoted(*title_);
+  title_.reset();
+}
+
 void MotionJson::begin(const char* kind, const Motion& motion) {
   if (motion.block.program != program_number_) {
     program_number_ = motion.block.program;
@@ -95,10 +101,13 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   line_ += kind;
   line_ += program_;
   base::append_integer(line_, motion.block.line);
-  line_ += ",\"column\":";
-  base::append_integer(line_, motion.block.column);
+  if (motion.block.column > 0) {
+    line_ += ",\"column\":";
+    base::append_integer(line_, motion.block.column);
+  }
   if (motion.block.file != source_id_) name_file(motion.block.file);
   line_ += source_;
+  if (title_) name_source(motion.block.program);
 }
 
 void MotionJson::point(const char* name, const base::TipPoint& at) {
@@ -133,6 +142,45 @@ void MotionJson::spindle(const Spindle& spindle) {
   if (spindle.follows_radius()) append_member(line_, ",\"centre\":", spindle.centre);
   if (spindle.name != SpindleName::main)
     line_ += ",\"spindle\":\"" + std::string(name_of(spindle.name)) + '"';
+  flag(spindle.cuts_standing, ",\"cuts_standing\":true");
+  flag(spindle.is_clamped, ",\"clamped\":true");
+}
+
+void MotionJson::thread(const Thread& thread) {
+  append_member(line_, ",\"lead\":", thread.lead);
+  if (thread.lead_change != 0) append_member(line_, ",\"lead_change\":", thread.lead_change);
+  if (thread.angle_deg != 0) append_member(line_, ",\"angle_deg\":", thread.angle_deg);
+  if (thread.depth_mm != 0) append_member(line_, ",\"depth_mm\":", thread.depth_mm);
+}
+
+// Where the axes and the plane are, in mm of the machine.
+void MotionJson::surface(const SurfaceMove& move) {
+  const Surface& surface = move.surface;
+  line_ += surface.kind == Surface::Kind::face ? ",\"surface\":{\"kind\":\"face\",\"axes\":\""
+                                               : ",\"surface\":{\"kind\":\"cylinder\",\"axes\":\"";
+  line_ += axes_[surface.first].letter;
+  line_ += axes_[surface.rotary].letter;
+  append_member(line_, "\",\"centre_mm\":", surface.centre_mm);
+  append_member(line_, ",\"zero_deg\":", surface.zero_deg);
+  append_member(line_, ",\"side\":", surface.side);
+  append_member(line_, ",\"radius_mm\":", surface.radius_mm);
+  append_member(line_, ",\"to\":[", move.flat_to[0]);
+  append_member(line_, ",", move.flat_to[1]);
+  line_ += "]}";
+}
+
+// What every move may have; a length where it changes.
+void MotionJson::of_move(const Motion& motion) {
+  flag(motion.exact_stop, ",\"exact_stop\":true");
+  flag(motion.fixed_override, ",\"fixed_override\":true");
+  if (motion.length == length_) return;
+  length_ = motion.length;
+  line_ += ",\"length\":{\"axis\":\"";
+  line_ += axes_[length_.axis].letter;
+  append_member(line_, "\",\"mm\":", length_.mm);
+  line_ += ",\"offset\":";
+  base::append_integer(line_, length_.offset);
+  line_ += '}';
 }
 
 void MotionJson::space_arc(const SpaceArc& arc) {
@@ -159,9 +207,8 @@ void MotionJson::surface_arc(const SurfaceMove& move) {
 }
 
 void MotionJson::take(const Motion& motion) {
-  const auto* const stop = std::get_if<Stop>(&motion.action);
-  if (stop != nullptr && stop->passed) return;
   write(motion);
+  if (target_of(motion) != nullptr) of_move(motion);
   line_ += "}\n";
   file_.write(line_);
   if (const base::TipPoint* const to = target_of(motion)) at_ = *to;
@@ -173,6 +220,7 @@ void MotionJson::write(const Motion& motion) {
     if constexpr (std::is_same_v<Action, Rapid>) {
       begin("rapid", motion);
       target(action.to);
+      flag(!action.linear, ",\"linear\":false");
     } else if constexpr (std::is_same_v<Action, Line>) {
       begin("line", motion);
       target(action.to);
@@ -196,6 +244,7 @@ void MotionJson::write(const Motion& motion) {
       target(action.to);
       if (action.is_arc) surface_arc(action);
       feed(action.feed);
+      surface(action);
     } else if constexpr (std::is_same_v<Action, Dwell>) {
       begin("dwell", motion);
       append_member(line_, ",\"seconds\":", action.seconds);
@@ -222,9 +271,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, Thread>) {
       begin("thread", motion);
       target(action.to);
-      append_member(line_, ",\"lead\":", action.lead);
-      if (action.lead_change != 0) append_member(line_, ",\"lead_change\":", action.lead_change);
-      if (action.angle_deg != 0) append_member(line_, ",\"angle_deg\":", action.angle_deg);
+      thread(action);
     } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
       begin("mcode", motion);
       line_ += ",\"code\":";
@@ -232,6 +279,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, Stop>) {
       begin("stop", motion);
       line_ += action.optional ? ",\"optional\":true" : ",\"optional\":false";
+      flag(action.passed, ",\"passed\":true");
     } else if constexpr (std::is_same_v<Action, Message>) {
       begin("message", motion);
       const nlohmann::json text = std::string(action.text.view());

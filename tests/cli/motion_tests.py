@@ -4,7 +4,7 @@ import json
 
 import harness
 from harness import alarm, check, contains, equal, refused, status, test
-from post_tests import ROOT, example_inputs
+from reader_tests import ROOT, example_inputs
 
 AT = {"X": 10, "Y": 5, "Z": 0}
 OF = '"program":"O0000","line":'
@@ -91,7 +91,7 @@ G64G43H3Z5.
 G84Z-3.R2.F300
 G80G09G01Z-1.F200
 G93X20.F2.
-G94G28Z20.
+G94G28Z20.F100.
 M01
 M07
 #3006=1(TURN 5" \\ OVER)

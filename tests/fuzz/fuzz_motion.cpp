@@ -26,9 +26,9 @@ void require(bool condition) {
 }
 
 const machine::MachineDefinition& definition(std::uint8_t choice) {
-  static const std::array machines = {*machine::find_machine("mill3"), *machine::find_machine("laser5"),
-                                      *machine::find_machine("lathe3c"),
-                                      *machine::find_machine("arm4")};
+  static const std::array machines = {
+      *machine::find_machine("mill3"), *machine::find_machine("laser5"),
+      *machine::find_machine("lathe3c"), *machine::find_machine("arm4")};
   return machines[choice >> 3U & 3U];
 }
 

@@ -1,12 +1,11 @@
 #include "control/records/records_control.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/decimal.hpp"
 #include "geometry/space_arc.hpp"
-#include "motion/plane_axes.hpp"
+#include "motion/radius_change.hpp"
 
 namespace kerf::control {
 namespace {
@@ -14,7 +13,6 @@ namespace {
 using base::Code;
 using vm::Verdict;
 
-constexpr double kRadii_mm = 0.001;
 constexpr double kNoRadius_mm = 1e-9;
 
 geometry::Vec3 place_in(const motion::AxisSetup& axes, const base::TipPoint& tip) {
@@ -32,11 +30,12 @@ Code code_of(geometry::NoArc why) {
 }  // namespace
 
 RecordsControl::RecordsControl(const motion::AxisSetup& axes, const RecordedFor& machine,
-                               records::RecordsLibrary& library, Surroundings& surroundings,
-                               motion::MotionSink& sink)
+                               records::RecordsLibrary& library, Memory& memory,
+                               Surroundings& surroundings, motion::MotionSink& sink)
     : RecordControl(library, sink),
       axes_(axes),
       machine_(machine),
+      memory_(memory),
       strokes_(axes, machine_.checks_strokes, &length_),
       outlet_(alarms_, surroundings,
               axes.linked ? Outlet::Machine::is_asked : Outlet::Machine::makes_all, &strokes_,
@@ -70,16 +69,29 @@ void RecordsControl::tell(const std::string& unknown) {
   assumptions_.add(place().line, "member " + unknown + " means nothing in a motion record");
 }
 
-bool RecordsControl::is_arc(const motion::Arc& arc, const vm::Span& centre) {
+// As its program has measured it.
+void RecordsControl::set(const records::ToolRadius& radius) {
+  const bool turns = axes_.turns();
+  if (radius.number >= (turns ? memory_.turning.size() : memory_.tools.size())) return;
+  (turns ? memory_.turning[radius.number].geometry.radius
+         : memory_.tools[radius.number].radius_geometry) = radius.geometry_mm;
+  (turns ? memory_.turning[radius.number].wear.radius : memory_.tools[radius.number].radius_wear) =
+      radius.wear_mm;
+  ++memory_.revision;
+}
+
+bool RecordsControl::is_arc(const motion::Arc& arc, const records::RecordBlock& record) {
   const motion::PlaneAxes plane = *motion::plane_axes(arc.plane, axes_);
   const geometry::Vec2 about{arc.center[0], arc.center[1]};
   const double begin = length(plane.project(tip_) - about);
   const double end = length(plane.project(arc.to) - about);
-  if (std::fabs(end - begin) <= kRadii_mm && begin > kNoRadius_mm) return true;
-  return alarms_.raise(Code::motion_radii, centre,
+  const bool is_one =
+      record.is_spiral || motion::radius_change(plane, tip_, arc) <= motion::kSameRadius_mm;
+  if (is_one && begin > kNoRadius_mm) return true;
+  return alarms_.raise(Code::motion_radii, record.centre,
                        "it begins " + base::number_text(base::tidy(begin)) +
-                           " mm from its centre and ends " +
-                           base::number_text(base::tidy(end)) + " mm from it");
+                           " mm from its centre and ends " + base::number_text(base::tidy(end)) +
+                           " mm from it");
 }
 
 bool RecordsControl::is_arc(const motion::SpaceArc& arc) {
@@ -93,7 +105,7 @@ bool RecordsControl::is_arc(const motion::SpaceArc& arc) {
 
 bool RecordsControl::is_made(const records::RecordBlock& record) {
   if (const auto* const arc = std::get_if<motion::Arc>(&record.motion.action))
-    return is_arc(*arc, record.centre);
+    return is_arc(*arc, record);
   const auto* const arc = std::get_if<motion::SpaceArc>(&record.motion.action);
   return arc == nullptr || is_arc(*arc);
 }
@@ -140,6 +152,7 @@ Verdict RecordsControl::execute(const vm::CodePage& page, std::uint32_t block,
   tell(record.unknown);
   if (!is_made(record)) return Verdict::stop;
   if (record.length) put_on(*record.length);
+  for (const records::ToolRadius& radius : record.radii) set(radius);
   const motion::Motion motion = as_made(record);
   if (goes_nowhere(motion)) return behind_record();
   if (!outlet_.let_out(motion, tip_)) return Verdict::stop;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "control/core/memory.hpp"
 #include "control/core/outlet.hpp"
 #include "control/core/record_control.hpp"
 #include "lang/records/records_library.hpp"
@@ -24,7 +25,7 @@ class RecordsControl final : public RecordControl {
  public:
   /// All must outlive the control.
   RecordsControl(const motion::AxisSetup& axes, const RecordedFor& machine,
-                 records::RecordsLibrary& library, Surroundings& surroundings,
+                 records::RecordsLibrary& library, Memory& memory, Surroundings& surroundings,
                  motion::MotionSink& sink);
 
   /// Stands at the head of the library's program, which has been loaded. `name` is what alarms call
@@ -55,8 +56,9 @@ class RecordsControl final : public RecordControl {
 
   void tell(const std::string& unknown);
   void put_on(const motion::ToolLength& length);
+  void set(const records::ToolRadius& radius);
   [[nodiscard]] bool is_made(const records::RecordBlock& record);
-  [[nodiscard]] bool is_arc(const motion::Arc& arc, const vm::Span& centre);
+  [[nodiscard]] bool is_arc(const motion::Arc& arc, const records::RecordBlock& record);
   [[nodiscard]] bool is_arc(const motion::SpaceArc& arc);
   [[nodiscard]] bool goes_nowhere(const motion::Motion& motion) const;
   [[nodiscard]] motion::Motion as_made(const records::RecordBlock& record);
@@ -64,6 +66,7 @@ class RecordsControl final : public RecordControl {
 
   const motion::AxisSetup& axes_;
   RecordedFor machine_;
+  Memory& memory_;
   base::AxisVector length_;
   StrokeLimits strokes_;
   Outlet outlet_;

@@ -16,9 +16,13 @@ namespace {
 void add_post(CLI::App& command, CommonOptions& o) {
   command.add_option("--flavour", o.flavour, "of --post: plain, grbl, linuxcnc or fanuc")
       ->type_name("NAME");
-  command.add_option("--axes", o.post_axes, "axes of --post besides X Y Z, as AC; default: all that the flavour has")
+  command
+      .add_option("--axes", o.post_axes,
+                  "axes of --post besides X Y Z, as AC; default: all that the flavour has")
       ->type_name("LETTERS");
-  command.add_option("--post-tools", o.post_tools, "the table of tools that --post asks its control for: linuxcnc, fanuc")
+  command
+      .add_option("--post-tools", o.post_tools,
+                  "the table of tools that --post asks its control for: linuxcnc, fanuc")
       ->type_name("FILE");
   command.add_flag("--post-strict", o.post_strict,
                    "--post is not written, and the exit status is 1, where it lost something");

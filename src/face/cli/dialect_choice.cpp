@@ -38,7 +38,8 @@ Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
 
 std::string machine_of(const std::string& dialect, const base::SourceFile& program) {
   const machine::DialectRow* const row = machine::find_dialect(dialect);
-  return std::string(machine::machine_for(row != nullptr ? *row : machine::usual_dialect(), program));
+  return std::string(
+      machine::machine_for(row != nullptr ? *row : machine::usual_dialect(), program));
 }
 
 constexpr const char* kNamed = "named";

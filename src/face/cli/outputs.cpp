@@ -44,8 +44,9 @@ Outcome<void> Outputs::open_prints() {
 
 Outcome<void> Outputs::open_motion() {
   return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
-    add(std::make_unique<output::MotionJson>(machine_.definition().axes, &machine_.sources(), file,
-                                             job::source_of(machine_)));
+    add(std::make_unique<output::MotionJson>(
+        machine_.definition().axes, &machine_.sources(), file,
+        output::MotionJson::Origin{job::source_of(machine_), &machine_.memory()}));
   });
 }
 
@@ -235,8 +236,8 @@ Outcome<void> Outputs::open() {
 Outcome<void> Outputs::commit() {
   const bool at_end = machine_.status() == machine::RunStatus::end;
   if (at_end) post_.judge();
-  auto committed = files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
-                                                                 : OutputFiles::Which::records_only);
+  auto committed = files_.commit(
+      at_end || options_.keep_partial ? OutputFiles::Which::all : OutputFiles::Which::records_only);
   remarks_ += post_.remark();
   return committed;
 }

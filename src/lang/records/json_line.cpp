@@ -19,7 +19,8 @@ bool JsonLine::value(std::string_view name, unsigned depth) {
   if (values_.size() >= kMost) return refuse("the line holds more than 1000 values");
   if (!piece_.is('{') && !piece_.is('[')) return scalar(name);
   if (depth >= kDeepest) return refuse("objects and arrays lie more than 8 deep");
-  values_.push_back({piece_.is('{') ? ValueKind::object : ValueKind::array, name, piece_.text, 0, 0});
+  values_.push_back(
+      {piece_.is('{') ? ValueKind::object : ValueKind::array, name, piece_.text, 0, 0});
   const std::size_t of = values_.size() - 1;
   if (!list(of, depth + 1)) return false;
   values_[of].end = static_cast<std::uint32_t>(values_.size());
@@ -27,7 +28,8 @@ bool JsonLine::value(std::string_view name, unsigned depth) {
 }
 
 bool JsonLine::scalar(std::string_view name) {
-  JsonValue value{ValueKind::word, name, piece_.text, 0, static_cast<std::uint32_t>(values_.size() + 1)};
+  JsonValue value{ValueKind::word, name, piece_.text, 0,
+                  static_cast<std::uint32_t>(values_.size() + 1)};
   switch (piece_.kind) {
     case JsonPiece::Kind::end: return refuse("the line ends inside of its object");
     case JsonPiece::Kind::mark: return refuse("a value is expected");
@@ -51,7 +53,8 @@ bool JsonLine::list(std::size_t of, unsigned depth) {
   step();
   for (bool first = true; !piece_.is(closing); first = false) {
     if (!first) {
-      if (!piece_.is(',')) return refuse(is_object ? "',' or '}' is expected" : "',' or ']' is expected");
+      if (!piece_.is(','))
+        return refuse(is_object ? "',' or '}' is expected" : "',' or ']' is expected");
       step();
     }
     if (is_object ? !member(depth) : !value({}, depth)) return false;

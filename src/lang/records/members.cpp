@@ -43,7 +43,8 @@ const JsonValue* Members::find(std::string_view name, Need need) {
     return &line_.values()[i];
   }
   if (need == Need::needed)
-    refuse({base::Code::motion_member, std::string(name) + " is missing", line_.values()[object_].text});
+    refuse({base::Code::motion_member, std::string(name) + " is missing",
+            line_.values()[object_].text});
   return nullptr;
 }
 
@@ -97,8 +98,7 @@ std::string_view Members::string(std::string_view name, Need need) {
   return value->text;
 }
 
-std::size_t Members::one_of(std::string_view name,
-                            std::initializer_list<std::string_view> words) {
+std::size_t Members::one_of(std::string_view name, std::initializer_list<std::string_view> words) {
   const JsonValue* const value = find(name);
   if (value == nullptr) return 0;
   std::string list;

@@ -13,6 +13,7 @@ namespace {
 using namespace motion;
 using Need = Members::Need;
 
+constexpr std::uint64_t kMostOffset = 9999;
 constexpr double kMostWhole = std::numeric_limits<std::uint32_t>::max();
 constexpr std::array<std::string_view, 15> kKinds = {
     "rapid", "line",  "arc",    "space-arc", "dwell", "tool",    "spindle", "coolant",
@@ -22,8 +23,8 @@ Feed feed_of(Members& members) {
   const double value = members.number("feed", 0, kMostNumber);
   constexpr std::array kModes = {FeedMode::per_minute, FeedMode::per_revolution,
                                  FeedMode::inverse_time};
-  return {value, kModes[members.one_of("feed_mode", {"per-minute", "per-revolution",
-                                                     "inverse-time"})]};
+  return {value,
+          kModes[members.one_of("feed_mode", {"per-minute", "per-revolution", "inverse-time"})]};
 }
 
 Direction direction_of(Members& members) {
@@ -32,8 +33,7 @@ Direction direction_of(Members& members) {
 }
 
 Motion::Action coolant_of(Members& members) {
-  constexpr std::array kStates = {Coolant::State::off, Coolant::State::mist,
-                                  Coolant::State::flood};
+  constexpr std::array kStates = {Coolant::State::off, Coolant::State::mist, Coolant::State::flood};
   return Coolant{kStates[members.one_of("state", {"off", "mist", "flood"})]};
 }
 
@@ -92,13 +92,14 @@ tl::expected<Record, Mistake> RecordParser::parse(std::string_view line) {
                                     ? std::string_view()
                                     : kind->text.substr(1, kind->text.size() - 2);
   if (!members.mistake() && std::find(kKinds.begin(), kKinds.end(), word) == kKinds.end())
-    return tl::unexpected(Mistake{base::Code::motion_kind,
-                                  kind == nullptr ? "the object has no kind" : "there is no such kind",
-                                  kind == nullptr ? whole.text : kind->text});
+    return tl::unexpected(
+        Mistake{base::Code::motion_kind,
+                kind == nullptr ? "the object has no kind" : "there is no such kind",
+                kind == nullptr ? whole.text : kind->text});
   Record record;
   head(members, record);
   record.motion.action = action(word, members, record);
-  if (target_of(record.motion) != nullptr) moving(members, record);
+  state(members, record);
   if (members.mistake()) return tl::unexpected(*members.mistake());
   record.unknown = members.rest();
   return record;
@@ -117,7 +118,8 @@ Motion::Action RecordParser::action(std::string_view kind, Members& members, Rec
   if (kind == "spindle") return spindle(members);
   if (kind == "coolant") return coolant_of(members);
   if (kind == "power") return power_of(members);
-  if (kind == "probe") return Probe{point("to", members), feed_of(members), members.truth("contact")};
+  if (kind == "probe")
+    return Probe{point("to", members), feed_of(members), members.truth("contact")};
   if (kind == "thread") return thread(members);
   if (kind == "mcode") return AuxiliaryCode{members.whole("code", kMostWhole)};
   if (kind == "stop") return stop_of(members);
@@ -125,11 +127,26 @@ Motion::Action RecordParser::action(std::string_view kind, Members& members, Rec
   return End{};
 }
 
-// Of every move.
-void RecordParser::moving(Members& members, Record& record) {
+// What any record may have.
+void RecordParser::state(Members& members, Record& record) {
   record.motion.exact_stop = members.truth("exact_stop", Need::optional);
   record.motion.fixed_override = members.truth("fixed_override", Need::optional);
   read_length(members, record);
+  read_radii(members, record);
+}
+
+void RecordParser::read_radii(Members& members, Record& record) {
+  const auto object = members.object("radii", Need::optional);
+  if (!object) return;
+  Members radii(line_, *object);
+  radii.each([&](const JsonValue& value) {
+    const auto number = base::read_whole_number(value.name);
+    if (!number || *number > kMostOffset) return radii.wrong(value, "is the radius of no offset");
+    std::array<double, 2> mm{};
+    radii.numbers(value.name, mm);
+    record.radii.push_back({static_cast<std::uint32_t>(*number), mm[0], mm[1]});
+  });
+  if (radii.mistake()) members.refuse(*radii.mistake());
 }
 
 void RecordParser::read_length(Members& members, Record& record) {
@@ -137,8 +154,8 @@ void RecordParser::read_length(Members& members, Record& record) {
   if (!object) return;
   Members length(line_, *object);
   const std::string_view letter = length.string("axis");
-  ToolLength read{length.number("mm", -kMostNumber, kMostNumber), length.whole("offset", kMostWhole),
-                  {}};
+  ToolLength read{
+      length.number("mm", -kMostNumber, kMostNumber), length.whole("offset", kMostWhole), {}};
   if (!letter.empty())
     read.axis = axis(letter.substr(1, letter.size() - 2), *length.find("axis"), length);
   if (length.mistake()) return members.refuse(*length.mistake());
@@ -159,13 +176,12 @@ base::TipPoint RecordParser::point(const char* name, Members& members) {
   const auto object = members.object(name);
   if (!object) return at;
   Members coordinates(line_, *object);
-  coordinates.each([&](const JsonValue& value) {
-    static_cast<void>(axis(value.name, value, coordinates));
-  });
+  coordinates.each(
+      [&](const JsonValue& value) { static_cast<void>(axis(value.name, value, coordinates)); });
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const AxisConfig& config = axes_.axes[i];
-    at.values[i] = coordinates.number({&config.letter, 1}, -kMostNumber, kMostNumber) /
-                   config.count_per_mm();
+    at.values[i] =
+        coordinates.number({&config.letter, 1}, -kMostNumber, kMostNumber) / config.count_per_mm();
   }
   if (coordinates.mistake()) members.refuse(*coordinates.mistake());
   return at;
@@ -199,14 +215,15 @@ Motion::Action RecordParser::arc(Members& members, Record& record) {
   arc.plane = kPlanes[members.one_of("plane", {"XY", "ZX", "YZ"})];
   members.numbers("center", arc.center);
   arc.direction = direction_of(members);
-  arc.turns = static_cast<std::uint16_t>(
-      members.whole("turns", std::numeric_limits<std::uint16_t>::max()));
+  arc.turns =
+      static_cast<std::uint16_t>(members.whole("turns", std::numeric_limits<std::uint16_t>::max()));
   arc.feed = feed_of(members);
   if (members.mistake() || !is_arm_of(arc.plane, members)) return arc;
   const PlaneAxes plane = *plane_axes(arc.plane, axes_);
   arc.center[0] /= axes_[plane.first].count_per_mm();
   arc.center[1] /= axes_[plane.second].count_per_mm();
   record.centre = members.find("center")->text;
+  record.is_spiral = members.truth("spiral", Need::optional);
   return arc;
 }
 
@@ -225,8 +242,8 @@ Motion::Action RecordParser::space_arc(Members& members) {
 
 Motion::Action RecordParser::spindle(Members& members) {
   using Turning = Spindle::Turning;
-  constexpr std::array kTurnings = {Turning::clockwise, Turning::counterclockwise,
-                                    Turning::stopped, Turning::oriented};
+  constexpr std::array kTurnings = {Turning::clockwise, Turning::counterclockwise, Turning::stopped,
+                                    Turning::oriented};
   constexpr std::array kNames = {SpindleName::main, SpindleName::live, SpindleName::sub};
   Spindle spindle;
   spindle.turning = kTurnings[members.one_of("direction", {"cw", "ccw", "stop", "orient"})];

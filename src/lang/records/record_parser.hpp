@@ -36,7 +36,8 @@ class RecordParser {
   Action spindle(Members& members);
   Action thread(Members& members);
   Action surface_move(Members& members, std::size_t object, bool is_arc);
-  void moving(Members& members, Record& record);
+  void state(Members& members, Record& record);
+  void read_radii(Members& members, Record& record);
   void read_length(Members& members, Record& record);
   [[nodiscard]] base::TipPoint point(const char* name, Members& members);
   [[nodiscard]] base::Axis axis(std::string_view letter, const JsonValue& at, Members& members);

@@ -1,6 +1,6 @@
 #include "lang/records/records_library.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "base/program_name.hpp"
 
@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::string_view kAround = " \t\r";
 constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestUnknown = 40;
 
 // Of a text of the line that begins at `place`.
 base::Place place_of(base::Place place, std::string_view line, std::string_view text) {
@@ -53,13 +54,17 @@ std::string RecordsLibrary::program_name() {
 
 void RecordsLibrary::add(const base::Place& place, std::string_view text, Record& record,
                          RecordPage& page) {
-  RecordBlock block{record.motion, record.length, std::string(record.unknown.substr(0, 40)), {}};
+  RecordBlock block{record.motion,
+                    record.length,
+                    std::string(record.unknown.substr(0, kLongestUnknown)),
+                    {},
+                    record.is_spiral,
+                    std::move(record.radii)};
   if (!record.centre.empty()) {
     const base::Place centre = place_of(place, text, record.centre);
     block.centre = {centre.column & vm::Span::kMostColumn, centre.length & vm::Span::kMostLength};
   }
-  block.motion.block.file =
-      record.file.empty() ? file() : names_.id_of(json_text(record.file));
+  block.motion.block.file = record.file.empty() ? file() : names_.id_of(json_text(record.file));
   if (block.motion.block.file != base::kNoFile) return page.add(place, std::move(block));
   page.fail(base::make_error(base::Code::motion_member, place_of(place, text, record.file),
                              "more than 1000 files are named"));
@@ -77,8 +82,8 @@ void RecordsLibrary::compile_line(const base::TextWindow::Line& line, RecordPage
   auto record = parser_.parse(text);
   if (record) return add(place, line.text, *record, page);
   const Mistake& mistake = record.error();
-  page.fail(base::make_error(mistake.code, place_of(place, line.text, mistake.text),
-                             mistake.detail));
+  page.fail(
+      base::make_error(mistake.code, place_of(place, line.text, mistake.text), mistake.detail));
 }
 
 void RecordsLibrary::compile(RecordPage& page) {

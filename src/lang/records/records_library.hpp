@@ -17,6 +17,8 @@ struct RecordBlock {
   std::optional<motion::ToolLength> length;
   std::string unknown;  ///< a member that means nothing
   vm::Span centre;      ///< of an arc
+  bool is_spiral = false;
+  std::vector<ToolRadius> radii;
 };
 
 using RecordPage = vm::LinePage<RecordBlock>;

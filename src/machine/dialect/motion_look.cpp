@@ -47,7 +47,8 @@ struct Shown {
 Shown shown_by(const base::SourceFile& program) {
   Shown shown;
   base::TextWindow window;
-  window.stand_at(program, base::FileId{0}, 0, std::min<std::uint64_t>(kLookAtRecords, program.size()));
+  window.stand_at(program, base::FileId{0}, 0,
+                  std::min<std::uint64_t>(kLookAtRecords, program.size()));
   JsonLine json;
   for (base::TextWindow::Line line; window.next(line);) {
     if (!json.read(line.offset == 0 ? base::without_byte_order_mark(line.text) : line.text))

@@ -162,7 +162,8 @@ void Post::stand() {
 // It is told when it becomes another one, and not each time that a return to reference takes it
 // away and the next move has it again.
 void Post::set_length(const ToolLength& length) {
-  if (length == length_) return;
+  const bool is_none = length.mm == 0 && length.offset == 0;
+  if (length == length_ || (is_none && length_.mm == 0 && length_.offset == 0)) return;
   length_ = length;
   const bool head = machine_.kinematics.kind == kinematics::Kind::head_ac;
   added_mm_ = head ? 0 : length.mm;
@@ -202,7 +203,8 @@ ControlLength Post::by_control(const ToolLength& length) const {
   const base::Axis z = *axes_.find('Z');
   if (flavour_.lengths == PostFlavour::Lengths::dynamic) {
     if (length.mm == 0) return {z, left_out_mm_, {}};
-    return {z, length.mm, BlockText().code("G43.1").number('Z', post_rounded(length.mm - first_mm_)).text()};
+    return {z, length.mm,
+            BlockText().code("G43.1").number('Z', post_rounded(length.mm - first_mm_)).text()};
   }
   if (length.mm == 0 && length.offset == 0) return {z, 0, "G49"};
   return {z, length.mm, "G43 H" + std::to_string(length.offset)};
@@ -428,8 +430,6 @@ void Post::finish() {
   if (flavour_.is_framed) file_.write("%\n");
 }
 
-std::string Post::json() const {
-  return JsonObject().raw("lost", lost_.json()).done();
-}
+std::string Post::json() const { return JsonObject().raw("lost", lost_.json()).done(); }
 
 }  // namespace kerf::output

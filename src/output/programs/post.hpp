@@ -18,11 +18,12 @@
 namespace kerf::output {
 
 /// Writes motions as G-code of a flavour (PostFlavour), mostly the path of a run for controllers
-/// without macros: no variables, no cycles, no compensation, one tool centre path in machine coordinates, mm and degrees (G21 G90
-/// G94), arcs with I, J, K, numbers with a point, dwell in seconds. Arcs in space that lie in XY,
-/// ZX or YZ while nothing else moves are arcs as well; others are chords that leave them by at most
-/// kChordTolerance_mm, rounding of the coordinates apart, and so are arcs whose radius changes by
-/// more than kRadiusTolerance_mm. Whole circles more are full circles before their arc.
+/// without macros: no variables, no cycles, no compensation, one tool centre path in machine
+/// coordinates, mm and degrees (G21 G90 G94), arcs with I, J, K, numbers with a point, dwell in
+/// seconds. Arcs in space that lie in XY, ZX or YZ while nothing else moves are arcs as well;
+/// others are chords that leave them by at most kChordTolerance_mm, rounding of the coordinates
+/// apart, and so are arcs whose radius changes by more than kRadiusTolerance_mm. Whole circles more
+/// are full circles before their arc.
 ///
 /// The machine may stand anywhere when the program begins: nothing turns or burns, and before that
 /// and the first cut every axis is brought to where the path begins, Z first to the highest level
@@ -108,7 +109,7 @@ class Post final : public PostWriter {
   base::OutputFile& file_;
   const PostFlavour& flavour_;
   base::AxisSet said_;  // axes that are written
-  PostBody body_;  // the blocks behind the head
+  PostBody body_;       // the blocks behind the head
   BlockText block_;
   std::uint32_t source_line_ = 0;
   LostThings lost_;

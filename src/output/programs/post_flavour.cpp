@@ -9,8 +9,6 @@ namespace {
 using Lengths = PostFlavour::Lengths;
 using DwellIn = PostFlavour::Dwell;
 
-constexpr std::size_t kLineOfGrbl = 80;
-
 constexpr PostFlavour kPlain = {.name = "plain",
                                 .controls = "CONTROLS OF PLAIN G-CODE: NO MACROS, NO CYCLES",
                                 .modes = "G21 G90 G94 G17",
@@ -24,7 +22,6 @@ constexpr PostFlavour kGrbl = {.name = "grbl",
                                .end = "M5 M9 M2",
                                .lengths = Lengths::dynamic,
                                .dwell = DwellIn::seconds,
-                               .longest_comment = kLineOfGrbl,
                                .changes_tools = false,
                                .has_rotary_axes = false};
 

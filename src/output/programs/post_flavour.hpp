@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -25,14 +24,13 @@ struct PostFlavour {
   std::string_view end;          ///< last block; spindle and beam are off before
   Lengths lengths = Lengths::added;
   Dwell dwell = Dwell::seconds;
-  std::size_t longest_comment = 0;  ///< bytes of the line; 0: any
-  bool is_framed = false;           ///< percent signs, and an O number with the name
-  bool has_tolerance = false;       ///< G64 P, G61 where corners are exact
-  bool has_two_digits = false;      ///< G01, M03
-  bool changes_tools = true;        ///< T and M6; else M0 for somebody who does
-  bool length_with_move = false;    ///< G43 stands in the block that moves Z
-  bool has_following_beam = true;   ///< M4: power that follows the speed
-  bool has_rotary_axes = true;      ///< else they are written where they are named
+  bool is_framed = false;          ///< percent signs, and an O number with the name
+  bool has_tolerance = false;      ///< G64 P, G61 where corners are exact
+  bool has_two_digits = false;     ///< G01, M03
+  bool changes_tools = true;       ///< T and M6; else M0 for somebody who does
+  bool length_with_move = false;   ///< G43 stands in the block that moves Z
+  bool has_following_beam = true;  ///< M4: power that follows the speed
+  bool has_rotary_axes = true;     ///< else they are written where they are named
 };
 
 /// plain, grbl, linuxcnc, fanuc: the first one is what is written where none is named.

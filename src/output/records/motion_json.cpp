@@ -6,6 +6,7 @@
 #include "base/program_name.hpp"
 #include "geometry/angle.hpp"
 #include "motion/plane_axes.hpp"
+#include "motion/radius_change.hpp"
 #include "motion/space_arc_path.hpp"
 #include "output/writing/json_object.hpp"
 
@@ -66,11 +67,22 @@ const char* feed_mode_name(FeedMode mode) {
   return "";
 }
 
+// No length is the same on every axis.
+bool is_same(const ToolLength& a, const ToolLength& b) {
+  const bool none = a.mm == 0 && a.offset == 0 && b.mm == 0 && b.offset == 0;
+  return none || a == b;
+}
+
 }  // namespace
 
 MotionJson::MotionJson(const AxisSetup& axes, const base::SourceSet* sources,
-                       base::OutputFile& file, std::string source)
-    : axes_(axes), sources_(sources), file_(file), at_(axes.start), title_(std::move(source)) {
+                       base::OutputFile& file, Origin origin)
+    : axes_(axes),
+      sources_(sources),
+      file_(file),
+      at_(axes.start),
+      title_(std::move(origin.title)) {
+  if (origin.memory != nullptr) radii_.emplace(*origin.memory, axes.turns());
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }
@@ -126,6 +138,11 @@ void MotionJson::centre(const Arc& arc) {
   append_member(line_, ",", arc.center[1] * (plane ? axes_[plane->second].count_per_mm() : 1));
 }
 
+bool MotionJson::is_spiral(const Arc& arc) const {
+  const auto plane = plane_axes(arc.plane, axes_);
+  return plane && radius_change(*plane, at_, arc) > kSameRadius_mm;
+}
+
 void MotionJson::feed(const Feed& feed) {
   append_member(line_, ",\"feed\":", feed.value);
   line_ += ",\"feed_mode\":\"";
@@ -169,18 +186,22 @@ void MotionJson::surface(const SurfaceMove& move) {
   line_ += "]}";
 }
 
-// What every move may have; a length where it changes.
-void MotionJson::of_move(const Motion& motion) {
-  flag(motion.exact_stop, ",\"exact_stop\":true");
-  flag(motion.fixed_override, ",\"fixed_override\":true");
-  if (motion.length == length_) return;
-  length_ = motion.length;
+void MotionJson::length(const ToolLength& length) {
+  length_ = length;
   line_ += ",\"length\":{\"axis\":\"";
   line_ += axes_[length_.axis].letter;
   append_member(line_, "\",\"mm\":", length_.mm);
   line_ += ",\"offset\":";
   base::append_integer(line_, length_.offset);
   line_ += '}';
+}
+
+// What any record may have, where it changes or is not usual.
+void MotionJson::state(const Motion& motion) {
+  flag(motion.exact_stop, ",\"exact_stop\":true");
+  flag(motion.fixed_override, ",\"fixed_override\":true");
+  if (!is_same(motion.length, length_)) length(motion.length);
+  if (radii_) radii_->append_changes(line_);
 }
 
 void MotionJson::space_arc(const SpaceArc& arc) {
@@ -208,7 +229,7 @@ void MotionJson::surface_arc(const SurfaceMove& move) {
 
 void MotionJson::take(const Motion& motion) {
   write(motion);
-  if (target_of(motion) != nullptr) of_move(motion);
+  state(motion);
   line_ += "}\n";
   file_.write(line_);
   if (const base::TipPoint* const to = target_of(motion)) at_ = *to;
@@ -236,6 +257,7 @@ void MotionJson::write(const Motion& motion) {
       line_ += ",\"turns\":";
       base::append_integer(line_, action.turns);
       feed(action.feed);
+      flag(is_spiral(action), ",\"spiral\":true");
     } else if constexpr (std::is_same_v<Action, SpaceArc>) {
       begin("space-arc", motion);
       space_arc(action);

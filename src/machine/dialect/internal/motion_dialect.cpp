@@ -23,7 +23,7 @@ MotionDialect::MotionDialect(const Around& around)
     : Dialect(around.sources),
       sources_(around.sources),
       library_(around.sources, *this, around.definition.axes, around.pages),
-      control_(around.definition.axes, recorded_for(around.definition), library_,
+      control_(around.definition.axes, recorded_for(around.definition), library_, around.memory,
                around.surroundings, around.sink) {}
 
 void MotionDialect::load_file(base::FileId file) {

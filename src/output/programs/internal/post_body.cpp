@@ -1,7 +1,5 @@
 #include "output/programs/internal/post_body.hpp"
 
-#include <algorithm>
-
 #include "output/programs/internal/block_text.hpp"
 
 namespace kerf::output {
@@ -29,13 +27,6 @@ std::string spelled(const PostFlavour& flavour, std::string_view block) {
   return text;
 }
 
-std::string comment_line(const PostFlavour& flavour, const std::string& text) {
-  std::string line = "(" + text + ")";
-  if (flavour.longest_comment > 0 && line.size() > flavour.longest_comment)
-    line = line.substr(0, flavour.longest_comment - 1) + ")";
-  return line;
-}
-
 void PostBody::block(std::string_view text) {
   if (text.empty()) return;
   if (flavour_.has_two_digits) {
@@ -47,7 +38,7 @@ void PostBody::block(std::string_view text) {
 }
 
 void PostBody::comment(std::uint32_t line, const std::string& text) {
-  block(comment_line(flavour_, "LINE " + std::to_string(line) + ": " + comment_text(text)));
+  block("(LINE " + std::to_string(line) + ": " + comment_text(text) + ")");
 }
 
 }  // namespace kerf::output

@@ -59,7 +59,8 @@ std::string length_line(const PostFacts& facts) {
       return comment("TOOL LENGTHS ARE ADDED: RUN IT WITHOUT TOOL OFFSETS");
     case PostFlavour::Lengths::dynamic:
       return comment("TOOL LENGTHS BY G43.1, AGAINST THAT OF THE FIRST TOOL");
-    case PostFlavour::Lengths::of_table: return comment("TOOL LENGTHS ARE THOSE OF THE TABLE, BY H");
+    case PostFlavour::Lengths::of_table:
+      return comment("TOOL LENGTHS ARE THOSE OF THE TABLE, BY H");
   }
   return {};
 }
@@ -134,8 +135,7 @@ std::string positioning(const Beginning& beginning) {
   for (const bool rotary : {true, false}) {
     for (std::size_t i = 0; i < axes.count(); ++i) {
       const motion::AxisConfig& axis = axes.axes[i];
-      const bool is_said =
-          base::contains(beginning.said, base::Axis{static_cast<std::uint8_t>(i)});
+      const bool is_said = base::contains(beginning.said, base::Axis{static_cast<std::uint8_t>(i)});
       if (is_said && axis.rotary == rotary && axis.letter != 'Z')
         block.number(axis.letter, post_rounded(beginning.first.values[i]));
     }

@@ -31,7 +31,7 @@ struct Beginning {
   const PostFlavour& flavour;
   base::AxisSet said;  ///< axes that are written
   base::TipPoint first;
-  double level_mm = 0;        ///< of Z
+  double level_mm = 0;         ///< of Z
   std::string length_words{};  ///< that bring the tool's length
 };
 

@@ -1,4 +1,4 @@
-#include "face/cli/post_output.hpp"
+#include "face/cli/internal/post_output.hpp"
 
 #include "face/cli/failure.hpp"
 
@@ -55,8 +55,8 @@ Outcome<void> PostOutput::open(const machine::MachineDefinition& machine,
   if (auto checked = check_axes(machine); !checked) return checked;
   output::PostSettings settings{**chosen};
   if (!options_.post_axes.empty()) settings.axes = options_.post_axes;
-  auto opened = files_.open(
-      options_.post, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
+  auto opened =
+      files_.open(options_.post, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
         writer_ = output::make_post(machine, title, file, settings);
         files_.when_over([this](OutputFile&) {
           writer_->finish();
@@ -70,9 +70,7 @@ Outcome<void> PostOutput::open(const machine::MachineDefinition& machine,
   return open_tools(**chosen);
 }
 
-bool PostOutput::fails() const {
-  return options_.post_strict && writer_ && writer_->lost() > 0;
-}
+bool PostOutput::fails() const { return options_.post_strict && writer_ && writer_->lost() > 0; }
 
 void PostOutput::judge() {
   if (!fails() || options_.keep_partial) return;

@@ -12,11 +12,11 @@
 #include "engraver/replay_plot.hpp"
 #include "engraver/replay_summary.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/internal/post_output.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/pattern_files.hpp"
 #include "face/cli/setting.hpp"
 #include "output/picture/path_plot.hpp"
-#include "output/programs/post.hpp"
 #include "output/records/laser_pulses.hpp"
 #include "output/records/motion_json.hpp"
 #include "output/records/row_csv.hpp"
@@ -48,6 +48,7 @@ class Replay {
         definition_(machine.definition()),
         format_(format_of(options, definition_.pattern.byte_order)),
         replay_(machine),
+        post_(options, files_),
         no_tools_(definition_.parameters.n_offsets) {
     replay_.break_off_when([this] { return time_is_over(); });
   }
@@ -83,6 +84,7 @@ class Replay {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<base::Diagnostic> notice_;  // why a budget ended the replay
   OutputFiles files_;
+  PostOutput post_;
   std::unique_ptr<drive::PatternWriter> writer_;
   std::unique_ptr<output::MotionJson> motion_;
   std::unique_ptr<output::SetPointCsv> points_;
@@ -91,7 +93,6 @@ class Replay {
   std::optional<base::Diagnostic> laser_alarm_;
   control::Memory no_tools_;
   std::unique_ptr<output::RowCsv> rows_;
-  std::unique_ptr<output::Post> post_;
   std::unique_ptr<output::PathPlot> plot_;
   std::unique_ptr<engraver::ReplayPlot> way_to_plot_;
 };
@@ -146,11 +147,10 @@ Outcome<void> Replay::open_rows() {
 }
 
 Outcome<void> Replay::open_post() {
-  return files_.open(options_.post, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
-    post_ = std::make_unique<output::Post>(definition_, output::file_title(options_.file), file);
-    replay_.add_sink(static_cast<motion::MotionSink&>(*post_));
-    files_.when_over([this](OutputFile&) { post_->finish(); });
-  });
+  auto opened = post_.open(definition_, output::file_title(options_.file));
+  if (opened && post_.writer() != nullptr)
+    replay_.add_sink(static_cast<motion::MotionSink&>(*post_.writer()));
+  return opened;
 }
 
 Outcome<void> Replay::open_plot() {
@@ -254,13 +254,15 @@ base::Result<void> Replay::play() {
 
 Outcome<void> Replay::commit() {
   const bool at_end = !summary_.alarm && !notice_;
+  if (at_end) post_.judge();
   return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
                                                        : OutputFiles::Which::records_only);
 }
 
 ExitStatus Replay::status() const {
   if (summary_.alarm) return ExitStatus::findings;
-  return notice_ ? ExitStatus::budget : ExitStatus::well;
+  if (notice_) return ExitStatus::budget;
+  return post_.fails() ? ExitStatus::findings : ExitStatus::well;
 }
 
 void Replay::tell() const {

@@ -22,8 +22,8 @@
 namespace kerf::machine {
 
 /// Languages that programs are written in. Kerf reads the first one; the others have their names.
-inline constexpr std::array<std::string_view, 5> kDialects = {"fanuc-mill", "fanuc-lathe",
-                                                              "laser-basic", "teach", "pattern"};
+inline constexpr std::array<std::string_view, 6> kDialects = {
+    "fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion", "pattern"};
 
 /// The one of lathes.
 inline constexpr std::string_view kLatheDialect = kDialects[1];

@@ -78,6 +78,7 @@ class Outputs {
   std::string post_report_;  // JSON, of a posted program that was written
   output::Coverage coverage_;
   std::string remarks_;
+  std::string energy_;  // of a plot that has it, for the summary
   std::optional<output::CheckedStock> stock_;
 };
 

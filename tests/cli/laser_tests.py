@@ -105,7 +105,7 @@ def beam_of_machine(box):
     refused(box.kerf("run", "part.nc", "--machine", "laser3", "--machine-set", "beam.gas="), 2,
             "a name of 1 to 60 characters")
     for old, said in (('gas = 8', "beam.gas must be a name of 1 to 60 characters"),
-                      ('focus_mm = "deep"', "beam.focus_mm must be a number"),
+                      ('focus_mm = "deep"', "focus_mm must be a number"),
                       ("width = 1", "there is no key beam.width")):
         box.write("mine.toml", text + f"\n[beam]\n{old}\n")
         refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3, "mine.toml:", said)

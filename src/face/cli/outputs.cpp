@@ -190,6 +190,7 @@ Outcome<void> Outputs::open_plot() {
     files_.when_over([this, picture = plot.get()](OutputFile& into) {
       into.write(is_png(options_.plot) ? picture->png() : picture->svg());
       remarks_ += picture->remark();
+      energy_ = picture->energy_json();
     });
     add(std::unique_ptr<motion::MotionSink>(std::move(plot)));
   });
@@ -203,6 +204,7 @@ output::SummaryOfOutputs Outputs::in_summary() const {
                           ? engraver::pattern_json(*pattern_report_, machine_.definition().pattern)
                           : "null";
   if (!options_.post.empty()) members.post = post_.report().empty() ? "null" : post_.report();
+  members.energy = energy_;
   members.stock = stock_;
   return members;
 }

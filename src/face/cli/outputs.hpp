@@ -81,6 +81,7 @@ class Outputs {
   PostOutput post_;
   output::Coverage coverage_;
   std::string remarks_;
+  std::string energy_;  // of a plot that has it, for the summary
   std::optional<output::CheckedStock> stock_;
 };
 

@@ -285,6 +285,7 @@ void MotionJson::write(const Motion& motion) {
       append_member(line_, ",\"percent\":", action.percent);
       if (!action.on) line_ += ",\"beam\":false";
       if (action.follows_speed) line_ += ",\"follows_speed\":true";
+      if (action.frequency_hz > 0) append_member(line_, ",\"frequency_hz\":", action.frequency_hz);
     } else if constexpr (std::is_same_v<Action, Probe>) {
       begin("probe", motion);
       target(action.to);

@@ -37,6 +37,8 @@ TITLES = {
     "lead": ("lead_in, lead_out", "Of an operation: `lead_in = {kind = \"line\", length = 2}`."),
     "tabs": ("tabs", "Of an operation: `tabs = {count = 4, width = 0.5}`."),
     "weave": ("weave", "Of an operation: `weave = {shape = \"zigzag\", width = 1, pitch = 2}`."),
+    "material": ("[[material]]", "Of a file of `--materials`. A table of each process, `[material.cut]`, has what follows."),
+    "preset": ("[material.cut]", "Also `.engrave .mark .fill .raster .weld .heat .drill`; mark, fill and raster without a table are as engrave."),
 }
 
 

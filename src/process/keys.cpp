@@ -5,8 +5,12 @@
 #include <type_traits>
 
 #include "base/decimal.hpp"
+#include "process/settled.hpp"
 
 namespace kerf::process {
+
+// Its names are short, and other sources of the room may have the same ones.
+namespace key_rows {
 namespace {
 
 using Form = Takes::Form;
@@ -123,6 +127,8 @@ struct Owners {
   using lead = Lead;
   using tabs = Tabs;
   using weave = Weave;
+  using material = Material;
+  using preset = Preset;
 };
 
 constexpr Process engrave = Process::engrave;
@@ -150,11 +156,11 @@ constexpr JobKey kKeys[] = {
 };
 
 constexpr std::string_view kTitles[] = {
-    "[job]",  "[place]", "[array]",       "[text]", "[text.serial]", "[[text.line]]", "[image]",
-    "[wrap]", "[lens]",  "[[operation]]", "a lead", "tabs",          "weave"};
+    "[job]",         "[place]", "[array]", "[text]",       "[text.serial]",
+    "[[text.line]]", "[image]", "[wrap]",  "[lens]",       "[[operation]]",
+    "a lead",        "tabs",    "weave",   "[[material]]", "a process of a material"};
 
-constexpr std::array<std::string_view, 8> kProcesses = {"engrave", "mark", "cut",  "fill",
-                                                        "raster",  "weld", "heat", "drill"};
+constexpr std::array kProcesses = {engrave, mark, cut, fill, raster, weld, heat, drill};
 
 std::string numbers_in_words(const Takes& takes, std::string_view what) {
   const std::string high = base::number_text(takes.high);
@@ -174,6 +180,12 @@ std::string listed(const List& words) {
 }
 
 }  // namespace
+}  // namespace key_rows
+
+using key_rows::kKeys;
+using key_rows::kProcesses;
+using key_rows::kTitles;
+using key_rows::numbers_in_words;
 
 std::vector<std::string_view> words_of(const Takes& takes) {
   std::vector<std::string_view> words;
@@ -187,26 +199,35 @@ std::vector<std::string_view> words_of(const Takes& takes) {
 
 std::string in_words(const Takes& takes) {
   switch (takes.form) {
-    case Form::number: return numbers_in_words(takes, "a number");
-    case Form::whole_number: return numbers_in_words(takes, "a whole number");
-    case Form::flag: return "true or false";
-    case Form::word: return listed(words_of(takes));
-    case Form::text: return "a text of at most 1000 bytes";
-    case Form::texts: return "a text, or a list of texts";
-    case Form::pair: return "[x, y], each " + numbers_in_words(takes, "a number");
-    case Form::triple: return "[x, y, z], each " + numbers_in_words(takes, "a number");
-    case Form::pairs: return "a list of pairs of numbers, [[x, y], …]";
-    case Form::number_or_pair:
+    case Takes::Form::number: return numbers_in_words(takes, "a number");
+    case Takes::Form::whole_number: return numbers_in_words(takes, "a whole number");
+    case Takes::Form::flag: return "true or false";
+    case Takes::Form::word: return key_rows::listed(words_of(takes));
+    case Takes::Form::text: return "a text of at most 1000 bytes";
+    case Takes::Form::texts: return "a text, or a list of texts";
+    case Takes::Form::pair: return "[x, y], each " + numbers_in_words(takes, "a number");
+    case Takes::Form::triple: return "[x, y, z], each " + numbers_in_words(takes, "a number");
+    case Takes::Form::pairs: return "a list of pairs of numbers, [[x, y], …]";
+    case Takes::Form::number_or_pair:
       return numbers_in_words(takes, "a number") + ", or [x, y] of such numbers";
-    case Form::number_or_word:
-      return listed(words_of(takes)) + ", or " + numbers_in_words(takes, "a number");
-    case Form::word_or_pair: return listed(words_of(takes)) + ", or [x, y]";
-    case Form::table: return "a table, {key = value, …}";
+    case Takes::Form::number_or_word:
+      return key_rows::listed(words_of(takes)) + ", or " + numbers_in_words(takes, "a number");
+    case Takes::Form::word_or_pair: return key_rows::listed(words_of(takes)) + ", or [x, y]";
+    case Takes::Form::table: return "a table, {key = value, …}";
   }
   return {};
 }
 
 std::string_view title_of(KeyTable table) { return kTitles[static_cast<std::size_t>(table)]; }
+
+void say(const JobKey& key, const KeyOwner& owner, const KeyValue& value) {
+  key.assign(owner, value);
+  // What has a value also where nobody says it: a material fills it only then.
+  if (key.table != KeyTable::operation) return;
+  Operation& operation = *std::get<Operation*>(owner);
+  if (key.name == "passes") operation.has_passes = true;
+  if (key.name == "pierce_s") operation.has_pierce = true;
+}
 
 std::span<const JobKey> job_keys() { return kKeys; }
 
@@ -222,14 +243,12 @@ KeyTable table_inside(const JobKey& key) {
   return key.name == "weave" ? KeyTable::weave : KeyTable::lead;
 }
 
-std::string_view name_of(Process process) { return kProcesses[static_cast<std::size_t>(process)]; }
-
 std::string names_of(Processes processes) {
   std::vector<std::string_view> names;
-  for (std::size_t i = 0; i < kProcesses.size(); ++i) {
-    if ((processes >> i & 1U) != 0) names.push_back(kProcesses[i]);
+  for (const Process process : kProcesses) {
+    if ((processes & only(process)) != 0) names.push_back(name_of(process));
   }
-  return listed(names);
+  return key_rows::listed(names);
 }
 
 }  // namespace kerf::process

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "process/material.hpp"
 #include "process/recipe.hpp"
 
 namespace kerf::process {
@@ -66,14 +67,17 @@ enum class KeyTable : std::uint8_t {
   operation,
   lead,
   tabs,
-  weave
+  weave,
+  material,
+  preset
 };
 /// For a sentence: "[place]", "[[operation]]".
 [[nodiscard]] std::string_view title_of(KeyTable table);
 
 /// What a key is a part of.
-using KeyOwner = std::variant<std::nullptr_t, Recipe*, PlaceWords*, Array*, TextWords*, TextLine*,
-                              ImageWords*, Wrap*, Operation*, Lead*, Tabs*, Weave*>;
+using KeyOwner =
+    std::variant<std::nullptr_t, Recipe*, PlaceWords*, Array*, TextWords*, TextLine*, ImageWords*,
+                 Wrap*, Operation*, Lead*, Tabs*, Weave*, Material*, Preset*>;
 
 /// Processes, a bit each.
 using Processes = std::uint32_t;
@@ -96,13 +100,15 @@ struct JobKey {
   KeyOwner (*inside)(const KeyOwner& owner);
 };
 
+/// Gives a key what somebody has said.
+void say(const JobKey& key, const KeyOwner& owner, const KeyValue& value);
+
 [[nodiscard]] std::span<const JobKey> job_keys();
 /// Null if there is none of that name.
 [[nodiscard]] const JobKey* find_key(KeyTable table, std::string_view name);
 /// The table of the keys of `key`, which takes one.
 [[nodiscard]] KeyTable table_inside(const JobKey& key);
 
-[[nodiscard]] std::string_view name_of(Process process);
 /// "cut", "fill, raster or heat"
 [[nodiscard]] std::string names_of(Processes processes);
 

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/place.hpp"
 #include "geometry/vec2.hpp"
 
 namespace kerf::process {
@@ -71,6 +72,7 @@ struct Operation {
   Process process = Process::engrave;
   bool enabled = true;
   std::uint32_t line = 0;  ///< in the job file; 0: made without one
+  base::Place place;       ///< the same, for findings
 
   std::optional<double> power_percent;
   std::optional<double> ton_ms;
@@ -80,6 +82,7 @@ struct Operation {
   std::optional<double> ms_per_mm;
   std::optional<Beam> beam;
   std::uint32_t passes = 1;
+  bool has_passes = false;  ///< they are said
   double z_step = 0;
   std::optional<double> z;
   PassOrder pass_order = PassOrder::contour;
@@ -107,6 +110,7 @@ struct Operation {
   Lead lead_out;
   bool lead_open = false;
   double pierce_s = 0;
+  bool has_pierce = false;  ///< it is said
   std::optional<double> pierce_power_percent;
   Tabs tabs;
 
@@ -242,6 +246,7 @@ struct Recipe {
   std::string source;  ///< name of the file; empty: none
   std::string machine;
   std::string material;
+  base::Place material_place;  ///< where the job file says it
   double tolerance = 0.01;
   double join = 0.02;
   double same = 0.005;

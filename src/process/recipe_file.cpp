@@ -167,7 +167,7 @@ std::optional<base::Diagnostic> say(const Named& named, std::string_view name,
   const auto value = value_of(key->takes, node);
   if (!value) return wrong_value(*key, node, {});
   make_room(*key, named.owner);
-  key->assign(named.owner, *value);
+  process::say(*key, named.owner, *value);
   return std::nullopt;
 }
 

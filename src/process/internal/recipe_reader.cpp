@@ -5,12 +5,14 @@
 
 #include "process/internal/key_value.hpp"
 #include "process/internal/nearest_name.hpp"
+#include "process/settled.hpp"
 
 namespace kerf::process {
 namespace {
 
 constexpr std::size_t kMostOperations = 1000;
 constexpr std::size_t kMostLines = 10'000;
+constexpr std::size_t kMostMaterials = 10'000;
 
 constexpr std::array<std::string_view, 8> kRoots = {"job",   "place", "array", "text",
                                                     "image", "wrap",  "lens",  "operation"};
@@ -20,8 +22,20 @@ std::vector<std::string_view> names_in(KeyTable table, Process process) {
   for (const JobKey& key : job_keys()) {
     if (key.table == table && is_taken(&key, process)) names.push_back(key.name);
   }
+  if (table == KeyTable::material) {
+    for (const std::string_view word : words_of(find_key(KeyTable::operation, "process")->takes))
+      names.push_back(word);
+  }
   if (table == KeyTable::text) names.insert(names.end(), {"serial", "line"});
   return names;
+}
+
+std::optional<Process> process_named(std::string_view name) {
+  const std::vector<std::string_view> names =
+      words_of(find_key(KeyTable::operation, "process")->takes);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Process>(found - names.begin());
 }
 
 /// Of an operation its process is needed before its other keys.
@@ -106,6 +120,25 @@ void RecipeReader::wrong(const toml::node& node, const std::string& sentence) {
 
 void RecipeReader::read(const toml::table& file, Recipe& recipe) {
   for (const auto& [name, node] : file) read_root(name, node, recipe);
+  recipe.material_place = place_of(std::string("job.material"));
+}
+
+void RecipeReader::read_materials(const toml::table& file, std::vector<Material>& materials) {
+  for (const auto& [name, node] : file) {
+    if (name.str() == "material") {
+      for (const toml::node* const each :
+           tables_in(node, title_of(KeyTable::material), kMostMaterials))
+        read_material(*each, materials.emplace_back());
+    } else {
+      tell(make_error(base::Code::job_key, place_of(name.source()),
+                      "there is no table " + shown(name.str()) + ": [[material]] are expected"));
+    }
+  }
+}
+
+void RecipeReader::read_material(const toml::node& node, Material& material) {
+  read_table(node, KeyTable::material, &material, "material");
+  if (material.name.empty()) wrong(node, "[[material]] needs its name");
 }
 
 void RecipeReader::read_root(const toml::key& name, const toml::node& node, Recipe& recipe) {
@@ -163,7 +196,8 @@ void RecipeReader::read_operations(const toml::node& node, std::vector<Operation
 
 void RecipeReader::read_operation(const toml::node& node, Operation& operation,
                                   const std::string& path) {
-  operation.line = node.source().begin.line;
+  operation.place = place_of(node.source());
+  operation.line = operation.place.line;
   read_table(node, KeyTable::operation, &operation, path, process_in(node));
   if (operation.layers.empty()) operation.layers = {"*"};
 }
@@ -182,6 +216,11 @@ void RecipeReader::read_key(const toml::key& name, const toml::node& node, KeyTa
   const std::string here = path + '.' + std::string(name.str());
   if (path == "text" && name == "serial") return read_table(node, KeyTable::serial, owner, here);
   if (path == "text" && name == "line") return read_lines(node, std::get<TextWords*>(owner)->lines);
+  if (table == KeyTable::material && process_named(name.str())) {
+    Preset& preset = std::get<Material*>(owner)->presets.emplace_back();
+    preset.process = *process_named(name.str());
+    return read_table(node, KeyTable::preset, &preset, here);
+  }
   const JobKey* const key = find_key(table, name.str());
   if (!is_taken(key, process))
     return tell(unknown_key(table, name.str(), process, place_of(name.source())));
@@ -190,7 +229,7 @@ void RecipeReader::read_key(const toml::key& name, const toml::node& node, KeyTa
     return read_table(node, table_inside(*key), key->inside(owner), here);
   const auto value = value_of(key->takes, node);
   if (!value) return tell(wrong_value(*key, node, place_of(node.source())));
-  key->assign(owner, *value);
+  say(*key, owner, *value);
 }
 
 }  // namespace kerf::process

@@ -26,6 +26,8 @@ class RecipeReader {
   RecipeReader(const std::string& text, base::FileId file);
 
   void read(const toml::table& file, Recipe& recipe);
+  /// Of a file of materials.
+  void read_materials(const toml::table& file, std::vector<Material>& materials);
   void tell(base::Diagnostic diagnostic) { found_.push_back(std::move(diagnostic)); }
   [[nodiscard]] base::Place place_of(const toml::source_region& source) const;
   /// Of a key that read() has met, else of the table that it would be in.
@@ -35,6 +37,7 @@ class RecipeReader {
 
  private:
   void read_root(const toml::key& name, const toml::node& node, Recipe& recipe);
+  void read_material(const toml::node& node, Material& material);
   void read_text(const toml::node& node, TextWords& text);
   void read_lines(const toml::node& node, std::vector<TextLine>& lines);
   void read_operations(const toml::node& node, std::vector<Operation>& operations);

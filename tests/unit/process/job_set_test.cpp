@@ -2,6 +2,7 @@
 
 #include "job_files.hpp"
 #include "process/keys.hpp"
+#include "process/settled.hpp"
 
 namespace kerf::process {
 namespace {

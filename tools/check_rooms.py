@@ -73,7 +73,7 @@ ROOMS = {
     "control/records": ["control/core", "lang/records"],
     "planner": ["motion"],
     "kinematics": ["base", "geometry"],
-    "process": ["drawing", "motion", "kinematics"],
+    "process": ["drawing/image", "motion", "kinematics"],
     "drive": ["base", "geometry"],
     "drive/pattern": ["drive"],
     "machine/definition/tools": ["stock/tool"],

@@ -73,7 +73,8 @@ void Canvas::ignore(std::string_view what, std::uint32_t line, std::string_view 
 void Canvas::find(base::Severity severity, base::Code code, base::Place place,
                   const std::string& detail, Name layer, Name entity, const std::string& hint) {
   if (++told_[static_cast<std::uint32_t>(code)] > kMostOfACode) return;
-  if (place.file == base::kNoFile) place.file = facts().file;
+  if (place.file == base::kNoFile && place.line > 0 && !drawing_.files.empty())
+    place.file = facts().file;
   base::Diagnostic diagnostic = base::make_error(code, place, detail, hint);
   diagnostic.severity = severity;
   drawing_.findings.push_back({std::move(diagnostic), layer, entity});

@@ -21,6 +21,8 @@ enum class Colour : std::uint32_t {};
 
 enum class FillRule : std::uint8_t { even_odd, non_zero };
 
+inline constexpr std::uint32_t kEveryCopy = 0xffffffffU;
+
 /// What an entity of a file says of itself.
 struct Entity {
   base::FileId file = base::kNoFile;
@@ -31,9 +33,17 @@ struct Entity {
   Name classes{};  ///< parted by blanks
   Colour colour{};
   FillRule rule = FillRule::even_odd;
+  /// Of an array: the copy that alone has it; kEveryCopy as nearly always.
+  std::uint32_t copy = kEveryCopy;
 };
 
 using EntityId = std::uint32_t;
+
+/// Entities that may be the same or be joined: of one layer, and of one copy.
+using Group = std::uint64_t;
+[[nodiscard]] inline Group group_of(const Entity& entity) {
+  return (Group{entity.copy} << 32U) | static_cast<std::uint32_t>(entity.layer);
+}
 
 /// Lines and arcs of one entity; a stretch of Drawing::vertices, whose owner is the entity. The
 /// last vertex of an open path has no edge.

@@ -2,13 +2,17 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "drawing/drawing.hpp"
 #include "geometry/contour/contour.hpp"
+#include "process/grey_image.hpp"
+#include "process/order.hpp"
 #include "process/recipe.hpp"
 #include "process/scan.hpp"
+#include "process/settled.hpp"
 
 namespace kerf::process {
 
@@ -65,6 +69,17 @@ struct Scan {
   double run_up = 0;  ///< mm
 };
 
+/// A picture, whose scan lines are made while they are burnt.
+struct Picture {
+  std::shared_ptr<const GreyImage> image;
+  Operation operation;
+  Settled settled;
+  Vec2 size_mm;
+  drawing::Affine placed;  ///< from the picture's own plane to the machine; lengths stay
+  double run_up = 0;
+  Entry entry;  ///< where the first scan begins and the last one ends
+};
+
 /// A hole that is burnt where the tool stands.
 struct Spot {
   Vec2 at;
@@ -75,7 +90,7 @@ struct Pass {
   std::uint32_t contour = kNoContour;
   drawing::EntityId entity = 0;
   std::vector<std::uint32_t> before;  ///< passes of the operation that must be made earlier
-  std::variant<Along, Scan, Spot> what;
+  std::variant<Along, Scan, Picture, Spot> what;
 };
 
 }  // namespace kerf::process

@@ -20,10 +20,17 @@ struct Outline {
   drawing::FillRule rule = drawing::FillRule::even_odd;
 };
 
+/// A picture where it lies on the machine: of the unit square.
+struct PlacedImage {
+  const drawing::Image* image = nullptr;
+  drawing::Affine placed;
+};
+
 /// What an operation takes of a drawing, each in the order of the drawing.
 struct Taken {
   std::vector<Outline> outlines;
   std::vector<drawing::Point> points;
+  std::vector<PlacedImage> images;
 };
 
 /// Something that is told about an outline.
@@ -34,12 +41,24 @@ struct Remark {
   std::string detail;
 };
 
+/// What a picture comes to.
+struct RasterFacts {
+  drawing::EntityId entity = 0;
+  std::uint32_t columns = 0;
+  std::uint32_t rows = 0;
+  Vec2 size_mm;
+  std::size_t lines = 0;
+  std::uint64_t burnt = 0;
+  std::uint64_t runs = 0;
+};
+
 /// What an operation makes of what it takes.
 struct Passes {
   std::vector<Pass> passes;
   AlongRules rules;
   std::vector<Remark> remarks;
   std::size_t scan_lines = 0;
+  std::vector<RasterFacts> rasters;
 };
 
 /// The circle that a closed contour is, or nothing.
@@ -57,6 +76,8 @@ struct Circle {
                                  const Taken& taken, double run_up);
 [[nodiscard]] Passes weld_passes(const Operation& operation, const Settled& settled,
                                  const Taken& taken);
+[[nodiscard]] Passes raster_passes(const Operation& operation, const Settled& settled,
+                                   const Taken& taken, const MachineFacts& machine);
 [[nodiscard]] Passes drill_passes(const Operation& operation, const Taken& taken);
 
 }  // namespace kerf::process

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -47,6 +48,7 @@ Entry entry_of(const Scan& scan) {
 /// The ways in which a pass can be made, as the order wants them.
 std::vector<Entry> entries_of(const Pass& pass, const AlongRules& rules) {
   if (const auto* scan = std::get_if<Scan>(&pass.what)) return {entry_of(*scan)};
+  if (const auto* picture = std::get_if<Picture>(&pass.what)) return {picture->entry};
   if (const auto* spot = std::get_if<Spot>(&pass.what)) return {{spot->at, spot->at}};
   const Along& along = std::get<Along>(pass.what);
   std::vector<Entry> entries;
@@ -69,13 +71,26 @@ class Planner {
   Plan plan() {
     tell_layers();
     if (!can_wrap()) return std::move(plan_);
-    for (std::size_t i = 0; i < recipe_.operations.size(); ++i)
-      if (recipe_.operations[i].enabled) add(i);
+    const std::uint32_t variants =
+        has_variants() ? static_cast<std::uint32_t>(plan_.copies.size()) : 1;
+    for (copy_ = 0; copy_ < variants; ++copy_) {
+      for (std::size_t i = 0; i < recipe_.operations.size(); ++i)
+        if (recipe_.operations[i].enabled) add(i);
+    }
+    if (variants == 1)
+      for (PlannedOperation& planned : plan_.operations) planned.copy = drawing::kEveryCopy;
     for (std::size_t i = 0; i < plan_.operations.size(); ++i) put_in_order(i);
     return std::move(plan_);
   }
 
  private:
+  /// Copies that differ, in their texts.
+  [[nodiscard]] bool has_variants() const {
+    return std::any_of(
+        drawing_.entities.begin(), drawing_.entities.end(),
+        [](const drawing::Entity& entity) { return entity.copy != drawing::kEveryCopy; });
+  }
+
   void find(base::Severity severity, base::Code code, base::Place place, const std::string& detail,
             drawing::Name layer = {}, drawing::Name entity = {}) {
     base::Diagnostic diagnostic = base::make_error(code, place, detail);
@@ -102,12 +117,20 @@ class Planner {
       find(base::Severity::warning, base::Code::draw_layer_unused, {}, "'" + layer + "'");
   }
 
+  [[nodiscard]] bool is_taken(std::size_t operation, drawing::EntityId entity) const {
+    const std::uint32_t copy = drawing_.entities[entity].copy;
+    return (copy == drawing::kEveryCopy || copy == copy_) && layers_.takes(operation, entity);
+  }
+
   [[nodiscard]] Taken taken_by(std::size_t operation) const {
     Taken taken;
     for (const Outline& outline : sheet_.outlines)
-      if (layers_.takes(operation, outline.entity)) taken.outlines.push_back(outline);
+      if (is_taken(operation, outline.entity)) taken.outlines.push_back(outline);
     for (const drawing::Point& point : sheet_.points)
-      if (layers_.takes(operation, point.entity)) taken.points.push_back(point);
+      if (is_taken(operation, point.entity)) taken.points.push_back(point);
+    for (const drawing::Image& image : drawing_.images)
+      if (is_taken(operation, image.entity))
+        taken.images.push_back({&image, then(image.to_mm, sheet_.placed)});
     return taken;
   }
 
@@ -123,7 +146,7 @@ class Planner {
       case Process::drill: return drill_passes(operation, taken);
       case Process::raster: break;
     }
-    return {};
+    return raster_passes(operation, settled, taken, plan_.machine);
   }
 
   /// E = P / (v · width).
@@ -142,14 +165,20 @@ class Planner {
     const Operation& operation = recipe_.operations[index];
     PlannedOperation planned;
     planned.operation = operation;
+    planned.index = index;
+    planned.copy = copy_;
     planned.settled = settle(operation, plan_.machine);
-    tell_assumed(operation, planned.settled);
+    if (copy_ == 0) tell_assumed(operation, planned.settled);
     if (is_impossible(operation)) return;
     const Taken taken = taken_by(index);
     Passes passes = passes_of(operation, planned.settled, taken);
     planned.rules = passes.rules;
     planned.passes = std::move(passes.passes);
     planned.scan_lines = passes.scan_lines;
+    planned.rasters = std::move(passes.rasters);
+    if (operation.process != Process::raster)
+      for (const PlacedImage& image : taken.images)
+        tell({base::Code::draw_image, true, image.image->entity, ""}, operation);
     if (operation.process == Process::heat) planned.j_mm2 = energy_per_mm2(planned);
     planned.contours = taken.outlines.size() + taken.points.size();
     for (const Remark& remark : passes.remarks) tell(remark, operation);
@@ -212,6 +241,7 @@ class Planner {
   Layers layers_;
   Plan plan_;
   Vec2 at_;
+  std::uint32_t copy_ = 0;  // that is planned
 };
 
 }  // namespace

@@ -17,6 +17,8 @@ namespace kerf::process {
 
 /// An operation with what it makes, in the order in which it is made.
 struct PlannedOperation {
+  std::size_t index = 0;                     ///< in the recipe
+  std::uint32_t copy = drawing::kEveryCopy;  ///< that it is made for
   Operation operation;
   Settled settled;
   AlongRules rules;
@@ -24,6 +26,7 @@ struct PlannedOperation {
   std::vector<Turn> turns;  ///< their items are passes
   std::size_t contours = 0;
   std::size_t scan_lines = 0;
+  std::vector<RasterFacts> rasters;
   std::optional<double> j_mm2;  ///< of heat: what the surface gets
 };
 

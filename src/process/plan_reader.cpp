@@ -29,6 +29,7 @@ PlanReader::PlanReader(const Plan& plan, const drawing::Drawing& drawing)
     : plan_(plan), drawing_(drawing), at_(plan.machine.axes.start), moves_z_(names_z(plan)) {
   if (plan.wrap.shape != Wrap::Shape::none && !plan.operations.empty())
     wrapping_.emplace(plan.wrap, plan.machine.axes, plan.tolerance_mm);
+  find_operation();
 }
 
 std::uint32_t PlanReader::rounds() const {
@@ -77,8 +78,12 @@ void PlanReader::make(const Pass& pass, std::size_t entry) {
   if (is_first)
     steps_->emplace_back(PassBegins{cursor_.operation, cursor_.copy, pass.contour, pass.entity});
   if (const auto* scan = std::get_if<Scan>(&pass.what)) {
-    make_scan_line(*scan, scan->lines[cursor_.line]);
+    make_scan_line(scan->run_up, scan->lines[cursor_.line]);
     if (++cursor_.line < scan->lines.size()) return;
+    cursor_.line = 0;
+  } else if (const auto* picture = std::get_if<Picture>(&pass.what)) {
+    ++cursor_.line;
+    if (make_row(*picture)) return;
     cursor_.line = 0;
   } else if (const auto* spot = std::get_if<Spot>(&pass.what)) {
     make_spot(*spot);
@@ -111,9 +116,21 @@ void PlanReader::advance_turn() {
   }
   cursor_.round = 0;
   began_operation_ = false;
-  if (++cursor_.operation < plan_.operations.size()) return;
-  cursor_.operation = 0;
-  ++cursor_.copy;
+  ++cursor_.operation;
+  find_operation();
+}
+
+/// The next one of this copy, or the first one of the next copy that has any.
+void PlanReader::find_operation() {
+  const auto is_of_copy = [&](const PlannedOperation& planned) {
+    return planned.copy == drawing::kEveryCopy || planned.copy == cursor_.copy;
+  };
+  for (; cursor_.copy < plan_.copies.size(); ++cursor_.copy, cursor_.operation = 0) {
+    while (cursor_.operation < plan_.operations.size() &&
+           !is_of_copy(plan_.operations[cursor_.operation]))
+      ++cursor_.operation;
+    if (cursor_.operation < plan_.operations.size()) return;
+  }
 }
 
 void PlanReader::begin_operation() {
@@ -276,20 +293,37 @@ void PlanReader::make_spot(const Spot& spot) {
   beam(0);
 }
 
+/// False: there was none any more.
+bool PlanReader::make_row(const Picture& picture) {
+  if (!raster_) {
+    auto made = Raster::make(*picture.image, picture.operation, picture.settled, picture.size_mm);
+    if (!made) return false;  // told when it was planned
+    raster_.emplace(std::move(*made));
+  }
+  if (!raster_->next(row_)) {
+    raster_.reset();
+    return false;
+  }
+  row_.origin = picture.placed(row_.origin);
+  row_.along = picture.placed.direction(row_.along);
+  make_scan_line(picture.run_up, row_);
+  return true;
+}
+
 /// Beam off and feed kept in gaps that are shorter than run-out and run-up together.
-void PlanReader::make_scan_line(const Scan& scan, const ScanLine& line) {
+void PlanReader::make_scan_line(double run_up, const ScanLine& line) {
   const drawing::Affine& copy = plan_.copies[cursor_.copy];
   const auto at = [&](double along) { return copy(line.origin + along * line.along); };
   if (moves_z_) beam(0), rapid_z(z_of_round());
   double last = 0;
   bool has_begun = false;
   for (const Run& run : line.runs) {
-    const bool goes_on = has_begun && run.from - last < 2 * scan.run_up;
+    const bool goes_on = has_begun && run.from - last < 2 * run_up;
     if (has_begun && !goes_on) {
       beam(0);
-      line_to(at(last + scan.run_up));
+      line_to(at(last + run_up));
     }
-    if (!goes_on) rapid_to(at(run.from - scan.run_up));
+    if (!goes_on) rapid_to(at(run.from - run_up));
     if (!has_begun || run.from > last) beam(0);
     line_to(at(run.from));
     leg_to({line.origin + run.to * line.along, 0, run.power});
@@ -297,7 +331,7 @@ void PlanReader::make_scan_line(const Scan& scan, const ScanLine& line) {
     has_begun = true;
   }
   beam(0);
-  line_to(at(last + scan.run_up));
+  line_to(at(last + run_up));
 }
 
 void PlanReader::finish() {

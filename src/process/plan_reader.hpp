@@ -8,6 +8,7 @@
 #include "base/point.hpp"
 #include "motion/motion.hpp"
 #include "process/plan.hpp"
+#include "process/raster.hpp"
 #include "process/wrapping.hpp"
 
 namespace kerf::process {
@@ -46,9 +47,11 @@ class PlanReader {
   [[nodiscard]] std::uint32_t rounds() const;
   void advance();
   void advance_turn();
+  void find_operation();
   void make(const Pass& pass, std::size_t entry);
   void make_way(const Way& way);
-  void make_scan_line(const Scan& scan, const ScanLine& line);
+  [[nodiscard]] bool make_row(const Picture& picture);
+  void make_scan_line(double run_up, const ScanLine& line);
   void make_spot(const Spot& spot);
   void finish();
 
@@ -74,6 +77,8 @@ class PlanReader {
   Vec2 flat_;  // the same place in the drawing, where it is wrapped
   std::optional<Wrapping> wrapping_;
   bool is_on_surface_ = false;
+  std::optional<Raster> raster_;  // of the picture under way
+  ScanLine row_;
   std::optional<motion::Power> power_;
   double frequency_hz_ = 0;
   Air air_ = Air::off;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "process/keys.hpp"
 #include "process/machine_facts.hpp"
 #include "process/recipe.hpp"
@@ -22,6 +24,9 @@ struct Settled {
 
   friend bool operator==(const Settled&, const Settled&) = default;
 };
+
+/// "engrave"
+[[nodiscard]] inline std::string name_of(Process process) { return names_of(only(process)); }
 
 [[nodiscard]] Settled settle(const Operation& operation, const MachineFacts& machine);
 

@@ -54,7 +54,7 @@ bool is_same(const Contour& a, const Contour& b, double same_mm) {
 struct Cell {
   std::int64_t u;
   std::int64_t v;
-  Name layer;
+  Group group;
   std::size_t count;
 
   friend bool operator==(const Cell&, const Cell&) = default;
@@ -64,7 +64,7 @@ struct HashOfCell {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t mixed = static_cast<std::uint64_t>(cell.u) * 0x9E3779B97F4A7C15U;
     mixed = (mixed ^ static_cast<std::uint64_t>(cell.v)) * 0xC2B2AE3D27D4EB4FU;
-    mixed ^= (static_cast<std::uint64_t>(cell.layer) << 32U) + cell.count;
+    mixed ^= cell.group * 0x165667B19E3779F9U + cell.count;
     return mixed ^ (mixed >> 29U);
   }
 };
@@ -80,17 +80,17 @@ class Known {
   Known(const std::vector<Chain>& chains, double same_mm)
       : chains_(chains), same_mm_(same_mm), size_mm_(std::max(same_mm, 1e-6)) {}
 
-  [[nodiscard]] bool has(const Chain& chain, Name layer) const {
-    const Cell cell = cell_of(chain, layer);
+  [[nodiscard]] bool has(const Chain& chain, Group group) const {
+    const Cell cell = cell_of(chain, group);
     for (std::int64_t u = -1; u <= 1; ++u) {
       for (std::int64_t v = -1; v <= 1; ++v) {
-        if (has_in({cell.u + u, cell.v + v, layer, cell.count}, chain)) return true;
+        if (has_in({cell.u + u, cell.v + v, group, cell.count}, chain)) return true;
       }
     }
     return false;
   }
-  void add(std::size_t index, Name layer) {
-    std::vector<std::size_t>& cell = cells_[cell_of(chains_[index], layer)];
+  void add(std::size_t index, Group group) {
+    std::vector<std::size_t>& cell = cells_[cell_of(chains_[index], group)];
     if (cell.size() < kMostInACell) cell.push_back(index);
   }
 
@@ -98,9 +98,9 @@ class Known {
   /// So many different paths with one middle are compared, whatever the drawing is.
   static constexpr std::size_t kMostInACell = 64;
 
-  [[nodiscard]] Cell cell_of(const Chain& chain, Name layer) const {
+  [[nodiscard]] Cell cell_of(const Chain& chain, Group group) const {
     const Vec2 middle = mean(chain.path);
-    return {std::llround(middle.u / size_mm_), std::llround(middle.v / size_mm_), layer,
+    return {std::llround(middle.u / size_mm_), std::llround(middle.v / size_mm_), group,
             chain.path.vertices.size()};
   }
   [[nodiscard]] bool has_in(const Cell& cell, const Chain& chain) const {
@@ -125,10 +125,10 @@ std::vector<Chain> without_duplicates(std::vector<Chain> chains, const Drawing& 
   kept.reserve(chains.size());
   Known known(kept, same_mm);
   for (Chain& chain : chains) {
-    const Name layer = drawing.entities[chain.entity].layer;
-    if (known.has(chain, layer)) continue;
+    const Group group = group_of(drawing.entities[chain.entity]);
+    if (known.has(chain, group)) continue;
     kept.push_back(std::move(chain));
-    known.add(kept.size() - 1, layer);
+    known.add(kept.size() - 1, group);
   }
   return kept;
 }

@@ -24,14 +24,14 @@ class EndGrid {
     for (const Number end : order_) keys_.push_back(key(end));
   }
 
-  /// Calls visit(other, distance) for ends with a larger number on the same layer, at most kMost of
+  /// Calls visit(other, distance) for ends with a larger number of the same group, at most kMost of
   /// them a cell: more at one place are one crowd, of which any show it.
   template <typename Visit>
   void near(Number end, double most_mm, Visit&& visit) const {
-    const auto [layer, u, v] = key(end);
+    const auto [group, u, v] = key(end);
     for (std::int64_t du = -1; du <= 1; ++du) {
-      const Key low{layer, u + du, v - 1};
-      const Key high{layer, u + du, v + 1};
+      const Key low{group, u + du, v - 1};
+      const Key high{group, u + du, v + 1};
       auto at = std::lower_bound(keys_.begin(), keys_.end(), low);
       for (std::size_t seen = 0; at != keys_.end() && *at <= high && seen < kMost; ++at) {
         const Number other = order_[static_cast<std::size_t>(at - keys_.begin())];
@@ -45,12 +45,11 @@ class EndGrid {
   }
 
  private:
-  using Key = std::tuple<std::uint32_t, std::int64_t, std::int64_t>;
+  using Key = std::tuple<Group, std::int64_t, std::int64_t>;
   static constexpr std::size_t kMost = 256;
 
   [[nodiscard]] Key key(Number end) const {
-    return {static_cast<std::uint32_t>(ends_[end].layer),
-            static_cast<std::int64_t>(std::floor(ends_[end].at.u / size_mm_)),
+    return {ends_[end].group, static_cast<std::int64_t>(std::floor(ends_[end].at.u / size_mm_)),
             static_cast<std::int64_t>(std::floor(ends_[end].at.v / size_mm_))};
   }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "drawing/names.hpp"
+#include "drawing/drawing.hpp"
 #include "geometry/vec2.hpp"
 
 namespace kerf::drawing {
@@ -12,14 +12,14 @@ namespace kerf::drawing {
 struct PathEnd {
   geometry::Vec2 at;
   geometry::Vec2 outwards;  ///< direction in which the path would go on, not 0
-  Name layer{};
+  Group group{};            ///< only ends of one group are joined
 };
 
 /// Another end's number, or kAlone.
 using Partner = std::uint32_t;
 inline constexpr Partner kAlone = 0xffffffffU;
 
-/// For each end the one that it is joined with: ends of one layer at most `join_mm` apart, the
+/// For each end the one that it is joined with: ends of one group at most `join_mm` apart, the
 /// nearest ones first, then in the order of their numbers; where more than two are at one place,
 /// those that turn least.
 [[nodiscard]] std::vector<Partner> partners_of(const std::vector<PathEnd>& ends, double join_mm);
@@ -30,7 +30,7 @@ struct EndPair {
   double distance_mm = 0;
 };
 
-/// Pairs of ends that have no partner, of one layer and at most `most_mm` apart, each end in one
+/// Pairs of ends that have no partner, of one group and at most `most_mm` apart, each end in one
 /// pair at most, nearest first.
 [[nodiscard]] std::vector<EndPair> near_pairs(const std::vector<PathEnd>& ends,
                                               const std::vector<Partner>& partners, double most_mm);

@@ -18,11 +18,11 @@ std::vector<PathEnd> ends_of(const std::vector<Chain>& open, const Drawing& draw
   std::vector<PathEnd> ends;
   ends.reserve(2 * open.size());
   for (const Chain& chain : open) {
-    const Name layer = drawing.entities[chain.entity].layer;
+    const Group group = group_of(drawing.entities[chain.entity]);
     const contour::Edge first = edge_of(chain.path, 0);
     const contour::Edge last = edge_of(chain.path, edge_count(chain.path) - 1);
-    ends.push_back({first.from, -tangent_at_start(first), layer});
-    ends.push_back({last.to, tangent_at_end(last), layer});
+    ends.push_back({first.from, -tangent_at_start(first), group});
+    ends.push_back({last.to, tangent_at_end(last), group});
   }
   return ends;
 }

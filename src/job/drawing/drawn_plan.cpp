@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "job/drawing/drawing_files.hpp"
+#include "job/drawing/drawn_texts.hpp"
+#include "job/drawing/image_sizes.hpp"
+#include "process/materials.hpp"
 #include "process/plan_reader.hpp"
 
 namespace kerf::job {
@@ -99,16 +102,27 @@ Outcome<void> DrawnPlan::make() {
   drawing::Canvas canvas(order_.reading, drawing_);
   const auto read = read_drawings(order_.drawings, order_.max_seconds, sources_, canvas);
   if (!read) return tl::unexpected(read.error());
+  size_images(order_.recipe.image, drawing_);
+  auto said = draw_texts(order_, drawing_, canvas);
+  if (!said) return tl::unexpected(said.error());
+  texts_ = std::move(*said);
   cleaned_ = clean(drawing_, rules_of(order_.recipe), canvas);
   if (cleaned_.chains.empty() && cleaned_.points.empty() && drawing_.images.empty())
     canvas.find(base::Severity::error, base::Code::draw_empty, {}, "");
   std::vector<contour::Contour> paths;
   for (const drawing::Chain& chain : cleaned_.chains) paths.push_back(chain.path);
   nests_ = drawing::nests_of(paths);
-  const drawing::Affine map =
-      process::placement(order_.recipe.place, process::extents_of(cleaned_));
+  contour::Box box = process::extents_of(cleaned_);
+  for (const drawing::Image& image : drawing_.images)
+    for (const geometry::Vec2 corner :
+         {geometry::Vec2{0, 0}, geometry::Vec2{1, 0}, geometry::Vec2{0, 1}, geometry::Vec2{1, 1}})
+      box.take(image.to_mm(corner));
+  const drawing::Affine map = process::placement(order_.recipe.place, box);
   sheet_ = process::placed(drawing_, cleaned_, map, order_.recipe.tolerance);
-  plan_ = process::plan_of(drawing_, sheet_, order_.recipe, facts_of(order_.definition));
+  const process::MachineFacts machine = facts_of(order_.definition);
+  const process::Diagnostics filled = process::fill_in(order_.recipe, order_.materials, machine);
+  plan_ = process::plan_of(drawing_, sheet_, order_.recipe, machine);
+  for (const base::Diagnostic& told : filled) plan_.findings.push_back({told, {}, {}});
   return {};
 }
 

@@ -35,6 +35,7 @@ class DrawnPlan final : public control::MotionMaker {
   /// How the contours lie in each other, before they are placed.
   [[nodiscard]] const std::vector<drawing::Nest>& nests() const { return nests_; }
   [[nodiscard]] const process::Plan& plan() const { return plan_; }
+  [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
   /// Of the drawing, then of the plan.
   [[nodiscard]] std::vector<drawing::Finding> findings() const;
   /// An error was found: nothing may be written.
@@ -50,6 +51,7 @@ class DrawnPlan final : public control::MotionMaker {
   drawing::Cleaned cleaned_;
   std::vector<drawing::Nest> nests_;
   process::Sheet sheet_;
+  std::vector<std::string> texts_;
   process::Plan plan_;
 };
 

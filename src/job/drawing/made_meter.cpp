@@ -47,23 +47,6 @@ double feed_of(const Motion& motion) {
   return 0;
 }
 
-void add(const output::Made& more, output::Made& sum) {
-  sum.beam_mm += more.beam_mm;
-  sum.travel_mm += more.travel_mm;
-  sum.overscan_mm += more.overscan_mm;
-  sum.beam_s += more.beam_s;
-  sum.time_s += more.time_s;
-  sum.energy_j += more.energy_j;
-  sum.pierces += more.pierces;
-  if (!more.has_extents) return;
-  for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
-    const base::Axis axis{static_cast<std::uint8_t>(i)};
-    sum.low[axis] = sum.has_extents ? std::min(sum.low[axis], more.low[axis]) : more.low[axis];
-    sum.high[axis] = sum.has_extents ? std::max(sum.high[axis], more.high[axis]) : more.high[axis];
-  }
-  sum.has_extents = true;
-}
-
 }  // namespace
 
 MadeMeter::MadeMeter(const process::Plan& plan, const drawing::Drawing& drawing)
@@ -94,7 +77,7 @@ void MadeMeter::reach(const Motion& motion, output::Made& made) const {
   more.low = extent.low;
   more.high = extent.high;
   more.has_extents = true;
-  add(more, made);
+  made.add(more);
 }
 
 void MadeMeter::measure_move(const Motion& motion, output::Made& made) {
@@ -149,7 +132,7 @@ void MadeMeter::motion_ends(std::uint64_t motion, double time_s) {
 
 output::Made MadeMeter::all() const {
   output::Made sum;
-  for (const output::Made& made : by_operation_) add(made, sum);
+  for (const output::Made& made : by_operation_) sum.add(made);
   return sum;
 }
 

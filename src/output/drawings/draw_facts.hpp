@@ -22,6 +22,8 @@ struct Made {
   std::size_t pierces = 0;
   base::TipPoint low, high;  ///< of what is cut; in that order where there is anything
   bool has_extents = false;
+
+  void add(const Made& more);
 };
 
 /// A text that was written.
@@ -34,18 +36,6 @@ struct DrawTarget {
   std::vector<std::string> lost;
 };
 
-/// A picture that is burnt.
-struct RasterFacts {
-  std::string file;
-  std::uint32_t pixels_across = 0;
-  std::uint32_t pixels_up = 0;
-  double width_mm = 0;
-  double height_mm = 0;
-  std::size_t rows = 0;
-  std::size_t burnt = 0;
-  std::size_t runs = 0;
-};
-
 /// All that is told of a drawing. What it refers to must outlive it.
 struct DrawFacts {
   std::vector<std::string> files;  ///< names, by the drawing's FileIds
@@ -53,7 +43,6 @@ struct DrawFacts {
   const drawing::Cleaned& cleaned;
   std::vector<drawing::Nest> nests;  ///< of the chains
   std::vector<std::string> texts;
-  std::vector<RasterFacts> rasters;
   const process::Plan* plan = nullptr;  ///< null: nothing was planned
   Made made;
   std::vector<Made> made_by_operation;

@@ -147,15 +147,25 @@ std::string cleaned_json(const drawing::Cleaned& cleaned) {
       .done();
 }
 
-std::string raster_json(const RasterFacts& raster) {
+std::string raster_json(const DrawFacts& facts, const process::RasterFacts& raster) {
+  const drawing::Entity& entity = facts.drawing.entities[raster.entity];
   return JsonObject()
-      .text("file", raster.file)
-      .raw("pixels", json_array({number(raster.pixels_across), number(raster.pixels_up)}))
-      .raw("size_mm", json_array({number(raster.width_mm), number(raster.height_mm)}))
-      .number("rows", static_cast<double>(raster.rows))
+      .text("file", file_name(facts, entity.file))
+      .raw("pixels", json_array({number(raster.columns), number(raster.rows)}))
+      .raw("size_mm", json_array({number(raster.size_mm.u), number(raster.size_mm.v)}))
+      .number("rows", static_cast<double>(raster.lines))
       .number("burnt", static_cast<double>(raster.burnt))
       .number("runs", static_cast<double>(raster.runs))
       .done();
+}
+
+std::string rasters_json(const DrawFacts& facts) {
+  std::vector<std::string> texts;
+  if (facts.plan == nullptr) return "[]";
+  for (const process::PlannedOperation& planned : facts.plan->operations)
+    for (const process::RasterFacts& raster : planned.rasters)
+      texts.push_back(raster_json(facts, raster));
+  return json_array(texts);
 }
 
 std::string made_extents(const process::Plan& plan, const Made& made) {
@@ -173,7 +183,7 @@ std::string operation_json(const process::PlannedOperation& planned, const Made&
   const process::Operation& operation = planned.operation;
   JsonObject object;
   object.text("name", operation.name)
-      .text("process", std::string(process::name_of(operation.process)))
+      .text("process", process::name_of(operation.process))
       .number("contours", static_cast<double>(planned.contours))
       .number("passes", operation.passes)
       .number("lines", static_cast<double>(planned.scan_lines))
@@ -191,6 +201,7 @@ std::string operation_json(const process::PlannedOperation& planned, const Made&
 std::string order_json(const process::Plan& plan) {
   std::vector<std::string> contours;
   for (const process::PlannedOperation& planned : plan.operations) {
+    if (planned.copy != drawing::kEveryCopy && planned.copy != 0) continue;
     for (const process::Turn& turn : planned.turns) {
       const std::uint32_t contour = planned.passes[turn.item].contour;
       if (contour != process::kNoContour) contours.push_back(number(contour));
@@ -199,11 +210,24 @@ std::string order_json(const process::Plan& plan) {
   return json_array(contours);
 }
 
+/// Of all copies together.
+Made made_of(const DrawFacts& facts, std::size_t index) {
+  Made sum;
+  for (std::size_t i = 0; i < facts.plan->operations.size(); ++i)
+    if (facts.plan->operations[i].index == index) sum.add(facts.made_by_operation[i]);
+  return sum;
+}
+
 std::string plan_json(const DrawFacts& facts) {
   const process::Plan& plan = *facts.plan;
   std::vector<std::string> operations;
-  for (std::size_t i = 0; i < plan.operations.size(); ++i)
-    operations.push_back(operation_json(plan.operations[i], facts.made_by_operation[i]));
+  for (std::size_t i = 0; i < plan.operations.size(); ++i) {
+    const bool is_another_copy =
+        plan.operations[i].copy != drawing::kEveryCopy && plan.operations[i].copy != 0;
+    if (is_another_copy) continue;
+    operations.push_back(
+        operation_json(plan.operations[i], made_of(facts, plan.operations[i].index)));
+  }
   const Made& made = facts.made;
   return JsonObject()
       .text("machine", plan.machine.name)
@@ -271,7 +295,7 @@ std::string draw_report(const DrawFacts& facts) {
       .raw("cleaned", cleaned_json(facts.cleaned))
       .number("error_mm", base::tidy(facts.drawing.error_mm))
       .raw("texts", list_json(facts.texts, quoted))
-      .raw("rasters", list_json(facts.rasters, raster_json));
+      .raw("rasters", rasters_json(facts));
   if (facts.plan != nullptr) report.raw("plan", plan_json(facts));
   return report.raw("targets", list_json(facts.targets, target_json))
              .raw("findings", list_json(facts.findings,
